@@ -1,0 +1,1 @@
+"""Derivations: one module per system, found by looking into this folder."""

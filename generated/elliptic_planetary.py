@@ -1,0 +1,345 @@
+"""Kernels of the system `elliptic_planetary`.
+
+Prikhodko, Polivoda, Shchetinin 2024, planetary mechanism with an elliptical pair, doi
+10.37313/1990-5378-2024-26-3-164-171
+
+Angles are positive in the direction of the carrier's rotation; distances on the line A-C are
+positive from A towards C and B. Lengths in mm, angles in rad.
+
+Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+# The parameters keep the paper's letters.
+# ruff: noqa: N803, N806
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import as_floats
+
+__all__ = [
+    "acceleration",
+    "position",
+    "position_principal",
+    "position_printed",
+    "ratio",
+]
+
+
+# Source: Prikhodko et al. 2024, equation (8)
+# Form: half-angle quotient; rewrites: half_angle_tangent
+# Expression sha256: b5fb0f9dcade9b79936108565603b2f32333369257747622bbaec24aeb5a9dad
+# Operations: 17
+def ratio(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
+    """Compute the transmission ratio d phi3/d phi1 of the output wheel to the carrier.
+
+        ratio = 1 + k*(1 - e**2)/(1 + e**2 - 2*e*cos(x))
+        k = R1/R2
+        x = k*phi1
+
+    Parameters
+    ----------
+    phi1 : array_like, any shape
+        Carrier angle, any number of turns (rad).
+    R1 : array_like, any shape
+        Radius of the epicycle (mm).
+    R2 : array_like, any shape
+        Radius of the satellite's cylindrical wheel (mm).
+    e : array_like, any shape
+        Eccentricity of the ellipse (pure number).
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (pure number); float32 if every array argument is
+        float32, float64 otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric.
+    ValueError
+        If shapes do not broadcast.
+
+    Notes
+    -----
+    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
+
+    Outside it the result is NaN, by way of R1.
+
+    Accuracy held by the tests: error <= 16 eps * (|value| + 2*sqrt(e)*|x|*(value - 1)/sqrt(1 +
+    e**2 - 2*e*cos(x)), where eps*|x| <= (1 - e)/4), eps the spacing of floats at 1.
+
+    Source: Prikhodko et al. 2024, equation (8).
+
+    """
+    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    inside = (
+        (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
+    R1 = np.where(inside, R1, np.nan)
+
+    k = R1 / R2
+    one_minus_e = 1 - e
+    one_plus_e = 1 + e
+    x = k * phi1
+    t = np.tan(x / 2)
+    t_squared = t**2
+    return 1 + k * one_minus_e * one_plus_e / (one_minus_e**2 + one_plus_e**2 * t_squared) * (
+        1 + t_squared
+    )
+
+
+# Source: Prikhodko et al. 2024, integral (9) of equation (8)
+# Form: half-angle atan; rewrites: positive_atan2, half_angle_tangent
+# Expression sha256: 830fe82f29ff22f44e6d333c5bd0f88fa521076110b435a728b2024280a941ff
+# Operations: 17
+def position(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
+    """Compute the position function phi3(phi1) of the output wheel, phi3(0) = 0.
+
+        position = phi1*(1 + k) + 2*atan2(e*sin(x), 1 - e*cos(x))
+        k = R1/R2
+        x = k*phi1
+
+    Parameters
+    ----------
+    phi1 : array_like, any shape
+        Carrier angle, any number of turns (rad).
+    R1 : array_like, any shape
+        Radius of the epicycle (mm).
+    R2 : array_like, any shape
+        Radius of the satellite's cylindrical wheel (mm).
+    e : array_like, any shape
+        Eccentricity of the ellipse (pure number).
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (rad); float32 if every array argument is float32,
+        float64 otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric.
+    ValueError
+        If shapes do not broadcast.
+
+    Notes
+    -----
+    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
+
+    Outside it the result is NaN, by way of R1.
+
+    Accuracy held by the tests: error <= 17 eps * (|value| + |phi1|*ratio, where eps*|x| <= (1 -
+    e)/4), eps the spacing of floats at 1.
+
+    Source: Prikhodko et al. 2024, integral (9) of equation (8).
+
+    """
+    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    inside = (
+        (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
+    R1 = np.where(inside, R1, np.nan)
+
+    k = R1 / R2
+    x = k * phi1
+    t = np.tan(x / 2)
+    one_minus_e = 1 - e
+    one_plus_e = 1 + e
+    return (1 + k) * phi1 + 2 * np.arctan(2 * e / (one_minus_e + one_plus_e * t**2) * t)
+
+
+# Source: derivative of Prikhodko et al. 2024, equation (8)
+# Form: half-angle quotient; rewrites: half_angle_tangent
+# Expression sha256: 91b69a6ba07be0093cc100c53552f487804079c310d6d68931af9e3d14dcd55f
+# Operations: 22
+def acceleration(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
+    """Compute d ratio/d phi1, the angular acceleration of the output at unit carrier speed.
+
+        acceleration = -2*e*k**2*(1 - e**2)*sin(x)/(1 + e**2 - 2*e*cos(x))**2
+        k = R1/R2
+        x = k*phi1
+
+    Parameters
+    ----------
+    phi1 : array_like, any shape
+        Carrier angle, any number of turns (rad).
+    R1 : array_like, any shape
+        Radius of the epicycle (mm).
+    R2 : array_like, any shape
+        Radius of the satellite's cylindrical wheel (mm).
+    e : array_like, any shape
+        Eccentricity of the ellipse (pure number).
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (pure number); float32 if every array argument is
+        float32, float64 otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric.
+    ValueError
+        If shapes do not broadcast.
+
+    Notes
+    -----
+    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
+
+    Outside it the result is NaN, by way of R1.
+
+    Accuracy held by the tests: error <= 25 eps * (|value| + |x|*2*e*k**2*(1 - e**2)/(1 + e**2 -
+    2*e*cos(x))**2, where eps*|x| <= (1 - e)/4), eps the spacing of floats at 1.
+
+    Source: derivative of Prikhodko et al. 2024, equation (8).
+
+    """
+    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    inside = (
+        (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
+    R1 = np.where(inside, R1, np.nan)
+
+    one_minus_e = 1 - e
+    one_plus_e = 1 + e
+    k = R1 / R2
+    x = k * phi1
+    t = np.tan(x / 2)
+    t_squared = t**2
+    return (
+        -4
+        * e
+        * one_minus_e
+        * one_plus_e
+        * k**2
+        / (one_minus_e**2 + one_plus_e**2 * t_squared) ** 2
+        * t
+        * (1 + t_squared)
+    )
+
+
+# Source: Prikhodko et al. 2024, equation (12)
+# Form: as printed
+# Expression sha256: 57141eb1f5a1911636963a3944f616d16509b37ec44b8f956c64f2d10da47e9d
+# Operations: 17
+def position_printed(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
+    """Compute equation (12) as it stands in print.
+
+    Specimen, not for use: its derivative is not the ratio (8), and it jumps where x/2 passes
+    pi/2.
+
+        position_printed = phi1 + 2*sqrt((1 - e)/(1 + e))*atan(sqrt((1 + e)/(1 -
+            e))*tan(R1*phi1/(2*R2)))
+
+    Parameters
+    ----------
+    phi1 : array_like, any shape
+        Carrier angle, any number of turns (rad).
+    R1 : array_like, any shape
+        Radius of the epicycle (mm).
+    R2 : array_like, any shape
+        Radius of the satellite's cylindrical wheel (mm).
+    e : array_like, any shape
+        Eccentricity of the ellipse (pure number).
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (rad); float32 if every array argument is float32,
+        float64 otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric.
+    ValueError
+        If shapes do not broadcast.
+
+    Notes
+    -----
+    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
+
+    Outside it the result is NaN, by way of R1.
+
+    Source: Prikhodko et al. 2024, equation (12).
+
+    """
+    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    inside = (
+        (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
+    R1 = np.where(inside, R1, np.nan)
+
+    one_minus_e = 1 - e
+    one_plus_e = 1 + e
+    return phi1 + 2 * np.sqrt(one_minus_e / one_plus_e) * np.arctan(
+        np.sqrt(one_plus_e / one_minus_e) * np.tan(R1 / (2 * R2) * phi1)
+    )
+
+
+# Source: Prikhodko et al. 2024, equation (12) with the factor of (11) corrected
+# Form: principal branch
+# Expression sha256: 387e96024e7cecf0d2a5583237b63348953846e0d42093f13a93e610793c85df
+# Operations: 11
+def position_principal(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
+    """Compute the integral (9) by one principal arctangent.
+
+    Specimen, not for use: right only for |phi1| < pi*R2/R1, beyond that off by multiples of
+    2*pi.
+
+        position_principal = phi1 + 2*atan((1 + e)*tan(x/2)/(1 - e))
+        k = R1/R2
+        x = k*phi1
+
+    Parameters
+    ----------
+    phi1 : array_like, any shape
+        Carrier angle, any number of turns (rad).
+    R1 : array_like, any shape
+        Radius of the epicycle (mm).
+    R2 : array_like, any shape
+        Radius of the satellite's cylindrical wheel (mm).
+    e : array_like, any shape
+        Eccentricity of the ellipse (pure number).
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (rad); float32 if every array argument is float32,
+        float64 otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric.
+    ValueError
+        If shapes do not broadcast.
+
+    Notes
+    -----
+    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1, Abs(phi1) < pi*R2/R1 (less than half
+    a turn of the satellite).
+
+    Outside it the result is NaN, by way of R1; Abs(phi1) < pi*R2/R1 is not checked.
+
+    Singular: jumps by 2*pi at odd multiples of pi*R2/R1.
+
+    Source: Prikhodko et al. 2024, equation (12) with the factor of (11) corrected.
+
+    """
+    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    inside = (
+        (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
+    R1 = np.where(inside, R1, np.nan)
+
+    k = R1 / R2
+    x = k * phi1
+    return phi1 + 2 * np.arctan((1 + e) / (1 - e) * np.tan(x / 2))

@@ -1,0 +1,37 @@
+"""Mechanism formulas from print to proved verdicts and accurate NumPy kernels.
+
+`EllipticPlanetary` and `TrackWheel` are mechanisms with checked parameters;
+`mechproof.kernels.<system>` has the plain functions of arrays below them. Everything is imported
+when it is first used: `import mechproof` costs next to nothing.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from mechproof.elliptic_planetary import EllipticPlanetary
+    from mechproof.track_wheel import TrackWheel
+
+__all__ = ["EllipticPlanetary", "TrackWheel", "__version__"]
+
+# The module in which each public name lives.
+HOMES = {
+    "EllipticPlanetary": "mechproof.elliptic_planetary",
+    "TrackWheel": "mechproof.track_wheel",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("mechproof")
+    if name not in HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

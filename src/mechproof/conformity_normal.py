@@ -1,0 +1,259 @@
+"""The four masses of a rectangle in the plane of two correlated normal variables.
+
+Y ~ Normal(mu, sigma) is the true deviation, M = Y + E the measured one. Standardised, they are a
+bivariate normal pair with correlation cos(beta), sin(beta) = s / rho, rho = hypot(sigma, s). The
+tolerance limits h and the acceptance limits k cut the plane into nine regions.
+
+Each corner (h, k) has four quadrants. With I(a, b) = 1/(2 pi) times the integral from a to b of
+exp(-(h**2 + k**2 - 2 h k cos x) / (2 sin(x)**2)) dx (Plackett's derivative of the bivariate mass
+with respect to the correlation, x its arc cosine):
+
+    P(Y > h, M < k) = max(0, Phi(k) - Phi(h)) + I(0, beta)
+    P(Y < h, M > k) = max(0, Phi(h) - Phi(k)) + I(0, beta)
+    P(Y > h, M > k) = max(0, Phi(-k) - Phi(h)) + I(beta, pi)
+    P(Y < h, M < k) = max(0, Phi(h) - Phi(-k)) + I(beta, pi)
+    I(0, pi) = Phi(-max(|h|, |k|))
+
+Every term is positive, so the smallest quadrant is as accurate as the largest. The exponent is
+(h-k)**2 / (8 sin(x/2)**2) + (h+k)**2 / (8 cos(x/2)**2), and in log(tan(x/2)) the integrand is
+log-concave: one Gauss panel from the end at beta to where it has died out suffices
+(`conformity_arc`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from mechproof.conformity_arc import integrate_arc
+from mechproof.conformity_laws import Normal, parameters
+from mechproof.conformity_windows import (
+    UNIT_NODES,
+    UNIT_WEIGHTS,
+    Array,
+    Mask,
+    integrate_density,
+    normal_density,
+    normal_interval,
+    standardise,
+    subtract_tails,
+)
+
+UNDERFLOW = 745.0  # exp(-745) is the smallest double
+
+
+@dataclass(frozen=True)
+class Plane:
+    """Standardised limits; axis 0 of `h` and `k` is (lower, upper), of `gap` that of h, then k."""
+
+    h: Array
+    k: Array
+    gap: Array  # k - h without cancellation
+    tangent: Array  # tan(beta / 2)
+    widths: tuple[Array, Array]  # of the tolerance in sigma, of the acceptance in rho
+    acceptance_in_s: Array
+
+    @property
+    def sine(self) -> Array:
+        """Sine of beta."""
+        sine: Array = 2 * self.tangent / (1 + self.tangent**2)
+        return sine
+
+    @property
+    def cosine(self) -> Array:
+        """Cosine of beta."""
+        cosine: Array = (1 - self.tangent) * (1 + self.tangent) / (1 + self.tangent**2)
+        return cosine
+
+    @property
+    def cotangent(self) -> Array:
+        """Cotangent of beta; 0 for beta = 0, where the slope it multiplies is never needed."""
+        return np.where(self.tangent == 0, 0.0, _divide(self.cosine, self.sine))
+
+
+def _divide(a: Array, b: Array) -> Array:
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        quotient: Array = a / b
+    return quotient
+
+
+def _subtract_twice(a: Array, b: Array, c: Array) -> Array:
+    """Subtract b and c from a; the rounding error of a - b is carried along (TwoSum)."""
+    with np.errstate(invalid="ignore"):
+        high = a - b
+        back = high - a
+        low = (a - (high - back)) - (b + back)
+        return np.where(np.isfinite(high), (high - c) + low, high - c)
+
+
+def _standard_plane(true: Normal, error: Normal, tolerance: Array, acceptance: Array) -> Plane:
+    (mu, sigma), (bias, s) = parameters(true), parameters(error)
+    rho = np.hypot(sigma, s)
+    tangent = np.where(rho == 0, 0.0, _divide(s, rho + sigma))
+    edge = np.array([np.inf, -np.inf])[:, None]  # a fixed value on a limit is outside it
+    h = standardise(tolerance - mu, sigma, edge)
+    k = standardise(_subtract_twice(acceptance, mu, bias), rho, edge)
+    offset = _subtract_twice(acceptance[None], tolerance[:, None], bias)
+    versine = 2 * tangent**2 / (1 + tangent**2)
+    with np.errstate(invalid="ignore"):
+        gap = _divide(offset, rho) - h[:, None] * versine
+        finite = np.isfinite(h[:, None]) & np.isfinite(k[None])
+        both = h[:, None] == k[None]
+        gap = np.where(finite, gap, np.where(both, 0.0, k[None] - h[:, None]))
+    return Plane(
+        h,
+        k,
+        gap,
+        tangent,
+        (
+            _divide(np.diff(tolerance, axis=0)[0], sigma),
+            _divide(np.diff(acceptance, axis=0)[0], rho),
+        ),
+        _divide(np.diff(acceptance, axis=0)[0], s),
+    )
+
+
+def _arc_integrals(plane: Plane, total: Array) -> tuple[Array, Array]:
+    """I(0, beta) and I(beta, pi) of every corner: the smaller integrated, the other by `total`."""
+    t = np.broadcast_to(plane.tangent, plane.gap.shape)
+    h, k = np.broadcast_arrays(plane.h[:, None], plane.k[None])
+    with np.errstate(invalid="ignore", over="ignore"):
+        d, r = np.abs(plane.gap) / np.sqrt(8), np.abs(h + k) / np.sqrt(8)
+        p, q = _divide(d, t), r * t
+        exponent = (p * p + r * r) * (1 + t * t)
+        first = ~(2 * (p - q) * (p + q) + plane.cosine <= 0)  # NaN: s = 0, I(0, beta) is 0
+    present = np.isfinite(h) & np.isfinite(k) & (t > 0) & (exponent < UNDERFLOW)
+    near, far = np.where(first, (p, q), (q, p))
+    one, square = np.where(first, (np.ones_like(t), t * t), (t * t, np.ones_like(t)))
+    scale = np.broadcast_to(plane.sine, t.shape)[present] * np.exp(-exponent[present])
+    smaller = np.zeros_like(t)
+    smaller[present] = scale * integrate_arc(
+        near[present] ** 2, far[present] ** 2, one[present], square[present]
+    )
+    smaller += np.where(np.isnan(plane.gap), np.nan, 0.0)
+    return np.where(first, smaller, total - smaller), np.where(first, total - smaller, smaller)
+
+
+@dataclass(frozen=True)
+class Quadrants:
+    """Masses at every corner (h, k); the first word is Y's side of h, the second M's side of k."""
+
+    above_above: Array
+    above_below: Array
+    below_above: Array
+    below_below: Array
+
+
+def _quadrants(plane: Plane) -> Quadrants:
+    from scipy.special import ndtr
+
+    h, k = plane.h[:, None], plane.k[None]
+    below_h, above_h, below_k, above_k = ndtr(h), ndtr(-h), ndtr(k), ndtr(-k)
+    total = np.minimum(np.minimum(below_h, above_h), np.minimum(below_k, above_k))
+    outer, inner = _arc_integrals(plane, total)
+    along = _normal_between(h, k, plane.gap, (below_h, below_k), (above_h, above_k))
+    with np.errstate(invalid="ignore"):
+        span = np.where(h == -k, 0.0, h + k)
+    across = _normal_between(h, -k, span, (below_h, above_k), (above_h, below_k))
+    return Quadrants(
+        above_above=np.where(span < 0, across, 0.0) + inner,
+        above_below=np.where(plane.gap > 0, along, 0.0) + outer,
+        below_above=np.where(plane.gap < 0, along, 0.0) + outer,
+        below_below=np.where(span > 0, across, 0.0) + inner,
+    )
+
+
+def _normal_between(
+    a: Array, b: Array, distance: Array, below: tuple[Array, Array], above: tuple[Array, Array]
+) -> Array:
+    """Mass of the standard normal law between `a` and `b`, in either order, from their tails."""
+    start = np.minimum(a, b)
+    return subtract_tails(
+        (np.minimum(*below), np.maximum(*below)),
+        (np.maximum(*above), np.minimum(*above)),
+        lambda mask: integrate_density(start[mask], np.abs(distance[mask])),
+    )
+
+
+def _integrate_strip(start: Array, width: Array, argument: Array, slope: Array, side: int) -> Array:
+    """Mass of start < z < start + width on one side of a line: phi(z) Phi(argument + slope z)."""
+    from scipy.special import ndtr
+
+    step = width[:, None] * UNIT_NODES
+    beyond = ndtr(side * (argument[:, None] + slope[:, None] * step))
+    mass: Array = (normal_density(start[:, None] + step) * beyond) @ UNIT_WEIGHTS * width
+    return mass
+
+
+def _accepted(plane: Plane, corner: Quadrants, i: int, above: bool) -> Array:
+    """Mass inside the acceptance window, above or below tolerance limit `i`."""
+    below_k, above_k = (
+        (corner.above_below[i], corner.above_above[i])
+        if above
+        else (corner.below_below[i], corner.below_above[i])
+    )
+    strip = plane.k[0], plane.widths[1], plane.gap[i, 0]
+    return _strip_mass(plane, below_k, above_k, strip, above)
+
+
+def _conforming(plane: Plane, corner: Quadrants, j: int, above: bool) -> Array:
+    """Mass inside the tolerance, above or below acceptance limit `j`."""
+    below_h, above_h = (
+        (corner.below_above[:, j], corner.above_above[:, j])
+        if above
+        else (corner.below_below[:, j], corner.above_below[:, j])
+    )
+    strip = plane.h[0], plane.widths[0], -plane.gap[0, j]
+    return _strip_mass(plane, below_h, above_h, strip, above)
+
+
+def _strip_mass(
+    plane: Plane, below: Array, above: Array, strip: tuple[Array, Array, Array], beyond: bool
+) -> Array:
+    """Mass of a strip (start, width, start - line) on one side of the line that crosses it."""
+
+    def integrate(mask: Mask) -> Array:
+        start, width, distance = strip
+        argument = _divide(distance, plane.sine) - start * plane.tangent
+        window = start[mask], width[mask]
+        line = argument[mask], plane.cotangent[mask]
+        return _integrate_strip(*window, *line, 1 if beyond else -1)
+
+    return subtract_tails((below[0], below[1]), (above[0], above[1]), integrate)
+
+
+def _integrate_rectangle(plane: Plane, mask: Mask) -> Array:
+    """Mass inside both windows where the tolerance is narrow."""
+    width = plane.widths[0][mask]
+    step = width[:, None] * UNIT_NODES
+    shift = (plane.h[0] * plane.tangent)[mask][:, None] - plane.cotangent[mask][:, None] * step
+    low, high = (_divide(plane.gap[0, j], plane.sine)[mask][:, None] + shift for j in (0, 1))
+    inner = normal_interval(low, high, plane.acceptance_in_s[mask][:, None])
+    density = normal_density(plane.h[0][mask][:, None] + step)
+    return (density * inner) @ UNIT_WEIGHTS * width
+
+
+def normal_masses(
+    true: Normal, error: Normal, tolerance: Array, acceptance: Array
+) -> tuple[Array, Array, Array, Array]:
+    """Rightly and wrongly accepted, rightly and wrongly rejected masses.
+
+    The parameters of the laws have shape (n,), the limits shape (2, n); the results (n,).
+    """
+    plane = _standard_plane(true, error, tolerance, acceptance)
+    corner = _quadrants(plane)
+    below = tuple(_accepted(plane, corner, i, above=False) for i in (0, 1))
+    above = tuple(_accepted(plane, corner, i, above=True) for i in (0, 1))
+    right = subtract_tails(
+        (below[0], below[1]), (above[0], above[1]), lambda mask: _integrate_rectangle(plane, mask)
+    )
+    return (
+        right,
+        below[0] + above[1],
+        corner.below_below[0, 0]
+        + corner.above_above[1, 1]
+        + corner.below_above[0, 1]
+        + corner.above_below[1, 0],
+        _conforming(plane, corner, 0, above=False) + _conforming(plane, corner, 1, above=True),
+    )

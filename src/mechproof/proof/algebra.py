@@ -1,0 +1,220 @@
+"""Rung: equality in a field of rational functions, circle points and square roots.
+
+Angles are reduced to one (cos, sin) pair per base angle with c^2 + s^2 = 1, square roots to
+roots of irreducible factors of proved sign with r^2 = f. The numerator of the difference then
+has a unique normal form; it is zero exactly if the two sides agree wherever both are defined.
+Other functions (arctan, ...) stay opaque: equal arguments, equal values.
+"""
+
+from __future__ import annotations
+
+from math import comb, lcm
+
+import sympy as sp
+
+from mechproof.proof.domain import Domain
+from mechproof.proof.signs import find_sign
+from mechproof.proof.sums import canonicalise
+
+_HALF = sp.Rational(1, 2)
+
+
+class Field:
+    """The generators met in one decision, and the relations between them."""
+
+    def __init__(self, domain: Domain) -> None:
+        """Start with no generator; `domain` proves the signs under square roots."""
+        self.domain = domain
+        self.used_angles = False
+        self.used_roots = False
+        self.used_sums = False
+        self._denominators: dict[sp.Expr, int] = {}
+        self._circle: dict[sp.Expr, tuple[sp.Symbol, sp.Symbol]] = {}
+        self._opaque: dict[sp.Basic, sp.Symbol] = {}
+        self._meaning: dict[sp.Basic, sp.Basic] = {}
+        self._relations: dict[sp.Symbol, sp.Expr] = {}
+
+    def vanishes(self, expression: sp.Basic) -> bool:
+        """Decide whether the expression is identically zero; False means "not shown"."""
+        self.used_sums = self.used_sums or expression.has(sp.Sum)
+        expression = canonicalise(self.domain.resolve(expression))
+        self._collect_angles(expression)
+        numerator, denominator = sp.fraction(sp.together(self._translate(expression)))
+        return bool(self._reduce(numerator) == 0 and self._reduce(denominator) != 0)
+
+    @property
+    def rung(self) -> str:
+        """Name what the decision needed."""
+        kinds = (
+            (self.used_sums, "symbolic sum"),
+            (self.used_roots, "radicals"),
+            (self.used_angles, "trigonometric field"),
+        )
+        return next((name for used, name in kinds if used), "rational field")
+
+    def _collect_angles(self, expression: sp.Basic) -> None:
+        for node in expression.atoms(sp.sin, sp.cos, sp.tan, sp.cot):
+            for monomial, factor in _linear_terms(node.args[0]):
+                known = self._denominators.get(monomial, 1)
+                self._denominators[monomial] = lcm(known, int(factor.q))
+
+    def _translate(self, node: sp.Basic) -> sp.Expr:
+        if node.is_Rational or node.is_Symbol:
+            return node
+        if isinstance(node, sp.Add | sp.Mul):
+            return node.func(*(self._translate(argument) for argument in node.args))
+        if isinstance(node, sp.Pow) and node.exp.is_Integer:
+            return self._translate(node.base) ** node.exp
+        if isinstance(node, sp.Pow) and node.exp.is_Rational and node.exp.q == 2:
+            return self._translate_root(node.base) ** node.exp.p
+        if isinstance(node, sp.Abs):
+            return self._translate_root(node.args[0] ** 2)
+        if isinstance(node, sp.sin | sp.cos | sp.tan | sp.cot):
+            return self._translate_angle(node)
+        if isinstance(node, sp.atan2) and self._is_positive(node.args[1]):
+            quotient = sp.atan(node.args[0] / node.args[1])
+            return self._translate_opaque(quotient) if quotient != 0 else quotient
+        return self._translate_opaque(node)
+
+    def _is_positive(self, expression: sp.Expr) -> bool:
+        sign = find_sign(expression, self.domain)
+        return sign is not None and sign.strict and sign.direction > 0
+
+    def _translate_angle(self, node: sp.Expr) -> sp.Expr:
+        self.used_angles = True
+        cosine, sine = sp.Integer(1), sp.Integer(0)
+        for monomial, factor in _linear_terms(node.args[0]):
+            c, s = self._multiple(monomial, factor)
+            cosine, sine = cosine * c - sine * s, sine * c + cosine * s
+        quotients = {
+            sp.cos: lambda: cosine,
+            sp.sin: lambda: sine,
+            sp.tan: lambda: sine / cosine,
+            sp.cot: lambda: cosine / sine,
+        }
+        return quotients[node.func]()
+
+    def _multiple(self, monomial: sp.Expr, factor: sp.Rational) -> tuple[sp.Expr, sp.Expr]:
+        """Return cos and sin of factor*monomial as polynomials in those of the base angle."""
+        if monomial == sp.pi and not (cosine := sp.cos(factor * sp.pi)).has(sp.cos, sp.sin):
+            return self._translate(cosine), self._translate(sp.sin(factor * sp.pi))
+        times = int(factor * self._denominators.setdefault(monomial, int(factor.q)))
+        c, s = self._circle_point(monomial)
+        n = abs(times)
+        even = sum((-1) ** (k // 2) * comb(n, k) * c ** (n - k) * s**k for k in range(0, n + 1, 2))
+        odd = sum((-1) ** (k // 2) * comb(n, k) * c ** (n - k) * s**k for k in range(1, n + 1, 2))
+        return sp.sympify(even), sp.sympify(odd) * (1 if times >= 0 else -1)
+
+    def _circle_point(self, monomial: sp.Expr) -> tuple[sp.Symbol, sp.Symbol]:
+        if monomial not in self._circle:
+            base = monomial / self._denominators[monomial]
+            c, s = (sp.Dummy(name, real=True) for name in ("c", "s"))
+            self._circle[monomial] = (c, s)
+            self._relations[s] = 1 - c**2
+            self._meaning |= {c: sp.cos(base), s: sp.sin(base)}
+        return self._circle[monomial]
+
+    def _translate_root(self, radicand: sp.Expr) -> sp.Expr:
+        """Return sqrt(radicand): squares pulled out, then roots of single factors."""
+        self.used_roots = True
+        numerator, denominator = sp.fraction(sp.together(self._translate(radicand)))
+        top, bottom = self._reduce(numerator), self._reduce(denominator)
+        constant, factors = sp.factor_list(sp.expand(top * bottom))
+        outside = 1 / (bottom * self._direction(bottom))
+        inside = sp.Integer(1)
+        for factor, power in factors:
+            if power > 1 and (power // 2) % 2:
+                outside *= (factor * self._direction(factor)) ** (power // 2)
+            elif power > 1:
+                outside *= factor ** (power // 2)
+            if power % 2:
+                direction = self._known_direction(factor)
+                if direction is None:
+                    inside *= factor
+                else:
+                    constant *= direction
+                    outside *= self._root_of(direction * factor)
+        return sp.expand(outside * self._root_of_number_and(constant, inside))
+
+    def _root_of_number_and(self, constant: sp.Expr, rest: sp.Expr) -> sp.Expr:
+        if rest == 1:
+            return self._translate_number_root(constant)
+        if constant < 0:
+            constant, rest = -constant, -rest
+        return self._translate_number_root(constant) * self._root_of(sp.expand(rest))
+
+    def _translate_number_root(self, constant: sp.Expr) -> sp.Expr:
+        root = sp.sqrt(constant)
+        surds = [p for p in root.atoms(sp.Pow) if p.exp == _HALF]
+        return root.subs({surd: self._root_of(surd.base) for surd in surds})
+
+    def _root_of(self, factor: sp.Expr) -> sp.Symbol:
+        for symbol, square in self._relations.items():
+            if symbol.is_nonnegative and square == factor:
+                return symbol
+        root = sp.Dummy("r", nonnegative=True)
+        self._relations[root] = factor
+        self._meaning[root] = sp.sqrt(factor)
+        return root
+
+    def _direction(self, expression: sp.Expr) -> int:
+        direction = self._known_direction(expression)
+        if direction is None:
+            raise UnknownSignError(f"the sign of {self._original(expression)} is not shown")
+        return direction
+
+    def _known_direction(self, expression: sp.Expr) -> int | None:
+        sign = find_sign(self._original(expression), self.domain)
+        return sign.direction if sign else None
+
+    def _original(self, expression: sp.Expr) -> sp.Expr:
+        for _ in range(len(self._meaning) + 1):
+            expression = expression.subs(self._meaning)
+        return expression
+
+    def _translate_opaque(self, node: sp.Basic) -> sp.Symbol:
+        """Give equal functions of provably equal arguments one symbol."""
+        for known, symbol in self._opaque.items():
+            if known.func == node.func and len(known.args) == len(node.args):
+                pairs = zip(known.args, node.args, strict=True)
+                if known == node or self._same_arguments(node, pairs):
+                    return symbol
+        self._opaque[node] = sp.Dummy("f")
+        self._meaning[self._opaque[node]] = node
+        return self._opaque[node]
+
+    def _same_arguments(self, node: sp.Basic, pairs: object) -> bool:
+        if not isinstance(node, sp.Function) or isinstance(node, sp.Piecewise):
+            return False
+        return all(Field(self.domain).vanishes(a - b) for a, b in pairs)  # type: ignore[attr-defined]
+
+    def _reduce(self, polynomial: sp.Expr) -> sp.Expr:
+        """Return the normal form: every related generator to at most its first power."""
+        result = sp.expand(polynomial)
+        for generator in reversed(list(self._relations)):
+            if result.has(generator):
+                square = self._relations[generator]
+                result = sp.expand(sp.rem(result, generator**2 - square, generator))
+        return result
+
+
+class UnknownSignError(ArithmeticError):
+    """A square root could not be taken apart because a sign is not shown."""
+
+
+def decide_equal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
+    """Return the rung that proves left = right wherever both are defined, or None."""
+    field = Field(domain)
+    try:
+        return field.rung if field.vanishes(left - right) else None
+    except (UnknownSignError, NotImplementedError, sp.PolynomialError):
+        return None
+
+
+def _linear_terms(angle: sp.Expr) -> list[tuple[sp.Expr, sp.Rational]]:
+    """Write an angle as a sum of rational multiples of monomials."""
+    totals: dict[sp.Expr, sp.Rational] = {}
+    for term in sp.Add.make_args(sp.expand(angle)):
+        factor, rest = term.as_coeff_Mul(rational=True)
+        totals[rest] = totals.get(rest, sp.Integer(0)) + factor
+    return list(totals.items())

@@ -1,0 +1,79 @@
+"""Rung: equal derivatives, equal constants, and both sides continuous over the whole domain.
+
+Needed where arctangents or integrals stand: a formula that differentiates correctly can
+still jump, so continuity is proved before the constant is believed.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.proof.algebra import decide_equal
+from mechproof.proof.continuity import find_break
+from mechproof.proof.domain import Domain
+
+RUNG = "derivative, constant, continuity"
+_TRANSCENDENTAL = (sp.Integral, sp.atan, sp.atan2, sp.asin, sp.acos, sp.log)
+_CANDIDATES = 2
+
+
+def decide_by_derivative(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
+    """Return the rung if left = right is proved by some variable, else None."""
+    left, right = domain.resolve(left), domain.resolve(right)
+    for variable in _variables(left - right, domain):
+        if _agrees(left, right, variable, domain):
+            return RUNG
+    return None
+
+
+def explain_break(expression: sp.Expr, domain: Domain) -> str:
+    """Say which subexpression is not continuous, empty if all are."""
+    expression = domain.resolve(expression)
+    for variable in _variables(expression, domain):
+        found = find_break(expression, variable, domain)
+        if found is not None:
+            return f"{found} is not continuous in {variable} over the domain"
+    return ""
+
+
+def _variables(expression: sp.Expr, domain: Domain) -> list[sp.Symbol]:
+    """Return the candidates: symbols of limits or arguments, unrestricted ones first."""
+    limits = {s for i in expression.atoms(sp.Integral) for s in i.limits[0][2].free_symbols}
+    nodes = expression.atoms(*_TRANSCENDENTAL)
+    symbols = limits or {s for node in nodes for s in node.free_symbols}
+    connected = [s for s in symbols if isinstance(domain.set_of(s), sp.Interval)]
+    return sorted(connected, key=lambda s: (_rank(domain.set_of(s)), str(s)))[:_CANDIDATES]
+
+
+def _rank(where: sp.Interval) -> int:
+    """Put running variables first: the whole line, then what lies on both sides of zero."""
+    if where == sp.S.Reals:
+        return 0
+    return 1 if where.contains(0) == sp.true and where.start != 0 else 2
+
+
+def _agrees(left: sp.Expr, right: sp.Expr, variable: sp.Symbol, domain: Domain) -> bool:
+    start = _base_point(domain.set_of(variable))
+    slope = sp.diff(left - right, variable)
+    return (
+        decide_equal(slope, sp.Integer(0), domain) is not None
+        and decide_equal(_at(left, variable, start), _at(right, variable, start), domain)
+        is not None
+        and find_break(left, variable, domain) is None
+        and find_break(right, variable, domain) is None
+    )
+
+
+def _base_point(where: sp.Interval) -> sp.Expr:
+    if where.contains(0) == sp.true:
+        return sp.Integer(0)
+    if where.start.is_finite:
+        return where.start if not where.left_open else where.start + 1
+    return where.end - 1 if where.right_open else where.end
+
+
+def _at(expression: sp.Expr, variable: sp.Symbol, value: sp.Expr) -> sp.Expr:
+    """Substitute; an integral between equal limits is zero."""
+    result = expression.subs(variable, value)
+    empty = [i for i in result.atoms(sp.Integral) if i.limits[0][1] == i.limits[0][2]]
+    return result.subs(dict.fromkeys(empty, sp.Integer(0)))

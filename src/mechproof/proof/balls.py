@@ -1,0 +1,327 @@
+"""Ball arithmetic: a SymPy expression at exact values -> an enclosure (python-flint).
+
+Every number that leaves this module encloses the true value. An expression that is undefined
+at the point, or that cannot be decided there (a comparison inside the ball), gives a
+non-finite ball, never a guess.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+import flint
+import sympy as sp
+from flint import acb, arb, fmpq
+
+Ball = Any
+Values = Mapping[sp.Basic, Any]
+Evaluator = Callable[[Values], Ball]
+Operation = Callable[..., Ball]
+Plan = tuple[Operation, tuple[sp.Basic, ...]]
+
+PRECISIONS = (64, 128, 256, 512, 1024)
+NOT_FINITE = arb("nan")
+_ANALYTIC = sp.Dummy("analytic")
+
+
+@contextmanager
+def working_precision(bits: int) -> Iterator[None]:
+    """Set flint's precision for a block and put the old one back."""
+    before = flint.ctx.prec
+    flint.ctx.prec = bits
+    try:
+        yield
+    finally:
+        flint.ctx.prec = before
+
+
+def to_ball(number: Any) -> Ball:
+    """Return the exact ball of a double, an integer, a fraction or a SymPy rational."""
+    if isinstance(number, arb | acb):
+        return number
+    if isinstance(number, sp.Rational):
+        return arb(fmpq(int(number.p), int(number.q)))
+    if isinstance(number, Fraction):
+        return arb(fmpq(number.numerator, number.denominator))
+    return arb(int(number)) if isinstance(number, int) else arb(float(number))
+
+
+def evaluate(expression: sp.Basic, values: Values, bits: int = 128) -> Ball:
+    """Enclose `expression` at `values` (symbol -> exact number) with `bits` of precision.
+
+    Returns an `arb`; non-finite where the expression is undefined or undecided.
+    Raises `NotImplementedError` naming a function that has no ball version.
+    """
+    with working_precision(bits):
+        result = _compile(expression)(_to_balls(values))
+        return result if isinstance(result, arb) else _real_part(result)
+
+
+def evaluate_until(
+    expression: sp.Basic,
+    values: Values,
+    relative_bits: int,
+    precisions: tuple[int, ...] = PRECISIONS,
+) -> Ball:
+    """Raise the precision until the ball has `relative_bits` correct bits; non-finite if never."""
+    for bits in precisions:
+        ball = evaluate(expression, values, bits)
+        if ball.is_finite() and (ball.rel_accuracy_bits() >= relative_bits or ball == 0):
+            return ball
+    return NOT_FINITE
+
+
+def show(ball: Ball, digits: int = 12) -> str:
+    """Return the ball as text: midpoint and radius."""
+    return str(ball.str(digits))
+
+
+def truth(relation: sp.Basic, values: Values, bits: int = 128) -> bool | None:
+    """Decide a relation (or And, Or, Not of relations) at a point; None where balls overlap."""
+    with working_precision(bits):
+        return _truth(relation, _to_balls(values))
+
+
+def _to_balls(values: Values) -> dict[sp.Basic, Ball]:
+    return {symbol: to_ball(value) for symbol, value in values.items()}
+
+
+def _real_part(ball: Ball) -> Ball:
+    return ball.real if ball.imag.contains(0) else NOT_FINITE
+
+
+@lru_cache(maxsize=512)
+def _compile(expression: sp.Basic) -> Evaluator:
+    """Lay an expression out as a list of operations on slots, equal parts sharing one slot."""
+    slots: dict[sp.Basic, int] = {}
+    steps: list[tuple[Operation, tuple[int, ...]]] = []
+
+    def place(node: sp.Basic) -> int:
+        if node not in slots:
+            operation, arguments = _operation(node)
+            indices = tuple(place(argument) for argument in arguments)
+            slots[node] = len(steps)
+            steps.append((operation, indices))
+        return slots[node]
+
+    place(expression)
+
+    def run(values: Values) -> Ball:
+        results: list[Ball] = []
+        for operation, indices in steps:
+            results.append(operation(values, *[results[k] for k in indices]))
+        return results[-1]
+
+    return run
+
+
+def _operation(node: sp.Basic) -> Plan:
+    """Return what to do at a node and the nodes it needs first."""
+    if isinstance(node, sp.Rational):
+        number = fmpq(int(node.p), int(node.q))
+        return (lambda values: arb(number)), ()
+    if node in _CONSTANTS:
+        constant = _CONSTANTS[node]
+        return (lambda values: constant()), ()
+    if isinstance(node, sp.Symbol | sp.Indexed):
+        return (lambda values: _look_up(node, values)), ()
+    for kind, rule in _RULES:
+        if isinstance(node, kind):
+            return rule(node)
+    function = _FUNCTIONS.get(type(node))
+    if function is None:
+        raise NotImplementedError(f"no ball version of {type(node).__name__}")
+    return _apply(node, function), node.args
+
+
+def _look_up(symbol: sp.Basic, values: Values) -> Ball:
+    if symbol not in values:
+        raise KeyError(f"no value given for the symbol {symbol}")
+    return values[symbol]
+
+
+def _apply(node: sp.Basic, function: Callable[..., Ball]) -> Operation:
+    def apply(values: Values, *arguments: Ball) -> Ball:
+        if type(node) not in _ENTIRE and any(isinstance(a, acb) for a in arguments):
+            raise NotImplementedError(f"no analytic version of {type(node).__name__}")
+        return function(*arguments)
+
+    return apply
+
+
+def _add(node: sp.Basic) -> Plan:
+    return (lambda values, first, *rest: _accumulate(operator.add, first, rest)), node.args
+
+
+def _multiply(node: sp.Basic) -> Plan:
+    return (lambda values, first, *rest: _accumulate(operator.mul, first, rest)), node.args
+
+
+def _accumulate(combine: Callable[[Ball, Ball], Ball], first: Ball, rest: Iterable[Ball]) -> Ball:
+    for ball in rest:
+        first = combine(first, ball)
+    return first
+
+
+def _power(node: sp.Basic) -> Plan:
+    exponent = node.args[1]
+    if isinstance(exponent, sp.Integer):
+        integer = int(exponent)
+        return (lambda values, base: base**integer), node.args[:1]
+    if isinstance(exponent, sp.Rational) and exponent.q == 2:
+        halves = int(exponent.p)
+        return (lambda values, base: _square_root(base, values) ** halves), node.args[:1]
+    return _apply(node, operator.pow), node.args
+
+
+def _square_root(base: Ball, values: Values) -> Ball:
+    if isinstance(base, acb):
+        return base.sqrt(analytic=bool(values.get(_ANALYTIC, False)))
+    return base.sqrt()
+
+
+def _sum(node: sp.Basic) -> Plan:
+    index, lower, upper = node.limits[-1]
+    inner = node.function if len(node.limits) == 1 else sp.Sum(node.function, *node.limits[:-1])
+
+    def add_terms(values: Values, first: Ball, last: Ball) -> Ball:
+        numbers = range(_as_integer(first), _as_integer(last) + 1)
+        terms = (_compile(inner.subs(index, k))(values) for k in numbers)
+        return _accumulate(operator.add, arb(0), terms)
+
+    return add_terms, (lower, upper)
+
+
+def _as_integer(ball: Ball) -> int:
+    integer = ball.unique_fmpz()
+    if integer is None:
+        raise ValueError(f"a limit of a sum is not an integer: {ball}")
+    return int(integer)
+
+
+def _integral(node: sp.Basic) -> Plan:
+    (variable, lower, upper), *others = node.limits
+    if others:
+        raise NotImplementedError("no ball version of a multiple Integral")
+    function = _compile(node.function)
+
+    def integrate(values: Values, start: Ball, end: Ball) -> Ball:
+        def integrand(point: Ball, analytic: bool) -> Ball:
+            return acb(function({**values, variable: point, _ANALYTIC: analytic}))
+
+        if not (start.is_finite() and end.is_finite()):
+            return NOT_FINITE
+        return _real_part(acb.integral(integrand, acb(start), acb(end)))
+
+    return integrate, (lower, upper)
+
+
+def _piecewise(node: sp.Basic) -> Plan:
+    def choose(values: Values) -> Ball:
+        for expression, condition in node.args:
+            holds = _truth(condition, values)
+            if holds is None:
+                return NOT_FINITE
+            if holds:
+                return _compile(expression)(values)
+        return NOT_FINITE
+
+    return choose, ()
+
+
+def _delta(node: sp.Basic) -> Plan:
+    return (lambda values, first, second: arb(1 if first == second else 0)), node.args
+
+
+def _truth(relation: sp.Basic, values: Values) -> bool | None:
+    if relation in (sp.true, sp.false):
+        return bool(relation)
+    if isinstance(relation, sp.And | sp.Or):
+        parts = [_truth(part, values) for part in relation.args]
+        decisive = isinstance(relation, sp.Or)
+        if decisive in parts:
+            return decisive
+        return None if None in parts else not decisive
+    if isinstance(relation, sp.Not):
+        part = _truth(relation.args[0], values)
+        return None if part is None else not part
+    left, right = (_compile(side)(values) for side in relation.args)
+    if not (left.is_finite() and right.is_finite()):
+        return None
+    return _COMPARISONS[type(relation)](left, right)
+
+
+def _certain(yes: Ball, no: Ball) -> bool | None:
+    return True if yes else False if no else None
+
+
+def _equal(left: Ball, right: Ball) -> bool | None:
+    exact = left.is_exact() and right.is_exact() and left == right
+    return _certain(exact, not left.overlaps(right))
+
+
+_COMPARISONS: dict[type[sp.Basic], Callable[[Ball, Ball], bool | None]] = {
+    sp.StrictLessThan: lambda a, b: _certain(a < b, a >= b),
+    sp.LessThan: lambda a, b: _certain(a <= b, a > b),
+    sp.StrictGreaterThan: lambda a, b: _certain(a > b, a <= b),
+    sp.GreaterThan: lambda a, b: _certain(a >= b, a < b),
+    sp.Equality: _equal,
+    sp.Unequality: lambda a, b: None if (e := _equal(a, b)) is None else not e,
+}
+
+_CONSTANTS: dict[sp.Basic, Callable[[], Ball]] = {
+    sp.pi: arb.pi,
+    sp.E: arb.const_e,
+    sp.EulerGamma: arb.const_euler,
+    sp.nan: lambda: NOT_FINITE,
+    sp.zoo: lambda: NOT_FINITE,
+}
+
+_RULES: tuple[tuple[type[sp.Basic], Callable[[sp.Basic], Plan]], ...] = (
+    (sp.Add, _add),
+    (sp.Mul, _multiply),
+    (sp.Pow, _power),
+    (sp.Sum, _sum),
+    (sp.Integral, _integral),
+    (sp.Piecewise, _piecewise),
+    (sp.KroneckerDelta, _delta),
+)
+
+_FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
+    sp.sin: lambda x: x.sin(),
+    sp.cos: lambda x: x.cos(),
+    sp.tan: lambda x: x.tan(),
+    sp.cot: lambda x: x.cot(),
+    sp.asin: lambda x: x.asin(),
+    sp.acos: lambda x: x.acos(),
+    sp.atan: lambda x: x.atan(),
+    sp.atan2: lambda y, x: arb.atan2(y, x),
+    sp.exp: lambda x: x.exp(),
+    sp.log: lambda x: x.log(),
+    sp.erf: lambda x: x.erf(),
+    sp.erfc: lambda x: x.erfc(),
+    sp.floor: lambda x: x.floor(),
+    sp.ceiling: lambda x: x.ceil(),
+    sp.Abs: abs,
+    sp.sign: lambda x: x.sgn(),
+    sp.Max: lambda *xs: _fold(arb.max, xs),
+    sp.Min: lambda *xs: _fold(arb.min, xs),
+    sp.elliptic_e: lambda m: acb(m).elliptic_e().real,
+    sp.elliptic_k: lambda m: acb(m).elliptic_k().real,
+    sp.betainc_regularized: lambda a, b, x0, x1: _beta(a, b, x1) - _beta(a, b, x0),
+}
+
+_ENTIRE = (sp.sin, sp.cos, sp.tan, sp.cot, sp.exp, sp.erf, sp.erfc)
+
+
+def _beta(a: Ball, b: Ball, x: Ball) -> Ball:
+    return arb(0) if x == 0 else arb.beta_lower(x, a, b, regularized=True)
+
+
+def _fold(function: Callable[[Ball, Ball], Ball], balls: tuple[Ball, ...]) -> Ball:
+    return _accumulate(function, balls[0], balls[1:])

@@ -1,0 +1,93 @@
+"""Where an expression may fail to be continuous in one variable: needed for antiderivatives."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.proof.domain import Domain
+from mechproof.proof.signs import find_sign
+
+_EVERYWHERE = (sp.sin, sp.cos, sp.atan, sp.exp, sp.Abs, sp.Max, sp.Min, sp.erf, sp.erfc)
+
+
+def find_break(expression: sp.Basic, variable: sp.Symbol, domain: Domain) -> sp.Basic | None:
+    """Return a subexpression not shown to be continuous on the domain, or None if all are."""
+    if variable not in expression.free_symbols:
+        return None
+    if isinstance(expression, sp.Integral):
+        return _find_break_of_integral(expression, variable, domain)
+    for argument in expression.args:
+        found = find_break(argument, variable, domain)
+        if found is not None:
+            return found
+    return None if _is_continuous_node(expression, domain) else expression
+
+
+def _is_continuous_node(node: sp.Basic, domain: Domain) -> bool:
+    if node.is_Symbol or isinstance(node, (sp.Add, sp.Mul, *_EVERYWHERE)):
+        return True
+    if isinstance(node, sp.Pow):
+        return _is_continuous_power(node, domain)
+    if isinstance(node, sp.tan):
+        return _is_within_quarter_turn(node.args[0], domain)
+    if isinstance(node, sp.atan2):
+        return _is_positive(node.args[1], domain)
+    if isinstance(node, sp.log):
+        return _is_positive(node.args[0], domain)
+    if isinstance(node, sp.asin | sp.acos):
+        return all(_is_not_negative(1 + k * node.args[0], domain) for k in (1, -1))
+    return False
+
+
+def _is_continuous_power(node: sp.Pow, domain: Domain) -> bool:
+    if not node.exp.is_Rational:
+        return False
+    if node.exp.is_Integer:
+        return bool(node.exp > 0) or _is_strict(node.base, domain)
+    return _is_positive(node.base, domain) or (
+        bool(node.exp > 0) and _is_not_negative(node.base, domain)
+    )
+
+
+def _is_within_quarter_turn(angle: sp.Expr, domain: Domain) -> bool:
+    return all(_is_positive(sp.pi / 2 + k * angle, domain) for k in (1, -1))
+
+
+def _is_strict(expression: sp.Expr, domain: Domain) -> bool:
+    sign = find_sign(expression, domain)
+    return sign is not None and sign.strict
+
+
+def _is_positive(expression: sp.Expr, domain: Domain) -> bool:
+    sign = find_sign(expression, domain)
+    return sign is not None and sign.strict and sign.direction > 0
+
+
+def _is_not_negative(expression: sp.Expr, domain: Domain) -> bool:
+    sign = find_sign(expression, domain)
+    return sign is not None and sign.direction > 0
+
+
+def _find_break_of_integral(
+    node: sp.Integral, variable: sp.Symbol, domain: Domain
+) -> sp.Basic | None:
+    """Limits must be continuous, the integrand continuous wherever its variable runs."""
+    for bound, *limits in node.limits:
+        for limit in limits:
+            found = find_break(limit, variable, domain)
+            if found is not None:
+                return found
+        between = Domain(
+            {**domain.within, bound: _range_between(limits, domain)}, domain.where, domain.given
+        )
+        found = find_break(node.function, bound, between)
+        if found is not None:
+            return found
+    return None
+
+
+def _range_between(limits: list[sp.Expr], domain: Domain) -> sp.Set:
+    """From 0 to a symbol, the variable stays in the symbol's interval if that contains 0."""
+    lower, upper = limits
+    where = domain.set_of(upper) if upper.is_Symbol else sp.S.Reals
+    return where if lower == 0 and where.contains(0) == sp.true else sp.S.Reals

@@ -1,0 +1,136 @@
+"""Physical dimensions of an expression, and the change of units that shows a mixture.
+
+The dimension of each subexpression is inferred; where terms of unlike dimension are added, the
+witness is a change of the unit of length after which the two sides no longer scale alike.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy as sp
+
+from mechproof.record import NUMBER, Definition, Dimension, Equality, Paper, Statement
+
+Dimensions = dict[sp.Basic, Dimension]
+
+
+class DimensionError(ValueError):
+    """Terms of unlike dimension are added, compared or put into a function of a number."""
+
+
+def dimensions_of(paper: Paper) -> Dimensions:
+    """Return the dimension of every symbol of the paper."""
+    return {variable.symbol: variable.dimension for variable in paper.variables}
+
+
+def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
+    """Return the dimension, None for zero (which has every dimension).
+
+    Raises `DimensionError` naming the terms that do not fit.
+    """
+    if expression.is_number:
+        return None if expression == 0 else NUMBER
+    if isinstance(expression, sp.Indexed):
+        return known.get(expression.base, NUMBER)
+    if expression.is_Symbol:
+        return known.get(expression, NUMBER)
+    if isinstance(expression, sp.Add):
+        return _common(expression.args, known)
+    if isinstance(expression, sp.Mul):
+        return _product(expression.args, known)
+    if isinstance(expression, sp.Pow):
+        return _power(expression, known)
+    if isinstance(expression, sp.Sum | sp.Integral):
+        return _of_sum_or_integral(expression, known)
+    if isinstance(expression, sp.Abs | sp.Max | sp.Min | sp.atan2 | sp.MatrixBase):
+        common = _common(tuple(expression) if expression.is_Matrix else expression.args, known)
+        return NUMBER if isinstance(expression, sp.atan2) else common
+    return _of_function(expression, known)
+
+
+def check(statement: Statement, known: Dimensions) -> None:
+    """Raise `DimensionError` if the printed side is inhomogeneous or unlike the other side."""
+    if isinstance(statement, Equality):
+        sides = (statement.printed, statement.rebuilt)
+    elif isinstance(statement, Definition):
+        sides = (statement.printed, statement.symbol)
+    else:
+        return
+    if all(getattr(side, "is_Matrix", False) for side in sides):
+        for pair in zip(*sides, strict=True):
+            _common(pair, known)
+    else:
+        _common(sides, known)
+
+
+def rescale(expression: sp.Basic, known: Dimensions, factor: int) -> sp.Basic:
+    """Express every length in a unit `factor` times smaller."""
+    symbols = [s for s in expression.free_symbols if known.get(s, NUMBER).length]
+    lengths = [i for i in expression.atoms(sp.Indexed) if known.get(i.base, NUMBER).length]
+    scaled = {s: s * factor ** Fraction(known[s].length) for s in symbols if s.is_Symbol}
+    scaled |= {i: i * factor ** Fraction(known[i.base].length) for i in lengths}
+    return expression.subs(
+        {old: sp.nsimplify(new) for old, new in scaled.items()}, simultaneous=True
+    )
+
+
+def _common(parts: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:
+    result: Dimension | None = None
+    first: sp.Basic | None = None
+    for part in parts:
+        found = infer(part, known)
+        if found is None:
+            continue
+        if result is not None and found != result:
+            raise DimensionError(f"{first} has dimension {result} but {part} has {found}")
+        result, first = found, first if first is not None else part
+    return result
+
+
+def _product(parts: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:
+    result = NUMBER
+    for part in parts:
+        found = infer(part, known)
+        if found is None:
+            return None
+        result = result * found
+    return result
+
+
+def _power(node: sp.Pow, known: Dimensions) -> Dimension | None:
+    base = infer(node.base, known)
+    if base is None or base == NUMBER:
+        _require_number(node.exp, known, node)
+        return base
+    if not node.exp.is_Rational:
+        raise DimensionError(f"{node.base} has dimension {base} and the exponent {node.exp}")
+    return base ** Fraction(int(node.exp.p), int(node.exp.q))
+
+
+def _of_sum_or_integral(node: sp.Basic, known: Dimensions) -> Dimension | None:
+    result = infer(node.function, _with_bound(node, known))
+    if isinstance(node, sp.Sum) or result is None:
+        return result
+    for _, *limits in node.limits:
+        result = result * (_common(tuple(limits), known) or NUMBER)
+    return result
+
+
+def _with_bound(node: sp.Basic, known: Dimensions) -> Dimensions:
+    if isinstance(node, sp.Sum):
+        return known
+    bound = {v: _common(tuple(limits), known) or NUMBER for v, *limits in node.limits}
+    return {**known, **bound}
+
+
+def _of_function(node: sp.Basic, known: Dimensions) -> Dimension:
+    for argument in node.args:
+        _require_number(argument, known, node)
+    return NUMBER
+
+
+def _require_number(argument: sp.Basic, known: Dimensions, node: sp.Basic) -> None:
+    found = infer(argument, known)
+    if found not in (None, NUMBER):
+        raise DimensionError(f"{argument} of dimension {found} inside {node}")

@@ -1,0 +1,106 @@
+"""One row of a paper -> its line of the ledger, with correction, readings and conditions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from mechproof.proof.dimensions import dimensions_of
+from mechproof.proof.domain import Domain
+from mechproof.proof.ladder import decide
+from mechproof.proof.verdict import Decision, Evidence, Judgement, Verdict
+from mechproof.proof.wellformed import find_fault
+from mechproof.record import Paper, Part, Row
+
+NEEDS_CORRECTION = (Verdict.REFUTED, Verdict.ILL_FORMED)
+
+
+@dataclass(frozen=True)
+class _Outcome:
+    decision: Decision
+    corrected_by: str = ""
+
+
+def judge(row: Row, paper: Paper) -> Judgement:
+    """Return the line of the ledger for one row.
+
+    A statement with a function that no rung knows is UNDECIDED and says which.
+    """
+    try:
+        outcome = _with_correction(row, paper, _decide_row(row, paper))
+    except NotImplementedError as error:
+        outcome = _Outcome(Decision(Verdict.UNDECIDED, "none", str(error)))
+    decision = outcome.decision
+    reason = f"{decision.reason}. {row.note}" if row.note else decision.reason
+    return Judgement(
+        system=paper.system,
+        number=row.number,
+        kind=row.kind,
+        verdict=decision.verdict,
+        rung=decision.rung,
+        marks=row.marks,
+        printed_latex=row.printed_latex,
+        reason=reason,
+        evidence=decision.evidence,
+        corrected_latex=row.corrected.latex if row.corrected else "",
+        corrected_by=outcome.corrected_by,
+        may_stay_open=bool(row.stays_open),
+    )
+
+
+def _decide_row(row: Row, paper: Paper) -> Decision:
+    domain = Domain.of(paper, row.on)
+    fault = find_fault(row.says, dimensions_of(paper), domain)
+    if fault:
+        return Decision(Verdict.ILL_FORMED, fault.rung, fault.reason, (fault.evidence,))
+    decision = decide(row.says, domain)
+    if decision.verdict is Verdict.REFUTED:
+        return _find_convention(row, domain, decision) or _find_part(row, paper, decision)
+    if decision.verdict is Verdict.UNDECIDED and row.stays_open:
+        return replace(decision, reason=f"{decision.reason}; {row.stays_open}")
+    return decision
+
+
+def _find_convention(row: Row, domain: Domain, literal: Decision) -> Decision | None:
+    """Return CONVENTION if another stated reading is proved."""
+    for reading in row.readings:
+        other = decide(reading.says, domain)
+        if other.verdict is Verdict.PROVED:
+            as_printed = tuple(
+                replace(item, what=f"read literally: {item.what}") for item in literal.evidence
+            )
+            as_meant = Evidence(f"read as: {reading.text}: PROVED ({other.rung})")
+            reason = f"true when read as: {reading.text}"
+            return Decision(Verdict.CONVENTION, other.rung, reason, (*as_printed, as_meant))
+    return None
+
+
+def _find_part(row: Row, paper: Paper, refuted: Decision) -> Decision:
+    """Return CONDITIONAL if the statement is proved on the stated part of the domain."""
+    if row.holds_on is None or not _has_interior(row.holds_on):
+        return refuted
+    inside = decide(row.says, Domain.of(paper, row.holds_on))
+    if inside.verdict is not Verdict.PROVED:
+        return refuted
+    where = Evidence(f"{row.holds_on.text}: PROVED ({inside.rung})")
+    outside = tuple(replace(item, what=f"elsewhere: {item.what}") for item in refuted.evidence)
+    reason = f"true for {row.holds_on.text}, false elsewhere"
+    return Decision(Verdict.CONDITIONAL, inside.rung, reason, (where, *outside))
+
+
+def _has_interior(part: Part) -> bool:
+    open_sets = all(not isinstance(s, sp.FiniteSet) for s in part.within.values())
+    return open_sets and not any(isinstance(r, sp.Equality) for r in part.where)
+
+
+def _with_correction(row: Row, paper: Paper, decision: Decision) -> _Outcome:
+    """Prove the corrected form; a correction that is not proved leaves the row open."""
+    if row.corrected is None or decision.verdict is Verdict.PROVED:
+        return _Outcome(decision)
+    proof = decide(row.corrected.says, Domain.of(paper, row.on))
+    if proof.verdict is Verdict.PROVED:
+        evidence = (*decision.evidence, Evidence(f"corrected form: PROVED ({proof.rung})"))
+        return _Outcome(replace(decision, evidence=evidence), proof.rung)
+    reason = f"{decision.reason}; the corrected form is {proof.verdict}: {proof.reason}"
+    return _Outcome(replace(decision, verdict=Verdict.UNDECIDED, reason=reason))

@@ -1,0 +1,192 @@
+"""The ladder: a statement and its domain -> a decision, cheapest rung first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from mechproof.proof import balls
+from mechproof.proof.algebra import decide_equal
+from mechproof.proof.antiderivative import decide_by_derivative, explain_break
+from mechproof.proof.arguments import decide_by_argument
+from mechproof.proof.domain import Domain
+from mechproof.proof.numbers import decide_number
+from mechproof.proof.refutation import POINTS, Comparison, compare, find_violation
+from mechproof.proof.signs import find_sign
+from mechproof.proof.verdict import Decision, Evidence, Verdict
+from mechproof.record import (
+    Completion,
+    Completions,
+    Conjunction,
+    Definition,
+    Distinct,
+    Equality,
+    Holds,
+    PrintedNumber,
+    Statement,
+)
+
+CROSS_EXAMINATION = 4
+
+
+class ContradictionError(RuntimeError):
+    """A rung proved what balls refute: a fault of the ladder itself."""
+
+
+def decide(statement: Statement, domain: Domain) -> Decision:
+    """Decide one statement on one domain."""
+    return _RULES[type(statement)](statement, domain)
+
+
+def _decide_equality(statement: Equality, domain: Domain) -> Decision:
+    printed, rebuilt = (domain.resolve(side) for side in (statement.printed, statement.rebuilt))
+    if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):
+        return _decide_matrices(printed, rebuilt, domain)
+    return _decide_scalars(printed, rebuilt, domain)
+
+
+def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Decision:
+    if getattr(printed, "shape", None) != getattr(rebuilt, "shape", None):
+        reason = f"the printed side has the shape {printed.shape}, the other {rebuilt.shape}"
+        return Decision(Verdict.REFUTED, "entrywise", reason, (Evidence(reason),))
+    rungs: list[str] = []
+    for row in range(printed.rows):
+        for column in range(printed.cols):
+            entry = _decide_scalars(printed[row, column], rebuilt[row, column], domain)
+            if entry.verdict is not Verdict.PROVED:
+                where = f"entry ({row + 1}, {column + 1}): {entry.reason}"
+                return replace(entry, rung=f"entrywise, {entry.rung}", reason=where)
+            rungs.append(entry.rung)
+    reason = f"all {len(rungs)} entries agree"
+    return Decision(Verdict.PROVED, f"entrywise, {_join(rungs)}", reason)
+
+
+def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Decision:
+    rung = _prove_equal(printed, rebuilt, domain)
+    if rung:
+        _cross_examine(printed, rebuilt, domain)
+        return Decision(Verdict.PROVED, rung, "both sides agree on the whole domain")
+    comparison = compare(printed, rebuilt, domain)
+    if comparison.counterexample:
+        reason = explain_break(printed, domain) or "the two sides differ"
+        return Decision(Verdict.REFUTED, "separating balls", reason, (comparison.counterexample,))
+    return _report_unproved(comparison)
+
+
+def _prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
+    if printed == rebuilt:
+        return "structural"
+    rungs = (decide_equal, decide_by_argument, decide_by_derivative)
+    return next(filter(None, (rung(printed, rebuilt, domain) for rung in rungs)), None)
+
+
+def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> None:
+    found = compare(printed, rebuilt, domain, CROSS_EXAMINATION).counterexample
+    if found:
+        raise ContradictionError(f"proved, yet {found}: {printed} = {rebuilt}")
+
+
+def _report_unproved(comparison: Comparison) -> Decision:
+    counted = (
+        f"both sides agree within {comparison.widest} at {comparison.agreeing} exact points, "
+        f"{comparison.undecided} points could not be decided"
+    )
+    enclosed = comparison.agreeing > 0 and comparison.undecided == 0
+    verdict = Verdict.ENCLOSED if enclosed else Verdict.UNDECIDED
+    return Decision(verdict, "enclosure", counted)
+
+
+def _decide_distinct(statement: Distinct, domain: Domain) -> Decision:
+    left, right = (domain.resolve(side) for side in (statement.left, statement.right))
+    equal = _decide_equality(Equality(left, right), domain)
+    opposite = {Verdict.REFUTED: Verdict.PROVED, Verdict.PROVED: Verdict.REFUTED}
+    verdict = opposite.get(equal.verdict, Verdict.UNDECIDED)
+    return replace(equal, verdict=verdict)
+
+
+def _decide_relation(statement: Holds, domain: Domain) -> Decision:
+    relation = domain.resolve(statement.relation)
+    if relation in (sp.true, sp.false) or not relation.free_symbols:
+        return _decide_exact(relation)
+    if isinstance(relation, sp.And):
+        parts = tuple(Holds(part) for part in sorted(relation.args, key=str))
+        return _decide_conjunction(Conjunction(parts), domain)
+    if isinstance(relation, sp.Equality):
+        return _decide_equality(Equality(*relation.args), domain)
+    if _holds_by_sign(relation, domain):
+        return Decision(Verdict.PROVED, "sign in positive coordinates", "true on the whole domain")
+    violation = find_violation(relation, domain)
+    if violation:
+        return Decision(Verdict.REFUTED, "separating balls", "a point violates it", (violation,))
+    reason = f"no violation at {POINTS} points, no proof"
+    return Decision(Verdict.UNDECIDED, "enclosure", reason)
+
+
+def _decide_exact(relation: sp.Basic) -> Decision:
+    holds = balls.truth(relation, {}, 512)
+    verdicts = {True: Verdict.PROVED, False: Verdict.REFUTED, None: Verdict.UNDECIDED}
+    evidence = (Evidence(f"{relation} for exact numbers is {holds}"),)
+    return Decision(verdicts[holds], "evaluation", f"exact numbers: {holds}", evidence)
+
+
+def _holds_by_sign(relation: sp.Basic, domain: Domain) -> bool:
+    if isinstance(relation, sp.Unequality):
+        sign = find_sign(relation.lhs - relation.rhs, domain)
+        return sign is not None and sign.strict
+    if not isinstance(relation, sp.core.relational._Inequality):
+        return False
+    sign = find_sign(relation.gts - relation.lts, domain)
+    strict = isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan)
+    return sign is not None and sign.direction > 0 and (sign.strict or not strict)
+
+
+def _decide_conjunction(statement: Conjunction, domain: Domain) -> Decision:
+    decisions = [decide(part, domain) for part in statement.parts]
+    for decision in decisions:
+        if decision.verdict is not Verdict.PROVED:
+            return decision
+    evidence = tuple(item for decision in decisions for item in decision.evidence)
+    reason = f"all {len(decisions)} parts hold"
+    return Decision(Verdict.PROVED, _join([d.rung for d in decisions]), reason, evidence)
+
+
+def _decide_completions(statement: Completions, domain: Domain) -> Decision:
+    sides = (statement.first, statement.second)
+    decisions = [decide(side.says, domain) for side in sides]
+    evidence = tuple(_describe(s, d) for s, d in zip(sides, decisions, strict=True))
+    if {d.verdict for d in decisions} == {Verdict.PROVED, Verdict.REFUTED}:
+        reason = "two completions of the missing data give opposite answers"
+        return Decision(Verdict.UNDERDETERMINED, "two completions", reason, evidence)
+    reason = "the two completions do not give opposite answers"
+    return Decision(Verdict.UNDECIDED, "two completions", reason, evidence)
+
+
+def _describe(completion: Completion, decision: Decision) -> Evidence:
+    what = f"{completion.text}: {decision.verdict} ({decision.rung}; {decision.reason})"
+    first = decision.evidence[0] if decision.evidence else Evidence("")
+    return Evidence(what, first.at, first.printed, first.rebuilt)
+
+
+def _define(statement: Definition, domain: Domain) -> Decision:
+    reason = f"introduces {statement.symbol}; dimensions and bound symbols agree"
+    return Decision(Verdict.DEFINITION, "definition", reason)
+
+
+def _join(rungs: list[str]) -> str:
+    return ", ".join(dict.fromkeys(rungs))
+
+
+_RULES: dict[type, Callable[[Any, Domain], Decision]] = {
+    Equality: _decide_equality,
+    Distinct: _decide_distinct,
+    Holds: _decide_relation,
+    PrintedNumber: lambda statement, domain: decide_number(
+        statement, domain.resolve(statement.value)
+    ),
+    Definition: _define,
+    Conjunction: _decide_conjunction,
+    Completions: _decide_completions,
+}

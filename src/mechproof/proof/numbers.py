@@ -1,0 +1,31 @@
+"""Rung: recomputation of a printed number with the rounding that the print implies."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.proof import balls
+from mechproof.proof.verdict import Decision, Evidence, Verdict
+from mechproof.record import PrintedNumber
+
+RUNG = "recomputation"
+
+
+def decide_number(statement: PrintedNumber, value: sp.Expr) -> Decision:
+    """Compare the exact value with the interval of half a last place around the print."""
+    printed = sp.Rational(statement.printed)
+    half_place = sp.Rational(1, 2) / 10 ** _decimals(statement.printed)
+    ball = balls.evaluate_until(value, {}, 80)
+    distance = abs(ball - balls.to_ball(printed))
+    allowed = balls.to_ball(half_place)
+    evidence = Evidence("printed and recomputed", {}, statement.printed, balls.show(ball))
+    if distance <= allowed:
+        return Decision(Verdict.PROVED, RUNG, f"recomputed {balls.show(ball, 8)}", (evidence,))
+    if distance > allowed:
+        reason = f"recomputed {balls.show(ball, 8)}, printed {statement.printed}"
+        return Decision(Verdict.REFUTED, RUNG, reason, (evidence,))
+    return Decision(Verdict.UNDECIDED, RUNG, "the ball meets the rounding boundary", (evidence,))
+
+
+def _decimals(text: str) -> int:
+    return len(text.partition(".")[2])

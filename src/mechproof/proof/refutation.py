@@ -1,0 +1,107 @@
+"""Rung: a counterexample whose balls separate both sides; and the weaker enclosure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.proof import balls
+from mechproof.proof.domain import Domain, Point
+from mechproof.proof.verdict import Evidence
+
+POINTS = 40
+PRECISIONS = (64, 192)
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Two expressions at the points of a domain."""
+
+    counterexample: Evidence | None
+    agreeing: int
+    undecided: int
+    widest: str
+
+
+def compare(
+    printed: sp.Basic, rebuilt: sp.Basic, domain: Domain, count: int = POINTS
+) -> Comparison:
+    """Look for a point at which the balls of both sides are disjoint."""
+    agreeing = undecided = 0
+    widest = balls.to_ball(0)
+    for point in points_for((printed, rebuilt), domain, count):
+        left, right, decided = _enclose_both(printed, rebuilt, point)
+        if decided == "apart":
+            return Comparison(_describe(point, left, right), agreeing, undecided, "")
+        agreeing += decided == "together"
+        undecided += decided == "open"
+        if decided == "together":
+            widest = widest.max((left - right).abs_upper())
+    return Comparison(None, agreeing, undecided, balls.show(widest, 3))
+
+
+def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> Evidence | None:
+    """Return a point at which the relation is certainly false, if one is found."""
+    for point in points_for((relation,), domain, count):
+        if balls.truth(relation, point, 256) is False:
+            sides = [s for r in _relations(relation) for s in r.args]
+            values = [balls.show(balls.evaluate(_expand(s, point), point)) for s in sides]
+            return Evidence(f"{relation} is false", _texts(point), *values[:2])
+    return None
+
+
+def points_for(expressions: tuple[sp.Basic, ...], domain: Domain, count: int) -> list[Point]:
+    """Return points that give every symbol of the expressions a value, indexed ones included."""
+    counts = sorted(
+        {s for e in expressions for s in e.free_symbols if s.is_Symbol and s.is_integer}, key=str
+    )
+    symbols = {s for e in expressions for s in e.free_symbols if isinstance(s, sp.Symbol)}
+    bases = {i.base.label for e in expressions for i in e.atoms(sp.Indexed)}
+    plain = sorted(symbols - bases, key=str)
+    result: list[Point] = []
+    for size in (2, 3) if counts else (0,):
+        sizes = {symbol: sp.Integer(size) for symbol in counts}
+        indexed = {i for e in expressions for i in _expand(e, sizes).atoms(sp.Indexed)}
+        free = [s for s in plain if s not in sizes] + sorted(indexed, key=str)
+        found = domain.points(free, count) if free else [{}]
+        result += [{**point, **sizes} for point in found]
+    return result
+
+
+def _expand(expression: sp.Basic, sizes: Point) -> sp.Basic:
+    """Write sums with a numeric count out, so that their indexed symbols appear."""
+    if not expression.has(sp.Sum):
+        return expression
+    counts = {s: v for s, v in sizes.items() if isinstance(s, sp.Symbol) and s.is_integer}
+    return expression.subs(counts).doit()
+
+
+def _enclose_both(
+    printed: sp.Basic, rebuilt: sp.Basic, point: Point
+) -> tuple[balls.Ball, balls.Ball, str]:
+    printed, rebuilt = (_expand(side, point) for side in (printed, rebuilt))
+    decided = "open"
+    for bits in PRECISIONS:
+        left, right = (balls.evaluate(side, point, bits) for side in (printed, rebuilt))
+        if left.is_finite() and right.is_finite():
+            if not left.overlaps(right):
+                return left, right, "apart"
+            decided = "together"
+    return left, right, decided
+
+
+def _describe(point: Point, left: balls.Ball, right: balls.Ball) -> Evidence:
+    return Evidence("both sides as balls", _texts(point), balls.show(left), balls.show(right))
+
+
+def _texts(point: Point) -> dict[str, str]:
+    return {str(symbol): str(value) for symbol, value in sorted(point.items(), key=_by_name)}
+
+
+def _by_name(item: tuple[sp.Basic, sp.Basic]) -> str:
+    return str(item[0])
+
+
+def _relations(relation: sp.Basic) -> list[sp.Basic]:
+    return sorted(relation.atoms(sp.core.relational.Relational), key=str)

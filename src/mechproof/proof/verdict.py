@@ -1,0 +1,79 @@
+"""What the ladder returns (a decision) and what the ledger prints (a judgement)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+
+class Verdict(StrEnum):
+    """Exactly one for each row."""
+
+    PROVED = "PROVED"
+    REFUTED = "REFUTED"
+    ILL_FORMED = "ILL_FORMED"
+    CONDITIONAL = "CONDITIONAL"
+    CONVENTION = "CONVENTION"
+    DEFINITION = "DEFINITION"
+    ENCLOSED = "ENCLOSED"
+    UNDERDETERMINED = "UNDERDETERMINED"
+    UNDECIDED = "UNDECIDED"
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """What a verdict rests on: where, and the two sides as balls, or a witness in words."""
+
+    what: str
+    at: dict[str, str] = field(default_factory=dict)
+    printed: str = ""
+    rebuilt: str = ""
+
+    def as_dict(self) -> dict[str, object]:
+        """Return the record that goes into the ledger; empty fields are left out."""
+        fields = {"what": self.what, "at": self.at, "printed": self.printed}
+        fields["rebuilt"] = self.rebuilt
+        return {name: value for name, value in fields.items() if value}
+
+
+@dataclass(frozen=True)
+class Decision:
+    """The answer of the ladder to one statement."""
+
+    verdict: Verdict
+    rung: str
+    reason: str
+    evidence: tuple[Evidence, ...] = ()
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """One line of the ledger."""
+
+    system: str
+    number: str
+    kind: str
+    verdict: Verdict
+    rung: str
+    marks: tuple[str, ...]
+    printed_latex: str
+    reason: str
+    evidence: tuple[Evidence, ...]
+    corrected_latex: str
+    corrected_by: str
+    may_stay_open: bool
+
+    def as_dict(self) -> dict[str, object]:
+        """Return the JSON row."""
+        return {
+            "system": self.system,
+            "number": self.number,
+            "kind": self.kind,
+            "verdict": self.verdict.value,
+            "rung": self.rung,
+            "marks": list(self.marks),
+            "printed_latex": self.printed_latex,
+            "reason": self.reason,
+            "evidence": [item.as_dict() for item in self.evidence],
+            "corrected_latex": self.corrected_latex,
+        }

@@ -1,0 +1,99 @@
+"""Rung: can the printed side be evaluated at all? Bound symbols, differentials, dimensions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.proof import balls
+from mechproof.proof.dimensions import DimensionError, Dimensions, check, infer, rescale
+from mechproof.proof.domain import Domain
+from mechproof.proof.refutation import points_for
+from mechproof.proof.verdict import Evidence
+from mechproof.record import (
+    Conjunction,
+    Definition,
+    Equality,
+    IntegralWithoutDifferential,
+    Statement,
+)
+
+UNIT_CHANGE = 1000
+
+
+@dataclass(frozen=True)
+class Fault:
+    """Why a printed side cannot be evaluated."""
+
+    rung: str
+    reason: str
+    evidence: Evidence
+
+
+def find_fault(statement: Statement, known: Dimensions, domain: Domain) -> Fault | None:
+    """Return the first fault of the printed side, None if it is well formed."""
+    if isinstance(statement, Conjunction):
+        faults = (find_fault(part, known, domain) for part in statement.parts)
+        return next((fault for fault in faults if fault), None)
+    if not isinstance(statement, Equality | Definition):
+        return None
+    printed = statement.printed
+    return (
+        _find_missing_differential(printed)
+        or _find_unbound_symbol(printed, known)
+        or _find_mixture(statement, known, domain)
+    )
+
+
+def _find_missing_differential(printed: sp.Basic) -> Fault | None:
+    integrals = printed.atoms(IntegralWithoutDifferential)
+    if not integrals:
+        return None
+    integrand = next(iter(integrals)).args[0]
+    names = ", ".join(sorted(map(str, integrand.free_symbols)))
+    witness = Evidence(
+        f"no differential after the integrand {integrand}; it has the symbols {names}"
+    )
+    return Fault("well-formedness", "an integral has no differential", witness)
+
+
+def _find_unbound_symbol(printed: sp.Basic, known: Dimensions) -> Fault | None:
+    declared = {getattr(s, "label", s) for s in known} | known.keys()
+    unbound = sorted(map(str, printed.free_symbols - _indexed(printed) - declared))
+    if not unbound:
+        return None
+    names = ", ".join(unbound)
+    witness = Evidence(f"free in the printed form: {names}")
+    return Fault("well-formedness", f"{names} is bound by no sum and declared nowhere", witness)
+
+
+def _indexed(printed: sp.Basic) -> set[sp.Basic]:
+    return set(printed.atoms(sp.Indexed))
+
+
+def _find_mixture(
+    statement: Equality | Definition, known: Dimensions, domain: Domain
+) -> Fault | None:
+    try:
+        check(statement, known)
+    except DimensionError as error:
+        return Fault("dimensions", str(error), _show_change_of_units(statement, known, domain))
+    return None
+
+
+def _show_change_of_units(
+    statement: Equality | Definition, known: Dimensions, domain: Domain
+) -> Evidence:
+    """Give the printed value in mm and, from the same lengths in µm, turned back into mm."""
+    printed = domain.resolve(statement.printed)
+    other = statement.rebuilt if isinstance(statement, Equality) else statement.symbol
+    target = infer(other, known)
+    power = target.length if target else 0
+    point = points_for((printed,), domain, 1)[0]
+    scaled = rescale(printed, known, UNIT_CHANGE)
+    values = [balls.evaluate(e.subs(point).doit(), point) for e in (printed, scaled)]
+    back = values[1] / balls.to_ball(sp.Integer(UNIT_CHANGE)) ** int(power)
+    at = {str(s): str(v) for s, v in sorted(point.items(), key=lambda item: str(item[0]))}
+    what = f"the same lengths in mm and in a unit {UNIT_CHANGE} times smaller, turned back"
+    return Evidence(what, at, balls.show(values[0]), balls.show(back))

@@ -1,0 +1,231 @@
+"""The range of a function over all combinations of limits of its sizes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import isqrt
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.tolerance_sizes import (
+    CHUNK,
+    Floats,
+    Function,
+    Progress,
+    Report,
+    Size,
+    check_count,
+    check_inputs,
+    check_sizes,
+    evaluate,
+    evaluate_nominal,
+    slices,
+)
+
+# A combination is numbered by the bits of an int64, one per toleranced size.
+MOST_SIZES = 62
+
+Index = NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False)
+class CornerRange:
+    """Smallest and largest value over all combinations of limits, at every input.
+
+    `nominal`, `lower`, `upper` and `undefined` have the inputs' shape; `lower_signs` and
+    `upper_signs` add a last axis along `names`, the toleranced sizes in their given order.
+    A sign tells at which limit the size gives the value: +1 upper, -1 lower, 0 either (with
+    every other size as its own sign says, those of sign 0 at their lower limits).
+
+    `undefined` counts the combinations for which the function is NaN. Where there is one, no
+    range is claimed: `lower` and `upper` are NaN and both rows of signs show the first such
+    combination.
+    """
+
+    names: tuple[str, ...]
+    nominal: Any
+    lower: Any
+    upper: Any
+    lower_signs: NDArray[np.int8]
+    upper_signs: NDArray[np.int8]
+    undefined: Any
+
+    @property
+    def spread(self) -> Any:
+        """Upper minus lower."""
+        return self.upper - self.lower
+
+    @property
+    def combinations(self) -> int:
+        """Number of combinations of limits, all of which were computed."""
+        return int(2 ** len(self.names))
+
+    @property
+    def influential(self) -> tuple[str, ...]:
+        """The sizes that matter: the range stays if all others keep to their lower limits."""
+        matters = np.count_nonzero(self._all_signs(), axis=0)
+        return tuple(name for name, count in zip(self.names, matters, strict=True) if count)
+
+    @property
+    def influential_combinations(self) -> int:
+        """Number of combinations of limits of the sizes that matter."""
+        return int(2 ** len(self.influential))
+
+    @property
+    def extreme_combinations(self) -> NDArray[np.int8]:
+        """The distinct rows of signs that give the smallest or largest value at some input."""
+        return np.unique(self._all_signs(), axis=0)
+
+    def describe(self, signs: ArrayLike) -> str:
+        """Return a row of signs as text, such as "+l_BC -l_CD"; sizes of sign 0 are left out."""
+        pairs = zip(self.names, np.asarray(signs), strict=True)
+        return " ".join(f"{'+' if sign > 0 else '-'}{name}" for name, sign in pairs if sign)
+
+    def _all_signs(self) -> NDArray[np.int8]:
+        width = len(self.names)
+        both = (self.lower_signs.reshape(-1, width), self.upper_signs.reshape(-1, width))
+        return np.concatenate(both)
+
+
+def corner_range(
+    function: Function,
+    inputs: ArrayLike,
+    sizes: Mapping[str, Size],
+    *,
+    chunk: int = CHUNK,
+    progress: Progress | None = None,
+) -> CornerRange:
+    """Evaluate `function(inputs, **sizes)` at all 2^m combinations of limits of m sizes.
+
+    This is no bound over the box of sizes: where the dependence on a size turns between its
+    limits, values inside lie beyond those at the corners. It is one where the function is
+    monotonic in every size.
+
+    Parameters
+    ----------
+    function
+        Called with inputs of shape (n, 1) and sizes of shape (c,) or (n, c); returns real
+        numbers that broadcast to (n, c). Fixed sizes are passed as their nominal number.
+    inputs
+        Array-like of any shape; NaN in, NaN out.
+    sizes
+        Name and `Size`; at most 62 of them with a tolerance.
+    chunk
+        Values per call. Memory is a few times this and a few numbers per input and size,
+        whatever the number of combinations.
+    progress
+        Called as progress(done, total) after every call, in function values.
+
+    Returns
+    -------
+    CornerRange
+        The values themselves are those of `function`, unchanged. Of equal values, the first
+        combination counts, the lower limit before the upper.
+
+    Raises
+    ------
+    TypeError, ValueError
+        Names the parameter; also where the function returns complex numbers or another shape.
+
+    Source: Bazuev et al. 2021 (wedge_linkage), boundaries II to IV of the transfer function.
+
+    """
+    check_count("chunk", chunk, 1)
+    points = check_inputs(inputs)
+    box = _Box(function, sizes)
+    report = Report(points.size * box.combinations, progress)
+    rows, columns = _block_shape(points.size, box.combinations, chunk)
+    lower, upper = np.empty((2, points.size))
+    undefined = np.empty(points.size, np.int64)
+    lower_signs, upper_signs = np.empty((2, points.size, len(box.varying)), np.int8)
+    for part in slices(points.size, rows):
+        block = points.reshape(-1, 1)[part]
+        lowest, highest, undefined[part] = _search(box, block, columns, report)
+        lower[part], upper[part] = lowest.value, highest.value
+        lower_signs[part] = box.find_signs(block, lowest.index)
+        upper_signs[part] = box.find_signs(block, highest.index)
+    shape = points.shape
+    return CornerRange(
+        names=tuple(box.varying),
+        nominal=evaluate_nominal(function, points, sizes)[()],
+        lower=lower.reshape(shape)[()],
+        upper=upper.reshape(shape)[()],
+        lower_signs=lower_signs.reshape(*shape, len(box.varying)),
+        upper_signs=upper_signs.reshape(*shape, len(box.varying)),
+        undefined=undefined.reshape(shape)[()],
+    )
+
+
+def _block_shape(points: int, combinations: int, chunk: int) -> tuple[int, int]:
+    columns = min(combinations, isqrt(chunk))
+    rows = max(1, min(points, chunk // columns))
+    return rows, min(combinations, chunk // rows)
+
+
+def _search(
+    box: _Box, inputs: Floats, columns: int, report: Report
+) -> tuple[_Extreme, _Extreme, Index]:
+    lowest = _Extreme(inputs.size, np.argmin, np.less_equal, np.inf)
+    highest = _Extreme(inputs.size, np.argmax, np.greater_equal, -np.inf)
+    undefined = np.zeros(inputs.size, np.int64)
+    for part in slices(box.combinations, columns):
+        values = box.evaluate(inputs, np.arange(part.start, part.stop))
+        lowest.update(values, part.start)
+        highest.update(values, part.start)
+        undefined += np.count_nonzero(np.isnan(values), axis=1)
+        report.add(values.size)
+    return lowest, highest, undefined
+
+
+class _Box:
+    """The function at numbered combinations; bit j is set where size j is at its upper limit."""
+
+    def __init__(self, function: Function, sizes: Mapping[str, Size]) -> None:
+        self.function = function
+        self.varying = check_sizes(sizes)
+        if len(self.varying) > MOST_SIZES:
+            raise ValueError(
+                f"sizes has {len(self.varying)} sizes with a tolerance: at most {MOST_SIZES}"
+            )
+        self.nominal: dict[str, float | Floats] = {
+            name: size.nominal for name, size in sizes.items()
+        }
+        self.bits = np.arange(len(self.varying))
+        self.combinations = 2 ** len(self.varying)
+
+    def evaluate(self, inputs: Floats, index: Index) -> Floats:
+        at_limits: dict[str, Floats] = {
+            name: np.where(index >> bit & 1, *reversed(size.limits))
+            for bit, (name, size) in enumerate(self.varying.items())
+        }
+        shape = (inputs.size, index.shape[-1])
+        return evaluate(self.function, inputs, self.nominal | at_limits, shape)
+
+    def find_signs(self, inputs: Floats, index: Index) -> NDArray[np.int8]:
+        """Return at which limit each size gives the value of its combination; 0 for either."""
+        # Both sides of a comparison come from one call: another memory layout may take
+        # another code path of NumPy and differ in the last bit.
+        index = index[:, np.newaxis]
+        values = self.evaluate(inputs, np.hstack([index, index ^ 1 << self.bits]))
+        here, flipped = values[:, :1], values[:, 1:]
+        same = (here == flipped) | (np.isnan(here) & np.isnan(flipped))
+        return np.where(same, 0, 2 * (index >> self.bits & 1) - 1).astype(np.int8)
+
+
+class _Extreme:
+    """The running smallest or largest value of every row; the first NaN wins and stays."""
+
+    def __init__(self, rows: int, pick: Any, keeps: Any, start: float) -> None:
+        self.pick, self.keeps = pick, keeps
+        self.value = np.full(rows, start)
+        self.index = np.zeros(rows, np.int64)
+
+    def update(self, values: Floats, first: int) -> None:
+        at = self.pick(values, axis=1, keepdims=True)
+        value = np.take_along_axis(values, at, axis=1)[:, 0]
+        better = ~(self.keeps(self.value, value) | np.isnan(self.value))
+        self.value[better] = value[better]
+        self.index[better] = first + at[better, 0]

@@ -1,0 +1,126 @@
+"""Sizes with limits, and the checked call of a function of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Floats = NDArray[np.float64]
+Function = Callable[..., Any]
+Progress = Callable[[int, int], object]
+
+# Values per call of the function: small enough for its temporaries to stay in the cache.
+CHUNK = 2**16
+
+
+@dataclass(frozen=True)
+class Size:
+    """A nominal size with its upper and lower limit deviations, both signed.
+
+    `Size(38, 0, -2.06)` lies between 35.94 and 38. Both deviations may have the same sign (a
+    fit). Without deviations the size is fixed. Values that are not finite raise ValueError, and
+    so do limits that are not apart as doubles (except for a fixed size).
+    """
+
+    nominal: float
+    upper: float = 0.0
+    lower: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Check the limits."""
+        for name in ("nominal", "upper", "lower"):
+            if not math.isfinite(getattr(self, name)):
+                raise ValueError(f"{name} = {getattr(self, name)}: must be finite")
+        lowest, highest = self.limits
+        if lowest >= highest and (self.upper, self.lower) != (0, 0):
+            raise ValueError(
+                f"upper = {self.upper}, lower = {self.lower}: the upper limit must be above "
+                f"the lower at nominal = {self.nominal}, or both deviations zero (a fixed size)"
+            )
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """The lower and the upper limit."""
+        return self.nominal + self.lower, self.nominal + self.upper
+
+    @property
+    def tolerance(self) -> float:
+        """The width between the limits."""
+        return self.upper - self.lower
+
+    @property
+    def middle_deviation(self) -> float:
+        """The deviation of the middle between the limits from the nominal size."""
+        return (self.upper + self.lower) / 2
+
+
+def check_sizes(sizes: Mapping[str, Size]) -> dict[str, Size]:
+    """Return the toleranced sizes; TypeError names what is not a Size."""
+    for name, size in sizes.items():
+        if not isinstance(name, str) or not isinstance(size, Size):
+            raise TypeError(f"sizes[{name!r}] = {size!r}: needs a name and a Size")
+    return {name: size for name, size in sizes.items() if size.tolerance}
+
+
+def check_inputs(inputs: ArrayLike) -> Floats:
+    """Return the inputs as float64; TypeError unless they are real numbers."""
+    values = np.asarray(inputs)
+    if values.dtype.kind not in "fiu":
+        raise TypeError(f"inputs has dtype {values.dtype}: real numbers are needed")
+    return values.astype(np.float64)
+
+
+def check_count(name: str, value: int, least: int) -> None:
+    """Raise TypeError unless `value` is an integer, ValueError where it is below `least`."""
+    if not isinstance(value, int | np.integer) or isinstance(value, bool):
+        raise TypeError(f"{name} = {value!r}: must be an integer")
+    if value < least:
+        raise ValueError(f"{name} = {value}: must be at least {least}")
+
+
+def evaluate(
+    function: Function, inputs: Floats, sizes: Mapping[str, float | Floats], shape: tuple[int, ...]
+) -> Floats:
+    """Return function(inputs, **sizes) as float64 of the given shape.
+
+    TypeError where the function returns no real numbers, ValueError where its shape does not fit.
+    """
+    values = np.asarray(function(inputs, **sizes))
+    if values.dtype.kind not in "fiub":
+        raise TypeError(f"function returned dtype {values.dtype}: real numbers are needed")
+    try:
+        return np.broadcast_to(values, shape).astype(np.float64, copy=False)
+    except ValueError:
+        raise ValueError(
+            f"function returned shape {values.shape} where inputs and sizes broadcast to {shape}: "
+            "it must work point by point"
+        ) from None
+
+
+def evaluate_nominal(function: Function, inputs: Floats, sizes: Mapping[str, Size]) -> Floats:
+    """Return the function at the nominal sizes."""
+    nominal = {name: size.nominal for name, size in sizes.items()}
+    return evaluate(function, inputs, nominal, inputs.shape).copy()
+
+
+def slices(total: int, step: int) -> Iterator[slice]:
+    """Cut range(total) into slices of at most `step`."""
+    return (slice(start, min(start + step, total)) for start in range(0, total, step))
+
+
+class Report:
+    """Counts the function values done and tells the caller's callback."""
+
+    def __init__(self, total: int, progress: Progress | None) -> None:
+        self.done, self.total, self.progress = 0, total, progress
+
+    def add(self, values: int) -> None:
+        """Count further values and report."""
+        self.done += values
+        if self.progress is not None:
+            self.progress(self.done, self.total)

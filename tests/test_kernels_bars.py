@@ -1,0 +1,299 @@
+"""Every kernel against its definition at 60 to 700 digits, at points chosen to hurt.
+
+The bars are worst-case bounds (derived beside the quantities), so there is no false alarm to
+allow for; the random points have fixed seeds.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Iterator
+from importlib import import_module
+from itertools import product
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy as sp
+
+from mechproof.derivations import elliptic_planetary, track_wheel
+from mechproof.record import Bar, Quantity
+
+EPS = float(np.finfo(float).eps)
+MODULES = {
+    "elliptic_planetary": elliptic_planetary,
+    "track_wheel": track_wheel,
+}
+Point = tuple[Any, ...]
+
+
+class Oracle:
+    """A quantity's definition and scale of error in high precision, for `count` summands."""
+
+    def __init__(self, system: str, quantity: Quantity, count: int = 0) -> None:
+        self.quantity, self.count = quantity, count
+        given = {v.symbol: v.given for v in MODULES[system].PAPER.variables if v.given is not None}
+        self.inputs = [s for a in quantity.arguments for s in a.symbols]
+        self.names: dict[sp.Basic, sp.Symbol] = {}
+        assert quantity.bar is not None
+        value = self._instance(quantity.definition.subs(given).subs(given))
+        scale = quantity.bar.scale
+        scale = None if scale is None else self._instance(scale.subs(given).subs(given))
+        symbols = list(self.names.values())
+        self.value = sp.lambdify(symbols, value, "mpmath")
+        self.scale = sp.lambdify(symbols, scale, "mpmath") if scale is not None else None
+
+    def _instance(self, expression: sp.Basic) -> sp.Basic:
+        """Write sums out and name elements of indexed symbols."""
+        if self.count:
+            count = next(s for t in expression.atoms(sp.Sum) for s in t.limits[0][2].free_symbols)
+            expression = expression.subs(count, self.count).doit()
+        atoms = expression.atoms(sp.Indexed) | (expression.free_symbols & set(self.inputs))
+        for atom in sorted(atoms, key=str):
+            if not isinstance(atom, sp.IndexedBase):
+                self.names.setdefault(atom, sp.Symbol(f"v{len(self.names)}", real=True))
+        return expression.xreplace(self.names)
+
+    def worst(self, function: Callable[..., Any], point: Point, eps: float = EPS) -> float:
+        """Error in units of eps * scale at one point, the norm of it for a vector."""
+        values = [self._pick(atom, point) for atom in self.names]
+        exact = self.value(*values)
+        with np.errstate(all="raise", under="ignore"):
+            got = np.ravel(function(*point))
+        if not np.isfinite(got).all():
+            return float("inf")
+        exact = list(exact) if isinstance(exact, mp.matrix) else [exact]
+        errors = [mp.mpf(float(g)) - x for g, x in zip(got, exact, strict=True)]
+        is_vector = len(errors) == 3
+        error = mp.norm(errors) if is_vector else max(map(abs, errors))
+        size = self.scale(*values) if self.scale else abs(exact[0])
+        # Two subnormal spacings: below them no double is nearer.
+        return float((error - mp.mpf(1e-323)) / (eps * size)) if error else 0.0
+
+    def _pick(self, atom: sp.Basic, point: Point) -> mp.mpf:
+        for argument, value in zip(self.quantity.arguments, point, strict=True):
+            if atom in argument.symbols:
+                index = argument.symbols.index(atom)
+                return mp.mpf(float(value if len(argument.symbols) == 1 else value[index]))
+            if isinstance(atom, sp.Indexed) and atom.base in argument.symbols:
+                return mp.mpf(float(np.asarray(value)[tuple(int(i) - 1 for i in atom.indices)]))
+        raise KeyError(atom)
+
+
+ECCENTRICITIES = (0.0, 0.28, 0.475, 0.9, 0.99, 0.999999, 1 - 1e-12)
+LADDER = tuple(10.0**-k for k in range(1, 301, 23))
+
+
+def near(value: float) -> tuple[float, ...]:
+    return (float(np.nextafter(value, 0)), value, float(np.nextafter(value, np.inf)))
+
+
+def elliptic_points() -> Iterator[Point]:
+    random = np.random.default_rng(20240826)
+    for e, (r1, r2) in product(ECCENTRICITIES, ((66.0, 16.0), (80.0, 30.0), (50.3, 50.2))):
+        angles = [0.0, 1e-300, *LADDER, *random.uniform(-30, 30, 12), *random.uniform(-1e6, 1e6, 8)]
+        for turns in (1, 2, 3, 4, 101, 100_000):
+            angles += near(turns * np.pi * r2 / r1)
+        # Where the quotient rises most steeply for e near 1.
+        angles += [(1 - e) * r2 / r1, 3 * (1 - e) * r2 / r1]
+        far = (1 - e) / (4 * EPS) * r2 / r1
+        yield from ((float(phi), r1, r2, e) for phi in angles if abs(phi) <= far)
+
+
+def turns() -> Iterator[tuple[float, float, float]]:
+    random = np.random.default_rng(20221)
+    yield from ((s, -s, s) for s in LADDER)
+    yield from ((1e-300, 0.0, 0.0), (0.0, 0.0, 0.0), (np.pi, np.pi, np.pi), (np.pi, 0, 0))
+    yield from ((3.1, -3.1, 3.1), (np.pi / 2, -np.pi / 2, 1e-9), (0.00103, 0.00103, 0.0))
+    yield from (tuple(row) for row in random.uniform(-np.pi, np.pi, (25, 3)))
+    yield from (tuple(row) for row in 10 ** random.uniform(-20, 0.4, (25, 3)))
+
+
+def displacement_points() -> Iterator[Point]:
+    random = np.random.default_rng(20222)
+    for angles in turns():
+        point = random.uniform(-50, 50, 3)
+        yield point, np.array(angles), np.zeros(3)
+        yield point, np.array(angles), random.uniform(-1, 1, 3) * angles[0]
+
+
+def circle_points() -> Iterator[Point]:
+    random = np.random.default_rng(20223)
+    radii = ((41.5, 3.75), (41.5, -3.75), (41.5, 0.0), (1.0, 1 - 1e-16), (1.0, 0.99))
+    for (radius, shift), periods in product(radii, (1, 6, 7)):
+        angles = [0.0, 1e-300, np.pi, np.pi / periods, np.pi / 2 / periods, *LADDER[::4]]
+        angles += [*random.uniform(-7, 7, 10), *random.uniform(-1e5, 1e5, 3)]
+        yield from ((float(phi), radius, shift, periods) for phi in angles)
+
+
+def error_points() -> Iterator[Point]:
+    random = np.random.default_rng(20224)
+    yield from (
+        (row,) for row in random.normal(size=(30, 3)) * 10.0 ** random.integers(-9, 9, 30)[:, None]
+    )
+    yield from ((np.array(v),) for v in ((3e200, 4e200, 0.0), (3e-200, 4e-200, 1e-201)))
+
+
+def sums(count: int, extra: Callable[[np.random.Generator], Point]) -> Iterator[Point]:
+    random = np.random.default_rng(20225 + count)
+    for _ in range(12):
+        tolerances = 10 ** random.uniform(-6, 0, count)
+        signs = random.uniform(-2, 2, count)
+        yield tolerances, signs, random.uniform(0.5, 2, count), *extra(random)
+
+
+def correlation(random: np.random.Generator, count: int = 5) -> np.ndarray:
+    """Return a well-conditioned correlation matrix, symmetric and with ones to the last bit."""
+    rows = random.normal(size=(count, 3 * count))
+    rows /= np.linalg.norm(rows, axis=1, keepdims=True)
+    upper = np.triu(rows @ rows.T, 1)
+    return upper + upper.T + np.eye(count)
+
+
+# Points, number of summands, digits: a definition that cancels 1 - cos(1e-300) needs 700.
+POINTS: dict[tuple[str, str], tuple[Callable[[], Iterator[Point]], int, int]] = {
+    ("elliptic_planetary", "ratio"): (elliptic_points, 0, 60),
+    ("elliptic_planetary", "position"): (elliptic_points, 0, 60),
+    ("elliptic_planetary", "acceleration"): (elliptic_points, 0, 60),
+    ("track_wheel", "rotation"): (turns, 0, 60),
+    ("track_wheel", "displacement"): (displacement_points, 0, 700),
+    ("track_wheel", "displacement_linear"): (displacement_points, 0, 700),
+    ("track_wheel", "radius"): (circle_points, 0, 60),
+    ("track_wheel", "track"): (lambda: ((*p, 20.0) for p in circle_points()), 0, 60),
+    ("track_wheel", "planar_error"): (error_points, 0, 60),
+    ("track_wheel", "spatial_error"): (error_points, 0, 60),
+    ("track_wheel", "error_sum"): (lambda: sums(9, lambda r: (r.uniform(1, 2),)), 9, 60),
+    ("track_wheel", "error_sum_correlated"): (
+        lambda: sums(5, lambda r: (correlation(r), r.uniform(1, 2))), 5, 60,
+    ),
+    ("track_wheel", "error_sum_thermal"): (
+        lambda: sums(6, lambda r: (1.2, (1 - 10 ** r.uniform(-14, -1)) / 1.7, 1.2 * 1.7)), 6, 60,
+    ),
+}  # fmt: skip
+
+
+def find_quantity(system: str, name: str) -> Quantity:
+    quantities: tuple[Quantity, ...] = MODULES[system].PAPER.quantities
+    return next(q for q in quantities if q.name == name)
+
+
+def find_kernel(system: str, name: str) -> Callable[..., Any]:
+    kernel: Callable[..., Any] = getattr(import_module(f"mechproof.kernels.{system}"), name)
+    return kernel
+
+
+def measure(system: str, name: str, function: Callable[..., Any], eps: float = EPS) -> float:
+    """Return the worst error over the points of a quantity, in units of its scale."""
+    points, count, digits = POINTS[system, name]
+    with mp.workdps(digits):
+        oracle = Oracle(system, with_definition(find_quantity(system, name)), count)
+        return max(oracle.worst(function, point, eps) for point in points())
+
+
+def with_definition(quantity: Quantity) -> Quantity:
+    """Measure the rounding of an approximation against its own form."""
+    if quantity.form.bound is None:
+        return quantity
+    return dataclasses.replace(quantity, definition=quantity.form.expression)
+
+
+def test_every_bar_has_points() -> None:
+    barred = {(s, q.name) for s, m in MODULES.items() for q in m.QUANTITIES if q.bar is not None}
+    assert barred == set(POINTS)
+    bare = [q for m in MODULES.values() for q in m.QUANTITIES if q.bar is None]
+    assert all(q.specimen for q in bare)
+
+
+@pytest.mark.parametrize(("system", "name"), POINTS, ids=map("-".join, POINTS))
+def test_bar(system: str, name: str) -> None:
+    bar = find_quantity(system, name).bar
+    assert bar is not None
+    assert measure(system, name, find_kernel(system, name)) <= bar.ulp
+
+
+def direct_ratio(phi1: float, r1: float, r2: float, e: float) -> Any:
+    k = r1 / r2
+    return 1 + k * (1 - e**2) / np.maximum(1 + e**2 - 2 * e * np.cos(k * phi1), 1e-300)
+
+
+def direct_displacement(point: Any, angles: Any, shift: Any) -> Any:
+    return find_kernel("track_wheel", "rotation")(*angles).T @ point - (point - shift)
+
+
+def direct_radius(phi: float, radius: float, shift: float, periods: int) -> Any:
+    angle = periods * phi
+    root = np.sqrt(np.maximum(radius**2 - shift**2 * np.sin(angle) ** 2, 0))
+    return shift * np.cos(angle) + root
+
+
+def test_the_measure_rejects_nan() -> None:
+    def sometimes_nan(phi: float, *rest: Any) -> Any:
+        return np.nan if phi == 0 else find_kernel("track_wheel", "radius")(phi, *rest)
+
+    assert measure("track_wheel", "radius", sometimes_nan) == float("inf")
+
+
+@pytest.mark.parametrize(
+    ("system", "name", "naive"),
+    [
+        ("elliptic_planetary", "ratio", direct_ratio),
+        ("elliptic_planetary", "position", find_kernel("elliptic_planetary", "position_principal")),
+        ("track_wheel", "displacement", direct_displacement),
+        ("track_wheel", "radius", direct_radius),
+    ],
+    ids=["ratio", "position", "displacement", "radius"],
+)
+def test_the_measure_rejects_the_direct_formula(
+    system: str, name: str, naive: Callable[..., Any]
+) -> None:
+    bar = find_quantity(system, name).bar
+    assert bar is not None
+    assert measure(system, name, naive) > 1000 * bar.ulp
+
+
+@pytest.mark.parametrize("name", ["ratio", "position", "acceleration"])
+def test_bar_in_single_precision(name: str) -> None:
+    # |phi1| <= 30: beyond, float32 has no digits left after the reduction of the angle.
+    quantity = find_quantity("elliptic_planetary", name)
+    random = np.random.default_rng(5)
+    kernel, oracle = find_kernel("elliptic_planetary", name), Oracle("elliptic_planetary", quantity)
+    assert quantity.bar is not None
+    with mp.workdps(60):
+        for phi, e in product(random.uniform(-30, 30, 60), (0.0, 0.475, 0.9, 0.999)):
+            point = tuple(map(np.float32, (phi, 66, 16, e)))
+            assert kernel(*point).dtype == np.float32
+            assert oracle.worst(kernel, point, float(np.finfo(np.float32).eps)) <= quantity.bar.ulp
+
+
+def test_displacement_relative_to_the_turn() -> None:
+    """For small angles the error is a few eps of |K - I|*|p|, whatever the angles' ratios."""
+    # An entry of K - I: sine 1, cosine 1/2, product 1/2, sum 1/2; its product with a coordinate
+    # 1/2 and two sums 1: 4 eps of |K - I|_F*|p|. Products of three are below 1 % of that.
+    quantity = find_quantity("track_wheel", "displacement")
+    size = 2 * sp.sqrt(sp.Rational(3, 2) - track_wheel.ROTATION.trace() / 2)
+    point = track_wheel.LENGTHS[0]
+    scaled = dataclasses.replace(quantity, bar=Bar(4.04, "|K - I|*|p|", size * point))
+    oracle, kernel = Oracle("track_wheel", scaled), find_kernel("track_wheel", "displacement")
+    with mp.workdps(700):
+        for angles in (row for row in turns() if 0 < max(map(abs, row)) <= 0.01):
+            values = (np.array([41.5, -3.0, 20.0]), np.array(angles), np.zeros(3))
+            assert oracle.worst(kernel, values) <= 4.04
+
+
+def test_linear_model_stays_within_its_bound() -> None:
+    quantity = find_quantity("track_wheel", "displacement_linear")
+    exact, linear = (
+        find_kernel("track_wheel", "displacement"),
+        find_kernel("track_wheel", quantity.name),
+    )
+    bound = sp.lambdify([s for a in quantity.arguments for s in a.symbols], quantity.form.bound)
+    ratios = []
+    for point in displacement_points():
+        if not max(abs(point[1])) > 1e-6:
+            continue
+        error = np.linalg.norm(exact(*point) - linear(*point))
+        ratios.append(error / bound(*np.concatenate(point)))
+    # Rounding of the two kernels, both bars on |p|*sum(angles), against the bound's square of it.
+    assert max(ratios) <= 1 + 2 * 40 * EPS / 1e-6
+    assert max(ratios) > 0.1
