@@ -1,0 +1,137 @@
+"""The oracle: a quantity's definition at exact doubles, decided far below half an ulp.
+
+The same SymPy expression that the proofs are about is enclosed in a ball, at rising precision
+until the ball is small enough. What stays undecided is marked, never dropped.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from mechproof.codegen.evaluation import count_axes, entries
+from mechproof.lab.specimen import Arguments, Array, result_shape
+from mechproof.lab.subject import Subject
+from mechproof.proof.balls import evaluate_until, working_precision
+
+# 2**-12 ulp of a double: what the ball leaves open cannot be seen in an error of 1e-3 ulp.
+DECIDED_BITS = 65
+# 1 - cos(1e-300) keeps 65 bits if 2100 are carried; the last steps are for such points only.
+PRECISIONS = (128, 256, 512, 1024, 2048, 4096)
+# A ball integral at more bits takes seconds; shares below some 1e-50 stay undecided.
+PRECISIONS_OF_INTEGRALS = (128, 256)
+# A scale of error is needed to some digits only.
+SCALE_BITS = 30
+
+
+@dataclass(frozen=True)
+class Truth:
+    """Exact values as two doubles, high + low; shape (points, *trailing axes).
+
+    `scale` is the size the bar refers to, (points,); NaN where it or the value is undecided.
+    """
+
+    high: Array
+    low: Array
+    decided: Array
+    scale: Array
+
+    def __getitem__(self, chosen: Array) -> Truth:
+        return Truth(self.high[chosen], self.low[chosen], self.decided[chosen], self.scale[chosen])
+
+    @property
+    def undecided(self) -> int:
+        """Count the points without a decided value."""
+        return int(np.sum(~self.decided))
+
+
+def find_truth(subject: Subject, arguments: Arguments) -> Truth:
+    """Evaluate the definition and the scale of the bar at every point.
+
+    An approximation's own rounding is what its bar is about; its truth is its form.
+    """
+    quantity = subject.quantity
+    exact = quantity.definition if quantity.form.bound is None else quantity.form.expression
+    definition = subject.domain.resolve(exact)
+    scale = quantity.bar.scale if quantity.bar else None
+    points = list(list_values(subject, arguments))
+    pairs = np.array(
+        [[_to_pair(entry, values) for entry in entries(definition)] for values in points]
+    ).reshape(len(points), -1, 2)
+    high, low = (pairs[..., i].reshape(len(points), *result_shape(definition)) for i in (0, 1))
+    decided = np.isfinite(pairs[..., 0]).all(axis=1)
+    if scale is None:
+        size = np.abs(high).reshape(len(points), -1).max(axis=1, initial=0)
+    else:
+        resolved = subject.domain.resolve(scale)
+        size = np.array([_to_double(resolved, values) for values in points])
+    return Truth(high, low, decided, size)
+
+
+def list_values(subject: Subject, arguments: Arguments) -> Iterator[Mapping[sp.Basic, Any]]:
+    """Give every symbol of the definition its exact value, point by point."""
+    axes = [_count_own_axes(subject, i) for i in range(len(arguments))]
+    count = count_points(subject, arguments)
+    shaped = [
+        np.broadcast_to(a, (count, *np.shape(a)[np.ndim(a) - n :]))
+        for a, n in zip(arguments, axes, strict=True)
+    ]
+    for index in range(count):
+        yield _name_values(subject, [array[index] for array in shaped])
+
+
+def count_points(subject: Subject, arguments: Arguments) -> int:
+    """Count the points: the leading axis of the arguments that have one."""
+    leading = [
+        np.shape(a)[: np.ndim(a) - _count_own_axes(subject, i)] for i, a in enumerate(arguments)
+    ]
+    return int(np.prod(np.broadcast_shapes(*leading), dtype=int))
+
+
+def _count_own_axes(subject: Subject, index: int) -> int:
+    argument = subject.quantity.arguments[index]
+    if isinstance(argument.symbols[0], sp.IndexedBase):
+        return int(count_axes(argument, subject.quantity))
+    return int(len(argument.symbols) > 1)
+
+
+def _name_values(subject: Subject, row: list[Array]) -> dict[sp.Basic, Any]:
+    values: dict[sp.Basic, Any] = {}
+    for argument, value in zip(subject.quantity.arguments, row, strict=True):
+        first = argument.symbols[0]
+        if isinstance(first, sp.IndexedBase):
+            for index in np.ndindex(value.shape):
+                values[first[tuple(i + 1 for i in index)]] = float(value[index])
+            values |= dict.fromkeys(_counts(subject), value.shape[0])
+        else:
+            numbers = np.atleast_1d(value).tolist()
+            values |= dict(zip(argument.symbols, numbers, strict=True))
+    return values
+
+
+def _counts(subject: Subject) -> set[sp.Basic]:
+    """Find the symbols that say how many terms the sums of the definition have."""
+    sums = subject.quantity.definition.atoms(sp.Sum)
+    return {s for total in sums for limit in total.limits for s in limit[2].free_symbols}
+
+
+def _to_pair(expression: sp.Basic, values: Mapping[sp.Basic, Any]) -> tuple[float, float]:
+    """Return the value as two doubles, NaN where it is undecided."""
+    if not np.isfinite([float(v) for v in values.values()]).all():
+        return np.nan, np.nan
+    precisions = PRECISIONS_OF_INTEGRALS if expression.has(sp.Integral) else PRECISIONS
+    ball = evaluate_until(expression, values, DECIDED_BITS, precisions)
+    if not ball.is_finite():
+        return np.nan, np.nan
+    with working_precision(PRECISIONS[-1]):
+        middle = ball.mid()
+        high = float(middle)
+        return high, float(middle - high)
+
+
+def _to_double(expression: sp.Basic, values: Mapping[sp.Basic, Any]) -> float:
+    return float(evaluate_until(expression, values, SCALE_BITS, PRECISIONS))
