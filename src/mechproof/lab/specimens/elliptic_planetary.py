@@ -146,7 +146,6 @@ POSITION = (
     Specimen(
         "scipy.stats.wrapcauchy",
         forms.wrapped_cauchy,
-        slow=True,
         source="peer",
         note="its cdf is (position - phi1)/(2 pi) on the first turn of x",
     ),
