@@ -1,11 +1,12 @@
-"""Command line: verify papers, regenerate kernels and ledger."""
+"""Command line: verify papers, regenerate kernels and ledger, measure what they lose and cost."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, NoReturn
+from typing import Annotated, Any, NoReturn
 
 import typer
 from rich.console import Console
@@ -98,6 +99,66 @@ def regenerate(
     console.print(f"{target}: {len(files)} files, {_count(differences, check)}")
     if check and differences:
         raise typer.Exit(1)
+
+
+@app.command()
+def measure(
+    quantities: Annotated[
+        list[str] | None,
+        typer.Argument(help="Quantities, systems or system.quantity; all if none."),
+    ] = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Few points, short times, no charts: under a minute.")
+    ] = False,
+    root: Annotated[Path, typer.Option(help="The folder that holds generated/.")] = Path(),
+) -> None:
+    """Measure accuracy and time of all forms and peers; write ROOT/generated/measured.
+
+    Exit status 0: measured; 2: bad usage.
+    """
+    from mechproof.lab.chart import draw_charts
+    from mechproof.lab.measure import measure as measure_subject
+    from mechproof.lab.measure import write_record
+    from mechproof.lab.subject import find_subjects
+
+    target = root / "generated" / "measured"
+    if not target.parent.is_dir():
+        _refuse(f"--root {root}: there is no folder {target.parent}")
+    try:
+        subjects = find_subjects(tuple(quantities or ()))
+    except ValueError as error:
+        _refuse(str(error))
+    for number, subject in enumerate(subjects, start=1):
+        where = f"{subject.name} ({number} of {len(subjects)})"
+        with _show_progress(where) as report:
+            record = measure_subject(subject, quick=quick, report=report)
+            if not quick:
+                report("charts")
+                draw_charts(subject, record, target)
+        file = write_record(record, target)
+        console.print(f"{file}: {show_record(record)}", markup=False)
+
+
+def show_record(record: Mapping[str, Any]) -> str:
+    """Return the headline of a record: the worst error of the kernel against its bar."""
+    rows = [r for r in record["accuracy"] if r["form"] == "kernel"]
+    held = [w for r in rows if (w := r["worst_where_the_bar_holds"]) is not None]
+    worst = max([*held, record["worst_found"]["scaled"]])
+    undecided = sum(r["undecided"] for r in rows)
+    points = sum(r["points"] for r in rows)
+    return (
+        f"worst {worst:.3g} of {record['bar']:.3g} eps of {record['scale']}; "
+        f"{points} points, {undecided} undecided"
+    )
+
+
+@contextmanager
+def _show_progress(title: str) -> Iterator[Callable[[str], None]]:
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    errors.print(f"{title}: measuring", markup=False)
+    with Progress(*columns, console=errors, transient=True) as progress:
+        task = progress.add_task(title, total=None)
+        yield lambda text: progress.update(task, description=f"{title}: {text}")
 
 
 def _count(differences: Sequence[str], check: bool) -> str:

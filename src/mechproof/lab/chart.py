@@ -1,0 +1,189 @@
+"""Charts of a record: time per point against worst error, with the Pareto front."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+from matplotlib.figure import Figure
+
+from mechproof.lab.maps import draw_jumps, draw_map
+from mechproof.lab.subject import Subject
+from mechproof.lab.timing import COPY
+
+# What is below this is drawn here: an exact result has no place on a logarithmic axis.
+SMALLEST_ERROR = 0.1
+# Lost results stand here, right of every finite error.
+LOST = 1e19
+# Where the number of a dot may stand, in pixels from it, nearest first.
+PLACES = sorted(
+    ((dx, dy) for dx in range(-90, 91, 15) for dy in range(-90, 91, 15) if (dx, dy) != (0, 0)),
+    key=lambda p: (math.hypot(*p), -p[0], -p[1]),
+)
+MARKERS = {"ours": "s", "form": "o", "peer": "^"}
+STYLE: Any = {"svg.hashsalt": "mechproof", "svg.fonttype": "none", "font.size": 9}
+
+
+@dataclass(frozen=True)
+class Dot:
+    """A form on the chart: nanoseconds at `count`, worst error on its best and worst point set."""
+
+    form: str
+    source: str
+    time: float
+    best: float
+    worst: float
+    count: int
+
+
+def draw_charts(subject: Subject, record: Mapping[str, Any], folder: Path) -> list[Path]:
+    """Draw what there is to draw of one subject, as PNG and SVG; return the files."""
+    files: list[Path] = []
+    with mpl.rc_context(STYLE):
+        for workload, count in _largest_sizes(record):
+            name = f"{record['quantity']}.{_as_file_name(workload)}"
+            figure = draw_front(record, workload, count)
+            files += save(figure, folder / name)
+        for item in subject.study.maps:
+            files += save(draw_map(subject, item), folder / f"{record['quantity']}.lost_bits")
+        if figure_of_jumps := draw_jumps(subject):
+            files += save(figure_of_jumps, folder / f"{record['quantity']}.jumps")
+    return files
+
+
+def save(figure: Figure, stem: Path) -> list[Path]:
+    """Write a figure as PNG and SVG; the same data give the same SVG."""
+    files = [stem.with_name(f"{stem.name}.{kind}") for kind in ("png", "svg")]
+    stem.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(files[0], dpi=130)
+    figure.savefig(files[1], metadata={"Date": None})
+    return files
+
+
+def _as_file_name(text: str) -> str:
+    return "".join(c if c.isalnum() else "_" for c in text)
+
+
+def _largest_sizes(record: Mapping[str, Any]) -> list[tuple[str, int]]:
+    """Return for each workload the largest size up to 1e5, where caches and pages both count."""
+    sizes: dict[str, int] = {}
+    for row in record["times"]:
+        if row["rounds"] and row["count"] <= 100_000:
+            sizes[row["workload"]] = max(row["count"], sizes.get(row["workload"], 0))
+    return list(sizes.items())
+
+
+def collect_dots(record: Mapping[str, Any], workload: str, count: int) -> Iterator[Dot]:
+    """Pair time and error of every form that has both."""
+    sources = {form["name"]: form["source"] for form in record["forms"]}
+    for form, source in sources.items():
+        rows = [r for r in record["accuracy"] if r["form"] == form]
+        errors = [float(e) for r in rows if (e := r["worst_where_the_bar_holds"]) is not None]
+        found = find_time(record, form, workload, count)
+        if errors and found:
+            kept = [min(max(e, SMALLEST_ERROR), LOST) for e in errors]
+            yield Dot(form, source, found[1], min(kept), max(kept), found[0])
+
+
+def find_time(
+    record: Mapping[str, Any], form: str, workload: str, count: int
+) -> tuple[int, float] | None:
+    """Return size and time at this size, or at the largest size below that was worth it."""
+    rows = [
+        r
+        for r in record["times"]
+        if (r["form"], r["workload"]) == (form, workload) and r["rounds"] and r["count"] <= count
+    ]
+    best = max(rows, key=lambda r: r["count"], default=None)
+    return (best["count"], float(best["median"])) if best else None
+
+
+def find_front(dots: list[Dot]) -> list[Dot]:
+    """Return the dots that no other beats in both time and worst error, fastest first.
+
+    A form that lost results is not on it.
+    """
+    front: list[Dot] = []
+    kept = [dot for dot in dots if dot.worst < LOST]
+    for dot in sorted(kept, key=lambda d: (d.time, d.worst)):
+        if not front or dot.worst < front[-1].worst:
+            front.append(dot)
+    return front
+
+
+def draw_front(record: Mapping[str, Any], workload: str, count: int) -> Figure:
+    """Draw time against worst error, both logarithmic, numbered, with the front and the copy."""
+    dots = sorted(collect_dots(record, workload, count), key=lambda d: d.time)
+    front = find_front(dots)
+    figure = Figure(figsize=(10, 5.2), layout="constrained")
+    axes, listing = figure.subplots(1, 2, width_ratios=(2.2, 1))
+    for dot in dots:
+        _draw_dot(axes, dot, dot in front)
+    axes.step([d.worst for d in front], [d.time for d in front], "k-", where="pre", lw=1.2)
+    _draw_copy(axes, find_time(record, COPY, workload, count))
+    axes.set(xscale="log", yscale="log", ylabel="ns per point, median")
+    axes.margins(x=0.08, y=0.08)
+    scale = "\n".join(textwrap.wrap(record["scale"], 80))
+    axes.set_xlabel(f"worst error, eps of {scale}", fontsize=8)
+    axes.grid(which="major", color="0.9")
+    title = f"{record['quantity']}: {workload}, N = {count:.0e}"
+    axes.set_title(f"{title}\n{record['machine']['processor']}, {record['taken'][:10]}", loc="left")
+    _list_dots(listing, dots, front, count)
+    figure.draw_without_rendering()
+    _number_dots(axes, dots)
+    return figure
+
+
+def _draw_copy(axes: Any, found: tuple[int, float] | None) -> None:
+    if found:
+        axes.axhline(found[1], color="0.4", ls=":", lw=1.2)
+        place = (0.01, found[1])
+        axes.annotate("memory copy", place, xycoords=("axes fraction", "data"), va="bottom")
+
+
+def _draw_dot(axes: Any, dot: Dot, on_front: bool) -> None:
+    """Draw a dot at its worst point set, and a thin line from its best."""
+    face = "k" if on_front else "w"
+    axes.plot([dot.best, dot.worst], [dot.time, dot.time], "-", color="0.7", lw=0.8, zorder=1)
+    marker = MARKERS[dot.source]
+    axes.plot(dot.worst, dot.time, marker, color="k", markerfacecolor=face, ms=7, zorder=2)
+
+
+def _number_dots(axes: Any, dots: list[Dot]) -> None:
+    """Put a number at each dot; it gives way to those before it and is then tied to its dot."""
+    dpi = axes.figure.dpi
+    spots = [axes.transData.transform((dot.worst, dot.time)) for dot in dots]
+    taken: list[tuple[float, float]] = [(float(x), float(y)) for x, y in spots]
+    for number, (x, y) in enumerate(spots, start=1):
+        free = (p for p in PLACES if _is_free((x + p[0], y + p[1]), taken))
+        place = next(free, PLACES[-1])
+        taken.append((x + place[0], y + place[1]))
+        tie = {"arrowstyle": "-", "color": "0.5", "lw": 0.5} if math.hypot(*place) > 20 else None
+        offset = place[0] * 72 / dpi, place[1] * 72 / dpi
+        axes.annotate(
+            str(number), (dots[number - 1].worst, dots[number - 1].time), offset,
+            textcoords="offset points", ha="center", va="center", arrowprops=tie,
+        )  # fmt: skip
+
+
+def _is_free(spot: tuple[float, float], taken: list[tuple[float, float]]) -> bool:
+    return all(abs(spot[0] - x) > 14 or abs(spot[1] - y) > 12 for x, y in taken)
+
+
+def _list_dots(axes: Any, dots: list[Dot], front: list[Dot], count: int) -> None:
+    axes.axis("off")
+    signs = {"ours": "square", "form": "circle", "peer": "triangle"}
+    lines = [
+        f"{n:2} {'*' if d in front else ' '} {d.form}"
+        + (f" (N = {d.count})" if d.count != count else "")
+        for n, d in enumerate(dots, start=1)
+    ]
+    key = ", ".join(f"{sign}: {source}" for source, sign in signs.items())
+    notes = ["", "filled, *: Pareto front", key, "thin line: from its best point set",
+             f"at {LOST:.0e}: result lost (nan, inf)"]  # fmt: skip
+    axes.text(0, 1, "\n".join(lines + notes), va="top", family="monospace", fontsize=8)
