@@ -1,6 +1,7 @@
 """Mechanism formulas from print to proved verdicts and accurate NumPy kernels.
 
 `EllipticPlanetary` and `TrackWheel` are mechanisms with checked parameters;
+`choose` names the cheapest way to compute a quantity to a given error;
 `mechproof.kernels.<system>` has the plain functions of arrays below them. Everything is imported
 when it is first used: `import mechproof` costs next to nothing.
 """
@@ -11,15 +12,17 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from mechproof.choice import choose
     from mechproof.elliptic_planetary import EllipticPlanetary
     from mechproof.track_wheel import TrackWheel
 
-__all__ = ["EllipticPlanetary", "TrackWheel", "__version__"]
+__all__ = ["EllipticPlanetary", "TrackWheel", "__version__", "choose"]
 
 # The module in which each public name lives.
 HOMES = {
     "EllipticPlanetary": "mechproof.elliptic_planetary",
     "TrackWheel": "mechproof.track_wheel",
+    "choose": "mechproof.choice",
 }
 
 

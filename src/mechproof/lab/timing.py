@@ -95,7 +95,8 @@ def _is_worth(specimen: Specimen, pace: dict[str, float], effort: Effort, count:
     Time goes with the number of points, but for a solver of a whole sweep with its range.
     """
     if specimen.ordered:
-        return pace[specimen.name] * pace[COUNTED] <= effort.longest
+        # The call before, on fewer points, may be a first one.
+        return pace[specimen.name] * pace[COUNTED] <= 2 * effort.longest
     return pace[specimen.name] * count <= effort.longest
 
 

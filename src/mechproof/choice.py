@@ -1,0 +1,186 @@
+"""Choice of model: the cheapest form whose error over stated ranges meets a request.
+
+Decided from what `mechproof measure` found and proved: for boxes of argument sizes the worst error
+of every form and, for an approximation, its proved bound; and the time per point.
+
+>>> from mechproof import choose
+>>> choice = choose("displacement", error=1e-3, points=(0, 50), angles=(0, 1e-3))
+>>> choice.error <= 1e-3
+True
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+__all__ = ["Choice", "choose"]
+
+Size = float | tuple[float, float]
+Record = Mapping[str, Any]
+# Forms of these verdicts compute something else somewhere in the domain.
+NOT_EQUAL = ("REFUTED", "CONDITIONAL", "ILL_FORMED", "UNDECIDED")
+SIZE = 100_000
+# The next better form loses at most half as much.
+BETTER = 2
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A form, its error over the stated ranges, and its time.
+
+    `error` is in the unit of the quantity: the larger of the worst measured and the proved bound;
+    `bound` is the latter, None without. `time` is nanoseconds per point at `count` points on the
+    machine of the record. `better` is the cheapest form with at most half the error.
+    """
+
+    quantity: str
+    form: str
+    error: float
+    bound: float | None
+    time: float
+    count: int
+    unit: str
+    better: Choice | None = None
+
+    def __str__(self) -> str:
+        """Return the reason in a sentence or two."""
+        text = f"{self.quantity}: {self._describe()}"
+        if self.better is None:
+            return f"{text}; nothing measured has half the error."
+        return f"{text}; the next better: {self.better._describe()}."
+
+    def _describe(self) -> str:
+        how = "proved bound" if self.bound == self.error else "measured"
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        return f"{self.form}, error {self.error:.2g}{unit} ({how}), {self.time:.3g} ns per point"
+
+
+def choose(quantity: str, *, error: float, size: int = SIZE, **ranges: Size) -> Choice:
+    """Return the cheapest form whose error over the ranges is at most `error`.
+
+    Parameters
+    ----------
+    quantity : str
+        Quantity or system.quantity, one of those measured.
+    error : float
+        Largest permitted absolute error, in the unit of the quantity, positive.
+    size : int
+        Number of points of a call: the time is that of the nearest size measured, and of the
+        most expensive workload (one pose and many points, or many poses).
+    **ranges : float or pair of floats
+        Sizes (absolute values; of a vector, of its largest component) of the arguments: one
+        number, or from and to. An argument that is left out may have any size measured.
+
+    Raises
+    ------
+    ValueError
+        For an unknown quantity or argument, for ranges that were not measured, and where no form
+        is accurate enough; the message says what is reachable.
+
+    Notes
+    -----
+    A measured error is the worst at points chosen to hurt, not a bound; a form that lost a single
+    result (NaN, infinity) in the ranges is left out, and so is one that is not proved equal to
+    the quantity nor bounded. The records are those that come with the package.
+
+    """
+    record = _find_record(quantity)
+    if not error > 0:
+        raise ValueError(f"error = {error!r}: must be positive")
+    boxes = list(_overlapping(record, _as_pairs(record, ranges)))
+    forms = sorted(_rate_forms(record, boxes, size), key=lambda c: c.time)
+    good = [form for form in forms if form.error <= error]
+    if not good:
+        best = min(forms, key=lambda c: c.error)
+        raise ValueError(f"error = {error!r}: no form of {record['quantity']} reaches it; {best}")
+    first = good[0]
+    better = [form for form in forms if form.error <= first.error / BETTER]
+    return replace(first, better=better[0] if better else None)
+
+
+@cache
+def _records() -> dict[str, Record]:
+    folder = files("mechproof.kernels").joinpath("measured")
+    found = (f for f in folder.iterdir() if f.name.endswith(".json")) if folder.is_dir() else ()
+    records = (json.loads(file.read_text(encoding="utf-8")) for file in found)
+    return {record["quantity"]: record for record in records if record["boxes"]}
+
+
+def _find_record(quantity: str) -> Record:
+    records = _records()
+    named = [r for name, r in records.items() if quantity in (name, name.partition(".")[2])]
+    if len(named) != 1:
+        known = ", ".join(sorted(records)) or "none; run `mechproof measure`"
+        raise ValueError(f"quantity = {quantity!r}: must be one of those measured: {known}")
+    return named[0]
+
+
+def _as_pairs(record: Record, ranges: Mapping[str, Size]) -> dict[str, tuple[float, float]]:
+    """Check the ranges against what was measured."""
+    pairs = {}
+    for name, given in ranges.items():
+        if name not in record["ranges"]:
+            known = ", ".join(record["ranges"])
+            raise ValueError(f"{name} = {given!r}: {record['quantity']} has the arguments {known}")
+        low, high = given if isinstance(given, tuple) else (abs(given), abs(given))
+        least, most = record["ranges"][name]
+        if not 0 <= low <= high:
+            raise ValueError(f"{name} = {given!r}: must be a size, or two in order")
+        if not (least <= low and high <= most):
+            raise ValueError(f"{name} = {given!r}: measured were sizes from {least!r} to {most!r}")
+        pairs[name] = float(low), float(high)
+    return pairs
+
+
+def _overlapping(
+    record: Record, pairs: Mapping[str, tuple[float, float]]
+) -> Iterator[Mapping[str, Any]]:
+    """List the boxes that share more than an edge with the ranges."""
+    for box in record["boxes"]:
+        sides = ((edges, pairs[name]) for name, edges in box["box"].items() if name in pairs)
+        if all(_overlap(edges, pair) for edges, pair in sides):
+            yield box
+
+
+def _overlap(edges: Sequence[float], pair: tuple[float, float]) -> bool:
+    (lower, upper), (low, high) = edges, pair
+    if low == high:
+        return lower < low <= upper or low == lower == 0
+    return low < upper and high > lower
+
+
+def _rate_forms(record: Record, boxes: list[Mapping[str, Any]], size: int) -> Iterator[Choice]:
+    """Rate every form that is the quantity, or is bounded, and that lost nothing in the boxes."""
+    for form in record["forms"]:
+        if form["ordered"] or form["verdict"] in NOT_EQUAL:
+            continue
+        found = [box["errors"][form["name"]] for box in boxes]
+        timed = _find_time(record, form["name"], size)
+        if timed is None or any(f["lost"] for f in found):
+            continue
+        bounds = [f["bound"] for f in found]
+        bound = None if None in bounds else max(map(float, bounds))
+        if form["bound"] is not None and bound is None:
+            continue
+        error = max([float(f["worst"]) for f in found] + ([] if bound is None else [bound]))
+        count, time = timed
+        yield Choice(record["quantity"], form["name"], error, bound, time, count, record["unit"])
+
+
+def _find_time(record: Record, form: str, size: int) -> tuple[int, float] | None:
+    """Return the size measured nearest to `size`, and the time of the most expensive workload."""
+    rows = [r for r in record["times"] if r["form"] == form and r["rounds"]]
+    nearest = [
+        min(
+            (r for r in rows if r["workload"] == workload),
+            key=lambda r: max(r["count"], size) / min(r["count"], size),
+        )
+        for workload in {r["workload"] for r in rows}
+    ]
+    found = [(row["count"], float(row["median"])) for row in nearest]
+    return max(found, key=lambda pair: pair[1], default=None)

@@ -1,0 +1,114 @@
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import mechproof
+from mechproof import choice, choose
+
+
+def form(name: str, verdict: str | None = "PROVED", bound: str | None = None) -> dict[str, Any]:
+    return {"name": name, "verdict": verdict, "bound": bound, "ordered": name == "in order"}
+
+
+def errors(**worst: float) -> dict[str, Any]:
+    names = {"fine": 1e-15, "coarse": 1e-3, "wrong": 0.0, "lossy": 0.0, "in order": 0.0} | worst
+    found = {n: {"worst": w, "bound": None, "lost": int(n == "lossy")} for n, w in names.items()}
+    found["coarse"]["bound"] = 2 * names["coarse"]
+    return found
+
+
+TIMES = {"fine": 10.0, "coarse": 2.0, "wrong": 1.0, "lossy": 1.0, "in order": 1.0}
+RECORD = {
+    "quantity": "gear.angle",
+    "unit": "rad",
+    "forms": [form("fine"), form("coarse", bound="e"), form("wrong", "REFUTED"), form("lossy"),
+              form("in order")],
+    "ranges": {"phi": [0.0, 5.0], "e": [0.0, 0.9]},
+    "boxes": [
+        {"box": {"e": [0.0, 0.5]}, "errors": errors()},
+        {"box": {"e": [0.5, 0.9]}, "errors": errors(coarse=0.2, fine=3e-15)},
+    ],
+    "times": [
+        {"form": n, "workload": "w", "count": count, "rounds": 3, "median": t * scale}
+        for n, t in TIMES.items()
+        for count, scale in ((1000, 3.0), (100_000, 1.0))
+    ],
+}  # fmt: skip
+
+
+@pytest.fixture
+def records(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(choice, "_records", lambda: {"gear.angle": RECORD})
+
+
+@pytest.mark.usefixtures("records")
+class TestDecision:
+    def test_cheapest_that_meets_the_request(self) -> None:
+        chosen = choose("angle", error=0.01, e=(0, 0.5))
+        # The proved bound is larger than what was measured, so it counts.
+        assert (chosen.form, chosen.error, chosen.bound) == ("coarse", 2e-3, 2e-3)
+        assert chosen.better is not None
+        assert (chosen.better.form, chosen.better.time) == ("fine", 10.0)
+        assert str(chosen) == (
+            "gear.angle: coarse, error 0.002 rad (proved bound), 2 ns per point; the next "
+            "better: fine, error 1e-15 rad (measured), 10 ns per point."
+        )
+
+    def test_a_wider_range_needs_more(self) -> None:
+        chosen = choose("gear.angle", error=0.01)
+        assert (chosen.form, chosen.error) == ("fine", 3e-15)
+        assert str(chosen).endswith("nothing measured has half the error.")
+
+    def test_an_edge_belongs_to_the_box_below(self) -> None:
+        assert choose("angle", error=0.01, e=0.5).form == "coarse"
+        assert choose("angle", error=0.01, e=0.51).form == "fine"
+        assert choose("angle", error=0.01, e=0).form == "coarse"
+
+    def test_the_time_is_that_of_the_nearest_size(self) -> None:
+        assert choose("angle", error=1e-9, size=500).time == 30.0
+        assert choose("angle", error=1e-9, size=500).count == 1000
+
+    def test_the_most_expensive_workload_counts(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        other = {"form": "coarse", "workload": "v", "count": 100_000, "rounds": 3, "median": 20.0}
+        slower = {**RECORD, "times": [*RECORD["times"], other]}
+        monkeypatch.setattr(choice, "_records", lambda: {"gear.angle": slower})
+        chosen = choose("angle", error=0.01, e=(0, 0.5))
+        assert (chosen.form, chosen.better) == ("fine", None)
+
+    def test_nothing_qualifies(self) -> None:
+        with pytest.raises(ValueError, match=r"reaches it; gear\.angle: fine, error 3e-15 rad"):
+            choose("angle", error=1e-16)
+
+    @pytest.mark.parametrize(
+        ("arguments", "says"),
+        [
+            ({"quantity": "speed", "error": 1.0}, "quantity = 'speed': .*gear.angle"),
+            ({"error": 0.0}, "error = 0.0: must be positive"),
+            ({"error": float("nan")}, "error = nan"),
+            ({"error": 1.0, "k": 2.0}, "k = 2.0: .*arguments phi, e"),
+            ({"error": 1.0, "e": (0.5, 0.1)}, r"e = \(0.5, 0.1\)"),
+            ({"error": 1.0, "phi": (0.0, 7.0)}, "phi = .*from 0.0 to 5.0"),
+        ],
+    )
+    def test_bad_requests(self, arguments: dict[str, Any], says: str) -> None:
+        with pytest.raises(ValueError, match=says):
+            choose(**{"quantity": "angle", **arguments})
+
+
+def test_first_order_for_a_milliradian_and_a_micrometre() -> None:
+    chosen = choose("displacement", error=1e-3, points=(0, 50), angles=(0, 1e-3), shift=(0, 1))
+    assert chosen.form == "first order"
+    assert chosen.bound == chosen.error <= 1e-3
+
+
+def test_every_digit_needs_the_exact_form() -> None:
+    chosen = choose("displacement", error=1e-13, points=(0, 50), angles=(0, 1e-3))
+    assert chosen.form != "first order"
+    # A share of 1e-12 to twelve digits: no simulation.
+    assert "simulation" not in choose("wrongly_accepted", error=1e-6).form
+
+
+def test_the_lazy_entry() -> None:
+    assert mechproof.choose is choose
