@@ -28,12 +28,13 @@ VARIABLES = (
     Variable(turns, "whole turns of x"),
     Variable(step, "step of the samples", LENGTH**0, sp.Interval.open(0, sp.oo)),
 )
+D = 1 + e**2 - 2 * e * sp.cos(x)
 CLOSED = 2 * sp.atan2(e * sp.sin(x), 1 - e * sp.cos(x))
 
 
 def remainder(power: sp.Expr, angle: sp.Expr) -> sp.Expr:
     """Slope of what is left of the series, power = e**n and angle = n*x."""
-    return 2 * power * e * (sp.cos(angle + x) - e * sp.cos(angle)) / paper.D
+    return 2 * power * e * (sp.cos(angle + x) - e * sp.cos(angle)) / D
 
 
 def tail(power: sp.Expr, terms: sp.Expr) -> sp.Expr:
