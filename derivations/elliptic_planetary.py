@@ -19,6 +19,7 @@ from sympy import (
     Interval,
     KroneckerDelta,
     Le,
+    Lt,
     Matrix,
     Ne,
     Rational,
@@ -237,6 +238,7 @@ READINGS = {
 }
 FULL_SCALE_LINEARITY = Rational("0.003") * 360
 READING_LINEARITY = Rational("0.003") * 90
+RESOLUTION = Rational(360, 4096)
 
 
 def of_variant(expression: Expr, number: int) -> Expr:
@@ -248,6 +250,12 @@ def coverage(count: int) -> Expr:
     """Percentage of Student's t with count - 1 degrees of freedom inside -2 ... 2."""
     freedom = Rational(count - 1)
     return 100 * betainc_regularized(S.Half, freedom / 2, 0, 4 / (4 + freedom))
+
+
+def implied_scatter(number: int) -> tuple[Expr, Expr]:
+    """Return s = u sqrt(n) and its largest possible value for errors within +-180 degrees."""
+    count, _, uncertainty, _ = READINGS[number]
+    return uncertainty * sqrt(count), 180 * sqrt(Rational(count, count - 1))
 
 
 def interval_row(number: int) -> Claim:
@@ -602,7 +610,7 @@ ROWS = (
     Claim(
         "table 2, resolution",
         r"360^\circ/4096\approx0.088^\circ",
-        PrintedNumber("0.088", Rational(360, 4096)),
+        PrintedNumber("0.088", RESOLUTION),
     ),
     Claim(
         "table 2, linearity",
@@ -638,6 +646,23 @@ ROWS = (
         note="A datum; no formula of the paper uses it.",
     ),
     *(interval_row(number) for number in READINGS),
+    Claim(
+        "table 3, scatter of single readings",
+        r"s(q_k)=u\sqrt n",
+        Conjunction(
+            tuple(
+                Holds(And(Lt(40 * RESOLUTION, scatter), Lt(scatter, limit)))
+                for scatter, limit in map(implied_scatter, READINGS)
+            )
+        ),
+        note=(
+            "If u is that of the mean, single errors scatter by "
+            + ", ".join(f"{float(implied_scatter(number)[0]):.1f}" for number in READINGS)
+            + " deg: more than 40 steps of the encoder each, but possible for errors within half "
+            "a turn."
+        ),
+        marks=("ours",),
+    ),
     *(coverage_row(number) for number in READINGS),
     Claim(
         "different non-uniformity",

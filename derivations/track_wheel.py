@@ -268,10 +268,6 @@ SINGLES_T = ((k_form, form_t), (k_setting, setting_t), (k_wear, wear_t), (k_ther
 
 FIVE_ERRORS = (form, mounting, elastic, setting, wear)
 SUM_OF_SQUARES = sp.Add(*(field**2 for field in FIVE_ERRORS))
-ROOT_SUM_OF_SQUARES = 6 * sp.sqrt(
-    sp.Add(*(deviation(sp.Integer(1), field) ** 2 for field in (*FIVE_ERRORS, thermal)))
-)
-
 LATEX_SUM = (
     r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_iS_iT_i)^2"
     r"+\sum_{i=1}^n\sum_{%s=1,%s\ne i}^n(K_iK_jS_iS_jT_iT_jR_{ij})}"
@@ -413,17 +409,6 @@ ERROR_ROWS: tuple[Row, ...] = (
         note="The index i is free outside the sums, and the length Delta_T is added to squares of "
         "lengths. In the corrected form each group has its own index and each term is a square; "
         "as in (5) every sensitivity is one.",
-    ),
-    Claim(
-        "(6), temperature term",
-        r"\sqrt{\Delta_\phi^2+\Delta_y^2+\Delta_\delta^2+\Delta_n^2+\Delta_u^2+\Delta_T}",
-        Equality(sp.sqrt(SUM_OF_SQUARES + thermal), ROOT_SUM_OF_SQUARES),
-        corrected=Correction(
-            r"\sqrt{\Delta_\phi^2+\Delta_y^2+\Delta_\delta^2+\Delta_n^2+\Delta_u^2+\Delta_T^2}",
-            Equality(sp.sqrt(SUM_OF_SQUARES + thermal**2), ROOT_SUM_OF_SQUARES),
-        ),
-        note="The second fault of (6) by itself: one error of each kind, all coefficients 1.",
-        marks=("inferred",),
     ),
     Equation(
         "(7)",
@@ -672,7 +657,7 @@ FRAME_ROWS: tuple[Row, ...] = (
     ),
     Claim(
         "before (14), axes",
-        r"\text{the system is turned by }\alpha,\beta,\gamma\text{ about }x_{10},y_{10},z_{10}",
+        r"\text{if the system }x_{10}y_{10}z_{10}\text{ is turned by }\alpha,\beta,\gamma",
         Equality(PRINTED_K, project(turn_about_fixed_axes(IN_ORDER))),
         readings=(
             Reading(
@@ -1250,6 +1235,7 @@ TRACK_ROWS: tuple[Row, ...] = (
         ),
         note="Stated by squares, as both sides are not negative. It holds point by point and "
         "therefore for the largest values.",
+        marks=("inferred",),
     ),
     Claim(
         "Fig. 3, shift and turns",
@@ -1277,6 +1263,7 @@ TRACK_ROWS: tuple[Row, ...] = (
             ),
         ),
         note="Shift and turn can add or cancel; neither the shift nor the thickness is printed.",
+        marks=("inferred",),
     ),
     Claim(
         "Fig. 4, both together",
@@ -1291,6 +1278,7 @@ TRACK_ROWS: tuple[Row, ...] = (
         ),
         note="Curve 3 (both together) is the hypotenuse of 1 (tangential) and 2 (radial) and lies "
         "above both.",
+        marks=("inferred",),
     ),
     Claim(
         "Fig. 4, tangential and radial",
@@ -1312,6 +1300,7 @@ TRACK_ROWS: tuple[Row, ...] = (
             ),
         ),
         note="The order of curves 1 and 2 depends on the place on the track, which is not given.",
+        marks=("inferred",),
     ),
     Claim(
         "Fig. 4, growth with the form error",
@@ -1324,19 +1313,18 @@ TRACK_ROWS: tuple[Row, ...] = (
     Claim(
         "Fig. 5, elastic deformations",
         r"\text{the elastic deformations change little, hence their error fell considerably}",
-        less(level * (1 + spread * place), level),
-        readings=(
-            Reading(
-                "change along the track in the optimised cut: the error is the range of the "
-                "deformation, and at most twice the relative change times its level",
-                not_above(
-                    level * (1 + spread * place) - level * (1 + spread * other_place),
-                    2 * spread * level,
-                ),
+        Completions(
+            Completion(
+                "change along the track: the range of the deformation falls with it",
+                less(2 * kept * spread * level, 2 * spread * level),
+            ),
+            Completion(
+                "change from the old cut to the new: the deformation itself becomes smaller",
+                less(level * (1 + spread * place), level),
             ),
         ),
-        note="If the change is meant from the old cut to the new, a small change leaves the error "
-        "about as it was and it may even grow; the sentence is true of the change along the track.",
+        note="What the deformation is compared with is not said; a small change from the old cut "
+        "to the new would leave the error about as it was, and it may even grow.",
     ),
     Claim(
         "Fig. 5, total",

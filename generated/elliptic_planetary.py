@@ -10,9 +10,6 @@ Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
 
-# The parameters keep the paper's letters.
-# ruff: noqa: N803, N806
-
 from typing import Any
 
 import numpy as np

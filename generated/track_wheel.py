@@ -12,9 +12,6 @@ Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
 
-# The parameters keep the paper's letters.
-# ruff: noqa: N803, N806
-
 from typing import Any
 
 import numpy as np

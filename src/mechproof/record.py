@@ -250,13 +250,15 @@ class Bar:
 class Form:
     """One way to compute: a starting expression and the named rewrites applied to it in order.
 
-    `bound` is set for an approximation: a proved bound of |form - definition|.
+    `bound` is set for an approximation: a proved bound of |form - definition|. `proved_by` names
+    the row of the paper that states form = definition, where the derivation does it itself.
     """
 
     name: str
     expression: sp.Basic
     rewrites: tuple[str, ...] = ()
     bound: sp.Expr | None = None
+    proved_by: str = ""
 
 
 @dataclass(frozen=True)

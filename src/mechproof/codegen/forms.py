@@ -11,12 +11,18 @@ from mechproof.record import Claim, Conjunction, Equality, Paper, Quantity, Row,
 def form_rows(paper: Paper) -> tuple[Row, ...]:
     """Return one row for each quantity whose kernel is a rewritten form of its definition.
 
-    An approximation is left out: its bound has rows of its own in the derivation.
+    Left out are approximations, whose bound has rows of its own in the derivation, and
+    quantities whose row stands in the derivation itself. Raises ValueError if it does not.
     """
+    rows = {row.number for row in paper.rows}
+    for quantity in paper.quantities:
+        if quantity.form.proved_by not in (*rows, ""):
+            raise ValueError(f"{quantity.name}: no row {quantity.form.proved_by!r} in the paper")
     return tuple(
         _state_form(quantity, paper)
         for quantity in paper.quantities
         if quantity.form.bound is None
+        and not quantity.form.proved_by
         and (quantity.form.rewrites or quantity.form.expression != quantity.definition)
     )
 

@@ -91,6 +91,12 @@ class NumpyPrinter(CodePrinter):  # type: ignore[misc]
 
     _print_hypot = _print_Abs = _print_Function  # noqa: N815
 
+    def _print_Max(self, expr: sp.Max) -> str:  # noqa: N802
+        first, *others = map(self._print, expr.args)
+        for other in others:
+            first = f"np.maximum({first}, {other})"
+        return str(first)
+
     def _print_Add(self, expr: sp.Add, order: str | None = None) -> str:  # noqa: N802
         first, *others = sorted(expr.args, key=sort_positive_first)
         text = str(self.parenthesize(first, PRECEDENCE["Add"], strict=True))
