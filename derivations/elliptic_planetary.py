@@ -719,10 +719,10 @@ ACCELERATION = diff(RATIO, x) * k
 
 
 # Bars. With the low word, x is known to eps**2 relative, and what is left are the roundings of
-# some 20 operations, tan and atan within an ulp or two. All of them in one direction would make
-# 8 eps of position and 14 of ratio and acceleration; the bars are what searches for the worst
-# input hold, 1.9, 2.8 and 2.8 eps found. The acceleration passes through zero, where the second
-# word of x counts: the slope has the envelope |sin x| <= 1.
+# some 20 operations, tan and atan within an ulp. All of them in one direction would make 8 eps of
+# position, 10 of ratio and 16 of acceleration; the bars are what searches for the worst input
+# hold, which find 2.2, 3.0 and 6.2 eps. The acceleration passes through zero, where the error of x
+# itself counts, eps**2*|x| times the slope, which has the envelope of |sin x|, |cos x| <= 1.
 WHERE_LOW_WORD = ", where |x| <= 2**26"
 SLOPE = 2 * e * k**2 * (1 - e**2) / (1 + e**2 - 2 * e * cos(x)) ** 2
 ACCELERATION_SCALE = Abs(ACCELERATION) + Rational(1, 2**52) * Abs(x) * SLOPE
@@ -731,9 +731,10 @@ RATIO_ULP = ACCELERATION_ULP = 8
 
 # Without it x = k*phi1 is off by two roundings, eps*|x|. The slope of the arctangent in x lies
 # between -2*e/(1 + e) and 2*e/(1 - e), by the extremes of the ratio, and is steepest at whole
-# turns, where |x| <= |position|: there the plain product costs 2*e/(1 - e) eps of the value, and
-# nowhere more. Up to e = 1/2 that is no more than 2 eps, half the bar, whatever phi1; the ratio
-# and the acceleration lose |x| times as much, for which no e but 0 is small enough.
+# turns, where |x| < |position|: there the plain product costs 2*e/(1 - e) eps of the value, and
+# at most 1 % more just before, where the arctangent is negative. Up to e = 1/2 that is half the
+# bar, whatever phi1 and R1/R2. The ratio and the acceleration lose some |x| times 2*e/(1 - e)
+# eps, however small the eccentricity: they have no such threshold but e = 0.
 PLAIN_PRODUCT = e <= Rational(1, 2)
 
 QUANTITIES = (

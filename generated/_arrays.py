@@ -3,8 +3,6 @@
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
 
-from collections.abc import Callable
-from math import nan, prod
 from typing import Any
 
 import numpy as np
@@ -14,10 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 # stay in a core's own cache, and the temporaries in pages that the process already has.
 BLOCK = 32768
 # Types that Python's arithmetic and NumPy's agree on; all others keep their own.
-PLAIN = (np.ndarray, np.float64, np.float32)
+PLAIN = frozenset({np.ndarray, np.float64, np.float32})
 WEAK = (bool, int, float)
 # Subclasses without arithmetic of their own, or with one that is not element by element.
 AS_ARRAYS = (np.memmap, np.matrix)
+# A function of arrays that returns an array or a tuple of them.
+Function = Any
 DOUBLE, SINGLE = np.dtype(np.float64), np.dtype(np.float32)
 
 
@@ -99,12 +99,12 @@ def nan_outside(value: Any, inside: Any) -> NDArray[Any]:
     """Return `value` where `inside` is true, NaN elsewhere."""
     masked: NDArray[Any]
     if type(inside) is np.bool:
-        masked = value if inside else value * nan
+        masked = value if inside else value * np.nan
     elif type(value) in PLAIN and type(inside) is np.ndarray:
-        masked = np.where(inside, value, nan)
+        masked = np.where(inside, value, np.nan)
     else:
         # A product keeps the mask, the laziness or the unit, which np.where would drop.
-        masked = value * np.where(inside, 1.0, nan)
+        masked = value * np.where(inside, 1.0, np.nan)
     return masked
 
 
@@ -164,9 +164,9 @@ def _stack(components: tuple[Any, ...], shape: tuple[int, ...]) -> Any:
 
 
 def in_blocks(
-    evaluate: Callable[..., Any],
+    evaluate: Function,
     running: tuple[Any, ...],
-    prepare: Callable[..., tuple[Any, ...]] = lambda *parameters: parameters,
+    prepare: Function = lambda *parameters: parameters,
     parameters: tuple[Any, ...] = (),
     *,
     out: NDArray[Any] | None = None,
@@ -184,32 +184,33 @@ def in_blocks(
 
     """
     arrays = (*running, *parameters)
-    if any(type(array) not in PLAIN for array in arrays):
+    if not PLAIN.issuperset(map(type, arrays)):
         values = evaluate(*running, *prepare(*parameters))
         return store(_stack(values, shape) if shape else values, out)
-    common, dtype = np.broadcast(*arrays).shape, arrays[0].dtype
-    target = _find_target(out, (*common, *shape), dtype, arrays)
-    if 2 * prod(common) <= BLOCK:
+    together, dtype = np.broadcast(*arrays), arrays[0].dtype
+    whole = (*together.shape, *shape)
+    target = _find_target(out, whole, dtype, arrays)
+    if 2 * together.size <= BLOCK:
         if dtype == SINGLE:
             running = tuple(_cast(array, DOUBLE) for array in running)
             parameters = tuple(_cast(array, DOUBLE) for array in parameters)
         values = evaluate(*running, *prepare(*parameters))
         if not shape:
             return store(_cast(values, dtype), out)
-        target = np.empty((*common, *shape), dtype) if target is None else target
+        target = np.empty(whole, dtype) if target is None else target
         for part, value in zip(_components(target, shape), values, strict=True):
             part[...] = value
     else:
-        target = np.empty((*common, *shape), dtype) if target is None else target
+        target = np.empty(whole, dtype) if target is None else target
         _fill(target, evaluate, running, prepare, parameters, shape)
     return store(target, out)
 
 
 def _fill(
     target: NDArray[Any],
-    evaluate: Callable[..., Any],
+    evaluate: Function,
     running: tuple[Any, ...],
-    prepare: Callable[..., tuple[Any, ...]],
+    prepare: Function,
     parameters: tuple[Any, ...],
     shape: tuple[int, ...],
 ) -> None:
@@ -251,7 +252,7 @@ def _fill(
 
 def transform(
     points: Any,
-    coefficients: Callable[..., tuple[Any, ...]],
+    coefficients: Function,
     parameters: tuple[Any, ...],
     *,
     out: NDArray[Any] | None = None,
