@@ -282,9 +282,10 @@ def transform(
     matrix, shift = values[:-count].reshape(count, count).T, values[-count:]
     source, rows = points.reshape(-1, count), target.reshape(-1, count)
     size = min(len(rows), BLOCK // (2 * count))
-    # NumPy adds rows of three slowly; the shift is repeated along a block instead.
+    # NumPy broadcasts rows of three slowly; the shift is repeated along a block instead.
     shifts = np.empty((size, count))
-    shifts[...] = shift
+    for column, value in zip(shifts.T, shift, strict=True):
+        column[...] = value
     for start in range(0, len(rows), max(size, 1)):
         moved = source[start : start + size].astype(DOUBLE, copy=False) @ matrix
         moved += shifts[: len(moved)]
