@@ -151,9 +151,24 @@ def test_low_word_is_exact_whatever_the_product_is_rounded_to(rewrites: tuple[st
         assert largest_difference(opaque.expanded(), exact) < mp.mpf(10) ** -50
 
 
-def test_low_word_needs_a_product_of_two_symbols() -> None:
-    with pytest.raises(ValueError, match="the angle x is not a step that multiplies two symbols"):
-        REWRITES["low_word"](start(sp.sin(x)))
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        (a, "the angle x is not a step that multiplies two symbols"),
+        (a * b * c, "the angle x is not a step that multiplies two symbols"),
+        (3 * a * b, "the angle x has a factor 3, not a power of two"),
+        (-a * b, "the angle x has a factor -1, not a power of two"),
+    ],
+)
+def test_low_word_needs_a_product_of_two_symbols(value: sp.Expr, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        REWRITES["low_word"](arrange(frozenset({a, b, c}), [(x, value)], sp.sin(x)))
+
+
+def test_low_word_of_a_doubled_product() -> None:
+    done = REWRITES["low_word"](arrange(frozenset({a, b}), [(x, 2 * a * b)], sp.sin(x)))
+    opaque = arrange(frozenset({a, b, x}), [s for s in done.steps if s[0] != x], done.output)
+    assert largest_difference(opaque.expanded(), sp.sin(2 * a * b)) < mp.mpf(10) ** -50
 
 
 def test_homogeneous_half_angle_keeps_its_factors() -> None:

@@ -18,7 +18,8 @@ def low_word(evaluation: Evaluation) -> Evaluation:
     """Rewrite sin x, cos x -> sin(x + x_low), cos(x + x_low), x_low the rounding error of x.
 
     For angles c*x, c a number and x a step that is a product of two symbols, of which a quotient
-    of symbols has a rest of its own. Always legal: x + x_low is the product, whatever x is.
+    of symbols has a rest of its own, and of a power of two, which multiplies without rounding.
+    Always legal: x + x_low is the product, whatever x is.
     """
     values = dict(evaluation.steps)
     steps: list[Step] = []
@@ -52,16 +53,18 @@ def _add_rest(
     x: sp.Expr, values: Mapping[sp.Symbol, sp.Expr], evaluation: Evaluation, steps: list[Step]
 ) -> sp.Symbol:
     """Add the steps of the low word of x and return its name."""
-    product = values.get(x, sp.S.Zero)
+    number, product = values.get(x, sp.S.Zero).as_coeff_Mul()
     if not (product.is_Mul and len(product.args) == 2 and all(a.is_Symbol for a in product.args)):
         raise ValueError(f"low_word: the angle {x} is not a step that multiplies two symbols")
+    if not (number > 0 and sp.log(number, 2).is_integer):
+        raise ValueError(f"low_word: the angle {x} has a factor {number}, not a power of two")
     one, other = product.args
-    rest = ProductRest(one, other, x)
+    rest = ProductRest(one, other, x / number)
     for factor, partner in ((one, other), (other, one)):
         above, below = sp.fraction(values.get(factor, factor))
         if below != 1:
             factor_low = evaluation.new_symbol(f"{factor}_low", steps)
             steps.append((factor_low, QuotientRest(above, below, factor)))
             rest += factor_low * partner
-    steps.append((evaluation.new_symbol(f"{x}_low", steps), rest))
+    steps.append((evaluation.new_symbol(f"{x}_low", steps), number * rest))
     return steps[-1][0]
