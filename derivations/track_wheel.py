@@ -550,6 +550,17 @@ def turn_by_vector() -> sp.ImmutableMatrix:
     return project(tuple(turn(axis, vector / angle, angle) for axis in UNIT_VECTORS))
 
 
+# The turns about X0, Y0 and Z0 one after the other, as quaternions over the cosines of the half
+# angles: the vector v vanishes only with the turn itself, without cancellation.
+HALF_TANGENTS = sp.symbols("t_alpha t_beta t_gamma", real=True)
+AXIS = sp.Matrix(sp.symbols("v_x v_y v_z", real=True))
+w, scale = sp.symbols("w scale", real=True)
+QUATERNION = (
+    sp.Quaternion(1, HALF_TANGENTS[0], 0, 0)
+    * sp.Quaternion(1, 0, HALF_TANGENTS[1], 0)
+    * sp.Quaternion(1, 0, 0, HALF_TANGENTS[2])
+)
+
 FRAME_VARIABLES = (
     Variable(alpha, "turn about x", sign="counter-clockwise positive"),
     Variable(beta, "turn about y", sign="counter-clockwise positive"),
@@ -563,6 +574,15 @@ FRAME_VARIABLES = (
         for symbol, value in zip(ELEMENTS, PRINTED_A, strict=True)
     ),
     Variable(parameter, "parameter of the line (s alpha, s beta, s gamma)"),
+    *(
+        Variable(symbol, f"tangent of {angle}/2", given=sp.tan(angle / 2))
+        for symbol, angle in zip(HALF_TANGENTS, (alpha, beta, gamma), strict=True)
+    ),
+    *(
+        Variable(symbol, "part of the turn's quaternion", given=value)
+        for symbol, value in zip((w, *AXIS), QUATERNION.args, strict=True)
+    ),
+    Variable(scale, "2/|quaternion|^2", given=2 / sp.prod(1 + t**2 for t in HALF_TANGENTS)),
 )
 
 LATEX_A = r"\begin{pmatrix}1&0&0\\0&\cos\alpha&\sin\alpha\\0&-\sin\alpha&\cos\alpha\end{pmatrix}"
@@ -1375,7 +1395,8 @@ ROTATION = sp.ImmutableDenseMatrix(
     * see_from_turned_frame(0, alpha)
 )
 DISPLACEMENT = sp.ImmutableDenseMatrix(ROTATION.T * SURFACE_POINT - (SURFACE_POINT - SHIFT))
-FROM_IDENTITY = sp.ImmutableDenseMatrix((ROTATION - IDENTITY).T * SURFACE_POINT + SHIFT)
+FROM_IDENTITY = scale * (w * AXIS.hat() + AXIS * AXIS.T - AXIS.dot(AXIS) * IDENTITY)
+BY_TANGENTS = sp.ImmutableDenseMatrix(FROM_IDENTITY * SURFACE_POINT + SHIFT)
 FIRST_ORDER = sp.diff(ALONG_LINE, parameter).subs(parameter, 0)
 LINEAR = sp.ImmutableDenseMatrix(FIRST_ORDER.T * SURFACE_POINT + SHIFT)
 
@@ -1406,6 +1427,8 @@ SOLVABLE = Part(
 )
 
 ANGLE_SUM = sp.Abs(alpha) + sp.Abs(beta) + sp.Abs(gamma)
+# The largest singular value of K - I, twice the sine of half the angle of the turn.
+DISTANCE_FROM_IDENTITY = sp.sqrt(3 - ROTATION.trace())
 LENGTHS = sp.sqrt(x13**2 + y13**2 + z13**2), sp.sqrt(a**2 + b**2 + c**2)
 
 TURNS = Argument("angles", (alpha, beta, gamma), "turns about X0, Y0 and Z0, in this order", "rad")
@@ -1436,10 +1459,10 @@ THERMAL_SCATTER = Argument(
 # rotation: an entry is at most a product of three plus a product of two, each factor <= 1:
 # (3 * 1 + 2/2) + (2 * 1 + 1/2) + 1/2.
 ROTATION_ULP = 7
-# displacement, in units of s = |alpha| + |beta| + |gamma|: cosm1 has 2.5 eps and is at most
-# 0.725 |angle|, the cosine from it 5.5 eps; the worst entry of K - I has 8.5 s, so the matrix
-# 3 * 8.5 s in norm; 4 roundings of a product of three and the shift on |K - I| <= 3 s.
-DISPLACEMENT_ULP = 32
+# displacement: the vector v of the quaternion is a sum without cancellation wherever K is near
+# I, so every entry of K - I is good relative to the norm. Some 40 roundings in one direction would
+# make 17 eps; the bar is 3e-15, and searches for the worst input find 2.4 eps.
+DISPLACEMENT_ULP = 3e-15 * 2.0**52
 # displacement_linear: two products, three sums, entries at most s: 2.5 each, norm 3 * 2.5 s.
 LINEAR_ULP = 8
 # radius: u 1.5, w 1.5, its root 1.25, q 3.25 relative, w/q 5.25; the rounding of z*phi 1/2.
@@ -1480,13 +1503,13 @@ QUANTITIES = (
         "Compute the position errors K^T*p - (p - t) of points p, turn K and shift t.",
         (POINTS, TURNS, SHIFTS),
         DISPLACEMENT,
-        Form("(K - I)^T*p + t", FROM_IDENTITY, ("cosine_minus_one", "name_coefficients")),
+        Form("(K - I)^T*p + t by tangents of half angles", BY_TANGENTS, ("name_coefficients",)),
         "Kapitonov, Yakubovsky 2022, equation (15)",
         unit="mm",
         bar=Bar(
             DISPLACEMENT_ULP,
-            "(|alpha| + |beta| + |gamma|)*|p| + |t|, norm of the error",
-            ANGLE_SUM * LENGTHS[0] + LENGTHS[1],
+            "|K - I|*|p| + |t|, norm of the error",
+            DISTANCE_FROM_IDENTITY * LENGTHS[0] + LENGTHS[1],
         ),
     ),
     Quantity(

@@ -12,9 +12,9 @@ Regenerate with `mechproof regenerate`; edits are overwritten.
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import as_floats
+from ._arrays import as_floats, in_blocks, nan_outside
 
 __all__ = [
     "chord_height",
@@ -29,10 +29,10 @@ __all__ = [
 
 
 # Source: paper on tooth thickness, design data; basic rack
-# Form: squared cosine
 # Expression sha256: 5d996c2779e83934afc76123a3e0219c20e257c52378d201fe729022e5169307
+# Form: squared cosine
 # Operations: 5
-def constant_chord(m: ArrayLike, alpha: ArrayLike) -> Any:
+def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Compute the constant chord, between the points where a rack touches both flanks.
 
         constant_chord = pi*m*cos(alpha)**2/2
@@ -43,6 +43,8 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike) -> Any:
         Module (mm).
     alpha : array_like, any shape
         Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -53,9 +55,9 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike) -> Any:
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -70,16 +72,25 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike) -> Any:
     """
     m, alpha = as_floats(m=m, alpha=alpha)
     inside = (alpha > 0) & (alpha < np.pi / 4)
-    alpha = np.where(inside, alpha, np.nan)
+    alpha = nan_outside(alpha, inside)
+    return in_blocks(_constant_chord, (m,), _prepare_constant_chord, (alpha,), out=out)
+
+
+def _prepare_constant_chord(alpha: Any) -> tuple[Any, ...]:
+
+    return (alpha,)
+
+
+def _constant_chord(m: Any, alpha: Any) -> Any:
 
     return np.pi * np.cos(alpha) ** 2 / 2 * m
 
 
 # Source: paper on tooth thickness, design data; basic rack
-# Form: double angle
 # Expression sha256: f8f91713908b5993bfecfa6f8a6fc972cf2f76ab05b5a5130600e5d546eb0c96
+# Form: double angle
 # Operations: 6
-def chord_height(m: ArrayLike, alpha: ArrayLike) -> Any:
+def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Compute the height from the tip circle to the constant chord, addendum of one module.
 
         chord_height = m*(1 - pi*sin(2*alpha)/8)
@@ -90,6 +101,8 @@ def chord_height(m: ArrayLike, alpha: ArrayLike) -> Any:
         Module (mm).
     alpha : array_like, any shape
         Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -100,9 +113,9 @@ def chord_height(m: ArrayLike, alpha: ArrayLike) -> Any:
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -117,16 +130,33 @@ def chord_height(m: ArrayLike, alpha: ArrayLike) -> Any:
     """
     m, alpha = as_floats(m=m, alpha=alpha)
     inside = (alpha > 0) & (alpha < np.pi / 4)
-    alpha = np.where(inside, alpha, np.nan)
+    alpha = nan_outside(alpha, inside)
+    return in_blocks(_chord_height, (m,), _prepare_chord_height, (alpha,), out=out)
+
+
+def _prepare_chord_height(alpha: Any) -> tuple[Any, ...]:
+
+    return (alpha,)
+
+
+def _chord_height(m: Any, alpha: Any) -> Any:
 
     return (1 - np.pi * np.sin(2 * alpha) / 8) * m
 
 
 # Source: paper on tooth thickness, step 6, on the involute
-# Form: along and across the first tangent; rewrites: cosine_minus_one
 # Expression sha256: 022b419d1817873b2a218e46b46bfb2c2160c2e7a1fca0cfbe018367fecf22fa
+# Form: along and across the first tangent
+# Rewrites: cosine_minus_one
 # Operations: 33
-def height_change(tilt: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike) -> Any:
+def height_change(
+    tilt: ArrayLike,
+    m: ArrayLike,
+    z: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
     """Compute how much deeper than the constant chord the chord lies, by its flank's tangent.
 
         height_change = r_b*((t_c*(1 - cos(tilt)) + sin(tilt) - tilt*cos(tilt))*sin(alpha) -
@@ -144,6 +174,8 @@ def height_change(tilt: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike)
         Number of teeth, a natural number (pure number).
     alpha : array_like, any shape
         Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -154,9 +186,9 @@ def height_change(tilt: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike)
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -180,15 +212,24 @@ def height_change(tilt: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike)
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
-    m = np.where(inside, m, np.nan)
+    m = nan_outside(m, inside)
+    return in_blocks(_height_change, (tilt,), _prepare_height_change, (m, z, alpha), out=out)
 
+
+def _prepare_height_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
     cosm1_alpha = -2 * np.sin(alpha / 2) ** 2
     cos_alpha = 1 + cosm1_alpha
     r_b = cos_alpha * m * z / 2
+    t_c = np.pi / (2 * z) + np.tan(alpha)
+
+    return (alpha, cos_alpha, r_b, t_c)
+
+
+def _height_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
     sin_tilt = np.sin(tilt)
     cosm1_tilt = -2 * np.sin(tilt / 2) ** 2
     cos_tilt = 1 + cosm1_tilt
-    t_c = np.pi / (2 * z) + np.tan(alpha)
+
     return r_b * (
         np.sin(alpha) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
         - cos_alpha * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
@@ -196,10 +237,18 @@ def height_change(tilt: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike)
 
 
 # Source: paper on tooth thickness, step 6, on the involute
-# Form: along and across the first tangent; rewrites: cosine_minus_one
 # Expression sha256: cfdacfd0f936fb6788180caa7bd9d3761dbdc92f99f945e5557c377720ee57ca
+# Form: along and across the first tangent
+# Rewrites: cosine_minus_one
 # Operations: 35
-def thickness_change(tilt: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike) -> Any:
+def thickness_change(
+    tilt: ArrayLike,
+    m: ArrayLike,
+    z: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
     """Compute how much thicker than the constant chord the chord is, by its flank's tangent.
 
         thickness_change = -2*r_b*((t_c*(1 - cos(tilt)) + sin(tilt) - tilt*cos(tilt))*cos(alpha)
@@ -217,6 +266,8 @@ def thickness_change(tilt: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLi
         Number of teeth, a natural number (pure number).
     alpha : array_like, any shape
         Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -227,9 +278,9 @@ def thickness_change(tilt: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLi
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -253,15 +304,24 @@ def thickness_change(tilt: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLi
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
-    m = np.where(inside, m, np.nan)
+    m = nan_outside(m, inside)
+    return in_blocks(_thickness_change, (tilt,), _prepare_thickness_change, (m, z, alpha), out=out)
 
+
+def _prepare_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
     cosm1_alpha = -2 * np.sin(alpha / 2) ** 2
     cos_alpha = 1 + cosm1_alpha
     r_b = cos_alpha * m * z / 2
+    t_c = np.pi / (2 * z) + np.tan(alpha)
+
+    return (alpha, cos_alpha, r_b, t_c)
+
+
+def _thickness_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
     sin_tilt = np.sin(tilt)
     cosm1_tilt = -2 * np.sin(tilt / 2) ** 2
     cos_tilt = 1 + cosm1_tilt
-    t_c = np.pi / (2 * z) + np.tan(alpha)
+
     return (
         -2
         * r_b
@@ -273,10 +333,12 @@ def thickness_change(tilt: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLi
 
 
 # Source: paper on tooth thickness, equation (1) with the exact derivative
-# Form: tangent
 # Expression sha256: 1b9034ac283745b8bec789db96d14e2ce3e3cdcb93362b3244f909fdf955e873
+# Form: tangent
 # Operations: 3
-def thickness_change_linear(dh: ArrayLike, alpha: ArrayLike) -> Any:
+def thickness_change_linear(
+    dh: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Compute the change of thickness with the height to first order, on the rack exactly.
 
         thickness_change_linear = 2*dh*tan(alpha)
@@ -287,6 +349,8 @@ def thickness_change_linear(dh: ArrayLike, alpha: ArrayLike) -> Any:
         How much deeper than nominal the chord lies (mm).
     alpha : array_like, any shape
         Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -297,9 +361,9 @@ def thickness_change_linear(dh: ArrayLike, alpha: ArrayLike) -> Any:
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -314,16 +378,29 @@ def thickness_change_linear(dh: ArrayLike, alpha: ArrayLike) -> Any:
     """
     dh, alpha = as_floats(dh=dh, alpha=alpha)
     inside = (alpha > 0) & (alpha < np.pi / 4)
-    alpha = np.where(inside, alpha, np.nan)
+    alpha = nan_outside(alpha, inside)
+    return in_blocks(
+        _thickness_change_linear, (dh,), _prepare_thickness_change_linear, (alpha,), out=out
+    )
+
+
+def _prepare_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
+
+    return (alpha,)
+
+
+def _thickness_change_linear(dh: Any, alpha: Any) -> Any:
 
     return 2 * np.tan(alpha) * dh
 
 
 # Source: paper on tooth thickness, step 6, second derivative on the involute
-# Form: Taylor's remainder
 # Expression sha256: 15f58cdf82b23cf389d7b085323297f0b00b11b70ba2a8b1b19ad264e8e45843
+# Form: Taylor's remainder
 # Operations: 32
-def linearisation_bound(dh: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike) -> Any:
+def linearisation_bound(
+    dh: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Bound the excess of the first order over the exact change of thickness; it is >= 0.
 
         linearisation_bound = dh**2*(y_c + Abs(dh))**3/(r_b**3*sqrt(r_b**2*t_c**2 - (2*y_c -
@@ -342,6 +419,8 @@ def linearisation_bound(dh: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayL
         Number of teeth, a natural number (pure number).
     alpha : array_like, any shape
         Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -352,9 +431,9 @@ def linearisation_bound(dh: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayL
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -379,12 +458,23 @@ def linearisation_bound(dh: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayL
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
-    m = np.where(inside, m, np.nan)
+    m = nan_outside(m, inside)
+    return in_blocks(
+        _linearisation_bound, (dh,), _prepare_linearisation_bound, (m, z, alpha), out=out
+    )
 
+
+def _prepare_linearisation_bound(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
     r_b = m * z * np.cos(alpha) / 2
-    abs_Delta_h = np.abs(dh)
     y_c = m * (z / 2 + np.pi * np.sin(2 * alpha) / 8)
     t_c = np.pi / (2 * z) + np.tan(alpha)
+
+    return (r_b, y_c, t_c)
+
+
+def _linearisation_bound(dh: Any, r_b: Any, y_c: Any, t_c: Any) -> Any:
+    abs_Delta_h = np.abs(dh)
+
     return (
         dh**2
         * (abs_Delta_h + y_c)
@@ -394,10 +484,12 @@ def linearisation_bound(dh: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayL
 
 
 # Source: paper on tooth thickness, steps 5 and 6 corrected
-# Form: tangent
 # Expression sha256: 9257170e7d0d391e452d5a1b7f2f2a85cba896431295e9f9ae55f06cddeba413
+# Form: tangent
 # Operations: 5
-def thickness_error(e_tip: ArrayLike, height_error: ArrayLike, alpha: ArrayLike) -> Any:
+def thickness_error(
+    e_tip: ArrayLike, height_error: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Compute the error of thickness from the tip diameter and the gauge's height.
 
         thickness_error = 2*(height_error - e_tip/2)*tan(alpha)
@@ -410,6 +502,8 @@ def thickness_error(e_tip: ArrayLike, height_error: ArrayLike, alpha: ArrayLike)
         Error of the gauge's height, positive if set too deep (mm).
     alpha : array_like, any shape
         Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -420,9 +514,9 @@ def thickness_error(e_tip: ArrayLike, height_error: ArrayLike, alpha: ArrayLike)
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -438,16 +532,29 @@ def thickness_error(e_tip: ArrayLike, height_error: ArrayLike, alpha: ArrayLike)
     """
     e_tip, height_error, alpha = as_floats(e_tip=e_tip, height_error=height_error, alpha=alpha)
     inside = (alpha > 0) & (alpha < np.pi / 4)
-    height_error = np.where(inside, height_error, np.nan)
+    height_error = nan_outside(height_error, inside)
+    return in_blocks(
+        _thickness_error, (e_tip,), _prepare_thickness_error, (height_error, alpha), out=out
+    )
+
+
+def _prepare_thickness_error(height_error: Any, alpha: Any) -> tuple[Any, ...]:
+
+    return (height_error, alpha)
+
+
+def _thickness_error(e_tip: Any, height_error: Any, alpha: Any) -> Any:
 
     return 2 * np.tan(alpha) * (height_error - e_tip / 2)
 
 
 # Source: paper on tooth thickness, equation (1) and step 5
-# Form: as printed
 # Expression sha256: fdd0d87bc934edf6f7b5af9d4f7cc97fea0970ab7c063395e36c1d8c93d7a53e
+# Form: as printed
 # Operations: 5
-def thickness_error_printed(e_tip: ArrayLike, height_error: ArrayLike) -> Any:
+def thickness_error_printed(
+    e_tip: ArrayLike, height_error: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Compute the error of thickness by steps 5 and 6 as they stand in print.
 
     Specimen, not for use: takes the diameter for the radius and has the wrong sign for the tip;
@@ -461,6 +568,8 @@ def thickness_error_printed(e_tip: ArrayLike, height_error: ArrayLike) -> Any:
         Deviation of the tip diameter (mm).
     height_error : array_like, any shape
         Error of the gauge's height, positive if set too deep (mm).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -471,9 +580,9 @@ def thickness_error_printed(e_tip: ArrayLike, height_error: ArrayLike) -> Any:
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -483,4 +592,20 @@ def thickness_error_printed(e_tip: ArrayLike, height_error: ArrayLike) -> Any:
 
     """
     e_tip, height_error = as_floats(e_tip=e_tip, height_error=height_error)
+    return in_blocks(
+        _thickness_error_printed,
+        (e_tip,),
+        _prepare_thickness_error_printed,
+        (height_error,),
+        out=out,
+    )
+
+
+def _prepare_thickness_error_printed(height_error: Any) -> tuple[Any, ...]:
+
+    return (height_error,)
+
+
+def _thickness_error_printed(e_tip: Any, height_error: Any) -> Any:
+
     return 1821 * height_error / 2500 + 1821 / 2500 * e_tip

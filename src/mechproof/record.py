@@ -262,11 +262,20 @@ class Form:
 
 
 @dataclass(frozen=True)
+class Shortcut:
+    """A cheaper form, taken where `when`, a relation on the parameters, is true of all of them."""
+
+    form: Form
+    when: sp.Basic
+
+
+@dataclass(frozen=True)
 class Quantity:
     """A function of a system that is generated as a kernel.
 
     `definition` is the exact meaning (what the accuracy is measured against), `form` what is
-    printed. `specimen` holds, for a function kept only for comparison, what is wrong with it.
+    printed, `shortcut` what is computed instead where it is as accurate. `specimen` holds, for a
+    function kept only for comparison, what is wrong with it.
     """
 
     name: str
@@ -280,6 +289,7 @@ class Quantity:
     on: Part | None = None
     singular: tuple[str, ...] = ()
     specimen: str = ""
+    shortcut: Shortcut | None = None
 
 
 @dataclass(frozen=True)

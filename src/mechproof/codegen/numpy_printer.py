@@ -31,6 +31,9 @@ FUNCTIONS: Mapping[str, str] = MappingProxyType(
         "Abs": "np.abs",
         "floor": "np.floor",
         "sign": "np.sign",
+        "ProductRest": "product_rest",
+        "QuotientRest": "quotient_rest",
+        "SmallTangent": "small_tangent",
     }
 )
 CONSTANTS: Mapping[sp.Basic, str] = MappingProxyType(
