@@ -71,9 +71,9 @@ from mechproof.record import (
 phi1 = Symbol("phi1", real=True)
 R1, R2 = symbols("R1 R2", positive=True)
 e = Symbol("e", real=True)
-a, rho = symbols("a rho", positive=True)
+a, rho = symbols("a rho", real=True)
 phi5, k, x, a1, b1 = symbols("phi5 k x a1 b1", real=True)
-omega1, omega3 = symbols("omega1 omega3", nonzero=True)
+omega1, omega3 = symbols("omega1 omega3", real=True)
 VC, VD, AC, BC, BD, CD, DE = symbols("V_C V_D AC BC BD CD DE", real=True)
 at_b, at_c, at_d = symbols("s_B s_C s_D", real=True)
 U = Symbol("U", real=True)
@@ -267,7 +267,7 @@ def interval_row(number: int) -> Claim:
         f"table 3, interval {number}",
         rf"{float(mean):.2f} \pm {printed}^\circ",
         PrintedNumber(printed, 2 * uncertainty),
-        note="The half-width is to be 2u with the u of table 3.",
+        note="The half-width is to be 2u with the u of table 3; if right, u is half of it.",
         corrected=Correction(
             rf"{float(mean):.2f} \pm {right}^\circ", PrintedNumber(right, 2 * uncertainty)
         ),
@@ -281,7 +281,8 @@ def coverage_row(number: int) -> Claim:
         f"95 %, variant {number}",
         rf"\text{{the 95 \% interval is }}\bar q\pm 2u,\ n={count}",
         PrintedNumber("95", coverage(count)),
-        note="Coverage of the factor 2 by Student's t, normal observations assumed.",
+        note="Coverage of the factor 2 by Student's t; normal, independent observations assumed.",
+        marks=("inferred",),
     )
 
 
@@ -341,7 +342,7 @@ ROWS = (
         "(4)",
         r"CD=\rho(\varphi_5)=\frac{a(1-e^2)}{1-e\cos\varphi_5}",
         Equality(print_rho, focal_radius.subs(theta, phi5)),
-        note="At phi1 = 0 the second focus lies towards A.",
+        note="At phi1 = 0 the second focus lies towards A: read from the sign in (4).",
     ),
     Claim(
         "(4), phi5",
@@ -428,8 +429,12 @@ ROWS = (
         r"\int\frac{dx}{a_1-b_1\cos x}=\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
         r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}",
         Equality(print_10_fifth, print_10_first),
-        note="The chain's end is right although its fourth expression is not.",
+        note=(
+            "Read as integrals from 0. The chain's end is right although its fourth "
+            "expression is not."
+        ),
         holds_on=BRANCH,
+        marks=("inferred",),
     ),
     Claim(
         "since e <= 1",
@@ -476,8 +481,9 @@ ROWS = (
         r"\left(\frac{R_1}{2R_2}\varphi_1\right)\cdot\sqrt{\frac{1+e}{1-e}}\right)",
         Equality(print_12, position),
         note=(
-            "Both roots are squares lost: a1 +- b1 = (1 +- e)^2, so the factor is 1 and the "
-            "inner quotient is (1+e)/(1-e); besides, the arctangent falls back after each turn."
+            "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1+e)/(1-e) itself, but (12) still has "
+            "the root of that. Without it the factor before the arctangent is 2 and the quotient "
+            "inside is (1+e)/(1-e). Besides, the arctangent falls back after each turn."
         ),
         corrected=Correction(CORRECT_12, Equality(position_closed, position)),
         singular=("R1 phi1/R2 = (2m+1) pi",),
@@ -513,14 +519,17 @@ ROWS = (
         "(12) gives the position function",
         r"\text{equation (12) gives the calculated position function}",
         Equality(print_12, position),
-        note="The derivative of (12) is not the ratio (8), nor is (12) continuous.",
+        note="Follows from (12); not a second error.",
         corrected=Correction(CORRECT_12, Equality(position_closed, position)),
     ),
     Claim(
         "Fig. 3, formula used",
         r"\text{using formula (8) we build the position functions}",
         Equality(print_8, position),
-        note="(8) is the ratio; the position functions need its integral, (9).",
+        note=(
+            "Read literally, phi3 = (8). (8) is the ratio; the position functions are its "
+            "integral, (9)."
+        ),
         corrected=Correction(
             r"\varphi_3=\int_0^{\varphi_1}\left[1+\frac{R_1}{R_2}\cdot"
             r"\frac{1-e^2}{1+e^2-2e\cos\varphi_5}\right]d\varphi_1",
@@ -589,7 +598,7 @@ ROWS = (
             )
         ),
         note="2a = 50 mm, so one pair of ellipses with a = 25 mm fits every variant of its e.",
-        marks=("inferred",),
+        marks=("ours",),
     ),
     Claim(
         "table 1, domain",
@@ -606,7 +615,7 @@ ROWS = (
                 for number in VARIANTS
             )
         ),
-        marks=("inferred",),
+        marks=("ours",),
     ),
     Claim(
         "table 2, resolution",
@@ -671,7 +680,7 @@ ROWS = (
         Conjunction(
             (
                 Holds(Gt(diff(non_uniformity, e), 0)),
-                Holds(Ge(diff(non_uniformity, R1), 0)),
+                Holds(Ge(diff(non_uniformity, k), 0)),
                 *(
                     Holds(
                         Ne(

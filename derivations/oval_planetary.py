@@ -45,7 +45,7 @@ R3, R6 = sp.symbols("R3 R6", positive=True)
 e, e1, e2 = sp.symbols("e e1 e2", real=True)
 a, rho3, rho4, rho5, rho6, span = sp.symbols("a rho3 rho4 rho5 rho6 L", positive=True)
 phi, phi5, phi6, start = sp.symbols("varphi varphi5 varphi6 c", real=True)
-omega1, omega3 = sp.symbols("omega1 omega3", nonzero=True)
+omega1, omega3 = sp.symbols("omega1 omega3", real=True)
 VC, VD, AC, BC, BD, CD, DE = sp.symbols("v_C v_D AC BC BD CD DE", real=True)
 sB, sC, sD = sp.symbols("s_B s_C s_D", real=True)
 ratio_symbol = sp.Symbol("varphi3'", real=True)
@@ -576,7 +576,10 @@ EQUATION_ROWS: tuple[Row, ...] = (
         Equality(print_5, integrate(sun_radius / (2 * a - sun_radius))),
         note="Seen from the carrier: wheel 5 turns by rho4/rho5, the sun's major axis on the line "
         "of centres at the lower limit 0.",
-        marks=("rebuilt",),
+        marks=(
+            "rebuilt",
+            "uncertain",
+        ),
     ),
     Claim(
         "(5), constant",
@@ -614,7 +617,10 @@ EQUATION_ROWS: tuple[Row, ...] = (
         r"\varphi_5=\frac\pi2-\varphi_6",
         Equality(a * (1 - e1**2) / (1 + e1 * cos_6), 2 * a - sun_radius),
         note="With it (3) is the radius that meshes with the sun: cos(2 phi5) = -cos(2 phi6).",
-        marks=("rebuilt",),
+        marks=(
+            "rebuilt",
+            "uncertain",
+        ),
     ),
     Claim(
         "(6), sign",
@@ -680,7 +686,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
                 Equality(print_11, -position_of_one(E_SERIES)),
             ),
         ),
-        note="From phi30 = 0, with (3)-(6); in closed form phi3 = -arctan(E sin(2 phi1)/"
+        note="From phi3(0) = 0, with (3)-(6); in closed form phi3 = -arctan(E sin(2 phi1)/"
         "(1 - E cos(2 phi1))), E = (e1 + e2)/(1 + e1 e2).",
         marks=("rebuilt",),
     ),

@@ -70,14 +70,14 @@ z = Symbol("z", integer=True, positive=True)
 alpha = Symbol("alpha", positive=True)
 incline = Symbol("tan_alpha", positive=True)
 delta, tilt, start = symbols("delta tilt delta_0", real=True)
-r_b, t_c, y_c, s_c = symbols("r_b t_c y_c s_c", positive=True)
+r_b, t_c, y_c, s_c, K_m = symbols("r_b t_c y_c s_c K_m", real=True)
 psi = Symbol("psi", positive=True)
 thinning = Symbol("Delta_s", real=True)
 
 dh, dh_gauge, ds_gauge = symbols("Delta_h Delta_hc Delta_Sc", real=True)
 e_tip, E_true, E_measured, ds_height = symbols("e_dau E_csu E_cs0 Delta_Sca", real=True)
 E_cs, T_c, sigma, millimetre = symbols("E_cs T_c sigma mm", positive=True)
-K, K_m = symbols("K K_m", positive=True)
+K = symbols("K", positive=True)
 f_true, f_measured = symbols("f_u f_0", real=True)
 place = Symbol("p", positive=True)
 sigma_tip, sigma_height, sigma_thickness = symbols("sigma_d sigma_h sigma_S", positive=True)
@@ -489,7 +489,7 @@ LINEAR_ROWS = (
         "step 6, influence of the involute",
         r"\Delta S_{ca}=K_m\cdot\Delta h",
         Equality(K_m * height_change, thickness_change),
-        on=Part("up to a quarter turn about the constant chord", {tilt: Interval(0, pi / 4)}),
+        on=Part("up to an eighth of a turn about the constant chord", {tilt: Interval(0, pi / 4)}),
         corrected=Correction(
             r"\Delta S_{ca}=K_m\,\Delta h-mz\left[t_c(1-\cos\varepsilon)+\sin\varepsilon"
             r"-\varepsilon\cos\varepsilon\right],\ t_c=\mathrm{tg}\,\alpha+\frac\pi{2z}",
@@ -631,6 +631,7 @@ ALGORITHM_ROWS = (
             Heaviside((E_cs - E_true) / T_c, 0) * Heaviside((E_true - E_cs + T_c) / T_c, 0),
         ),
         note="For the sign of E_cs see 'smallest deviation'.",
+        marks=("rebuilt",),
     ),
     Claim(
         "step 3, spread of the tip diameter",
@@ -693,9 +694,13 @@ ALGORITHM_ROWS = (
             Equality(dh_gauge - e_tip / 2, height_deviation),
         ),
         note=(
-            "The gauge stands on the tip circle: its radius, not its diameter, counts, and a "
-            "larger tip lifts the line that is measured towards the tip."
+            "The gauge stands on the tip circle, so half the deviation of the diameter "
+            "counts, whichever way heights are counted. The sign of Delta h is not printed: "
+            "counted towards the centre the tip's half enters with a minus, towards the tip "
+            "with a plus. The charge rests on the words 'tip diameter' of step 3, not on a "
+            "subscript."
         ),
+        marks=("rebuilt",),
     ),
     Equation(
         "steps 5 and 6, tip diameter alone",
@@ -705,7 +710,11 @@ ALGORITHM_ROWS = (
             r"\Delta S_{ca}=-e_{dau}\,\mathrm{tg}\,\alpha",
             Equality(-e_tip * tan(alpha), measured_change.subs(dh_gauge, 0)),
         ),
-        note="Twice too much, and of the wrong sign.",
+        note=(
+            "Twice too much; the sign is wrong as well if deviations are positive for a "
+            "thicker tooth (see the next row)."
+        ),
+        marks=("rebuilt",),
     ),
     Claim(
         "steps 5 and 6, tip diameter, counted as a decrease",
@@ -754,20 +763,21 @@ ALGORITHM_ROWS = (
         r"\Delta h_c\text{ (from the tip circle, text)}\ne\Delta h_c\text{ (gauge, chart)}",
         Distinct((e_tip + dh_gauge).subs(dh_gauge, height_deviation), height_deviation),
         note="With the text's meaning in step 5 the tip diameter would be counted again.",
-        marks=("ours",),
+        marks=("rebuilt",),
     ),
     Claim(
         "letter Delta S_c",
         r"\Delta S_c\text{ (from the height, text)}\ne\Delta S_c\text{ (gauge, chart)}",
         Distinct((E_true + K_m * dh + ds_gauge).subs(ds_gauge, K_m * dh), reading),
         note="With the text's meaning in step 8 the height would be counted twice.",
-        marks=("ours",),
+        marks=("rebuilt",),
     ),
     Equation(
         "step 8",
         r"E_{cs0}=E_{csu}+\Delta S_{ca}+\Delta S_c",
         Equality(E_true + K_m * dh + ds_gauge, reading),
         note="The indication less the nominal chord, to first order in the height.",
+        marks=("rebuilt",),
     ),
     Equation(
         "step 9",
@@ -837,9 +847,15 @@ EXAMPLE_ROWS = (
     Claim(
         "Table 1, columns 4 to 6",
         r"(6)=(4)+(5)",
-        Equality(e_tip + dh_gauge, height_deviation),
-        corrected=Correction(
-            r"(6)=(5)-\tfrac12(4)", Equality(dh_gauge - e_tip / 2, height_deviation)
+        Completions(
+            Completion(
+                "column 4 lists the deviation of the diameter",
+                Equality(e_tip + dh_gauge, height_deviation),
+            ),
+            Completion(
+                "column 4 lists half of it, counted towards the centre",
+                Equality(e_tip + dh_gauge, height_deviation.subs(e_tip, -2 * e_tip)),
+            ),
         ),
         note="Total shift from tip diameter and gauge, as in step 5; the rule is read from there.",
         marks=("inferred",),

@@ -299,10 +299,12 @@ ERROR_ROWS: tuple[Row, ...] = (
     ),
     Claim(
         "after (3), K",
-        r"K\text{: relative-scatter coefficient, ratio of the scatter field under the normal"
-        r" law to the actual field}",
+        r"K\text{: relative-scatter coefficient of the output; }K_i\text{: ratio of the scatter "
+        r"field under the normal law to the actual field}",
         Definition(scatter, 6 * sigma / total),
-        note="The field under the normal law is taken as six standard deviations; K_i likewise.",
+        note="The ratio is printed for the inputs and read for the output likewise; the field "
+        "under the normal law is taken as six standard deviations.",
+        marks=("inferred",),
     ),
     Claim(
         "after (3), K of a uniform law",
@@ -1240,6 +1242,7 @@ TRACK_ROWS: tuple[Row, ...] = (
         Equality(PRINTED_15.subs(ZERO_ANGLES), SHIFT),
         note="Without turns the error is the shift at every point, so the bars of the shift are "
         "|a|, |b|, |c|; their values are lost.",
+        marks=("inferred",),
     ),
     Claim(
         "Fig. 3, axes, plane and space",
@@ -1255,7 +1258,7 @@ TRACK_ROWS: tuple[Row, ...] = (
         ),
         note="Stated by squares, as both sides are not negative. It holds point by point and "
         "therefore for the largest values.",
-        marks=("inferred",),
+        marks=("ours",),
     ),
     Claim(
         "Fig. 3, shift and turns",
@@ -1283,7 +1286,7 @@ TRACK_ROWS: tuple[Row, ...] = (
             ),
         ),
         note="Shift and turn can add or cancel; neither the shift nor the thickness is printed.",
-        marks=("inferred",),
+        marks=("ours",),
     ),
     Claim(
         "Fig. 4, both together",
@@ -1320,7 +1323,7 @@ TRACK_ROWS: tuple[Row, ...] = (
             ),
         ),
         note="The order of curves 1 and 2 depends on the place on the track, which is not given.",
-        marks=("inferred",),
+        marks=("ours",),
     ),
     Claim(
         "Fig. 4, growth with the form error",

@@ -145,7 +145,7 @@ def _chord_height(m: Any, alpha: Any) -> Any:
 
 
 # Source: paper on tooth thickness, step 6, on the involute
-# Expression sha256: 022b419d1817873b2a218e46b46bfb2c2160c2e7a1fca0cfbe018367fecf22fa
+# Expression sha256: 2325d90ada9cba6380f6debf5c328e39ba65c362b92d738d17706408d55e0ac7
 # Form: along and across the first tangent
 # Rewrites: cosine_minus_one
 # Operations: 33
@@ -237,7 +237,7 @@ def _height_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) ->
 
 
 # Source: paper on tooth thickness, step 6, on the involute
-# Expression sha256: cfdacfd0f936fb6788180caa7bd9d3761dbdc92f99f945e5557c377720ee57ca
+# Expression sha256: 40aa37f62df7174f3fec7d7a1d7e0746887b0997013ef91bf0add5b322763faf
 # Form: along and across the first tangent
 # Rewrites: cosine_minus_one
 # Operations: 35
@@ -395,7 +395,7 @@ def _thickness_change_linear(dh: Any, alpha: Any) -> Any:
 
 
 # Source: paper on tooth thickness, step 6, second derivative on the involute
-# Expression sha256: 15f58cdf82b23cf389d7b085323297f0b00b11b70ba2a8b1b19ad264e8e45843
+# Expression sha256: 814d3d5a41c96e32619a3563588ae0542a4654f8dd46e457b4d20e5f6f26e9db
 # Form: Taylor's remainder
 # Operations: 32
 def linearisation_bound(

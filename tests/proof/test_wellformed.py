@@ -32,18 +32,18 @@ SOUND = {
     "inequality": Holds(sp.Ge(y, 0, evaluate=False)),
 }
 FAULTY = {
-    "index bound by no sum": (Equality(FREE, BOUND), "j is bound by no sum"),
-    "undeclared symbol": (Equality(x + y, x), "y is bound by no sum"),
+    "index bound by no sum": (Equality(FREE, BOUND), "j has no value there"),
+    "undeclared symbol": (Equality(x + y, x), "y has no value there"),
     "no differential": (
         Equality(IntegralWithoutDifferential(x**2), x**3 / 3),
         "an integral has no differential",
     ),
     "mixed units": (Equality(a + b**2, a), "has dimension"),
     "unlike sides": (Equality(a * b, a), "has dimension"),
-    "in a definition": (Definition(x, x + y), "y is bound by no sum"),
+    "in a definition": (Definition(x, x + y), "y has no value there"),
     "in the second part": (
         Conjunction((Equality(x, x), Equality(x, y), Equality(y, x))),
-        "y is bound by no sum",
+        "y has no value there",
     ),
 }
 

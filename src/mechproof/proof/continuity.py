@@ -80,9 +80,10 @@ def _find_break_of_integral(
         within = {**domain.within, bound: _range_between(limits, domain)}
         where = tuple(r for r in domain.where if bound not in r.free_symbols)
         between = Domain(within, where, domain.given)
-        found = find_break(node.function, bound, between)
-        if found is not None:
-            return found
+        for moving in (bound, variable):
+            found = find_break(node.function, moving, between)
+            if found is not None:
+                return found
     return None
 
 

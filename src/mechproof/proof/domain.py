@@ -16,6 +16,15 @@ from mechproof.record import Paper, Part
 Point = dict[sp.Basic, sp.Rational]
 _NO_VALUES: Mapping[sp.Basic, sp.Rational] = MappingProxyType({})
 
+_ASSUMED_SETS = (
+    ("is_positive", sp.Interval.open(0, sp.oo)),
+    ("is_nonnegative", sp.Interval(0, sp.oo)),
+    ("is_negative", sp.Interval.open(-sp.oo, 0)),
+    ("is_nonpositive", sp.Interval(-sp.oo, 0)),
+    ("is_nonzero", sp.Union(sp.Interval.open(-sp.oo, 0), sp.Interval.open(0, sp.oo))),
+    ("is_integer", sp.S.Integers),
+)
+_OTHER_ASSUMPTIONS = ("is_even", "is_odd", "is_prime", "is_composite", "is_irrational")
 _TRIES_PER_POINT = 60
 
 
@@ -35,10 +44,14 @@ class Domain:
         narrowed = dict(part.within) if part else {}
         for symbol, values in (*within.items(), *narrowed.items()):
             _check(symbol, values)
+        for symbol, definition in given.items():
+            _check_given(symbol, definition)
         for symbol in [s for s in narrowed if s in given]:
             _make_free(symbol, within, given)
         within |= narrowed
         where = paper.where + (part.where if part else ())
+        if sp.false in where:
+            raise ValueError(f"paper {paper.system!r}: a relation of its domain is always false")
         domain = cls(within, (), given)
         return cls(within, tuple(domain.resolve(relation) for relation in where), given)
 
@@ -119,10 +132,23 @@ def _check(symbol: sp.Basic, where: sp.Set) -> None:
     counts = (sp.S.Naturals, sp.S.Naturals0)
     if not (where in counts or isinstance(where, sp.Interval | sp.FiniteSet)):
         raise ValueError(f"{symbol} in {where}: allowed are Interval, FiniteSet and Naturals")
-    positive = symbol.is_positive and not where.is_subset(sp.Interval.open(0, sp.oo))
-    not_negative = symbol.is_nonnegative and not where.is_subset(sp.Interval(0, sp.oo))
-    if positive or not_negative:
+    declared = [s for name, s in _ASSUMED_SETS if getattr(symbol, name, None)]
+    if not all(where.is_subset(s) for s in declared) or _has_other_assumptions(symbol):
         raise ValueError(f"{symbol} in {where}: the SymPy symbol is declared to be narrower")
+
+
+def _check_given(symbol: sp.Basic, definition: sp.Expr) -> None:
+    """Refuse what SymPy is told of a given symbol and does not know of its definition."""
+    claimed = [name for name, _ in _ASSUMED_SETS if getattr(symbol, name, None)]
+    unknown = [name for name in claimed if not getattr(definition, name, None)]
+    if unknown or _has_other_assumptions(symbol):
+        raise ValueError(
+            f"{symbol} = {definition}: declare the symbol real only, not {', '.join(unknown)}"
+        )
+
+
+def _has_other_assumptions(symbol: sp.Basic) -> bool:
+    return any(getattr(symbol, name, None) for name in _OTHER_ASSUMPTIONS)
 
 
 def _make_free(

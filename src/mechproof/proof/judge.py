@@ -8,7 +8,7 @@ import sympy as sp
 
 from mechproof.proof.dimensions import dimensions_of
 from mechproof.proof.domain import Domain
-from mechproof.proof.ladder import decide
+from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.verdict import Decision, Evidence, Judgement, Verdict
 from mechproof.proof.wellformed import find_faults
 from mechproof.record import Paper, Part, Row, Statement
@@ -23,12 +23,16 @@ class _Outcome:
 def judge(row: Row, paper: Paper) -> Judgement:
     """Return the line of the ledger for one row.
 
-    A statement with a function that no rung knows is UNDECIDED and says which.
+    A statement that no rung can read (an unknown function, a wrong record) is UNDECIDED and says
+    why; only a contradiction within the ladder itself is raised.
     """
     try:
         outcome = _with_correction(row, paper, _decide_row(row, paper))
-    except NotImplementedError as error:
-        outcome = _Outcome(Decision(Verdict.UNDECIDED, "none", str(error)))
+    except ContradictionError:
+        raise
+    except Exception as error:
+        reason = f"{type(error).__name__}: {error}"
+        outcome = _Outcome(Decision(Verdict.UNDECIDED, "none", reason))
     decision = outcome.decision
     reason = f"{decision.reason}. {row.note}" if row.note else decision.reason
     return Judgement(
@@ -90,7 +94,7 @@ def _find_part(row: Row, paper: Paper, refuted: Decision) -> Decision:
         return refuted
     where = Evidence(f"{row.holds_on.text}: PROVED ({inside.rung})")
     outside = tuple(replace(item, what=f"elsewhere: {item.what}") for item in refuted.evidence)
-    reason = f"true for {row.holds_on.text}, false elsewhere"
+    reason = f"true for {row.holds_on.text}, not on the whole domain"
     return Decision(Verdict.CONDITIONAL, inside.rung, reason, (where, *outside))
 
 

@@ -74,7 +74,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Decis
         if undefined:
             reason = f"both sides agree where both are defined, which fails at {undefined}"
             return Decision(Verdict.UNDECIDED, rung, reason)
-        return Decision(Verdict.PROVED, rung, "both sides agree on the whole domain")
+        return Decision(Verdict.PROVED, rung, "both sides agree wherever they are defined")
     comparison = compare(printed, rebuilt, domain)
     if comparison.counterexample:
         reason = explain_break(printed, domain) or "the two sides differ"
@@ -128,7 +128,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Decision:
     if rung:
         if found := find_violation(relation, domain, CROSS_EXAMINATION):
             raise ContradictionError(f"proved, yet {found}")
-        return Decision(Verdict.PROVED, rung, "true on the whole domain")
+        return Decision(Verdict.PROVED, rung, "true wherever it is defined")
     violation = find_violation(relation, domain)
     if violation:
         return Decision(Verdict.REFUTED, "separating balls", "a point violates it", (violation,))
@@ -178,7 +178,9 @@ def _decide_conjunction(statement: Conjunction, domain: Domain) -> Decision:
         return decision
     evidence = tuple(item for decision in decisions for item in decision.evidence)
     reason = f"all {len(decisions)} parts hold"
-    return Decision(Verdict.PROVED, _join([d.rung for d in decisions]), reason, evidence)
+    only_defined = all(d.verdict is Verdict.DEFINITION for d in decisions)
+    verdict = Verdict.DEFINITION if only_defined else Verdict.PROVED
+    return Decision(verdict, _join([d.rung for d in decisions]), reason, evidence)
 
 
 def _decide_completions(statement: Completions, domain: Domain) -> Decision:

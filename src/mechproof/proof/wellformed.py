@@ -65,7 +65,11 @@ def _find_unbound_symbol(printed: sp.Basic, known: Dimensions) -> Fault | None:
         return None
     names = ", ".join(unbound)
     witness = Evidence(f"free in the printed form: {names}")
-    return Fault("well-formedness", f"{names} is bound by no sum and declared nowhere", witness)
+    return Fault(
+        "well-formedness",
+        f"{names} has no value there: bound by no sum and no quantity of the paper",
+        witness,
+    )
 
 
 def _indexed(printed: sp.Basic) -> set[sp.Basic]:
@@ -105,5 +109,5 @@ def _show_change_of_units(
     values = [balls.evaluate(e.subs(point).doit(), point) for e in (printed, scaled)]
     back = values[1] / balls.to_ball(UNIT_CHANGE) ** balls.to_ball(power)
     at = {str(s): str(v) for s, v in sorted(point.items(), key=lambda item: str(item[0]))}
-    what = f"the same lengths in mm and in a unit {UNIT_CHANGE} times smaller, turned back"
+    what = f"printed form: first in mm, then in a unit {UNIT_CHANGE} times smaller and turned back"
     return Evidence(what, at, balls.show(values[0]), balls.show(back))
