@@ -661,8 +661,9 @@ ROWS = (
         r"s(q_k)=u\sqrt n",
         Conjunction(
             tuple(
-                Holds(And(Lt(40 * RESOLUTION, scatter), Lt(scatter, limit)))
+                Holds(Lt(small, large, evaluate=False))
                 for scatter, limit in map(implied_scatter, READINGS)
+                for small, large in ((40 * RESOLUTION, scatter), (scatter, limit))
             )
         ),
         note=(

@@ -226,3 +226,8 @@ def test_inverse_that_fails_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(OvalPlanetary, "position", lambda self, phi1: np.abs(phi1) + 1e6)
     with pytest.raises(ArithmeticError, match=r"no carrier angle found for phi3 = array\(\[?2"):
         OvalPlanetary.published(4).carrier_angle(2.0)
+
+
+def test_numpy_integers_are_exact() -> None:
+    sizes = CylindricalPair(np.int64(30), np.int64(20))
+    assert OvalPlanetary(sizes, "0.2").motion().kind == "intermittent"

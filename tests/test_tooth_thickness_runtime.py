@@ -294,3 +294,10 @@ def test_a_search_that_does_not_converge_is_an_error(monkeypatch: pytest.MonkeyP
 
 def test_the_four_shares_are_the_record_of_conformity() -> None:
     assert type(inspect().shares()) is Shares
+
+
+@pytest.mark.parametrize("depth", [1e-160, 1e-300, 5e-324])
+def test_the_smallest_depths_converge(depth: float) -> None:
+    gear = ToothThickness.published()
+    change = gear.thickness_change(depth)
+    assert change == pytest.approx(2 * math.tan(gear.alpha) * depth, rel=1e-12, abs=5e-324)

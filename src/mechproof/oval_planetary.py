@@ -280,6 +280,8 @@ class OvalPlanetary:
 
 def _check_number(name: str, value: Any) -> Number:
     """Return an exact fraction, or a float for what is one."""
+    if isinstance(value, np.integer):
+        value = int(value)
     if isinstance(value, str | Decimal | int | Fraction) and not isinstance(value, bool):
         try:
             return Fraction(value)

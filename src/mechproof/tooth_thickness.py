@@ -31,8 +31,9 @@ __all__ = ["ToothThickness"]
 # chord of 4.161 mm and height of 2.243 mm.
 PUBLISHED = (3, 50, math.pi / 9)
 
-# Chandrupatla's method needs at most a few steps for each of some 60 halvings of the bracket.
-MOST_STEPS = 500
+# Chandrupatla's method needs at most a few steps for each halving of the bracket: some 60 for a
+# depth near the module, 1100 down to the smallest number.
+MOST_STEPS = 4000
 FINEST = 4 * float(np.finfo(float).smallest_subnormal)
 
 

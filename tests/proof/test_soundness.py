@@ -18,6 +18,7 @@ from mechproof.record import (
     Definition,
     Equality,
     Equation,
+    Holds,
     Paper,
     Statement,
     Variable,
@@ -52,6 +53,13 @@ def test_assumptions_of_a_given_symbol_must_follow_from_its_definition() -> None
     Domain.of(paper(*sizes, Variable(gap, "a sum", given=a + b)))
     with pytest.raises(ValueError, match="declare the symbol real only"):
         Domain.of(paper(*sizes, Variable(gap, "a difference", given=a - b)))
+
+
+def test_a_relation_that_sympy_evaluated_is_not_believed() -> None:
+    undeclared = sp.Symbol("x", positive=True)
+    decision = decide(Holds(undeclared > 0), Domain({}, (), {}))
+    assert decision.verdict is Verdict.UNDECIDED
+    assert "evaluate=False" in decision.reason
 
 
 def test_an_empty_domain_is_refused() -> None:

@@ -116,6 +116,9 @@ def _decide_distinct(statement: Distinct, domain: Domain) -> Decision:
 
 
 def _decide_relation(statement: Holds, domain: Domain) -> Decision:
+    if statement.relation in (sp.true, sp.false):
+        reason = "SymPy evaluated the relation when it was written: build it with evaluate=False"
+        return Decision(Verdict.UNDECIDED, "none", reason)
     relation = domain.resolve(statement.relation)
     if relation in (sp.true, sp.false) or not relation.free_symbols:
         return _decide_exact(relation)
