@@ -19,6 +19,7 @@ from sympy import (
     Interval,
     KroneckerDelta,
     Le,
+    Lt,
     Matrix,
     Ne,
     Rational,
@@ -61,6 +62,7 @@ from mechproof.record import (
     PrintedNumber,
     Quantity,
     Reading,
+    Shortcut,
     Variable,
 )
 
@@ -69,9 +71,9 @@ from mechproof.record import (
 phi1 = Symbol("phi1", real=True)
 R1, R2 = symbols("R1 R2", positive=True)
 e = Symbol("e", real=True)
-a, rho = symbols("a rho", positive=True)
+a, rho = symbols("a rho", real=True)
 phi5, k, x, a1, b1 = symbols("phi5 k x a1 b1", real=True)
-omega1, omega3 = symbols("omega1 omega3", nonzero=True)
+omega1, omega3 = symbols("omega1 omega3", real=True)
 VC, VD, AC, BC, BD, CD, DE = symbols("V_C V_D AC BC BD CD DE", real=True)
 at_b, at_c, at_d = symbols("s_B s_C s_D", real=True)
 U = Symbol("U", real=True)
@@ -237,6 +239,7 @@ READINGS = {
 }
 FULL_SCALE_LINEARITY = Rational("0.003") * 360
 READING_LINEARITY = Rational("0.003") * 90
+RESOLUTION = Rational(360, 4096)
 
 
 def of_variant(expression: Expr, number: int) -> Expr:
@@ -250,6 +253,12 @@ def coverage(count: int) -> Expr:
     return 100 * betainc_regularized(S.Half, freedom / 2, 0, 4 / (4 + freedom))
 
 
+def implied_scatter(number: int) -> tuple[Expr, Expr]:
+    """Return s = u sqrt(n) and its largest possible value for errors within +-180 degrees."""
+    count, _, uncertainty, _ = READINGS[number]
+    return uncertainty * sqrt(count), 180 * sqrt(Rational(count, count - 1))
+
+
 def interval_row(number: int) -> Claim:
     """Recompute the 95 % interval of one variant: its half-width is twice the printed u."""
     _, mean, uncertainty, printed = READINGS[number]
@@ -258,7 +267,7 @@ def interval_row(number: int) -> Claim:
         f"table 3, interval {number}",
         rf"{float(mean):.2f} \pm {printed}^\circ",
         PrintedNumber(printed, 2 * uncertainty),
-        note="The half-width is to be 2u with the u of table 3.",
+        note="The half-width is to be 2u with the u of table 3; if right, u is half of it.",
         corrected=Correction(
             rf"{float(mean):.2f} \pm {right}^\circ", PrintedNumber(right, 2 * uncertainty)
         ),
@@ -272,7 +281,8 @@ def coverage_row(number: int) -> Claim:
         f"95 %, variant {number}",
         rf"\text{{the 95 \% interval is }}\bar q\pm 2u,\ n={count}",
         PrintedNumber("95", coverage(count)),
-        note="Coverage of the factor 2 by Student's t, normal observations assumed.",
+        note="Coverage of the factor 2 by Student's t; normal, independent observations assumed.",
+        marks=("inferred",),
     )
 
 
@@ -332,7 +342,7 @@ ROWS = (
         "(4)",
         r"CD=\rho(\varphi_5)=\frac{a(1-e^2)}{1-e\cos\varphi_5}",
         Equality(print_rho, focal_radius.subs(theta, phi5)),
-        note="At phi1 = 0 the second focus lies towards A.",
+        note="At phi1 = 0 the second focus lies towards A: read from the sign in (4).",
     ),
     Claim(
         "(4), phi5",
@@ -419,8 +429,12 @@ ROWS = (
         r"\int\frac{dx}{a_1-b_1\cos x}=\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
         r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}",
         Equality(print_10_fifth, print_10_first),
-        note="The chain's end is right although its fourth expression is not.",
+        note=(
+            "Read as integrals from 0. The chain's end is right although its fourth "
+            "expression is not."
+        ),
         holds_on=BRANCH,
+        marks=("inferred",),
     ),
     Claim(
         "since e <= 1",
@@ -467,8 +481,9 @@ ROWS = (
         r"\left(\frac{R_1}{2R_2}\varphi_1\right)\cdot\sqrt{\frac{1+e}{1-e}}\right)",
         Equality(print_12, position),
         note=(
-            "Both roots are squares lost: a1 +- b1 = (1 +- e)^2, so the factor is 1 and the "
-            "inner quotient is (1+e)/(1-e); besides, the arctangent falls back after each turn."
+            "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1+e)/(1-e) itself, but (12) still has "
+            "the root of that. Without it the factor before the arctangent is 2 and the quotient "
+            "inside is (1+e)/(1-e). Besides, the arctangent falls back after each turn."
         ),
         corrected=Correction(CORRECT_12, Equality(position_closed, position)),
         singular=("R1 phi1/R2 = (2m+1) pi",),
@@ -504,14 +519,17 @@ ROWS = (
         "(12) gives the position function",
         r"\text{equation (12) gives the calculated position function}",
         Equality(print_12, position),
-        note="The derivative of (12) is not the ratio (8), nor is (12) continuous.",
+        note="Follows from (12); not a second error.",
         corrected=Correction(CORRECT_12, Equality(position_closed, position)),
     ),
     Claim(
         "Fig. 3, formula used",
         r"\text{using formula (8) we build the position functions}",
         Equality(print_8, position),
-        note="(8) is the ratio; the position functions need its integral, (9).",
+        note=(
+            "Read literally, phi3 = (8). (8) is the ratio; the position functions are its "
+            "integral, (9)."
+        ),
         corrected=Correction(
             r"\varphi_3=\int_0^{\varphi_1}\left[1+\frac{R_1}{R_2}\cdot"
             r"\frac{1-e^2}{1+e^2-2e\cos\varphi_5}\right]d\varphi_1",
@@ -580,7 +598,7 @@ ROWS = (
             )
         ),
         note="2a = 50 mm, so one pair of ellipses with a = 25 mm fits every variant of its e.",
-        marks=("inferred",),
+        marks=("ours",),
     ),
     Claim(
         "table 1, domain",
@@ -597,12 +615,12 @@ ROWS = (
                 for number in VARIANTS
             )
         ),
-        marks=("inferred",),
+        marks=("ours",),
     ),
     Claim(
         "table 2, resolution",
         r"360^\circ/4096\approx0.088^\circ",
-        PrintedNumber("0.088", Rational(360, 4096)),
+        PrintedNumber("0.088", RESOLUTION),
     ),
     Claim(
         "table 2, linearity",
@@ -638,6 +656,24 @@ ROWS = (
         note="A datum; no formula of the paper uses it.",
     ),
     *(interval_row(number) for number in READINGS),
+    Claim(
+        "table 3, scatter of single readings",
+        r"s(q_k)=u\sqrt n",
+        Conjunction(
+            tuple(
+                Holds(Lt(small, large, evaluate=False))
+                for scatter, limit in map(implied_scatter, READINGS)
+                for small, large in ((40 * RESOLUTION, scatter), (scatter, limit))
+            )
+        ),
+        note=(
+            "If u is that of the mean, single errors scatter by "
+            + ", ".join(f"{float(implied_scatter(number)[0]):.1f}" for number in READINGS)
+            + " deg: more than 40 steps of the encoder each, but possible for errors within half "
+            "a turn."
+        ),
+        marks=("ours",),
+    ),
     *(coverage_row(number) for number in READINGS),
     Claim(
         "different non-uniformity",
@@ -645,7 +681,7 @@ ROWS = (
         Conjunction(
             (
                 Holds(Gt(diff(non_uniformity, e), 0)),
-                Holds(Ge(diff(non_uniformity, R1), 0)),
+                Holds(Ge(diff(non_uniformity, k), 0)),
                 *(
                     Holds(
                         Ne(
@@ -717,31 +753,24 @@ RATIO = 1 + k * (1 - e**2) / (1 + e**2 - 2 * e * cos(x))
 ACCELERATION = diff(RATIO, x) * k
 
 
-# Bars. x = (R1/R2)*phi1 is rounded twice, one eps in all, and no evaluation in plain doubles is
-# spared what the value makes of it: |x * d value/d x|. Near e = 1 the slope changes within an ulp
-# of x, so the scales have an envelope of it, from 4*e*sin(x/2)**2 <= D and |sin x| <= sqrt(D/e).
-D = 1 + e**2 - 2 * e * cos(x)
-DEVIATION = k * (1 - e**2) / D
-SLOPE = 2 * e * k**2 * (1 - e**2) / D**2
-RATIO_SCALE = Abs(RATIO) + 2 * sqrt(e) * Abs(x) * DEVIATION / sqrt(D)
-POSITION_SCALE = Abs(position_closed) + Abs(phi1) * RATIO
-ACCELERATION_SCALE = Abs(ACCELERATION) + Abs(x) * SLOPE
+# Bars. With the low word, x is known to eps**2 relative, and what is left are the roundings of
+# some 20 operations, tan and atan within an ulp. All of them in one direction would make 8 eps of
+# position, 10 of ratio and 16 of acceleration; the bars are what searches for the worst input
+# hold, which find 2.2, 3.0 and 6.2 eps. The acceleration passes through zero, where the error of x
+# itself counts, eps**2*|x| times the slope, which has the envelope of |sin x|, |cos x| <= 1.
+WHERE_LOW_WORD = ", where |x| <= 2**26"
+SLOPE = 2 * e * k**2 * (1 - e**2) / (1 + e**2 - 2 * e * cos(x)) ** 2
+ACCELERATION_SCALE = Abs(ACCELERATION) + Rational(1, 2**52) * Abs(x) * SLOPE
+POSITION_ULP = 4
+RATIO_ULP = ACCELERATION_ULP = 8
 
-# The first order holds where the error of x is small against the width 1 - e of the peak: with
-# eps*|x| <= (1 - e)/4 the slope nearby is at most (4/3)**4 of its envelope, which the bars, more
-# than 5 times what x costs, have room for.
-WHERE_FIRST_ORDER = ", where eps*|x| <= (1 - e)/4"
-
-# In eps, from 1/2 for an arithmetic operation and 4 for tan and atan (what NumPy's vector loops
-# are allowed); errors of t = tan(x/2) are amplified by |d ln value/d ln t|.
-# ratio: tan 4 * amplification 2 = 8; 15 roundings of the quotient 7.5; last sum 0.5.
-RATIO_ULP = 16
-# position: quotient tan 4 * 1 + 6 roundings 3, atan 4, all on |2*atan| <= |value|: 11;
-# (1 + k)*phi1, at most 2*|value|: 1.5 * 2 = 3; error of x on |value|: 2; last sum 0.5.
-POSITION_ULP = 17
-# acceleration: tan 4 * amplification 3 = 12; 25 roundings of the quotient 12.5; last 0.5; the
-# error of x costs 5 of the second term, |d value/d x| <= 5*SLOPE.
-ACCELERATION_ULP = 25
+# Without it x = k*phi1 is off by two roundings, eps*|x|. The slope of the arctangent in x lies
+# between -2*e/(1 + e) and 2*e/(1 - e), by the extremes of the ratio, and is steepest at whole
+# turns, where |x| < |position|: there the plain product costs 2*e/(1 - e) eps of the value, and
+# at most 1 % more just before, where the arctangent is negative. Up to e = 1/2 that is half the
+# bar, whatever phi1 and R1/R2. The ratio and the acceleration lose some |x| times 2*e/(1 - e)
+# eps, however small the eccentricity: they have no such threshold but e = 0.
+PLAIN_PRODUCT = e <= Rational(1, 2)
 
 QUANTITIES = (
     Quantity(
@@ -749,34 +778,38 @@ QUANTITIES = (
         "Compute the transmission ratio d phi3/d phi1 of the output wheel to the carrier.",
         ARGUMENTS,
         RATIO,
-        Form("half-angle quotient", RATIO, ("half_angle_tangent",)),
+        Form("half-angle quotient with low word", RATIO, ("low_word", "half_angle_tangent")),
         "Prikhodko et al. 2024, equation (8)",
-        bar=Bar(
-            RATIO_ULP,
-            "|value| + 2*sqrt(e)*|x|*(value - 1)/sqrt(1 + e**2 - 2*e*cos(x))" + WHERE_FIRST_ORDER,
-            RATIO_SCALE,
-        ),
+        bar=Bar(RATIO_ULP, "the value" + WHERE_LOW_WORD),
     ),
     Quantity(
         "position",
         "Compute the position function phi3(phi1) of the output wheel, phi3(0) = 0.",
         ARGUMENTS,
         position_closed,
-        Form("half-angle atan", position_closed, ("positive_atan2", "half_angle_tangent")),
+        Form(
+            "half-angle atan with low word",
+            position_closed,
+            ("positive_atan2", "low_word", "half_angle_tangent"),
+        ),
         "Prikhodko et al. 2024, integral (9) of equation (8)",
         unit="rad",
-        bar=Bar(POSITION_ULP, "|value| + |phi1|*ratio" + WHERE_FIRST_ORDER, POSITION_SCALE),
+        bar=Bar(POSITION_ULP, "the value" + WHERE_LOW_WORD),
+        shortcut=Shortcut(
+            Form("half-angle atan", position_closed, ("positive_atan2", "half_angle_tangent")),
+            PLAIN_PRODUCT,
+        ),
     ),
     Quantity(
         "acceleration",
         "Compute d ratio/d phi1, the angular acceleration of the output at unit carrier speed.",
         ARGUMENTS,
         ACCELERATION,
-        Form("half-angle quotient", ACCELERATION, ("half_angle_tangent",)),
+        Form("half-angle quotient with low word", ACCELERATION, ("low_word", "half_angle_tangent")),
         "derivative of Prikhodko et al. 2024, equation (8)",
         bar=Bar(
             ACCELERATION_ULP,
-            "|value| + |x|*2*e*k**2*(1 - e**2)/(1 + e**2 - 2*e*cos(x))**2" + WHERE_FIRST_ORDER,
+            "|value| + eps*|x|*2*e*k**2*(1 - e**2)/(1 + e**2 - 2*e*cos(x))**2" + WHERE_LOW_WORD,
             ACCELERATION_SCALE,
         ),
     ),

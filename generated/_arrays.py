@@ -1,4 +1,4 @@
-"""Conversion of arguments and assembly of results, shared by all kernels.
+"""What all kernels share: arguments, evaluation in blocks, results, error-free arithmetic.
 
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
@@ -8,11 +8,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+# Numbers per block, arguments and results together: with the temporaries of one expression they
+# stay in a core's own cache, and the temporaries in pages that the process already has.
+BLOCK = 32768
+# Types that Python's arithmetic and NumPy's agree on; all others keep their own.
+PLAIN = frozenset({np.ndarray, np.float64, np.float32})
+WEAK = (bool, int, float)
+# Subclasses without arithmetic of their own, or with one that is not element by element.
+AS_ARRAYS = (np.memmap, np.matrix)
+# A function of arrays that returns an array or a tuple of them.
+Function = Any
+DOUBLE, SINGLE = np.dtype(np.float64), np.dtype(np.float32)
+
 
 def as_floats(**arguments: ArrayLike) -> tuple[NDArray[Any], ...]:
-    """Convert to arrays of one float type.
+    """Convert to one float type: arrays, NumPy scalars where there are no axes.
 
-    Python numbers are weak; float32 if every array is float32, float64 otherwise.
+    Python numbers are weak; float32 if every array is float32, float64 otherwise. Subclasses of
+    arrays and other arrays that bring their own ufuncs (masked, lazy, with units) stay what they
+    are, matrices apart.
 
     Raises
     ------
@@ -20,18 +34,35 @@ def as_floats(**arguments: ArrayLike) -> tuple[NDArray[Any], ...]:
         If an argument is complex, longer than float64 or not numeric; the message names it.
 
     """
-    arrays = {name: np.asarray(value) for name, value in arguments.items()}
-    for name, array in arrays.items():
-        if array.dtype.kind not in "biuf" or array.dtype.itemsize > 8:
-            raise TypeError(f"{name}: expected real numbers up to float64, got {array.dtype}")
-    strong = [a.dtype for n, a in arrays.items() if type(arguments[n]) not in (bool, int, float)]
-    single = bool(strong) and all(dtype == np.float32 for dtype in strong)
-    dtype = np.float32 if single else np.float64
-    return tuple(array.astype(dtype, copy=False) for array in arrays.values())
+    arrays = [_as_array(value) for value in arguments.values()]
+    dtypes = [array.dtype for array in arrays]
+    if dtypes.count(DOUBLE) == len(dtypes):
+        return tuple(arrays)
+    for name, dtype in zip(arguments, dtypes, strict=True):
+        if dtype.kind not in "biuf" or dtype.itemsize > 8:
+            raise TypeError(f"{name}: expected real numbers up to float64, got {dtype}")
+    given = zip(arguments.values(), dtypes, strict=True)
+    strong = {dtype for value, dtype in given if type(value) not in WEAK}
+    return tuple(_cast(array, SINGLE if strong == {SINGLE} else DOUBLE) for array in arrays)
 
 
-def split_components(name: str, array: NDArray[Any], count: int) -> NDArray[Any]:
-    """Move the last axis to the front, so that it unpacks into components.
+def _as_array(value: Any) -> Any:
+    """Return an array, a NumPy scalar if it has no axes, or what brings ufuncs of its own."""
+    if type(value) is float:
+        return np.float64(value)
+    if type(value) in PLAIN:
+        return value if value.shape else value[()]
+    is_foreign = hasattr(value, "__array_ufunc__") and hasattr(value, "dtype")
+    return value if is_foreign and not isinstance(value, AS_ARRAYS) else np.asarray(value)
+
+
+def _cast(array: Any, dtype: np.dtype[Any]) -> Any:
+    cast = array if array.dtype == dtype else array.astype(dtype)
+    return cast[()] if type(cast) is np.ndarray else cast
+
+
+def split_components(name: str, array: Any, count: int) -> tuple[NDArray[Any], ...]:
+    """Return the components on the last axis.
 
     Raises
     ------
@@ -41,10 +72,10 @@ def split_components(name: str, array: NDArray[Any], count: int) -> NDArray[Any]
     """
     if array.shape[-1:] != (count,):
         raise ValueError(f"{name}: last axis must have length {count}, got shape {array.shape}")
-    return np.moveaxis(array, -1, 0)
+    return tuple(array[..., i][()] for i in range(count))
 
 
-def sum_axes(**arguments: tuple[NDArray[Any], int]) -> tuple[NDArray[Any], ...]:
+def sum_axes(**arguments: tuple[Any, int]) -> tuple[NDArray[Any], ...]:
     """Check that the axes to be summed over have one length; a scalar stands for equal elements.
 
     Raises
@@ -61,13 +92,230 @@ def sum_axes(**arguments: tuple[NDArray[Any], int]) -> tuple[NDArray[Any], ...]:
         if not fits and not (axes == 1 and array.shape[-1:] in ((), (1,))):
             what = "last axis" if axes == 1 else f"last {axes} axes"
             raise ValueError(f"{name}: {what} must have shape {expected}, got shape {array.shape}")
-    return tuple(np.atleast_1d(array) for array, _ in arguments.values())
+    return tuple(array if array.shape else np.atleast_1d(array) for array, _ in arguments.values())
 
 
-def assemble(*components: ArrayLike, shape: tuple[int, ...]) -> NDArray[Any]:
-    """Broadcast components and put them on new last axes of the given shape."""
-    common = np.broadcast_shapes(*(np.shape(component) for component in components))
-    result = np.empty((*common, len(components)), dtype=np.result_type(*components))
-    for i, component in enumerate(components):
-        result[..., i] = component
-    return result.reshape(*common, *shape)
+def nan_outside(value: Any, inside: Any) -> NDArray[Any]:
+    """Return `value` where `inside` is true, NaN elsewhere."""
+    masked: NDArray[Any]
+    if type(inside) is np.bool:
+        masked = value if inside else value * np.nan
+    elif type(value) in PLAIN and type(inside) is np.ndarray:
+        masked = np.where(inside, value, np.nan)
+    else:
+        # A product keeps the mask, the laziness or the unit, which np.where would drop.
+        masked = value * np.where(inside, 1.0, np.nan)
+    return masked
+
+
+def holds(condition: Any) -> bool:
+    """Say whether a condition is true of every element; those of a lazy array stay unread."""
+    if type(condition) is np.ndarray:
+        return bool(condition.all())
+    return type(condition) is np.bool and bool(condition)
+
+
+def store(value: Any, out: NDArray[Any] | None) -> Any:
+    """Return `value`, in `out` if there is one; TypeError, ValueError if it does not fit."""
+    if out is None or out is value:
+        return value
+    _check_out(out, np.shape(value), value.dtype)
+    out[...] = value
+    return out
+
+
+def _check_out(out: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
+    if not isinstance(out, np.ndarray):
+        raise TypeError(f"out: expected an array, got {type(out).__name__}")
+    if out.dtype != dtype:
+        raise TypeError(f"out: expected {dtype}, the type of the result, got {out.dtype}")
+    if out.shape != shape:
+        raise ValueError(f"out: expected shape {shape}, that of the result, got {out.shape}")
+
+
+def _find_target(
+    out: Any, shape: tuple[int, ...], dtype: np.dtype[Any], arrays: tuple[Any, ...]
+) -> NDArray[Any] | None:
+    """Return `out` if results may be written while arguments are still read, None otherwise."""
+    if out is None:
+        return None
+    _check_out(out, shape, dtype)
+    shared = (type(a) is np.ndarray and np.may_share_memory(out, a) for a in arrays)
+    return None if any(shared) else out
+
+
+def _components(target: NDArray[Any], shape: tuple[int, ...]) -> list[NDArray[Any]]:
+    """Return views of the components on the last axes."""
+    return [target[(..., *index)] for index in np.ndindex(shape)]
+
+
+def _stack(components: tuple[Any, ...], shape: tuple[int, ...]) -> Any:
+    """Put components on last axes of the given shape; what is masked or lazy stays so."""
+    common = np.broadcast_shapes(*map(np.shape, components))
+    kind = next(c for c in components if type(c) not in PLAIN)
+    if isinstance(kind, np.ndarray):
+        stacked = np.empty_like(kind, shape=(*common, len(components)))
+        for i, component in enumerate(components):
+            stacked[..., i] = component
+    else:
+        zeros = np.zeros(common)
+        stacked = np.stack([component + zeros for component in components], axis=-1)
+    return stacked.reshape(*common, *shape)
+
+
+def in_blocks(
+    evaluate: Function,
+    running: tuple[Any, ...],
+    prepare: Function = lambda *parameters: parameters,
+    parameters: tuple[Any, ...] = (),
+    *,
+    out: NDArray[Any] | None = None,
+    shape: tuple[int, ...] = (),
+) -> Any:
+    """Return evaluate(*running, *prepare(*parameters)), broadcast, a block of points at a time.
+
+    With a `shape`, `evaluate` returns the components of that shape's last axes. float32 is
+    computed in float64. Arrays with ufuncs of their own are evaluated in one piece.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `out` is no array of the result's type and shape, or shapes do not broadcast.
+
+    """
+    arrays = (*running, *parameters)
+    if not PLAIN.issuperset(map(type, arrays)):
+        values = evaluate(*running, *prepare(*parameters))
+        return store(_stack(values, shape) if shape else values, out)
+    together, dtype = np.broadcast(*arrays), arrays[0].dtype
+    whole = (*together.shape, *shape)
+    target = _find_target(out, whole, dtype, arrays)
+    if 2 * together.size <= BLOCK:
+        if dtype == SINGLE:
+            running = tuple(_cast(array, DOUBLE) for array in running)
+            parameters = tuple(_cast(array, DOUBLE) for array in parameters)
+        values = evaluate(*running, *prepare(*parameters))
+        if not shape:
+            return store(_cast(values, dtype), out)
+        target = np.empty(whole, dtype) if target is None else target
+        for part, value in zip(_components(target, shape), values, strict=True):
+            part[...] = value
+    else:
+        target = np.empty(whole, dtype) if target is None else target
+        _fill(target, evaluate, running, prepare, parameters, shape)
+    return store(target, out)
+
+
+def _fill(
+    target: NDArray[Any],
+    evaluate: Function,
+    running: tuple[Any, ...],
+    prepare: Function,
+    parameters: tuple[Any, ...],
+    shape: tuple[int, ...],
+) -> None:
+    """Fill `target` block by block."""
+    count = len(running)
+    parts = _components(target, shape)
+    if all(np.size(p) < parts[0].size for p in parameters):
+        # Fewer parameters than points: what depends on them alone is computed once.
+        arrays = (*running, *prepare(*(_cast(p, DOUBLE) for p in parameters)))
+        compute = evaluate
+    else:
+        arrays = (*running, *parameters)
+
+        def compute(*values: Any) -> Any:
+            return evaluate(*values[:count], *prepare(*values[count:]))
+
+    values = [np.reshape(a, ())[()] if np.size(a) == 1 else None for a in arrays]
+    large = [i for i, value in enumerate(values) if value is None]
+    operands = [*(arrays[i] for i in large), *parts]
+    roles: Any = [["readonly"]] * len(large) + [["writeonly", "no_broadcast"]] * len(parts)
+    blocks = np.nditer(
+        operands,
+        flags=["external_loop", "buffered"],
+        op_flags=roles,
+        op_dtypes=[DOUBLE] * len(operands),
+        casting="same_kind",
+        buffersize=BLOCK // len(operands),
+    )
+    with blocks:
+        for block in blocks:
+            for i, array in zip(large, block, strict=False):
+                values[i] = array
+            results = compute(*values)
+            for part, result in zip(
+                block[len(large) :], results if shape else (results,), strict=True
+            ):
+                part[...] = result
+
+
+def transform(
+    points: Any,
+    coefficients: Function,
+    parameters: tuple[Any, ...],
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Return M @ p + v for each p of `points`, `coefficients` giving M row by row, then v.
+
+    Raises as `in_blocks`.
+    """
+    count = points.shape[-1]
+    one_map = all(type(p) in PLAIN and not p.shape for p in parameters)
+    if type(points) is not np.ndarray or not one_map:
+
+        def evaluate(*values: Any) -> tuple[Any, ...]:
+            point, rows = values[:count], values[count:]
+            linear = [rows[i * count : (i + 1) * count] for i in range(count)]
+            return tuple(
+                sum((m * p for m, p in zip(row, point, strict=True)), start=rows[i - count])
+                for i, row in enumerate(linear)
+            )
+
+        components = tuple(points[..., i][()] for i in range(count))
+        return in_blocks(evaluate, components, coefficients, parameters, out=out, shape=(count,))
+    target = _find_target(out, points.shape, points.dtype, (points,))
+    if target is None or not target.flags.c_contiguous:
+        target = np.empty(points.shape, points.dtype)
+    values = np.array(coefficients(*(_cast(p, DOUBLE) for p in parameters)))
+    matrix, shift = values[:-count].reshape(count, count).T, values[-count:]
+    source, rows = points.reshape(-1, count), target.reshape(-1, count)
+    size = min(len(rows), BLOCK // (2 * count))
+    # NumPy broadcasts rows of three slowly; the shift is repeated along a block instead.
+    shifts = np.empty((size, count))
+    for column, value in zip(shifts.T, shift, strict=True):
+        column[...] = value
+    for start in range(0, len(rows), max(size, 1)):
+        moved = source[start : start + size].astype(DOUBLE, copy=False) @ matrix
+        moved += shifts[: len(moved)]
+        rows[start : start + size] = moved
+    return store(target, out)
+
+
+def product_rest(a: Any, b: Any, p: Any) -> Any:
+    """Return a*b - p for p the rounded a*b: exact above 2**-969 (Dekker 1971)."""
+    a_high, a_low = _split(a)
+    b_high, b_low = _split(b)
+    return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
+
+
+def quotient_rest(a: Any, b: Any, q: Any) -> Any:
+    """Return a/b - q for q the rounded a/b, to half an ulp of itself."""
+    p = q * b
+    return ((a - p) - product_rest(q, b, p)) / b
+
+
+def small_tangent(y: Any) -> Any:
+    """Return tan(y) for y the half of a low word, which is y; kept within +-1."""
+    return np.minimum(np.maximum(y, -1.0), 1.0)
+
+
+def _split(a: Any) -> tuple[Any, Any]:
+    """Split a double into two of at most 26 bits (Veltkamp 1968)."""
+    # Scaled down, so that the largest double does not overflow; below 2**-994 the high half has
+    # fewer bits, which is as good.
+    small = a * 2.0**-28
+    scaled = small * (2.0**27 + 1)
+    high = (scaled - (scaled - small)) * 2.0**28
+    return high, a - high

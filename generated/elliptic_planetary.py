@@ -10,15 +10,20 @@ Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
 
-# The parameters keep the paper's letters.
-# ruff: noqa: N803, N806
-
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import as_floats
+from ._arrays import (
+    as_floats,
+    holds,
+    in_blocks,
+    nan_outside,
+    product_rest,
+    quotient_rest,
+    small_tangent,
+)
 
 __all__ = [
     "acceleration",
@@ -30,10 +35,13 @@ __all__ = [
 
 
 # Source: Prikhodko et al. 2024, equation (8)
-# Form: half-angle quotient; rewrites: half_angle_tangent
 # Expression sha256: b5fb0f9dcade9b79936108565603b2f32333369257747622bbaec24aeb5a9dad
-# Operations: 17
-def ratio(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
+# Form: half-angle quotient with low word
+# Rewrites: low_word, half_angle_tangent
+# Operations: 28
+def ratio(
+    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Compute the transmission ratio d phi3/d phi1 of the output wheel to the carrier.
 
         ratio = 1 + k*(1 - e**2)/(1 + e**2 - 2*e*cos(x))
@@ -50,6 +58,8 @@ def ratio(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
         Radius of the satellite's cylindrical wheel (mm).
     e : array_like, any shape
         Eccentricity of the ellipse (pure number).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -60,9 +70,9 @@ def ratio(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -70,8 +80,8 @@ def ratio(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
 
     Outside it the result is NaN, by way of R1.
 
-    Accuracy held by the tests: error <= 16 eps * (|value| + 2*sqrt(e)*|x|*(value - 1)/sqrt(1 +
-    e**2 - 2*e*cos(x)), where eps*|x| <= (1 - e)/4), eps the spacing of floats at 1.
+    Accuracy held by the tests: error <= 8 eps * (the value, where |x| <= 2**26), eps the
+    spacing of floats at 1.
 
     Source: Prikhodko et al. 2024, equation (8).
 
@@ -80,24 +90,45 @@ def ratio(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
     inside = (
         (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
     )
-    R1 = np.where(inside, R1, np.nan)
+    R1 = nan_outside(R1, inside)
+    return in_blocks(_ratio, (phi1,), _prepare_ratio, (R1, R2, e), out=out)
 
+
+def _prepare_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
     one_minus_e = 1 - e
     one_plus_e = 1 + e
+    k_low = quotient_rest(R1, R2, k)
+
+    return (k, one_minus_e, one_plus_e, k_low)
+
+
+def _ratio(phi1: Any, k: Any, one_minus_e: Any, one_plus_e: Any, k_low: Any) -> Any:
     x = k * phi1
     t = np.tan(x / 2)
-    t_squared = t**2
-    return 1 + k * one_minus_e * one_plus_e / (one_minus_e**2 + one_plus_e**2 * t_squared) * (
-        1 + t_squared
-    )
+    x_low = k_low * phi1 + product_rest(k, phi1, x)
+    t_low = small_tangent(x_low / 2)
+    adjacent = 1 - t * t_low
+    adjacent_squared = adjacent**2
+    opposite = t + t_low
+    opposite_squared = opposite**2
+
+    return 1 + k * one_minus_e * one_plus_e / (
+        one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared
+    ) * (adjacent_squared + opposite_squared)
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
-# Form: half-angle atan; rewrites: positive_atan2, half_angle_tangent
 # Expression sha256: 830fe82f29ff22f44e6d333c5bd0f88fa521076110b435a728b2024280a941ff
+# Form where e <= 1 / 2: half-angle atan
+# Rewrites: positive_atan2, half_angle_tangent
 # Operations: 17
-def position(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
+# Form: half-angle atan with low word
+# Rewrites: positive_atan2, low_word, half_angle_tangent
+# Operations: 29
+def position(
+    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Compute the position function phi3(phi1) of the output wheel, phi3(0) = 0.
 
         position = phi1*(1 + k) + 2*atan2(e*sin(x), 1 - e*cos(x))
@@ -114,6 +145,8 @@ def position(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any
         Radius of the satellite's cylindrical wheel (mm).
     e : array_like, any shape
         Eccentricity of the ellipse (pure number).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -124,9 +157,9 @@ def position(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -134,8 +167,10 @@ def position(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any
 
     Outside it the result is NaN, by way of R1.
 
-    Accuracy held by the tests: error <= 17 eps * (|value| + |phi1|*ratio, where eps*|x| <= (1 -
-    e)/4), eps the spacing of floats at 1.
+    Where e <= 1/2 for all elements, half-angle atan is as good.
+
+    Accuracy held by the tests: error <= 4 eps * (the value, where |x| <= 2**26), eps the
+    spacing of floats at 1.
 
     Source: Prikhodko et al. 2024, integral (9) of equation (8).
 
@@ -144,21 +179,59 @@ def position(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any
     inside = (
         (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
     )
-    R1 = np.where(inside, R1, np.nan)
+    R1 = nan_outside(R1, inside)
+    if holds(e <= 1 / 2):
+        return in_blocks(
+            _position_shortcut, (phi1,), _prepare_position_shortcut, (R1, R2, e), out=out
+        )
+    return in_blocks(_position, (phi1,), _prepare_position, (R1, R2, e), out=out)
 
+
+def _prepare_position_shortcut(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
-    x = k * phi1
-    t = np.tan(x / 2)
     one_minus_e = 1 - e
     one_plus_e = 1 + e
+
+    return (e, k, one_minus_e, one_plus_e)
+
+
+def _position_shortcut(phi1: Any, e: Any, k: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
+    x = k * phi1
+    t = np.tan(x / 2)
+
     return (1 + k) * phi1 + 2 * np.arctan(2 * e / (one_minus_e + one_plus_e * t**2) * t)
 
 
+def _prepare_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    k = R1 / R2
+    k_low = quotient_rest(R1, R2, k)
+    one_minus_e = 1 - e
+    one_plus_e = 1 + e
+
+    return (e, k, k_low, one_minus_e, one_plus_e)
+
+
+def _position(phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
+    x = k * phi1
+    t = np.tan(x / 2)
+    x_low = k_low * phi1 + product_rest(k, phi1, x)
+    t_low = small_tangent(x_low / 2)
+    adjacent = 1 - t * t_low
+    opposite = t + t_low
+
+    return (1 + k) * phi1 + 2 * np.arctan(
+        2 * e / (one_minus_e * adjacent**2 + one_plus_e * opposite**2) * adjacent * opposite
+    )
+
+
 # Source: derivative of Prikhodko et al. 2024, equation (8)
-# Form: half-angle quotient; rewrites: half_angle_tangent
 # Expression sha256: 91b69a6ba07be0093cc100c53552f487804079c310d6d68931af9e3d14dcd55f
-# Operations: 22
-def acceleration(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
+# Form: half-angle quotient with low word
+# Rewrites: low_word, half_angle_tangent
+# Operations: 34
+def acceleration(
+    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Compute d ratio/d phi1, the angular acceleration of the output at unit carrier speed.
 
         acceleration = -2*e*k**2*(1 - e**2)*sin(x)/(1 + e**2 - 2*e*cos(x))**2
@@ -175,6 +248,8 @@ def acceleration(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) ->
         Radius of the satellite's cylindrical wheel (mm).
     e : array_like, any shape
         Eccentricity of the ellipse (pure number).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -185,9 +260,9 @@ def acceleration(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) ->
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -195,8 +270,8 @@ def acceleration(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) ->
 
     Outside it the result is NaN, by way of R1.
 
-    Accuracy held by the tests: error <= 25 eps * (|value| + |x|*2*e*k**2*(1 - e**2)/(1 + e**2 -
-    2*e*cos(x))**2, where eps*|x| <= (1 - e)/4), eps the spacing of floats at 1.
+    Accuracy held by the tests: error <= 8 eps * (|value| + eps*|x|*2*e*k**2*(1 - e**2)/(1 +
+    e**2 - 2*e*cos(x))**2, where |x| <= 2**26), eps the spacing of floats at 1.
 
     Source: derivative of Prikhodko et al. 2024, equation (8).
 
@@ -205,31 +280,49 @@ def acceleration(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) ->
     inside = (
         (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
     )
-    R1 = np.where(inside, R1, np.nan)
+    R1 = nan_outside(R1, inside)
+    return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (R1, R2, e), out=out)
 
+
+def _prepare_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    k = R1 / R2
+    k_low = quotient_rest(R1, R2, k)
     one_minus_e = 1 - e
     one_plus_e = 1 + e
-    k = R1 / R2
+
+    return (e, k, k_low, one_minus_e, one_plus_e)
+
+
+def _acceleration(phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
     x = k * phi1
     t = np.tan(x / 2)
-    t_squared = t**2
+    x_low = k_low * phi1 + product_rest(k, phi1, x)
+    t_low = small_tangent(x_low / 2)
+    adjacent = 1 - t * t_low
+    opposite = t + t_low
+    adjacent_squared = adjacent**2
+    opposite_squared = opposite**2
+
     return (
         -4
         * e
         * one_minus_e
         * one_plus_e
         * k**2
-        / (one_minus_e**2 + one_plus_e**2 * t_squared) ** 2
-        * t
-        * (1 + t_squared)
+        / (one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared) ** 2
+        * adjacent
+        * opposite
+        * (adjacent_squared + opposite_squared)
     )
 
 
 # Source: Prikhodko et al. 2024, equation (12)
-# Form: as printed
 # Expression sha256: 57141eb1f5a1911636963a3944f616d16509b37ec44b8f956c64f2d10da47e9d
+# Form: as printed
 # Operations: 17
-def position_printed(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
+def position_printed(
+    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Compute equation (12) as it stands in print.
 
     Specimen, not for use: its derivative is not the ratio (8), and it jumps where x/2 passes
@@ -248,6 +341,8 @@ def position_printed(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike
         Radius of the satellite's cylindrical wheel (mm).
     e : array_like, any shape
         Eccentricity of the ellipse (pure number).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -258,9 +353,9 @@ def position_printed(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -275,20 +370,31 @@ def position_printed(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike
     inside = (
         (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
     )
-    R1 = np.where(inside, R1, np.nan)
+    R1 = nan_outside(R1, inside)
+    return in_blocks(_position_printed, (phi1,), _prepare_position_printed, (R1, R2, e), out=out)
 
+
+def _prepare_position_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     one_minus_e = 1 - e
     one_plus_e = 1 + e
+
+    return (R1, R2, one_minus_e, one_plus_e)
+
+
+def _position_printed(phi1: Any, R1: Any, R2: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
+
     return phi1 + 2 * np.sqrt(one_minus_e / one_plus_e) * np.arctan(
         np.sqrt(one_plus_e / one_minus_e) * np.tan(R1 / (2 * R2) * phi1)
     )
 
 
 # Source: Prikhodko et al. 2024, equation (12) with the factor of (11) corrected
-# Form: principal branch
 # Expression sha256: 387e96024e7cecf0d2a5583237b63348953846e0d42093f13a93e610793c85df
+# Form: principal branch
 # Operations: 11
-def position_principal(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike) -> Any:
+def position_principal(
+    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Compute the integral (9) by one principal arctangent.
 
     Specimen, not for use: right only for |phi1| < pi*R2/R1, beyond that off by multiples of
@@ -308,6 +414,8 @@ def position_principal(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLi
         Radius of the satellite's cylindrical wheel (mm).
     e : array_like, any shape
         Eccentricity of the ellipse (pure number).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -318,9 +426,9 @@ def position_principal(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLi
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -338,8 +446,19 @@ def position_principal(phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLi
     inside = (
         (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
     )
-    R1 = np.where(inside, R1, np.nan)
+    R1 = nan_outside(R1, inside)
+    return in_blocks(
+        _position_principal, (phi1,), _prepare_position_principal, (R1, R2, e), out=out
+    )
 
+
+def _prepare_position_principal(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
+
+    return (e, k)
+
+
+def _position_principal(phi1: Any, e: Any, k: Any) -> Any:
     x = k * phi1
+
     return phi1 + 2 * np.arctan((1 + e) / (1 - e) * np.tan(x / 2))

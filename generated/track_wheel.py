@@ -12,15 +12,12 @@ Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
 
-# The parameters keep the paper's letters.
-# ruff: noqa: N803, N806
-
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import as_floats, assemble, split_components, sum_axes
+from ._arrays import as_floats, in_blocks, nan_outside, split_components, store, sum_axes, transform
 
 __all__ = [
     "displacement",
@@ -37,10 +34,12 @@ __all__ = [
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (14)
-# Form: product C*B*A
 # Expression sha256: d71a982fb66d37c4656f056299636ac918608c8569bedbfb43b1f8240b393391
+# Form: product C*B*A
 # Operations: 28
-def rotation(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Any:
+def rotation(
+    alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Compute the matrix K of the turns alpha, beta, gamma: coordinates in the part's frame.
 
         [cos(beta)*cos(gamma), sin(gamma)*cos(alpha) + sin(alpha)*sin(beta)*cos(gamma),
@@ -57,6 +56,8 @@ def rotation(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Any:
         Turn about Y0 (rad).
     gamma : array_like, any shape
         Turn about Z0 (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -67,9 +68,9 @@ def rotation(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Any:
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -81,13 +82,23 @@ def rotation(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Any:
 
     """
     alpha, beta, gamma = as_floats(alpha=alpha, beta=beta, gamma=gamma)
+    return in_blocks(_rotation, (alpha,), _prepare_rotation, (beta, gamma), out=out, shape=(3, 3))
+
+
+def _prepare_rotation(beta: Any, gamma: Any) -> tuple[Any, ...]:
     cos_beta = np.cos(beta)
     cos_gamma = np.cos(gamma)
-    cos_alpha = np.cos(alpha)
     sin_gamma = np.sin(gamma)
-    sin_alpha = np.sin(alpha)
     sin_beta = np.sin(beta)
-    return assemble(
+
+    return (cos_beta, cos_gamma, sin_gamma, sin_beta)
+
+
+def _rotation(alpha: Any, cos_beta: Any, cos_gamma: Any, sin_gamma: Any, sin_beta: Any) -> Any:
+    cos_alpha = np.cos(alpha)
+    sin_alpha = np.sin(alpha)
+
+    return (
         cos_beta * cos_gamma,
         sin_gamma * cos_alpha + cos_gamma * sin_beta * sin_alpha,
         sin_gamma * sin_alpha - cos_gamma * sin_beta * cos_alpha,
@@ -97,15 +108,17 @@ def rotation(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Any:
         sin_beta,
         -cos_beta * sin_alpha,
         cos_beta * cos_alpha,
-        shape=(3, 3),
     )
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (15)
-# Form: (K - I)^T*p + t; rewrites: cosine_minus_one, name_coefficients
-# Expression sha256: 99a31d94df4fc5bd87ef1a51382dca76bd11d35695a8a8778881adcd1cdc0076
-# Operations: 67
-def displacement(points: ArrayLike, angles: ArrayLike, shift: ArrayLike) -> Any:
+# Expression sha256: 4dfab7cda67ee65d4f4ff1e0c18da090d2adcbc8265bb418ce04ea68e141f79a
+# Form: (K - I)^T*p + t by tangents of half angles
+# Rewrites: name_coefficients
+# Operations: 75
+def displacement(
+    points: ArrayLike, angles: ArrayLike, shift: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Compute the position errors K^T*p - (p - t) of points p, turn K and shift t.
 
         [a + z_13*sin(beta) + x_13*cos(beta)*cos(gamma) - x_13 - y_13*sin(gamma)*cos(beta)]
@@ -124,6 +137,8 @@ def displacement(points: ArrayLike, angles: ArrayLike, shift: ArrayLike) -> Any:
         Turns about X0, Y0 and Z0, in this order (rad).
     shift : array_like, shape (..., 3)
         Shift of the part along X0, Y0 and Z0 (mm).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -134,54 +149,63 @@ def displacement(points: ArrayLike, angles: ArrayLike, shift: ArrayLike) -> Any:
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If the last axis of points or angles or shift is wrong, or shapes do not broadcast.
+        If the last axis of points or angles or shift is wrong, shapes do not broadcast, or
+        `out` has another shape.
 
     Notes
     -----
     Domain: all real arguments.
 
-    Accuracy held by the tests: error <= 32 eps * ((|alpha| + |beta| + |gamma|)*|p| + |t|, norm
-    of the error), eps the spacing of floats at 1.
+    Accuracy held by the tests: error <= 13.5108 eps * (|K - I|*|p| + |t|, norm of the error),
+    eps the spacing of floats at 1.
 
     Source: Kapitonov, Yakubovsky 2022, equation (15).
 
     """
     points, angles, shift = as_floats(points=points, angles=angles, shift=shift)
-    x_13, y_13, z_13 = split_components("points", points, 3)
+    split_components("points", points, 3)
     alpha, beta, gamma = split_components("angles", angles, 3)
     a, b, c = split_components("shift", shift, 3)
-    cosm1_beta = -2 * np.sin(beta / 2) ** 2
-    cosm1_gamma = -2 * np.sin(gamma / 2) ** 2
-    C11 = cosm1_beta + cosm1_gamma + cosm1_beta * cosm1_gamma
-    cos_beta = 1 + cosm1_beta
-    sin_gamma = np.sin(gamma)
-    C12 = -cos_beta * sin_gamma
-    sin_beta = np.sin(beta)
-    cosm1_alpha = -2 * np.sin(alpha / 2) ** 2
-    cos_alpha = 1 + cosm1_alpha
-    cos_gamma = 1 + cosm1_gamma
-    sin_alpha = np.sin(alpha)
-    C21 = cos_alpha * sin_gamma + cos_gamma * sin_alpha * sin_beta
-    C22 = cosm1_alpha + cosm1_gamma + cosm1_alpha * cosm1_gamma - sin_alpha * sin_beta * sin_gamma
-    C23 = -cos_beta * sin_alpha
-    C31 = sin_alpha * sin_gamma - cos_alpha * cos_gamma * sin_beta
-    C32 = cos_gamma * sin_alpha + cos_alpha * sin_beta * sin_gamma
-    C33 = cosm1_alpha + cosm1_beta + cosm1_alpha * cosm1_beta
-    return assemble(
-        a + C11 * x_13 + C12 * y_13 + sin_beta * z_13,
-        b + C21 * x_13 + C22 * y_13 + C23 * z_13,
-        c + C31 * x_13 + C32 * y_13 + C33 * z_13,
-        shape=(3,),
-    )
+    return transform(points, _displacement, (alpha, beta, gamma, a, b, c), out=out)
+
+
+def _displacement(alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any) -> tuple[Any, ...]:
+    t_alpha = np.tan(alpha / 2)
+    t_beta = np.tan(beta / 2)
+    t_gamma = np.tan(gamma / 2)
+    scale = 2 / ((1 + t_alpha**2) * (1 + t_beta**2) * (1 + t_gamma**2))
+    v_y = t_beta - t_alpha * t_gamma
+    v_y_squared = v_y**2
+    v_z = t_gamma + t_alpha * t_beta
+    v_z_squared = v_z**2
+    C11 = scale * (-v_y_squared - v_z_squared)
+    v_x = t_alpha + t_beta * t_gamma
+    v_x_v_y = v_x * v_y
+    w = 1 - t_alpha * t_beta * t_gamma
+    C12 = scale * (v_x_v_y - v_z * w)
+    v_x_v_z = v_x * v_z
+    C13 = scale * (v_x_v_z + v_y * w)
+    C21 = scale * (v_x_v_y + v_z * w)
+    v_x_squared = v_x**2
+    C22 = scale * (-v_x_squared - v_z_squared)
+    v_y_v_z = v_y * v_z
+    C23 = scale * (v_y_v_z - v_x * w)
+    C31 = scale * (v_x_v_z - v_y * w)
+    C32 = scale * (v_y_v_z + v_x * w)
+    C33 = scale * (-v_x_squared - v_y_squared)
+
+    return (C11, C12, C13, C21, C22, C23, C31, C32, C33, a, b, c)
 
 
 # Source: linearised from Kapitonov, Yakubovsky 2022, equation (15)
-# Form: first order in the angles
 # Expression sha256: e58ef8fa94509c948da8a770d7047ec06cfe8ee2caab9cf1d24ca425f8c0f01e
+# Form: first order in the angles
 # Operations: 12
-def displacement_linear(points: ArrayLike, angles: ArrayLike, shift: ArrayLike) -> Any:
+def displacement_linear(
+    points: ArrayLike, angles: ArrayLike, shift: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Compute the position errors to first order in the angles.
 
         [a + z_13*sin(beta) + x_13*cos(beta)*cos(gamma) - x_13 - y_13*sin(gamma)*cos(beta)]
@@ -200,6 +224,8 @@ def displacement_linear(points: ArrayLike, angles: ArrayLike, shift: ArrayLike) 
         Turns about X0, Y0 and Z0, in this order (rad).
     shift : array_like, shape (..., 3)
         Shift of the part along X0, Y0 and Z0 (mm).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -210,9 +236,10 @@ def displacement_linear(points: ArrayLike, angles: ArrayLike, shift: ArrayLike) 
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If the last axis of points or angles or shift is wrong, or shapes do not broadcast.
+        If the last axis of points or angles or shift is wrong, shapes do not broadcast, or
+        `out` has another shape.
 
     Notes
     -----
@@ -228,22 +255,27 @@ def displacement_linear(points: ArrayLike, angles: ArrayLike, shift: ArrayLike) 
 
     """
     points, angles, shift = as_floats(points=points, angles=angles, shift=shift)
-    x_13, y_13, z_13 = split_components("points", points, 3)
+    split_components("points", points, 3)
     alpha, beta, gamma = split_components("angles", angles, 3)
     a, b, c = split_components("shift", shift, 3)
-    return assemble(
-        a + beta * z_13 - gamma * y_13,
-        b + gamma * x_13 - alpha * z_13,
-        c + alpha * y_13 - beta * x_13,
-        shape=(3,),
-    )
+    return transform(points, _displacement_linear, (alpha, beta, gamma, a, b, c), out=out)
+
+
+def _displacement_linear(
+    alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any
+) -> tuple[Any, ...]:
+
+    return (0, -gamma, beta, gamma, 0, -alpha, -beta, alpha, 0, a, b, c)
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (16)
-# Form: conjugate root; rewrites: conjugate_root
 # Expression sha256: bcc8d5b79cb3045914e1969c5fd6ba7254aa274323f55489839dfbd98d6309d7
+# Form: conjugate root
+# Rewrites: conjugate_root
 # Operations: 13
-def radius(phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike) -> Any:
+def radius(
+    phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
     """Compute the radius vector of the track, a shifted circle repeated z times.
 
         radius = A*cos(phi*z) + sqrt(R**2 - A**2*sin(phi*z)**2)
@@ -258,6 +290,8 @@ def radius(phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike) -> Any:
         Shift of the circle, amplitude of the track (mm).
     z : array_like, any shape
         Number of periods, a natural number (pure number).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -268,9 +302,9 @@ def radius(phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike) -> Any:
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -295,21 +329,39 @@ def radius(phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike) -> Any:
         & (A <= R)
         & (np.abs(A) <= R)
     )
-    R = np.where(inside, R, np.nan)
+    R = nan_outside(R, inside)
+    return in_blocks(_radius, (phi,), _prepare_radius, (R, A, z), out=out)
 
-    u = A * np.cos(z * phi)
+
+def _prepare_radius(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
     A_plus_R = A + R
     R_minus_A = R - A
     w = A_plus_R * R_minus_A
+
+    return (A, z, w)
+
+
+def _radius(phi: Any, A: Any, z: Any, w: Any) -> Any:
+    u = A * np.cos(z * phi)
     q = np.abs(u) + np.hypot(np.sqrt(w), u)
-    return np.where(u >= 0, q, w / q)[()]
+
+    return np.where(u >= 0, q, w / q)
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (16)
-# Form: conjugate root; rewrites: conjugate_root
 # Expression sha256: 2b587a728eeac7d4234ec241f2e8f065649a9cbcf7994471b0fcb3b523bca0d7
+# Form: conjugate root
+# Rewrites: conjugate_root
 # Operations: 17
-def track(phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike, H: ArrayLike) -> Any:
+def track(
+    phi: ArrayLike,
+    R: ArrayLike,
+    A: ArrayLike,
+    z: ArrayLike,
+    H: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
     """Compute points of the track.
 
         [(A*cos(phi*z) + sqrt(R**2 - A**2*sin(phi*z)**2))*cos(phi)]
@@ -328,6 +380,8 @@ def track(phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike, H: ArrayLike
         Number of periods, a natural number (pure number).
     H : array_like, any shape
         Thickness of the part (mm).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -338,9 +392,9 @@ def track(phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike, H: ArrayLike
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If shapes do not broadcast.
+        If shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -367,28 +421,37 @@ def track(phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike, H: ArrayLike
         & (A <= R)
         & (np.abs(A) <= R)
     )
-    R = np.where(inside, R, np.nan)
-    H = np.where(inside, H, np.nan)
+    R = nan_outside(R, inside)
+    H = nan_outside(H, inside)
+    return in_blocks(_track, (phi,), _prepare_track, (R, A, z, H), out=out, shape=(3,))
 
-    u = A * np.cos(z * phi)
+
+def _prepare_track(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
     A_plus_R = A + R
     R_minus_A = R - A
     w = A_plus_R * R_minus_A
+
+    return (A, z, H, w)
+
+
+def _track(phi: Any, A: Any, z: Any, H: Any, w: Any) -> Any:
+    u = A * np.cos(z * phi)
     q = np.abs(u) + np.hypot(np.sqrt(w), u)
     term = np.where(u >= 0, q, w / q)
-    return assemble(
+
+    return (
         term * np.cos(phi),
         term * np.sin(phi),
         H,
-        shape=(3,),
     )
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (17)
-# Form: hypot; rewrites: hypotenuse
 # Expression sha256: 14e4884bac83d19c6b82566fa55a54b132dd8f49b74bb0324b329bfab95547d3
+# Form: hypot
+# Rewrites: hypotenuse
 # Operations: 1
-def planar_error(displacement: ArrayLike) -> Any:
+def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Compute the error in the end plane X0Y0.
 
         planar_error = sqrt(Delta_x0**2 + Delta_y0**2)
@@ -397,6 +460,8 @@ def planar_error(displacement: ArrayLike) -> Any:
     ----------
     displacement : array_like, shape (..., 3)
         Position errors along X0, Y0 and Z0 (mm).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -407,9 +472,10 @@ def planar_error(displacement: ArrayLike) -> Any:
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If the last axis of displacement is wrong, or shapes do not broadcast.
+        If the last axis of displacement is wrong, shapes do not broadcast, or `out` has another
+        shape.
 
     Notes
     -----
@@ -422,14 +488,20 @@ def planar_error(displacement: ArrayLike) -> Any:
     """
     (displacement,) = as_floats(displacement=displacement)
     Delta_x0, Delta_y0, _ = split_components("displacement", displacement, 3)
+    return in_blocks(_planar_error, (Delta_x0, Delta_y0), out=out)
+
+
+def _planar_error(Delta_x0: Any, Delta_y0: Any) -> Any:
+
     return np.hypot(Delta_x0, Delta_y0)
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (18)
-# Form: hypot; rewrites: hypotenuse
 # Expression sha256: 704a84eb6694283854149d86d68ea5fc31a8c9f3d765f5e35bf9b26a42c607fe
+# Form: hypot
+# Rewrites: hypotenuse
 # Operations: 2
-def spatial_error(displacement: ArrayLike) -> Any:
+def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
     """Compute the error in space.
 
         spatial_error = sqrt(Delta_x0**2 + Delta_y0**2 + Delta_z0**2)
@@ -438,6 +510,8 @@ def spatial_error(displacement: ArrayLike) -> Any:
     ----------
     displacement : array_like, shape (..., 3)
         Position errors along X0, Y0 and Z0 (mm).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -448,9 +522,10 @@ def spatial_error(displacement: ArrayLike) -> Any:
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If the last axis of displacement is wrong, or shapes do not broadcast.
+        If the last axis of displacement is wrong, shapes do not broadcast, or `out` has another
+        shape.
 
     Notes
     -----
@@ -463,12 +538,17 @@ def spatial_error(displacement: ArrayLike) -> Any:
     """
     (displacement,) = as_floats(displacement=displacement)
     Delta_x0, Delta_y0, Delta_z0 = split_components("displacement", displacement, 3)
+    return in_blocks(_spatial_error, (Delta_x0, Delta_y0, Delta_z0), out=out)
+
+
+def _spatial_error(Delta_x0: Any, Delta_y0: Any, Delta_z0: Any) -> Any:
+
     return np.hypot(np.hypot(Delta_x0, Delta_y0), Delta_z0)
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (3) with its indices corrected
-# Form: double sum
 # Expression sha256: cabb146df9ac945efdf19badb63ac910a66d59ef35a80f3a4e78ddda5801624f
+# Form: double sum
 # Operations: 10
 def error_sum_correlated(
     tolerances: ArrayLike,
@@ -476,6 +556,8 @@ def error_sum_correlated(
     scatters: ArrayLike,
     correlation: ArrayLike,
     total_scatter: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
 ) -> Any:
     """Compute the total error of correlated elementary errors.
 
@@ -495,6 +577,8 @@ def error_sum_correlated(
         number).
     total_scatter : array_like, any shape
         Relative-scatter coefficient of the total (pure number).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -505,10 +589,10 @@ def error_sum_correlated(
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If the last axis of tolerances or sensitivities or scatters or correlation is wrong, or
-        shapes do not broadcast.
+        If the last axis of tolerances or sensitivities or scatters or correlation is wrong,
+        shapes do not broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -552,9 +636,9 @@ def error_sum_correlated(
         & np.all(np.diagonal(correlation, axis1=-2, axis2=-1) == 1, axis=-1)
         & np.all(correlation == np.swapaxes(correlation, -1, -2), axis=(-2, -1))
     )
-    total_scatter = np.where(inside, total_scatter, np.nan)
+    total_scatter = nan_outside(total_scatter, inside)
 
-    return (
+    return store(
         np.sqrt(
             np.sum(
                 sensitivities[..., :, np.newaxis]
@@ -567,16 +651,22 @@ def error_sum_correlated(
                 axis=(-2, -1),
             )
         )
-        / total_scatter
+        / total_scatter,
+        out,
     )
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (5) with sensitivities
-# Form: sum of squares
 # Expression sha256: 124fe9776da9a22b0a1543e256cf859710b148c89e99d34be9d859f263442e06
+# Form: sum of squares
 # Operations: 9
 def error_sum(
-    tolerances: ArrayLike, sensitivities: ArrayLike, scatters: ArrayLike, total_scatter: ArrayLike
+    tolerances: ArrayLike,
+    sensitivities: ArrayLike,
+    scatters: ArrayLike,
+    total_scatter: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
 ) -> Any:
     """Compute the total error of independent elementary errors.
 
@@ -592,6 +682,8 @@ def error_sum(
         Relative-scatter coefficient of each error (pure number).
     total_scatter : array_like, any shape
         Relative-scatter coefficient of the total (pure number).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -602,10 +694,10 @@ def error_sum(
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If the last axis of tolerances or sensitivities or scatters is wrong, or shapes do not
-        broadcast.
+        If the last axis of tolerances or sensitivities or scatters is wrong, shapes do not
+        broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -636,14 +728,18 @@ def error_sum(
         & np.all(tolerances >= 0, axis=-1)
         & np.all(np.isfinite(tolerances), axis=-1)
     )
-    total_scatter = np.where(inside, total_scatter, np.nan)
+    total_scatter = nan_outside(total_scatter, inside)
 
-    return np.sqrt(np.sum(sensitivities**2 * scatters**2 * tolerances**2, axis=-1)) / total_scatter
+    return store(
+        np.sqrt(np.sum(sensitivities**2 * scatters**2 * tolerances**2, axis=-1)) / total_scatter,
+        out,
+    )
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (6) made homogeneous, Table 1 for the share
-# Form: solved for the total; rewrites: difference_of_squares
 # Expression sha256: 91ab685c9f759455fbdf90eed88ca09861cc8c6a9e0067c0332fb8d2f72f3734
+# Form: solved for the total
+# Rewrites: difference_of_squares
 # Operations: 16
 def error_sum_thermal(
     tolerances: ArrayLike,
@@ -652,6 +748,8 @@ def error_sum_thermal(
     total_scatter: ArrayLike,
     thermal_share: ArrayLike,
     thermal_scatter: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
 ) -> Any:
     """Compute the total error with a temperature error in fixed proportion to the total itself.
 
@@ -673,6 +771,8 @@ def error_sum_thermal(
         Temperature error over total error (pure number).
     thermal_scatter : array_like, any shape
         Relative-scatter coefficient of the temperature error (pure number).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
@@ -683,10 +783,10 @@ def error_sum_thermal(
     Raises
     ------
     TypeError
-        If an argument is complex or not numeric.
+        If an argument is complex or not numeric, or `out` has another type.
     ValueError
-        If the last axis of tolerances or sensitivities or scatters is wrong, or shapes do not
-        broadcast.
+        If the last axis of tolerances or sensitivities or scatters is wrong, shapes do not
+        broadcast, or `out` has another shape.
 
     Notes
     -----
@@ -726,10 +826,13 @@ def error_sum_thermal(
         & np.isfinite(thermal_share)
         & (thermal_scatter * thermal_share < total_scatter)
     )
-    total_scatter = np.where(inside, total_scatter, np.nan)
+    total_scatter = nan_outside(total_scatter, inside)
 
     K_minus_K_T_tau = total_scatter - thermal_scatter * thermal_share
     K_plus_K_T_tau = total_scatter + thermal_scatter * thermal_share
-    return np.sqrt(np.sum(sensitivities**2 * scatters**2 * tolerances**2, axis=-1)) / np.sqrt(
-        K_minus_K_T_tau * K_plus_K_T_tau
+
+    return store(
+        np.sqrt(np.sum(sensitivities**2 * scatters**2 * tolerances**2, axis=-1))
+        / np.sqrt(K_minus_K_T_tau * K_plus_K_T_tau),
+        out,
     )

@@ -77,6 +77,7 @@ def test_a_derivation_that_fails_is_named(tmp_path: Path, text: str, message: st
         ["verify", "no_such_system"],
         ["verify", "missing.py"],
         ["verify", "elliptic_planetary", "--json", "no/such/folder/rows.json"],
+        ["verify", "elliptic_planetary", "--json", "."],
         ["verify", "--no-such-option"],
         ["regenerate", "--root", "no/such/folder"],
     ],
@@ -96,3 +97,11 @@ def test_regenerate_writes_a_users_own_folder(tmp_path: Path) -> None:
     result = run("regenerate", "--root", str(tmp_path), "--check")
     assert result.exit_code == 1
     assert "mechproof regenerate" in result.output
+
+
+def test_brackets_in_names_are_shown_as_they_are(tmp_path: Path) -> None:
+    file = write(tmp_path, PROVED)
+    file.write_text(file.read_text(encoding="utf-8").replace('"my notes"', '"notes [/x] [red]"'))
+    result = run("verify", str(file))
+    assert result.exit_code == 0, result.output
+    assert "notes [/x] [red]" in result.output

@@ -18,7 +18,7 @@ import pytest
 import sympy as sp
 
 from mechproof.derivations import elliptic_planetary, track_wheel
-from mechproof.record import Bar, Quantity
+from mechproof.record import Quantity
 
 EPS = float(np.finfo(float).eps)
 MODULES = {
@@ -81,7 +81,7 @@ class Oracle:
         raise KeyError(atom)
 
 
-ECCENTRICITIES = (0.0, 0.28, 0.475, 0.9, 0.99, 0.999999, 1 - 1e-12)
+ECCENTRICITIES = (0.0, 0.28, 0.475, 0.5, float(np.nextafter(0.5, 1)), 0.9, 0.999999, 1 - 1e-12)
 LADDER = tuple(10.0**-k for k in range(1, 301, 23))
 
 
@@ -91,21 +91,47 @@ def near(value: float) -> tuple[float, ...]:
 
 def elliptic_points() -> Iterator[Point]:
     random = np.random.default_rng(20240826)
-    for e, (r1, r2) in product(ECCENTRICITIES, ((66.0, 16.0), (80.0, 30.0), (50.3, 50.2))):
-        angles = [0.0, 1e-300, *LADDER, *random.uniform(-30, 30, 12), *random.uniform(-1e6, 1e6, 8)]
+    radii = ((66.0, 16.0), (80.0, 30.0), (50.3, 50.2))
+    for e, (r1, r2) in product(ECCENTRICITIES, radii):
+        angles = [0.0, 1e-300, *LADDER, *random.uniform(-30, 30, 9), *random.uniform(-1e6, 1e6, 8)]
         for turns in (1, 2, 3, 4, 101, 100_000):
             angles += near(turns * np.pi * r2 / r1)
-        # Where the quotient rises most steeply for e near 1.
-        angles += [(1 - e) * r2 / r1, 3 * (1 - e) * r2 / r1]
-        far = (1 - e) / (4 * EPS) * r2 / r1
-        yield from ((float(phi), r1, r2, e) for phi in angles if abs(phi) <= far)
+        # Where the quotient rises most steeply for e near 1, also after many turns.
+        narrow = (1 - e) * r2 / r1
+        angles += [narrow, 3 * narrow, *(2e5 * np.pi * r2 / r1 + random.uniform(-3, 3, 3) * narrow)]
+        yield from ((float(phi), r1, r2, e) for phi in angles)
+    yield from WORST_ELLIPTIC
+
+
+# The worst inputs that searches over the bars' domain met, for position, ratio and acceleration,
+# with and without low word.
+WORST_ELLIPTIC: tuple[Point, ...] = (
+    (13.45802260045943, 97.1, 1.3, 0.5),
+    (1.5360328021029432, 97.1, 1.3, 0.475),
+    (783.9680985637104, 50.3, 50.2, 0.28),
+    (0.0005407160605085868, 50.3, 50.2, 0.99),
+    (3.0283529595885517, 97.1, 1.3, 0.999999999999),
+    (-4375.541400057907, 50.3, 50.2, 0.99),
+    (3.3642728085041824, 97.1, 1.3, 0.475),
+    (13.52502243968266, 97.1, 1.3, 0.475),
+    (699.8722554026814, 50.3, 50.2, 0.475),
+    (-1.708639626742749e-05, 66.0, 16.0, 0.99),
+    (-6.406008440880597e-05, 66.0, 16.0, 0.999999),
+    (0.0005112745280106079, 50.3, 50.2, 0.999999),
+    (31.502247880091502, 50.3, 50.2, 0.475),
+    (10.2406943922781, 97.1, 1.3, 0.6),
+)
 
 
 def turns() -> Iterator[tuple[float, float, float]]:
     random = np.random.default_rng(20221)
     yield from ((s, -s, s) for s in LADDER)
-    yield from ((1e-300, 0.0, 0.0), (0.0, 0.0, 0.0), (np.pi, np.pi, np.pi), (np.pi, 0, 0))
+    yield from ((1e-300, 0.0, 0.0), (0.0, 0.0, 0.0), (np.pi, 0, 0), (1000.0, 1e-3, 2e5))
     yield from ((3.1, -3.1, 3.1), (np.pi / 2, -np.pi / 2, 1e-9), (0.00103, 0.00103, 0.0))
+    # No turn at all again, though no angle is small; and next to it.
+    half = np.array([np.pi, -np.pi, np.pi])
+    yield from (tuple(half + step) for step in (0.0, 1e-12, [1e-9, 0, 1e-3]))
+    yield (0.83921782, 1.63609161, -2.70272269)
     yield from (tuple(row) for row in random.uniform(-np.pi, np.pi, (25, 3)))
     yield from (tuple(row) for row in 10 ** random.uniform(-20, 0.4, (25, 3)))
 
@@ -266,19 +292,38 @@ def test_bar_in_single_precision(name: str) -> None:
             assert oracle.worst(kernel, point, float(np.finfo(np.float32).eps)) <= quantity.bar.ulp
 
 
-def test_displacement_relative_to_the_turn() -> None:
-    """For small angles the error is a few eps of |K - I|*|p|, whatever the angles' ratios."""
-    # An entry of K - I: sine 1, cosine 1/2, product 1/2, sum 1/2; its product with a coordinate
-    # 1/2 and two sums 1: 4 eps of |K - I|_F*|p|. Products of three are below 1 % of that.
-    quantity = find_quantity("track_wheel", "displacement")
-    size = 2 * sp.sqrt(sp.Rational(3, 2) - track_wheel.ROTATION.trace() / 2)
-    point = track_wheel.LENGTHS[0]
-    scaled = dataclasses.replace(quantity, bar=Bar(4.04, "|K - I|*|p|", size * point))
-    oracle, kernel = Oracle("track_wheel", scaled), find_kernel("track_wheel", "displacement")
-    with mp.workdps(700):
-        for angles in (row for row in turns() if 0 < max(map(abs, row)) <= 0.01):
-            values = (np.array([41.5, -3.0, 20.0]), np.array(angles), np.zeros(3))
-            assert oracle.worst(kernel, values) <= 4.04
+def test_rotation_is_orthogonal() -> None:
+    # 3.6 eps; searches find 1.7. The bar of the entries alone would allow 2*sqrt(3)*7 eps.
+    with mp.workdps(60):
+        for angles in turns():
+            matrix = mp.matrix(find_kernel("track_wheel", "rotation")(*angles).tolist())
+            assert max(map(abs, matrix.T * matrix - mp.eye(3))) <= 8e-16
+
+
+@pytest.mark.parametrize("name", ["ratio", "position", "acceleration"])
+def test_the_measure_sees_the_low_word(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    quantity = find_quantity("elliptic_planetary", name)
+    assert quantity.bar is not None
+    for part in ("product_rest", "quotient_rest"):
+        with monkeypatch.context() as patch:
+            patch.setattr(import_module("mechproof.kernels.elliptic_planetary"), part, no_rest)
+            kernel = find_kernel("elliptic_planetary", name)
+            assert measure("elliptic_planetary", name, kernel) > 1000 * quantity.bar.ulp
+
+
+def no_rest(*words: Any) -> float:
+    return 0.0
+
+
+def test_position_within_four_spacings() -> None:
+    """The bar of `position` in its stricter reading: spacings of floats at the value itself."""
+    quantity, kernel = (f("elliptic_planetary", "position") for f in (find_quantity, find_kernel))
+    oracle = Oracle("elliptic_planetary", quantity)
+    with mp.workdps(60):
+        for point in elliptic_points():
+            got = float(kernel(*point))
+            exact = oracle.value(*(oracle._pick(atom, point) for atom in oracle.names))
+            assert abs(mp.mpf(got) - exact) <= 4 * float(np.spacing(abs(got)))
 
 
 def test_linear_model_stays_within_its_bound() -> None:

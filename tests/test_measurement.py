@@ -289,3 +289,8 @@ def test_position_of_another_shape_is_named() -> None:
 def test_import_is_cheap() -> None:
     code = "import sys, mechproof.measurement; sys.exit('scipy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_masked_readings_are_refused() -> None:
+    with pytest.raises(TypeError, match="compressed"):
+        evaluate_type_a(np.ma.array([1.0, 2.0, 100.0], mask=[0, 0, 1]))

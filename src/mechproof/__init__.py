@@ -14,14 +14,35 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from mechproof.choice import choose
     from mechproof.elliptic_planetary import EllipticPlanetary
+    from mechproof.oval_planetary import CylindricalPair, OvalPair, OvalPlanetary
+    from mechproof.tooth_thickness import ToothThickness
+    from mechproof.tooth_thickness_inspection import ThicknessInspection
     from mechproof.track_wheel import TrackWheel
+    from mechproof.wedge_linkage import WedgeLinkage
 
-__all__ = ["EllipticPlanetary", "TrackWheel", "__version__", "choose"]
+__all__ = [
+    "CylindricalPair",
+    "EllipticPlanetary",
+    "OvalPair",
+    "OvalPlanetary",
+    "ThicknessInspection",
+    "ToothThickness",
+    "TrackWheel",
+    "WedgeLinkage",
+    "__version__",
+    "choose",
+]
 
 # The module in which each public name lives.
 HOMES = {
+    "CylindricalPair": "mechproof.oval_planetary",
     "EllipticPlanetary": "mechproof.elliptic_planetary",
+    "OvalPair": "mechproof.oval_planetary",
+    "OvalPlanetary": "mechproof.oval_planetary",
+    "ThicknessInspection": "mechproof.tooth_thickness_inspection",
+    "ToothThickness": "mechproof.tooth_thickness",
     "TrackWheel": "mechproof.track_wheel",
+    "WedgeLinkage": "mechproof.wedge_linkage",
     "choose": "mechproof.choice",
 }
 

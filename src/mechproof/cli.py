@@ -10,6 +10,7 @@ from typing import Annotated, Any, NoReturn
 
 import typer
 from rich.console import Console
+from rich.markup import escape
 from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 from rich.table import Table
 from rich.text import Text
@@ -59,6 +60,8 @@ def verify(
     1: a row is UNDECIDED without that, or a derivation fails; 2: bad usage.
     """
     files = [_find_file(name) for name in papers or sorted(find_systems(packaged_directory()))]
+    if json_file and json_file.is_dir():
+        _refuse(f"--json {json_file}: is a folder, a file is needed")
     if json_file and not json_file.absolute().parent.is_dir():
         _refuse(f"--json {json_file}: the folder {json_file.absolute().parent} does not exist")
     judged = [(paper, _judge(paper)) for paper in map(_load, files)]
@@ -195,7 +198,7 @@ def _judge(paper: Paper) -> list[Judgement]:
     errors.print(f"{paper.system}: judging {len(paper.rows) + len(extra)} rows", markup=False)
     columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
     with Progress(*columns, console=errors, transient=True) as progress:
-        task = progress.add_task(paper.system, total=None)
+        task = progress.add_task(escape(paper.system), total=None)
         count = len(paper.rows) + len(extra)
         return judge_paper(paper, extra, _report_to(progress, task, paper.system, count))
 
@@ -205,13 +208,14 @@ def _report_to(progress: Progress, task: object, system: str, count: int) -> Cal
 
     def report(number: str) -> None:
         text = f"{system}: row {next(done)} of {count}, {number}"
-        progress.update(task, description=text)  # type: ignore[arg-type]
+        progress.update(task, description=escape(text))  # type: ignore[arg-type]
 
     return report
 
 
 def _print_ledger(paper: Paper, judgements: Sequence[Judgement]) -> None:
-    table = Table(title=f"{paper.system}: {paper.citation}", title_justify="left", expand=True)
+    title = Text(f"{paper.system}: {paper.citation}")
+    table = Table(title=title, title_justify="left", expand=True)
     table.add_column("number", ratio=3)
     table.add_column("verdict", no_wrap=True, min_width=15)
     table.add_column("rung", ratio=2)
@@ -224,8 +228,9 @@ def _print_ledger(paper: Paper, judgements: Sequence[Judgement]) -> None:
     for row in judgements:
         if row.verdict not in PLAIN:
             _print_details(row)
-    console.print(f"{paper.system}, printed: {show_totals(judgements, ours=False)}")
-    console.print(f"{paper.system}, ours: {show_totals(judgements, ours=True)}\n")
+    for label, ours in (("printed", False), ("ours", True)):
+        console.print(f"{paper.system}, {label}: {show_totals(judgements, ours)}", markup=False)
+    console.print()
 
 
 def _print_details(row: Judgement) -> None:

@@ -40,7 +40,7 @@ def load_paper(file: Path) -> Paper:
     sys.modules[spec.name] = module
     try:
         spec.loader.exec_module(module)
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise DerivationError(f"{file}: {type(error).__name__}: {error}") from error
     paper = getattr(module, "PAPER", None)
     if not isinstance(paper, Paper):

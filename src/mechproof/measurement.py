@@ -115,6 +115,8 @@ def evaluate_type_a(readings: ArrayLike) -> TypeA:
 
 
 def _as_readings(readings: ArrayLike) -> NDArray[np.float64]:
+    if isinstance(readings, np.ma.MaskedArray):
+        raise TypeError("readings is a masked array: give readings.compressed()")
     values = np.asarray(readings)
     if values.ndim != 1 or values.size < 2:
         raise ValueError(

@@ -250,13 +250,23 @@ class Bar:
 class Form:
     """One way to compute: a starting expression and the named rewrites applied to it in order.
 
-    `bound` is set for an approximation: a proved bound of |form - definition|.
+    `bound` is set for an approximation: a proved bound of |form - definition|. `proved_by` names
+    the row of the paper that states form = definition, where the derivation does it itself.
     """
 
     name: str
     expression: sp.Basic
     rewrites: tuple[str, ...] = ()
     bound: sp.Expr | None = None
+    proved_by: str = ""
+
+
+@dataclass(frozen=True)
+class Shortcut:
+    """A cheaper form, taken where `when`, a relation on the parameters, is true of all of them."""
+
+    form: Form
+    when: sp.Basic
 
 
 @dataclass(frozen=True)
@@ -264,7 +274,8 @@ class Quantity:
     """A function of a system that is generated as a kernel.
 
     `definition` is the exact meaning (what the accuracy is measured against), `form` what is
-    printed. `specimen` holds, for a function kept only for comparison, what is wrong with it.
+    printed, `shortcut` what is computed instead where it is as accurate. `specimen` holds, for a
+    function kept only for comparison, what is wrong with it.
     """
 
     name: str
@@ -278,6 +289,7 @@ class Quantity:
     on: Part | None = None
     singular: tuple[str, ...] = ()
     specimen: str = ""
+    shortcut: Shortcut | None = None
 
 
 @dataclass(frozen=True)

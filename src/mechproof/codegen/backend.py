@@ -13,7 +13,7 @@ import jinja2
 import sympy as sp
 from jinja2 import meta
 
-from mechproof.codegen.kernel import SUPPORT, Kernel, build_kernel
+from mechproof.codegen.kernel import SUPPORT, build_kernel
 from mechproof.record import Paper
 
 TEMPLATES = Path(__file__).parent / "templates"
@@ -36,14 +36,16 @@ NUMPY = Backend("NumPy", "numpy_module.py.jinja", "numpy_arrays.py.jinja", "nump
 def render_module(paper: Paper, backend: Backend = NUMPY) -> str:
     """Render the module with the kernels of a paper's quantities."""
     kernels = [build_kernel(quantity, paper) for quantity in paper.quantities]
-    data = {
+    data: dict[str, object] = {
         "system": paper.system,
         "citation": textwrap.fill(paper.citation, LINE_LENGTH),
         "conventions": textwrap.fill(paper.conventions, LINE_LENGTH),
         "sympy_version": sp.__version__,
         "kernels": kernels,
-        "support": support_names(kernels),
+        "support": [],
     }
+    body = render_template(backend.module, data)
+    data["support"] = [name for name in SUPPORT if f"{name}(" in body]
     return format_source(render_template(backend.module, data))
 
 
@@ -55,17 +57,6 @@ def render_support(backend: Backend = NUMPY) -> str:
 def render_init(backend: Backend = NUMPY) -> str:
     """Render the package file."""
     return format_source(render_template(backend.package, {}))
-
-
-def support_names(kernels: list[Kernel]) -> list[str]:
-    """List the functions of the support file that the kernels call."""
-    needed = (
-        bool(kernels),
-        any(kernel.shape for kernel in kernels),
-        any(kernel.vectors for kernel in kernels),
-        any(kernel.indexed for kernel in kernels),
-    )
-    return [name for name, is_needed in zip(SUPPORT, needed, strict=True) if is_needed]
 
 
 def render_template(name: str, data: Mapping[str, object], folder: Path = TEMPLATES) -> str:

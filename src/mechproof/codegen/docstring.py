@@ -15,6 +15,10 @@ from mechproof.record import Argument, Paper, Quantity
 
 WIDTH = 92
 INDENT = "    "
+OUT = (
+    "out : ndarray, optional",
+    "    Where the result goes, of its type and shape; it may overlap an argument.",
+)
 
 
 def describe_kernel(
@@ -35,7 +39,8 @@ def describe_kernel(
         "",
         *_formula(quantity, paper),
         *_section(
-            "Parameters", [line for a in quantity.arguments for line in _parameter(a, quantity)]
+            "Parameters",
+            [*(line for a in quantity.arguments for line in _parameter(a, quantity)), *OUT],
         ),
         *_section("Returns", _result(quantity)),
         *_section("Raises", _errors(quantity)),
@@ -171,9 +176,10 @@ def _result(quantity: Quantity) -> list[str]:
 
 def _errors(quantity: Quantity) -> list[str]:
     shaped = [a.name for a in quantity.arguments if _shape(a, quantity) != "any shape"]
-    lines = ["TypeError", *_fill("If an argument is complex or not numeric.", INDENT)]
-    what = f"If the last axis of {' or '.join(shaped)} is wrong, or " if shaped else "If "
-    return [*lines, "ValueError", *_fill(f"{what}shapes do not broadcast.", INDENT)]
+    types = "If an argument is complex or not numeric, or `out` has another type."
+    what = f"If the last axis of {' or '.join(shaped)} is wrong, " if shaped else "If "
+    shapes = f"{what}shapes do not broadcast, or `out` has another shape."
+    return ["TypeError", *_fill(types, INDENT), "ValueError", *_fill(shapes, INDENT)]
 
 
 def _notes(
@@ -195,6 +201,9 @@ def _notes(
             f"|result - exact| <= {write_formula(quantity.form.bound, quantity)}, rounding apart"
         )
         notes.append(f"Approximation, {quantity.form.name}: {bound}.")
+    if quantity.shortcut is not None:
+        when = write_formula(quantity.shortcut.when, quantity)
+        notes.append(f"Where {when} for all elements, {quantity.shortcut.form.name} is as good.")
     if quantity.bar is not None:
         notes.append(
             f"Accuracy held by the tests: error <= {quantity.bar.ulp:g} eps * ({quantity.bar.of}), "

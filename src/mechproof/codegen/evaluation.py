@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 import sympy as sp
-from sympy.codegen.cfunctions import hypot
 
+from mechproof.codegen.error_free import EXACT
 from mechproof.record import Argument, Paper, Quantity
 
 Step = tuple[sp.Symbol, sp.Expr]
@@ -42,10 +42,14 @@ class Evaluation:
         values: dict[sp.Symbol, sp.Expr] = {}
         for symbol, value in self.steps:
             values[symbol] = value.xreplace(values)
-        return map_entries(
-            lambda e: e.xreplace(values).replace(hypot, lambda a, b: sp.sqrt(a**2 + b**2)),
-            self.output,
-        )
+        return map_entries(lambda e: write_exactly(e.xreplace(values)), self.output)
+
+
+def write_exactly(expression: sp.Expr) -> sp.Expr:
+    """Replace the functions that exist for their rounding by what they are exactly."""
+    for function, exact in EXACT.items():
+        expression = expression.replace(function, exact)
+    return expression
 
 
 def start_evaluation(quantity: Quantity, paper: Paper) -> Evaluation:

@@ -4,28 +4,43 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.codegen.kernel import evaluate_quantity
+from mechproof.codegen.kernel import evaluate_quantity, take_shortcut
 from mechproof.record import Claim, Conjunction, Equality, Paper, Quantity, Row, Statement
 
 
 def form_rows(paper: Paper) -> tuple[Row, ...]:
-    """Return one row for each quantity whose kernel is a rewritten form of its definition.
+    """Return one row for each form, shortcuts included, that is not its quantity's definition.
 
-    An approximation is left out: its bound has rows of its own in the derivation.
+    Left out are approximations, whose bound has rows of its own in the derivation, and
+    quantities whose row stands in the derivation itself. Raises ValueError if it does not.
     """
-    return tuple(
-        _state_form(quantity, paper)
+    rows = {row.number for row in paper.rows}
+    for quantity in paper.quantities:
+        if quantity.form.proved_by not in (*rows, ""):
+            raise ValueError(f"{quantity.name}: no row {quantity.form.proved_by!r} in the paper")
+    forms = [
+        (name, version)
         for quantity in paper.quantities
+        for name, version in (
+            (quantity.name, quantity),
+            (f"{quantity.name}, shortcut", take_shortcut(quantity)),
+        )
+        if version is not None
+    ]
+    return tuple(
+        _state_form(name, quantity, paper)
+        for name, quantity in forms
         if quantity.form.bound is None
+        and not quantity.form.proved_by
         and (quantity.form.rewrites or quantity.form.expression != quantity.definition)
     )
 
 
-def _state_form(quantity: Quantity, paper: Paper) -> Row:
+def _state_form(number: str, quantity: Quantity, paper: Paper) -> Row:
     rewrites = ", ".join(quantity.form.rewrites) or "none"
     name = quantity.name.replace("_", r"\_")
     return Claim(
-        f"kernel {quantity.name}",
+        f"kernel {number}",
         rf"\text{{the kernel {name} computes its definition}}",
         _equal_on_branches(evaluate_quantity(quantity, paper).expanded(), quantity.definition),
         note=f"Form: {quantity.form.name}; rewrites: {rewrites}.",

@@ -7,7 +7,9 @@ from functools import partial
 
 import sympy as sp
 
+from mechproof.codegen.error_free import SmallTangent
 from mechproof.codegen.evaluation import Evaluation, Step
+from mechproof.codegen.low_word import low_part
 from mechproof.codegen.names import suggest_name
 from mechproof.codegen.products import Factors
 
@@ -18,29 +20,63 @@ def half_angle_tangent(evaluation: Evaluation) -> Evaluation:
     Numerator and denominator are polynomials in t with factored coefficients. Exact for every x
     but odd multiples of pi, where the limit t -> oo is the value; no double is an odd multiple of
     pi. Each term of an outermost sum is converted by itself.
+
+    An angle with a low word has t = opposite/adjacent by the tangent of a sum, and the
+    polynomials are homogeneous in both: adjacent may vanish, and neither cancels where it counts.
     """
     for angle in _angles(evaluation, (sp.sin, sp.cos)):
-        t = evaluation.new_symbol("t")
         factors = Factors(evaluation)
-        factors.steps.append((t, sp.tan(angle / 2)))
-        convert = partial(_to_tangent, angle=angle, t=t, factors=factors)
+        opposite, adjacent = _halve(angle, evaluation, factors)
+        convert = partial(
+            _to_tangent, angle=angle, opposite=opposite, adjacent=adjacent, factors=factors
+        )
         evaluation = evaluation.transform(convert, factors.steps)
     return evaluation
 
 
-def _to_tangent(expression: sp.Expr, angle: sp.Expr, t: sp.Symbol, factors: Factors) -> sp.Expr:
+def _halve(
+    angle: sp.Expr, evaluation: Evaluation, factors: Factors
+) -> tuple[sp.Symbol, sp.Symbol | sp.Integer]:
+    """Add the steps of tan(angle/2) and return its two sides, t and 1 without a low word."""
+
+    def add(name: str, value: sp.Expr) -> sp.Symbol:
+        symbol = evaluation.new_symbol(name, factors.steps)
+        factors.steps.append((symbol, value))
+        return symbol
+
+    low = low_part(angle, evaluation)
+    t = add("t", sp.tan((angle - low) / 2))
+    if not low:
+        return t, sp.S.One
+    t_low = add("t_low", SmallTangent(low / 2))
+    return add("opposite", t + t_low), add("adjacent", 1 - t * t_low)
+
+
+def _to_tangent(
+    expression: sp.Expr,
+    angle: sp.Expr,
+    opposite: sp.Symbol,
+    adjacent: sp.Symbol | sp.Integer,
+    factors: Factors,
+) -> sp.Expr:
+    square = opposite**2 + adjacent**2
     circle = {
-        sp.sin(angle): 2 * t / (1 + t**2),
-        sp.cos(angle): (1 - t**2) / (1 + t**2),
+        sp.sin(angle): 2 * opposite * adjacent / square,
+        sp.cos(angle): (adjacent**2 - opposite**2) / square,
     }
     if not expression.has(*circle):
         return expression
+    sides = [side for side in (opposite, adjacent) if side.is_Symbol]
     inner = expression.xreplace(circle)
-    if expression.is_Add or not inner.is_rational_function(t):
-        converted = (_to_tangent(a, angle, t, factors) for a in expression.args)
+    if expression.is_Add or not inner.is_rational_function(*sides):
+        converted = (_to_tangent(a, angle, opposite, adjacent, factors) for a in expression.args)
         return expression.func(*converted)
-    numerator, denominator = sp.fraction(sp.cancel(inner))
-    return factors.by_powers(numerator, t) / factors.by_powers(denominator, t)
+    above, below = (factors.by_powers(p, *sides) for p in sp.fraction(sp.cancel(inner)))
+    return -above / -below if _is_negative_sum(below) else above / below
+
+
+def _is_negative_sum(expression: sp.Expr) -> bool:
+    return expression.is_Add and all(t.could_extract_minus_sign() for t in expression.args)
 
 
 def cosine_minus_one(evaluation: Evaluation) -> Evaluation:

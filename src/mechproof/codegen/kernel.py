@@ -3,21 +3,40 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from keyword import iskeyword
 
 import sympy as sp
 
 from mechproof.codegen.docstring import describe_kernel, input_names
 from mechproof.codegen.domain import domain_relations, parameter_relations
-from mechproof.codegen.evaluation import Evaluation, count_axes, entries, start_evaluation
+from mechproof.codegen.evaluation import (
+    Evaluation,
+    Step,
+    count_axes,
+    entries,
+    input_symbols,
+    start_evaluation,
+)
 from mechproof.codegen.numpy_printer import NumpyPrinter
 from mechproof.codegen.rewrites import apply_rewrites
 from mechproof.codegen.subexpressions import count_operations, share_subexpressions
 from mechproof.record import Argument, Paper, Quantity
 
-SUPPORT = ("as_floats", "assemble", "split_components", "sum_axes")
-RESERVED = frozenset({"Any", "ArrayLike", "np", "inside", *SUPPORT})
+SUPPORT = (
+    "as_floats",
+    "holds",
+    "in_blocks",
+    "nan_outside",
+    "product_rest",
+    "quotient_rest",
+    "small_tangent",
+    "split_components",
+    "store",
+    "sum_axes",
+    "transform",
+)
+RESERVED = frozenset({"Any", "ArrayLike", "NDArray", "np", "inside", "out", *SUPPORT})
 
 
 @dataclass(frozen=True)
@@ -37,6 +56,28 @@ class Indexed:
 
 
 @dataclass(frozen=True)
+class Stage:
+    """One form in two functions: what the parameters alone decide, and the rest, point by point.
+
+    `when` is the condition on the parameters under which the form is taken, "" for always.
+    `prepare` has inputs, steps and results; `evaluate` has inputs, steps and outputs.
+    """
+
+    when: str
+    suffix: str
+    form: str
+    rewrites: tuple[str, ...]
+    operations: int
+    parameters: tuple[str, ...]
+    prepare: tuple[tuple[str, str], ...]
+    prepared: tuple[str, ...]
+    running: tuple[str, ...]
+    evaluate: tuple[tuple[str, str], ...]
+    outputs: tuple[str, ...]
+    affine: bool
+
+
+@dataclass(frozen=True)
 class Kernel:
     """All that is printed of one kernel, as text."""
 
@@ -44,18 +85,13 @@ class Kernel:
     arguments: tuple[tuple[str, float | None], ...]
     docstring: tuple[str, ...]
     source: str
-    form: str
-    rewrites: tuple[str, ...]
     digest: str
-    operations: int
     vectors: tuple[Vector, ...]
     indexed: tuple[Indexed, ...]
     conditions: tuple[str, ...]
     masked: tuple[str, ...]
-    steps: tuple[tuple[str, str], ...]
-    outputs: tuple[str, ...]
+    stages: tuple[Stage, ...]
     shape: tuple[int, ...]
-    branches: bool
 
 
 def evaluate_quantity(quantity: Quantity, paper: Paper) -> Evaluation:
@@ -64,18 +100,25 @@ def evaluate_quantity(quantity: Quantity, paper: Paper) -> Evaluation:
     return share_subexpressions(apply_rewrites(started, quantity.form.rewrites))
 
 
+def take_shortcut(quantity: Quantity) -> Quantity | None:
+    """Return the quantity with its shortcut as the form, None if it has none."""
+    return replace(quantity, form=quantity.shortcut.form) if quantity.shortcut else None
+
+
 def build_kernel(quantity: Quantity, paper: Paper) -> Kernel:
     """Evaluate a quantity and print it.
 
     Raises ValueError where the quantity cannot be computed or its domain cannot be checked.
     """
     evaluation = evaluate_quantity(quantity, paper)
-    names = input_names(quantity)
-    _check_names(quantity, [*names.values(), *(str(s) for s, _ in evaluation.steps)])
-    printer = NumpyPrinter(names, _point_sized(quantity, evaluation))
     conditions = parameter_relations(quantity, paper)
     masked = _choose_masked(quantity, evaluation) if conditions else ()
-    output = evaluation.output
+    printer = NumpyPrinter(input_names(quantity), frozenset())
+    shorter = take_shortcut(quantity)
+    stages = [build_stage(quantity, evaluation)]
+    if shorter and quantity.shortcut:
+        when = printer.print_expression(quantity.shortcut.when)
+        stages.insert(0, build_stage(shorter, evaluate_quantity(shorter, paper), when))
     return Kernel(
         name=quantity.name,
         arguments=tuple((a.name, a.default) for a in quantity.arguments),
@@ -83,10 +126,7 @@ def build_kernel(quantity: Quantity, paper: Paper) -> Kernel:
             quantity, paper, domain_relations(quantity, paper), conditions, masked
         ),
         source=quantity.source,
-        form=quantity.form.name,
-        rewrites=quantity.form.rewrites,
         digest=hash_expression(start_evaluation(quantity, paper)),
-        operations=count_operations(evaluation),
         vectors=tuple(_vector(a, evaluation) for a in quantity.arguments if len(a.symbols) > 1),
         indexed=tuple(
             Indexed(a.name, count_axes(a, quantity))
@@ -95,11 +135,60 @@ def build_kernel(quantity: Quantity, paper: Paper) -> Kernel:
         ),
         conditions=tuple(map(printer.print_condition, conditions)),
         masked=masked,
-        steps=tuple((str(s), printer.print_expression(v)) for s, v in evaluation.steps),
-        outputs=tuple(map(printer.print_expression, entries(output))),
-        shape=_trailing_shape(output),
-        branches=isinstance(output, sp.Piecewise),
+        stages=tuple(stages),
+        shape=_trailing_shape(evaluation.output),
     )
+
+
+def build_stage(quantity: Quantity, evaluation: Evaluation, when: str = "") -> Stage:
+    """Divide an evaluation into what the parameters alone decide and the rest, and print both."""
+    names = input_names(quantity)
+    _check_names(quantity, [*names.values(), *(str(s) for s, _ in evaluation.steps)])
+    large = _point_sized(quantity, evaluation)
+    printer = NumpyPrinter(names, large)
+    occurring = input_symbols(evaluation.output).union(
+        *(input_symbols(value) for _, value in evaluation.steps)
+    )
+    running, *others = (
+        [s for s in argument.symbols if s in occurring] for argument in quantity.arguments
+    )
+    parameters = [s for symbols in others for s in symbols]
+    before = [step for step in evaluation.steps if step[0] not in large]
+    after = [step for step in evaluation.steps if step[0] in large]
+    outputs = entries(evaluation.output)
+    affine = _affine_coefficients(quantity, outputs) if not after else None
+    last = [value for _, value in after] + list(outputs)
+    used = set().union(*(input_symbols(value) for value in last))
+    needed = [names.get(s, str(s)) for s in (*parameters, *(s for s, _ in before)) if s in used]
+    return Stage(
+        when=when,
+        suffix="_shortcut" if when else "",
+        form=quantity.form.name,
+        rewrites=quantity.form.rewrites,
+        operations=count_operations(evaluation),
+        parameters=tuple(names[s] for s in parameters),
+        prepare=_print_steps(before, printer),
+        prepared=tuple(map(printer.print_expression, affine) if affine else needed),
+        running=tuple(names[s] for s in running),
+        evaluate=_print_steps(after, printer),
+        outputs=tuple(map(printer.print_expression, outputs)),
+        affine=affine is not None,
+    )
+
+
+def _print_steps(steps: list[Step], printer: NumpyPrinter) -> tuple[tuple[str, str], ...]:
+    return tuple((str(symbol), printer.print_expression(value)) for symbol, value in steps)
+
+
+def _affine_coefficients(quantity: Quantity, outputs: tuple[sp.Expr, ...]) -> list[sp.Expr] | None:
+    """List the matrix row by row, then the shift, of outputs affine in as many components."""
+    point = quantity.arguments[0].symbols
+    if not 1 < len(point) == len(outputs):
+        return None
+    matrix = [sp.diff(output, component) for output in outputs for component in point]
+    if any(entry.has(*point) for entry in matrix):
+        return None
+    return matrix + [output.xreplace(dict.fromkeys(point, sp.S.Zero)) for output in outputs]
 
 
 def hash_expression(evaluation: Evaluation) -> str:

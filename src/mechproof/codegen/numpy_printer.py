@@ -31,6 +31,9 @@ FUNCTIONS: Mapping[str, str] = MappingProxyType(
         "Abs": "np.abs",
         "floor": "np.floor",
         "sign": "np.sign",
+        "ProductRest": "product_rest",
+        "QuotientRest": "quotient_rest",
+        "SmallTangent": "small_tangent",
     }
 )
 CONSTANTS: Mapping[sp.Basic, str] = MappingProxyType(
@@ -90,6 +93,12 @@ class NumpyPrinter(CodePrinter):  # type: ignore[misc]
         return f"{FUNCTIONS[name]}({', '.join(map(self._print, expr.args))})"
 
     _print_hypot = _print_Abs = _print_Function  # noqa: N815
+
+    def _print_Max(self, expr: sp.Max) -> str:  # noqa: N802
+        first, *others = map(self._print, expr.args)
+        for other in others:
+            first = f"np.maximum({first}, {other})"
+        return str(first)
 
     def _print_Add(self, expr: sp.Add, order: str | None = None) -> str:  # noqa: N802
         first, *others = sorted(expr.args, key=sort_positive_first)

@@ -25,26 +25,35 @@ class Factors:
         """Factor over the integers and name every sum."""
         return self.multiply(polynomial, self._name)
 
-    def by_powers(self, polynomial: sp.Expr, variable: sp.Symbol) -> sp.Expr:
-        """Factor; a factor with `variable` is a sum of powers with factored coefficients."""
+    def by_powers(self, polynomial: sp.Expr, *variables: sp.Symbol) -> sp.Expr:
+        """Factor; a factor with `variables` is a sum of powers with factored coefficients."""
 
         def convert(base: sp.Expr) -> sp.Expr:
-            if not base.has(variable):
+            if not base.has(*variables):
                 return self._name(base)
-            terms = sp.Poly(base, variable).terms()
-            return sp.Add(*(self.name_sums(c) * variable**power for (power,), c in terms))
+            terms = sp.Poly(base, *variables).terms()
+            return sp.Add(
+                *(
+                    self.name_sums(c) * sp.prod(map(sp.Pow, variables, powers))
+                    for powers, c in terms
+                )
+            )
 
         return self.multiply(polynomial, convert)
 
     def multiply(self, polynomial: sp.Expr, convert: Callable[[sp.Expr], sp.Expr]) -> sp.Expr:
         """Multiply the converted factors, their signs as people write them."""
         number, factors = sp.factor_list(polynomial)
-        result = sp.sympify(number)
+        # The number comes last: SymPy would multiply a lone sum out with it.
+        sign, result = sp.sign(number), sp.S.One
         for base, power in factors:
-            if base.is_Add and _reads_better_negated(base, result, power):
-                base, result = sp.expand(-base), result * (-1) ** power
-            result *= (convert(base) if base.is_Add else base) ** power
-        return result
+            if base.is_Add and _reads_better_negated(base, sign * result, power):
+                base, sign = sp.expand(-base), sign * (-1) ** power
+            converted = convert(base) if base.is_Add else base
+            if converted.is_Add and all(t.could_extract_minus_sign() for t in converted.args):
+                converted, sign = -converted, sign * (-1) ** power
+            result *= converted**power
+        return sign * abs(number) * result
 
     def _name(self, base: sp.Expr) -> sp.Symbol:
         for symbol, value in self.steps:

@@ -15,6 +15,7 @@ from sympy.codegen.cfunctions import hypot
 
 from mechproof.codegen.evaluation import Evaluation, Step, arrange, entries, map_entries
 from mechproof.codegen.half_angle import cosine_minus_one, half_angle_tangent
+from mechproof.codegen.low_word import low_word
 from mechproof.codegen.products import Factors
 
 Rewrite = Callable[[Evaluation], Evaluation]
@@ -144,6 +145,7 @@ REWRITES: Mapping[str, Rewrite] = MappingProxyType(
         function.__name__: function
         for function in (
             positive_atan2,
+            low_word,
             half_angle_tangent,
             cosine_minus_one,
             hypotenuse,

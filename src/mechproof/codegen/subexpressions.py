@@ -55,7 +55,9 @@ def _is_worth_naming(expression: sp.Basic) -> bool:
     """Accept sums, products, powers, functions; not -x, 1/x, 2*x, cheap where they stand."""
     if not isinstance(expression, sp.Expr) or expression.is_Atom or not expression.free_symbols:
         return False
-    _, rest = expression.as_coeff_Mul()
+    number, rest = expression.as_coeff_Mul()
+    if number == -1:
+        return False
     return not (rest.is_Atom or (rest.is_Pow and rest.exp == -1 and rest.base.is_Atom))
 
 

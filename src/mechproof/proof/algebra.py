@@ -106,6 +106,8 @@ class Field:
         return sp.sympify(even), sp.sympify(odd) * (1 if times >= 0 else -1)
 
     def _circle_point(self, monomial: sp.Expr) -> tuple[sp.Symbol, sp.Symbol]:
+        if isinstance(monomial, sp.atan | sp.atan2) and self._denominators[monomial] == 1:
+            return self._point_of_argument(monomial)
         if monomial not in self._circle:
             base = monomial / self._denominators[monomial]
             c, s = (sp.Dummy(name, real=True) for name in ("c", "s"))
@@ -114,13 +116,19 @@ class Field:
             self._meaning |= {c: sp.cos(base), s: sp.sin(base)}
         return self._circle[monomial]
 
+    def _point_of_argument(self, node: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Return cos and sin of the argument of a vector: its components by its length."""
+        y, x = (node.args[0], sp.S.One) if isinstance(node, sp.atan) else node.args
+        length = self._translate_root(x**2 + y**2)
+        return self._translate(x) / length, self._translate(y) / length
+
     def _translate_root(self, radicand: sp.Expr) -> sp.Expr:
         """Return sqrt(radicand): squares pulled out, then roots of single factors."""
         self.used_roots = True
         numerator, denominator = sp.fraction(sp.together(self._translate(radicand)))
-        top, bottom = self._reduce(numerator), self._reduce(denominator)
-        constant, factors = sp.factor_list(sp.expand(top * bottom))
-        outside = 1 / (bottom * self._direction(bottom))
+        root, rest = self._split_squares(denominator)
+        constant, factors = sp.factor_list(self._reduce(numerator * rest))
+        outside = 1 / (root * rest * self._direction(rest))
         inside = sp.Integer(1)
         for factor, power in factors:
             if power > 1 and (power // 2) % 2:
@@ -135,6 +143,16 @@ class Field:
                     constant *= direction
                     outside *= self._root_of(direction * factor)
         return sp.expand(outside * self._root_of_number_and(constant, inside))
+
+    def _split_squares(self, denominator: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Write it as root^2 * rest, root positive; the normal form would hide the squares."""
+        rest, factors = sp.factor_list(sp.expand(denominator))
+        root = sp.Integer(1)
+        for factor, power in factors:
+            half = power // 2
+            root *= (factor * (self._direction(factor) if half % 2 else 1)) ** half
+            rest *= factor ** (power % 2)
+        return root, rest
 
     def _root_of_number_and(self, constant: sp.Expr, rest: sp.Expr) -> sp.Expr:
         if rest == 1:

@@ -41,7 +41,8 @@ def _variables(expression: sp.Expr, domain: Domain) -> list[sp.Symbol]:
     limits = {s for i in expression.atoms(sp.Integral) for s in i.limits[0][2].free_symbols}
     nodes = expression.atoms(*_TRANSCENDENTAL)
     symbols = limits or {s for node in nodes for s in node.free_symbols}
-    connected = [s for s in symbols if isinstance(domain.set_of(s), sp.Interval)]
+    coupled = {s for relation in domain.where for s in relation.free_symbols}
+    connected = [s for s in symbols - coupled if isinstance(domain.set_of(s), sp.Interval)]
     return sorted(connected, key=lambda s: (_rank(domain.set_of(s)), str(s)))[:_CANDIDATES]
 
 
@@ -67,9 +68,13 @@ def _agrees(left: sp.Expr, right: sp.Expr, variable: sp.Symbol, domain: Domain) 
 def _base_point(where: sp.Interval) -> sp.Expr:
     if where.contains(0) == sp.true:
         return sp.Integer(0)
-    if where.start.is_finite:
-        return where.start if not where.left_open else where.start + 1
-    return where.end - 1 if where.right_open else where.end
+    if where.start.is_finite and not where.left_open:
+        return where.start
+    if where.end.is_finite and not where.right_open:
+        return where.end
+    if where.start.is_finite and where.end.is_finite:
+        return (where.start + where.end) / 2
+    return where.start + 1 if where.start.is_finite else where.end - 1
 
 
 def _at(expression: sp.Expr, variable: sp.Symbol, value: sp.Expr) -> sp.Expr:

@@ -2,7 +2,7 @@
 
 Where x1 and x2 are positive, the sum lies between -pi and pi and is the argument of the product
 of both vectors taken as complex numbers. Two arguments are equal exactly if their vectors point
-the same way: no cross product, a positive scalar product.
+the same way: no cross product, a positive scalar product; where they point does not matter then.
 """
 
 from __future__ import annotations
@@ -18,30 +18,33 @@ Vector = tuple[sp.Expr, sp.Expr]
 
 
 def decide_by_argument(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
-    """Return the rung if left - right is c*(one argument - one or two others) = 0, else None."""
-    terms = sp.Add.make_args(domain.resolve(left - right))
-    parted = [term.as_coeff_Mul(rational=True) for term in terms]
-    if not all(isinstance(node, sp.atan | sp.atan2) for _, node in parted):
+    """Return the rung if left = right says that one argument is another or the sum of two."""
+    parted = [
+        term.as_coeff_Mul(rational=True) for term in sp.Add.make_args(domain.resolve(left - right))
+    ]
+    sizes = {abs(factor) for factor, _ in parted}
+    is_sum = all(isinstance(node, sp.atan | sp.atan2) for _, node in parted)
+    if not is_sum or len(sizes) > 1 or len(parted) not in (2, 3):
         return None
-    size = abs(parted[0][0])
-    sides = [[_vector(node) for c, node in parted if c == sign * size] for sign in (1, -1)]
-    if sum(map(len, sides)) < len(parted):
+    # The one whose vector may point anywhere goes first, the others are added up.
+    parted.sort(key=lambda term: _is_positive(_vector(term[1])[0], domain))
+    (factor, alone), *others = parted
+    is_pair = len(others) == 1 and others[0][0] == -factor
+    if not is_pair and not all(_is_positive(_vector(node)[0], domain) for _, node in others):
         return None
-    vectors = [_multiply(side, domain) for side in sides]
-    return RUNG if None not in vectors and _same_direction(*vectors, domain) else None
+    product: Vector = (sp.S.One, sp.S.Zero)
+    for sign, node in others:
+        product = _multiply(product, _vector(node), -sign / factor)
+    return RUNG if _same_direction(_vector(alone), product, domain) else None
 
 
 def _vector(node: sp.Expr) -> Vector:
-    return (sp.Integer(1), node.args[0]) if isinstance(node, sp.atan) else node.args[::-1]
+    return (sp.S.One, node.args[0]) if isinstance(node, sp.atan) else node.args[::-1]
 
 
-def _multiply(vectors: list[Vector], domain: Domain) -> Vector | None:
-    """Return the vector whose argument is the sum of the arguments, if that is sure."""
-    if len(vectors) == 1:
-        return vectors[0]
-    if len(vectors) != 2 or not all(_is_positive(x, domain) for x, _ in vectors):
-        return None
-    (x1, y1), (x2, y2) = vectors
+def _multiply(one: Vector, other: Vector, sign: sp.Expr) -> Vector:
+    """Multiply as complex numbers; `other` is conjugated for the sign -1."""
+    (x1, y1), (x2, y2) = one, (other[0], sign * other[1])
     return x1 * x2 - y1 * y2, x1 * y2 + x2 * y1
 
 

@@ -235,7 +235,11 @@ def _piecewise(node: sp.Basic) -> Plan:
 
 
 def _delta(node: sp.Basic) -> Plan:
-    return (lambda values, first, second: arb(1 if first == second else 0)), node.args
+    def compare(values: Values, first: Ball, second: Ball) -> Ball:
+        equal = _equal(first, second)
+        return NOT_FINITE if equal is None else arb(int(equal))
+
+    return compare, node.args
 
 
 def _truth(relation: sp.Basic, values: Values) -> bool | None:
@@ -278,6 +282,7 @@ _CONSTANTS: dict[sp.Basic, Callable[[], Ball]] = {
     sp.pi: arb.pi,
     sp.E: arb.const_e,
     sp.EulerGamma: arb.const_euler,
+    sp.I: lambda: NOT_FINITE,
     sp.nan: lambda: NOT_FINITE,
     sp.zoo: lambda: NOT_FINITE,
 }
@@ -300,7 +305,7 @@ _FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.asin: lambda x: x.asin(),
     sp.acos: lambda x: x.acos(),
     sp.atan: lambda x: x.atan(),
-    sp.atan2: lambda y, x: arb.atan2(y, x),
+    sp.atan2: lambda y, x: _arctangent(y, x),
     sp.exp: lambda x: x.exp(),
     sp.log: lambda x: x.log(),
     sp.erf: lambda x: x.erf(),
@@ -311,8 +316,8 @@ _FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.sign: lambda x: x.sgn(),
     sp.Max: lambda *xs: _fold(arb.max, xs),
     sp.Min: lambda *xs: _fold(arb.min, xs),
-    sp.elliptic_e: lambda m: acb(m).elliptic_e().real,
-    sp.elliptic_k: lambda m: acb(m).elliptic_k().real,
+    sp.elliptic_e: lambda m: _real_part(acb(m).elliptic_e()),
+    sp.elliptic_k: lambda m: _real_part(acb(m).elliptic_k()),
     sp.betainc_regularized: lambda a, b, x0, x1: _beta(a, b, x1) - _beta(a, b, x0),
 }
 
@@ -321,6 +326,11 @@ _ENTIRE = (sp.sin, sp.cos, sp.tan, sp.cot, sp.exp, sp.erf, sp.erfc)
 
 def _beta(a: Ball, b: Ball, x: Ball) -> Ball:
     return arb(0) if x == 0 else arb.beta_lower(x, a, b, regularized=True)
+
+
+def _arctangent(y: Ball, x: Ball) -> Ball:
+    """Enclose atan2; flint gives [-pi, pi] for an undefined argument, which is no enclosure."""
+    return arb.atan2(y, x) if y.is_finite() and x.is_finite() else NOT_FINITE
 
 
 def _fold(function: Callable[[Ball, Ball], Ball], balls: tuple[Ball, ...]) -> Ball:

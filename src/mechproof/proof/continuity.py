@@ -77,12 +77,13 @@ def _find_break_of_integral(
             found = find_break(limit, variable, domain)
             if found is not None:
                 return found
-        between = Domain(
-            {**domain.within, bound: _range_between(limits, domain)}, domain.where, domain.given
-        )
-        found = find_break(node.function, bound, between)
-        if found is not None:
-            return found
+        within = {**domain.within, bound: _range_between(limits, domain)}
+        where = tuple(r for r in domain.where if bound not in r.free_symbols)
+        between = Domain(within, where, domain.given)
+        for moving in (bound, variable):
+            found = find_break(node.function, moving, between)
+            if found is not None:
+                return found
     return None
 
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 from itertools import islice, product
+from types import MappingProxyType
 
 import sympy as sp
 
@@ -12,8 +14,17 @@ from mechproof.proof import balls
 from mechproof.record import Paper, Part
 
 Point = dict[sp.Basic, sp.Rational]
+_NO_VALUES: Mapping[sp.Basic, sp.Rational] = MappingProxyType({})
 
-_PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71)
+_ASSUMED_SETS = (
+    ("is_positive", sp.Interval.open(0, sp.oo)),
+    ("is_nonnegative", sp.Interval(0, sp.oo)),
+    ("is_negative", sp.Interval.open(-sp.oo, 0)),
+    ("is_nonpositive", sp.Interval(-sp.oo, 0)),
+    ("is_nonzero", sp.Union(sp.Interval.open(-sp.oo, 0), sp.Interval.open(0, sp.oo))),
+    ("is_integer", sp.S.Integers),
+)
+_OTHER_ASSUMPTIONS = ("is_even", "is_odd", "is_prime", "is_composite", "is_irrational")
 _TRIES_PER_POINT = 60
 
 
@@ -31,10 +42,16 @@ class Domain:
         within = {v.symbol: v.within for v in paper.variables if v.given is None}
         given = {v.symbol: v.given for v in paper.variables if v.given is not None}
         narrowed = dict(part.within) if part else {}
+        for symbol, values in (*within.items(), *narrowed.items()):
+            _check(symbol, values)
+        for symbol, definition in given.items():
+            _check_given(symbol, definition)
         for symbol in [s for s in narrowed if s in given]:
             _make_free(symbol, within, given)
         within |= narrowed
         where = paper.where + (part.where if part else ())
+        if sp.false in where:
+            raise ValueError(f"paper {paper.system!r}: a relation of its domain is always false")
         domain = cls(within, (), given)
         return cls(within, tuple(domain.resolve(relation) for relation in where), given)
 
@@ -53,23 +70,49 @@ class Domain:
         base = symbol.base if isinstance(symbol, sp.Indexed) else symbol
         return self.within.get(base, sp.S.Reals)
 
-    def points(self, symbols: list[sp.Basic], count: int) -> list[Point]:
-        """Return `count` exact interior points, then the corners of closed finite ends."""
-        relations = [r for r in self.where if r.free_symbols & set(symbols)]
-        names = {s for relation in relations for s in relation.free_symbols} | set(symbols)
-        ordered = sorted(names, key=str)
-        inside = (point for point in self._walk(ordered, count) if _allowed(relations, point))
-        interior = list(islice(inside, count))
+    def allows(self, point: Point) -> bool:
+        """Return whether no set and no relation that the point decides excludes it."""
+        relations = [r for r in self.where if r.free_symbols <= point.keys()]
+        inside = (self.set_of(s).contains(v) != sp.false for s, v in point.items())
+        return all(inside) and _allowed(relations, point)
+
+    def is_interior(self, point: Point) -> bool:
+        """Return whether no value of the point is an end of its interval."""
+        return not any(v in _closed_ends(self.set_of(s)) for s, v in point.items())
+
+    def points(
+        self,
+        symbols: list[sp.Basic],
+        count: int,
+        fixed: Mapping[sp.Basic, sp.Rational] = _NO_VALUES,
+    ) -> list[Point]:
+        """Return `count` exact interior points, then the corners of closed finite ends.
+
+        `fixed` values are taken over. Raises `ValueError` if no point is found.
+        """
+        names, relations = self._connect(set(symbols) | fixed.keys())
+        ordered = sorted(names - fixed.keys(), key=str)
+        walk = ({**fixed, **point} for point in self._walk(ordered, count))
+        interior = list(islice((p for p in walk if _allowed(relations, p)), count))
         if not interior:
             raise ValueError(f"no point found in the domain of {[str(s) for s in ordered]}")
-        return interior + [p for p in self._corners(interior[0]) if _allowed(relations, p)]
+        corners = self._corners({s: interior[0][s] for s in ordered})
+        return interior + [p for c in corners if _allowed(relations, p := {**fixed, **c})]
+
+    def _connect(self, names: set[sp.Basic]) -> tuple[set[sp.Basic], list[sp.Basic]]:
+        """Add the symbols that relations tie to the names, directly or through others."""
+        relations: list[sp.Basic] = []
+        for _ in self.where:
+            relations = [r for r in self.where if r.free_symbols & names]
+            names = names.union(*(r.free_symbols for r in relations))
+        return names, relations
 
     def _walk(self, ordered: list[sp.Basic], count: int) -> Iterator[Point]:
         tries = count * (_TRIES_PER_POINT if self.where else 1)
         for step in range(1, tries + 1):
             yield {
-                symbol: _place(self.set_of(symbol), _radical_inverse(step, _PRIMES[k % 20]), step)
-                for k, symbol in enumerate(ordered)
+                symbol: _place(self.set_of(symbol), _radical_inverse(step, sp.prime(k)), step)
+                for k, symbol in enumerate(ordered, start=1)
             }
 
     def _corners(self, inside: Point) -> Iterator[Point]:
@@ -81,6 +124,31 @@ class Domain:
         if 1 < len(several) <= 4:
             for corner in product(*(ends[s] for s in several)):
                 yield {**inside, **dict(zip(several, corner, strict=True))}
+
+
+@cache
+def _check(symbol: sp.Basic, where: sp.Set) -> None:
+    """Refuse sets without a rule for points, and values that SymPy is told do not occur."""
+    counts = (sp.S.Naturals, sp.S.Naturals0)
+    if not (where in counts or isinstance(where, sp.Interval | sp.FiniteSet)):
+        raise ValueError(f"{symbol} in {where}: allowed are Interval, FiniteSet and Naturals")
+    declared = [s for name, s in _ASSUMED_SETS if getattr(symbol, name, None)]
+    if not all(where.is_subset(s) for s in declared) or _has_other_assumptions(symbol):
+        raise ValueError(f"{symbol} in {where}: the SymPy symbol is declared to be narrower")
+
+
+def _check_given(symbol: sp.Basic, definition: sp.Expr) -> None:
+    """Refuse what SymPy is told of a given symbol and does not know of its definition."""
+    claimed = [name for name, _ in _ASSUMED_SETS if getattr(symbol, name, None)]
+    unknown = [name for name in claimed if not getattr(definition, name, None)]
+    if unknown or _has_other_assumptions(symbol):
+        raise ValueError(
+            f"{symbol} = {definition}: declare the symbol real only, not {', '.join(unknown)}"
+        )
+
+
+def _has_other_assumptions(symbol: sp.Basic) -> bool:
+    return any(getattr(symbol, name, None) for name in _OTHER_ASSUMPTIONS)
 
 
 def _make_free(
@@ -115,6 +183,8 @@ def _place(where: sp.Set, u: sp.Rational, step: int) -> sp.Rational:
     """Map u in (0, 1) into the set; the odds of the whole line are spread over several turns."""
     if where in (sp.S.Naturals, sp.S.Naturals0):
         return sp.Integer(1 + step % 4)
+    if isinstance(where, sp.FiniteSet):
+        return where.args[step % len(where)]
     low, high = where.inf, where.sup
     if low.is_infinite and high.is_infinite:
         return (2 * u - 1) / (u * (1 - u)) if u != sp.Rational(1, 2) else sp.Rational(3, 4)
@@ -122,15 +192,18 @@ def _place(where: sp.Set, u: sp.Rational, step: int) -> sp.Rational:
         return _rational(low, above=True) + 4 * u / (1 - u)
     if low.is_infinite:
         return _rational(high, above=False) - 4 * (1 - u) / u
-    bottom, top = _rational(low, above=True), _rational(high, above=False)
-    return bottom + (top - bottom) * u
+    for scale in (10**3, 10**9, 10**30):
+        bottom, top = _rational(low, True, scale), _rational(high, False, scale)
+        if bottom < top:
+            return bottom + (top - bottom) * u
+    raise ValueError(f"no rational point found in {where}")
 
 
-def _rational(end: sp.Expr, above: bool) -> sp.Rational:
+def _rational(end: sp.Expr, above: bool, scale: int = 1000) -> sp.Rational:
     """Return an end of an interval, or a rational just inside it where the end is irrational."""
     if end.is_Rational:
         return sp.Rational(end)
-    return sp.Rational(int(sp.floor(end * 1000)) + int(above), 1000)
+    return sp.Rational(int(sp.floor(end * scale)) + int(above), scale)
 
 
 def _closed_ends(where: sp.Set) -> list[sp.Rational]:

@@ -8,12 +8,10 @@ import sympy as sp
 
 from mechproof.proof.dimensions import dimensions_of
 from mechproof.proof.domain import Domain
-from mechproof.proof.ladder import decide
+from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.verdict import Decision, Evidence, Judgement, Verdict
-from mechproof.proof.wellformed import find_fault
-from mechproof.record import Paper, Part, Row
-
-NEEDS_CORRECTION = (Verdict.REFUTED, Verdict.ILL_FORMED)
+from mechproof.proof.wellformed import find_faults
+from mechproof.record import Paper, Part, Row, Statement
 
 
 @dataclass(frozen=True)
@@ -25,12 +23,16 @@ class _Outcome:
 def judge(row: Row, paper: Paper) -> Judgement:
     """Return the line of the ledger for one row.
 
-    A statement with a function that no rung knows is UNDECIDED and says which.
+    A statement that no rung can read (an unknown function, a wrong record) is UNDECIDED and says
+    why; only a contradiction within the ladder itself is raised.
     """
     try:
         outcome = _with_correction(row, paper, _decide_row(row, paper))
-    except NotImplementedError as error:
-        outcome = _Outcome(Decision(Verdict.UNDECIDED, "none", str(error)))
+    except ContradictionError:
+        raise
+    except Exception as error:
+        reason = f"{type(error).__name__}: {error}"
+        outcome = _Outcome(Decision(Verdict.UNDECIDED, "none", reason))
     decision = outcome.decision
     reason = f"{decision.reason}. {row.note}" if row.note else decision.reason
     return Judgement(
@@ -51,25 +53,32 @@ def judge(row: Row, paper: Paper) -> Judgement:
 
 def _decide_row(row: Row, paper: Paper) -> Decision:
     domain = Domain.of(paper, row.on)
-    fault = find_fault(row.says, dimensions_of(paper), domain)
-    if fault:
-        return Decision(Verdict.ILL_FORMED, fault.rung, fault.reason, (fault.evidence,))
-    decision = decide(row.says, domain)
+    decision = _decide_well_formed(row.says, paper, domain)
     if decision.verdict is Verdict.REFUTED:
-        return _find_convention(row, domain, decision) or _find_part(row, paper, decision)
+        convention = _find_convention(row, paper, domain, decision)
+        return convention or _find_part(row, paper, decision)
     if decision.verdict is Verdict.UNDECIDED and row.stays_open:
         return replace(decision, reason=f"{decision.reason}; {row.stays_open}")
     return decision
 
 
-def _find_convention(row: Row, domain: Domain, literal: Decision) -> Decision | None:
+def _decide_well_formed(says: Statement, paper: Paper, domain: Domain) -> Decision:
+    faults = find_faults(says, dimensions_of(paper), domain)
+    if not faults:
+        return decide(says, domain)
+    rungs = dict.fromkeys(fault.rung for fault in faults)
+    reason = "; ".join(fault.reason for fault in faults)
+    evidence = tuple(fault.evidence for fault in faults)
+    return Decision(Verdict.ILL_FORMED, ", ".join(rungs), reason, evidence)
+
+
+def _find_convention(row: Row, paper: Paper, domain: Domain, literal: Decision) -> Decision | None:
     """Return CONVENTION if another stated reading is proved."""
     for reading in row.readings:
-        other = decide(reading.says, domain)
+        other = _decide_well_formed(reading.says, paper, domain)
         if other.verdict is Verdict.PROVED:
-            as_printed = tuple(
-                replace(item, what=f"read literally: {item.what}") for item in literal.evidence
-            )
+            shown = literal.evidence or (Evidence(literal.reason),)
+            as_printed = tuple(replace(e, what=f"read literally: {e.what}") for e in shown)
             as_meant = Evidence(f"read as: {reading.text}: PROVED ({other.rung})")
             reason = f"true when read as: {reading.text}"
             return Decision(Verdict.CONVENTION, other.rung, reason, (*as_printed, as_meant))
@@ -85,7 +94,7 @@ def _find_part(row: Row, paper: Paper, refuted: Decision) -> Decision:
         return refuted
     where = Evidence(f"{row.holds_on.text}: PROVED ({inside.rung})")
     outside = tuple(replace(item, what=f"elsewhere: {item.what}") for item in refuted.evidence)
-    reason = f"true for {row.holds_on.text}, false elsewhere"
+    reason = f"true for {row.holds_on.text}, not on the whole domain"
     return Decision(Verdict.CONDITIONAL, inside.rung, reason, (where, *outside))
 
 
@@ -98,7 +107,7 @@ def _with_correction(row: Row, paper: Paper, decision: Decision) -> _Outcome:
     """Prove the corrected form; a correction that is not proved leaves the row open."""
     if row.corrected is None or decision.verdict is Verdict.PROVED:
         return _Outcome(decision)
-    proof = decide(row.corrected.says, Domain.of(paper, row.on))
+    proof = _decide_well_formed(row.corrected.says, paper, Domain.of(paper, row.on))
     if proof.verdict is Verdict.PROVED:
         evidence = (*decision.evidence, Evidence(f"corrected form: PROVED ({proof.rung})"))
         return _Outcome(replace(decision, evidence=evidence), proof.rung)

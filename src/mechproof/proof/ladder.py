@@ -8,10 +8,11 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.proof import balls
+from mechproof.proof import balls, bisection
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.antiderivative import decide_by_derivative, explain_break
 from mechproof.proof.arguments import decide_by_argument
+from mechproof.proof.bisection import holds_on_interval
 from mechproof.proof.domain import Domain
 from mechproof.proof.numbers import decide_number
 from mechproof.proof.refutation import POINTS, Comparison, compare, find_violation
@@ -30,6 +31,7 @@ from mechproof.record import (
 )
 
 CROSS_EXAMINATION = 4
+CROSS_PRECISION = (64,)
 
 
 class ContradictionError(RuntimeError):
@@ -49,8 +51,9 @@ def _decide_equality(statement: Equality, domain: Domain) -> Decision:
 
 
 def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Decision:
-    if getattr(printed, "shape", None) != getattr(rebuilt, "shape", None):
-        reason = f"the printed side has the shape {printed.shape}, the other {rebuilt.shape}"
+    shapes = [getattr(side, "shape", "of a number") for side in (printed, rebuilt)]
+    if shapes[0] != shapes[1]:
+        reason = f"the printed side has the shape {shapes[0]}, the other {shapes[1]}"
         return Decision(Verdict.REFUTED, "entrywise", reason, (Evidence(reason),))
     rungs: list[str] = []
     for row in range(printed.rows):
@@ -67,8 +70,11 @@ def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Decision:
 def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Decision:
     rung = _prove_equal(printed, rebuilt, domain)
     if rung:
-        _cross_examine(printed, rebuilt, domain)
-        return Decision(Verdict.PROVED, rung, "both sides agree on the whole domain")
+        undefined = _cross_examine(printed, rebuilt, domain)
+        if undefined:
+            reason = f"both sides agree where both are defined, which fails at {undefined}"
+            return Decision(Verdict.UNDECIDED, rung, reason)
+        return Decision(Verdict.PROVED, rung, "both sides agree wherever they are defined")
     comparison = compare(printed, rebuilt, domain)
     if comparison.counterexample:
         reason = explain_break(printed, domain) or "the two sides differ"
@@ -83,10 +89,12 @@ def _prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | No
     return next(filter(None, (rung(printed, rebuilt, domain) for rung in rungs)), None)
 
 
-def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> None:
-    found = compare(printed, rebuilt, domain, CROSS_EXAMINATION).counterexample
-    if found:
-        raise ContradictionError(f"proved, yet {found}: {printed} = {rebuilt}")
+def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:
+    """Return an interior point at which only one side has a value, empty if there is none."""
+    comparison = compare(printed, rebuilt, domain, CROSS_EXAMINATION, CROSS_PRECISION)
+    if comparison.counterexample:
+        raise ContradictionError(f"proved, yet {comparison.counterexample}: {printed} = {rebuilt}")
+    return comparison.undefined
 
 
 def _report_unproved(comparison: Comparison) -> Decision:
@@ -108,6 +116,9 @@ def _decide_distinct(statement: Distinct, domain: Domain) -> Decision:
 
 
 def _decide_relation(statement: Holds, domain: Domain) -> Decision:
+    if statement.relation in (sp.true, sp.false):
+        reason = "SymPy evaluated the relation when it was written: build it with evaluate=False"
+        return Decision(Verdict.UNDECIDED, "none", reason)
     relation = domain.resolve(statement.relation)
     if relation in (sp.true, sp.false) or not relation.free_symbols:
         return _decide_exact(relation)
@@ -116,8 +127,11 @@ def _decide_relation(statement: Holds, domain: Domain) -> Decision:
         return _decide_conjunction(Conjunction(parts), domain)
     if isinstance(relation, sp.Equality):
         return _decide_equality(Equality(*relation.args), domain)
-    if _holds_by_sign(relation, domain):
-        return Decision(Verdict.PROVED, "sign in positive coordinates", "true on the whole domain")
+    rung = _prove_relation(relation, domain)
+    if rung:
+        if found := find_violation(relation, domain, CROSS_EXAMINATION):
+            raise ContradictionError(f"proved, yet {found}")
+        return Decision(Verdict.PROVED, rung, "true wherever it is defined")
     violation = find_violation(relation, domain)
     if violation:
         return Decision(Verdict.REFUTED, "separating balls", "a point violates it", (violation,))
@@ -128,8 +142,23 @@ def _decide_relation(statement: Holds, domain: Domain) -> Decision:
 def _decide_exact(relation: sp.Basic) -> Decision:
     holds = balls.truth(relation, {}, 512)
     verdicts = {True: Verdict.PROVED, False: Verdict.REFUTED, None: Verdict.UNDECIDED}
-    evidence = (Evidence(f"{relation} for exact numbers is {holds}"),)
+    is_plain = relation in (sp.true, sp.false)
+    evidence = () if is_plain else (_describe_exact(relation, holds),)
     return Decision(verdicts[holds], "evaluation", f"exact numbers: {holds}", evidence)
+
+
+def _prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
+    if holds_on_interval(relation, domain):
+        return bisection.RUNG
+    return "sign in positive coordinates" if _holds_by_sign(relation, domain) else None
+
+
+def _describe_exact(relation: sp.Basic, holds: bool | None) -> Evidence:
+    """Show both sides as balls: the exact numbers themselves may be pages long."""
+    if not isinstance(relation, sp.core.relational.Relational):
+        return Evidence(f"{relation} for exact numbers is {holds}")
+    left, right = (balls.show(balls.evaluate(side, {})) for side in relation.args)
+    return Evidence(f"{left} {relation.rel_op} {right} for exact numbers is {holds}")
 
 
 def _holds_by_sign(relation: sp.Basic, domain: Domain) -> bool:
@@ -144,13 +173,17 @@ def _holds_by_sign(relation: sp.Basic, domain: Domain) -> bool:
 
 
 def _decide_conjunction(statement: Conjunction, domain: Domain) -> Decision:
+    if not statement.parts:
+        raise ValueError("a Conjunction needs at least one part")
     decisions = [decide(part, domain) for part in statement.parts]
-    for decision in decisions:
-        if decision.verdict is not Verdict.PROVED:
-            return decision
+    failed = [d for d in decisions if d.verdict not in (Verdict.PROVED, Verdict.DEFINITION)]
+    for decision in sorted(failed, key=lambda d: d.verdict is not Verdict.REFUTED):
+        return decision
     evidence = tuple(item for decision in decisions for item in decision.evidence)
     reason = f"all {len(decisions)} parts hold"
-    return Decision(Verdict.PROVED, _join([d.rung for d in decisions]), reason, evidence)
+    only_defined = all(d.verdict is Verdict.DEFINITION for d in decisions)
+    verdict = Verdict.DEFINITION if only_defined else Verdict.PROVED
+    return Decision(verdict, _join([d.rung for d in decisions]), reason, evidence)
 
 
 def _decide_completions(statement: Completions, domain: Domain) -> Decision:

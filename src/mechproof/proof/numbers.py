@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import sympy as sp
 
 from mechproof.proof import balls
@@ -9,15 +11,22 @@ from mechproof.proof.verdict import Decision, Evidence, Verdict
 from mechproof.record import PrintedNumber
 
 RUNG = "recomputation"
+_DECIMAL = re.compile(r"-?\d+(\.\d+)?")
 
 
 def decide_number(statement: PrintedNumber, value: sp.Expr) -> Decision:
-    """Compare the exact value with the interval of half a last place around the print."""
+    """Compare the exact value with the closed interval of half a last place around the print.
+
+    Raises `ValueError` for a print that is not a plain decimal number.
+    """
+    if not _DECIMAL.fullmatch(statement.printed):
+        raise ValueError(f"printed {statement.printed!r} is not a decimal number such as -0.93")
     printed = sp.Rational(statement.printed)
     half_place = sp.Rational(1, 2) / 10 ** _decimals(statement.printed)
     ball = balls.evaluate_until(value, {}, 80)
-    distance = abs(ball - balls.to_ball(printed))
-    allowed = balls.to_ball(half_place)
+    distance, allowed = abs(ball - balls.to_ball(printed)), balls.to_ball(half_place)
+    if value.is_Rational:
+        distance, allowed = abs(value - printed), half_place
     evidence = Evidence("printed and recomputed", {}, statement.printed, balls.show(ball))
     if distance <= allowed:
         return Decision(Verdict.PROVED, RUNG, f"recomputed {balls.show(ball, 8)}", (evidence,))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import islice, permutations
 
 import sympy as sp
 
@@ -12,6 +13,7 @@ from mechproof.proof.verdict import Evidence
 
 POINTS = 40
 PRECISIONS = (64, 192)
+_LARGEST_COUNT = 12
 
 
 @dataclass(frozen=True)
@@ -22,23 +24,33 @@ class Comparison:
     agreeing: int
     undecided: int
     widest: str
+    undefined: str = ""
 
 
 def compare(
-    printed: sp.Basic, rebuilt: sp.Basic, domain: Domain, count: int = POINTS
+    printed: sp.Basic,
+    rebuilt: sp.Basic,
+    domain: Domain,
+    count: int = POINTS,
+    precisions: tuple[int, ...] = PRECISIONS,
 ) -> Comparison:
     """Look for a point at which the balls of both sides are disjoint."""
     agreeing = undecided = 0
+    undefined = ""
     widest = balls.to_ball(0)
     for point in points_for((printed, rebuilt), domain, count):
-        left, right, decided = _enclose_both(printed, rebuilt, point)
+        left, right, decided = _enclose_both(printed, rebuilt, point, precisions)
         if decided == "apart":
             return Comparison(_describe(point, left, right), agreeing, undecided, "")
         agreeing += decided == "together"
         undecided += decided == "open"
+        one_has_a_value = left.is_finite() != right.is_finite()
+        if one_has_a_value and not undefined and domain.is_interior(point):
+            undefined = ", ".join(f"{name} = {value}" for name, value in _texts(point).items())
         if decided == "together":
             widest = widest.max((left - right).abs_upper())
-    return Comparison(None, agreeing, undecided, balls.show(widest, 3))
+    undefined = undefined or ("" if agreeing else "any point tried")
+    return Comparison(None, agreeing, undecided, balls.show(widest, 3), undefined)
 
 
 def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> Evidence | None:
@@ -60,13 +72,23 @@ def points_for(expressions: tuple[sp.Basic, ...], domain: Domain, count: int) ->
     bases = {i.base.label for e in expressions for i in e.atoms(sp.Indexed)}
     plain = sorted(symbols - bases, key=str)
     result: list[Point] = []
-    for size in (2, 3) if counts else (0,):
-        sizes = {symbol: sp.Integer(size) for symbol in counts}
+    for sizes in _choose_counts(counts, domain):
         indexed = {i for e in expressions for i in _expand(e, sizes).atoms(sp.Indexed)}
         free = [s for s in plain if s not in sizes] + sorted(indexed, key=str)
-        found = domain.points(free, count) if free else [{}]
-        result += [{**point, **sizes} for point in found]
+        result += domain.points(free, count, sizes) if free else [sizes]
     return result
+
+
+def _choose_counts(counts: list[sp.Basic], domain: Domain) -> list[Point]:
+    """Return the two smallest choices of unlike counts that the domain allows."""
+    if not counts:
+        return [{}]
+    choices = (
+        dict(zip(counts, map(sp.Integer, values), strict=True))
+        for start in range(2, _LARGEST_COUNT)
+        for values in permutations(range(start, start + len(counts)))
+    )
+    return list(islice((sizes for sizes in choices if domain.allows(sizes)), 2))
 
 
 def _expand(expression: sp.Basic, sizes: Point) -> sp.Basic:
@@ -78,11 +100,11 @@ def _expand(expression: sp.Basic, sizes: Point) -> sp.Basic:
 
 
 def _enclose_both(
-    printed: sp.Basic, rebuilt: sp.Basic, point: Point
+    printed: sp.Basic, rebuilt: sp.Basic, point: Point, precisions: tuple[int, ...]
 ) -> tuple[balls.Ball, balls.Ball, str]:
     printed, rebuilt = (_expand(side, point) for side in (printed, rebuilt))
     decided = "open"
-    for bits in PRECISIONS:
+    for bits in precisions:
         left, right = (balls.evaluate(side, point, bits) for side in (printed, rebuilt))
         if left.is_finite() and right.is_finite():
             if not left.overlaps(right):

@@ -51,8 +51,7 @@ def _find_sign_with_ends(expression: sp.Expr, domain: Domain) -> Sign | None:
 
 def _fix(domain: Domain, symbol: sp.Basic, value: sp.Expr) -> Domain:
     where = tuple(relation.subs(symbol, value) for relation in domain.where)
-    within = {s: kept for s, kept in domain.within.items() if s != symbol}
-    return Domain(within, where, domain.given)
+    return Domain(domain.within, where, domain.given)
 
 
 def _weaker(one: Sign | None, other: Sign | None) -> Sign | None:
@@ -91,6 +90,7 @@ class _Coordinates:
 
 def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> Sign | None:
     coordinates = _change_coordinates(expression, domain)
+    expression = _name_exponentials(expression, coordinates)
     changed = _name_positive_cosines(_free_tangents(expression), coordinates, domain)
     for _ in range(3):
         changed = changed.subs(coordinates.replacement, simultaneous=True)
@@ -161,6 +161,14 @@ def _without(domain: Domain) -> Domain:
     return Domain(domain.within, (), domain.given)
 
 
+def _name_exponentials(expression: sp.Expr, coordinates: _Coordinates) -> sp.Expr:
+    """Let each exponential of a real number be a positive number."""
+    nodes = sorted(expression.atoms(sp.exp), key=sp.default_sort_key)
+    named = {node: sp.Dummy("exp", positive=True) for node in nodes if node.args[0].is_real}
+    coordinates.positive |= set(named.values())
+    return expression.subs(named)
+
+
 def _free_tangents(expression: sp.Expr) -> sp.Expr:
     """Let the tangent of an angle that occurs in no other way be any real number."""
     replacement = {
@@ -191,14 +199,12 @@ def _is_positive(expression: sp.Expr, domain: Domain) -> bool:
 
 
 def _sign_by_half_angles(expression: sp.Expr, coordinates: _Coordinates) -> Sign | None:
-    """Half-angle tangents reach every angle but the half turn, which is looked at apart.
-
-    There the sign holds as a limit; only that zero is excluded has to be shown again.
-    """
+    """Half-angle tangents miss the half turn: a limit keeps the sign there, but may be zero."""
     sign = _sign_of_quotient(_half_angles(expression), coordinates)
-    for angle in _angles(expression) if sign and sign.strict else []:
-        half_turn = {sp.sin(angle): 0, sp.cos(angle): -1, sp.tan(angle): 0}
-        there = expression.subs(half_turn)
+    if sign is None or not sign.strict:
+        return sign
+    for angle in _angles(expression):
+        there = expression.subs({sp.sin(angle): 0, sp.cos(angle): -1, sp.tan(angle): 0})
         if there.has(sp.nan, sp.zoo):
             continue
         at_half_turn = _sign_by_half_angles(there, coordinates)

@@ -16,6 +16,7 @@ from mechproof.record import (
     Definition,
     Equality,
     IntegralWithoutDifferential,
+    Power,
     Statement,
 )
 
@@ -31,19 +32,18 @@ class Fault:
     evidence: Evidence
 
 
-def find_fault(statement: Statement, known: Dimensions, domain: Domain) -> Fault | None:
-    """Return the first fault of the printed side, None if it is well formed."""
+def find_faults(statement: Statement, known: Dimensions, domain: Domain) -> list[Fault]:
+    """Return every fault of the printed side; none if it is well formed."""
     if isinstance(statement, Conjunction):
-        faults = (find_fault(part, known, domain) for part in statement.parts)
-        return next((fault for fault in faults if fault), None)
+        return [fault for part in statement.parts for fault in find_faults(part, known, domain)]
     if not isinstance(statement, Equality | Definition):
-        return None
-    printed = statement.printed
-    return (
-        _find_missing_differential(printed)
-        or _find_unbound_symbol(printed, known)
-        or _find_mixture(statement, known, domain)
+        return []
+    found = (
+        _find_missing_differential(statement.printed),
+        _find_unbound_symbol(statement.printed, known),
+        _find_mixture(statement, known, domain),
     )
+    return [fault for fault in found if fault]
 
 
 def _find_missing_differential(printed: sp.Basic) -> Fault | None:
@@ -65,7 +65,11 @@ def _find_unbound_symbol(printed: sp.Basic, known: Dimensions) -> Fault | None:
         return None
     names = ", ".join(unbound)
     witness = Evidence(f"free in the printed form: {names}")
-    return Fault("well-formedness", f"{names} is bound by no sum and declared nowhere", witness)
+    return Fault(
+        "well-formedness",
+        f"{names} has no value there: bound by no sum and no quantity of the paper",
+        witness,
+    )
 
 
 def _indexed(printed: sp.Basic) -> set[sp.Basic]:
@@ -75,11 +79,22 @@ def _indexed(printed: sp.Basic) -> set[sp.Basic]:
 def _find_mixture(
     statement: Equality | Definition, known: Dimensions, domain: Domain
 ) -> Fault | None:
+    if statement.printed.has(IntegralWithoutDifferential):
+        return None
     try:
         check(statement, known)
     except DimensionError as error:
         return Fault("dimensions", str(error), _show_change_of_units(statement, known, domain))
     return None
+
+
+def _power_of_length(expression: sp.Basic, known: Dimensions) -> Power:
+    """Return zero for a side that mixes dimensions itself."""
+    try:
+        dimension = infer(expression, known)
+    except DimensionError:
+        return 0
+    return dimension.length if dimension else 0
 
 
 def _show_change_of_units(
@@ -88,12 +103,11 @@ def _show_change_of_units(
     """Give the printed value in mm and, from the same lengths in µm, turned back into mm."""
     printed = domain.resolve(statement.printed)
     other = statement.rebuilt if isinstance(statement, Equality) else statement.symbol
-    target = infer(other, known)
-    power = target.length if target else 0
+    power = _power_of_length(other, known)
     point = points_for((printed,), domain, 1)[0]
     scaled = rescale(printed, known, UNIT_CHANGE)
     values = [balls.evaluate(e.subs(point).doit(), point) for e in (printed, scaled)]
-    back = values[1] / balls.to_ball(sp.Integer(UNIT_CHANGE)) ** int(power)
+    back = values[1] / balls.to_ball(UNIT_CHANGE) ** balls.to_ball(power)
     at = {str(s): str(v) for s, v in sorted(point.items(), key=lambda item: str(item[0]))}
-    what = f"the same lengths in mm and in a unit {UNIT_CHANGE} times smaller, turned back"
+    what = f"printed form: first in mm, then in a unit {UNIT_CHANGE} times smaller and turned back"
     return Evidence(what, at, balls.show(values[0]), balls.show(back))

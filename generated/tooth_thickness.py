@@ -1,0 +1,611 @@
+"""Kernels of the system `tooth_thickness`.
+
+Paper 3: stochastic simulation of tooth thickness and of its measurement
+
+Lengths in mm, angles in rad. Heights grow from the tip towards the centre; deviations of thickness
+are positive for a thicker tooth.
+
+Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._arrays import as_floats, in_blocks, nan_outside
+
+__all__ = [
+    "chord_height",
+    "constant_chord",
+    "height_change",
+    "linearisation_bound",
+    "thickness_change",
+    "thickness_change_linear",
+    "thickness_error",
+    "thickness_error_printed",
+]
+
+
+# Source: paper on tooth thickness, design data; basic rack
+# Expression sha256: 5d996c2779e83934afc76123a3e0219c20e257c52378d201fe729022e5169307
+# Form: squared cosine
+# Operations: 5
+def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the constant chord, between the points where a rack touches both flanks.
+
+        constant_chord = pi*m*cos(alpha)**2/2
+
+    Parameters
+    ----------
+    m : array_like, any shape
+        Module (mm).
+    alpha : array_like, any shape
+        Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
+        otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < m < oo, 0 < alpha < pi/4.
+
+    Outside it the result is NaN, by way of alpha; 0 < m, m < oo is not checked.
+
+    Accuracy held by the tests: error <= 4 eps * (the value), eps the spacing of floats at 1.
+
+    Source: paper on tooth thickness, design data; basic rack.
+
+    """
+    m, alpha = as_floats(m=m, alpha=alpha)
+    inside = (alpha > 0) & (alpha < np.pi / 4)
+    alpha = nan_outside(alpha, inside)
+    return in_blocks(_constant_chord, (m,), _prepare_constant_chord, (alpha,), out=out)
+
+
+def _prepare_constant_chord(alpha: Any) -> tuple[Any, ...]:
+
+    return (alpha,)
+
+
+def _constant_chord(m: Any, alpha: Any) -> Any:
+
+    return np.pi * np.cos(alpha) ** 2 / 2 * m
+
+
+# Source: paper on tooth thickness, design data; basic rack
+# Expression sha256: f8f91713908b5993bfecfa6f8a6fc972cf2f76ab05b5a5130600e5d546eb0c96
+# Form: double angle
+# Operations: 6
+def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the height from the tip circle to the constant chord, addendum of one module.
+
+        chord_height = m*(1 - pi*sin(2*alpha)/8)
+
+    Parameters
+    ----------
+    m : array_like, any shape
+        Module (mm).
+    alpha : array_like, any shape
+        Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
+        otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < m < oo, 0 < alpha < pi/4.
+
+    Outside it the result is NaN, by way of alpha; 0 < m, m < oo is not checked.
+
+    Accuracy held by the tests: error <= 3 eps * (the value), eps the spacing of floats at 1.
+
+    Source: paper on tooth thickness, design data; basic rack.
+
+    """
+    m, alpha = as_floats(m=m, alpha=alpha)
+    inside = (alpha > 0) & (alpha < np.pi / 4)
+    alpha = nan_outside(alpha, inside)
+    return in_blocks(_chord_height, (m,), _prepare_chord_height, (alpha,), out=out)
+
+
+def _prepare_chord_height(alpha: Any) -> tuple[Any, ...]:
+
+    return (alpha,)
+
+
+def _chord_height(m: Any, alpha: Any) -> Any:
+
+    return (1 - np.pi * np.sin(2 * alpha) / 8) * m
+
+
+# Source: paper on tooth thickness, step 6, on the involute
+# Expression sha256: 2325d90ada9cba6380f6debf5c328e39ba65c362b92d738d17706408d55e0ac7
+# Form: along and across the first tangent
+# Rewrites: cosine_minus_one
+# Operations: 33
+def height_change(
+    tilt: ArrayLike,
+    m: ArrayLike,
+    z: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute how much deeper than the constant chord the chord lies, by its flank's tangent.
+
+        height_change = r_b*((t_c*(1 - cos(tilt)) + sin(tilt) - tilt*cos(tilt))*sin(alpha) -
+            ((t_c + tilt)*sin(tilt) + cos(tilt) - 1)*cos(alpha))
+        r_b = m*z*cos(alpha)/2
+        t_c = pi/(2*z) + tan(alpha)
+
+    Parameters
+    ----------
+    tilt : array_like, any shape
+        Angle of the flank's tangent with its tangent at the constant chord (rad).
+    m : array_like, any shape
+        Module (mm).
+    z : array_like, any shape
+        Number of teeth, a natural number (pure number).
+    alpha : array_like, any shape
+        Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
+        otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < m < oo, 1 <= z < oo, z = floor(z), 0 < alpha < pi/4.
+
+    Outside it the result is NaN, by way of m.
+
+    Accuracy held by the tests: error <= 24 eps * (r_b*|tilt|*(1 + t_c + |tilt|)), eps the
+    spacing of floats at 1.
+
+    Source: paper on tooth thickness, step 6, on the involute.
+
+    """
+    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    inside = (
+        (m > 0)
+        & np.isfinite(m)
+        & (z >= 1)
+        & np.isfinite(z)
+        & (z == np.floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    )
+    m = nan_outside(m, inside)
+    return in_blocks(_height_change, (tilt,), _prepare_height_change, (m, z, alpha), out=out)
+
+
+def _prepare_height_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    cosm1_alpha = -2 * np.sin(alpha / 2) ** 2
+    cos_alpha = 1 + cosm1_alpha
+    r_b = cos_alpha * m * z / 2
+    t_c = np.pi / (2 * z) + np.tan(alpha)
+
+    return (alpha, cos_alpha, r_b, t_c)
+
+
+def _height_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
+    sin_tilt = np.sin(tilt)
+    cosm1_tilt = -2 * np.sin(tilt / 2) ** 2
+    cos_tilt = 1 + cosm1_tilt
+
+    return r_b * (
+        np.sin(alpha) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
+        - cos_alpha * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
+    )
+
+
+# Source: paper on tooth thickness, step 6, on the involute
+# Expression sha256: 40aa37f62df7174f3fec7d7a1d7e0746887b0997013ef91bf0add5b322763faf
+# Form: along and across the first tangent
+# Rewrites: cosine_minus_one
+# Operations: 35
+def thickness_change(
+    tilt: ArrayLike,
+    m: ArrayLike,
+    z: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute how much thicker than the constant chord the chord is, by its flank's tangent.
+
+        thickness_change = -2*r_b*((t_c*(1 - cos(tilt)) + sin(tilt) - tilt*cos(tilt))*cos(alpha)
+            + ((t_c + tilt)*sin(tilt) + cos(tilt) - 1)*sin(alpha))
+        r_b = m*z*cos(alpha)/2
+        t_c = pi/(2*z) + tan(alpha)
+
+    Parameters
+    ----------
+    tilt : array_like, any shape
+        Angle of the flank's tangent with its tangent at the constant chord (rad).
+    m : array_like, any shape
+        Module (mm).
+    z : array_like, any shape
+        Number of teeth, a natural number (pure number).
+    alpha : array_like, any shape
+        Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
+        otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < m < oo, 1 <= z < oo, z = floor(z), 0 < alpha < pi/4.
+
+    Outside it the result is NaN, by way of m.
+
+    Accuracy held by the tests: error <= 48 eps * (r_b*|tilt|*(1 + t_c + |tilt|)), eps the
+    spacing of floats at 1.
+
+    Source: paper on tooth thickness, step 6, on the involute.
+
+    """
+    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    inside = (
+        (m > 0)
+        & np.isfinite(m)
+        & (z >= 1)
+        & np.isfinite(z)
+        & (z == np.floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    )
+    m = nan_outside(m, inside)
+    return in_blocks(_thickness_change, (tilt,), _prepare_thickness_change, (m, z, alpha), out=out)
+
+
+def _prepare_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    cosm1_alpha = -2 * np.sin(alpha / 2) ** 2
+    cos_alpha = 1 + cosm1_alpha
+    r_b = cos_alpha * m * z / 2
+    t_c = np.pi / (2 * z) + np.tan(alpha)
+
+    return (alpha, cos_alpha, r_b, t_c)
+
+
+def _thickness_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
+    sin_tilt = np.sin(tilt)
+    cosm1_tilt = -2 * np.sin(tilt / 2) ** 2
+    cos_tilt = 1 + cosm1_tilt
+
+    return (
+        -2
+        * r_b
+        * (
+            cos_alpha * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
+            + np.sin(alpha) * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
+        )
+    )
+
+
+# Source: paper on tooth thickness, equation (1) with the exact derivative
+# Expression sha256: 1b9034ac283745b8bec789db96d14e2ce3e3cdcb93362b3244f909fdf955e873
+# Form: tangent
+# Operations: 3
+def thickness_change_linear(
+    dh: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the change of thickness with the height to first order, on the rack exactly.
+
+        thickness_change_linear = 2*dh*tan(alpha)
+
+    Parameters
+    ----------
+    dh : array_like, any shape
+        How much deeper than nominal the chord lies (mm).
+    alpha : array_like, any shape
+        Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
+        otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < alpha < pi/4.
+
+    Outside it the result is NaN, by way of alpha.
+
+    Accuracy held by the tests: error <= 5 eps * (the value), eps the spacing of floats at 1.
+
+    Source: paper on tooth thickness, equation (1) with the exact derivative.
+
+    """
+    dh, alpha = as_floats(dh=dh, alpha=alpha)
+    inside = (alpha > 0) & (alpha < np.pi / 4)
+    alpha = nan_outside(alpha, inside)
+    return in_blocks(
+        _thickness_change_linear, (dh,), _prepare_thickness_change_linear, (alpha,), out=out
+    )
+
+
+def _prepare_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
+
+    return (alpha,)
+
+
+def _thickness_change_linear(dh: Any, alpha: Any) -> Any:
+
+    return 2 * np.tan(alpha) * dh
+
+
+# Source: paper on tooth thickness, step 6, second derivative on the involute
+# Expression sha256: 814d3d5a41c96e32619a3563588ae0542a4654f8dd46e457b4d20e5f6f26e9db
+# Form: Taylor's remainder
+# Operations: 32
+def linearisation_bound(
+    dh: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Bound the excess of the first order over the exact change of thickness; it is >= 0.
+
+        linearisation_bound = dh**2*(y_c + Abs(dh))**3/(r_b**3*sqrt(r_b**2*t_c**2 - (2*y_c -
+            Abs(dh))*Abs(dh)))
+        r_b = m*z*cos(alpha)/2
+        t_c = pi/(2*z) + tan(alpha)
+        y_c = m*(z/2 + pi*sin(2*alpha)/8)
+
+    Parameters
+    ----------
+    dh : array_like, any shape
+        How much deeper than nominal the chord lies (mm).
+    m : array_like, any shape
+        Module (mm).
+    z : array_like, any shape
+        Number of teeth, a natural number (pure number).
+    alpha : array_like, any shape
+        Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
+        otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < m < oo, 1 <= z < oo, z = floor(z), 0 < alpha < pi/4 (the chord lies no deeper
+    than the base circle and no higher than the tip).
+
+    Outside it the result is NaN, by way of m.
+
+    Accuracy held by the tests: error <= 32 eps * (the value*(1 + (r_b*t_c)**2/((r_b*t_c)**2 -
+    |dh|*(2*y_c - |dh|)))), eps the spacing of floats at 1.
+
+    Source: paper on tooth thickness, step 6, second derivative on the involute.
+
+    """
+    dh, m, z, alpha = as_floats(dh=dh, m=m, z=z, alpha=alpha)
+    inside = (
+        (m > 0)
+        & np.isfinite(m)
+        & (z >= 1)
+        & np.isfinite(z)
+        & (z == np.floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    )
+    m = nan_outside(m, inside)
+    return in_blocks(
+        _linearisation_bound, (dh,), _prepare_linearisation_bound, (m, z, alpha), out=out
+    )
+
+
+def _prepare_linearisation_bound(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    r_b = m * z * np.cos(alpha) / 2
+    y_c = m * (z / 2 + np.pi * np.sin(2 * alpha) / 8)
+    t_c = np.pi / (2 * z) + np.tan(alpha)
+
+    return (r_b, y_c, t_c)
+
+
+def _linearisation_bound(dh: Any, r_b: Any, y_c: Any, t_c: Any) -> Any:
+    abs_Delta_h = np.abs(dh)
+
+    return (
+        dh**2
+        * (abs_Delta_h + y_c)
+        * (abs_Delta_h + y_c) ** 2
+        / (r_b * r_b**2 * np.sqrt(r_b**2 * t_c**2 - abs_Delta_h * (2 * y_c - abs_Delta_h)))
+    )
+
+
+# Source: paper on tooth thickness, steps 5 and 6 corrected
+# Expression sha256: 9257170e7d0d391e452d5a1b7f2f2a85cba896431295e9f9ae55f06cddeba413
+# Form: tangent
+# Operations: 5
+def thickness_error(
+    e_tip: ArrayLike, height_error: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the error of thickness from the tip diameter and the gauge's height.
+
+        thickness_error = 2*(height_error - e_tip/2)*tan(alpha)
+
+    Parameters
+    ----------
+    e_tip : array_like, any shape
+        Deviation of the tip diameter (mm).
+    height_error : array_like, any shape
+        Error of the gauge's height, positive if set too deep (mm).
+    alpha : array_like, any shape
+        Profile angle of the basic rack (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
+        otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < alpha < pi/4.
+
+    Outside it the result is NaN, by way of height_error.
+
+    Accuracy held by the tests: error <= 6 eps * (2*tan(alpha)*(|height_error| + |e_tip|/2)),
+    eps the spacing of floats at 1.
+
+    Source: paper on tooth thickness, steps 5 and 6 corrected.
+
+    """
+    e_tip, height_error, alpha = as_floats(e_tip=e_tip, height_error=height_error, alpha=alpha)
+    inside = (alpha > 0) & (alpha < np.pi / 4)
+    height_error = nan_outside(height_error, inside)
+    return in_blocks(
+        _thickness_error, (e_tip,), _prepare_thickness_error, (height_error, alpha), out=out
+    )
+
+
+def _prepare_thickness_error(height_error: Any, alpha: Any) -> tuple[Any, ...]:
+
+    return (height_error, alpha)
+
+
+def _thickness_error(e_tip: Any, height_error: Any, alpha: Any) -> Any:
+
+    return 2 * np.tan(alpha) * (height_error - e_tip / 2)
+
+
+# Source: paper on tooth thickness, equation (1) and step 5
+# Expression sha256: fdd0d87bc934edf6f7b5af9d4f7cc97fea0970ab7c063395e36c1d8c93d7a53e
+# Form: as printed
+# Operations: 5
+def thickness_error_printed(
+    e_tip: ArrayLike, height_error: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the error of thickness by steps 5 and 6 as they stand in print.
+
+    Specimen, not for use: takes the diameter for the radius and has the wrong sign for the tip;
+    0.7284 is 2*tan(20 deg) = 0.7279.
+
+        thickness_error_printed = 1821*height_error/2500 + 1821*e_tip/2500
+
+    Parameters
+    ----------
+    e_tip : array_like, any shape
+        Deviation of the tip diameter (mm).
+    height_error : array_like, any shape
+        Error of the gauge's height, positive if set too deep (mm).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
+        otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: all real arguments.
+
+    Source: paper on tooth thickness, equation (1) and step 5.
+
+    """
+    e_tip, height_error = as_floats(e_tip=e_tip, height_error=height_error)
+    return in_blocks(
+        _thickness_error_printed,
+        (e_tip,),
+        _prepare_thickness_error_printed,
+        (height_error,),
+        out=out,
+    )
+
+
+def _prepare_thickness_error_printed(height_error: Any) -> tuple[Any, ...]:
+
+    return (height_error,)
+
+
+def _thickness_error_printed(e_tip: Any, height_error: Any) -> Any:
+
+    return 1821 * height_error / 2500 + 1821 / 2500 * e_tip

@@ -1,0 +1,946 @@
+"""Kernels of the system `wedge_linkage`.
+
+Bazuev, Koksharov, Naichuk 2021, transfer function of a rod semi-automatic, doi
+10.15593/2224-9982/2021.64.07
+
+Displacements and rotations are counted from the position x1 = 0; angles from Ox, positive counter-
+clockwise; x to the right, y upwards.
+
+Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._arrays import as_floats, in_blocks, nan_outside
+
+__all__ = [
+    "clearance",
+    "lever_angle",
+    "position",
+    "rod_displacement",
+    "roller_lever_angle",
+    "sensitivities",
+    "velocity",
+    "wedge_displacement",
+]
+
+
+# Source: Bazuev et al. 2021, equation (1)
+# Expression sha256: 27235217bcc306856482c01aeca096e91f764b533e6c8b95cc82d10597dd8ff0
+# Form: half-angle atan
+# Operations: 13
+def lever_angle(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the rotation phi3 of the lever.
+
+        lever_angle = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
+
+    Parameters
+    ----------
+    x1 : array_like, any shape
+        Displacement of the pusher (mm).
+    l_AB : array_like, any shape
+        Length of AB, pusher to foot of the guide (mm).
+    l_BC : array_like, any shape
+        Length of BC at x1 = 0 (mm).
+    l_CD : array_like, any shape
+        Length of CD (mm).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (rad); float32 if every array argument is float32,
+        float64 otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo.
+
+    Outside it the result is NaN, by way of l_AB.
+
+    Singular: NaN where the radicand l_BC**2 + x1*(2*(l_AB + l_CD) + x1) is negative.
+
+    Accuracy held by the tests: error <= 8 eps * (|value| + sum of |p * d value/d p| over the
+    arguments p), eps the spacing of floats at 1.
+
+    Source: Bazuev et al. 2021, equation (1).
+
+    """
+    x1, l_AB, l_BC, l_CD = as_floats(x1=x1, l_AB=l_AB, l_BC=l_BC, l_CD=l_CD)
+    inside = (
+        (l_AB > 0)
+        & np.isfinite(l_AB)
+        & (l_BC > 0)
+        & np.isfinite(l_BC)
+        & (l_CD > 0)
+        & np.isfinite(l_CD)
+    )
+    l_AB = nan_outside(l_AB, inside)
+    return in_blocks(_lever_angle, (x1,), _prepare_lever_angle, (l_AB, l_BC, l_CD), out=out)
+
+
+def _prepare_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    arm = l_AB + l_CD
+
+    return (l_BC, arm)
+
+
+def _lever_angle(x1: Any, l_BC: Any, arm: Any) -> Any:
+    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_sum = guide_length + l_BC
+
+    return -2 * np.arctan(x1 / guide_sum)
+
+
+# Source: Bazuev et al. 2021, equation (3)
+# Expression sha256: 1ec3aa1fa41feaad5341e1f1800c06daca3988f50e50141ff1a51109f07f0e1b
+# Form: product
+# Operations: 9
+def rod_displacement(
+    phi3: ArrayLike, l_DE: ArrayLike, alpha_DE: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the displacement x5 of the rod.
+
+        rod_displacement = l_DE*(cos(alpha_DE + phi3) - cos(alpha_DE))
+
+    Parameters
+    ----------
+    phi3 : array_like, any shape
+        Rotation of the lever (rad).
+    l_DE : array_like, any shape
+        Length of DE, arm of the lever (mm).
+    alpha_DE : array_like, any shape
+        Direction of DE at x1 = 0 (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
+        otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < l_DE < oo.
+
+    Outside it the result is NaN, by way of l_DE.
+
+    Accuracy held by the tests: error <= 4 eps * (|value| + sum of |p * d value/d p| over the
+    arguments p), eps the spacing of floats at 1.
+
+    Source: Bazuev et al. 2021, equation (3).
+
+    """
+    phi3, l_DE, alpha_DE = as_floats(phi3=phi3, l_DE=l_DE, alpha_DE=alpha_DE)
+    inside = (l_DE > 0) & np.isfinite(l_DE)
+    l_DE = nan_outside(l_DE, inside)
+    return in_blocks(
+        _rod_displacement, (phi3,), _prepare_rod_displacement, (l_DE, alpha_DE), out=out
+    )
+
+
+def _prepare_rod_displacement(l_DE: Any, alpha_DE: Any) -> tuple[Any, ...]:
+
+    return (l_DE, alpha_DE)
+
+
+def _rod_displacement(phi3: Any, l_DE: Any, alpha_DE: Any) -> Any:
+
+    return -2 * l_DE * np.sin(phi3 / 2) * np.sin(alpha_DE + phi3 / 2)
+
+
+# Source: Bazuev et al. 2021, equation (4)
+# Expression sha256: 1bf73c4710c0ba7ef99998ca5abc5ff0c56cd2dd93acbf2a119b42d407d3c7e6
+# Form: maximum
+# Operations: 2
+def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the displacement x5' of the pushed link after the clearance.
+
+        clearance = Max(0, x5 - l_GH)
+
+    Parameters
+    ----------
+    x5 : array_like, any shape
+        Displacement of the rod; in (6)-(8) of the link 5' (mm).
+    l_GH : array_like, any shape
+        Clearance between the rod 5 and the link 5' (mm).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
+        otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < l_GH < oo.
+
+    Outside it the result is NaN, by way of l_GH.
+
+    Accuracy held by the tests: error <= 0.5 eps * (the value), eps the spacing of floats at 1.
+
+    Source: Bazuev et al. 2021, equation (4).
+
+    """
+    x5, l_GH = as_floats(x5=x5, l_GH=l_GH)
+    inside = (l_GH > 0) & np.isfinite(l_GH)
+    l_GH = nan_outside(l_GH, inside)
+    return in_blocks(_clearance, (x5,), _prepare_clearance, (l_GH,), out=out)
+
+
+def _prepare_clearance(l_GH: Any) -> tuple[Any, ...]:
+
+    return (l_GH,)
+
+
+def _clearance(x5: Any, l_GH: Any) -> Any:
+
+    return np.maximum(0, x5 - l_GH)
+
+
+# Source: Bazuev et al. 2021, equations (7) and (8)
+# Expression sha256: cd704aa96a777112d9ba7deac4c586eb1c3403ed4c6333dd7baa5373bba38f80
+# Form: half-angle atan
+# Operations: 21
+def roller_lever_angle(
+    x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the rotation phi7 of the roller lever.
+
+        roller_lever_angle = atan2(sqrt(l_KL**2 - (l_KL*cos(alpha_KL) - x5)**2),
+            l_KL*cos(alpha_KL) - x5) - alpha_KL
+
+    Parameters
+    ----------
+    x5 : array_like, any shape
+        Displacement of the link 5' after the clearance (mm).
+    l_KL : array_like, any shape
+        Length of KL, driven arm of the roller lever (mm).
+    alpha_KL : array_like, any shape
+        Direction of KL at x1 = 0, in (0, pi) (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (rad); float32 if every array argument is float32,
+        float64 otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < l_KL < oo, 0 < alpha_KL < pi.
+
+    Outside it the result is NaN, by way of l_KL.
+
+    Singular: NaN where |l_KL*cos(alpha_KL) - x5| > l_KL.
+
+    Accuracy held by the tests: error <= 16 eps * (|value| + sum of |p * d value/d p| over the
+    arguments p), eps the spacing of floats at 1.
+
+    Source: Bazuev et al. 2021, equations (7) and (8).
+
+    """
+    x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
+    inside = (l_KL > 0) & np.isfinite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    l_KL = nan_outside(l_KL, inside)
+    return in_blocks(
+        _roller_lever_angle, (x5,), _prepare_roller_lever_angle, (l_KL, alpha_KL), out=out
+    )
+
+
+def _prepare_roller_lever_angle(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+
+    return (l_KL, alpha_KL)
+
+
+def _roller_lever_angle(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
+
+    return 2 * np.arctan(
+        x5
+        / (
+            l_KL * np.sin(alpha_KL)
+            + np.sqrt(
+                (x5 + 2 * l_KL * np.sin(alpha_KL / 2) ** 2)
+                * (2 * l_KL * np.cos(alpha_KL / 2) ** 2 - x5)
+            )
+        )
+    )
+
+
+# Source: Bazuev et al. 2021, equation (10)
+# Expression sha256: 73efa20a6bb33f331686cd156f10696b6395eecb8517166aea2ad20dfe4755ed
+# Form: product
+# Operations: 8
+def wedge_displacement(
+    phi7: ArrayLike, l_LM: ArrayLike, alpha_LM: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the displacement y9 of the wedge.
+
+        wedge_displacement = l_LM*(sin(alpha_LM + phi7) - sin(alpha_LM))
+
+    Parameters
+    ----------
+    phi7 : array_like, any shape
+        Rotation of the roller lever (rad).
+    l_LM : array_like, any shape
+        Length of LM, driving arm of the roller lever (mm).
+    alpha_LM : array_like, any shape
+        Direction of LM at x1 = 0 (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
+        otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < l_LM < oo.
+
+    Outside it the result is NaN, by way of l_LM.
+
+    Accuracy held by the tests: error <= 4 eps * (|value| + sum of |p * d value/d p| over the
+    arguments p), eps the spacing of floats at 1.
+
+    Source: Bazuev et al. 2021, equation (10).
+
+    """
+    phi7, l_LM, alpha_LM = as_floats(phi7=phi7, l_LM=l_LM, alpha_LM=alpha_LM)
+    inside = (l_LM > 0) & np.isfinite(l_LM)
+    l_LM = nan_outside(l_LM, inside)
+    return in_blocks(
+        _wedge_displacement, (phi7,), _prepare_wedge_displacement, (l_LM, alpha_LM), out=out
+    )
+
+
+def _prepare_wedge_displacement(l_LM: Any, alpha_LM: Any) -> tuple[Any, ...]:
+
+    return (l_LM, alpha_LM)
+
+
+def _wedge_displacement(phi7: Any, l_LM: Any, alpha_LM: Any) -> Any:
+
+    return 2 * l_LM * np.cos(alpha_LM + phi7 / 2) * np.sin(phi7 / 2)
+
+
+# Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
+# Expression sha256: dbddaeb77462cdfac7ecca92e0b92f52fae5f0675a46624fd7ce0328ace82fb6
+# Form: half-angle chain
+# Operations: 53
+def position(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    l_DE: ArrayLike,
+    l_GH: ArrayLike,
+    l_KL: ArrayLike,
+    l_LM: ArrayLike,
+    alpha_DE: ArrayLike,
+    alpha_KL: ArrayLike,
+    alpha_LM: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the displacement y9 of the wedge, the whole chain.
+
+        position = l_LM*(sin(alpha_LM + turn_7) - sin(alpha_LM))
+        KL_x = l_KL*cos(alpha_KL) - driven_5
+        turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
+
+    Parameters
+    ----------
+    x1 : array_like, any shape
+        Displacement of the pusher (mm).
+    l_AB : array_like, any shape
+        Length of AB, pusher to foot of the guide (mm).
+    l_BC : array_like, any shape
+        Length of BC at x1 = 0 (mm).
+    l_CD : array_like, any shape
+        Length of CD (mm).
+    l_DE : array_like, any shape
+        Length of DE, arm of the lever (mm).
+    l_GH : array_like, any shape
+        Clearance between the rod 5 and the link 5' (mm).
+    l_KL : array_like, any shape
+        Length of KL, driven arm of the roller lever (mm).
+    l_LM : array_like, any shape
+        Length of LM, driving arm of the roller lever (mm).
+    alpha_DE : array_like, any shape
+        Direction of DE at x1 = 0 (rad).
+    alpha_KL : array_like, any shape
+        Direction of KL at x1 = 0, in (0, pi) (rad).
+    alpha_LM : array_like, any shape
+        Direction of LM at x1 = 0 (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
+        otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo, 0 < l_DE < oo, 0 < l_GH < oo, 0 < l_KL
+    < oo, 0 < l_LM < oo, 0 < alpha_KL < pi.
+
+    Outside it the result is NaN, by way of l_AB.
+
+    Singular: NaN where the radicand l_BC**2 + x1*(2*(l_AB + l_CD) + x1) is negative or |R| >
+    l_KL.
+
+    Accuracy held by the tests: error <= 22 eps * (|value| + sum of |p * d value/d p| over the
+    arguments p, in contact), eps the spacing of floats at 1.
+
+    Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
+
+    """
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+        x1=x1,
+        l_AB=l_AB,
+        l_BC=l_BC,
+        l_CD=l_CD,
+        l_DE=l_DE,
+        l_GH=l_GH,
+        l_KL=l_KL,
+        l_LM=l_LM,
+        alpha_DE=alpha_DE,
+        alpha_KL=alpha_KL,
+        alpha_LM=alpha_LM,
+    )
+    inside = (
+        (l_AB > 0)
+        & np.isfinite(l_AB)
+        & (l_BC > 0)
+        & np.isfinite(l_BC)
+        & (l_CD > 0)
+        & np.isfinite(l_CD)
+        & (l_DE > 0)
+        & np.isfinite(l_DE)
+        & (l_GH > 0)
+        & np.isfinite(l_GH)
+        & (l_KL > 0)
+        & np.isfinite(l_KL)
+        & (l_LM > 0)
+        & np.isfinite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    )
+    l_AB = nan_outside(l_AB, inside)
+    return in_blocks(
+        _position,
+        (x1,),
+        _prepare_position,
+        (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
+        out=out,
+    )
+
+
+def _prepare_position(
+    l_AB: Any,
+    l_BC: Any,
+    l_CD: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_DE: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+) -> tuple[Any, ...]:
+    arm = l_AB + l_CD
+
+    return (l_BC, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, arm)
+
+
+def _position(
+    x1: Any,
+    l_BC: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_DE: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+    arm: Any,
+) -> Any:
+    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_sum = guide_length + l_BC
+    lever_square = guide_sum**2 + x1**2
+    run = 2 * l_DE / lever_square * x1 * (np.sin(alpha_DE) * guide_sum - np.cos(alpha_DE) * x1)
+    push = np.maximum(0, run - l_GH)
+    rise = np.sqrt(
+        (push + 2 * l_KL * np.sin(alpha_KL / 2) ** 2)
+        * (2 * l_KL * np.cos(alpha_KL / 2) ** 2 - push)
+    )
+    rise_sum = rise + l_KL * np.sin(alpha_KL)
+    roller_square = push**2 + rise_sum**2
+
+    return 2 * l_LM / roller_square * push * (np.cos(alpha_LM) * rise_sum - np.sin(alpha_LM) * push)
+
+
+# Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
+# Expression sha256: 9a8046d818700777197b63db913b6c87d95b68015c052cafb8cd6f640f5c6a3b
+# Form: half-angle chain
+# Operations: 72
+def velocity(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    l_DE: ArrayLike,
+    l_GH: ArrayLike,
+    l_KL: ArrayLike,
+    l_LM: ArrayLike,
+    alpha_DE: ArrayLike,
+    alpha_KL: ArrayLike,
+    alpha_LM: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute dy9/dx1, the velocity of the wedge at unit speed of the pusher.
+
+        velocity = engaged*l_DE*l_LM*sin(alpha_DE + turn_3)*cos(turn_3)*cos(alpha_LM +
+            turn_7)/(guide_length*l_KL*sin(alpha_KL + turn_7))
+        arm = l_AB + l_CD
+        guide_length = sqrt(l_BC**2 + x1*(2*arm + x1))
+        turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
+        travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
+        KL_x = l_KL*cos(alpha_KL) - driven_5
+        turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
+        engaged = Piecewise((0, l_GH > travel_5), (1, True))
+
+    Parameters
+    ----------
+    x1 : array_like, any shape
+        Displacement of the pusher (mm).
+    l_AB : array_like, any shape
+        Length of AB, pusher to foot of the guide (mm).
+    l_BC : array_like, any shape
+        Length of BC at x1 = 0 (mm).
+    l_CD : array_like, any shape
+        Length of CD (mm).
+    l_DE : array_like, any shape
+        Length of DE, arm of the lever (mm).
+    l_GH : array_like, any shape
+        Clearance between the rod 5 and the link 5' (mm).
+    l_KL : array_like, any shape
+        Length of KL, driven arm of the roller lever (mm).
+    l_LM : array_like, any shape
+        Length of LM, driving arm of the roller lever (mm).
+    alpha_DE : array_like, any shape
+        Direction of DE at x1 = 0 (rad).
+    alpha_KL : array_like, any shape
+        Direction of KL at x1 = 0, in (0, pi) (rad).
+    alpha_LM : array_like, any shape
+        Direction of LM at x1 = 0 (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray or NumPy scalar
+        The broadcast of the arguments (pure number); float32 if every array argument is
+        float32, float64 otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo, 0 < l_DE < oo, 0 < l_GH < oo, 0 < l_KL
+    < oo, 0 < l_LM < oo, 0 < alpha_KL < pi.
+
+    Outside it the result is NaN, by way of l_AB.
+
+    Singular: NaN where the radicand l_BC**2 + x1*(2*(l_AB + l_CD) + x1) is negative or |R| >
+    l_KL.
+
+    Singular: at the start of contact the derivatives are those in contact.
+
+    Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
+
+    """
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+        x1=x1,
+        l_AB=l_AB,
+        l_BC=l_BC,
+        l_CD=l_CD,
+        l_DE=l_DE,
+        l_GH=l_GH,
+        l_KL=l_KL,
+        l_LM=l_LM,
+        alpha_DE=alpha_DE,
+        alpha_KL=alpha_KL,
+        alpha_LM=alpha_LM,
+    )
+    inside = (
+        (l_AB > 0)
+        & np.isfinite(l_AB)
+        & (l_BC > 0)
+        & np.isfinite(l_BC)
+        & (l_CD > 0)
+        & np.isfinite(l_CD)
+        & (l_DE > 0)
+        & np.isfinite(l_DE)
+        & (l_GH > 0)
+        & np.isfinite(l_GH)
+        & (l_KL > 0)
+        & np.isfinite(l_KL)
+        & (l_LM > 0)
+        & np.isfinite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    )
+    l_AB = nan_outside(l_AB, inside)
+    return in_blocks(
+        _velocity,
+        (x1,),
+        _prepare_velocity,
+        (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
+        out=out,
+    )
+
+
+def _prepare_velocity(
+    l_AB: Any,
+    l_BC: Any,
+    l_CD: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_DE: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+) -> tuple[Any, ...]:
+    arm = l_AB + l_CD
+    sin_alpha_DE = np.sin(alpha_DE)
+    cos_alpha_DE = np.cos(alpha_DE)
+
+    return (l_BC, l_DE, l_GH, l_KL, l_LM, alpha_KL, alpha_LM, arm, sin_alpha_DE, cos_alpha_DE)
+
+
+def _velocity(
+    x1: Any,
+    l_BC: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+    arm: Any,
+    sin_alpha_DE: Any,
+    cos_alpha_DE: Any,
+) -> Any:
+    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_sum = guide_length + l_BC
+    lever_square = guide_sum**2 + x1**2
+    cos_lever = (guide_sum + x1) * (guide_sum - x1) / lever_square
+    run = 2 * l_DE / lever_square * x1 * (sin_alpha_DE * guide_sum - cos_alpha_DE * x1)
+    push = np.maximum(0, run - l_GH)
+    rise = np.sqrt(
+        (push + 2 * l_KL * np.sin(alpha_KL / 2) ** 2)
+        * (2 * l_KL * np.cos(alpha_KL / 2) ** 2 - push)
+    )
+    rise_sum = rise + l_KL * np.sin(alpha_KL)
+    roller_square = push**2 + rise_sum**2
+    cos_wedge = (
+        np.cos(alpha_LM) * (push + rise_sum) * (rise_sum - push)
+        - 2 * np.sin(alpha_LM) * push * rise_sum
+    ) / roller_square
+    gain = np.where(run < l_GH, 0, l_LM / rise * cos_wedge)
+    sin_arm = sin_alpha_DE * cos_lever - 2 * cos_alpha_DE / lever_square * guide_sum * x1
+
+    return l_DE / guide_length * cos_lever * gain * sin_arm
+
+
+# Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
+# Expression sha256: 986cf92f75f7cba4b6f9adec1d08587f2d8d2cbda682cf03031868609790f9ff
+# Form: half-angle chain
+# Operations: 118
+def sensitivities(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    l_DE: ArrayLike,
+    l_GH: ArrayLike,
+    l_KL: ArrayLike,
+    l_LM: ArrayLike,
+    alpha_DE: ArrayLike,
+    alpha_KL: ArrayLike,
+    alpha_LM: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the derivatives of y9 by the sizes, in the order of the arguments.
+
+        [-engaged*l_DE*l_LM*(1 - cos(turn_3))*sin(alpha_DE + turn_3)*cos(alpha_LM +
+            turn_7)/(guide_length*l_KL*sin(alpha_KL + turn_7))]
+        [engaged*l_DE*l_LM*sin(turn_3)*sin(alpha_DE + turn_3)*cos(alpha_LM +
+            turn_7)/(guide_length*l_KL*sin(alpha_KL + turn_7))]
+        [-engaged*l_DE*l_LM*(1 - cos(turn_3))*sin(alpha_DE + turn_3)*cos(alpha_LM +
+            turn_7)/(guide_length*l_KL*sin(alpha_KL + turn_7))]
+        [engaged*l_LM*(cos(alpha_DE + turn_3) - cos(alpha_DE))*cos(alpha_LM +
+            turn_7)/(l_KL*sin(alpha_KL + turn_7))]
+        [-engaged*l_LM*cos(alpha_LM + turn_7)/(l_KL*sin(alpha_KL + turn_7))]
+        [engaged*l_LM*(cos(alpha_KL + turn_7) - cos(alpha_KL))*cos(alpha_LM +
+            turn_7)/(l_KL*sin(alpha_KL + turn_7))]
+        [sin(alpha_LM + turn_7) - sin(alpha_LM)]
+        [engaged*l_DE*l_LM*(sin(alpha_DE) - sin(alpha_DE + turn_3))*cos(alpha_LM +
+            turn_7)/(l_KL*sin(alpha_KL + turn_7))]
+        [engaged*l_LM*(sin(alpha_KL)/sin(alpha_KL + turn_7) - 1)*cos(alpha_LM + turn_7)]
+        [l_LM*(cos(alpha_LM + turn_7) - cos(alpha_LM))]
+        arm = l_AB + l_CD
+        guide_length = sqrt(l_BC**2 + x1*(2*arm + x1))
+        turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
+        travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
+        KL_x = l_KL*cos(alpha_KL) - driven_5
+        turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
+        engaged = Piecewise((0, l_GH > travel_5), (1, True))
+
+    Parameters
+    ----------
+    x1 : array_like, any shape
+        Displacement of the pusher (mm).
+    l_AB : array_like, any shape
+        Length of AB, pusher to foot of the guide (mm).
+    l_BC : array_like, any shape
+        Length of BC at x1 = 0 (mm).
+    l_CD : array_like, any shape
+        Length of CD (mm).
+    l_DE : array_like, any shape
+        Length of DE, arm of the lever (mm).
+    l_GH : array_like, any shape
+        Clearance between the rod 5 and the link 5' (mm).
+    l_KL : array_like, any shape
+        Length of KL, driven arm of the roller lever (mm).
+    l_LM : array_like, any shape
+        Length of LM, driving arm of the roller lever (mm).
+    alpha_DE : array_like, any shape
+        Direction of DE at x1 = 0 (rad).
+    alpha_KL : array_like, any shape
+        Direction of KL at x1 = 0, in (0, pi) (rad).
+    alpha_LM : array_like, any shape
+        Direction of LM at x1 = 0 (rad).
+    out : ndarray, optional
+        Where the result goes, of its type and shape; it may overlap an argument.
+
+    Returns
+    -------
+    ndarray, shape (..., 10)
+        The broadcast of the arguments (mm per mm or mm per rad); float32 if every array
+        argument is float32, float64 otherwise.
+
+    Raises
+    ------
+    TypeError
+        If an argument is complex or not numeric, or `out` has another type.
+    ValueError
+        If shapes do not broadcast, or `out` has another shape.
+
+    Notes
+    -----
+    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo, 0 < l_DE < oo, 0 < l_GH < oo, 0 < l_KL
+    < oo, 0 < l_LM < oo, 0 < alpha_KL < pi.
+
+    Outside it the result is NaN, by way of l_AB.
+
+    Singular: NaN where the radicand l_BC**2 + x1*(2*(l_AB + l_CD) + x1) is negative or |R| >
+    l_KL.
+
+    Singular: at the start of contact the derivatives are those in contact.
+
+    Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
+
+    """
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+        x1=x1,
+        l_AB=l_AB,
+        l_BC=l_BC,
+        l_CD=l_CD,
+        l_DE=l_DE,
+        l_GH=l_GH,
+        l_KL=l_KL,
+        l_LM=l_LM,
+        alpha_DE=alpha_DE,
+        alpha_KL=alpha_KL,
+        alpha_LM=alpha_LM,
+    )
+    inside = (
+        (l_AB > 0)
+        & np.isfinite(l_AB)
+        & (l_BC > 0)
+        & np.isfinite(l_BC)
+        & (l_CD > 0)
+        & np.isfinite(l_CD)
+        & (l_DE > 0)
+        & np.isfinite(l_DE)
+        & (l_GH > 0)
+        & np.isfinite(l_GH)
+        & (l_KL > 0)
+        & np.isfinite(l_KL)
+        & (l_LM > 0)
+        & np.isfinite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    )
+    l_AB = nan_outside(l_AB, inside)
+    return in_blocks(
+        _sensitivities,
+        (x1,),
+        _prepare_sensitivities,
+        (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
+        out=out,
+        shape=(10,),
+    )
+
+
+def _prepare_sensitivities(
+    l_AB: Any,
+    l_BC: Any,
+    l_CD: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_DE: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+) -> tuple[Any, ...]:
+    arm = l_AB + l_CD
+    sin_alpha_DE = np.sin(alpha_DE)
+    cos_alpha_DE = np.cos(alpha_DE)
+    cos_alpha_LM = np.cos(alpha_LM)
+    sin_alpha_LM = np.sin(alpha_LM)
+
+    return (
+        l_BC,
+        l_DE,
+        l_GH,
+        l_KL,
+        l_LM,
+        alpha_KL,
+        arm,
+        sin_alpha_DE,
+        cos_alpha_DE,
+        cos_alpha_LM,
+        sin_alpha_LM,
+    )
+
+
+def _sensitivities(
+    x1: Any,
+    l_BC: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_KL: Any,
+    arm: Any,
+    sin_alpha_DE: Any,
+    cos_alpha_DE: Any,
+    cos_alpha_LM: Any,
+    sin_alpha_LM: Any,
+) -> Any:
+    x1_squared = x1**2
+    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_sum = guide_length + l_BC
+    lever_square = guide_sum**2 + x1_squared
+    run = 2 * l_DE / lever_square * x1 * (sin_alpha_DE * guide_sum - cos_alpha_DE * x1)
+    push = np.maximum(0, run - l_GH)
+    rise = np.sqrt(
+        (push + 2 * l_KL * np.sin(alpha_KL / 2) ** 2)
+        * (2 * l_KL * np.cos(alpha_KL / 2) ** 2 - push)
+    )
+    rise_sum = rise + l_KL * np.sin(alpha_KL)
+    roller_square = push**2 + rise_sum**2
+    cos_wedge = (
+        cos_alpha_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_alpha_LM * push * rise_sum
+    ) / roller_square
+    gain = np.where(run < l_GH, 0, l_LM / rise * cos_wedge)
+    cos_lever = (guide_sum + x1) * (guide_sum - x1) / lever_square
+    sin_arm = sin_alpha_DE * cos_lever - 2 * cos_alpha_DE / lever_square * guide_sum * x1
+    term = -2 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared
+
+    return (
+        term,
+        -2 * l_DE / (guide_length * lever_square) * gain * guide_sum * sin_arm * x1,
+        term,
+        gain * run / l_DE,
+        -gain,
+        -gain * push / l_KL,
+        2 / roller_square * push * (cos_alpha_LM * rise_sum - sin_alpha_LM * push),
+        2 * l_DE / lever_square * gain * x1 * (cos_alpha_DE * guide_sum + sin_alpha_DE * x1),
+        gain * push * (push - 2 * l_KL * np.cos(alpha_KL)) / rise_sum,
+        -2 * l_LM / roller_square * push * (cos_alpha_LM * push + sin_alpha_LM * rise_sum),
+    )

@@ -1,0 +1,51 @@
+"""Functions that exist for their rounding: exact in SymPy, a sequence of operations in a backend.
+
+The rest of a product and of a quotient are doubles themselves, computed without a fused
+multiply-add by splitting each factor into halves whose products are exact (Veltkamp 1968, Dekker
+1971). What a backend computes is off by no more than each function states.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+
+import sympy as sp
+from sympy.codegen.cfunctions import hypot
+
+
+class ProductRest(sp.Function):  # type: ignore[misc]
+    """ProductRest(a, b, p) = a*b - p, for p the rounded a*b. Exact in doubles.
+
+    Below the normal range of the partial products, 2**-969, it is off by some subnormal spacings.
+    """
+
+    nargs = 3
+
+
+class QuotientRest(sp.Function):  # type: ignore[misc]
+    """QuotientRest(a, b, q) = a/b - q, for q the rounded a/b. Relative error 2**-53 of itself."""
+
+    nargs = 3
+
+
+class SmallTangent(sp.Function):  # type: ignore[misc]
+    """SmallTangent(y) = tan y, for y the half of a low word; computed as y, kept within +-1.
+
+    0 <= tan(y)/y - 1 <= y**2 for |y| <= 1: the series of tan has positive coefficients, so the
+    middle divided by y**2 grows with |y|, to tan 1 - 1 < 1. As |y| <= 2**-52*|x|, the angle is off
+    by at most 2**-156*|x|**3, which for |x| <= 2**26 is less than 2**-104*|x|: the low word's own
+    rounding. Where |y| > 1 the double x no longer determines its own turn.
+    """
+
+    nargs = 1
+
+
+EXACT: Mapping[type[sp.Function], Callable[..., sp.Expr]] = MappingProxyType(
+    {
+        hypot: lambda a, b: sp.sqrt(a**2 + b**2),
+        ProductRest: lambda a, b, p: a * b - p,
+        QuotientRest: lambda a, b, q: a / b - q,
+        SmallTangent: sp.tan,
+    }
+)

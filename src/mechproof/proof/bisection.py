@@ -1,0 +1,110 @@
+"""Rung: a transcendental inequality in one variable on a closed interval, by bisection.
+
+For a variable that stands both inside a sine (exponential, ...) and outside it. A strict sign is
+proved by balls over subintervals. Where the function vanishes at an end of the interval, or at 0
+inside it, the sign follows from that of its derivative.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from mechproof.proof import balls
+from mechproof.proof.algebra import decide_equal
+from mechproof.proof.domain import Domain
+
+RUNG = "bisection and derivatives"
+_SMOOTH = (sp.sin, sp.cos, sp.tan, sp.atan, sp.exp, sp.log, sp.erf, sp.erfc)
+_HALVINGS = 7
+_ORDERS = 5
+_BITS = 128
+
+Ends = tuple[sp.Rational, sp.Rational]
+
+
+def holds_on_interval(relation: sp.Basic, domain: Domain) -> bool:
+    """Return True if an inequality in one variable of a closed interval is proved."""
+    if not isinstance(relation, sp.core.relational._Inequality):
+        return False
+    symbols = relation.free_symbols
+    where = domain.set_of(next(iter(symbols))) if len(symbols) == 1 else None
+    if not (isinstance(where, sp.Interval) and where.start.is_Rational and where.end.is_Rational):
+        return False
+    difference = relation.gts - relation.lts
+    if not (_is_smooth(difference) and _is_mixed(difference)):
+        return False
+    ends = sp.Rational(where.start), sp.Rational(where.end)
+    if isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan):
+        return _is_positive(difference, ends)
+    return _is_not_negative(difference, ends, _ORDERS)
+
+
+def _is_smooth(expression: sp.Expr) -> bool:
+    """Only functions whose balls are finite exactly where they are continuous."""
+    powers = expression.atoms(sp.Pow)
+    functions = expression.atoms(sp.Function)
+    return (
+        all(isinstance(f, _SMOOTH) for f in functions)
+        and all(p.exp.is_Rational for p in powers)
+        and not expression.has(sp.Integral, sp.Sum, sp.Piecewise)
+    )
+
+
+def _is_mixed(expression: sp.Expr) -> bool:
+    """Tell whether the variable is left when every function of it is named."""
+    named = {f: sp.Dummy() for f in expression.atoms(sp.Function)}
+    return expression.has(*named) and not expression.free_symbols.isdisjoint(
+        expression.xreplace(named).free_symbols
+    )
+
+
+def _is_not_negative(f: sp.Expr, ends: Ends, orders: int) -> bool:
+    if _is_positive(f, ends):
+        return True
+    low, high = ends
+    if low < 0 < high:
+        halves = ((low, sp.Integer(0)), (sp.Integer(0), high))
+        return all(_is_not_negative(f, half, orders) for half in halves)
+    if orders == 0 or not _is_finite(f, ends):
+        return False
+    (variable,) = f.free_symbols or {sp.Dummy()}
+    slope = sp.diff(f, variable)
+    return any(
+        _vanishes(f, variable, end) and _is_not_negative(direction * slope, ends, orders - 1)
+        for end, direction in ((low, 1), (high, -1))
+    )
+
+
+def _vanishes(f: sp.Expr, variable: sp.Symbol, end: sp.Rational) -> bool:
+    nothing = Domain({}, (), {})
+    return decide_equal(f.subs(variable, end), sp.Integer(0), nothing) is not None
+
+
+def _is_positive(f: sp.Expr, ends: Ends, halvings: int = _HALVINGS) -> bool:
+    ball = _enclose(f, ends)
+    if ball > 0:
+        return True
+    if halvings == 0 or any(_enclose(f, (end, end)) <= 0 for end in ends):
+        return False
+    return all(_is_positive(f, half, halvings - 1) for half in _halve(ends))
+
+
+def _is_finite(f: sp.Expr, ends: Ends, halvings: int = _HALVINGS) -> bool:
+    if _enclose(f, ends).is_finite():
+        return True
+    return halvings > 0 and all(_is_finite(f, half, halvings - 1) for half in _halve(ends))
+
+
+def _enclose(f: sp.Expr, ends: Ends) -> balls.Ball:
+    """Enclose the values over a closed interval."""
+    with balls.working_precision(_BITS):
+        between = balls.to_ball(ends[0]).union(balls.to_ball(ends[1]))
+    return balls.evaluate(f, dict.fromkeys(f.free_symbols, between), _BITS)
+
+
+def _halve(ends: Ends) -> Iterator[Ends]:
+    middle = (ends[0] + ends[1]) / 2
+    yield ends[0], middle
+    yield middle, ends[1]

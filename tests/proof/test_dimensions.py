@@ -1,0 +1,98 @@
+"""Physical dimensions: what agrees, what is mixed, and the change of units that shows it."""
+
+from fractions import Fraction
+
+import pytest
+import sympy as sp
+
+from mechproof.proof.dimensions import DimensionError, check, infer, rescale
+from mechproof.proof.domain import Domain
+from mechproof.proof.wellformed import find_faults
+from mechproof.record import FREQUENCY, LENGTH, NUMBER, SPEED, Definition, Dimension, Equality
+
+a, b, v, w, t, p = sp.symbols("a b v w t p", positive=True)
+q = sp.IndexedBase("q", positive=True)
+i, n = sp.symbols("i n", integer=True, positive=True)
+TIME = FREQUENCY**-1
+KNOWN = {a: LENGTH, b: LENGTH, v: SPEED, w: FREQUENCY, t: TIME, p: NUMBER, q: LENGTH, n: NUMBER}
+DOMAIN = Domain({s: sp.Interval.open(0, sp.oo) for s in (a, b, v, w, t, p, q)}, (), {})
+
+RIGHT = {
+    "speed": (w * a + v, SPEED),
+    "root": (sp.sqrt(a**2 + b**2), LENGTH),
+    "half power": (sp.sqrt(a), Dimension(length=Fraction(1, 2))),
+    "angle of two lengths": (sp.atan2(a, b), NUMBER),
+    "sum of squares": (sp.Sum(q[i] ** 2, (i, 1, n)), LENGTH**2),
+    "distance by integral": (sp.Integral(v, (t, 0, t)), LENGTH),
+    "product without unit": (sp.sin(w * t) + a / b, NUMBER),
+    "zero fits all": (sp.Integer(0), None),
+    "largest": (sp.Max(a, b), LENGTH),
+    "matrix of one kind": (sp.ImmutableMatrix([a, b]), LENGTH),
+    "dimensionless power": (p**p, NUMBER),
+}
+MIXED = {
+    "length and area": a + b**2,
+    "length and number": a + p,
+    "length and speed": a + v,
+    "sine of a length": sp.sin(a),
+    "exponent with a unit": p**a,
+    "length to a symbol": a**p,
+    "angle of unlike sides": sp.atan2(a, v),
+    "largest of unlike": sp.Max(a, p),
+    "inside a root": sp.sqrt(a**2 + b),
+    "inside a sum": sp.Sum(q[i] + q[i] ** 2, (i, 1, n)),
+    "inside an integral": sp.Integral(v + a, (t, 0, t)),
+    "unlike limits": sp.Integral(p, (t, a, t)),
+    "matrix of two kinds": sp.ImmutableMatrix([a, v]),
+}
+
+
+@pytest.mark.parametrize("name", RIGHT)
+def test_the_dimension_is_inferred(name):
+    expression, dimension = RIGHT[name]
+    assert infer(expression, KNOWN) == dimension
+
+
+@pytest.mark.parametrize("name", MIXED)
+def test_a_mixture_is_refused(name):
+    with pytest.raises(DimensionError):
+        infer(MIXED[name], KNOWN)
+
+
+@pytest.mark.parametrize("power", [2, -1, 0])
+def test_both_sides_must_have_one_dimension(power):
+    check(Equality(a * b**power, b ** (power + 1)), KNOWN)
+    with pytest.raises(DimensionError):
+        check(Equality(a * b**power, b**power), KNOWN)
+    with pytest.raises(DimensionError):
+        check(Definition(a, b * v**2), KNOWN)
+
+
+def test_matrices_are_compared_entry_by_entry():
+    check(Equality(sp.ImmutableMatrix([a, v]), sp.ImmutableMatrix([b, w * a])), KNOWN)
+    with pytest.raises(DimensionError):
+        check(Equality(sp.ImmutableMatrix([a, v]), sp.ImmutableMatrix([v, a])), KNOWN)
+
+
+def test_a_change_of_units_scales_lengths_only():
+    assert rescale(a * w + q[i] ** 2, KNOWN, 1000) == 1000 * a * w + 10**6 * q[i] ** 2
+
+
+def test_the_witness_differs_for_a_mixture_and_not_for_a_sound_formula():
+    (fault,) = find_faults(Equality(sp.sqrt(a**2 + b), a), KNOWN, DOMAIN)
+    assert fault.rung == "dimensions"
+    assert fault.evidence.printed != fault.evidence.rebuilt
+    assert find_faults(Equality(sp.sqrt(a**2 + b**2), a), KNOWN, DOMAIN) == []
+
+
+def test_the_witness_is_turned_back_by_the_dimension_of_the_other_side():
+    point = DOMAIN.points([a, b], 1)[0]
+    (fault,) = find_faults(Equality(a + b**2, sp.sqrt(a)), KNOWN, DOMAIN)
+    length, area = point[a] * 1000, point[b] ** 2 * 10**6
+    expected = (length + area) / sp.sqrt(1000)
+    assert sp.Float(fault.evidence.rebuilt.split()[0].strip("[")) == pytest.approx(float(expected))
+
+
+def test_a_witness_is_given_when_both_sides_are_mixed():
+    (fault,) = find_faults(Equality(a + b**2, b + a**2), KNOWN, DOMAIN)
+    assert fault.evidence.printed != fault.evidence.rebuilt

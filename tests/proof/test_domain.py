@@ -1,0 +1,114 @@
+"""Domains: given symbols, relations, exact points inside, and what is refused."""
+
+import pytest
+import sympy as sp
+
+from mechproof.proof.domain import Domain
+from mechproof.proof.ladder import decide
+from mechproof.proof.refutation import points_for
+from mechproof.proof.verdict import Verdict
+from mechproof.record import Equality, Holds, Paper, Part, Variable
+
+x, y, z = sp.symbols("x y z", real=True)
+n, m = sp.symbols("n m", integer=True, positive=True)
+SETS = {
+    "open": sp.Interval.open(0, 1),
+    "closed": sp.Interval(-2, 3),
+    "half line": sp.Interval(1, sp.oo),
+    "left half line": sp.Interval.open(-sp.oo, -1),
+    "irrational ends": sp.Interval.open(-sp.pi, sp.pi),
+    "narrow, irrational ends": sp.Interval(sp.sqrt(2), sp.sqrt(2) + sp.Rational(1, 5000)),
+    "line": sp.S.Reals,
+    "counts": sp.S.Naturals,
+    "two values": sp.FiniteSet(1, 2),
+}
+
+
+def paper(*variables, where=()):
+    return Paper("system", "citation", variables, (), where=where)
+
+
+@pytest.mark.parametrize("name", SETS)
+def test_points_lie_in_the_set(name):
+    points = Domain({x: SETS[name]}, (), {}).points([x], 40)
+    assert len(points) >= 40
+    assert all(point[x] in SETS[name] for point in points)
+
+
+def test_points_are_exact_and_always_the_same():
+    domain = Domain({x: SETS["open"], y: SETS["line"]}, (), {})
+    first, second = domain.points([x, y], 30), domain.points([y, x], 30)
+    assert first == second
+    assert all(value.is_Rational for point in first for value in point.values())
+    assert len({tuple(point.values()) for point in first}) == len(first)
+
+
+def test_points_satisfy_relations_that_reach_them_through_others():
+    domain = Domain({z: sp.Interval.open(0, 1)}, (x < y, y < z), {})
+    assert all(point[x] < point[y] < point[z] for point in domain.points([x], 10))
+    assert decide(Holds(x < 1), domain).verdict is not Verdict.REFUTED
+
+
+def test_counts_satisfy_relations():
+    domain = Domain({n: sp.S.Naturals, m: sp.S.Naturals}, (n > 3, m < n), {})
+    points = points_for((n * m * x,), domain, 5)
+    assert all(point[n] > 3 and point[m] < point[n] for point in points)
+    assert decide(Holds(n**2 > 10), domain).verdict is not Verdict.REFUTED
+
+
+def test_unlike_counts_get_unlike_values():
+    assert all(p[n] != p[m] for p in points_for((n * m,), Domain({}, (), {}), 3))
+    assert decide(Equality(n, m), Domain({}, (), {})).verdict is Verdict.REFUTED
+
+
+def test_an_empty_domain_is_an_error():
+    with pytest.raises(ValueError, match="no point found in the domain"):
+        decide(Holds(sp.Gt(x, y)), Domain({}, (x > y + 1, y > x + 1), {}))
+
+
+def test_given_symbols_are_put_in():
+    domain = Domain.of(
+        paper(Variable(x, "x"), Variable(y, "y", given=2 * x), Variable(z, "z", given=y + 1))
+    )
+    assert domain.resolve(z * y) == 2 * x * (2 * x + 1)
+
+
+def test_symbols_given_in_a_circle_are_refused():
+    domain = Domain({}, (), {x: y + 1, y: x - 1})
+    with pytest.raises(ValueError, match="given in a circle"):
+        domain.resolve(x)
+
+
+def test_a_part_can_be_stated_in_a_given_symbol():
+    known = paper(Variable(x, "x"), Variable(y, "y", given=3 * x))
+    domain = Domain.of(known, Part("|y| < 1", {y: sp.Interval.open(-1, 1)}))
+    assert domain.resolve(x) == y / 3
+    assert domain.set_of(y) == sp.Interval.open(-1, 1)
+
+
+def test_a_part_in_a_given_symbol_that_cannot_be_solved_is_refused():
+    known = paper(Variable(x, "x"), Variable(y, "y", given=x**2))
+    with pytest.raises(ValueError, match="cannot be solved"):
+        Domain.of(known, Part("y < 1", {y: sp.Interval.open(0, 1)}))
+
+
+@pytest.mark.parametrize("where", [sp.S.Integers, sp.Union(sp.Interval(0, 1), sp.Interval(2, 3))])
+def test_a_set_without_a_rule_for_points_is_refused(where):
+    with pytest.raises(ValueError, match=r"x in .* allowed are Interval"):
+        Domain.of(paper(Variable(x, "x", within=where)))
+
+
+@pytest.mark.parametrize(
+    ("symbol", "where"),
+    [
+        (sp.Symbol("p", positive=True), sp.S.Reals),
+        (sp.Symbol("p", positive=True), sp.Interval(0, 1)),
+        (sp.Symbol("p", nonnegative=True), sp.Interval(-1, 1)),
+        (sp.IndexedBase("p", positive=True), sp.Interval(-1, 1)),
+    ],
+)
+def test_a_symbol_must_not_be_declared_narrower_than_its_set(symbol, where):
+    with pytest.raises(ValueError, match="declared to be narrower"):
+        Domain.of(paper(Variable(symbol, "p", within=where)))
+    with pytest.raises(ValueError, match="declared to be narrower"):
+        Domain.of(paper(Variable(x, "x")), Part("wider", {symbol: where}))

@@ -1,0 +1,134 @@
+"""How decisions become the verdict of a row: correction, reading, part, marks."""
+
+import pytest
+import sympy as sp
+
+from mechproof.proof.judge import judge
+from mechproof.proof.verdict import Verdict
+from mechproof.record import (
+    LENGTH,
+    Claim,
+    Completion,
+    Completions,
+    Correction,
+    Definition,
+    Equality,
+    Equation,
+    Holds,
+    IntegralWithoutDifferential,
+    Paper,
+    Part,
+    Reading,
+    Variable,
+)
+
+x, y, undeclared = sp.symbols("x y undeclared", real=True)
+a = sp.Symbol("a", positive=True)
+TRUE, FALSE = Equality((x + 1) ** 2, x**2 + 2 * x + 1), Equality((x + 1) ** 2, x**2 + 1)
+OPEN = Equality(sp.erf(x) + sp.erfc(x), sp.S.One)
+MIXED = Equality(a + a**2, a)
+TURN = sp.atan(sp.tan(x))
+NEAR_ZERO = Part("|x| < 1", {x: sp.Interval.open(-1, 1)})
+FAR = Part("x > 0", {x: sp.Interval.open(0, sp.oo)})
+ONE_POINT = Part("x = 0", {x: sp.FiniteSet(0)})
+PAPER = Paper(
+    "system",
+    "citation",
+    (Variable(x, "x"), Variable(y, "y"), Variable(a, "a", LENGTH, sp.Interval.open(0, sp.oo))),
+    (),
+)
+
+
+def row(says, **more):
+    return Equation("(1)", "print", says, **more)
+
+
+def corrected(says):
+    return Correction("right", says)
+
+
+CASES = {
+    "proved": (row(TRUE), Verdict.PROVED),
+    "refuted and corrected": (row(FALSE, corrected=corrected(TRUE)), Verdict.REFUTED),
+    "corrected form wrong as well": (row(FALSE, corrected=corrected(FALSE)), Verdict.UNDECIDED),
+    "corrected form open": (row(FALSE, corrected=corrected(OPEN)), Verdict.UNDECIDED),
+    "corrected form ill-formed": (
+        row(FALSE, corrected=corrected(Equality(undeclared, undeclared))),
+        Verdict.UNDECIDED,
+    ),
+    "corrected form of mixed units": (
+        row(FALSE, corrected=corrected(Equality(a + a**2, a * (1 + a)))),
+        Verdict.UNDECIDED,
+    ),
+    "corrected form merely defined": (
+        row(FALSE, corrected=corrected(Definition(x, y))),
+        Verdict.UNDECIDED,
+    ),
+    "another reading": (row(FALSE, readings=(Reading("other", TRUE),)), Verdict.CONVENTION),
+    "another reading, wrong": (row(FALSE, readings=(Reading("other", FALSE),)), Verdict.REFUTED),
+    "another reading, ill-formed": (
+        row(FALSE, readings=(Reading("other", Equality(undeclared, undeclared)),)),
+        Verdict.REFUTED,
+    ),
+    "true as printed, reading unused": (
+        row(TRUE, readings=(Reading("other", FALSE),)),
+        Verdict.PROVED,
+    ),
+    "true on a part": (row(Equality(TURN, x), holds_on=NEAR_ZERO), Verdict.CONDITIONAL),
+    "false on the part": (row(Equality(TURN, x), holds_on=FAR), Verdict.REFUTED),
+    "part without interior": (row(Equality(x, 2 * x), holds_on=ONE_POINT), Verdict.REFUTED),
+    "restricted row": (row(Equality(TURN, x), on=NEAR_ZERO), Verdict.PROVED),
+    "inequality on a part": (row(Holds(x > 0), holds_on=FAR), Verdict.CONDITIONAL),
+    "mixed units": (row(MIXED, corrected=corrected(TRUE)), Verdict.ILL_FORMED),
+    "unbound symbol": (row(Equality(x + undeclared, x)), Verdict.ILL_FORMED),
+    "no differential": (row(Equality(IntegralWithoutDifferential(x), x)), Verdict.ILL_FORMED),
+    "definition": (row(Definition(x, y)), Verdict.DEFINITION),
+    "ill-formed definition": (row(Definition(x, undeclared)), Verdict.ILL_FORMED),
+    "two completions": (
+        row(Completions(Completion("one", TRUE), Completion("two", FALSE))),
+        Verdict.UNDERDETERMINED,
+    ),
+    "open": (row(OPEN), Verdict.ENCLOSED),
+    "function that no rung knows": (row(Equality(sp.zeta(x), x)), Verdict.UNDECIDED),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_verdict_of_a_row(name):
+    case, verdict = CASES[name]
+    assert judge(case, PAPER).verdict is verdict
+
+
+def test_a_correction_names_its_proof():
+    judgement = judge(CASES["refuted and corrected"][0], PAPER)
+    assert (judgement.corrected_by, judgement.corrected_latex) == ("rational field", "right")
+    assert judgement.evidence[-1].what == "corrected form: PROVED (rational field)"
+
+
+def test_a_convention_shows_both_readings():
+    literal, meant = judge(CASES["another reading"][0], PAPER).evidence
+    assert literal.what.startswith("read literally")
+    assert literal.printed != literal.rebuilt
+    assert meant.what == "read as: other: PROVED (rational field)"
+
+
+def test_a_condition_shows_where_it_fails():
+    inside, outside = judge(CASES["true on a part"][0], PAPER).evidence
+    assert inside.what.startswith("|x| < 1: PROVED")
+    assert abs(sp.Rational(outside.at["x"])) > 1
+
+
+def test_marks_note_and_openness_are_handed_on():
+    judgement = judge(
+        Claim("c", "p", OPEN, note="Said why.", marks=("inferred",), stays_open="no rung"), PAPER
+    )
+    assert judgement.marks == ("inferred",)
+    assert judgement.reason.endswith(". Said why.")
+    assert (judgement.kind, judgement.may_stay_open) == ("claim", True)
+
+
+def test_unknown_marks_and_double_numbers_are_refused():
+    with pytest.raises(ValueError, match="marks"):
+        Claim("c", "p", TRUE, marks=("sure",))
+    with pytest.raises(ValueError, match="row numbers given twice"):
+        Paper("s", "c", (), (row(TRUE), row(FALSE)))

@@ -1,0 +1,138 @@
+"""The ladder: matrices, relations, conjunctions, completions, and what stays open."""
+
+import pytest
+import sympy as sp
+
+from mechproof.proof import ladder
+from mechproof.proof.domain import Domain
+from mechproof.proof.ladder import ContradictionError, decide
+from mechproof.proof.verdict import Verdict
+from mechproof.record import (
+    Completion,
+    Completions,
+    Conjunction,
+    Definition,
+    Distinct,
+    Equality,
+    Holds,
+)
+
+x, y = sp.symbols("x y", real=True)
+ANYWHERE = Domain({}, (), {})
+PROVED, REFUTED, UNDECIDED = Verdict.PROVED, Verdict.REFUTED, Verdict.UNDECIDED
+TURN = sp.ImmutableMatrix([[sp.cos(x), sp.sin(x)], [-sp.sin(x), sp.cos(x)]])
+TURN_BACK = TURN.subs(x, -x)
+TRUE = Equality((x + 1) ** 2, x**2 + 2 * x + 1)
+FALSE = Equality((x + 1) ** 2, x**2 + 1)
+OPEN = Equality(sp.exp(x + y), sp.exp(x) ** 2 * sp.exp(y - x))
+NUMBERS = sp.Lt(sp.sqrt(2) + sp.sqrt(3), sp.pi + sp.Rational(1, 1000), evaluate=False)
+
+DECISIONS = {
+    "structural": (Equality(x + y, y + x), PROVED, "structural"),
+    "rational": (TRUE, PROVED, "rational field"),
+    "refuted": (FALSE, REFUTED, "separating balls"),
+    "enclosed": (Equality(sp.erf(x) + sp.erfc(x), sp.S.One), Verdict.ENCLOSED, "enclosure"),
+    "matrix": (
+        Equality(TURN * TURN.T, sp.ImmutableMatrix.eye(2)),
+        PROVED,
+        "entrywise, trigonometric field, structural",
+    ),
+    "matrix turned the wrong way": (
+        Equality(TURN, TURN_BACK),
+        REFUTED,
+        "entrywise, separating balls",
+    ),
+    "matrix transposed": (Equality(TURN, TURN.T), REFUTED, "entrywise, separating balls"),
+    "matrix and number": (Equality(TURN, x), REFUTED, "entrywise"),
+    "number and matrix": (Equality(x, TURN), REFUTED, "entrywise"),
+    "row and column": (Equality(TURN[0, :], TURN[0, :].T), REFUTED, "entrywise"),
+    "distinct": (Distinct(TURN, TURN_BACK), PROVED, "entrywise, separating balls"),
+    "not distinct": (Distinct((x + 1) ** 2, x**2 + 2 * x + 1), REFUTED, "rational field"),
+    "distinct not shown": (Distinct(sp.erf(x) + sp.erfc(x), sp.S.One), UNDECIDED, "enclosure"),
+    "exact numbers": (Holds(NUMBERS), REFUTED, "evaluation"),
+    "exact numbers, other way": (Holds(NUMBERS.reversedsign), REFUTED, "evaluation"),
+    "exact numbers, negated": (Holds(NUMBERS.negated), PROVED, "evaluation"),
+    "equal numbers stay open": (
+        Holds(sp.Ge(sp.sin(1) ** 2 + sp.cos(1) ** 2, 1, evaluate=False)),
+        UNDECIDED,
+        "evaluation",
+    ),
+    "and": (
+        Holds(sp.And(x**2 + y**2 + 1 > 0, x**4 + 1 > x**2)),
+        PROVED,
+        "sign in positive coordinates",
+    ),
+    "and, one wrong": (Holds(sp.And(x**2 + y**2 + 1 > 0, x > y)), REFUTED, "separating balls"),
+    "relation of equality": (
+        Holds(sp.Eq((x + y) ** 2, x**2 + 2 * x * y + y**2)),
+        PROVED,
+        "rational field",
+    ),
+    "conjunction": (Conjunction((TRUE, Equality(x, x))), PROVED, "rational field, structural"),
+    "conjunction, last wrong": (Conjunction((TRUE, FALSE)), REFUTED, "separating balls"),
+    "conjunction, definition before a wrong part": (
+        Conjunction((Definition(x, y), FALSE)),
+        REFUTED,
+        "separating balls",
+    ),
+    "conjunction, open before a wrong part": (
+        Conjunction((Holds(sp.erf(x) <= sp.erf(x) + sp.erfc(x)), FALSE)),
+        REFUTED,
+        "separating balls",
+    ),
+    "definition": (Definition(x, y + 1), Verdict.DEFINITION, "definition"),
+}
+
+
+@pytest.mark.parametrize("name", DECISIONS)
+def test_the_decision_and_its_rung(name):
+    statement, verdict, rung = DECISIONS[name]
+    decision = decide(statement, ANYWHERE)
+    assert (decision.verdict, decision.rung) == (verdict, rung)
+
+
+def test_a_counterexample_shows_the_point_and_both_balls():
+    (evidence,) = decide(FALSE, ANYWHERE).evidence
+    assert evidence.at["x"]
+    assert evidence.printed != evidence.rebuilt
+
+
+def test_a_violated_relation_shows_the_point():
+    (evidence,) = decide(Holds(x > y), ANYWHERE).evidence
+    assert set(evidence.at) == {"x", "y"}
+    assert evidence.printed
+    assert evidence.rebuilt
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "verdict"),
+    [
+        (TRUE, FALSE, Verdict.UNDERDETERMINED),
+        (FALSE, TRUE, Verdict.UNDERDETERMINED),
+        (TRUE, TRUE, UNDECIDED),
+        (FALSE, FALSE, UNDECIDED),
+        (TRUE, OPEN, UNDECIDED),
+    ],
+)
+def test_completions_need_opposite_answers(first, second, verdict):
+    both = Completions(Completion("one", first), Completion("two", second))
+    decision = decide(both, ANYWHERE)
+    assert decision.verdict is verdict
+    assert [evidence.what[:3] for evidence in decision.evidence] == ["one", "two"]
+
+
+def test_an_empty_conjunction_is_an_error():
+    with pytest.raises(ValueError, match="at least one part"):
+        decide(Conjunction(()), ANYWHERE)
+
+
+def test_a_rung_that_proves_what_balls_refute_is_caught(monkeypatch):
+    monkeypatch.setattr(ladder, "decide_equal", lambda left, right, domain: "broken rung")
+    with pytest.raises(ContradictionError, match="proved, yet"):
+        decide(FALSE, ANYWHERE)
+
+
+def test_a_sign_that_balls_refute_is_caught(monkeypatch):
+    monkeypatch.setattr(ladder, "_holds_by_sign", lambda relation, domain: True)
+    with pytest.raises(ContradictionError, match="proved, yet"):
+        decide(Holds(x > y), ANYWHERE)

@@ -1,0 +1,206 @@
+"""Slightly wrong neighbours of the proved formulas of the five papers, generated in number.
+
+Every mutant of a printed or rebuilt side is compared with the other side by balls. A mutant
+that balls separate must not be PROVED; one that they do not separate is an equivalent mutant,
+and of those there must be few.
+"""
+
+from functools import cache
+from itertools import chain, islice, pairwise
+
+import pytest
+import sympy as sp
+
+from mechproof.derivations import (
+    elliptic_planetary,
+    oval_planetary,
+    tooth_thickness,
+    track_wheel,
+    wedge_linkage,
+)
+from mechproof.proof.continuity import find_break
+from mechproof.proof.domain import Domain
+from mechproof.proof.ladder import decide
+from mechproof.proof.refutation import compare
+from mechproof.proof.verdict import Verdict
+from mechproof.record import Conjunction, Equality, IntegralWithoutDifferential
+
+BATCHES = 12
+ENTRIES, PER_SIDE = 2, 3
+LEAST, LEAST_ROWS = 600, 120
+# Larger statements, and those with integrals in the longer derivations, take seconds each.
+MOST_OPERATIONS = 120
+# In a batch of some forty: a swap of what occurs symmetrically, a change of what cancels.
+MOST_EQUIVALENT = 4
+SHORT = (elliptic_planetary.PAPER, track_wheel.PAPER)
+LONG = (oval_planetary.PAPER, tooth_thickness.PAPER, wedge_linkage.PAPER)
+SWAPPED = {sp.sin: sp.cos, sp.cos: sp.sin, sp.tan: sp.cot, sp.atan: sp.tan}
+# Rows whose cross-examination integrates over many turns: seconds for each mutant.
+SLOW = (
+    "(9)",
+    "(10), first equals sign",
+    "(10), second equals sign",
+    "(12)",
+    "(3)",
+    "(4)",
+    "(12) gives the position function",
+    "Fig. 3, formula used",
+    "(11) over all turns",
+)
+
+
+def replace_at(node, change):
+    """Yield the expressions in which one subexpression is changed, outermost first."""
+    for changed in change(node):
+        if changed != node:
+            yield changed
+    for place, argument in enumerate(node.args):
+        if isinstance(argument, sp.Expr):
+            for changed in replace_at(argument, change):
+                arguments = (*node.args[:place], changed, *node.args[place + 1 :])
+                yield node.func(*arguments)
+
+
+def flip_a_sign(node):
+    if node.is_Add:
+        yield from (node - 2 * term for term in node.args)
+
+
+def drop_a_term(node):
+    if node.is_Add:
+        yield from (node - term for term in node.args)
+
+
+def double_or_halve(node):
+    if isinstance(node, sp.Symbol | sp.Indexed | sp.Function | sp.Sum | sp.Integral):
+        yield from (2 * node, node / 2)
+
+
+def swap_a_function(node):
+    if node.func in SWAPPED:
+        yield SWAPPED[node.func](*node.args)
+
+
+def change_an_exponent(node):
+    if node.is_Pow and node.exp.is_Rational:
+        yield from (node.base ** (node.exp + 1), node.base ** (node.exp - 1))
+
+
+def lose_a_root(node):
+    if node.is_Pow and node.exp == sp.S.Half:
+        yield node.base
+
+
+def swap_two_indices(node):
+    if isinstance(node, sp.Indexed) and len(node.indices) == 1:
+        others = [s for s in (track_wheel.i, track_wheel.j) if s not in node.indices]
+        yield from (node.base[other] for other in others)
+
+
+def swap_two_symbols(expression):
+    names = sorted(
+        (s for s in expression.free_symbols if s.is_Symbol and not s.is_integer), key=str
+    )
+    for one, two in pairwise(names):
+        yield expression.subs({one: two, two: one}, simultaneous=True)
+
+
+def add_a_constant(expression):
+    yield expression + sp.Rational(1, 1000)
+
+
+def let_it_jump(expression):
+    for symbol in sorted((s for s in expression.free_symbols if s.is_Symbol), key=str)[:1]:
+        yield expression + sp.floor(symbol / 3 + sp.Rational(1, 7))
+
+
+LOCAL = (
+    flip_a_sign,
+    swap_a_function,
+    double_or_halve,
+    change_an_exponent,
+    lose_a_root,
+    swap_two_indices,
+    drop_a_term,
+)
+WHOLE = (add_a_constant, let_it_jump, swap_two_symbols)
+
+
+def mutate(expression):
+    """Yield unlike mutants, the kinds of mutation taking turns."""
+    kinds = [replace_at(expression, change) for change in LOCAL]
+    kinds += [change(expression) for change in WHOLE]
+    seen = {expression}
+    while kinds:
+        for kind in list(kinds):
+            mutant = next(kind, None)
+            if mutant is None:
+                kinds.remove(kind)
+            elif mutant not in seen and not mutant.has(sp.nan, sp.zoo):
+                seen.add(mutant)
+                yield mutant
+
+
+def entries(statement):
+    """Yield the scalar equalities of a statement, matrices entry by entry."""
+    if isinstance(statement, Conjunction):
+        for part in statement.parts:
+            yield from entries(part)
+    elif isinstance(statement, Equality) and hasattr(statement.printed, "shape"):
+        pairs = zip(statement.printed, statement.rebuilt, strict=True)
+        yield from islice((Equality(*pair) for pair in pairs if pair[0] != 0), 3)
+    elif isinstance(statement, Equality) and not statement.printed.has(IntegralWithoutDifferential):
+        yield statement
+
+
+def mutants_of(paper):
+    """Yield (name, mutant, other side, domain) for the right equality of each row."""
+    for row in paper.rows:
+        if row.number in SLOW:
+            continue
+        right = row.corrected.says if row.corrected else row.says
+        domain = Domain.of(paper, row.on)
+        for equality in islice(entries(right), ENTRIES):
+            printed, rebuilt = map(domain.resolve, (equality.printed, equality.rebuilt))
+            if paper in LONG and not is_cheap(printed - rebuilt):
+                continue
+            for side, other in ((printed, rebuilt), (rebuilt, printed)):
+                sound = (mutant for mutant in mutate(side) if has_proper_integrals(mutant, domain))
+                for mutant in islice(sound, PER_SIDE):
+                    yield f"{paper.system} {row.number}", mutant, other, domain
+
+
+def is_cheap(difference):
+    """Tell whether a mutant is decided in a fraction of a second."""
+    return not difference.has(sp.Integral) and difference.count_ops() <= MOST_OPERATIONS
+
+
+def has_proper_integrals(mutant, domain):
+    """Leave out integrals over poles: balls take seconds to find that they have no value."""
+    return all(
+        find_break(node.function, node.limits[0][0], domain) is None
+        for node in mutant.atoms(sp.Integral)
+    )
+
+
+@cache
+def collect_mutants():
+    return tuple(chain.from_iterable(map(mutants_of, SHORT + LONG)))
+
+
+@pytest.mark.parametrize("batch", range(BATCHES))
+def test_no_wrong_neighbour_is_proved(batch):
+    equivalent = []
+    for name, mutant, other, domain in collect_mutants()[batch::BATCHES]:
+        decision = decide(Equality(mutant, other), domain)
+        if decision.verdict is Verdict.REFUTED:
+            continue
+        equivalent.append(f"{name}: {mutant} = {other}: {decision.verdict}")
+        if decision.verdict is Verdict.PROVED:
+            assert compare(mutant, other, domain).counterexample is None, equivalent[-1]
+    assert len(equivalent) <= MOST_EQUIVALENT, equivalent
+
+
+def test_there_are_many_mutants():
+    assert len(collect_mutants()) >= LEAST
+    assert len({name for name, *_ in collect_mutants()}) >= LEAST_ROWS

@@ -1,0 +1,64 @@
+"""Printed numbers: half a unit of the last place, and neither more nor less."""
+
+import pytest
+import sympy as sp
+
+from mechproof.proof.domain import Domain
+from mechproof.proof.ladder import decide
+from mechproof.proof.verdict import Verdict
+from mechproof.record import PrintedNumber
+
+ANYWHERE = Domain({}, (), {})
+DUST = sp.Rational(1, 10**40)
+
+TRUE = {
+    "resolution": ("0.088", sp.Rational(360, 4096)),
+    "negative": ("-0.93", sp.Rational("-0.934")),
+    "integer": ("95", 1000 * sp.sqrt(2) / 15 + sp.Rational("0.7")),
+    "trailing zero": ("0.90", sp.Rational("0.904")),
+    "half a place above": ("0.1", sp.Rational("0.15")),
+    "half a place below": ("0.2", sp.Rational("0.15")),
+    "negative half a place": ("-0.1", sp.Rational("-0.15")),
+    "irrational": ("3.1416", sp.pi),
+}
+WRONG = {
+    "last digit": ("0.087", sp.Rational(360, 4096)),
+    "sign lost": ("0.93", sp.Rational("-0.934")),
+    "sign added": ("-0.93", sp.Rational("0.934")),
+    "trailing zero claims more": ("0.90", sp.Rational("0.91")),
+    "beyond half a place": ("0.1", sp.Rational("0.15") + DUST),
+    "beyond half a place, negative": ("-0.1", sp.Rational("-0.15") - DUST),
+    "half the value": ("0.28", sp.Rational("0.56")),
+    "irrational": ("3.1415", sp.pi),
+}
+
+
+@pytest.mark.parametrize("name", TRUE)
+def test_a_right_number_is_proved(name):
+    decision = decide(PrintedNumber(*TRUE[name]), ANYWHERE)
+    assert (decision.verdict, decision.rung) == (Verdict.PROVED, "recomputation")
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_wrong_number_is_refuted(name):
+    decision = decide(PrintedNumber(*WRONG[name]), ANYWHERE)
+    assert decision.verdict is Verdict.REFUTED
+    assert decision.evidence[0].printed == WRONG[name][0]
+
+
+@pytest.mark.parametrize("printed", ["1e-3", "1.50e2", "1/3", "0,5", "", " 1", ".5"])
+def test_a_print_without_a_last_place_is_refused(printed):
+    with pytest.raises(ValueError, match="is not a decimal number"):
+        decide(PrintedNumber(printed, sp.Rational(2, 5)), ANYWHERE)
+
+
+@pytest.mark.parametrize(
+    "value", [sp.nan, sp.zoo, 1 / sp.Add(sp.pi, -sp.pi, evaluate=False), sp.log(-2)], ids=str
+)
+def test_an_undefined_value_is_not_proved(value):
+    assert decide(PrintedNumber("0.1", value), ANYWHERE).verdict is Verdict.UNDECIDED
+
+
+def test_a_value_on_the_rounding_boundary_that_balls_cannot_separate_stays_open():
+    value = sp.Rational("0.15") + sp.Add(sp.sin(1) ** 2, sp.cos(1) ** 2, -1, evaluate=False)
+    assert decide(PrintedNumber("0.1", value), ANYWHERE).verdict is Verdict.UNDECIDED

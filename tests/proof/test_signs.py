@@ -1,0 +1,126 @@
+"""The sign rung: true inequalities are proved, neighbours and inequalities false at an end not."""
+
+import pytest
+import sympy as sp
+
+from mechproof.proof.domain import Domain
+from mechproof.proof.ladder import decide
+from mechproof.proof.signs import Sign, find_sign
+from mechproof.proof.verdict import Verdict
+from mechproof.record import Holds
+
+x, y, z, e = sp.symbols("x y z e", real=True)
+R1, R2 = sp.symbols("R1 R2", positive=True)
+n = sp.Symbol("n", integer=True, positive=True)
+q = sp.IndexedBase("q", real=True)
+i = sp.Symbol("i", integer=True, positive=True)
+RADII = {R1: sp.Interval.open(0, sp.oo), R2: sp.Interval.open(0, sp.oo)}
+UNIT = {x: sp.Interval(0, 1)}
+HALF_OPEN = {x: sp.Interval.Ropen(0, 1)}
+OPEN = {x: sp.Interval.open(0, 1)}
+RUNG = "sign in positive coordinates"
+
+
+def later(kind, left, right):
+    """A relation that SymPy does not decide by itself."""
+    return kind(left, right, evaluate=False)
+
+
+TRUE = {
+    "square": (later(sp.Ge, x**2, 0), {}, ()),
+    "quadratic without real roots": (x**2 + x + 1 > 0, {}, ()),
+    "half line": (x**3 + x > 0, {x: sp.Interval.open(0, sp.oo)}, ()),
+    "half line to the left": (x**3 + x < 0, {x: sp.Interval.open(-sp.oo, 0)}, ()),
+    "closed right end": (x * (1 - x) >= 0, UNIT, ()),
+    "open right end": (1 - x > 0, HALF_OPEN, ()),
+    "open at both ends": (x * (1 - x) > 0, OPEN, ()),
+    "double root, not strict": ((x - sp.Rational(1, 3)) ** 2 * (x + 1) >= 0, UNIT, ()),
+    "cosine": (1 + sp.cos(x) >= 0, {}, ()),
+    "cosine, strict": (2 + sp.cos(x) > 0, {}, ()),
+    "two angles, strict": (3 + sp.cos(x) + sp.sin(y) > 0, {}, ()),
+    "polar denominator": (1 + e**2 - 2 * e * sp.cos(x) > 0, {e: sp.Interval.Ropen(0, 1)}, ()),
+    "tangent": (later(sp.Gt, 1 + sp.tan(x) ** 2, 0), {}, ()),
+    "cosine within a quarter turn": (sp.cos(x) > 0, {x: sp.Interval(-1, 1)}, ()),
+    "smaller radius": (R1 - R2 > 0, RADII, (R2 < R1,)),
+    "smaller radius, weak": (R1 - R2 >= 0, RADII, (R2 <= R1,)),
+    "smaller radius twice": (R1**2 - R2**2 > 0, RADII, (R2 < R1,)),
+    "chain": (z - x > 0, {}, (y > x, z > y)),
+    "relation with a closed end": (y >= 0, {z: sp.Interval(0, 1)}, (y >= 1 - z,)),
+    "root": (later(sp.Ge, sp.sqrt(x) + 1, 1), {x: sp.Interval(0, sp.oo)}, ()),
+    "count": (later(sp.Ge, n * (n - 1), 0), {n: sp.S.Naturals}, ()),
+    "indexed": (later(sp.Gt, q[i] ** 2 + 1, 0), {}, ()),
+    "unequal": (sp.Ne(x**2 + 1, 0, evaluate=False), {}, ()),
+}
+
+WRONG = {
+    "square, strict": (later(sp.Gt, x**2, 0), {}, ()),
+    "quadratic with a double root": (x**2 + 2 * x + 1 > 0, {}, ()),
+    "quadratic with two roots": (x**2 + 3 * x + 1 > 0, {}, ()),
+    "half line closed at the root": (x**3 + x > 0, {x: sp.Interval(0, sp.oo)}, ()),
+    "strict at a closed right end": (1 - x > 0, UNIT, ()),
+    "strict at a closed left end": (x > 0, UNIT, ()),
+    "root inside": (x - sp.Rational(1, 2) > 0, OPEN, ()),
+    "negative at the closed right end only": ((1 - x) * (2 - x) - x**9 / 1000 >= 0, UNIT, ()),
+    "double root, strict": ((x - sp.Rational(1, 3)) ** 2 * (x + 1) > 0, UNIT, ()),
+    "cosine, strict": (1 + sp.cos(x) > 0, {}, ()),
+    "cosine of another angle, strict": (1 + sp.cos(x / 3 + y) > 0, {}, ()),
+    "two angles, strict": (2 + sp.cos(x) + sp.cos(y) > 0, {}, ()),
+    "sum zero when both are half a turn": ((1 + sp.cos(x)) ** 2 + (1 + sp.cos(y)) ** 2 > 0, {}, ()),
+    "polar denominator, e = 1": (
+        1 + e**2 - 2 * e * sp.cos(x) > 0,
+        {e: sp.Interval(0, 1)},
+        (),
+    ),
+    "cosine beyond a quarter turn": (sp.cos(x) > 0, {x: sp.Interval(-2, 2)}, ()),
+    "larger radius": (R2 - R1 > 0, RADII, (R2 < R1,)),
+    "radius, strict from weak": (R1 - R2 > 0, RADII, (R2 <= R1,)),
+    "radius without the relation": (R1 - R2 > 0, RADII, ()),
+    "relation the wrong way": (R1 - 2 * R2 > 0, RADII, (R2 < R1,)),
+    "relation with a closed end, strict": (y > 0, {z: sp.Interval(0, 1)}, (y >= 1 - z,)),
+    "root, strict at its zero": (later(sp.Gt, sp.sqrt(x) + 1, 1), {x: sp.Interval(0, sp.oo)}, ()),
+    "count, strict at one": (later(sp.Gt, n * (n - 1), 0), {n: sp.S.Naturals}, ()),
+    "indexed": (later(sp.Gt, q[i], 0), {}, ()),
+    "unequal": (sp.Ne(x**2 - 1, 0, evaluate=False), {}, ()),
+    "largest of two": (later(sp.Gt, sp.Max(x, y), 0), {}, ()),
+    "power with a symbol": (later(sp.Gt, 2**x, 1), {}, ()),
+    "cube root": (later(sp.Gt, x ** sp.Rational(1, 3), 1), OPEN, ()),
+}
+
+
+@pytest.mark.parametrize("name", TRUE)
+def test_a_true_inequality_is_proved(name):
+    relation, within, where = TRUE[name]
+    decision = decide(Holds(relation), Domain(within, where, {}))
+    assert (decision.verdict, decision.rung) == (Verdict.PROVED, RUNG)
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_wrong_neighbour_is_not_proved(name):
+    relation, within, where = WRONG[name]
+    assert decide(Holds(relation), Domain(within, where, {})).verdict is not Verdict.PROVED
+
+
+@pytest.mark.parametrize("name", TRUE)
+def test_the_opposite_of_a_true_inequality_is_refuted_or_open(name):
+    relation, within, where = TRUE[name]
+    opposite = relation.negated
+    assert decide(Holds(opposite), Domain(within, where, {})).verdict is not Verdict.PROVED
+
+
+NOT_SHOWN = {
+    "sum": sp.Sum(q[i] ** 2, (i, 1, n)),
+    "integral": sp.Integral(x**2, (x, 0, 1)) * y**2 + sp.Integral(sp.exp(y * x), (x, 0, 1)),
+    "complex number": sp.sqrt(-2) * x,
+    "undefined": sp.nan,
+    "modulus": sp.Abs(x + y) + 1,
+    "sine above its tangent": sp.sin(x) ** 3 + sp.Rational(1, 10**6),
+}
+
+
+@pytest.mark.parametrize("name", NOT_SHOWN)
+def test_an_expression_beyond_the_rung_has_no_sign(name):
+    assert find_sign(NOT_SHOWN[name], Domain({}, (), {})) is None
+
+
+def test_the_product_of_signs():
+    assert Sign(-1, True).times(Sign(-1, False)) == Sign(1, False)

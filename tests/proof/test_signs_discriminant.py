@@ -1,0 +1,43 @@
+"""Signs of quadratics with symbolic coefficients: the discriminant, and its wrong neighbours."""
+
+import pytest
+import sympy as sp
+
+from mechproof.proof.domain import Domain
+from mechproof.proof.signs import Sign, find_sign
+
+a, b, x, y = sp.symbols("a b x y", real=True)
+e = sp.Symbol("e", real=True)
+ECCENTRIC = {e: sp.Interval.Ropen(0, 1)}
+TWO_ANGLES = sp.cos(x) * sp.cos(y) - sp.sin(x) * sp.sin(y)
+
+KNOWN = {
+    "definite form": (a**2 + a * b + b**2 + 1, {}, Sign(1, True)),
+    "zero at the origin": (a**2 + a * b + b**2, {}, Sign(1, False)),
+    "square of a sum": (a**2 + 2 * a * b + b**2, {}, Sign(1, False)),
+    "square of a sum, lifted": (a**2 + 2 * a * b + b**2 + 1, {}, Sign(1, True)),
+    "negative": (-(a**2) + a * b - b**2 - 1, {}, Sign(-1, True)),
+    "two angles": (1 - e * TWO_ANGLES, ECCENTRIC, Sign(1, True)),
+}
+UNKNOWN = {
+    "indefinite form": (a**2 + 3 * a * b + b**2 + 1, {}),
+    "leading coefficient may vanish": (a**2 * b**2 + a * b + 1, {}),
+    "leading coefficient changes sign": (a**2 * b + a + 1, {}),
+    "cubic": (a**3 + a * b + b**2 + 1, {}),
+    "two angles, too steep": (
+        1 - e * (sp.cos(x) * sp.cos(y) - 2 * sp.sin(x) * sp.sin(y)),
+        ECCENTRIC,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_a_quadratic_without_real_roots_has_a_sign(name):
+    expression, within, sign = KNOWN[name]
+    assert find_sign(expression, Domain(within, (), {})) == sign
+
+
+@pytest.mark.parametrize("name", UNKNOWN)
+def test_a_wrong_neighbour_has_none(name):
+    expression, within = UNKNOWN[name]
+    assert find_sign(expression, Domain(within, (), {})) is None

@@ -1,0 +1,268 @@
+"""Blocks, `out=`, foreign arrays and error-free arithmetic of the kernels' shared file."""
+
+from __future__ import annotations
+
+import operator
+import sys
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mechproof.kernels import _arrays, elliptic_planetary, track_wheel
+
+RADII = (66.0, 16.0)
+SHARED_SHIFT = np.array([0.01, 0.02, 0.03])
+
+
+def spread(*shape: int) -> np.ndarray:
+    """Numbers between -3 and 3, no two equal."""
+    return np.linspace(-3, 3, int(np.prod(shape))).reshape(shape)
+
+
+# Calls of one point and of many: scalars and arrays, one pose and many, parameters of every size.
+CALLS: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
+    "position": (elliptic_planetary.position, (spread(7), *RADII, 0.475)),
+    "position with low word": (elliptic_planetary.position, (spread(7), *RADII, 0.9)),
+    "one angle": (elliptic_planetary.position, (0.3, *RADII, np.linspace(0, 0.9, 7))),
+    "as many parameters": (elliptic_planetary.ratio, (spread(7), *RADII, np.linspace(0, 0.9, 7))),
+    "grid": (
+        elliptic_planetary.ratio, (spread(1, 7), *RADII, np.linspace(0, 0.9, 3)[:, np.newaxis]),
+    ),
+    "strided": (elliptic_planetary.acceleration, (spread(7, 2)[:, 1], *RADII, 0.5)),
+    "column-major": (elliptic_planetary.acceleration, (spread(3, 5).T, *RADII, 0.5)),
+    "rotation": (track_wheel.rotation, (spread(7), 0.2, spread(7) ** 2)),
+    "one pose": (track_wheel.displacement, (spread(7, 3), [0.1, 0.2, 3.0], SHARED_SHIFT)),
+    "one point": (track_wheel.displacement, ([1.0, 2.0, 3.0], spread(7, 3), SHARED_SHIFT)),
+    "poses and points": (
+        track_wheel.displacement, (spread(7, 1, 3), spread(3, 3), SHARED_SHIFT),
+    ),
+    "track": (track_wheel.track, (spread(7), 41.5, 3.75, 6, 20.0)),
+    "planar error": (track_wheel.planar_error, (spread(7, 3),)),
+    "sum": (track_wheel.error_sum, (np.abs(spread(7, 3)), 1.0, 1.0, 1.2)),
+}  # fmt: skip
+
+
+@pytest.fixture
+def small_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(_arrays, "BLOCK", 6)
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_blocks_change_no_digit(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    function, arguments = CALLS[name]
+    whole = function(*arguments)
+    monkeypatch.setattr(_arrays, "BLOCK", 6)
+    in_blocks = function(*arguments)
+    # A matrix product may sum in another order: an ulp of the largest of four terms, below 20.
+    tolerance = 4 * np.finfo(float).eps * 20 if name == "one pose" else 0
+    np.testing.assert_allclose(in_blocks, whole, rtol=0, atol=tolerance)
+    assert in_blocks.dtype == np.float64
+
+
+@pytest.mark.parametrize("blocks", [6, 32768])
+@pytest.mark.parametrize("name", CALLS)
+def test_out_receives_the_result(name: str, blocks: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(_arrays, "BLOCK", blocks)
+    function, arguments = CALLS[name]
+    expected = function(*arguments)
+    for order in ("C", "F"):
+        out = np.full(expected.shape, np.nan, order=order)  # type: ignore[call-overload]
+        assert function(*arguments, out=out) is out
+        assert np.array_equal(out, expected)
+
+
+@pytest.mark.parametrize("name", CALLS)
+@pytest.mark.usefixtures("small_blocks")
+def test_single_precision_is_the_rounded_double(name: str) -> None:
+    function, arguments = CALLS[name]
+    singles = tuple(np.asarray(a, np.float32) for a in arguments)
+    result = function(*singles, out=np.empty(function(*arguments).shape, np.float32))
+    assert result.dtype == np.float32
+    if name == "sum":
+        return  # summed in single precision
+    doubles = function(*(a.astype(float) for a in singles)).astype(np.float32)
+    np.testing.assert_array_max_ulp(result, doubles, 1)
+
+
+@pytest.mark.parametrize("blocks", [6, 32768])
+@pytest.mark.parametrize("e", [0.475, 0.9])
+def test_out_may_overlap_an_argument(
+    e: float, blocks: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(_arrays, "BLOCK", blocks)
+    phi = spread(40)
+    expected = elliptic_planetary.position(phi[:30], *RADII, e)
+    for start in (0, 7, 10):
+        memory = phi.copy()
+        out = memory[start : start + 30]
+        assert elliptic_planetary.position(memory[:30], *RADII, e, out=out) is out
+        assert np.array_equal(out, expected)
+    points = spread(12, 3)
+    expected = track_wheel.displacement(points, [0.1, 0.2, 0.3], SHARED_SHIFT)
+    moved = track_wheel.displacement(points, [0.1, 0.2, 0.3], SHARED_SHIFT, out=points)
+    assert moved is points
+    assert np.array_equal(points, expected)
+
+
+@pytest.mark.parametrize(
+    ("out", "error", "message"),
+    [
+        (np.empty(6), ValueError, r"out: expected shape \(7,\).*got \(6,\)"),
+        (np.empty((1, 7)), ValueError, r"out: expected shape \(7,\).*got \(1, 7\)"),
+        (np.empty(7, np.float32), TypeError, "out: expected float64.*got float32"),
+        (np.empty(7, int), TypeError, "out: expected float64.*got int64"),
+        ([0.0] * 7, TypeError, "out: expected an array, got list"),
+    ],
+)
+def test_unfit_out_is_refused(out: Any, error: type[Exception], message: str) -> None:
+    function, arguments = CALLS["position"]
+    with pytest.raises(error, match=message):
+        function(*arguments, out=out)
+    with pytest.raises(error, match="out: expected"):
+        track_wheel.error_sum(np.ones((7, 3)), 1.0, 1.0, 1.2, out=out)
+
+
+def test_scalar_out_and_empty_arrays() -> None:
+    out = np.empty(())
+    assert elliptic_planetary.position(0.3, *RADII, 0.475, out=out) is out
+    assert out == elliptic_planetary.position(0.3, *RADII, 0.475)
+    assert elliptic_planetary.position([], *RADII, 0.475).shape == (0,)
+    for points, angles in (((0, 3), (3,)), ((3,), (0, 3))):
+        moved = track_wheel.displacement(np.empty(points), np.empty(angles), SHARED_SHIFT)
+        assert moved.shape == (0, 3)
+
+
+@pytest.mark.usefixtures("small_blocks")
+def test_masks_survive() -> None:
+    mask = np.arange(7) % 2 == 0
+    masked = np.ma.masked_array(spread(7), mask)
+    for e in (0.475, 0.9, np.ma.masked_array(np.full(7, 0.475), mask)):
+        result = elliptic_planetary.position(masked, *RADII, e)
+        assert np.array_equal(result.mask, mask)
+        plain = elliptic_planetary.position(spread(7), *RADII, np.asarray(e))
+        np.testing.assert_array_max_ulp(result.data[~mask], plain[~mask], 4)
+    points = np.ma.masked_array(spread(7, 3), np.repeat(mask[:, None], 3, axis=1))
+    moved = track_wheel.displacement(points, [0.1, 0.2, 0.3], SHARED_SHIFT)
+    assert np.array_equal(moved.mask, points.mask)
+
+
+@pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
+def test_matrices_and_memory_maps_are_plain_arrays(tmp_path: Any) -> None:
+    expected = elliptic_planetary.position(spread(1, 7), *RADII, 0.475)
+    mapped = np.memmap(tmp_path / "angles", float, "w+", shape=(1, 7))
+    mapped[...] = spread(1, 7)
+    for given in (np.matrix(spread(1, 7)), mapped):
+        result = elliptic_planetary.position(given, *RADII, 0.475)
+        assert type(result) is np.ndarray
+        assert np.array_equal(result, expected)
+
+
+class Lazy(np.lib.mixins.NDArrayOperatorsMixin):
+    """An array that records ufuncs and computes nothing until asked."""
+
+    def __init__(self, compute: Callable[[], Any], shape: tuple[int, ...]) -> None:
+        self.compute, self.shape, self.dtype = compute, shape, np.dtype(float)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+        raise AssertionError("read too early")
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Lazy:
+        assert method == "__call__"
+        assert not options
+        shapes = [i.shape if isinstance(i, Lazy) else np.shape(i) for i in inputs]
+
+        def compute() -> Any:
+            return ufunc(*(i.compute() if isinstance(i, Lazy) else i for i in inputs))
+
+        return Lazy(compute, np.broadcast_shapes(*shapes))
+
+
+@pytest.mark.parametrize("name", ["position", "position with low word"])
+def test_lazy_arrays_stay_lazy(name: str) -> None:
+    function, (phi, *parameters) = CALLS[name]
+    result = function(Lazy(lambda: phi, phi.shape), *parameters)
+    assert isinstance(result, Lazy)
+    np.testing.assert_array_max_ulp(result.compute(), function(phi, *parameters), 4)
+
+
+LARGEST = sys.float_info.max
+HARD = (1.0, 1 / 3, np.pi, 1 + 2**-52, 2**27 + 1.0, 3e300, LARGEST / 8, 2.0**-960, 66 / 16, 80 / 30)
+
+
+@pytest.mark.parametrize("a", HARD)
+@pytest.mark.parametrize("b", [1.0, 0.1, -np.e, 1 - 2**-53, 7.0, 134217729.0 / 3])
+def test_the_rest_of_a_product_is_exact(a: float, b: float) -> None:
+    random = np.random.default_rng(33)
+    for scale in (1.0, *random.uniform(0.5, 1, 20)):
+        one, other = np.float64(a * scale), np.float64(b)
+        with np.errstate(over="ignore"):
+            product = one * other
+        if not np.isfinite(product):
+            continue
+        with np.errstate(all="raise"):
+            rest = _arrays.product_rest(one, other, product)
+        exact = Fraction(float(one)) * Fraction(float(other)) - Fraction(float(product))
+        assert Fraction(float(rest)) == exact
+
+
+def test_the_rest_of_a_quotient_is_rounded_once() -> None:
+    random = np.random.default_rng(34)
+    for a, b in 10 ** random.uniform(-3, 3, (200, 2)):
+        quotient = np.float64(a) / np.float64(b)
+        exact = Fraction(float(a)) / Fraction(float(b)) - Fraction(float(quotient))
+        rest = Fraction(float(_arrays.quotient_rest(np.float64(a), np.float64(b), quotient)))
+        assert abs(rest - exact) <= Fraction(1, 2**53) * abs(exact)
+
+
+def test_the_small_tangent_keeps_to_one() -> None:
+    values = np.array([-1e300, -1.0, -1e-300, 0.0, 1e-9, 2.0, np.nan])
+    expected = [-1.0, -1.0, -1e-300, 0.0, 1e-9, 1.0, np.nan]
+    assert np.array_equal(_arrays.small_tangent(values), expected, equal_nan=True)
+
+
+@pytest.mark.parametrize("name", ["position", "ratio", "acceleration"])
+@pytest.mark.parametrize("e", [0.3, 0.9, 1 - 1e-12])
+def test_the_whole_range_of_doubles(name: str, e: float) -> None:
+    """No angle overflows on the way, up to where R1/R2*phi1 itself does."""
+    kernel = getattr(elliptic_planetary, name)
+    with np.errstate(all="raise", under="ignore"):
+        for phi in (5e-324, 1e-310, 1e-300, 1e166, 1e200, 1e300, 3e307):
+            assert np.isfinite(kernel(phi, *RADII, e))
+    if name == "position":
+        # The arctangent is at most pi: nothing beside an angle of 1e300.
+        assert abs(kernel(1e300, *RADII, e) / (1e300 * (1 + 4.125)) - 1) <= np.finfo(float).eps
+
+
+def test_what_the_plain_product_costs() -> None:
+    """About half the bar of `position`, in eps of the value, where e <= 1/2, whatever R1/R2."""
+    e = np.linspace(0, 0.5, 26)[:, np.newaxis]
+    x = np.linspace(1e-6, 40 * np.pi, 20_001)
+    turn = x + 2 * np.arctan2(e * np.sin(x), 1 - e * np.cos(x))
+    slope = (1 - e**2) / (1 + e**2 - 2 * e * np.cos(x)) - 1
+    # A finite R1/R2 adds phi1 to the value and lowers the cost.
+    cost = (np.abs(x * slope) / turn).max(axis=1)
+    assert (cost <= 1.01 * 2 * e[:, 0] / (1 - e[:, 0]) + 1e-300).all()
+    assert cost.max() > 1.99
+
+
+def test_the_low_word_is_paid_for_only_above_its_threshold(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def refuse(*words: Any) -> Any:
+        raise AssertionError("low word asked for")
+
+    monkeypatch.setattr(elliptic_planetary, "product_rest", refuse)
+    assert elliptic_planetary.position(spread(2), *RADII, [0.0, 0.5]).shape == (2,)
+    for e in (np.nextafter(0.5, 1), [0.1, 0.9]):
+        with pytest.raises(AssertionError, match="low word asked for"):
+            elliptic_planetary.position(spread(2), *RADII, e)
+
+
+def test_lazy_conditions_stay_unread() -> None:
+    assert _arrays.holds(np.array([True, True]))
+    assert not _arrays.holds(np.array([True, False]))
+    assert _arrays.holds(np.float64(1) > 0)
+    assert not _arrays.holds(operator.gt(Lazy(lambda: 1.0, ()), 0))
