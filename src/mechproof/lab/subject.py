@@ -115,8 +115,13 @@ class Subject:
 
     @cached_property
     def domain(self) -> Domain:
-        """Return where the quantity is defined."""
-        return Domain.of(self.paper, self.quantity.on)
+        """Return where the kernel is defined: ends that the proofs leave out may belong to it."""
+        whole, part = Domain.of(self.paper), self.quantity.on
+        if part is None:
+            return whole
+        given = {s: value for s, value in whole.given.items() if s not in part.within}
+        where = tuple(map(whole.resolve, part.where))
+        return Domain({**whole.within, **part.within}, whole.where + where, given)
 
     @cached_property
     def specimens(self) -> tuple[Specimen, ...]:

@@ -25,7 +25,7 @@ VARIABLES = (
     Variable(nu, "number of terms", within=sp.Interval.open(0, sp.oo)),
     Variable(E, "e**nu", within=sp.Interval.open(0, sp.oo)),
     Variable(T, "nu*x"),
-    Variable(turns, "whole turns of x"),
+    Variable(turns, "whole turns of x", within=sp.S.Naturals0),
     Variable(step, "step of the samples", LENGTH**0, sp.Interval.open(0, sp.oo)),
 )
 D = 1 + e**2 - 2 * e * sp.cos(x)
