@@ -87,7 +87,7 @@ def test_ladders_and_spans_reach_their_ends() -> None:
 
 
 def test_tune_and_report_share_only_the_exact_singular_points() -> None:
-    (position,) = find_subjects(("position",))
+    (position,) = find_subjects(("elliptic_planetary.position",))
     generic, _, singular, *_ = position.study.sets
     assert not set(draw_points(generic, TUNE)[0]) & set(draw_points(generic, REPORT)[0])
     for seed in (TUNE, REPORT):
@@ -97,7 +97,7 @@ def test_tune_and_report_share_only_the_exact_singular_points() -> None:
 
 
 def test_boxes_cover_the_cells() -> None:
-    (position,) = find_subjects(("position",))
+    (position,) = find_subjects(("elliptic_planetary.position",))
     boxes = list_boxes(position)
     assert len(boxes) == 18
     assert {box["e"] for box in boxes} >= {(0.0, 0.28), (0.999999, 1 - 1e-12)}

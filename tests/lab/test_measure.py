@@ -67,7 +67,7 @@ def test_measure_from_the_command_line(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("arguments", "says"),
-    [(["velocity"], "velocity"), (["ratio", "--root", "nowhere"], "no folder")],
+    [(["torque"], "torque"), (["ratio", "--root", "nowhere"], "no folder")],
 )
 def test_bad_usage(arguments: list[str], says: str) -> None:
     done = CliRunner().invoke(app, ["measure", *arguments])
@@ -116,7 +116,7 @@ def test_maps_and_jumps_are_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
     from mechproof.lab import maps
 
     monkeypatch.setattr(maps, "SIZE", 8)
-    (position,) = find_subjects(("position",))
+    (position,) = find_subjects(("elliptic_planetary.position",))
     figure = maps.draw_map(position, position.study.maps[0])
     assert len(figure.axes) == 5  # three forms, the worst of them, the scale
     (other,) = find_subjects(("rotation",))
@@ -152,7 +152,13 @@ def test_a_quantity_without_rows_is_measured_too() -> None:
     (subject,) = find_subjects(("displacement",))
     bare = replace(subject, study=Study())
     names = [s.name for s in bare.specimens]
-    assert names == ["kernel", "kernel, float32", "sympy.lambdify", "sympy.lambdify, cse"]
+    assert names == [
+        "kernel",
+        "kernel, out=",
+        "kernel, float32",
+        "sympy.lambdify",
+        "sympy.lambdify, cse",
+    ]
     record = measure(bare, quick=True)
     assert {row["set"] for row in record["accuracy"]} == {"domain"}
     assert record["boxes"] == []

@@ -27,7 +27,7 @@ def elliptic_points(count: int) -> tuple[np.ndarray, ...]:
 
 def test_position_equals_mpmath() -> None:
     points = elliptic_points(40)
-    truth = find_truth(subject("position"), points)
+    truth = find_truth(subject("elliptic_planetary.position"), points)
     with mp.workdps(60):
         for high, low, *row in zip(truth.high, truth.low, *points, strict=True):
             phi, r1, r2, e = map(mp.mpf, map(float, row))
@@ -42,7 +42,9 @@ def test_position_equals_the_wrapped_cauchy_law_on_one_turn() -> None:
 
     e, x = map(np.ravel, np.meshgrid([0.1, 0.475, 0.9], np.linspace(0.05, 6.2, 40)))
     # k = 2, so that x is twice the carrier's angle.
-    truth = find_truth(subject("position"), (x / 2, np.full_like(x, 2.0), np.ones_like(x), e))
+    truth = find_truth(
+        subject("elliptic_planetary.position"), (x / 2, np.full_like(x, 2.0), np.ones_like(x), e)
+    )
     assert not truth.undecided
     # SciPy's cdf goes through an arctangent of a quotient: a few eps of 2*pi.
     expected = x / 2 + 2 * np.pi * wrapcauchy.cdf(x, e)
@@ -53,7 +55,9 @@ def test_position_equals_the_integral_of_the_ratio() -> None:
     from scipy.integrate import quad
 
     for e in (0.2, 0.475, 0.8):
-        found = find_truth(subject("position"), tuple(map(np.array, ([1.3], 66.0, 16.0, e))))
+        found = find_truth(
+            subject("elliptic_planetary.position"), tuple(map(np.array, ([1.3], 66.0, 16.0, e)))
+        )
 
         def ratio(t: float, e: float = e) -> float:
             return 1 + 66 / 16 * (1 - e**2) / (1 + e**2 - 2 * e * np.cos(66 / 16 * t))
@@ -92,7 +96,7 @@ def test_shares_equal_quadrature_of_the_outside() -> None:
 
 
 def test_a_point_that_cannot_be_decided_is_counted() -> None:
-    position = subject("position")
+    position = subject("elliptic_planetary.position")
     points = tuple(map(np.array, ([1.0, np.nan, np.inf, 2.0], 66.0, 16.0, 0.475)))
     truth = find_truth(position, points)
     assert truth.undecided == 2
@@ -118,7 +122,9 @@ def test_a_wrong_definition_is_seen() -> None:
     assert np.max(np.abs(truth.high - truth.high.swapaxes(-1, -2))) > 0.1
 
 
-@pytest.mark.parametrize("name", ["ratio", "displacement", "track", "error_sum_thermal"])
+@pytest.mark.parametrize(
+    "name", ["elliptic_planetary.ratio", "displacement", "track", "error_sum_thermal"]
+)
 def test_every_point_of_the_sets_is_decided(name: str) -> None:
     found = subject(name)
     for point_set in list_sets(found):

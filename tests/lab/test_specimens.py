@@ -51,20 +51,28 @@ def sweep(end: float, count: int, e: float) -> Arguments:
     ],
 )
 def test_points_off_by_whole_turns(name: str, count: int, wrong: int) -> None:
-    assert run("position", name, sweep(32 * np.pi, count, 0.475)).wrong_branch == wrong
+    assert (
+        run("elliptic_planetary.position", name, sweep(32 * np.pi, count, 0.475)).wrong_branch
+        == wrong
+    )
 
 
 def test_floor_and_tangent_split_half_turns() -> None:
     # 66 samples lie on odd multiples of pi; at how many of them the rounded quotient and NumPy's
     # tangent disagree depends on the last bit of the tangent: 29 where this was written.
-    found = run("position", "tan/arctan + floor", sweep(32 * np.pi, 3301, 0.475))
+    found = run("elliptic_planetary.position", "tan/arctan + floor", sweep(32 * np.pi, 3301, 0.475))
     assert 10 <= found.wrong_branch <= 66
 
 
 def test_unwrap_fails_on_coarse_samples() -> None:
-    coarse = run("position", "tan/arctan + unwrap", sweep(32 * np.pi, 161, 0.475))
+    coarse = run(
+        "elliptic_planetary.position", "tan/arctan + unwrap", sweep(32 * np.pi, 161, 0.475)
+    )
     assert coarse.wrong_branch > 100
-    assert run("position", "kernel", sweep(32 * np.pi, 161, 0.475)).wrong_branch == 0
+    assert (
+        run("elliptic_planetary.position", "kernel", sweep(32 * np.pi, 161, 0.475)).wrong_branch
+        == 0
+    )
 
 
 def test_digits_lost_to_the_cancellation_grow_as_e_goes_to_one() -> None:
@@ -75,9 +83,9 @@ def test_digits_lost_to_the_cancellation_grow_as_e_goes_to_one() -> None:
         # One to three times the width of the peak, so close to 0 that x is rounded no further.
         phi1 = np.linspace(1, 3, 40) * (1 - e) * 16 / 66
         at = (phi1, *SIZES, np.array(e))
-        lost.append(run("position", "x + 2 atan2, 1 - e cos x", at).worst_bits)
-        assert run("position", "x + 2 atan2, no cancellation", at).worst_bits < 3
-        assert run("position", "kernel", at).worst_bits < 3
+        lost.append(run("elliptic_planetary.position", "x + 2 atan2, 1 - e cos x", at).worst_bits)
+        assert run("elliptic_planetary.position", "x + 2 atan2, no cancellation", at).worst_bits < 3
+        assert run("elliptic_planetary.position", "kernel", at).worst_bits < 3
     steps = np.diff(lost)
     # Two decades of 1 - e are 6.6 bits.
     assert np.all((steps > 5) & (steps < 8.5)), lost
@@ -86,10 +94,19 @@ def test_digits_lost_to_the_cancellation_grow_as_e_goes_to_one() -> None:
 @pytest.mark.parametrize("terms", [2, 4, 8, 16, 64])
 def test_fourier_stays_within_its_proved_bound(terms: int) -> None:
     name = f"Fourier series, {terms} terms"
-    assert judge_specimen(subject("position"), form("position", name)).verdict == "PROVED"  # type: ignore[union-attr]
+    assert (
+        judge_specimen(
+            subject("elliptic_planetary.position"), form("elliptic_planetary.position", name)
+        ).verdict
+        == "PROVED"
+    )  # type: ignore[union-attr]
     at = sweep(2 * np.pi, 200, 0.475)
-    bound = bound_over(subject("position"), form("position", name), {"e": (0.475, 0.475)})
-    worst = run("position", name, at).worst_absolute
+    bound = bound_over(
+        subject("elliptic_planetary.position"),
+        form("elliptic_planetary.position", name),
+        {"e": (0.475, 0.475)},
+    )
+    worst = run("elliptic_planetary.position", name, at).worst_absolute
     assert bound is not None
     # Some 70 terms and sums of rounding on values up to 35.
     assert worst <= bound + 100 * np.finfo(float).eps * 35
@@ -97,9 +114,13 @@ def test_fourier_stays_within_its_proved_bound(terms: int) -> None:
 
 
 def test_a_bound_that_is_too_small_would_be_seen() -> None:
-    cut = run("position", "Fourier series, 4 terms", sweep(2 * np.pi, 200, 0.475)).worst_absolute
+    cut = run(
+        "elliptic_planetary.position", "Fourier series, 4 terms", sweep(2 * np.pi, 200, 0.475)
+    ).worst_absolute
     tight = bound_over(
-        subject("position"), form("position", "Fourier series, 8 terms"), {"e": (0.475, 0.475)}
+        subject("elliptic_planetary.position"),
+        form("elliptic_planetary.position", "Fourier series, 8 terms"),
+        {"e": (0.475, 0.475)},
     )
     assert tight is not None
     assert cut > 3 * tight
@@ -108,27 +129,31 @@ def test_a_bound_that_is_too_small_would_be_seen() -> None:
 @pytest.mark.parametrize("e", [0.28, 0.9])
 def test_spline_and_simpson_stay_within_their_bounds(e: float) -> None:
     at = sweep(2 * np.pi, 401, e)
-    spline = form("position", "cubic spline, 1024 knots")
-    bound = bound_over(subject("position"), spline, {"e": (e, e)})
+    spline = form("elliptic_planetary.position", "cubic spline, 1024 knots")
+    bound = bound_over(subject("elliptic_planetary.position"), spline, {"e": (e, e)})
     # The knots' rounding comes on top, a few eps of 2*pi.
     assert bound is not None
-    assert run("position", spline.name, at).worst_absolute <= bound + 1e-14
-    simpson = form("position", "cumulative Simpson")
-    resolved = subject("position").domain.resolve(simpson.bound)
+    assert run("elliptic_planetary.position", spline.name, at).worst_absolute <= bound + 1e-14
+    simpson = form("elliptic_planetary.position", "cumulative Simpson")
+    resolved = subject("elliptic_planetary.position").domain.resolve(simpson.bound)
     values = {str(s): s for s in resolved.free_symbols}
     numbers = {"R1": 66.0, "R2": 16.0, "e": e, "phi1": 2 * np.pi, "h": 2 * np.pi / 400}
     ball = evaluate(resolved, {values[n]: v for n, v in numbers.items()})
-    assert run("position", simpson.name, at).worst_absolute <= float(ball.upper())
+    assert run("elliptic_planetary.position", simpson.name, at).worst_absolute <= float(
+        ball.upper()
+    )
 
 
 def test_the_solver_drifts() -> None:
-    drift = run("position", "solve_ivp, DOP853 1e-12", sweep(2 * np.pi, 50, 0.475))
+    drift = run(
+        "elliptic_planetary.position", "solve_ivp, DOP853 1e-12", sweep(2 * np.pi, 50, 0.475)
+    )
     # The tolerance is met locally and not kept: 1e-12 asked for.
     assert 1e-12 < drift.worst_absolute < 1e-7
 
 
 def test_single_precision_keeps_24_bits() -> None:
-    kept = run("position", "kernel, float32", sweep(2 * np.pi, 200, 0.475))
+    kept = run("elliptic_planetary.position", "kernel, float32", sweep(2 * np.pi, 200, 0.475))
     assert 25 < kept.worst_bits < 40
 
 
@@ -176,13 +201,13 @@ def test_small_shares() -> None:
 
 
 VERDICTS = {
-    ("position", "printed (12)"): "REFUTED",
-    ("position", "tan/arctan"): "CONDITIONAL",
-    ("position", "tan/arctan + floor"): "PROVED",
-    ("position", "x + 2 atan2, no cancellation"): "PROVED",
-    ("position", "tan-half, by hand"): "PROVED",
-    ("ratio", "half-angle sine"): "PROVED",
-    ("acceleration", "half-angle sine"): "PROVED",
+    ("elliptic_planetary.position", "printed (12)"): "REFUTED",
+    ("elliptic_planetary.position", "tan/arctan"): "CONDITIONAL",
+    ("elliptic_planetary.position", "tan/arctan + floor"): "PROVED",
+    ("elliptic_planetary.position", "x + 2 atan2, no cancellation"): "PROVED",
+    ("elliptic_planetary.position", "tan-half, by hand"): "PROVED",
+    ("elliptic_planetary.ratio", "half-angle sine"): "PROVED",
+    ("elliptic_planetary.acceleration", "half-angle sine"): "PROVED",
     ("standard_deviation", "one pass"): "PROVED",
     ("rotation", "product of three matrices"): "PROVED",
 }
@@ -206,5 +231,5 @@ def test_every_row_says_what_it_is() -> None:
 
 
 def test_unknown_names_are_refused() -> None:
-    with pytest.raises(ValueError, match="'velocity' is not one of"):
-        find_subjects(("velocity",))
+    with pytest.raises(ValueError, match="'torque' is not one of"):
+        find_subjects(("torque",))
