@@ -117,16 +117,19 @@ def measure(
 ) -> None:
     """Measure accuracy and time of all forms and peers; write ROOT/generated/measured.
 
+    A quick run writes into its folder `quick`, which nothing else reads.
+
     Exit status 0: measured; 2: bad usage.
     """
     from mechproof.lab.chart import draw_charts
     from mechproof.lab.measure import measure as measure_subject
     from mechproof.lab.measure import write_record
     from mechproof.lab.subject import find_subjects
+    from mechproof.lab.table import write_tables
 
-    target = root / "generated" / "measured"
-    if not target.parent.is_dir():
-        _refuse(f"--root {root}: there is no folder {target.parent}")
+    if not (root / "generated").is_dir():
+        _refuse(f"--root {root}: there is no folder {root / 'generated'}")
+    target = root / "generated" / "measured" / ("quick" if quick else "")
     try:
         subjects = find_subjects(tuple(quantities or ()))
     except ValueError as error:
@@ -140,6 +143,7 @@ def measure(
                 draw_charts(subject, record, target)
         file = write_record(record, target)
         console.print(f"{file}: {show_record(record)}", markup=False)
+    console.print(str(write_tables(target)), markup=False)
 
 
 def show_record(record: Mapping[str, Any]) -> str:

@@ -13,6 +13,7 @@ from mechproof.cli import app
 from mechproof.lab.chart import Dot, draw_charts, find_front
 from mechproof.lab.measure import describe_machine, measure, write_record
 from mechproof.lab.subject import find_subjects
+from mechproof.lab.table import write_tables
 from mechproof.lab.timing import Effort, interleave, time_subject
 
 KEYS = {"quantity", "machine", "versions", "seeds", "forms", "accuracy", "times", "worst_found"}
@@ -61,7 +62,7 @@ def test_measure_from_the_command_line(tmp_path: Path) -> None:
     arguments = ["measure", "error_sum", "--quick", "--root", str(tmp_path)]
     done = CliRunner().invoke(app, arguments)
     assert done.exit_code == 0, done.output
-    assert (tmp_path / "generated/measured/track_wheel.error_sum.json").is_file()
+    assert (tmp_path / "generated/measured/quick/track_wheel.error_sum.json").is_file()
     assert "0 undecided" in " ".join(done.output.split())
 
 
@@ -163,3 +164,25 @@ def test_a_quantity_without_rows_is_measured_too() -> None:
     assert {row["set"] for row in record["accuracy"]} == {"domain"}
     assert record["boxes"] == []
     assert any(row["form"] == "kernel" and row["count"] == 1000 for row in record["times"])
+
+
+def test_the_tables_show_every_form_and_what_was_lost(record: Any, tmp_path: Path) -> None:
+    write_record(record, tmp_path)
+    page = write_tables(tmp_path).read_text(encoding="utf-8")
+    accuracy, _ = page.split("\nN vectors\n")
+    rows = {line.split("|")[1].strip(): line for line in accuracy.splitlines() if line[:2] == "| "}
+    assert {form["name"] for form in record["forms"]} <= rows.keys()
+    assert f"eps of {record['scale']}" not in rows["kernel"]
+    assert record["scale"] in page
+    # What overflows is counted, and the set where it first did is named.
+    naive = [cell.strip() for cell in rows["sqrt(x**2 + y**2)"].split("|")]
+    lost = sum(r["infinite"] for r in record["accuracy"] if r["form"] == "sqrt(x**2 + y**2)")
+    assert str(lost) in naive
+    assert lost > 0
+    assert naive[-2] == "vectors"
+
+
+def test_a_form_that_was_not_timed_says_so(record: Any, tmp_path: Path) -> None:
+    untimed = [{**row, "rounds": 0, "median": None, "ratio": None} for row in record["times"]]
+    write_record({**record, "times": untimed}, tmp_path)
+    assert "not timed" in write_tables(tmp_path).read_text(encoding="utf-8")

@@ -47,6 +47,7 @@ class Summary:
     infinite: int
     wrong_branch: int
     worst_ulp: float
+    mean_ulp: float
     mean_bits: float
     worst_bits: float
     worst_absolute: float
@@ -103,7 +104,7 @@ def summarise(errors: Errors, truth: Truth, period: float | None = None) -> Summ
     if not decided.any():
         gone = np.nan
         count = len(decided)
-        return Summary(count, truth.undecided, 0, 0, 0, gone, gone, gone, gone, gone, -1)
+        return Summary(count, truth.undecided, 0, 0, 0, *[gone] * 6, -1)
     flat = errors.result.reshape(len(decided), -1)[decided]
     worst = int(np.argmax(np.where(decided, errors.scaled, -1.0)))
     bits = errors.bits[decided]
@@ -114,6 +115,7 @@ def summarise(errors: Errors, truth: Truth, period: float | None = None) -> Summ
         infinite=int(np.isinf(flat).any(axis=1).sum()),
         wrong_branch=count_wrong_branches(errors, period),
         worst_ulp=float(np.max(errors.ulp[decided])),
+        mean_ulp=float(np.mean(errors.ulp[decided])),
         mean_bits=float(np.mean(bits)),
         worst_bits=float(np.max(bits)),
         worst_absolute=float(np.max(errors.absolute[decided])),
