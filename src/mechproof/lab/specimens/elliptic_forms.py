@@ -95,6 +95,17 @@ def wrapped_cauchy(phi: Array, r1: Array, r2: Array, e: Array) -> Array:
     return np.asarray(phi + 2 * np.pi * (turn + share))
 
 
+def by_kepler(phi: Array, r1: Array, r2: Array, e: Array) -> Array:
+    """Take the true anomaly from kepler.py, x being the eccentric anomaly."""
+    from kepler import kepler
+
+    x, largest = r1 / r2 * phi, np.nextafter(1.0, 0.0)
+    orbit = np.broadcast_to(np.minimum(2 * e / (1 + e**2), largest), np.shape(x))
+    _, cosine, sine = kepler(x - orbit * np.sin(x), orbit)
+    turn = 2 * np.pi * np.floor((x + np.pi) / (2 * np.pi))
+    return np.asarray(phi + turn + np.arctan2(sine, cosine))
+
+
 def direct_ratio(phi: Array, r1: Array, r2: Array, e: Array) -> Array:
     """Compute equation (8) as printed."""
     k = r1 / r2

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from importlib.util import find_spec
 
 import numpy as np
 import sympy as sp
@@ -90,7 +91,7 @@ def fourier(terms: int) -> Specimen:
 
 
 EQUALS = paper.position_closed
-POSITION = (
+POSITION: tuple[Specimen, ...] = (
     Specimen("printed (12)", kernels.position_printed, Equality(paper.print_12, EQUALS)),
     Specimen(
         "tan/arctan",
@@ -151,6 +152,24 @@ POSITION = (
         note="its cdf is (position - phi1)/(2 pi) on the first turn of x",
     ),
 )
+
+# The eccentric and true anomalies of an orbit are tied by the same arctangent.
+ORBIT = 2 * e / (1 + e**2)
+ANOMALY = Equality(
+    2 * sp.atan(sp.sqrt((1 + ORBIT) / (1 - ORBIT)) * sp.tan(x / 2)),
+    2 * sp.atan((1 + e) / (1 - e) * sp.tan(x / 2)),
+)
+if find_spec("kepler"):
+    POSITION += (
+        Specimen(
+            "kepler.py",
+            forms.by_kepler,
+            ANOMALY,
+            on=paper.BRANCH,
+            source="peer",
+            note="solves Kepler's equation on the way, which the position does not need",
+        ),
+    )
 
 MAPPED = ("printed (12)", "x + 2 atan2, 1 - e cos x", "kernel")
 
