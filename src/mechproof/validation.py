@@ -21,7 +21,10 @@ def check_real(name: str, value: Any) -> float:
     """Return a finite float; TypeError unless `value` is a real number (a bool is none)."""
     if isinstance(value, bool) or not isinstance(value, Real):
         raise TypeError(f"{name} = {value!r}: must be a real number, not {type(value).__name__}")
-    number = float(value)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
     require(math.isfinite(number), name, value, "must be finite")
     return number
 
