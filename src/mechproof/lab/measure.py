@@ -26,7 +26,7 @@ from mechproof.lab.points import REPORT, TUNE, draw_points, list_boxes, list_set
 from mechproof.lab.search import find_worst, within_bar
 from mechproof.lab.specimen import Arguments, Array, Specimen
 from mechproof.lab.subject import Box, PointSet, Subject, judge_specimen
-from mechproof.lab.timing import FULL, QUICK, Effort, time_subject
+from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs
 
 VERSIONS = ("mechproof", "numpy", "scipy", "sympy", "python-flint")
 # Simulations and solvers are measured on this many points of a set.
@@ -61,6 +61,7 @@ def measure(subject: Subject, *, quick: bool = False, report: Report = lambda te
     report("search")
     worst = _search(subject, depth)
     report("time")
+    ufuncs = time_ufuncs()
     times = [row.as_dict() for row in time_subject(subject, depth.effort)]
     bar = subject.quantity.bar
     return {
@@ -78,6 +79,7 @@ def measure(subject: Subject, *, quick: bool = False, report: Report = lambda te
         "ranges": ranges,
         "boxes": boxes,
         "worst_found": worst,
+        "ufuncs": ufuncs,
         "times": times,
     }
 

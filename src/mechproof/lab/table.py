@@ -67,9 +67,10 @@ def _describe_run(record: Record) -> str:
     machine, versions = record["machine"], record["versions"]
     simd = machine["simd"][-1] if machine["simd"] else "no SIMD"
     quick = ", quick" if record["quick"] else ""
+    ufuncs = ", ".join(f"{name} {time:.3g}" for name, time in record["ufuncs"].items())
     return (
         f"Taken {record['taken'][:10]} on {machine['processor']}, {simd}, load {machine['load']}, "
-        f"numpy {versions['numpy']}{quick}."
+        f"numpy {versions['numpy']}{quick}. NumPy's own functions in cache, ns per point: {ufuncs}."
     )
 
 

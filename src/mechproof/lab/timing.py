@@ -21,6 +21,9 @@ SEED = 11
 # A call much shorter than this is repeated, so that the clock's own cost does not count.
 SHORTEST = 5e-4
 LONG_ENOUGH = 2.5
+UFUNCS = (np.tan, np.arctan, np.sin, np.cos, np.arctan2, np.sqrt, np.divide, np.multiply)
+# Few enough that argument and result stay in a core's own cache.
+UFUNC_COUNT, UFUNC_ROUNDS = 16_384, 9
 # Points of the first estimate, which decides what is too slow for a size.
 PROBE = 16
 
@@ -130,6 +133,17 @@ def _time_size(
     pace |= {name: float(np.median(t)) / count for name, t in times.items()} | {COUNTED: count}
     rows = [_summarise(f, workload, count, times, times[f]) for f in calls]
     return rows + [Timing(f, workload, count, 0) for f in forms if f not in calls]
+
+
+def time_ufuncs() -> dict[str, float]:
+    """Return ns per point of the ufuncs that forms are made of: no form is faster than its own."""
+    values = np.random.default_rng(SEED).uniform(-50, 50, UFUNC_COUNT)
+    target = np.empty_like(values)
+    calls: dict[str, Callable[[], object]] = {
+        ufunc.__name__: _bind(ufunc, (values,) * ufunc.nin + (target,)) for ufunc in UFUNCS
+    }
+    times = interleave(calls, UFUNC_ROUNDS)
+    return {name: round(float(np.median(t)) / UFUNC_COUNT * 1e9, 3) for name, t in times.items()}
 
 
 def _bind(compute: Callable[..., Any], arguments: Arguments) -> Callable[[], object]:
