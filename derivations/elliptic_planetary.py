@@ -809,7 +809,9 @@ QUANTITIES = (
         "derivative of Prikhodko et al. 2024, equation (8)",
         bar=Bar(
             ACCELERATION_ULP,
-            "|value| + eps*|x|*2*e*k**2*(1 - e**2)/(1 + e**2 - 2*e*cos(x))**2" + WHERE_LOW_WORD,
+            "|value| + eps*|x|*2*e*k**2*(1 - e**2)/(1 + e**2 - 2*e*cos(x))**2"
+            + WHERE_LOW_WORD
+            + " and e = 0 or e >= 1e-200",
             ACCELERATION_SCALE,
         ),
     ),

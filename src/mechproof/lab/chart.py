@@ -31,13 +31,16 @@ STYLE: Any = {"svg.hashsalt": "mechproof", "svg.fonttype": "none", "font.size": 
 
 @dataclass(frozen=True)
 class Dot:
-    """A form on the chart: nanoseconds at `count`, worst error on its best and worst point set."""
+    """A form on the chart: nanoseconds at `count`, errors on its best and worst point set.
+
+    `error` is the one it is drawn at: of the worst set, or of one set.
+    """
 
     form: str
     source: str
     time: float
     best: float
-    worst: float
+    error: float
     count: int
 
 
@@ -47,7 +50,7 @@ def draw_charts(subject: Subject, record: Mapping[str, Any], folder: Path) -> li
     with mpl.rc_context(STYLE):
         for workload, count in _largest_sizes(record):
             name = f"{record['quantity']}.{_as_file_name(workload)}"
-            figure = draw_front(record, workload, count)
+            figure = draw_front(record, workload, count, subject.study.typical)
             files += save(figure, folder / name)
         for item in subject.study.maps:
             files += save(draw_map(subject, item), folder / f"{record['quantity']}.lost_bits")
@@ -78,11 +81,13 @@ def _largest_sizes(record: Mapping[str, Any]) -> list[tuple[str, int]]:
     return list(sizes.items())
 
 
-def collect_dots(record: Mapping[str, Any], workload: str, count: int) -> Iterator[Dot]:
-    """Pair time and error of every form that has both."""
+def collect_dots(
+    record: Mapping[str, Any], workload: str, count: int, only: str | None = None
+) -> Iterator[Dot]:
+    """Pair time and error of every form that has both, on all point sets or on one."""
     sources = {form["name"]: form["source"] for form in record["forms"]}
     for form, source in sources.items():
-        rows = [r for r in record["accuracy"] if r["form"] == form]
+        rows = [r for r in record["accuracy"] if r["form"] == form and only in (None, r["set"])]
         errors = [float(e) for r in rows if (e := r["worst_where_the_bar_holds"]) is not None]
         found = find_time(record, form, workload, count)
         if errors and found:
@@ -109,34 +114,57 @@ def find_front(dots: list[Dot]) -> list[Dot]:
     A form that lost results is not on it.
     """
     front: list[Dot] = []
-    kept = [dot for dot in dots if dot.worst < LOST]
-    for dot in sorted(kept, key=lambda d: (d.time, d.worst)):
-        if not front or dot.worst < front[-1].worst:
+    kept = [dot for dot in dots if dot.error < LOST]
+    for dot in sorted(kept, key=lambda d: (d.time, d.error)):
+        if not front or dot.error < front[-1].error:
             front.append(dot)
     return front
 
 
-def draw_front(record: Mapping[str, Any], workload: str, count: int) -> Figure:
-    """Draw time against worst error, both logarithmic, numbered, with the front and the copy."""
-    dots = sorted(collect_dots(record, workload, count), key=lambda d: d.time)
+def draw_front(
+    record: Mapping[str, Any], workload: str, count: int, typical: str | None = None
+) -> Figure:
+    """Draw time against worst error, both logarithmic, numbered, with the front and the copy.
+
+    With a `typical` point set the errors on it are drawn in a panel of their own.
+    """
+    chosen = [typical, None] if typical else [None]
+    panels = [_sorted_dots(record, workload, count, only) for only in chosen]
+    figure = Figure(figsize=(5.2 + 4.8 * len(panels), 5.2), layout="constrained")
+    *axes, listing = figure.subplots(1, len(panels) + 1, width_ratios=[*[4.8] * len(panels), 3.2])
+    copy = find_time(record, COPY, workload, count)
+    for panel, only, dots in zip(axes, chosen, panels, strict=True):
+        _draw_panel(panel, dots, copy)
+        panel.set_title(only or "worst of all point sets", fontsize=9)
+        panel.sharey(axes[0])
+    axes[0].set_ylabel("ns per point, median")
+    scale = "\n".join(textwrap.wrap(record["scale"], 80))
+    axes[0].set_xlabel(f"worst error, eps of {scale}", fontsize=8)
+    title = f"{record['quantity']}: {workload}, N = {count:.0e}"
+    figure.suptitle(f"{title}; {record['machine']['processor']}, {record['taken'][:10]}")
+    _list_dots(listing, panels[-1], count)
+    figure.draw_without_rendering()
+    numbers = {dot.form: n for n, dot in enumerate(panels[-1], start=1)}
+    for panel, dots in zip(axes, panels, strict=True):
+        _number_dots(panel, dots, numbers)
+    return figure
+
+
+def _sorted_dots(
+    record: Mapping[str, Any], workload: str, count: int, only: str | None
+) -> list[Dot]:
+    return sorted(collect_dots(record, workload, count, only), key=lambda d: d.time)
+
+
+def _draw_panel(axes: Any, dots: list[Dot], copy: tuple[int, float] | None) -> None:
     front = find_front(dots)
-    figure = Figure(figsize=(10, 5.2), layout="constrained")
-    axes, listing = figure.subplots(1, 2, width_ratios=(2.2, 1))
     for dot in dots:
         _draw_dot(axes, dot, dot in front)
-    axes.step([d.worst for d in front], [d.time for d in front], "k-", where="pre", lw=1.2)
-    _draw_copy(axes, find_time(record, COPY, workload, count))
-    axes.set(xscale="log", yscale="log", ylabel="ns per point, median")
+    axes.step([d.error for d in front], [d.time for d in front], "k-", where="pre", lw=1.2)
+    _draw_copy(axes, copy)
+    axes.set(xscale="log", yscale="log")
     axes.margins(x=0.08, y=0.08)
-    scale = "\n".join(textwrap.wrap(record["scale"], 80))
-    axes.set_xlabel(f"worst error, eps of {scale}", fontsize=8)
     axes.grid(which="major", color="0.9")
-    title = f"{record['quantity']}: {workload}, N = {count:.0e}"
-    axes.set_title(f"{title}\n{record['machine']['processor']}, {record['taken'][:10]}", loc="left")
-    _list_dots(listing, dots, front, count)
-    figure.draw_without_rendering()
-    _number_dots(axes, dots)
-    return figure
 
 
 def _draw_copy(axes: Any, found: tuple[int, float] | None) -> None:
@@ -147,26 +175,26 @@ def _draw_copy(axes: Any, found: tuple[int, float] | None) -> None:
 
 
 def _draw_dot(axes: Any, dot: Dot, on_front: bool) -> None:
-    """Draw a dot at its worst point set, and a thin line from its best."""
+    """Draw a dot, and a thin line from its best point set."""
     face = "k" if on_front else "w"
-    axes.plot([dot.best, dot.worst], [dot.time, dot.time], "-", color="0.7", lw=0.8, zorder=1)
+    axes.plot([dot.best, dot.error], [dot.time, dot.time], "-", color="0.7", lw=0.8, zorder=1)
     marker = MARKERS[dot.source]
-    axes.plot(dot.worst, dot.time, marker, color="k", markerfacecolor=face, ms=7, zorder=2)
+    axes.plot(dot.error, dot.time, marker, color="k", markerfacecolor=face, ms=7, zorder=2)
 
 
-def _number_dots(axes: Any, dots: list[Dot]) -> None:
+def _number_dots(axes: Any, dots: list[Dot], numbers: Mapping[str, int]) -> None:
     """Put a number at each dot; it gives way to those before it and is then tied to its dot."""
     dpi = axes.figure.dpi
-    spots = [axes.transData.transform((dot.worst, dot.time)) for dot in dots]
+    spots = [axes.transData.transform((dot.error, dot.time)) for dot in dots]
     taken: list[tuple[float, float]] = [(float(x), float(y)) for x, y in spots]
-    for number, (x, y) in enumerate(spots, start=1):
+    for dot, (x, y) in zip(dots, spots, strict=True):
         free = (p for p in PLACES if _is_free((x + p[0], y + p[1]), taken))
         place = next(free, PLACES[-1])
         taken.append((x + place[0], y + place[1]))
         tie = {"arrowstyle": "-", "color": "0.5", "lw": 0.5} if math.hypot(*place) > 20 else None
         offset = place[0] * 72 / dpi, place[1] * 72 / dpi
         axes.annotate(
-            str(number), (dots[number - 1].worst, dots[number - 1].time), offset,
+            str(numbers[dot.form]), (dot.error, dot.time), offset,
             textcoords="offset points", ha="center", va="center", arrowprops=tie,
         )  # fmt: skip
 
@@ -175,8 +203,9 @@ def _is_free(spot: tuple[float, float], taken: list[tuple[float, float]]) -> boo
     return all(abs(spot[0] - x) > 14 or abs(spot[1] - y) > 12 for x, y in taken)
 
 
-def _list_dots(axes: Any, dots: list[Dot], front: list[Dot], count: int) -> None:
+def _list_dots(axes: Any, dots: list[Dot], count: int) -> None:
     axes.axis("off")
+    front = find_front(dots)
     signs = {"ours": "square", "form": "circle", "peer": "triangle"}
     lines = [
         f"{n:2} {'*' if d in front else ' '} {d.form}"
@@ -184,6 +213,6 @@ def _list_dots(axes: Any, dots: list[Dot], front: list[Dot], count: int) -> None
         for n, d in enumerate(dots, start=1)
     ]
     key = ", ".join(f"{sign}: {source}" for source, sign in signs.items())
-    notes = ["", "filled, *: Pareto front", key, "thin line: from its best point set",
+    notes = ["", "filled: Pareto front (*: of all sets)", key, "thin line: from its best point set",
              f"at {LOST:.0e}: result lost (nan, inf)"]  # fmt: skip
     axes.text(0, 1, "\n".join(lines + notes), va="top", family="monospace", fontsize=8)

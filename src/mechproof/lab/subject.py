@@ -76,7 +76,8 @@ class Study:
 
     `within` marks the points at which the bar of the kernel holds (None: all). `period` is the
     spacing of wrong branches. `cells` and `in_cell` (points of one box) are what `choose` decides
-    from. `workloads` make the arguments of timed calls with N points.
+    from. `workloads` make the arguments of timed calls with N points; `typical` names the point
+    set nearest to them, if one is.
     """
 
     specimens: tuple[Specimen, ...] = ()
@@ -87,6 +88,7 @@ class Study:
     period: float | None = None
     workloads: tuple[tuple[str, Callable[[int], Arguments]], ...] = ()
     maps: tuple[Map, ...] = ()
+    typical: str | None = None
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from importlib.util import find_spec
 
@@ -10,7 +11,7 @@ import sympy as sp
 
 from mechproof.derivations import elliptic_planetary as paper
 from mechproof.kernels import elliptic_planetary as kernels
-from mechproof.lab.specimen import Specimen
+from mechproof.lab.specimen import Array, Specimen
 from mechproof.lab.specimens import elliptic_forms as forms
 from mechproof.lab.specimens import elliptic_points as points
 from mechproof.lab.subject import Study, Table
@@ -174,17 +175,23 @@ if find_spec("kepler"):
 MAPPED = ("printed (12)", "x + 2 atan2, 1 - e cos x", "kernel")
 
 
-def study(*specimens: Specimen, mapped: tuple[str, ...], period: float | None = None) -> Study:
+def study(
+    *specimens: Specimen,
+    mapped: tuple[str, ...],
+    within: Callable[..., Array] = points.near_enough,
+    period: float | None = None,
+) -> Study:
     """Return the rows of a quantity; all three share points, boxes and workload."""
     return Study(
         specimens,
         points.SETS,
         points.CELLS,
         points.in_cell,
-        points.before_digits_are_gone,
+        within,
         period,
         (("N angles, one mechanism", points.workload),),
         (points.peak_map(*mapped),),
+        points.AS_TIMED.name,
     )
 
 
@@ -215,6 +222,7 @@ TABLE = Table(
                 ),
             ),
             mapped=("1 + e**2 - 2 e cos x", "half-angle sine", "kernel"),
+            within=points.near_and_large_enough,
         ),
     },
     variables=VARIABLES,
