@@ -113,6 +113,22 @@ def test_fourier_stays_within_its_proved_bound(terms: int) -> None:
     assert worst > bound / 40 or bound < 1e-15
 
 
+@pytest.mark.parametrize("terms", [2, 4, 8, 12])
+@pytest.mark.parametrize("e", [0.01, 0.28, 0.475, 0.9])
+def test_fourier_in_float32_stays_within_its_bound(terms: int, e: float) -> None:
+    name = f"Fourier series, {terms} terms, float32"
+    bound = bound_over(
+        subject("elliptic_planetary.position"),
+        form("elliptic_planetary.position", name),
+        {"e": (e, e)},
+    )
+    near, far = np.linspace(0, 7, 300), np.random.default_rng(3).uniform(-1e6, 1e6, 300)
+    at = (np.concatenate([near, far]), *SIZES, np.array(e))
+    worst = run("elliptic_planetary.position", name, at).worst_absolute
+    assert bound is not None
+    assert bound / 1000 < worst <= bound
+
+
 def test_a_bound_that_is_too_small_would_be_seen() -> None:
     cut = run(
         "elliptic_planetary.position", "Fourier series, 4 terms", sweep(2 * np.pi, 200, 0.475)

@@ -13,6 +13,8 @@ from mechproof.lab.specimen import Array
 EPS = float(np.finfo(float).eps)
 # A lost value loses every bit of a double.
 ALL_BITS = 64.0
+# The errors of a summary where no point is decided.
+NOTHING = (np.nan, np.nan, np.nan, np.nan, np.nan, np.nan)
 
 
 @dataclass(frozen=True)
@@ -102,9 +104,7 @@ def summarise(errors: Errors, truth: Truth, period: float | None = None) -> Summ
     """Count and rank the errors of one form on one point set."""
     decided = truth.decided
     if not decided.any():
-        gone = np.nan
-        count = len(decided)
-        return Summary(count, truth.undecided, 0, 0, 0, *[gone] * 6, -1)
+        return Summary(len(decided), truth.undecided, 0, 0, 0, *NOTHING, -1)
     flat = errors.result.reshape(len(decided), -1)[decided]
     worst = int(np.argmax(np.where(decided, errors.scaled, -1.0)))
     bits = errors.bits[decided]

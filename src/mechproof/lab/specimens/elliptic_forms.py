@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from mechproof.kernels import elliptic_planetary as kernels
+from mechproof.kernels._arrays import in_blocks
 from mechproof.lab.specimen import Array
 
 KNOTS = 1024
@@ -49,6 +50,24 @@ def fourier(terms: int, phi: Array, r1: Array, r2: Array, e: Array) -> Array:
     for m in range(terms, 0, -1):
         first, second = twice * first - second + 2 / m * e**m, first
     return np.asarray(phi + x + np.sin(x) * first)
+
+
+def fourier_single(terms: int, phi: Array, r1: Array, r2: Array, e: Array) -> Array:
+    """Add the same terms in float32, whose sine and cosine NumPy has SIMD loops for."""
+
+    def prepare(r1: Array, r2: Array, e: Array) -> tuple[Array, ...]:
+        terms_of_sum = (np.float32(2) / m * e**m for m in range(1, terms + 1))
+        return r1 / r2, *(np.asarray(a, np.float32)[()] for a in terms_of_sum)
+
+    def evaluate(phi: Array, k: Array, *coefficients: Array) -> Array:
+        x = k * phi
+        y = (x - 2 * np.pi * np.rint(x / (2 * np.pi))).astype(np.float32)
+        twice, first, second = 2 * np.cos(y), np.zeros_like(y), np.zeros_like(y)
+        for coefficient in reversed(coefficients):
+            first, second = twice * first - second + np.float32(coefficient), first
+        return np.asarray(phi + x + np.sin(y) * first)
+
+    return np.asarray(in_blocks(evaluate, (phi,), prepare, (r1, r2, e)))
 
 
 def simpson(phi: Array, r1: Array, r2: Array, e: Array) -> Array:

@@ -91,6 +91,23 @@ def fourier(terms: int) -> Specimen:
     return Specimen(f"Fourier series, {terms} terms", compute, SERIES, bound=bound)
 
 
+# Roundings of float32, u = 2**-24, in Clenshaw's recurrence
+# b_m = a_m + 2 cos(y) b_(m+1) - b_(m+2): |b_m| <= 2 e**m/(1 - e), and an error d in b_m moves the
+# sum by |sin(m y)*d| <= |d|. A step loses 3u |2 cos(y) b_(m+1)| + 2u |b_(m+2)| + u |b_m|, the
+# cosine 3u of itself; coefficients and y lose u, the sine 3u and the product u. Up to |x| = 2**26
+# the reduction of x loses less than 2**-26.
+SINGLE = e * (2 + 24 * e + 4 * e**2) / (1 - e) ** 2 + 17 * e / (1 - e)
+SINGLE_BOUND = SINGLE / 2**24 + sp.Rational(1, 2**26)
+
+
+def fourier_single(terms: int) -> Specimen:
+    """Return the row of the series computed in float32."""
+    bound = tail(e**terms, sp.Integer(terms)) + SINGLE_BOUND
+    compute = partial(forms.fourier_single, terms)
+    name = f"Fourier series, {terms} terms, float32"
+    return Specimen(name, compute, SERIES, bound=bound, note="bound of the series and its rounding")
+
+
 EQUALS = paper.position_closed
 POSITION: tuple[Specimen, ...] = (
     Specimen("printed (12)", kernels.position_printed, Equality(paper.print_12, EQUALS)),
@@ -123,6 +140,7 @@ POSITION: tuple[Specimen, ...] = (
     Specimen("x + 2 atan2, no cancellation", forms.atan2_stable, Equality(ATAN2_STABLE, EQUALS)),
     Specimen("tan-half, by hand", forms.tan_half, Equality(TAN_HALF, EQUALS)),
     *map(fourier, (2, 4, 8, 16, 64)),
+    *map(fourier_single, (2, 4, 8, 12)),
     Specimen(
         "cumulative Simpson",
         forms.simpson,
