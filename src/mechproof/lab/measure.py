@@ -27,6 +27,7 @@ from mechproof.lab.search import find_worst, within_bar
 from mechproof.lab.specimen import Arguments, Array, Specimen
 from mechproof.lab.subject import Box, PointSet, Subject, judge_specimen
 from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs
+from mechproof.proof.verdict import Judgement
 
 VERSIONS = ("mechproof", "numpy", "scipy", "sympy", "python-flint")
 # Simulations and solvers are measured on this many points of a set.
@@ -51,7 +52,7 @@ def measure(subject: Subject, *, quick: bool = False, report: Report = lambda te
     """Return the record of one subject: forms, accuracy, boxes, worst input, times."""
     depth = DEPTHS[quick]
     report("proofs")
-    forms = [_describe(subject, specimen) for specimen in subject.specimens]
+    forms = _describe_forms(subject)
     accuracy = []
     for point_set in list_sets(subject):
         report(f"accuracy, {point_set.name}")
@@ -104,8 +105,19 @@ def _processor() -> str:
     return names[0] if names else platform.processor()
 
 
-def _describe(subject: Subject, specimen: Specimen) -> dict[str, Any]:
-    judged = judge_specimen(subject, specimen)
+def _describe_forms(subject: Subject) -> list[dict[str, Any]]:
+    """Describe every form; what several of them state is decided once."""
+    judged: dict[tuple[int, ...], Judgement | None] = {}
+    forms = []
+    for specimen in subject.specimens:
+        stated = id(specimen.says), id(specimen.on), id(specimen.holds_on)
+        if stated not in judged:
+            judged[stated] = judge_specimen(subject, specimen)
+        forms.append(_describe(specimen, judged[stated]))
+    return forms
+
+
+def _describe(specimen: Specimen, judged: Judgement | None) -> dict[str, Any]:
     return {
         "name": specimen.name,
         "source": specimen.source,

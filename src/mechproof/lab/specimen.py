@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -49,20 +49,22 @@ class Specimen:
 
 def list_kernel(kernel: Compute, quantity: Quantity, paper: Paper) -> Iterator[Specimen]:
     """List the kernel, the same into a given array if it can, and the same in float32."""
-    says, bound = _state_kernel(quantity, paper), quantity.form.bound
-    yield Specimen("kernel", kernel, says, bound=bound, source="ours")
+    says, on = _state_kernel(quantity, paper)
+    own = Specimen("kernel", kernel, says, on, bound=quantity.form.bound, source="ours")
+    yield own
     if "out" in inspect.signature(kernel).parameters:
-        yield Specimen("kernel, out=", _into_buffer(kernel), says, bound=bound, source="ours")
+        yield replace(own, name="kernel, out=", compute=_into_buffer(kernel))
     yield Specimen("kernel, float32", _in_single(kernel), source="ours", note="inputs rounded too")
 
 
-def _state_kernel(quantity: Quantity, paper: Paper) -> Statement | None:
+def _state_kernel(quantity: Quantity, paper: Paper) -> tuple[Statement | None, Part | None]:
     """Return what the ledger states of the kernel; None if the derivation bounds it instead."""
-    if quantity.form.bound is not None:
-        return None
-    rows = {row.number: row.says for row in form_rows(paper)}
-    plain = Equality(quantity.form.expression, quantity.definition)
-    return rows.get(f"kernel {quantity.name}", plain)
+    form = quantity.form
+    if form.bound is not None:
+        return None, None
+    rows = {row.number: row for row in (*paper.rows, *form_rows(paper))}
+    row = rows.get(form.proved_by or f"kernel {quantity.name}")
+    return (row.says, row.on) if row else (Equality(form.expression, quantity.definition), None)
 
 
 def _into_buffer(kernel: Compute) -> Compute:
