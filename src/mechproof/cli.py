@@ -1,4 +1,4 @@
-"""Command line: verify papers, regenerate kernels and ledger, measure what kernels lose and cost."""
+"""Command line: verify papers, regenerate kernels and ledger, measure what they lose and cost."""
 
 from __future__ import annotations
 
