@@ -453,7 +453,7 @@ def position(
     Singular: NaN where the radicand l_BC**2 + x1*(2*(l_AB + l_CD) + x1) is negative or |R| >
     l_KL.
 
-    Accuracy held by the tests: error <= 22 eps * (|value| + sum of |p * d value/d p| over the
+    Accuracy held by the tests: error <= 8 eps * (|value| + sum of |p * d value/d p| over the
     arguments p, in contact), eps the spacing of floats at 1.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
@@ -647,7 +647,7 @@ def velocity(
 
     Singular: at the start of contact the derivatives are those in contact.
 
-    Accuracy held by the tests: error <= 16 eps * (|value| + sum of |p * d value/d p| over the
+    Accuracy held by the tests: error <= 8 eps * (|value| + sum of |p * d value/d p| over the
     arguments p, in contact), eps the spacing of floats at 1.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
@@ -861,7 +861,7 @@ def sensitivities(
 
     Singular: at the start of contact the derivatives are those in contact.
 
-    Accuracy held by the tests: error <= 16 eps * (norm over the entries (each keeps its own) of
+    Accuracy held by the tests: error <= 8 eps * (norm over the entries (each keeps its own) of
     |value| + sum of |p * d value/d p| over the arguments p, in contact), eps the spacing of
     floats at 1.
 

@@ -50,14 +50,9 @@ class Truth:
 
 
 def find_truth(subject: Subject, arguments: Arguments) -> Truth:
-    """Evaluate the definition and the scale of the bar at every point.
-
-    An approximation's own rounding is what its bar is about; its truth is its form.
-    """
-    quantity = subject.quantity
-    exact = quantity.definition if quantity.form.bound is None else quantity.form.expression
-    definition = subject.domain.resolve(exact)
-    scale = quantity.bar.scale if quantity.bar else None
+    """Evaluate the definition and the scale of the bar at every point."""
+    definition, bar = subject.exact, subject.quantity.bar
+    scale = bar.scale if bar else None
     points = list(list_values(subject, arguments))
     pairs = np.array(
         [[_to_pair(entry, values) for entry in entries(definition)] for values in points]
