@@ -53,6 +53,7 @@ phi3_x1, phi7_x5, clearance = sp.symbols("varphi3(x1) varphi7(x5) l_G'H''", real
 millimetre = sp.Symbol("mm", positive=True)
 stages, ratio = sp.symbols("n k", positive=True)
 tau, sigma, kappa = sp.symbols("tau sigma kappa", real=True)
+guide_square, height_square = sp.symbols("guide_square height_square", real=True)
 
 reach, h3, height, h7 = sp.symbols("reach h3 height h7", positive=True)
 
@@ -61,6 +62,8 @@ arm, guide_length, guide_sum = sp.symbols("arm guide_length guide_sum", real=Tru
 run, push, rise, rise_sum = sp.symbols("run push rise rise_sum", real=True)
 lever_square, roller_square = sp.symbols("lever_square roller_square", real=True)
 cos_lever, sin_arm, cos_wedge, gain = sp.symbols("cos_lever sin_arm cos_wedge gain", real=True)
+sin_DE, cos_DE, sin_LM, cos_LM = sp.symbols("sin_DE cos_DE sin_LM cos_LM", real=True)
+start_height, to_right, to_left = sp.symbols("start_height to_right to_left", real=True)
 # The chain as the paper's equations have it: what the kernels are measured against.
 lever, travel, contact, offset, roller, engaged = sp.symbols(
     "turn_3 travel_5 driven_5 KL_x turn_7 engaged", real=True
@@ -896,23 +899,27 @@ ROWS = (
 # The chain by the half-angle forms: x5 by x1 and the sum of both lengths of BC, x5' by Max, y9 by
 # x5' and the sum of both heights of K over L. No cancellation at x1 = 0, at the start of contact
 # or at R = 0, and no sine or cosine but those of the sizes.
+# What the sizes alone decide is a step of its own, computed once for all x1.
 STEPS = {
     arm: l_AB + l_CD,
+    sin_DE: sin(alpha_DE),
+    cos_DE: cos(alpha_DE),
+    sin_LM: sin(alpha_LM),
+    cos_LM: cos(alpha_LM),
+    start_height: l_KL * sin(alpha_KL),
+    to_right: 2 * l_KL * sin(alpha_KL / 2) ** 2,
+    to_left: 2 * l_KL * cos(alpha_KL / 2) ** 2,
     guide_length: sqrt(l_BC**2 + x1 * (2 * arm + x1)),
     guide_sum: l_BC + guide_length,
     lever_square: guide_sum**2 + x1**2,
-    run: 2 * l_DE * x1 * (guide_sum * sin(alpha_DE) - x1 * cos(alpha_DE)) / lever_square,
+    run: 2 * l_DE * x1 * (guide_sum * sin_DE - x1 * cos_DE) / lever_square,
     push: sp.Max(0, run - l_GH),
-    rise: sqrt(
-        (2 * l_KL * sin(alpha_KL / 2) ** 2 + push) * (2 * l_KL * cos(alpha_KL / 2) ** 2 - push)
-    ),
-    rise_sum: l_KL * sin(alpha_KL) + rise,
+    rise: sqrt((to_right + push) * (to_left - push)),
+    rise_sum: start_height + rise,
     roller_square: rise_sum**2 + push**2,
     cos_lever: (guide_sum - x1) * (guide_sum + x1) / lever_square,
-    sin_arm: cos_lever * sin(alpha_DE) - 2 * guide_sum * x1 * cos(alpha_DE) / lever_square,
-    cos_wedge: (
-        (rise_sum - push) * (rise_sum + push) * cos(alpha_LM) - 2 * rise_sum * push * sin(alpha_LM)
-    )
+    sin_arm: cos_lever * sin_DE - 2 * guide_sum * x1 * cos_DE / lever_square,
+    cos_wedge: ((rise_sum - push) * (rise_sum + push) * cos_LM - 2 * rise_sum * push * sin_LM)
     / roller_square,
     gain: sp.Piecewise((0, run < l_GH), (l_LM * cos_wedge / rise, True)),
 }
@@ -924,30 +931,34 @@ CHAIN = {
     roller: sp.atan2(sqrt(l_KL**2 - offset**2), offset) - alpha_KL,
     engaged: sp.Piecewise((0, travel < l_GH), (1, True)),
 }
-POSITION = print_10.subs(phi7, roller)
-POSITION_FORM = 2 * l_LM * push * (rise_sum * cos(alpha_LM) - push * sin(alpha_LM)) / roller_square
-WEDGE_SLOPE = engaged * l_LM * cos(alpha_LM + roller)  # by varphi7
-ROD_SLOPE = WEDGE_SLOPE / (l_KL * sin(alpha_KL + roller))  # by x5'
-LEVER_SLOPE = -ROD_SLOPE * l_DE * sin(alpha_DE + lever)  # by varphi3
+# Zero before contact, whatever the directions: a difference of equal sines cannot be decided.
+POSITION = engaged * print_10.subs(phi7, roller)
+POSITION_FORM = 2 * l_LM * push * (rise_sum * cos_LM - push * sin_LM) / roller_square
 
 
-def chain_slope(size: sp.Symbol) -> sp.Expr:
-    """Return the derivative of y9 by a size or by x1: the product of the proved stage slopes."""
-    if size in lever_slopes:
-        now = {phi3: lever, reach: guide_length}
-        return LEVER_SLOPE * lever_slopes[size].subs(now)
-    if size in (l_KL, alpha_KL):
-        return WEDGE_SLOPE * roller_slopes[size].subs(phi7, roller)
-    if size in (l_LM, alpha_LM):
-        return sp.diff(POSITION, size)
-    return ROD_SLOPE * sp.diff(travel_of_sizes - l_GH, size)
+def step_slopes(size: sp.Symbol) -> dict[sp.Symbol, sp.Expr]:
+    """Return the derivatives of the steps of the chain in contact: the proved stage slopes."""
+    by_size = {phi3: lever, phi7: roller, reach: guide_length}
+    turned = lever_slopes.get(size, sp.S.Zero).subs(by_size)
+    moved = sp.diff(print_3.subs(phi3, lever) - l_GH, size) - turned * l_DE * sin(alpha_DE + lever)
+    own = roller_slopes.get(size, sp.S.Zero)
+    return {
+        guide_length: sp.diff(radicand, size) / (2 * guide_length),
+        lever: turned,
+        roller: (own + roller_slopes[x5] * moved).subs(by_size),
+    }
 
 
-travel_of_sizes = CHAIN[travel]
+def chain_slope(expression: sp.Expr, size: sp.Symbol) -> sp.Expr:
+    """Return the derivative of an expression of the steps by a size or by x1."""
+    through = (sp.diff(expression, step) * slope for step, slope in step_slopes(size).items())
+    return sp.Add(sp.diff(expression, size), *through)
+
+
 SIZES = (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM)
-VELOCITY = chain_slope(x1)
+VELOCITY = chain_slope(POSITION, x1)
 VELOCITY_FORM = gain * l_DE * sin_arm * cos_lever / guide_length
-SENSITIVITIES = sp.ImmutableDenseMatrix([chain_slope(size) for size in SIZES])
+SENSITIVITIES = sp.ImmutableDenseMatrix([chain_slope(POSITION, size) for size in SIZES])
 BY_ARM = -2 * gain * l_DE * sin_arm * x1**2 / (lever_square * guide_length)
 SENSITIVITY_FORMS = {
     l_AB: BY_ARM,
@@ -957,14 +968,9 @@ SENSITIVITY_FORMS = {
     l_GH: -gain,
     l_KL: -gain * push / l_KL,
     l_LM: POSITION_FORM / l_LM,
-    alpha_DE: 2
-    * gain
-    * l_DE
-    * x1
-    * (guide_sum * cos(alpha_DE) + x1 * sin(alpha_DE))
-    / lever_square,
-    alpha_KL: gain * push * (push - 2 * l_KL * cos(alpha_KL)) / rise_sum,
-    alpha_LM: -2 * l_LM * push * (rise_sum * sin(alpha_LM) + push * cos(alpha_LM)) / roller_square,
+    alpha_DE: 2 * gain * l_DE * x1 * (guide_sum * cos_DE + x1 * sin_DE) / lever_square,
+    alpha_KL: gain * push * (push - to_left + to_right) / rise_sum,
+    alpha_LM: -2 * l_LM * push * (rise_sum * sin_LM + push * cos_LM) / roller_square,
 }
 
 LENGTH_ARGUMENTS = {
@@ -987,6 +993,14 @@ ARGUMENT = {
 PUSHED = Argument("x5", (x5,), "displacement of the link 5' after the clearance", "mm")
 BAZUEV = "Bazuev et al. 2021, equation"
 CONTACT = "at the start of contact the derivatives are those in contact"
+CONDITION = "|value| + sum of |p * d value/d p| over the arguments p"
+CLOSED = Part(
+    "the linkage closes", where=(guide_square >= 0, l_KL - offset >= 0, l_KL + offset >= 0)
+)
+MOVING = Part(
+    "the linkage closes and is at no dead centre",
+    where=(guide_square > 0, l_KL - offset > 0, l_KL + offset > 0),
+)
 RANGE = "NaN where the radicand l_BC**2 + x1*(2*(l_AB + l_CD) + x1) is negative or |R| > l_KL"
 
 
@@ -1001,7 +1015,8 @@ def chained(
     definition: sp.Basic,
     form: sp.Basic,
     unit: str,
-    bar: Bar | None,
+    bar: Bar,
+    on: Part,
     singular: tuple[str, ...],
 ) -> Quantity:
     """Make a quantity of the whole chain."""
@@ -1014,14 +1029,30 @@ def chained(
         "Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)",
         unit=unit,
         bar=bar,
+        on=on,
         singular=singular,
     )
 
 
+Slope = Callable[[sp.Expr, sp.Symbol], sp.Expr]
+
+
+def condition(value: sp.Expr, inputs: Iterable[sp.Symbol], slope: Slope = sp.diff) -> sp.Expr:
+    """Return the value's size and what the rounding of every input makes of it."""
+    return sp.Abs(value) + sp.Add(*(sp.Abs(s * slope(value, s)) for s in inputs))
+
+
 def conditioned(ulp: float, value: sp.Expr, inputs: Iterable[sp.Symbol]) -> Bar:
-    """Set a bar on the value and what the rounding of every input makes of it."""
-    size = sp.Abs(value) + sum(sp.Abs(s * sp.diff(value, s)) for s in inputs)
-    return Bar(ulp, "|value| + sum of |p * d value/d p| over the arguments p", size)
+    """Set a bar on the conditioning of a value."""
+    return Bar(ulp, CONDITION, condition(value, inputs))
+
+
+def conditioned_in_contact(ulp: float, value: sp.Basic) -> Bar:
+    """Set a bar on the conditioning in contact of a value of the chain, of a column's norm."""
+    parts = [condition(part, (x1, *SIZES), chain_slope) for part in sp.Matrix([value])]
+    size = parts[0] if len(parts) == 1 else sqrt(sp.Add(*(part**2 for part in parts)))
+    norm = "" if len(parts) == 1 else "norm over the entries (each keeps its own) of "
+    return Bar(ulp, f"{norm}{CONDITION}, in contact", size.subs(engaged, 1))
 
 
 # In eps, 1/2 for an operation, 1 for a sine or cosine, 4 for atan (what NumPy's vector loops are
@@ -1035,13 +1066,10 @@ PRODUCT_ULP = 4
 # of alpha_KL; root, sine, sum, quotient 4; atan.
 ROLLER_ULP = 16
 # position: guide 3.5; run 5; push 1/2; rise and its sum 6.5, the share of alpha_KL 0.8 more; the
-# last quotient 5.
-POSITION_ULP = 22
+# last quotient 5: 22 if every step counted in full. Each has only its own share of the scale, and
+# searches find less than 1 here; 8 leaves room for a sine that is 4 off. The same for derivatives.
+CHAIN_ULP = 8
 
-IN_CONTACT = {engaged: sp.S.One}
-POSITION_SCALE = sp.Abs(POSITION) + sum(
-    sp.Abs(s * chain_slope(s)).subs(IN_CONTACT) for s in (x1, *SIZES)
-)
 ROLLER_FORM = 2 * sp.atan(
     x5
     / (
@@ -1061,6 +1089,7 @@ QUANTITIES = (
         f"{BAZUEV} (1)",
         unit="rad",
         bar=conditioned(LEVER_ULP, CHAIN[lever], (x1, l_AB, l_BC, l_CD)),
+        on=Part("the guide follows the pusher", where=(guide_square >= 0,)),
         singular=("NaN where the radicand l_BC**2 + x1*(2*(l_AB + l_CD) + x1) is negative",),
     ),
     Quantity(
@@ -1092,6 +1121,7 @@ QUANTITIES = (
         f"{BAZUEV}s (7) and (8)",
         unit="rad",
         bar=conditioned(ROLLER_ULP, ROLLER, (x5, l_KL, alpha_KL)),
+        on=Part("the roller lever follows the link 5'", where=(height_square >= 0,)),
         singular=("NaN where |l_KL*cos(alpha_KL) - x5| > l_KL",),
     ),
     Quantity(
@@ -1110,11 +1140,8 @@ QUANTITIES = (
         POSITION,
         POSITION_FORM,
         "mm",
-        Bar(
-            POSITION_ULP,
-            "|value| + sum of |p * d value/d p| over the arguments p, in contact",
-            POSITION_SCALE,
-        ),
+        conditioned_in_contact(CHAIN_ULP, POSITION),
+        CLOSED,
         (RANGE,),
     ),
     chained(
@@ -1123,7 +1150,8 @@ QUANTITIES = (
         VELOCITY,
         VELOCITY_FORM,
         "1",
-        None,
+        conditioned_in_contact(CHAIN_ULP, VELOCITY),
+        MOVING,
         (RANGE, CONTACT),
     ),
     chained(
@@ -1132,7 +1160,8 @@ QUANTITIES = (
         SENSITIVITIES,
         sp.ImmutableDenseMatrix([SENSITIVITY_FORMS[size] for size in SIZES]),
         "mm per mm or mm per rad",
-        None,
+        conditioned_in_contact(CHAIN_ULP, SENSITIVITIES),
+        MOVING,
         (RANGE, CONTACT),
     ),
 )
@@ -1225,6 +1254,8 @@ VARIABLES = (
     *(Variable(s, "step of the kernels", given=value) for s, value in STEPS.items()),
     *(Variable(s, "step of the chain", given=value) for s, value in CHAIN.items()),
     Variable(height, "height of K over L", LENGTH, POSITIVE),
+    Variable(guide_square, "square of the present length of BC", LENGTH**2, given=radicand),
+    Variable(height_square, "square of the height", LENGTH**2, given=l_KL**2 - PRINTED_R**2),
     Variable(R, "projection of KL on Ox", LENGTH),
 )
 

@@ -3,6 +3,8 @@
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
 
+import math
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -11,6 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 # Numbers per block, arguments and results together: with the temporaries of one expression they
 # stay in a core's own cache, and the temporaries in pages that the process already has.
 BLOCK = 32768
+# Loops along the last axis that cost more than their start.
+LONG_LOOP = 64
 # Types that Python's arithmetic and NumPy's agree on; all others keep their own.
 PLAIN = frozenset({np.ndarray, np.float64, np.float32})
 WEAK = (bool, int, float)
@@ -101,7 +105,8 @@ def nan_outside(value: Any, inside: Any) -> NDArray[Any]:
     if type(inside) is np.bool:
         masked = value if inside else value * np.nan
     elif type(value) in PLAIN and type(inside) is np.ndarray:
-        masked = np.where(inside, value, np.nan)
+        # Unmasked it keeps its own shape, and so does what is computed of it.
+        masked = value if inside.all() else np.where(inside, value, np.nan)
     else:
         # A product keeps the mask, the laziness or the unit, which np.where would drop.
         masked = value * np.where(inside, 1.0, np.nan)
@@ -229,6 +234,14 @@ def _fill(
 
     values = [np.reshape(a, ())[()] if np.size(a) == 1 else None for a in arrays]
     large = [i for i, value in enumerate(values) if value is None]
+    if _is_outer(parts[0], [arrays[i] for i in large]):
+        for index in _cut(parts[0].shape, BLOCK // 2):
+            for i in large:
+                values[i] = _cast(_slice(arrays[i], index), DOUBLE)
+            results = compute(*values)
+            for part, result in zip(parts, results if shape else (results,), strict=True):
+                part[index] = result
+        return
     operands = [*(arrays[i] for i in large), *parts]
     roles: Any = [["readonly"]] * len(large) + [["writeonly", "no_broadcast"]] * len(parts)
     blocks = np.nditer(
@@ -248,6 +261,36 @@ def _fill(
                 block[len(large) :], results if shape else (results,), strict=True
             ):
                 part[...] = result
+
+
+def _is_outer(target: NDArray[Any], arrays: list[Any]) -> bool:
+    """Say whether arrays of different shapes meet: buffers would repeat what slices keep short.
+
+    A short last axis would make short loops of slices.
+    """
+    together = any(array.size < target.size for array in arrays)
+    return together and target.shape[-1] >= LONG_LOOP
+
+
+def _cut(shape: tuple[int, ...], size: int) -> Iterator[tuple[slice, ...]]:
+    """Cut the first axes so that no part has more than `size` numbers."""
+    first, *rest = shape
+    row = math.prod(rest)
+    if rest and row > size:
+        for i in range(first):
+            for index in _cut(tuple(rest), size):
+                yield slice(i, i + 1), *index
+    else:
+        step = size // row
+        for start in range(0, first, step):
+            yield slice(start, start + step), *[slice(None)] * len(rest)
+
+
+def _slice(array: NDArray[Any], index: tuple[slice, ...]) -> NDArray[Any]:
+    """Return a part of an array that broadcasts to the shape that `index` cuts."""
+    whole = (1,) * (len(index) - array.ndim) + array.shape
+    parts = (part if n > 1 else slice(None) for n, part in zip(whole, index, strict=True))
+    return array.reshape(whole)[tuple(parts)]
 
 
 def transform(

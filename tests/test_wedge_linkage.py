@@ -15,12 +15,13 @@ from mechproof import WedgeLinkage
 from mechproof.derivations import wedge_linkage as paper
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.proof import balls
-from mechproof.record import Quantity
+from mechproof.record import Bar, Quantity
 from mechproof.tolerance import corner_range
 from mechproof.wedge_linkage import PusherReachError, RollerLeverReachError
 
 EPS = float(np.finfo(float).eps)
-BARRED = [q for q in paper.QUANTITIES if q.bar is not None]
+BARRED = [q for q in paper.QUANTITIES if not isinstance(q.definition, sp.MatrixBase)]
+(SENSITIVITIES,) = (q for q in paper.QUANTITIES if q not in BARRED)
 FIRST = WedgeLinkage.published(1)
 X1 = np.linspace(-40, 0, 81)
 
@@ -79,6 +80,16 @@ def worst_error(quantity: Quantity, function: Callable[..., Any]) -> float:
 def test_bars(quantity: Quantity) -> None:
     assert quantity.bar is not None
     assert worst_error(quantity, getattr(kernels, quantity.name)) <= quantity.bar.ulp
+
+
+@pytest.mark.parametrize("index", range(10), ids=map(str, paper.SIZES))
+def test_every_sensitivity_keeps_the_bar(index: int) -> None:
+    assert SENSITIVITIES.bar is not None
+    entry = SENSITIVITIES.definition[index]
+    scale = paper.condition(entry, (paper.x1, *paper.SIZES), paper.chain_slope)
+    bar = Bar(SENSITIVITIES.bar.ulp, scale=scale.subs(paper.engaged, 1))
+    quantity = dataclasses.replace(SENSITIVITIES, definition=entry, bar=bar)
+    assert worst_error(quantity, lambda *p: kernels.sensitivities(*p)[index]) <= bar.ulp
 
 
 def naive_roller(x5: float, length: float, angle: float) -> Any:

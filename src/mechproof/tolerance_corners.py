@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import isqrt
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.tolerance_sizes import (
-    CHUNK,
     Floats,
     Function,
     Progress,
@@ -27,6 +25,11 @@ from mechproof.tolerance_sizes import (
 
 # A combination is numbered by the bits of an int64, one per toleranced size.
 MOST_SIZES = 62
+
+# Values per call: few enough for a kernel to keep what depends on few sizes that short.
+CHUNK = 2**14
+# Loops along the last axis are to be at least this long.
+LONG_LOOP = 64
 
 Index = NDArray[np.int64]
 
@@ -107,8 +110,10 @@ def corner_range(
     Parameters
     ----------
     function
-        Called with inputs of shape (n, 1) and sizes of shape (c,) or (n, c); returns real
-        numbers that broadcast to (n, c). Fixed sizes are passed as their nominal number.
+        Called with inputs on the last axis and sizes on axes of their own before it, some of
+        them together on one axis, or of the inputs' shape; returns real numbers of the common
+        shape, or that broadcast to it. What depends on few sizes stays small in it. Fixed sizes
+        are passed as their nominal number.
     inputs
         Array-like of any shape; NaN in, NaN out.
     sizes
@@ -137,47 +142,52 @@ def corner_range(
     points = check_inputs(inputs)
     box = _Box(function, sizes)
     report = Report(points.size * box.combinations, progress)
-    rows, columns = _block_shape(points.size, box.combinations, chunk)
+    rows, width = _block_shape(points.size, len(box.varying), chunk)
     lower, upper = np.empty((2, points.size))
-    undefined = np.empty(points.size, np.int64)
-    lower_signs, upper_signs = np.empty((2, points.size, len(box.varying)), np.int8)
+    lower_at, upper_at, undefined = np.empty((3, points.size), np.int64)
     for part in slices(points.size, rows):
-        block = points.reshape(-1, 1)[part]
-        lowest, highest, undefined[part] = _search(box, block, columns, report)
+        lowest, highest, undefined[part] = _search(box, points.ravel()[part], width, report)
         lower[part], upper[part] = lowest.value, highest.value
-        lower_signs[part] = box.find_signs(block, lowest.index)
-        upper_signs[part] = box.find_signs(block, highest.index)
+        lower_at[part], upper_at[part] = lowest.index, highest.index
     shape = points.shape
     return CornerRange(
         names=tuple(box.varying),
         nominal=evaluate_nominal(function, points, sizes)[()],
         lower=lower.reshape(shape)[()],
         upper=upper.reshape(shape)[()],
-        lower_signs=lower_signs.reshape(*shape, len(box.varying)),
-        upper_signs=upper_signs.reshape(*shape, len(box.varying)),
+        lower_signs=_find_signs(box, points, lower_at, chunk),
+        upper_signs=_find_signs(box, points, upper_at, chunk),
         undefined=undefined.reshape(shape)[()],
     )
 
 
-def _block_shape(points: int, combinations: int, chunk: int) -> tuple[int, int]:
-    columns = min(combinations, isqrt(chunk))
-    rows = max(1, min(points, chunk // columns))
-    return rows, min(combinations, chunk // rows)
+def _block_shape(points: int, sizes: int, chunk: int) -> tuple[int, int]:
+    """Return how many inputs a block has, and how many of the first sizes vary in it."""
+    rows = max(1, min(points, chunk, max(LONG_LOOP, chunk >> sizes)))
+    return rows, min(sizes, (chunk // rows).bit_length() - 1)
 
 
 def _search(
-    box: _Box, inputs: Floats, columns: int, report: Report
+    box: _Box, inputs: Floats, width: int, report: Report
 ) -> tuple[_Extreme, _Extreme, Index]:
     lowest = _Extreme(inputs.size, np.argmin, np.less_equal, np.inf)
     highest = _Extreme(inputs.size, np.argmax, np.greater_equal, -np.inf)
     undefined = np.zeros(inputs.size, np.int64)
-    for part in slices(box.combinations, columns):
-        values = box.evaluate(inputs, np.arange(part.start, part.stop))
-        lowest.update(values, part.start)
-        highest.update(values, part.start)
-        undefined += np.count_nonzero(np.isnan(values), axis=1)
+    for first in range(0, box.combinations, 2**width):
+        values = box.evaluate_block(inputs, first, width)
+        lowest.update(values, first)
+        highest.update(values, first)
+        if np.isnan(lowest.value).any():
+            undefined += np.count_nonzero(np.isnan(values), axis=0)
         report.add(values.size)
     return lowest, highest, undefined
+
+
+def _find_signs(box: _Box, points: Floats, index: Index, chunk: int) -> NDArray[np.int8]:
+    signs = np.empty((points.size, len(box.varying)), np.int8)
+    for part in slices(points.size, max(1, chunk // (1 + len(box.varying)))):
+        signs[part] = box.find_signs(points.ravel()[part], index[part])
+    return signs.reshape(*points.shape, len(box.varying))
 
 
 class _Box:
@@ -196,36 +206,56 @@ class _Box:
         self.bits = np.arange(len(self.varying))
         self.combinations = 2 ** len(self.varying)
 
+    def evaluate_block(self, inputs: Floats, first: int, width: int) -> Floats:
+        """Return the values of 2**width combinations from `first` on, shape (2**width, inputs).
+
+        The first sizes share an axis until its loops are long; each other has one of its own.
+        """
+        together = min(width, (LONG_LOOP // max(inputs.size, 1)).bit_length())
+        axes = (2,) * (width - together) + (2**together,)
+        at_limits: dict[str, float | Floats] = {}
+        for bit, (name, size) in enumerate(self.varying.items()):
+            limits = np.array(size.limits)
+            if bit < together:
+                at_limits[name] = limits[np.arange(2**together) >> bit & 1, np.newaxis]
+            elif bit < width:
+                at_limits[name] = limits.reshape(2, *[1] * (bit - together + 2))
+            else:
+                at_limits[name] = size.limits[first >> bit & 1]
+        shape = (*axes, inputs.size)
+        values = evaluate(self.function, inputs, self.nominal | at_limits, shape)
+        return values.reshape(2**width, inputs.size)
+
     def evaluate(self, inputs: Floats, index: Index) -> Floats:
+        """Return the values at combinations chosen for every input, shape of `index`."""
         at_limits: dict[str, Floats] = {
             name: np.where(index >> bit & 1, *reversed(size.limits))
             for bit, (name, size) in enumerate(self.varying.items())
         }
-        shape = (inputs.size, index.shape[-1])
-        return evaluate(self.function, inputs, self.nominal | at_limits, shape)
+        return evaluate(self.function, inputs, self.nominal | at_limits, index.shape)
 
     def find_signs(self, inputs: Floats, index: Index) -> NDArray[np.int8]:
         """Return at which limit each size gives the value of its combination; 0 for either."""
         # Both sides of a comparison come from one call: another memory layout may take
         # another code path of NumPy and differ in the last bit.
-        index = index[:, np.newaxis]
-        values = self.evaluate(inputs, np.hstack([index, index ^ 1 << self.bits]))
-        here, flipped = values[:, :1], values[:, 1:]
+        bits = self.bits[:, np.newaxis]
+        values = self.evaluate(inputs, np.vstack([index, index ^ 1 << bits]))
+        here, flipped = values[:1], values[1:]
         same = (here == flipped) | (np.isnan(here) & np.isnan(flipped))
-        return np.where(same, 0, 2 * (index >> self.bits & 1) - 1).astype(np.int8)
+        return np.where(same, 0, 2 * (index >> bits & 1) - 1).astype(np.int8).T
 
 
 class _Extreme:
-    """The running smallest or largest value of every row; the first NaN wins and stays."""
+    """The running smallest or largest value of every input; the first NaN wins and stays."""
 
-    def __init__(self, rows: int, pick: Any, keeps: Any, start: float) -> None:
+    def __init__(self, count: int, pick: Any, keeps: Any, start: float) -> None:
         self.pick, self.keeps = pick, keeps
-        self.value = np.full(rows, start)
-        self.index = np.zeros(rows, np.int64)
+        self.value = np.full(count, start)
+        self.index = np.zeros(count, np.int64)
 
     def update(self, values: Floats, first: int) -> None:
-        at = self.pick(values, axis=1, keepdims=True)
-        value = np.take_along_axis(values, at, axis=1)[:, 0]
+        at = self.pick(values, axis=0)
+        value = values[at, np.arange(at.size)]
         better = ~(self.keeps(self.value, value) | np.isnan(self.value))
         self.value[better] = value[better]
-        self.index[better] = first + at[better, 0]
+        self.index[better] = first + at[better]

@@ -16,7 +16,7 @@ import sympy as sp
 from mechproof.codegen.evaluation import count_axes, entries
 from mechproof.lab.specimen import Arguments, Array, result_shape
 from mechproof.lab.subject import Subject
-from mechproof.proof.balls import evaluate_until, working_precision
+from mechproof.proof.balls import evaluate, evaluate_until, working_precision
 
 # 2**-12 ulp of a double: what the ball leaves open cannot be seen in an error of 1e-3 ulp.
 DECIDED_BITS = 65
@@ -50,14 +50,9 @@ class Truth:
 
 
 def find_truth(subject: Subject, arguments: Arguments) -> Truth:
-    """Evaluate the definition and the scale of the bar at every point.
-
-    An approximation's own rounding is what its bar is about; its truth is its form.
-    """
-    quantity = subject.quantity
-    exact = quantity.definition if quantity.form.bound is None else quantity.form.expression
-    definition = subject.domain.resolve(exact)
-    scale = quantity.bar.scale if quantity.bar else None
+    """Evaluate the definition and the scale of the bar at every point."""
+    definition, bar = subject.exact, subject.quantity.bar
+    scale = bar.scale if bar else None
     points = list(list_values(subject, arguments))
     pairs = np.array(
         [[_to_pair(entry, values) for entry in entries(definition)] for values in points]
@@ -67,8 +62,8 @@ def find_truth(subject: Subject, arguments: Arguments) -> Truth:
     if scale is None:
         size = np.abs(high).reshape(len(points), -1).max(axis=1, initial=0)
     else:
-        resolved = subject.domain.resolve(scale)
-        size = np.array([_to_double(resolved, values) for values in points])
+        given = subject.domain.given
+        size = np.array([_to_double(scale, given, values) for values in points])
     return Truth(high, low, decided, size)
 
 
@@ -133,5 +128,29 @@ def _to_pair(expression: sp.Basic, values: Mapping[sp.Basic, Any]) -> tuple[floa
         return high, float(middle - high)
 
 
-def _to_double(expression: sp.Basic, values: Mapping[sp.Basic, Any]) -> float:
-    return float(evaluate_until(expression, values, SCALE_BITS, PRECISIONS))
+def _to_double(
+    expression: sp.Basic, given: Mapping[sp.Basic, sp.Expr], values: Mapping[sp.Basic, Any]
+) -> float:
+    """Return the value as a double, NaN where it is undecided.
+
+    Given symbols get balls of their own: written out, SymPy cannot see that what is under
+    |...| is real and turns it into a root of a product with its conjugate.
+    """
+    for bits in PRECISIONS:
+        ball = evaluate(expression, _give(expression, given, values, bits), bits)
+        if ball.is_finite() and (ball.rel_accuracy_bits() >= SCALE_BITS or ball == 0):
+            return float(ball)
+    return np.nan
+
+
+def _give(
+    expression: sp.Basic,
+    given: Mapping[sp.Basic, sp.Expr],
+    values: Mapping[sp.Basic, Any],
+    bits: int,
+) -> Mapping[sp.Basic, Any]:
+    """Add the balls of the given symbols that an expression needs, directly or through others."""
+    for symbol in (expression.free_symbols & given.keys()) - values.keys():
+        values = _give(given[symbol], given, values, bits)
+        values = {**values, symbol: evaluate(given[symbol], values, bits)}
+    return values

@@ -16,6 +16,7 @@ from types import MappingProxyType
 from typing import Literal
 
 import numpy as np
+import sympy as sp
 
 from mechproof.derivation import load_directory, packaged_directory
 from mechproof.lab.specimen import (
@@ -124,6 +125,16 @@ class Subject:
         given = {s: value for s, value in whole.given.items() if s not in part.within}
         where = tuple(map(whole.resolve, part.where))
         return Domain({**whole.within, **part.within}, whole.where + where, given)
+
+    @cached_property
+    def exact(self) -> sp.Basic:
+        """Write the definition out, whose value is the truth; of an approximation its form.
+
+        An approximation's own rounding is what its bar is about.
+        """
+        form = self.quantity.form
+        whole = self.quantity.definition if form.bound is None else form.expression
+        return self.domain.resolve(whole)
 
     @cached_property
     def specimens(self) -> tuple[Specimen, ...]:
