@@ -179,10 +179,8 @@ class Quadrants:
 
 
 def _quadrants(plane: Plane) -> Quadrants:
-    from scipy.special import ndtr
-
     h, k = plane.h[:, None], plane.k[None]
-    below_h, above_h, below_k, above_k = ndtr(h), ndtr(-h), ndtr(k), ndtr(-k)
+    (below_h, above_h), (below_k, above_k) = _find_tails(h), _find_tails(k)
     total = np.minimum(np.minimum(below_h, above_h), np.minimum(below_k, above_k))
     along = _normal_between(h, k, plane.gap, (below_h, below_k), (above_h, above_k))
     outer, inner = _outer_and_inner(plane, total, along)
@@ -226,6 +224,14 @@ def _is_lost(crossed: Arcs, gap: Array, terms: Array) -> Mask:
         lost: Mask = np.exp(-crossed.exponent) / 2 <= LOST * terms
         lost &= (crossed.near >= crossed.far) & (gap * OUTWARD > 0)
     return lost
+
+
+def _find_tails(z: Array) -> tuple[Array, Array]:
+    """Masses of the standard normal law below and above, the larger by what the smaller leaves."""
+    from scipy.special import ndtr
+
+    smaller = ndtr(-np.abs(z))
+    return np.where(z < 0, smaller, 1 - smaller), np.where(z < 0, 1 - smaller, smaller)
 
 
 def _normal_between(
