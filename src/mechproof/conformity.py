@@ -52,7 +52,7 @@ __all__ = [
 
 Limits = tuple[ArrayLike, ArrayLike]
 
-NORMAL_CHUNK = 2048  # parameter sets at a time, some 1.5 kB each
+NORMAL_CHUNK = 5120  # parameter sets at a time: temporaries that the heap keeps
 LAW_CHUNK = 32  # parameter sets at a time, up to some 1 MB each
 LEVEL = 0.95  # of the one-sided bounds of a simulated share
 

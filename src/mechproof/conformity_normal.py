@@ -22,7 +22,8 @@ log-concave: one Gauss panel from the end at beta to where it has died out suffi
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
 
@@ -41,6 +42,11 @@ from mechproof.conformity_windows import (
 )
 
 UNDERFLOW = 745.0  # exp(-745) is the smallest double
+LOST = 2.0**-60  # what is this small beside another term does not change their sum
+# Corners (lower, lower) and (upper, upper); (lower, upper) and (upper, lower): of h, then of k.
+ALIKE, CROSSED = ([0, 1], [0, 1]), ([0, 1], [1, 0])
+# The sign of k - h at the crossed corners of windows that overlap.
+OUTWARD = np.array([[1], [-1]])
 
 
 @dataclass(frozen=True)
@@ -114,25 +120,52 @@ def _standard_plane(true: Normal, error: Normal, tolerance: Array, acceptance: A
     )
 
 
-def _arc_integrals(plane: Plane, total: Array) -> tuple[Array, Array]:
-    """I(0, beta) and I(beta, pi) of every corner: the smaller integrated, the other by `total`."""
-    t = np.broadcast_to(plane.tangent, plane.gap.shape)
-    h, k = np.broadcast_arrays(plane.h[:, None], plane.k[None])
+@dataclass(frozen=True)
+class Arcs:
+    """The integrands of some corners at x = beta: the terms of the exponent, and which end decays.
+
+    `near` belongs to h - k, `far` to h + k, each as what multiplies u**-2 and u**2 of the arc.
+    """
+
+    near: Array
+    far: Array
+    exponent: Array
+    falling: Mask  # from beta towards 0: I(0, beta) is the smaller integral
+    square: Array  # tan(beta/2)**2
+    sine: Array
+
+    def take(self, chosen: Any) -> Arcs:
+        """Return some of the corners."""
+        return Arcs(*(getattr(self, field.name)[chosen] for field in fields(self)))
+
+
+def _place_arcs(plane: Plane) -> Arcs:
+    square = plane.tangent**2
     with np.errstate(invalid="ignore", over="ignore"):
-        d, r = np.abs(plane.gap) / np.sqrt(8), np.abs(h + k) / np.sqrt(8)
-        p, q = _divide(d, t), r * t
-        exponent = (p * p + r * r) * (1 + t * t)
-        first = ~(2 * (p - q) * (p + q) + plane.cosine <= 0)  # NaN: s = 0, I(0, beta) is 0
-    present = np.isfinite(h) & np.isfinite(k) & (t > 0) & (exponent < UNDERFLOW)
-    near, far = np.where(first, (p, q), (q, p))
-    one, square = np.where(first, (np.ones_like(t), t * t), (t * t, np.ones_like(t)))
-    scale = np.broadcast_to(plane.sine, t.shape)[present] * np.exp(-exponent[present])
-    smaller = np.zeros_like(t)
-    smaller[present] = scale * integrate_arc(
-        near[present] ** 2, far[present] ** 2, one[present], square[present]
-    )
-    smaller += np.where(np.isnan(plane.gap), np.nan, 0.0)
-    return np.where(first, smaller, total - smaller), np.where(first, total - smaller, smaller)
+        near = _divide(plane.gap, plane.tangent) ** 2 / 8
+        far = (plane.h[:, None] + plane.k) ** 2 / 8
+        exponent = (near + far) * (1 + square)
+        far *= square
+        # NaN: s = 0, I(0, beta) is 0.
+        falling = ~(2 * (near - far) + plane.cosine <= 0)
+    alike = (np.broadcast_to(v, near.shape) for v in (square, plane.sine))
+    return Arcs(near, far, exponent, falling, *alike)
+
+
+def _integrate_smaller(arcs: Arcs) -> Array:
+    """Return the smaller of I(0, beta) and I(beta, pi) of every corner."""
+    # An infinite limit and s = 0 have an infinite exponent, or NaN.
+    present = arcs.exponent < UNDERFLOW
+    if not present.all():
+        smaller = np.zeros_like(arcs.near)
+        smaller[present] = _integrate_smaller(arcs.take(present)) if present.any() else 0.0
+        return smaller
+    first = np.where(arcs.falling, arcs.near, arcs.far)
+    second = np.where(arcs.falling, arcs.far, arcs.near)
+    one, square = np.where(arcs.falling, 1.0, arcs.square), np.where(arcs.falling, arcs.square, 1.0)
+    parts = (part.ravel() for part in (first, second, one, square))
+    arc = integrate_arc(*parts).reshape(first.shape)
+    return arcs.sine * np.exp(-arcs.exponent) * arc
 
 
 @dataclass(frozen=True)
@@ -146,13 +179,11 @@ class Quadrants:
 
 
 def _quadrants(plane: Plane) -> Quadrants:
-    from scipy.special import ndtr
-
     h, k = plane.h[:, None], plane.k[None]
-    below_h, above_h, below_k, above_k = ndtr(h), ndtr(-h), ndtr(k), ndtr(-k)
+    (below_h, above_h), (below_k, above_k) = _find_tails(h), _find_tails(k)
     total = np.minimum(np.minimum(below_h, above_h), np.minimum(below_k, above_k))
-    outer, inner = _arc_integrals(plane, total)
     along = _normal_between(h, k, plane.gap, (below_h, below_k), (above_h, above_k))
+    outer, inner = _outer_and_inner(plane, total, along)
     with np.errstate(invalid="ignore"):
         span = np.where(h == -k, 0.0, h + k)
     across = _normal_between(h, -k, span, (below_h, above_k), (above_h, below_k))
@@ -162,6 +193,45 @@ def _quadrants(plane: Plane) -> Quadrants:
         below_above=np.where(plane.gap < 0, along, 0.0) + outer,
         below_below=np.where(span > 0, across, 0.0) + inner,
     )
+
+
+def _outer_and_inner(plane: Plane, total: Array, along: Array) -> tuple[Array, Array]:
+    """I(0, beta) and I(beta, pi) of every corner, the smaller integrated, the other by `total`."""
+    arcs = _place_arcs(plane)
+    smaller = np.zeros_like(total)
+    smaller[ALIKE] = _integrate_smaller(arcs.take(ALIKE))
+    crossed = arcs.take(CROSSED)
+    beside = np.min(np.where(arcs.falling, smaller, total - smaller)[ALIKE], axis=0)
+    opposite = np.max(np.where(arcs.falling, total - smaller, smaller)[ALIKE], axis=0)
+    terms = np.minimum(total, along)[CROSSED]
+    needed = ~_is_lost(crossed, plane.gap[CROSSED], np.minimum(terms, np.minimum(beside, opposite)))
+    if needed.any():
+        part = np.zeros_like(terms)
+        part[needed] = _integrate_smaller(crossed.take(needed))
+        smaller[CROSSED] = part
+    larger = total - smaller
+    return np.where(arcs.falling, smaller, larger), np.where(arcs.falling, larger, smaller)
+
+
+def _is_lost(crossed: Arcs, gap: Array, terms: Array) -> Mask:
+    """Mark the corners (lower, upper) and (upper, lower) whose I(0, beta) is lost in sums.
+
+    Where the integrand falls, I(0, beta) <= exp(-exponent)/2. `terms` is the smallest of what it
+    is added to: the mass between h and k, I(0, pi), and quadrants that hold I(0, beta) of both, or
+    I(beta, pi) of one, of the corners (lower, lower) and (upper, upper).
+    """
+    with np.errstate(invalid="ignore"):
+        lost: Mask = np.exp(-crossed.exponent) / 2 <= LOST * terms
+        lost &= (crossed.near >= crossed.far) & (gap * OUTWARD > 0)
+    return lost
+
+
+def _find_tails(z: Array) -> tuple[Array, Array]:
+    """Masses of the standard normal law below and above, the larger by what the smaller leaves."""
+    from scipy.special import ndtr
+
+    smaller = ndtr(-np.abs(z))
+    return np.where(z < 0, smaller, 1 - smaller), np.where(z < 0, 1 - smaller, smaller)
 
 
 def _normal_between(

@@ -14,6 +14,8 @@ Mask = NDArray[np.bool_]
 NARROW = 0.25
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(20)
 UNIT_NODES, UNIT_WEIGHTS = (1 + NODES) / 2, WEIGHTS / 2
+# Where the density alone is integrated, it changes by less than a third: (1/12)**16/16! < eps.
+FEW_NODES, FEW_WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
 def subtract_tails(
@@ -55,8 +57,9 @@ def normal_interval(lower: ArrayLike, upper: ArrayLike, width: ArrayLike) -> Arr
 
 def integrate_density(start: Array, width: Array) -> Array:
     """Mass of the standard normal law on narrow windows, one Gauss panel each."""
-    z = start[:, None] + width[:, None] * UNIT_NODES
-    mass: Array = normal_density(z) @ UNIT_WEIGHTS * width
+    half = 0.5 * width
+    z = (start + half)[:, None] + half[:, None] * FEW_NODES
+    mass: Array = np.exp(-0.5 * z * z) @ FEW_WEIGHTS * (half / np.sqrt(2 * np.pi))
     return mass
 
 

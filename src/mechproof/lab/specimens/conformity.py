@@ -1,7 +1,8 @@
 """Shares of wrongly accepted and rejected parts: simulation, Owen's T, quadrature.
 
-The definitions integrate over the finite window: the density of what is measured, times the
-probability of the other side given the measured value; and the same from the true deviation.
+The definitions integrate over the finite window: the density of the true deviation times the
+probability to be accepted or rejected, or the density of what is measured times the probability
+not to conform given that; the fourth share is what remains of the parts that do not conform.
 """
 
 from __future__ import annotations
@@ -13,13 +14,12 @@ import numpy as np
 import sympy as sp
 
 from mechproof.conformity import Normal, shares, simulate_shares
-from mechproof.lab.points import draw_within
-from mechproof.lab.specimen import Arguments, Array, Specimen
-from mechproof.lab.subject import Box, Cells, PointSet, Study, Table
+from mechproof.lab.specimen import Array, Specimen
+from mechproof.lab.specimens import conformity_points as points
+from mechproof.lab.subject import Study, Table
 from mechproof.record import LENGTH, Argument, Bar, Form, Paper, Quantity, Variable
 
 EPS = float(np.finfo(float).eps)
-SETS = 80
 SEED = 20221
 mu, bias, low, high, m = sp.symbols("mu b L U m", real=True)
 sigma, s = sp.symbols("sigma s", positive=True)
@@ -35,24 +35,58 @@ MEANINGS = {
 NAMES = ("mean", "true_std", "bias", "error_std", "low", "high")
 
 
-def density(at: sp.Expr, mean: sp.Expr, variance: sp.Expr) -> sp.Expr:
-    """Density of a normal law."""
-    return sp.exp(-((at - mean) ** 2) / (2 * variance)) / sp.sqrt(2 * sp.pi * variance)
-
-
 def outside(mean: sp.Expr, variance: sp.Expr) -> sp.Expr:
     """Probability of a normal law outside the limits, from its two tails."""
     root = sp.sqrt(2 * variance)
     return (sp.erfc((mean - low) / root) + sp.erfc((high - mean) / root)) / 2
 
 
+def beyond(at: sp.Expr) -> sp.Expr:
+    """How far a mean lies outside the limits, 0 inside."""
+    return sp.Max(0, low - at, at - high)
+
+
+def within(at: sp.Expr) -> sp.Expr:
+    """How far a mean lies inside the limits, 0 outside."""
+    return sp.Max(0, sp.Min(at - low, high - at))
+
+
+def inside(mean: sp.Expr, variance: sp.Expr) -> sp.Expr:
+    """Probability of a normal law between the limits."""
+    root = sp.sqrt(2 * variance)
+    return (sp.erf((high - mean) / root) - sp.erf((low - mean) / root)) / 2
+
+
 VARIANCE = sigma**2 + s**2
 GIVEN_MEAN = mu + sigma**2 / VARIANCE * (m - mu - bias)
-ACCEPTED = sp.Integral(
-    density(m, mu + bias, VARIANCE) * outside(GIVEN_MEAN, sigma**2 * s**2 / VARIANCE),
-    (m, low, high),
-)
-REJECTED = sp.Integral(density(m, mu, sigma**2) * outside(m + bias, s**2), (m, low, high))
+GIVEN = GIVEN_MEAN, sigma**2 * s**2 / VARIANCE
+
+
+def over_window(
+    centre: sp.Expr, variance: sp.Expr, chance: sp.Expr, distances: tuple[sp.Expr, sp.Expr]
+) -> sp.Expr:
+    """Integrate a normal density times a probability over the window.
+
+    A ball integral has an absolute tolerance: exp(-exponent), which no share of parts at these
+    distances of Y and of M from their means exceeds, is taken out.
+    """
+    (true, measured), z = distances, m - centre
+    exponent = sp.Max(true**2 / sigma**2, measured**2 / VARIANCE) / 2
+    scaled = sp.exp(exponent - z**2 / (2 * variance)) / sp.sqrt(2 * sp.pi * variance)
+    return sp.exp(-exponent) * sp.Integral(scaled * chance, (m, low, high))
+
+
+MEASURED = mu + bias
+ACCEPTED = over_window(MEASURED, VARIANCE, outside(*GIVEN), (within(mu), beyond(MEASURED)))
+REJECTED = over_window(mu, sigma**2, outside(m + bias, s**2), (beyond(mu), within(MEASURED)))
+DEFINITIONS = {
+    "rightly_accepted": over_window(
+        mu, sigma**2, inside(m + bias, s**2), (beyond(mu), beyond(MEASURED))
+    ),
+    "wrongly_accepted": ACCEPTED,
+    "rightly_rejected": outside(mu, sigma**2) - ACCEPTED,
+    "wrongly_rejected": REJECTED,
+}
 
 ARGUMENTS = tuple(
     Argument(name, (symbol,), MEANINGS[symbol], "mm")
@@ -61,7 +95,7 @@ ARGUMENTS = tuple(
 
 
 def quantity(name: str, definition: sp.Expr) -> Quantity:
-    """Return one of the two shares; the bar is 1e-12 relative."""
+    """Return one of the four shares; the bar is 1e-12 relative."""
     form = Form("arc integrals", definition)
     summary = f"Share of the {name.replace('_', ' ')} parts, two normal laws."
     return Quantity(
@@ -83,10 +117,12 @@ PAPER = Paper(
     ),
     rows=(),
     where=(low < high,),
-    quantities=(quantity("wrongly_accepted", ACCEPTED), quantity("wrongly_rejected", REJECTED)),
+    quantities=tuple(quantity(name, share) for name, share in DEFINITIONS.items()),
 )
 
 Share = Callable[..., Array]
+# Shares of the parts between the limits.
+CONFORMING = ("rightly_accepted", "wrongly_rejected")
 
 
 def ours(name: str) -> Share:
@@ -127,8 +163,21 @@ def bivariate(h: Array, k: Array, rho: Array) -> Array:
     return np.asarray((ndtr(h) + ndtr(k)) / 2 - owens_t(h, first) - owens_t(k, second) - opposite)
 
 
+def from_rectangle(name: str, margins: tuple[Array, Array], inside: Array) -> Array:
+    """Return a share as a difference: margins of conforming and accepted less the rectangle."""
+    conforming, accepted = margins
+    return np.asarray(
+        {
+            "rightly_accepted": inside,
+            "wrongly_accepted": accepted - inside,
+            "rightly_rejected": 1 - conforming - accepted + inside,
+            "wrongly_rejected": conforming - inside,
+        }[name]
+    )
+
+
 def by_owen(name: str) -> Share:
-    """Return a share as a difference: one margin less the mass of the rectangle."""
+    """Return a share from the mass of the rectangle, the sum of four corners."""
     from scipy.special import ndtr
 
     def compute(
@@ -139,33 +188,49 @@ def by_owen(name: str) -> Share:
         k = [(limit - mean - offset) / whole for limit in (low, high)]
         corners = [[bivariate(a, b, std / whole) for b in k] for a in h]
         inside = corners[1][1] - corners[0][1] - corners[1][0] + corners[0][0]
-        margin = k if name == "wrongly_accepted" else h
-        return np.asarray(ndtr(margin[1]) - ndtr(margin[0]) - inside)
+        margins = ndtr(h[1]) - ndtr(h[0]), ndtr(k[1]) - ndtr(k[0])
+        return from_rectangle(name, margins, inside)
 
     return compute
 
 
+def by_distribution(name: str) -> Share:
+    """Return a share by `scipy.stats.multivariate_normal`, one set at a time."""
+    from scipy.special import ndtr
+    from scipy.stats import multivariate_normal
+
+    def one(mean: float, std: float, offset: float, error: float, low: float, high: float) -> float:
+        whole, means = float(np.hypot(std, error)), (mean, mean + offset)
+        law = multivariate_normal(means, [[std**2, std**2], [std**2, whole**2]], True)
+        inside = law.cdf([high, high], lower_limit=[low, low])
+        ends = ((high - at) / s for at, s in zip(means, (std, whole), strict=True))
+        starts = ((low - at) / s for at, s in zip(means, (std, whole), strict=True))
+        conforming, accepted = (ndtr(b) - ndtr(a) for a, b in zip(starts, ends, strict=True))
+        return float(from_rectangle(name, (conforming, accepted), inside))
+
+    return over_sets(one)
+
+
 def by_quad(name: str) -> Share:
-    """Return a share by `scipy.integrate.quad`, one set at a time."""
+    """Return a share by `scipy.integrate.quad` over the true deviation, one set at a time."""
     from scipy.integrate import quad
     from scipy.special import ndtr
 
     def one(mean: float, std: float, offset: float, error: float, low: float, high: float) -> float:
-        variance = std**2 + error**2
+        def accept(y: float) -> float:
+            return float(ndtr((high - offset - y) / error) - ndtr((low - offset - y) / error))
 
-        def outside(m: float, spread: float) -> float:
-            return float(ndtr((low - m) / spread) + ndtr((m - high) / spread))
+        def reject(y: float) -> float:
+            return float(ndtr((y + offset - high) / error) + ndtr((low - offset - y) / error))
 
-        def integrand(m: float) -> float:
-            if name == "wrongly_rejected":
-                return float(np.exp(-(((m - mean) / std) ** 2) / 2) / std) * outside(
-                    m + offset, error
-                )
-            given = mean + std**2 / variance * (m - mean - offset)
-            peak = np.exp(-((m - mean - offset) ** 2) / variance / 2) / np.sqrt(variance)
-            return float(peak) * outside(given, std * error / np.sqrt(variance))
+        chance = accept if name.endswith("accepted") else reject
 
-        return float(quad(integrand, low, high, epsabs=0, limit=200)[0] / np.sqrt(2 * np.pi))
+        def integrand(y: float) -> float:
+            return float(np.exp(-(((y - mean) / std) ** 2) / 2) / std * chance(y))
+
+        ranges = ((low, high),) if name in CONFORMING else ((-np.inf, low), (high, np.inf))
+        parts = (quad(integrand, *ends, epsabs=0, limit=200)[0] for ends in ranges)
+        return float(sum(parts) / np.sqrt(2 * np.pi))
 
     return over_sets(one)
 
@@ -197,51 +262,31 @@ def over_sets(one: Callable[..., float]) -> Share:
     return compute
 
 
-def windows(rng: np.random.Generator, count: int, std: Array, error: Array) -> Arguments:
-    """Draw limits of 1 to 7 standard deviations, both laws shifted."""
-    mean, offset = rng.uniform(-0.5, 0.5, count) * std, rng.uniform(-0.5, 0.5, count) * error
-    reach = rng.uniform(1, 7, (2, count)) * np.hypot(std, error)
-    return mean, std, offset, error, -reach[0], reach[1]
-
-
-def usual(rng: np.random.Generator) -> Arguments:
-    """Draw errors of 1 % to all of the true spread."""
-    std = 10 ** rng.uniform(-2, 0, SETS)
-    return windows(rng, SETS, std, std * 10 ** rng.uniform(-2, 0, SETS))
-
-
-def in_cell(rng: np.random.Generator, box: Box) -> Arguments:
-    """Draw spreads of one box."""
-    columns = (np.abs(draw_within(rng, SETS, *box[n])) for n in ("true_std", "error_std"))
-    return windows(rng, SETS, *columns)
-
-
-def workload(count: int) -> Arguments:
-    """Return N sets of parameters."""
-    rng = np.random.default_rng(7)
-    std = np.ones(count)
-    return windows(rng, count, std, std * rng.uniform(0.1, 0.5, count))
+def list_peers(name: str) -> list[Specimen]:
+    """List the ways of other libraries; suncal has the two risks only."""
+    found = [
+        Specimen("scipy.integrate.quad", by_quad(name), slow=True, source="peer"),
+        Specimen("multivariate_normal", by_distribution(name), slow=True, source="peer"),
+    ]
+    if find_spec("suncal") and name.startswith("wrongly"):
+        found.append(Specimen("suncal.risk", by_suncal(name), slow=True, source="peer"))
+    return found
 
 
 def study(name: str) -> Study:
     """Return the rows of one share."""
-    sign = "one margin less a rectangle of four corners: small shares cancel"
-    peers = [
-        Specimen("scipy.integrate.quad", by_quad(name), slow=True, source="peer"),
-    ]
-    if find_spec("suncal"):
-        peers.append(Specimen("suncal.risk", by_suncal(name), slow=True, source="peer"))
+    sign = "margins less a rectangle of four corners: small shares cancel"
     return Study(
         specimens=(
             simulated(name, 10_000),
             simulated(name, 1_000_000),
             Specimen("Owen's T", by_owen(name), note=sign),
-            *peers,
+            *list_peers(name),
         ),
-        sets=(PointSet("limits of 1 to 7 standard deviations", usual),),
-        cells=(Cells("true_std", (0.01, 1.0)), Cells("error_std", (0.001, 0.1, 1.0))),
-        in_cell=in_cell,
-        workloads=(("N sets", workload),),
+        sets=points.SETS_OF_PARAMETERS,
+        cells=points.CELLS,
+        in_cell=points.in_cell,
+        workloads=(("N sets", points.workload),),
     )
 
 
