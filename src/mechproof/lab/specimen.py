@@ -60,7 +60,9 @@ def _state_kernel(quantity: Quantity, paper: Paper) -> Statement | None:
     """Return what the ledger states of the kernel; None if the derivation bounds it instead."""
     if quantity.form.bound is not None:
         return None
-    rows = {row.number: row.says for row in form_rows(paper)}
+    rows = {row.number: row.says for row in (*form_rows(paper), *paper.rows)}
+    if quantity.form.proved_by:
+        return rows[quantity.form.proved_by]
     plain = Equality(quantity.form.expression, quantity.definition)
     return rows.get(f"kernel {quantity.name}", plain)
 
