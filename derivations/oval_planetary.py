@@ -1305,7 +1305,10 @@ OF_CYLINDERS = (
 # what the value makes of y with its terms changed against each other, 0 without a mount. The rest
 # is some 20 operations; all of them in one direction would make twice the bars, which are what
 # searches for the worst input hold.
-# All of it is multiplied by (1 - e2)*cos(phi1), so that nothing is divided.
+# All of it is multiplied by (1 - e2)*cos(phi1), so that nothing is divided, and the coefficients
+# stand in full: to put them into absolute values later takes SymPy very long.
+GIVEN = {variable.symbol: variable.given for variable in VARIABLES}
+ALPHA, BETA, GAMMA, DELTA = (GIVEN[symbol] for symbol in (alpha, beta, gamma, delta))
 LEVER = 4 * e2 * sp.sin(mount)
 SIDE_6 = (1 - e1) * sp.cos(phi1), (1 + e1) * sp.sin(phi1)
 LESS = (1 - e1) * (1 - e2) ** 2
@@ -1314,10 +1317,10 @@ CHANGE = LEVER * (sp.cos(mount) * SIDE_6[1] - sp.sin(mount) * SIDE_6[0]) / 2
 SLOPE_OF_TURNED = sp.diff(TURNED, phi1)
 CHANGE_OF_SLOPE = sp.diff(CHANGE, phi1)
 ALONG = LESS * sp.cos(phi1) + TURNED
-SPREAD = ALONG**2 + (alpha * sp.sin(phi1)) ** 2
+SPREAD = ALONG**2 + (ALPHA * sp.sin(phi1)) ** 2
 TILT_TERMS = (
     TURNED * SLOPE_OF_TURNED,
-    LESS * gamma * sp.cos(2 * phi1),
+    LESS * GAMMA * sp.cos(2 * phi1),
     4 * (e1 + e2) * (1 + e1 * e2) * (1 - e2) ** 2 * sp.sin(phi1) * sp.cos(phi1),
     -LESS * (1 - e1) * LEVER * sp.sin(mount) * sp.sin(2 * phi1),
 )
@@ -1331,13 +1334,14 @@ def largest(*terms: sp.Expr) -> sp.Expr:
     return first
 
 
-WHEEL_3 = alpha * beta / SPREAD
+WHEEL_3 = ALPHA * BETA / SPREAD
 RATIO_SCALE = largest(sp.S.One, WHEEL_3, 2 * WHEEL_3 / SPREAD * ALONG * CHANGE)
 ACROSS_TERMS = TURNED, 2 * (e1 + e2) * (1 - e2) * sp.cos(phi1)
+REACH = sp.Abs(ALONG) + ALPHA * sp.Abs(sp.sin(phi1))
 POSITION_SCALE = largest(
-    POSITION,
-    *(sp.sin(phi1) * term / sp.sqrt(SPREAD) for term in ACROSS_TERMS),
-    alpha * sp.sin(phi1) * CHANGE / SPREAD,
+    position_of_map(ALPHA, BETA, GAMMA, DELTA),
+    *(sp.sin(phi1) * term / REACH for term in ACROSS_TERMS),
+    ALPHA * sp.sin(phi1) * CHANGE / SPREAD,
 )
 OF_CHANGE = (SLOPE_OF_TURNED * SPREAD - 4 * ALONG * sum(TILT_TERMS)) / SPREAD
 ACCELERATION_SCALE = (
@@ -1347,7 +1351,7 @@ ACCELERATION_SCALE = (
     * largest(
         sum(TILT_TERMS),
         TILT_TERMS[0],
-        LESS * gamma,
+        LESS * GAMMA,
         *TILT_TERMS[2:],
         TURNED * CHANGE_OF_SLOPE,
         OF_CHANGE * CHANGE,
@@ -1408,9 +1412,9 @@ QUANTITIES = (
         unit="rad",
         bar=Bar(
             POSITION_ULP,
-            "the largest of |value| and of |y*t|/R, 2*(e1 + e2)*|t|/R, |both*t*(rise*t - "
-            "shift)|/(2*S), R = hypot of the arguments of atan2 (|value| without a mount), with "
-            "t, S, y, both, rise, shift as in `ratio`, where no product underflows",
+            "the largest of |value|, |y*sin(phi1)|/R, 2*(e1 + e2)*|sin(phi1)|/R and |both*t*"
+            "(rise*t - shift)|/(2*S), R = |less + y| + |both*t| (|value| without a mount), with "
+            "t, S, y, both, less, rise, shift as in `ratio`, where no product underflows",
             POSITION_SCALE,
         ),
     ),

@@ -177,9 +177,9 @@ def position(
 
     Outside it the result is NaN, by way of e1.
 
-    Accuracy held by the tests: error <= 4 eps * (the largest of |value| and of |y*t|/R, 2*(e1 +
-    e2)*|t|/R, |both*t*(rise*t - shift)|/(2*S), R = hypot of the arguments of atan2 (|value|
-    without a mount), with t, S, y, both, rise, shift as in `ratio`, where no product
+    Accuracy held by the tests: error <= 4 eps * (the largest of |value|, |y*sin(phi1)|/R, 2*(e1
+    + e2)*|sin(phi1)|/R and |both*t*(rise*t - shift)|/(2*S), R = |less + y| + |both*t| (|value|
+    without a mount), with t, S, y, both, less, rise, shift as in `ratio`, where no product
     underflows), eps the spacing of floats at 1.
 
     Source: Prikhodko et al. 2024 (oval wheels), integral (11).

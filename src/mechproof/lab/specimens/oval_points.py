@@ -159,8 +159,9 @@ def workload(count: int) -> Arguments:
 
 
 def with_radii(phi1: Array, e2: Array, which: Array) -> Arguments:
-    """Return the arguments for given rows of RADII."""
-    return phi1, RADII[which, 0], RADII[which, 1], e2
+    """Return the arguments for given rows of RADII; equal circles would rest, as above."""
+    resting = (RADII[which, 0] == RADII[which, 1]) & (e2 == 0)
+    return phi1, RADII[which, 0], RADII[which, 1], np.where(resting, 0.28, e2)
 
 
 def _which(rng: np.random.Generator, count: int) -> Array:
