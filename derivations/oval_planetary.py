@@ -34,6 +34,7 @@ from mechproof.record import (
     Quantity,
     Reading,
     Row,
+    Shortcut,
     Variable,
 )
 
@@ -51,8 +52,11 @@ sB, sC, sD = sp.symbols("s_B s_C s_D", real=True)
 ratio_symbol = sp.Symbol("varphi3'", real=True)
 k, x = sp.symbols("k x", real=True)
 alpha, beta, gamma, delta = sp.symbols("alpha beta gamma delta", real=True)
+both, less, swing, lever, shift, rise, y = sp.symbols(
+    "both less swing lever shift rise y", real=True
+)
 lam, mu = sp.symbols("lambda mu", positive=True)
-nu, tangent = sp.symbols("nu U", real=True)
+nu, xi, tangent = sp.symbols("nu xi U", real=True)
 width, eta = sp.symbols("T eta", positive=True)
 n = sp.Symbol("n", integer=True, positive=True)
 q = sp.IndexedBase("q", real=True)
@@ -98,9 +102,17 @@ VARIABLES = (
         given=2
         * ((e1 + e2) * (1 - e2) * sp.cos(mount) ** 2 + (e1 - e2) * (1 + e2) * sp.sin(mount) ** 2),
     ),
+    Variable(both, "alpha/(1 - e2)", given=(1 + e1) * (1 + e2)),
+    Variable(less, "what beta/(1 - e2) has without a turn of wheel 6", given=(1 - e1) * (1 - e2)),
+    Variable(lever, "part of shift and rise", given=4 * e2 * sp.sin(mount) / (1 - e2)),
+    Variable(shift, "the rest of beta/(1 - e2)", given=lever * (1 - e1) * sp.sin(mount)),
+    Variable(rise, "gamma/(1 - e2)", given=lever * (1 + e1) * sp.cos(mount)),
+    Variable(swing, "both - less", given=2 * (e1 + e2)),
+    Variable(y, "what the turn of wheel 6 adds", given=shift + rise * sp.tan(phi1)),
     Variable(lam, "alpha, any positive number", within=POSITIVE),
     Variable(mu, "beta, any positive number", within=POSITIVE),
     Variable(nu, "gamma, any real number"),
+    Variable(xi, "part of beta, any real number"),
     Variable(tangent, "tg(phi1) as a variable of its own"),
     Variable(a, "major semi-axis of the generating ellipse", LENGTH, POSITIVE),
     Variable(phi, "polar angle of an oval from its major axis"),
@@ -253,16 +265,29 @@ COEFFICIENTS = (
 
 t = sp.tan(phi1)
 POSITION = position_of_map(alpha, beta, gamma, delta)
-Y = t * (gamma * t - delta)
-X = beta + gamma * t + alpha * t**2
-POSITION_FORM = sp.atan2(Y, X)
 RATIO = ratio_of_map(alpha, beta, gamma)
 ACCELERATION = sp.diff(RATIO, phi1)
-spread = (beta + gamma * t) ** 2 + alpha**2 * t**2
-RATIO_FORM = 1 - alpha * beta * (1 + t**2) / spread
-tilt = beta * gamma * (1 - t**2) + (delta * (alpha + beta) + gamma**2) * t
-ACCELERATION_FORM = 2 * alpha * beta * (1 + t**2) * tilt / spread**2
-ANY_MAP = {alpha: lam, beta: mu, gamma: nu, delta: lam - mu}
+
+# All coefficients divided by 1 - e2, and beta + gamma*t split into less + y. y has the sine of the
+# mounted wheel's angle as a factor and is large beside the rest as e2 -> 1; rounded once, it
+# enters both arguments of atan2, and what is left of it where it vanishes is one small angle.
+POSITION_FORM = sp.atan2(t * (y - swing), less + y + both * t**2)
+spread = (less + y) ** 2 + both**2 * t**2
+RATIO_FORM = 1 - both * (less + shift) * (1 + t**2) / spread
+TILT = (
+    y * (rise - shift * t),
+    less * rise * (1 - t**2),
+    (swing * (less + both) - 2 * less * shift) * t,
+)
+ACCELERATION_FORM = 2 * both * (less + shift) * (1 + t**2) * sum(TILT) / spread**2
+ANY_MAP = {
+    both: lam,
+    less: mu - xi,
+    shift: xi,
+    rise: nu,
+    swing: lam - mu + xi,
+    y: xi + nu * t,
+}
 
 # Mounted as in the paper the two eccentricities act as one.
 E_SERIES = (e1 + e2) / (1 + e1 * e2)
@@ -741,6 +766,29 @@ THEOREM_ROWS: tuple[Row, ...] = (
         marks=("ours",),
     ),
     Claim(
+        "coefficients split",
+        r"\alpha=(1-e_2)\lambda,\ \beta=(1-e_2)\mu,\ \gamma=(1-e_2)\nu,\ "
+        r"\mu-\xi=(1-e_1)(1-e_2),\ \lambda-\mu+\xi=2(e_1+e_2)",
+        Conjunction(
+            (
+                *(
+                    Equality((1 - e2) * part, coefficient)
+                    for part, coefficient in (
+                        (both, alpha),
+                        (less + shift, beta),
+                        (rise, gamma),
+                        (swing - shift, delta),
+                    )
+                ),
+                Equality(both - less, swing),
+                Equality(shift + rise * t, y),
+            )
+        ),
+        note="A common factor of the coefficients cancels: so the kernels use lambda = both, "
+        "nu = rise, xi = shift.",
+        marks=("ours",),
+    ),
+    Claim(
         "position, any mount",
         r"\int_0^{\varphi_1}\varphi_3'\,d\varphi_1\text{ as two arguments}",
         Equality(position_by_one_pair, integrate(ratio_of_map(lam, mu, nu))),
@@ -756,8 +804,8 @@ THEOREM_ROWS: tuple[Row, ...] = (
     ),
     Claim(
         "position by the tangent",
-        r"\varphi_3=\mathrm{atan2}(t(\nu t-\lambda+\mu),\ \mu+\nu t+\lambda t^2),\ "
-        r"t=\mathrm{tg}\,\varphi_1",
+        r"\varphi_3=\mathrm{atan2}(t(y-\lambda+\mu-\xi),\ \mu-\xi+y+\lambda t^2),\ "
+        r"y=\xi+\nu t,\ t=\mathrm{tg}\,\varphi_1",
         Equality(
             POSITION_FORM.subs(ANY_MAP).subs(t, tangent),
             position_of_map(lam, mu, nu, lam - mu).subs(
@@ -772,15 +820,15 @@ THEOREM_ROWS: tuple[Row, ...] = (
     ),
     Claim(
         "ratio by the tangent",
-        r"\varphi_3'=1-\frac{\lambda\mu(1+t^2)}{(\mu+\nu t)^2+\lambda^2t^2},\ "
-        r"t=\mathrm{tg}\,\varphi_1",
+        r"\varphi_3'=1-\frac{\lambda\mu(1+t^2)}{(\mu-\xi+y)^2+\lambda^2t^2},\ "
+        r"y=\xi+\nu t,\ t=\mathrm{tg}\,\varphi_1",
         Equality(RATIO_FORM.subs(ANY_MAP), ratio_of_map(lam, mu, nu)),
         marks=("ours",),
     ),
     Claim(
         "acceleration by the tangent",
-        r"\varphi_3''=2\lambda\mu(1+t^2)\frac{\mu\nu(1-t^2)+(\lambda^2-\mu^2+\nu^2)t}"
-        r"{((\mu+\nu t)^2+\lambda^2t^2)^2}",
+        r"\varphi_3''=2\lambda\mu(1+t^2)\frac{y(\nu-\xi t)+(\mu-\xi)\nu(1-t^2)"
+        r"+(\lambda^2-\mu^2+\xi^2)t}{((\mu-\xi+y)^2+\lambda^2t^2)^2},\ y=\xi+\nu t",
         Equality(ACCELERATION_FORM.subs(ANY_MAP), sp.diff(ratio_of_map(lam, mu, nu), phi1)),
         marks=("ours",),
     ),
@@ -1251,56 +1299,89 @@ OF_CYLINDERS = (
     Argument("e2", (e2,), "eccentricity of the oval pair 6-3"),
 )
 
-# Bars of the oval pairs. t = tan(phi1) needs no reduction of its own; what a mount can lose is
-# cancellation between terms, so the scales have the terms' absolute values. In eps, from 1/2 for
-# an arithmetic operation and 4 for tan, sin, cos and atan2 (what NumPy's vector loops are
-# allowed): alpha 2.5, beta 12, gamma 10, the terms of delta 11 (two of the functions squared in
-# each); t**2 8.5.
-DELTA_TERMS = 2 * (
-    (e1 + e2) * (1 - e2) * sp.cos(mount) ** 2 + sp.Abs(e1 - e2) * (1 + e2) * sp.sin(mount) ** 2
+# Bars of the oval pairs. The terms of y = shift + rise*t are rounded, and where they cancel the
+# value makes of that what no evaluation from a rounded tangent is spared: up to 1/(1 - e2), where
+# the major axes of the pair 6-3 meet away from phi1 = 0. So the scales have, beside the terms,
+# what the value makes of y with its terms changed against each other, 0 without a mount. The rest
+# is some 20 operations; all of them in one direction would make twice the bars, which are what
+# searches for the worst input hold.
+# All of it is multiplied by (1 - e2)*cos(phi1), so that nothing is divided, and the coefficients
+# stand in full: to put them into absolute values later takes SymPy very long.
+GIVEN = {variable.symbol: variable.given for variable in VARIABLES}
+ALPHA, BETA, GAMMA, DELTA = (GIVEN[symbol] for symbol in (alpha, beta, gamma, delta))
+LEVER = 4 * e2 * sp.sin(mount)
+SIDE_6 = (1 - e1) * sp.cos(phi1), (1 + e1) * sp.sin(phi1)
+LESS = (1 - e1) * (1 - e2) ** 2
+TURNED = LEVER * (sp.sin(mount) * SIDE_6[0] + sp.cos(mount) * SIDE_6[1])
+CHANGE = LEVER * (sp.cos(mount) * SIDE_6[1] - sp.sin(mount) * SIDE_6[0]) / 2
+SLOPE_OF_TURNED = sp.diff(TURNED, phi1)
+CHANGE_OF_SLOPE = sp.diff(CHANGE, phi1)
+ALONG = LESS * sp.cos(phi1) + TURNED
+SPREAD = ALONG**2 + (ALPHA * sp.sin(phi1)) ** 2
+TILT_TERMS = (
+    TURNED * SLOPE_OF_TURNED,
+    LESS * GAMMA * sp.cos(2 * phi1),
+    4 * (e1 + e2) * (1 + e1 * e2) * (1 - e2) ** 2 * sp.sin(phi1) * sp.cos(phi1),
+    -LESS * (1 - e1) * LEVER * sp.sin(mount) * sp.sin(2 * phi1),
 )
-Y_TERMS = sp.Abs(t) * (sp.Abs(gamma * t) + DELTA_TERMS)
-X_TERMS = beta + sp.Abs(gamma * t) + alpha * t**2
-# The terms of Y 14.5, of its sum 15, times t 19.5, the division 20; those of X 15.5, 16.5.
-# phi3 = atan2(Y, X) moves by (X dY - Y dX)/(X**2 + Y**2); atan2 itself 4.
-POSITION_SCALE = sp.Abs(POSITION) + (sp.Abs(X) * Y_TERMS + sp.Abs(Y) * X_TERMS) / (X**2 + Y**2)
-POSITION_ULP = 20
-# beta + gamma*t 15 of its terms, so spread at most 31 of (|beta| + |gamma*t|)*|beta + gamma*t|
-# + alpha**2*t**2; the quotient without it 2.5 + 12 + 9 and three operations.
-STRETCH = 1 + sp.Abs(beta + gamma * t) * (beta + sp.Abs(gamma * t)) / spread
-WHEEL_3 = alpha * beta * (1 + t**2) / spread
-RATIO_SCALE = 1 + WHEEL_3 * STRETCH
-RATIO_ULP = 41
-# tilt at most 33 of its terms, the rest as before with twice the error of spread.
-TILT_TERMS = sp.Abs(beta * gamma) * (1 + t**2) + (DELTA_TERMS * (alpha + beta) + gamma**2) * sp.Abs(
-    t
-)
-ACCELERATION_SCALE = 2 * alpha * beta * (1 + t**2) * TILT_TERMS / spread**2 * STRETCH
-ACCELERATION_ULP = 90
 
-# Bars of a cylindrical pair 4-5. x = 2*(R4/R5)*phi1 is rounded twice, one eps in all, and no
-# evaluation in plain doubles is spared what the value makes of it. Near e2 = 1 the slope changes
-# within an ulp of x, so the scale has an envelope, 4*e2*sin(x/2)**2 <= D, |sin x| <= sqrt(D/e2).
-# The first order holds where the error of x is small against the width 1 - e2 of the peak.
-WHERE_FIRST_ORDER = ", where eps*|x| <= (1 - e2)/4"
-D = 1 + e2**2 - 2 * e2 * sp.cos(x)
-WHEEL_3_CYLINDRICAL = k * (1 - e2**2) / D
-SLOPE = 4 * e2 * k**2 * (1 - e2**2) / D**2
-# ratio: tan 4 * amplification 2 = 8; 15 roundings of the quotient 7.5; last sum 0.5.
-RATIO_CYLINDRICAL_SCALE = 1 + WHEEL_3_CYLINDRICAL * (1 + 2 * sp.sqrt(e2) * sp.Abs(x) / sp.sqrt(D))
-RATIO_CYLINDRICAL_ULP = 16
-# position: the quotient in atan 4 * 1 + 6 roundings 3, atan 4, last sum 0.5; the other term 1.5;
-# the error of x 1 of its own term, 4/3 of it nearby.
-POSITION_CYLINDRICAL_SCALE = (
-    sp.Abs((R5 - R4) / R5 * phi1)
-    + sp.Abs(sp.atan2(e2 * sp.sin(x), 1 - e2 * sp.cos(x)))
-    + sp.Abs(phi1) * (WHEEL_3_CYLINDRICAL + k)
+
+def largest(*terms: sp.Expr) -> sp.Expr:
+    """Return the largest absolute value of the terms; sp.Max would compare them as symbols."""
+    first, *others = map(sp.Abs, terms)
+    for other in others:
+        first = (first + other + sp.Abs(first - other)) / 2
+    return first
+
+
+WHEEL_3 = ALPHA * BETA / SPREAD
+RATIO_SCALE = largest(sp.S.One, WHEEL_3, 2 * WHEEL_3 / SPREAD * ALONG * CHANGE)
+ACROSS_TERMS = TURNED, 2 * (e1 + e2) * (1 - e2) * sp.cos(phi1)
+REACH = sp.Abs(ALONG) + ALPHA * sp.Abs(sp.sin(phi1))
+POSITION_SCALE = largest(
+    position_of_map(ALPHA, BETA, GAMMA, DELTA),
+    *(sp.sin(phi1) * term / REACH for term in ACROSS_TERMS),
+    ALPHA * sp.sin(phi1) * CHANGE / SPREAD,
 )
-POSITION_CYLINDRICAL_ULP = 12
-# acceleration: tan 4 * amplification 3 = 12; 25 roundings of the quotient 12.5; last 0.5; the
-# error of x costs 5 of the second term, |d value/d x| <= 5*SLOPE.
-ACCELERATION_CYLINDRICAL_SCALE = sp.Abs(ACCELERATION_CYLINDRICAL) + sp.Abs(x) * SLOPE
-ACCELERATION_CYLINDRICAL_ULP = 25
+OF_CHANGE = (SLOPE_OF_TURNED * SPREAD - 4 * ALONG * sum(TILT_TERMS)) / SPREAD
+ACCELERATION_SCALE = (
+    2
+    * WHEEL_3
+    / SPREAD
+    * largest(
+        sum(TILT_TERMS),
+        TILT_TERMS[0],
+        LESS * GAMMA,
+        *TILT_TERMS[2:],
+        TURNED * CHANGE_OF_SLOPE,
+        OF_CHANGE * CHANGE,
+    )
+)
+RATIO_ULP = ACCELERATION_ULP = 8
+POSITION_ULP = 4
+
+# Bars of a cylindrical pair 4-5. With the low word, x is known to eps**2 relative, and what is left
+# are the roundings of some 20 operations, tan and atan within an ulp; the bars are what searches
+# for the worst input hold. The acceleration passes through zero, where the error of x itself
+# counts, eps**2*|x| times the slope, which has the envelope of |sin x|, |cos x| <= 1.
+WHERE_LOW_WORD = ", where |x| <= 2**26"
+SLOPE = 4 * e2 * k**2 * (1 - e2**2) / (1 + e2**2 - 2 * e2 * sp.cos(x)) ** 2
+RATIO_CYLINDRICAL_SCALE = largest(sp.S.One, 1 - RATIO_CYLINDRICAL)
+POSITION_CYLINDRICAL_SCALE = largest(
+    (R5 - R4) / R5 * phi1, sp.atan2(e2 * sp.sin(x), 1 - e2 * sp.cos(x))
+)
+ACCELERATION_CYLINDRICAL_SCALE = (
+    sp.Abs(ACCELERATION_CYLINDRICAL) + sp.Rational(1, 2**52) * sp.Abs(x) * SLOPE
+)
+RATIO_CYLINDRICAL_ULP = ACCELERATION_CYLINDRICAL_ULP = 8
+POSITION_CYLINDRICAL_ULP = 4
+
+# Without it x = 2*k*phi1 is off by two roundings, eps*|x|. The slope of the arctangent in x lies
+# between -e2/(1 + e2) and e2/(1 - e2), so the plain product costs at most 2*k*e2/(1 - e2) eps of
+# |phi1|. Where k*e2/(1 - e2) <= |1 - k| that is half the bar, whatever phi1. The ratio and the
+# acceleration lose some |x|*e2/(1 - e2) eps, however small the eccentricity: they have no such
+# threshold but e2 = 0.
+PLAIN_PRODUCT = R4 * e2 <= sp.Abs(R5 - R4) * (1 - e2)
 
 SOURCE = "Prikhodko et al. 2024 (oval wheels)"
 
@@ -1314,8 +1395,10 @@ QUANTITIES = (
         f"{SOURCE}, equation (10)",
         bar=Bar(
             RATIO_ULP,
-            "1 + W*(1 + |beta + gamma*t|*(beta + |gamma*t|)/S), W = 1 - value, "
-            "S = (beta + gamma*t)**2 + alpha**2*t**2, t = tan(phi1)",
+            "the largest of 1, W = 1 - value and W*|(less + y)*(rise*t - shift)|/S (0 without a "
+            "mount), S = (less + y)**2 + both**2*t**2, t = tan(phi1), y = shift + rise*t, both = "
+            "alpha/(1 - e2), less = (1 - e1)*(1 - e2), rise = gamma/(1 - e2), shift = "
+            "beta/(1 - e2) - less",
             RATIO_SCALE,
         ),
     ),
@@ -1329,9 +1412,9 @@ QUANTITIES = (
         unit="rad",
         bar=Bar(
             POSITION_ULP,
-            "|value| + (|X|*Y' + |Y|*X')/(X**2 + Y**2), Y = t*(gamma*t - delta), X = beta + "
-            "gamma*t + alpha*t**2, t = tan(phi1), Y' and X' with the absolute values of all terms, "
-            "where Y does not underflow",
+            "the largest of |value|, |y*sin(phi1)|/R, 2*(e1 + e2)*|sin(phi1)|/R and |both*t*"
+            "(rise*t - shift)|/(2*S), R = |less + y| + |both*t| (|value| without a mount), with "
+            "t, S, y, both, less, rise, shift as in `ratio`, where no product underflows",
             POSITION_SCALE,
         ),
     ),
@@ -1344,9 +1427,11 @@ QUANTITIES = (
         f"{SOURCE}, derivative of (10)",
         bar=Bar(
             ACCELERATION_ULP,
-            "2*alpha*beta*(1 + t**2)*Z'/S**2*(1 + |beta + gamma*t|*(beta + |gamma*t|)/S), "
-            "S = (beta + gamma*t)**2 + alpha**2*t**2, t = tan(phi1), Z' = |beta*gamma|*(1 + t**2) "
-            "+ (delta'*(alpha + beta) + gamma**2)*|t|, delta' with absolute values of its terms",
+            "the largest of |value| and 2*W/S times |y*(rise - shift*t)|, less*|rise|*(1 + t**2), "
+            "2*(e1 + e2)*(less + both)*|t|, 2*less*shift*|t|, |y*(rise + shift*t)|/2 and |(rise - "
+            "shift*t - 4*(less + y)*Z/S)*(rise*t - shift)|/2, Z = value*S/(2*W) (|value| without "
+            "a mount), with W, S, t, y, both, less, rise, shift as in `ratio`, where no product "
+            "underflows",
             ACCELERATION_SCALE,
         ),
     ),
@@ -1355,12 +1440,15 @@ QUANTITIES = (
         "Compute the ratio d phi3/d phi1 with a cylindrical pair 4-5.",
         OF_CYLINDERS,
         RATIO_CYLINDRICAL,
-        Form("half-angle quotient", RATIO_CYLINDRICAL, ("half_angle_tangent",)),
+        Form(
+            "half-angle quotient with low word",
+            RATIO_CYLINDRICAL,
+            ("low_word", "half_angle_tangent"),
+        ),
         f"{SOURCE}, equation (10), pair 4-5 cylindrical",
         bar=Bar(
             RATIO_CYLINDRICAL_ULP,
-            "1 + W*(1 + 2*sqrt(e2)*|x|/sqrt(1 + e2**2 - 2*e2*cos(x))), W = 1 - value"
-            + WHERE_FIRST_ORDER,
+            "the larger of 1 and 1 - value" + WHERE_LOW_WORD,
             RATIO_CYLINDRICAL_SCALE,
         ),
     ),
@@ -1369,13 +1457,21 @@ QUANTITIES = (
         "Compute the position function phi3(phi1) with a cylindrical pair 4-5, phi3(0) = 0.",
         OF_CYLINDERS,
         POSITION_CYLINDRICAL,
-        Form("half-angle atan", POSITION_CYLINDRICAL, ("positive_atan2", "half_angle_tangent")),
+        Form(
+            "half-angle atan with low word",
+            POSITION_CYLINDRICAL,
+            ("positive_atan2", "low_word", "half_angle_tangent"),
+        ),
         f"{SOURCE}, integral (11), pair 4-5 cylindrical",
         unit="rad",
         bar=Bar(
             POSITION_CYLINDRICAL_ULP,
-            "the sum of both terms' absolute values + |phi1|*(k + 1 - ratio)" + WHERE_FIRST_ORDER,
+            "the larger of both terms" + WHERE_LOW_WORD,
             POSITION_CYLINDRICAL_SCALE,
+        ),
+        shortcut=Shortcut(
+            Form("half-angle atan", POSITION_CYLINDRICAL, ("positive_atan2", "half_angle_tangent")),
+            PLAIN_PRODUCT,
         ),
     ),
     Quantity(
@@ -1383,11 +1479,15 @@ QUANTITIES = (
         "Compute d ratio/d phi1 with a cylindrical pair 4-5.",
         OF_CYLINDERS,
         ACCELERATION_CYLINDRICAL,
-        Form("half-angle quotient", ACCELERATION_CYLINDRICAL, ("half_angle_tangent",)),
+        Form(
+            "half-angle quotient with low word",
+            ACCELERATION_CYLINDRICAL,
+            ("low_word", "half_angle_tangent"),
+        ),
         f"{SOURCE}, derivative of (10), pair 4-5 cylindrical",
         bar=Bar(
             ACCELERATION_CYLINDRICAL_ULP,
-            "|value| + |x|*4*e2*k**2*(1 - e2**2)/(1 + e2**2 - 2*e2*cos(x))**2" + WHERE_FIRST_ORDER,
+            "|value| + eps*|x|*4*e2*k**2*(1 - e2**2)/(1 + e2**2 - 2*e2*cos(x))**2" + WHERE_LOW_WORD,
             ACCELERATION_CYLINDRICAL_SCALE,
         ),
     ),
