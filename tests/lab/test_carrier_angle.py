@@ -5,12 +5,10 @@ from __future__ import annotations
 from fractions import Fraction
 
 import numpy as np
-import pytest
 
 from mechproof import CylindricalPair, EllipticPlanetary, OvalPlanetary
-from mechproof.lab.oracle import find_truth
 from mechproof.lab.specimen import Array
-from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.subject import find_subjects
 
 EPS = float(np.finfo(float).eps)
 ALLOWED = 4
@@ -63,5 +61,5 @@ def draw_targets(mechanism: Mechanism, seed: int) -> Array:
     return np.concatenate([reached, ladder, WORST_OF(mechanism)])
 
 
-def WORST_OF(mechanism: Mechanism) -> Array:  # noqa: N802
+def WORST_OF(mechanism: Mechanism) -> Array:
     return np.array(next((WORST.get(n, ()) for n, m in MECHANISMS.items() if m is mechanism), ()))

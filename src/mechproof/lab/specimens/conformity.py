@@ -126,12 +126,13 @@ CONFORMING = ("rightly_accepted", "wrongly_rejected")
 
 
 def ours(name: str) -> Share:
-    """Return the positive quadrature of `mechproof.conformity`."""
+    """Return the positive quadrature of `mechproof.conformity`; NaN for limits out of order."""
 
     def compute(
         mean: Array, std: Array, offset: Array, error: Array, low: Array, high: Array
     ) -> Array:
-        done = shares(Normal(mean, std), Normal(offset, error), (low, high))
+        above = np.where(low < high, high, np.nan)
+        done = shares(Normal(mean, std), Normal(offset, error), (low, above))
         return np.asarray(getattr(done, name))
 
     return compute
