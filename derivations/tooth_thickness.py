@@ -1110,11 +1110,14 @@ HEIGHT_ULP = 3
 LINEAR_ULP = 5
 # thickness_error: the same and a difference of terms on its scale.
 ERROR_ULP = 6
-# height_change, thickness_change, in units of r_b |tilt| (1 + t_c + |tilt|): t_c 4.5 + 1/2 + 1/2;
-# `along` at most (5.5 + 1/2 + 1 + 1/2) of t |tilt| and 3.5 of tilt**2/2; `across` (5.5 + 3 + 1/2)
-# of t_c tilt**2/2 and 1 + 2 of |tilt|; sums 1; sines and products 2; r_b 2.5. Each of `along` and
-# `across` counts with a factor of at most 1, twice for the thickness.
-FLANK_ULP = 24
+# height_change, thickness_change, in units of r_b |tilt| (1 + t_c + |tilt|), the terms with t_c
+# being the largest; t = |tilt|: t_c 4.5, cos(alpha) 1.54, r_b 2.54. `along` 7 of t_c |sin(tilt)|
+# and 3.5 of t**2, `across` 8 of t_c (1 - cos(tilt)), 2 of t and 2.3 of t**2. Of the products with
+# sin(alpha) 1.5 and with cos(alpha) 2.04, the sum and r_b 3.54 more. The height: at most
+# 12.6 sin(t)/t + 9.2 (1 - cos(t))/t <= 15 for t_c; the thickness twice
+# 8.5 sin(t)/t + 13.6 (1 - cos(t))/t <= 14.2. Searches find a tenth of it: roundings do not add
+# up, and no tangent was met that loses 4 eps.
+HEIGHT_CHANGE_ULP, THICKNESS_CHANGE_ULP = 15, 29
 # linearisation_bound, in units of value * (1 + (r_b t_c)**2/radicand): under the root (r_b t_c)**2
 # with 2 * 8.5 and as much at most of |dh| (2 y_c - |dh|) with 5, halved; cubes 3 * 3 and 3 * 3;
 # squares, products and quotient 4.
@@ -1152,7 +1155,7 @@ QUANTITIES = (
         Form("along and across the first tangent", height_change, ("cosine_minus_one",)),
         "paper on tooth thickness, step 6, on the involute",
         unit="mm",
-        bar=Bar(FLANK_ULP, "r_b*|tilt|*(1 + t_c + |tilt|)", ROLLING_SCALE),
+        bar=Bar(HEIGHT_CHANGE_ULP, "r_b*|tilt|*(1 + t_c + |tilt|)", ROLLING_SCALE),
     ),
     Quantity(
         "thickness_change",
@@ -1162,7 +1165,7 @@ QUANTITIES = (
         Form("along and across the first tangent", thickness_change, ("cosine_minus_one",)),
         "paper on tooth thickness, step 6, on the involute",
         unit="mm",
-        bar=Bar(2 * FLANK_ULP, "r_b*|tilt|*(1 + t_c + |tilt|)", ROLLING_SCALE),
+        bar=Bar(THICKNESS_CHANGE_ULP, "r_b*|tilt|*(1 + t_c + |tilt|)", ROLLING_SCALE),
     ),
     Quantity(
         "thickness_change_linear",

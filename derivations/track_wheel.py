@@ -1475,6 +1475,12 @@ TRACK_ULP = RADIUS_ULP + 1.5
 # Sums of n <= 128 nonnegative terms: NumPy adds in 8 strands, at most 16 + 3 roundings, 9.5;
 # a term 2 * 1 + 1/2; the root halves 12, then root and quotient 1 more; n <= 128.
 SUM_ULP = 7
+# No square and no product of three squares leaves the doubles where the factors lie in FACTORS.
+FACTORS = "factors 0 or 1e-50 to 1e50 in size"
+BEYOND_SQUARES = (
+    "squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to 1e50 "
+    "they may leave the range of doubles, and the result is infinite, NaN or too small"
+)
 # correlated: the same for n**2 <= 128 terms of 6 roundings, and `scale` has the terms' sizes.
 CORRELATED_ULP = 8
 # thermal: as independent, and the root of the product of K - K_T*thermal and K + K_T*thermal, on
@@ -1582,12 +1588,13 @@ QUANTITIES = (
         on=CORRELATION_MATRIX,
         bar=Bar(
             CORRELATED_ULP,
-            "|value| + sum |terms under the root|/(K**2*|value|), n <= 11",
+            f"|value| + sum |terms under the root|/(K**2*|value|), n <= 11, {FACTORS}",
             CORRELATED + sp.Sum(sp.Abs(PAIR), (j, 1, n), (i, 1, n)) / (scatter**2 * CORRELATED),
         ),
         singular=(
             "where a singular correlation matrix makes the sum vanish, rounding may leave it "
             "negative and the result NaN",
+            BEYOND_SQUARES,
         ),
     ),
     Quantity(
@@ -1599,7 +1606,8 @@ QUANTITIES = (
         "Kapitonov, Yakubovsky 2022, equation (5) with sensitivities",
         unit="mm",
         on=ANY_TOLERANCES,
-        bar=Bar(SUM_ULP, "the value, n <= 128"),
+        bar=Bar(SUM_ULP, f"the value, n <= 128, {FACTORS}"),
+        singular=(BEYOND_SQUARES,),
     ),
     Quantity(
         "error_sum_thermal",
@@ -1612,9 +1620,10 @@ QUANTITIES = (
         on=SOLVABLE,
         bar=Bar(
             THERMAL_ULP,
-            "the value*K/(K - K_T*thermal), n <= 128",
+            f"the value*K/(K - K_T*thermal), n <= 128, {FACTORS}",
             SOLVED * scatter / (scatter - k_thermal * share),
         ),
+        singular=(BEYOND_SQUARES,),
     ),
 )
 

@@ -196,7 +196,7 @@ def height_change(
 
     Outside it the result is NaN, by way of m.
 
-    Accuracy held by the tests: error <= 24 eps * (r_b*|tilt|*(1 + t_c + |tilt|)), eps the
+    Accuracy held by the tests: error <= 15 eps * (r_b*|tilt|*(1 + t_c + |tilt|)), eps the
     spacing of floats at 1.
 
     Source: paper on tooth thickness, step 6, on the involute.
@@ -288,7 +288,7 @@ def thickness_change(
 
     Outside it the result is NaN, by way of m.
 
-    Accuracy held by the tests: error <= 48 eps * (r_b*|tilt|*(1 + t_c + |tilt|)), eps the
+    Accuracy held by the tests: error <= 29 eps * (r_b*|tilt|*(1 + t_c + |tilt|)), eps the
     spacing of floats at 1.
 
     Source: paper on tooth thickness, step 6, on the involute.

@@ -605,8 +605,12 @@ def error_sum_correlated(
     Singular: where a singular correlation matrix makes the sum vanish, rounding may leave it
     negative and the result NaN.
 
+    Singular: squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50
+    to 1e50 they may leave the range of doubles, and the result is infinite, NaN or too small.
+
     Accuracy held by the tests: error <= 8 eps * (|value| + sum |terms under the
-    root|/(K**2*|value|), n <= 11), eps the spacing of floats at 1.
+    root|/(K**2*|value|), n <= 11, factors 0 or 1e-50 to 1e50 in size), eps the spacing of
+    floats at 1.
 
     Source: Kapitonov, Yakubovsky 2022, equation (3) with its indices corrected.
 
@@ -705,8 +709,11 @@ def error_sum(
 
     Outside it the result is NaN, by way of total_scatter.
 
-    Accuracy held by the tests: error <= 7 eps * (the value, n <= 128), eps the spacing of
-    floats at 1.
+    Singular: squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50
+    to 1e50 they may leave the range of doubles, and the result is infinite, NaN or too small.
+
+    Accuracy held by the tests: error <= 7 eps * (the value, n <= 128, factors 0 or 1e-50 to
+    1e50 in size), eps the spacing of floats at 1.
 
     Source: Kapitonov, Yakubovsky 2022, equation (5) with sensitivities.
 
@@ -796,8 +803,11 @@ def error_sum_thermal(
 
     Outside it the result is NaN, by way of total_scatter.
 
-    Accuracy held by the tests: error <= 9 eps * (the value*K/(K - K_T*thermal), n <= 128), eps
-    the spacing of floats at 1.
+    Singular: squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50
+    to 1e50 they may leave the range of doubles, and the result is infinite, NaN or too small.
+
+    Accuracy held by the tests: error <= 9 eps * (the value*K/(K - K_T*thermal), n <= 128,
+    factors 0 or 1e-50 to 1e50 in size), eps the spacing of floats at 1.
 
     Source: Kapitonov, Yakubovsky 2022, equation (6) made homogeneous, Table 1 for the share.
 

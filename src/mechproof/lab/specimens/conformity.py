@@ -126,13 +126,14 @@ CONFORMING = ("rightly_accepted", "wrongly_rejected")
 
 
 def ours(name: str) -> Share:
-    """Return the positive quadrature of `mechproof.conformity`; NaN for limits out of order."""
+    """Return the positive quadrature of `mechproof.conformity`; NaN outside the domain."""
 
     def compute(
         mean: Array, std: Array, offset: Array, error: Array, low: Array, high: Array
     ) -> Array:
-        above = np.where(low < high, high, np.nan)
-        done = shares(Normal(mean, std), Normal(offset, error), (low, above))
+        inside = (std > 0) & (error > 0) & (low < high) & np.isfinite(high - low)
+        std, error, low = (np.where(inside, value, np.nan) for value in (std, error, low))
+        done = shares(Normal(mean, std), Normal(offset, error), (low, high))
         return np.asarray(getattr(done, name))
 
     return compute

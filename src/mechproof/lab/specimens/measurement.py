@@ -11,6 +11,7 @@ from mechproof.measurement import evaluate_type_a
 from mechproof.record import Argument, Bar, Equality, Form, Paper, Quantity, Variable
 
 READINGS = 12
+SERIES = 60
 q = sp.IndexedBase("q", real=True)
 n = sp.Symbol("n", integer=True, positive=True)
 i, j = sp.symbols("i j", integer=True, positive=True)
@@ -64,6 +65,19 @@ def readings(rng: np.random.Generator) -> Arguments:
     return (rng.normal(size=(len(offset), READINGS)) + offset[:, None],)
 
 
+def far_readings(rng: np.random.Generator) -> Arguments:
+    """Draw series with offsets of 1e8 to 1e15 whose scatter is some last digits of the offset."""
+    offset = 10 ** rng.uniform(8, 15, SERIES) * rng.choice([-1, 1], SERIES)
+    scatter = np.spacing(np.abs(offset)) * 10 ** rng.uniform(0.5, 4, SERIES)
+    return (rng.normal(size=(SERIES, READINGS)) * scatter[:, None] + offset[:, None],)
+
+
+def tiny_readings(rng: np.random.Generator) -> Arguments:
+    """Draw series whose squares underflow, with offsets up to 1e12 times their scatter."""
+    (rows,) = readings(rng)
+    return (rows * 10 ** rng.uniform(-290, -150, (len(rows), 1)),)
+
+
 def one_series(count: int) -> Arguments:
     """Return one series of N readings."""
     return (np.random.default_rng(6).normal(1.0, 1e-3, (1, count)),)
@@ -81,7 +95,11 @@ TABLE = Table(
                 ),
                 Specimen("np.std", two_pass, source="peer"),
             ),
-            sets=(PointSet("offset 0 to 1e12", readings),),
+            sets=(
+                PointSet("offset 0 to 1e12", readings),
+                PointSet("offset 1e8 to 1e15, scatter its last digits", far_readings),
+                PointSet("squares that underflow", tiny_readings),
+            ),
             workloads=(("one series of N readings", one_series),),
         ),
     },

@@ -94,9 +94,10 @@ def curvature(slope: sp.Expr) -> sp.Expr:
     return -2 * r_b * (sp.sin(alpha + tilt) + (t_c + tilt) * sp.cos(alpha + tilt))
 
 
-# r_b (1 + t_c + |tilt|) tilt**2/2, with r_b < m z/2.
-HEIGHT_BOUND = m * tilt**2 * (z * (1 + sp.tan(alpha) + sp.Abs(tilt)) + sp.pi / 2) / 4
-# The slopes' difference is -m z (t_c + tilt) sin(tilt); |sin(tilt)| <= |tilt|, integrated.
+# r_b (1 + t_c + |tilt|) tilt**2/2, with r_b < m z/2 and tan(alpha) < 1.
+HEIGHT_BOUND = m * tilt**2 * (z * (2 + sp.Abs(tilt)) + sp.pi / 2) / 4
+# The slopes' difference is -m z (t_c + tilt) sin(tilt); |sin(tilt)| <= |tilt| and
+# tan(alpha) < 1, integrated.
 INFLUENCE = 2 * sp.tan(alpha)
 MODEL = Conjunction(
     (
@@ -109,8 +110,8 @@ MODEL = Conjunction(
         ),
     )
 )
-MODEL_BOUND = m * tilt**2 * (sp.pi / 4 + z * sp.tan(alpha) / 2 + z * sp.Abs(tilt) / 3)
-TAYLOR = "|sin|, |cos| <= 1 in Taylor's remainder"
+MODEL_BOUND = m * tilt**2 * (sp.pi / 4 + z / 2 + z * sp.Abs(tilt) / 3)
+TAYLOR = "|sin|, |cos| <= 1 and tan(alpha) < 1 in Taylor's remainder"
 
 HEIGHT = (
     Specimen(

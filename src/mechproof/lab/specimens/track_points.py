@@ -170,34 +170,3 @@ def vectors(rng: np.random.Generator) -> Arguments:
 def vector_load(count: int) -> Arguments:
     """Return N error vectors."""
     return (np.random.default_rng(4).normal(size=(count, 3)),)
-
-
-def error_rows(rng: np.random.Generator, count: int) -> Arguments:
-    """Draw the terms of sums over `count` errors."""
-    shape = (20, count)
-    return 10 ** rng.uniform(-6, 0, shape), rng.uniform(-2, 2, shape), rng.uniform(0.5, 2, shape)
-
-
-def independent(rng: np.random.Generator) -> Arguments:
-    """Draw sums of nine errors."""
-    return *error_rows(rng, 9), rng.uniform(1, 2, 20)
-
-
-def correlated(rng: np.random.Generator) -> Arguments:
-    """Draw sums of five errors with correlation matrices, ones and symmetry to the last bit."""
-    rows = rng.normal(size=(20, 5, 15))
-    rows /= np.linalg.norm(rows, axis=-1, keepdims=True)
-    upper = np.triu(rows @ rows.swapaxes(-1, -2), 1)
-    return *error_rows(rng, 5), upper + upper.swapaxes(-1, -2) + np.eye(5), rng.uniform(1, 2, 20)
-
-
-def thermal(rng: np.random.Generator) -> Arguments:
-    """Draw sums with a temperature error from small to nearly the whole total."""
-    share = (1 - 10 ** rng.uniform(-14, -1, 20)) / 1.7
-    return *error_rows(rng, 6), np.full(20, 1.2), share, np.full(20, 1.2 * 1.7)
-
-
-def independent_load(count: int) -> Arguments:
-    """Return N sums of nine errors."""
-    rng = np.random.default_rng(5)
-    return rng.random((count, 9)), np.ones(9), np.ones(9), np.array(1.2)

@@ -9,6 +9,7 @@ from mechproof.derivations import track_wheel as paper
 from mechproof.kernels import track_wheel as kernels
 from mechproof.lab.specimen import Array, Specimen
 from mechproof.lab.specimens import track_points as points
+from mechproof.lab.specimens import track_sums as sums
 from mechproof.lab.subject import PointSet, Study, Table
 from mechproof.record import Equality
 
@@ -106,10 +107,10 @@ DISPLACEMENT = (
 )
 
 
-def study_sum(name: str, draw: str, specimen: Specimen) -> Study:
+def study_sum(sets: tuple[PointSet, ...], specimen: Specimen) -> Study:
     """Return the rows of a sum of errors."""
-    loads = (("N sums of nine", points.independent_load),) if draw == "independent" else ()
-    return Study((specimen,), (PointSet(name, getattr(points, draw)),), workloads=loads)
+    loads = (("N sums of nine", sums.independent_load),) if sets is sums.INDEPENDENT else ()
+    return Study((specimen,), sets, within=sums.keep_squares, workloads=loads)
 
 
 TABLE = Table(
@@ -163,18 +164,15 @@ TABLE = Table(
             workloads=(("N vectors", points.vector_load),),
         ),
         "error_sum": study_sum(
-            "nine errors",
-            "independent",
+            sums.INDEPENDENT,
             Specimen("sum of squares, by hand", direct_sum, as_defined(paper.INDEPENDENT)),
         ),
         "error_sum_correlated": study_sum(
-            "five errors",
-            "correlated",
+            sums.CORRELATED,
             Specimen("einsum", quadratic_form, as_defined(paper.CORRELATED)),
         ),
         "error_sum_thermal": study_sum(
-            "six errors",
-            "thermal",
+            sums.THERMAL,
             Specimen(
                 "squares under the root",
                 solved_by_hand,
