@@ -28,9 +28,9 @@ __all__ = ["EllipticPlanetary", "RatioExtremes"]
 # Prikhodko, Polivoda, Shchetinin 2024, Table 1: (R1, R2 in mm, e).
 VARIANTS = ((66, 16, 0.28), (66, 16, 0.475), (80, 30, 0.28), (80, 30, 0.475))
 
-# The bracket of the inverse is widened by this relative amount: twice the accuracy bar of the
-# position kernel, 17 eps on |value| and as much on |phi1 * ratio|, and the rounding of the bounds.
-WIDENING = 80 * np.finfo(float).eps
+# The bracket of the inverse is widened by this relative amount: the accuracy bar of the position
+# kernel, 4 eps, and the rounding of the bounds, some ten operations of half an eps.
+WIDENING = 16 * np.finfo(float).eps
 # A carrier angle may be subnormal where phi3 is not; there widening and tolerance are absolute.
 FINEST = 4 * float(np.finfo(float).smallest_subnormal)
 # Halvings from the widest bracket, ratios 1e16 apart, to 4 eps are about 110; Chandrupatla's
@@ -151,9 +151,8 @@ class EllipticPlanetary:
         position(phi1) is inverted in its bracket: with delta = position - (1 + k)*phi1,
         |delta| <= 2*asin(e), and position/phi1 lies between the extremes of the ratio.
 
-        Accuracy held by the tests: error <= 40 eps * (|phi1| + |phi3/ratio(phi1)|), twice the
-        bar of `position` (the residual, and the check by it) and the last bracket of 4 eps; where
-        eps*R1/R2*|phi1| <= (1 - e)/4.
+        Accuracy held by the tests, where R1/R2*|phi1| <= 2**25: the exact position at phi1 misses
+        phi3 by at most 4*(eps*|phi3| + what an ulp of phi1 makes of the position).
 
         """
         (target,) = as_floats(phi3=phi3)

@@ -38,9 +38,10 @@ Given = float | Fraction | Decimal | str
 VARIANTS = (("0.2",), (25, 25), (30, 20), (32, 18))
 ECCENTRICITY_36 = "0.2"
 
-# The bracket of the inverse is widened by this relative amount: more than the accuracy bar of the
-# position kernel, 12 eps of its terms, which are below 4 times the bracket's ends.
-WIDENING = 80 * np.finfo(float).eps
+# The bracket of the inverse is widened by this relative amount: twice the accuracy bar of the
+# position kernel, 4 eps of the larger term, which is at most twice the position at the lower end,
+# and the rounding of the bounds, some ten operations of half an eps.
+WIDENING = 16 * np.finfo(float).eps
 # A carrier angle may be subnormal where phi3 is not; there widening and tolerance are absolute.
 FINEST = 4 * float(np.finfo(float).smallest_subnormal)
 # About 1100 halvings lead from a bracket of some radians to a subnormal angle, the worst case;
@@ -198,9 +199,10 @@ class OvalPlanetary:
         -----
         With delta = phi3 - (1 - R4/R5)*phi1, |delta| <= asin(e2).
 
-        Accuracy held by the tests: position(phi1) misses phi3 by at most twice the accuracy bar
-        of `position_cylindrical` and 4 eps*|phi1*ratio|. Near a double zero of the ratio the
-        angle itself is known only to the square root of that.
+        Accuracy held by the tests, where R4/R5*|phi1| <= 2**25: the exact position at phi1 misses
+        phi3 by at most 4*(eps times the larger term of the position + what an ulp of phi1 makes
+        of it). Near a double zero of the ratio the angle itself is known only to the square root
+        of that.
 
         """
         sign = self._direction()
