@@ -30,15 +30,17 @@ class Found:
     tried: int
 
 
-def find_worst(subject: Subject, compute: Compute, rounds: int, seed: int = TUNE) -> Found:
-    """Climb for some rounds from the point sets of the seed TUNE; the domain is not left."""
+def find_worst(
+    subject: Subject, compute: Compute, rounds: int, seed: int = TUNE, most: int | None = None
+) -> Found:
+    """Climb for some rounds from at most so many points of each set; the domain is not left."""
     rng = np.random.default_rng(seed)
     crowd: Arguments = ()
     heights, tried = np.empty(0), 0
     for point_set in list_sets(subject):
         if point_set.ordered:
             continue
-        start = _with_leading_axis(draw_points(point_set, seed))
+        start = _thin(_with_leading_axis(draw_points(point_set, seed)), most)
         crowd, heights, tried = _survive(subject, compute, crowd, heights, start, tried)
     for _ in range(rounds):
         moved = _move(subject, crowd, rng)
@@ -86,6 +88,15 @@ def _with_leading_axis(arguments: Arguments) -> Arguments:
         a if np.ndim(a) and len(a) == count else np.broadcast_to(a, (count, *np.shape(a))).copy()
         for a in arguments
     )
+
+
+def _thin(points: Arguments, most: int | None) -> Arguments:
+    """Take points evenly spread over a set."""
+    count = len(points[0])
+    if most is None or count <= most:
+        return points
+    chosen = np.linspace(0, count - 1, most).astype(int)
+    return tuple(column[chosen] for column in points)
 
 
 def _move(subject: Subject, crowd: Arguments, rng: np.random.Generator) -> Arguments:
