@@ -61,6 +61,17 @@ class TestDecision:
         assert (chosen.form, chosen.error) == ("fine", 3e-15)
         assert str(chosen).endswith("nothing measured has half the error.")
 
+    def test_the_others_are_explained(self) -> None:
+        exact = choose("angle", error=1e-9, e=(0, 0.5))
+        assert [other.form for other in exact.others] == ["coarse"]
+        assert exact.explain().splitlines()[1:] == [
+            "not coarse, error 0.002 rad (proved bound), 2 ns per point: not accurate enough"
+        ]
+        rough = choose("angle", error=0.01, e=(0, 0.5))
+        assert rough.explain().splitlines()[1:] == [
+            "not fine, error 1e-15 rad (measured), 10 ns per point: 5 times the time"
+        ]
+
     def test_an_edge_belongs_to_the_box_below(self) -> None:
         assert choose("angle", error=0.01, e=0.5).form == "coarse"
         assert choose("angle", error=0.01, e=0.51).form == "fine"
@@ -108,6 +119,20 @@ def test_every_digit_needs_the_exact_form() -> None:
     assert chosen.form != "first order"
     # A share of 1e-12 to twelve digits: no simulation.
     assert "simulation" not in choose("wrongly_accepted", error=1e-6).form
+
+
+@pytest.mark.parametrize("share", ["wrongly_accepted", "wrongly_rejected"])
+def test_shares_are_computed_and_not_simulated(share: str) -> None:
+    """A simulation that reaches a thousandth costs more than every digit."""
+    chosen = choose(share, error=1e-3)
+    assert "simulation" not in chosen.form
+    assert chosen.error < 1e-12
+    (simulated,) = (o for o in chosen.others if o.form == "simulation, 1e+06 parts")
+    assert simulated.error <= 1e-3
+    # Each part takes two normal numbers; the sum of a million goes into one share.
+    assert simulated.time > 1000 * chosen.time
+    assert f"not {simulated._describe()}" in chosen.explain()
+    assert "times the time" in chosen.explain()
 
 
 def test_the_lazy_entry() -> None:

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -35,7 +35,8 @@ class Choice:
 
     `error` is in the unit of the quantity: the larger of the worst measured and the proved bound;
     `bound` is the latter, None without. `time` is nanoseconds per point at `count` points on the
-    machine of the record. `better` is the cheapest form with at most half the error.
+    machine of the record. `better` is the cheapest form with at most half the error, `others` are
+    all forms that could have been chosen, cheapest first.
     """
 
     quantity: str
@@ -46,6 +47,17 @@ class Choice:
     count: int
     unit: str
     better: Choice | None = None
+    others: tuple[Choice, ...] = field(default=(), repr=False, compare=False)
+
+    def explain(self) -> str:
+        """Return the choice and, line by line, why each of the others was not chosen."""
+        return "\n".join([str(self), *map(self._compare, self.others)])
+
+    def _compare(self, other: Choice) -> str:
+        """Say that a form is slower, or else too coarse: what is cheaper was not good enough."""
+        slower = other.time >= self.time
+        reason = f"{other.time / self.time:.3g} times the time" if slower else "not accurate enough"
+        return f"not {other._describe()}: {reason}"
 
     def __str__(self) -> str:
         """Return the reason in a sentence or two."""
@@ -100,7 +112,8 @@ def choose(quantity: str, *, error: float, size: int = SIZE, **ranges: Size) -> 
         raise ValueError(f"error = {error!r}: no form of {record['quantity']} reaches it; {best}")
     first = good[0]
     better = [form for form in forms if form.error <= first.error / BETTER]
-    return replace(first, better=better[0] if better else None)
+    others = tuple(form for form in forms if form is not first)
+    return replace(first, better=better[0] if better else None, others=others)
 
 
 @cache

@@ -8,6 +8,7 @@ not to conform given that; the fourth share is what remains of the parts that do
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from importlib.util import find_spec
 
 import numpy as np
@@ -121,8 +122,6 @@ PAPER = Paper(
 )
 
 Share = Callable[..., Array]
-# Shares of the parts between the limits.
-CONFORMING = ("rightly_accepted", "wrongly_rejected")
 
 
 def ours(name: str) -> Share:
@@ -230,7 +229,7 @@ def by_quad(name: str) -> Share:
         def integrand(y: float) -> float:
             return float(np.exp(-(((y - mean) / std) ** 2) / 2) / std * chance(y))
 
-        ranges = ((low, high),) if name in CONFORMING else ((-np.inf, low), (high, np.inf))
+        ranges = ((low, high),) if name in points.CONFORMING else ((-np.inf, low), (high, np.inf))
         parts = (quad(integrand, *ends, epsabs=0, limit=200)[0] for ends in ranges)
         return float(sum(parts) / np.sqrt(2 * np.pi))
 
@@ -288,6 +287,7 @@ def study(name: str) -> Study:
         sets=points.SETS_OF_PARAMETERS,
         cells=points.CELLS,
         in_cell=points.in_cell,
+        within=partial(points.is_far_from_underflow, name),
         workloads=(("N sets", points.workload),),
     )
 

@@ -15,6 +15,9 @@ from mechproof.lab.subject import Box, Cells, PointSet
 
 SETS = 80
 CELLS = (Cells("true_std", (0.01, 1.0)), Cells("error_std", (0.001, 0.1, 1.0)))
+# Shares of the parts between the limits.
+CONFORMING = ("rightly_accepted", "wrongly_rejected")
+MOST_NATS = 460.0
 Draw = Callable[[np.random.Generator, int], Arguments]
 
 
@@ -127,6 +130,22 @@ SETS_OF_PARAMETERS = (
     point_set("one-sided", one_sided, 30),
     point_set("narrow", narrow, 30),
 )
+
+
+def is_far_from_underflow(
+    name: str, mean: Array, std: Array, offset: Array, error: Array, low: Array, high: Array
+) -> Array:
+    """Mark the sets whose likeliest part of a share is not beyond 460 nats (1e-200)."""
+    conforming = [low, high, np.clip(mean, low, high)]
+    others = [np.minimum(mean, low), np.maximum(mean, high)]
+    nats = []
+    for y in conforming if name in CONFORMING else others:
+        near = y + offset
+        inner, outer = (np.clip(near, low, high),), (np.minimum(near, low), np.maximum(near, high))
+        for m in inner if name.endswith("accepted") else outer:
+            nats.append((((y - mean) / std) ** 2 + ((m - near) / error) ** 2) / 2)
+    far: Array = np.min(nats, axis=0) <= MOST_NATS
+    return far
 
 
 def in_cell(rng: np.random.Generator, box: Box) -> Arguments:
