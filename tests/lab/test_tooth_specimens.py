@@ -12,6 +12,7 @@ from mechproof.lab.bounds import bound_over
 from mechproof.lab.error import Errors, find_errors
 from mechproof.lab.oracle import find_truth
 from mechproof.lab.points import REPORT, draw_points, list_sets
+from mechproof.lab.search import find_worst
 from mechproof.lab.specimen import Arguments, Specimen
 from mechproof.lab.subject import Subject, find_subjects, judge_specimen
 
@@ -64,6 +65,14 @@ def test_ours_keeps_the_bar_on_every_set(name: str) -> None:
     for point_set in list_sets(subject(name)):
         points = tuple(a[::3] for a in draw_points(point_set, REPORT))
         assert np.max(run(name, "kernel", points).scaled) <= bar.ulp, point_set.name
+
+
+@pytest.mark.parametrize("name", ["height_change", "thickness_change", "linearisation_bound"])
+def test_a_fresh_search_stays_within_the_bar(name: str) -> None:
+    found = find_worst(subject(name), subject(name).kernel, rounds=2, seed=4711)
+    bar = subject(name).quantity.bar
+    assert bar is not None
+    assert 0.3 < found.scaled <= bar.ulp
 
 
 @pytest.mark.parametrize(
