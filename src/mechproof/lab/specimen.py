@@ -49,20 +49,22 @@ class Specimen:
 
 def list_kernel(kernel: Compute, quantity: Quantity, paper: Paper) -> Iterator[Specimen]:
     """List the kernel, the same into a given array if it can, and the same in float32."""
-    says, bound = _state_kernel(quantity, paper), quantity.form.bound
-    yield Specimen("kernel", kernel, says, bound=bound, source="ours")
+    says, on = _state_kernel(quantity, paper)
+    bound = quantity.form.bound
+    yield Specimen("kernel", kernel, says, on, bound=bound, source="ours")
     if "out" in inspect.signature(kernel).parameters:
-        yield Specimen("kernel, out=", _into_buffer(kernel), says, bound=bound, source="ours")
+        yield Specimen("kernel, out=", _into_buffer(kernel), says, on, bound=bound, source="ours")
     yield Specimen("kernel, float32", _in_single(kernel), source="ours", note="inputs rounded too")
 
 
-def _state_kernel(quantity: Quantity, paper: Paper) -> Statement | None:
-    """Return what the ledger states of the kernel; None if the derivation bounds it instead."""
+def _state_kernel(quantity: Quantity, paper: Paper) -> tuple[Statement | None, Part | None]:
+    """Return what the ledger states of the kernel and where; None if it is bounded instead."""
     if quantity.form.bound is not None:
-        return None
-    rows = {row.number: row.says for row in form_rows(paper)}
+        return None, None
+    rows = {row.number: row for row in (*paper.rows, *form_rows(paper))}
+    row = rows.get(quantity.form.proved_by or f"kernel {quantity.name}")
     plain = Equality(quantity.form.expression, quantity.definition)
-    return rows.get(f"kernel {quantity.name}", plain)
+    return (row.says, row.on) if row else (plain, None)
 
 
 def _into_buffer(kernel: Compute) -> Compute:
