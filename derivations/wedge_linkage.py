@@ -929,10 +929,10 @@ CHAIN = {
     contact: sp.Max(0, travel - l_GH),
     offset: PRINTED_R.subs(x5, contact),
     roller: sp.atan2(sqrt(l_KL**2 - offset**2), offset) - alpha_KL,
-    engaged: sp.Piecewise((0, travel < l_GH), (1, True)),
+    engaged: sp.Piecewise((0, travel / l_GH < 1), (1, True)),
 }
-# Zero before contact, whatever the directions: a difference of equal sines cannot be decided.
-POSITION = engaged * print_10.subs(phi7, roller)
+POSITION = print_10.subs(phi7, roller)
+DRIVEN = engaged * POSITION  # before contact no size has an influence
 POSITION_FORM = 2 * l_LM * push * (rise_sum * cos_LM - push * sin_LM) / roller_square
 
 
@@ -956,9 +956,9 @@ def chain_slope(expression: sp.Expr, size: sp.Symbol) -> sp.Expr:
 
 
 SIZES = (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM)
-VELOCITY = chain_slope(POSITION, x1)
+VELOCITY = chain_slope(DRIVEN, x1)
 VELOCITY_FORM = gain * l_DE * sin_arm * cos_lever / guide_length
-SENSITIVITIES = sp.ImmutableDenseMatrix([chain_slope(POSITION, size) for size in SIZES])
+SENSITIVITIES = sp.ImmutableDenseMatrix([chain_slope(DRIVEN, size) for size in SIZES])
 BY_ARM = -2 * gain * l_DE * sin_arm * x1**2 / (lever_square * guide_length)
 SENSITIVITY_FORMS = {
     l_AB: BY_ARM,
@@ -1238,6 +1238,12 @@ FORM_ROWS = tuple(
     )
 )
 
+# Of the steps with a dimension, the power of the length.
+STEP_POWERS = {
+    **dict.fromkeys((arm, guide_length, guide_sum, run, push, rise, rise_sum), 1),
+    **dict.fromkeys((start_height, to_right, to_left, travel, contact, offset), 1),
+    **dict.fromkeys((lever_square, roller_square), 2),
+}
 VARIABLES = (
     *(Variable(s, meaning, LENGTH, POSITIVE) for s, meaning in LENGTHS.items()),
     *(Variable(s, meaning, LENGTH) for s, meaning in DISPLACEMENTS.items()),
@@ -1251,8 +1257,14 @@ VARIABLES = (
     Variable(reach, "present length of BC", LENGTH, POSITIVE),
     Variable(h3, "sum of both lengths of BC", LENGTH, POSITIVE),
     Variable(h7, "sum of both heights of K over L", LENGTH, POSITIVE),
-    *(Variable(s, "step of the kernels", given=value) for s, value in STEPS.items()),
-    *(Variable(s, "step of the chain", given=value) for s, value in CHAIN.items()),
+    *(
+        Variable(s, "step of the kernels", LENGTH ** STEP_POWERS.get(s, 0), given=value)
+        for s, value in STEPS.items()
+    ),
+    *(
+        Variable(s, "step of the chain", LENGTH ** STEP_POWERS.get(s, 0), given=value)
+        for s, value in CHAIN.items()
+    ),
     Variable(height, "height of K over L", LENGTH, POSITIVE),
     Variable(guide_square, "square of the present length of BC", LENGTH**2, given=radicand),
     Variable(height_square, "square of the height", LENGTH**2, given=l_KL**2 - PRINTED_R**2),

@@ -3,8 +3,6 @@
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
 
-import math
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -272,18 +270,16 @@ def _is_outer(target: NDArray[Any], arrays: list[Any]) -> bool:
     return together and target.shape[-1] >= LONG_LOOP
 
 
-def _cut(shape: tuple[int, ...], size: int) -> Iterator[tuple[slice, ...]]:
+def _cut(shape: tuple[int, ...], size: int) -> list[tuple[slice, ...]]:
     """Cut the first axes so that no part has more than `size` numbers."""
     first, *rest = shape
-    row = math.prod(rest)
-    if rest and row > size:
-        for i in range(first):
-            for index in _cut(tuple(rest), size):
-                yield slice(i, i + 1), *index
-    else:
-        step = size // row
-        for start in range(0, first, step):
-            yield slice(start, start + step), *[slice(None)] * len(rest)
+    row = int(np.prod(rest))
+    if row > size:
+        inner = _cut(tuple(rest), size)
+        return [(slice(i, i + 1), *index) for i in range(first) for index in inner]
+    step = size // row
+    whole = [slice(None)] * len(rest)
+    return [(slice(start, start + step), *whole) for start in range(0, first, step)]
 
 
 def _slice(array: NDArray[Any], index: tuple[slice, ...]) -> NDArray[Any]:

@@ -397,11 +397,9 @@ def position(
 ) -> Any:
     """Compute the displacement y9 of the wedge, the whole chain.
 
-        position = engaged*l_LM*(sin(alpha_LM + turn_7) - sin(alpha_LM))
-        travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
+        position = l_LM*(sin(alpha_LM + turn_7) - sin(alpha_LM))
         KL_x = l_KL*cos(alpha_KL) - driven_5
         turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
-        engaged = Piecewise((0, l_GH > travel_5), (1, True))
 
     Parameters
     ----------
@@ -593,7 +591,7 @@ def velocity(
         travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
         KL_x = l_KL*cos(alpha_KL) - driven_5
         turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
-        engaged = Piecewise((0, l_GH > travel_5), (1, True))
+        engaged = Piecewise((0, travel_5/l_GH < 1), (1, True))
 
     Parameters
     ----------
@@ -807,7 +805,7 @@ def sensitivities(
         travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
         KL_x = l_KL*cos(alpha_KL) - driven_5
         turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
-        engaged = Piecewise((0, l_GH > travel_5), (1, True))
+        engaged = Piecewise((0, travel_5/l_GH < 1), (1, True))
 
     Parameters
     ----------

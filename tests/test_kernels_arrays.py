@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mechproof.kernels import _arrays, elliptic_planetary, track_wheel
+from mechproof.kernels import _arrays, elliptic_planetary, track_wheel, wedge_linkage
 
 RADII = (66.0, 16.0)
 SHARED_SHIFT = np.array([0.01, 0.02, 0.03])
@@ -266,3 +266,31 @@ def test_lazy_conditions_stay_unread() -> None:
     assert not _arrays.holds(np.array([True, False]))
     assert _arrays.holds(np.float64(1) > 0)
     assert not _arrays.holds(operator.gt(Lazy(lambda: 1.0, ()), 0))
+
+
+@pytest.mark.parametrize("shape", [(200, 100), (3, 5, 80), (2, 1, 70)])
+def test_outer_products_keep_what_depends_on_few_arguments_short(
+    shape: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Arrays along axes of their own, in slices: the same as all of them written out."""
+    monkeypatch.setattr(_arrays, "BLOCK", 256)
+    x1 = np.linspace(-40, 0, shape[-1])
+    l_de = np.linspace(82, 84, shape[0]).reshape(-1, *[1] * (len(shape) - 1))
+    l_kl = np.linspace(59.8, 60.2, shape[-2])[:, np.newaxis]
+    seen: list[tuple[int, ...]] = []
+    evaluate = wedge_linkage._position
+
+    def watched(x1: Any, l_bc: Any, l_de: Any, *rest: Any) -> Any:
+        seen.append(np.shape(x1))
+        return evaluate(x1, l_bc, l_de, *rest)
+
+    monkeypatch.setattr(wedge_linkage, "_position", watched)
+    arguments = (x1, 6.25, 49.75, 38.0, l_de, 2.0, l_kl, 145.0, 4.94, 1.13, 2.155)
+    found = wedge_linkage.position(*arguments)
+    assert found.shape == shape
+    assert all(np.prod(part) <= shape[-1] for part in seen)
+    whole = [np.broadcast_to(a, shape).ravel() for a in arguments]
+    np.testing.assert_allclose(found.ravel(), wedge_linkage.position(*whole), rtol=1e-13)
+    out = np.empty(shape)
+    assert wedge_linkage.position(*arguments, out=out) is out
+    np.testing.assert_array_equal(out, found)

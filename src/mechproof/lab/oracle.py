@@ -54,9 +54,8 @@ def find_truth(subject: Subject, arguments: Arguments) -> Truth:
     definition, bar = subject.exact, subject.quantity.bar
     scale = bar.scale if bar else None
     points = list(list_values(subject, arguments))
-    pairs = np.array(
-        [[_to_pair(entry, values) for entry in entries(definition)] for values in points]
-    ).reshape(len(points), -1, 2)
+    pairs = np.array([[*_to_pairs(subject, values)] for values in points])
+    pairs = pairs.reshape(len(points), -1, 2)
     high, low = (pairs[..., i].reshape(len(points), *result_shape(definition)) for i in (0, 1))
     decided = np.isfinite(pairs[..., 0]).all(axis=1)
     if scale is None:
@@ -112,6 +111,25 @@ def _counts(subject: Subject) -> set[sp.Basic]:
     """Find the symbols that say how many terms the sums of the definition have."""
     sums = subject.quantity.definition.atoms(sp.Sum)
     return {s for total in sums for limit in total.limits for s in limit[2].free_symbols}
+
+
+def _to_pairs(subject: Subject, values: Mapping[sp.Basic, Any]) -> Iterator[tuple[float, float]]:
+    """Return the entries of the value, each as two doubles.
+
+    Definition and form are equal: where the ball of the first stays wide, as that of a difference
+    of equal sines does, the form's inside it counts.
+    """
+    for index, entry in enumerate(entries(subject.exact)):
+        pair = _to_pair(entry, values)
+        if not np.isfinite(pair[0]) and _is_defined(entry, values):
+            pair = _to_pair(entries(subject.form)[index], values)
+        yield pair
+
+
+def _is_defined(expression: sp.Basic, values: Mapping[sp.Basic, Any]) -> bool:
+    if expression.has(sp.Integral) or not np.isfinite([float(v) for v in values.values()]).all():
+        return False
+    return bool(evaluate(expression, values, PRECISIONS[0]).is_finite())
 
 
 def _to_pair(expression: sp.Basic, values: Mapping[sp.Basic, Any]) -> tuple[float, float]:

@@ -137,6 +137,11 @@ class Subject:
         return self.domain.resolve(whole)
 
     @cached_property
+    def form(self) -> sp.Basic:
+        """Write the form out, which equals the truth and may spare it a cancellation."""
+        return self.domain.resolve(self.quantity.form.expression)
+
+    @cached_property
     def specimens(self) -> tuple[Specimen, ...]:
         """List ours first, then the rows of the table, then what SymPy prints."""
         own = list_kernel(self.kernel, self.quantity, self.paper)

@@ -60,8 +60,9 @@ def roller_upright(rng: np.random.Generator) -> Arguments:
 
 
 def roller_small(rng: np.random.Generator) -> Arguments:
-    """Climb the ladder of x5; at 0 itself no ball decides the difference of equal angles."""
-    x5, alpha = pair_up(draw_ladder(rng, COUNT), np.array([0.4, 1.13, 2.7]))
+    """Climb the ladder of x5 from 0 on."""
+    ladder = np.concatenate([[0.0], draw_ladder(rng, COUNT)])
+    x5, alpha = pair_up(ladder, np.array([0.4, 1.13, 2.7]))
     return x5, np.full(len(x5), 60.0), alpha
 
 
@@ -85,13 +86,10 @@ ROLLER = (
 
 
 def arm_angles(rng: np.random.Generator) -> Arguments:
-    """Draw turns of an arm: any, small by the ladder, and next to where the arm comes level.
-
-    At direction = -turn/2 itself no ball decides the difference of equal cosines.
-    """
+    """Draw turns of an arm: any, small by the ladder, and to where sines of their halves vanish."""
     turned = np.concatenate([rng.uniform(-7, 7, COUNT), draw_ladder(rng, COUNT)])
     direction = rng.uniform(-np.pi, 2 * np.pi, 2 * COUNT)
-    direction[::4] = -turned[::4] / 2 * (1 + draw_ladder(rng, COUNT // 2, 1e-15))
+    direction[::4] = -turned[::4] / 2
     direction[1::4] = np.pi / 2 - turned[1::4] / 2
     return turned, rng.uniform(10, 200, 2 * COUNT), direction
 
