@@ -1475,8 +1475,8 @@ TRACK_ULP = RADIUS_ULP + 1.5
 # Sums of n <= 128 nonnegative terms: NumPy adds in 8 strands, at most 16 + 3 roundings, 9.5;
 # a term 2 * 1 + 1/2; the root halves 12, then root and quotient 1 more; n <= 128.
 SUM_ULP = 7
-# No square and no product of three squares leaves the doubles where the factors lie in FACTORS.
-FACTORS = "factors 0 or 1e-50 to 1e50 in size"
+# No square and no product of three squares leaves the doubles where the factors lie in MODERATE.
+MODERATE = "factors 0 or 1e-50 to 1e50 in size"
 BEYOND_SQUARES = (
     "squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to 1e50 "
     "they may leave the range of doubles, and the result is infinite, NaN or too small"
@@ -1588,7 +1588,7 @@ QUANTITIES = (
         on=CORRELATION_MATRIX,
         bar=Bar(
             CORRELATED_ULP,
-            f"|value| + sum |terms under the root|/(K**2*|value|), n <= 11, {FACTORS}",
+            f"|value| + sum |terms under the root|/(K**2*|value|), n <= 11, {MODERATE}",
             CORRELATED + sp.Sum(sp.Abs(PAIR), (j, 1, n), (i, 1, n)) / (scatter**2 * CORRELATED),
         ),
         singular=(
@@ -1606,7 +1606,7 @@ QUANTITIES = (
         "Kapitonov, Yakubovsky 2022, equation (5) with sensitivities",
         unit="mm",
         on=ANY_TOLERANCES,
-        bar=Bar(SUM_ULP, f"the value, n <= 128, {FACTORS}"),
+        bar=Bar(SUM_ULP, f"the value, n <= 128, {MODERATE}"),
         singular=(BEYOND_SQUARES,),
     ),
     Quantity(
@@ -1620,7 +1620,7 @@ QUANTITIES = (
         on=SOLVABLE,
         bar=Bar(
             THERMAL_ULP,
-            f"the value*K/(K - K_T*thermal), n <= 128, {FACTORS}",
+            f"the value*K/(K - K_T*thermal), n <= 128, {MODERATE}",
             SOLVED * scatter / (scatter - k_thermal * share),
         ),
         singular=(BEYOND_SQUARES,),
