@@ -1301,10 +1301,10 @@ OF_CYLINDERS = (
 
 # Bars of the oval pairs. The terms of y = shift + rise*t are rounded, and where they cancel the
 # value makes of that what no evaluation from a rounded tangent is spared: up to 1/(1 - e2), where
-# the major axes of the pair 6-3 meet away from phi1 = 0. So the scales have, beside the terms,
-# what the value makes of y with its terms changed against each other, 0 without a mount. The rest
-# is some 20 operations; all of them in one direction would make twice the bars, which are what
-# searches for the worst input hold.
+# the major axes of the pair 6-3 meet away from phi1 = 0. So the scales are the largest term, and
+# added to it what the value makes of y with its terms changed against each other, 0 without a
+# mount. The rest is some 20 operations; all of them in one direction would make twice the bars,
+# which are what searches for the worst input hold.
 # All of it is multiplied by (1 - e2)*cos(phi1), so that nothing is divided, and the coefficients
 # stand in full: to put them into absolute values later takes SymPy very long.
 GIVEN = {variable.symbol: variable.given for variable in VARIABLES}
@@ -1327,52 +1327,60 @@ TILT_TERMS = (
 
 
 def largest(*terms: sp.Expr) -> sp.Expr:
-    """Return the largest absolute value of the terms; sp.Max would compare them as symbols."""
-    first, *others = map(sp.Abs, terms)
-    for other in others:
-        first = (first + other + sp.Abs(first - other)) / 2
-    return first
+    """Return the largest absolute value; unevaluated, for SymPy would compare them as symbols."""
+    return sp.Max(*map(size, terms), evaluate=False)
+
+
+def size(term: sp.Expr) -> sp.Expr:
+    """Return the absolute value, unevaluated."""
+    return sp.Abs(term, evaluate=False)
 
 
 WHEEL_3 = ALPHA * BETA / SPREAD
-RATIO_SCALE = largest(sp.S.One, WHEEL_3, 2 * WHEEL_3 / SPREAD * ALONG * CHANGE)
+RATIO_SCALE = largest(sp.S.One, WHEEL_3) + size(2 * WHEEL_3 / SPREAD * ALONG * CHANGE)
 ACROSS_TERMS = TURNED, 2 * (e1 + e2) * (1 - e2) * sp.cos(phi1)
-REACH = sp.Abs(ALONG) + ALPHA * sp.Abs(sp.sin(phi1))
 POSITION_SCALE = largest(
     position_of_map(ALPHA, BETA, GAMMA, DELTA),
-    *(sp.sin(phi1) * term / REACH for term in ACROSS_TERMS),
-    ALPHA * sp.sin(phi1) * CHANGE / SPREAD,
-)
+    *(sp.sin(phi1) * term / sp.sqrt(SPREAD) for term in ACROSS_TERMS),
+) + size(ALPHA * sp.sin(phi1) * CHANGE / SPREAD)
 OF_CHANGE = (SLOPE_OF_TURNED * SPREAD - 4 * ALONG * sum(TILT_TERMS)) / SPREAD
 ACCELERATION_SCALE = (
     2
     * WHEEL_3
     / SPREAD
-    * largest(
-        sum(TILT_TERMS),
-        TILT_TERMS[0],
-        LESS * GAMMA,
-        *TILT_TERMS[2:],
-        TURNED * CHANGE_OF_SLOPE,
-        OF_CHANGE * CHANGE,
+    * (
+        largest(
+            sum(TILT_TERMS),
+            TILT_TERMS[0],
+            LESS * GAMMA,
+            *TILT_TERMS[2:],
+            TURNED * CHANGE_OF_SLOPE,
+        )
+        + size(OF_CHANGE * CHANGE)
     )
 )
-RATIO_ULP = ACCELERATION_ULP = 8
+RATIO_ULP = 8
 POSITION_ULP = 4
+# At its peak the acceleration goes with the cube of (1 - e1)*(1 - e2), three roundings where both
+# eccentricities are below 1/2: 4 eps that no order of the operations saves. Searches find 10.
+ACCELERATION_ULP = 12
 
 # Bars of a cylindrical pair 4-5. With the low word, x is known to eps**2 relative, and what is left
 # are the roundings of some 20 operations, tan and atan within an ulp; the bars are what searches
-# for the worst input hold. The acceleration passes through zero, where the error of x itself
-# counts, eps**2*|x| times the slope, which has the envelope of |sin x|, |cos x| <= 1.
+# for the worst input hold. What the error of x itself makes, eps**2*|x| times the slope, counts
+# where the acceleration passes through zero, and beside it only far away near e2 = 1. The slope of
+# the acceleration has the envelope of |sin x|, |cos x| <= 1.
 WHERE_LOW_WORD = ", where |x| <= 2**26"
 SLOPE = 4 * e2 * k**2 * (1 - e2**2) / (1 + e2**2 - 2 * e2 * sp.cos(x)) ** 2
-RATIO_CYLINDRICAL_SCALE = largest(sp.S.One, 1 - RATIO_CYLINDRICAL)
-POSITION_CYLINDRICAL_SCALE = largest(
-    (R5 - R4) / R5 * phi1, sp.atan2(e2 * sp.sin(x), 1 - e2 * sp.cos(x))
+EPS_X = sp.Rational(1, 2**52) * sp.Abs(x)
+RATIO_CYLINDRICAL_SCALE = largest(sp.S.One, 1 - RATIO_CYLINDRICAL) + EPS_X * size(
+    sp.diff(RATIO_CYLINDRICAL, x)
 )
-ACCELERATION_CYLINDRICAL_SCALE = (
-    sp.Abs(ACCELERATION_CYLINDRICAL) + sp.Rational(1, 2**52) * sp.Abs(x) * SLOPE
+lead_6 = sp.atan2(e2 * sp.sin(x), 1 - e2 * sp.cos(x))
+POSITION_CYLINDRICAL_SCALE = largest((R5 - R4) / R5 * phi1, lead_6) + EPS_X * size(
+    sp.diff(lead_6, x)
 )
+ACCELERATION_CYLINDRICAL_SCALE = sp.Abs(ACCELERATION_CYLINDRICAL) + EPS_X * SLOPE
 RATIO_CYLINDRICAL_ULP = ACCELERATION_CYLINDRICAL_ULP = 8
 POSITION_CYLINDRICAL_ULP = 4
 
@@ -1395,7 +1403,7 @@ QUANTITIES = (
         f"{SOURCE}, equation (10)",
         bar=Bar(
             RATIO_ULP,
-            "the largest of 1, W = 1 - value and W*|(less + y)*(rise*t - shift)|/S (0 without a "
+            "the larger of 1 and W = 1 - value, + W*|(less + y)*(rise*t - shift)|/S (0 without a "
             "mount), S = (less + y)**2 + both**2*t**2, t = tan(phi1), y = shift + rise*t, both = "
             "alpha/(1 - e2), less = (1 - e1)*(1 - e2), rise = gamma/(1 - e2), shift = "
             "beta/(1 - e2) - less",
@@ -1412,9 +1420,9 @@ QUANTITIES = (
         unit="rad",
         bar=Bar(
             POSITION_ULP,
-            "the largest of |value|, |y*sin(phi1)|/R, 2*(e1 + e2)*|sin(phi1)|/R and |both*t*"
-            "(rise*t - shift)|/(2*S), R = |less + y| + |both*t| (|value| without a mount), with "
-            "t, S, y, both, less, rise, shift as in `ratio`, where no product underflows",
+            "the largest of |value|, |y*sin(phi1)|/R and 2*(e1 + e2)*|sin(phi1)|/R, R = sqrt(S), + "
+            "|both*t*(rise*t - shift)|/(2*S) (|value| without a mount), with t, S, y, both, less, "
+            "rise, shift as in `ratio`, where no product underflows",
             POSITION_SCALE,
         ),
     ),
@@ -1428,8 +1436,8 @@ QUANTITIES = (
         bar=Bar(
             ACCELERATION_ULP,
             "the largest of |value| and 2*W/S times |y*(rise - shift*t)|, less*|rise|*(1 + t**2), "
-            "2*(e1 + e2)*(less + both)*|t|, 2*less*shift*|t|, |y*(rise + shift*t)|/2 and |(rise - "
-            "shift*t - 4*(less + y)*Z/S)*(rise*t - shift)|/2, Z = value*S/(2*W) (|value| without "
+            "2*(e1 + e2)*(less + both)*|t|, 2*less*shift*|t|, |y*(rise + shift*t)|/2, + W/S*|(rise "
+            "- shift*t - 4*(less + y)*Z/S)*(rise*t - shift)|, Z = value*S/(2*W) (|value| without "
             "a mount), with W, S, t, y, both, less, rise, shift as in `ratio`, where no product "
             "underflows",
             ACCELERATION_SCALE,
@@ -1448,7 +1456,7 @@ QUANTITIES = (
         f"{SOURCE}, equation (10), pair 4-5 cylindrical",
         bar=Bar(
             RATIO_CYLINDRICAL_ULP,
-            "the larger of 1 and 1 - value" + WHERE_LOW_WORD,
+            "the larger of 1 and 1 - value, + eps*|x*d value/d x|" + WHERE_LOW_WORD,
             RATIO_CYLINDRICAL_SCALE,
         ),
     ),
@@ -1466,7 +1474,8 @@ QUANTITIES = (
         unit="rad",
         bar=Bar(
             POSITION_CYLINDRICAL_ULP,
-            "the larger of both terms" + WHERE_LOW_WORD,
+            "the larger of both terms + eps*|x| times the slope of the second in x"
+            + WHERE_LOW_WORD,
             POSITION_CYLINDRICAL_SCALE,
         ),
         shortcut=Shortcut(

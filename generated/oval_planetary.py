@@ -86,10 +86,10 @@ def ratio(
 
     Outside it the result is NaN, by way of e1.
 
-    Accuracy held by the tests: error <= 8 eps * (the largest of 1, W = 1 - value and W*|(less +
-    y)*(rise*t - shift)|/S (0 without a mount), S = (less + y)**2 + both**2*t**2, t = tan(phi1),
-    y = shift + rise*t, both = alpha/(1 - e2), less = (1 - e1)*(1 - e2), rise = gamma/(1 - e2),
-    shift = beta/(1 - e2) - less), eps the spacing of floats at 1.
+    Accuracy held by the tests: error <= 8 eps * (the larger of 1 and W = 1 - value, + W*|(less
+    + y)*(rise*t - shift)|/S (0 without a mount), S = (less + y)**2 + both**2*t**2, t =
+    tan(phi1), y = shift + rise*t, both = alpha/(1 - e2), less = (1 - e1)*(1 - e2), rise =
+    gamma/(1 - e2), shift = beta/(1 - e2) - less), eps the spacing of floats at 1.
 
     Source: Prikhodko et al. 2024 (oval wheels), equation (10).
 
@@ -177,10 +177,10 @@ def position(
 
     Outside it the result is NaN, by way of e1.
 
-    Accuracy held by the tests: error <= 4 eps * (the largest of |value|, |y*sin(phi1)|/R, 2*(e1
-    + e2)*|sin(phi1)|/R and |both*t*(rise*t - shift)|/(2*S), R = |less + y| + |both*t| (|value|
-    without a mount), with t, S, y, both, less, rise, shift as in `ratio`, where no product
-    underflows), eps the spacing of floats at 1.
+    Accuracy held by the tests: error <= 4 eps * (the largest of |value|, |y*sin(phi1)|/R and
+    2*(e1 + e2)*|sin(phi1)|/R, R = sqrt(S), + |both*t*(rise*t - shift)|/(2*S) (|value| without a
+    mount), with t, S, y, both, less, rise, shift as in `ratio`, where no product underflows),
+    eps the spacing of floats at 1.
 
     Source: Prikhodko et al. 2024 (oval wheels), integral (11).
 
@@ -266,10 +266,10 @@ def acceleration(
 
     Outside it the result is NaN, by way of e1.
 
-    Accuracy held by the tests: error <= 8 eps * (the largest of |value| and 2*W/S times
+    Accuracy held by the tests: error <= 12 eps * (the largest of |value| and 2*W/S times
     |y*(rise - shift*t)|, less*|rise|*(1 + t**2), 2*(e1 + e2)*(less + both)*|t|,
-    2*less*shift*|t|, |y*(rise + shift*t)|/2 and |(rise - shift*t - 4*(less + y)*Z/S)*(rise*t -
-    shift)|/2, Z = value*S/(2*W) (|value| without a mount), with W, S, t, y, both, less, rise,
+    2*less*shift*|t|, |y*(rise + shift*t)|/2, + W/S*|(rise - shift*t - 4*(less + y)*Z/S)*(rise*t
+    - shift)|, Z = value*S/(2*W) (|value| without a mount), with W, S, t, y, both, less, rise,
     shift as in `ratio`, where no product underflows), eps the spacing of floats at 1.
 
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10).
@@ -361,8 +361,8 @@ def ratio_cylindrical(
 
     Outside it the result is NaN, by way of R4.
 
-    Accuracy held by the tests: error <= 8 eps * (the larger of 1 and 1 - value, where |x| <=
-    2**26), eps the spacing of floats at 1.
+    Accuracy held by the tests: error <= 8 eps * (the larger of 1 and 1 - value, + eps*|x*d
+    value/d x|, where |x| <= 2**26), eps the spacing of floats at 1.
 
     Source: Prikhodko et al. 2024 (oval wheels), equation (10), pair 4-5 cylindrical.
 
@@ -448,8 +448,8 @@ def position_cylindrical(
 
     Where R4*e2 <= (1 - e2)*Abs(R4 - R5) for all elements, half-angle atan is as good.
 
-    Accuracy held by the tests: error <= 4 eps * (the larger of both terms, where |x| <= 2**26),
-    eps the spacing of floats at 1.
+    Accuracy held by the tests: error <= 4 eps * (the larger of both terms + eps*|x| times the
+    slope of the second in x, where |x| <= 2**26), eps the spacing of floats at 1.
 
     Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical.
 

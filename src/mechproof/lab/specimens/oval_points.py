@@ -16,7 +16,7 @@ QUARTER_TURNS = np.array([1, 2, 3, 4, 101, 100_000])
 FARTHEST = 1e6
 FARTHEST_X = 2.0**26
 # Products with the eccentricity and the angle stay above the subnormals, with all their digits.
-SMALLEST = 1e-290
+SMALLEST, SMALLEST_MOUNTED = 1e-290, 1e-250
 WORKING = (0.2, 0.2, 0.4)
 WORKING_RADII = (32.0, 18.0, 0.2)
 
@@ -112,8 +112,9 @@ def is_representable(phi1: Array, e: Array) -> Array:
 
 
 def both_representable(phi1: Array, e1: Array, e2: Array, mount: Array) -> Array:
-    """Mark the points of the bars: the larger eccentricity decides."""
-    return is_representable(phi1, np.maximum(e1, e2))
+    """Mark the points of the bars: the larger eccentricity decides, and e2 if there is a mount."""
+    mounted = (mount == 0) | (e2 == 0) | (np.abs(mount) * e2 >= SMALLEST_MOUNTED)
+    return is_representable(phi1, np.maximum(e1, e2)) & mounted
 
 
 def ovals_in_cell(rng: np.random.Generator, box: Box) -> Arguments:
