@@ -271,7 +271,8 @@ def acceleration(
     Outside it the result is NaN, by way of R1.
 
     Accuracy held by the tests: error <= 8 eps * (|value| + eps*|x|*2*e*k**2*(1 - e**2)/(1 +
-    e**2 - 2*e*cos(x))**2, where |x| <= 2**26), eps the spacing of floats at 1.
+    e**2 - 2*e*cos(x))**2, where |x| <= 2**26 and e = 0 or e >= 1e-200), eps the spacing of
+    floats at 1.
 
     Source: derivative of Prikhodko et al. 2024, equation (8).
 
