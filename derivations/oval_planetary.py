@@ -1307,7 +1307,7 @@ OF_CYLINDERS = (
 # which are what searches for the worst input hold.
 # All of it is multiplied by (1 - e2)*cos(phi1), so that nothing is divided, and the coefficients
 # stand in full: to put them into absolute values later takes SymPy very long.
-GIVEN = {variable.symbol: variable.given for variable in VARIABLES}
+GIVEN = {v.symbol: v.given for v in VARIABLES if v.given is not None}
 ALPHA, BETA, GAMMA, DELTA = (GIVEN[symbol] for symbol in (alpha, beta, gamma, delta))
 LEVER = 4 * e2 * sp.sin(mount)
 SIDE_6 = (1 - e1) * sp.cos(phi1), (1 + e1) * sp.sin(phi1)
