@@ -114,7 +114,8 @@ def is_representable(phi1: Array, e: Array) -> Array:
 def both_representable(phi1: Array, e1: Array, e2: Array, mount: Array) -> Array:
     """Mark the points of the bars: the larger eccentricity decides, and e2 if there is a mount."""
     mounted = (mount == 0) | (e2 == 0) | (np.abs(mount) * e2 >= SMALLEST_MOUNTED)
-    return is_representable(phi1, np.maximum(e1, e2)) & mounted
+    found: Array = is_representable(phi1, np.maximum(e1, e2)) & mounted
+    return found
 
 
 def ovals_in_cell(rng: np.random.Generator, box: Box) -> Arguments:
