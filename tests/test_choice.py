@@ -19,6 +19,18 @@ def errors(**worst: float) -> dict[str, Any]:
     return found
 
 
+def timed(form: str, workload: str, count: int, median: float) -> dict[str, Any]:
+    quartiles = {"lower": 0.95 * median, "upper": 1.05 * median}
+    return {
+        "form": form,
+        "workload": workload,
+        "count": count,
+        "rounds": 3,
+        "median": median,
+        **quartiles,
+    }
+
+
 TIMES = {"fine": 10.0, "coarse": 2.0, "wrong": 1.0, "lossy": 1.0, "in order": 1.0}
 RECORD = {
     "quantity": "gear.angle",
@@ -31,7 +43,7 @@ RECORD = {
         {"box": {"e": [0.5, 0.9]}, "errors": errors(coarse=0.2, fine=3e-15)},
     ],
     "times": [
-        {"form": n, "workload": "w", "count": count, "rounds": 3, "median": t * scale}
+        timed(n, "w", count, t * scale)
         for n, t in TIMES.items()
         for count, scale in ((1000, 3.0), (100_000, 1.0))
     ],
@@ -82,11 +94,20 @@ class TestDecision:
         assert choose("angle", error=1e-9, size=500).count == 1000
 
     def test_the_most_expensive_workload_counts(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        other = {"form": "coarse", "workload": "v", "count": 100_000, "rounds": 3, "median": 20.0}
+        other = timed("coarse", "v", 100_000, 20.0)
         slower = {**RECORD, "times": [*RECORD["times"], other]}
         monkeypatch.setattr(choice, "_records", lambda: {"gear.angle": slower})
         chosen = choose("angle", error=0.01, e=(0, 0.5))
         assert (chosen.form, chosen.better) == ("fine", None)
+
+    def test_of_forms_as_fast_the_most_accurate(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        rows = [timed("coarse", "w", 100_000, 9.8), timed("fine", "w", 100_000, 10.0)]
+        monkeypatch.setattr(choice, "_records", lambda: {"gear.angle": {**RECORD, "times": rows}})
+        chosen = choose("angle", error=0.01, e=(0, 0.5))
+        assert chosen.form == "fine"
+        assert "not told apart in time" in chosen.explain()
+        rows[0] = timed("coarse", "w", 100_000, 8.0)
+        assert choose("angle", error=0.01, e=(0, 0.5)).form == "coarse"
 
     def test_nothing_qualifies(self) -> None:
         with pytest.raises(ValueError, match=r"reaches it; gear\.angle: fine, error 3e-15 rad"):

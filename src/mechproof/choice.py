@@ -35,8 +35,9 @@ class Choice:
 
     `error` is in the unit of the quantity: the larger of the worst measured and the proved bound;
     `bound` is the latter, None without. `time` is nanoseconds per point at `count` points on the
-    machine of the record. `better` is the cheapest form with at most half the error, `others` are
-    all forms that could have been chosen, cheapest first.
+    machine of the record, the median of rounds with these `quartiles`. `better` is the cheapest
+    form with at most half the error, `others` are all forms that could have been chosen, cheapest
+    first.
     """
 
     quantity: str
@@ -44,6 +45,7 @@ class Choice:
     error: float
     bound: float | None
     time: float
+    quartiles: tuple[float, float]
     count: int
     unit: str
     better: Choice | None = None
@@ -54,10 +56,19 @@ class Choice:
         return "\n".join([str(self), *map(self._compare, self.others)])
 
     def _compare(self, other: Choice) -> str:
-        """Say that a form is slower, or else too coarse: what is cheaper was not good enough."""
-        slower = other.time >= self.time
-        reason = f"{other.time / self.time:.3g} times the time" if slower else "not accurate enough"
+        """Say that a form is slower, no better, or too coarse."""
+        if other._may_be_as_fast_as(self) and other.error >= self.error:
+            reason = "not told apart in time, and not more accurate"
+        elif other.time >= self.time:
+            reason = f"{other.time / self.time:.3g} times the time"
+        else:
+            reason = "not accurate enough"
         return f"not {other._describe()}: {reason}"
+
+    def _may_be_as_fast_as(self, other: Choice) -> bool:
+        """Say whether the quartiles of the times overlap."""
+        (low, high), (lowest, highest) = self.quartiles, other.quartiles
+        return low <= highest and lowest <= high
 
     def __str__(self) -> str:
         """Return the reason in a sentence or two."""
@@ -98,19 +109,23 @@ def choose(quantity: str, *, error: float, size: int = SIZE, **ranges: Size) -> 
     -----
     A measured error is the worst at points chosen to hurt, not a bound; a form that lost a single
     result (NaN, infinity) in the ranges is left out, and so is one that is not proved equal to
-    the quantity nor bounded. The records are those that come with the package.
+    the quantity nor bounded. Of forms whose times cannot be told apart, their quartiles
+    overlapping, the most accurate is taken. The records are those that come with the package.
 
     """
     record = _find_record(quantity)
     if not error > 0:
         raise ValueError(f"error = {error!r}: must be positive")
     boxes = list(_overlapping(record, _as_pairs(record, ranges)))
-    forms = sorted(_rate_forms(record, boxes, size), key=lambda c: c.time)
-    good = [form for form in forms if form.error <= error]
+    rated = list(_rate_forms(record, boxes, size))
+    forms = sorted(rated, key=lambda c: c.time)
+    good = [form for form in rated if form.error <= error]
     if not good:
         best = min(forms, key=lambda c: c.error)
         raise ValueError(f"error = {error!r}: no form of {record['quantity']} reaches it; {best}")
-    first = good[0]
+    fastest = min(good, key=lambda c: c.time)
+    alike = [form for form in good if form._may_be_as_fast_as(fastest)]
+    first = min(alike, key=lambda c: c.error)
     better = [form for form in forms if form.error <= first.error / BETTER]
     others = tuple(form for form in forms if form is not first)
     return replace(first, better=better[0] if better else None, others=others)
@@ -181,11 +196,14 @@ def _rate_forms(record: Record, boxes: list[Mapping[str, Any]], size: int) -> It
         if form["bound"] is not None and bound is None:
             continue
         error = max([float(f["worst"]) for f in found] + ([] if bound is None else [bound]))
-        count, time = timed
-        yield Choice(record["quantity"], form["name"], error, bound, time, count, record["unit"])
+        count, time, quartiles = timed
+        name, unit = record["quantity"], record["unit"]
+        yield Choice(name, form["name"], error, bound, time, quartiles, count, unit)
 
 
-def _find_time(record: Record, form: str, size: int) -> tuple[int, float] | None:
+def _find_time(
+    record: Record, form: str, size: int
+) -> tuple[int, float, tuple[float, float]] | None:
     """Return the size measured nearest to `size`, and the time of the most expensive workload."""
     rows = [r for r in record["times"] if r["form"] == form and r["rounds"]]
     nearest = [
@@ -195,5 +213,7 @@ def _find_time(record: Record, form: str, size: int) -> tuple[int, float] | None
         )
         for workload in {r["workload"] for r in rows}
     ]
-    found = [(row["count"], float(row["median"])) for row in nearest]
-    return max(found, key=lambda pair: pair[1], default=None)
+    row = max(nearest, key=lambda r: float(r["median"]), default=None)
+    if row is None:
+        return None
+    return row["count"], float(row["median"]), (float(row["lower"]), float(row["upper"]))
