@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 BLOCK = 32768
 # Loops along the last axis that cost more than their start.
 LONG_LOOP = 64
+SCALARS = frozenset({np.float64, np.float32})
 # Types that Python's arithmetic and NumPy's agree on; all others keep their own.
-PLAIN = frozenset({np.ndarray, np.float64, np.float32})
+PLAIN = SCALARS | {np.ndarray}
 WEAK = (bool, int, float)
 # Subclasses without arithmetic of their own, or with one that is not element by element.
 AS_ARRAYS = (np.memmap, np.matrix)
@@ -36,7 +37,7 @@ def as_floats(**arguments: ArrayLike) -> tuple[NDArray[Any], ...]:
         If an argument is complex, longer than float64 or not numeric; the message names it.
 
     """
-    arrays = [_as_array(value) for value in arguments.values()]
+    arrays = [np.float64(v) if type(v) is float else _as_array(v) for v in arguments.values()]
     dtypes = [array.dtype for array in arrays]
     if dtypes.count(DOUBLE) == len(dtypes):
         return tuple(arrays)
@@ -50,8 +51,6 @@ def as_floats(**arguments: ArrayLike) -> tuple[NDArray[Any], ...]:
 
 def _as_array(value: Any) -> Any:
     """Return an array, a NumPy scalar if it has no axes, or what brings ufuncs of its own."""
-    if type(value) is float:
-        return np.float64(value)
     if type(value) in PLAIN:
         return value if value.shape else value[()]
     is_foreign = hasattr(value, "__array_ufunc__") and hasattr(value, "dtype")
@@ -63,8 +62,8 @@ def _cast(array: Any, dtype: np.dtype[Any]) -> Any:
     return cast[()] if type(cast) is np.ndarray else cast
 
 
-def split_components(name: str, array: Any, count: int) -> tuple[NDArray[Any], ...]:
-    """Return the components on the last axis.
+def check_components(name: str, array: Any, count: int) -> None:
+    """Check the length of the last axis.
 
     Raises
     ------
@@ -74,7 +73,14 @@ def split_components(name: str, array: Any, count: int) -> tuple[NDArray[Any], .
     """
     if array.shape[-1:] != (count,):
         raise ValueError(f"{name}: last axis must have length {count}, got shape {array.shape}")
-    return tuple(array[..., i][()] for i in range(count))
+
+
+def split_components(name: str, array: Any, count: int) -> tuple[NDArray[Any], ...]:
+    """Return the components on the last axis; raises as `check_components`."""
+    check_components(name, array, count)
+    if array.ndim == 1 and type(array) is np.ndarray:
+        return tuple(array)
+    return tuple([array[..., i][()] for i in range(count)])
 
 
 def sum_axes(**arguments: tuple[Any, int]) -> tuple[NDArray[Any], ...]:
@@ -95,6 +101,11 @@ def sum_axes(**arguments: tuple[Any, int]) -> tuple[NDArray[Any], ...]:
             what = "last axis" if axes == 1 else f"last {axes} axes"
             raise ValueError(f"{name}: {what} must have shape {expected}, got shape {array.shape}")
     return tuple(array if array.shape else np.atleast_1d(array) for array, _ in arguments.values())
+
+
+def is_finite(value: Any) -> Any:
+    """Return np.isfinite(value), which for a scalar costs as much as a short loop."""
+    return abs(value) < np.inf if type(value) in SCALARS else np.isfinite(value)
 
 
 def nan_outside(value: Any, inside: Any) -> NDArray[Any]:
@@ -190,21 +201,23 @@ def in_blocks(
     if not PLAIN.issuperset(map(type, arrays)):
         values = evaluate(*running, *prepare(*parameters))
         return store(_stack(values, shape) if shape else values, out)
-    together, dtype = np.broadcast(*arrays), arrays[0].dtype
-    whole = (*together.shape, *shape)
-    target = _find_target(out, whole, dtype, arrays)
-    if 2 * together.size <= BLOCK:
+    large = [array for array in arrays if type(array) is np.ndarray]
+    together = large[0] if len(large) == 1 else np.broadcast(*arrays)
+    whole, dtype = (*together.shape, *shape), arrays[0].dtype
+    is_small = 2 * together.size <= BLOCK
+    if is_small:
         if dtype == SINGLE:
             running = tuple(_cast(array, DOUBLE) for array in running)
             parameters = tuple(_cast(array, DOUBLE) for array in parameters)
         values = evaluate(*running, *prepare(*parameters))
         if not shape:
             return store(_cast(values, dtype), out)
-        target = np.empty(whole, dtype) if target is None else target
+    target = _find_target(out, whole, dtype, arrays)
+    target = np.empty(whole, dtype) if target is None else target
+    if is_small:
         for part, value in zip(_components(target, shape), values, strict=True):
             part[...] = value
     else:
-        target = np.empty(whole, dtype) if target is None else target
         _fill(target, evaluate, running, prepare, parameters, shape)
     return store(target, out)
 
@@ -301,7 +314,7 @@ def transform(
     Raises as `in_blocks`.
     """
     count = points.shape[-1]
-    one_map = all(type(p) in PLAIN and not p.shape for p in parameters)
+    one_map = SCALARS.issuperset(map(type, parameters))
     if type(points) is not np.ndarray or not one_map:
 
         def evaluate(*values: Any) -> tuple[Any, ...]:
@@ -317,18 +330,21 @@ def transform(
     target = _find_target(out, points.shape, points.dtype, (points,))
     if target is None or not target.flags.c_contiguous:
         target = np.empty(points.shape, points.dtype)
-    values = np.array(coefficients(*(_cast(p, DOUBLE) for p in parameters)))
+    values = np.array(coefficients(*[_cast(p, DOUBLE) for p in parameters]))
     matrix, shift = values[:-count].reshape(count, count).T, values[-count:]
     source, rows = points.reshape(-1, count), target.reshape(-1, count)
-    size = min(len(rows), BLOCK // (2 * count))
+    size = max(min(len(rows), BLOCK // (2 * count)), 1)
     # NumPy broadcasts rows of three slowly; the shift is repeated along a block instead.
     shifts = np.empty((size, count))
-    for column, value in zip(shifts.T, shift, strict=True):
-        column[...] = value
-    for start in range(0, len(rows), max(size, 1)):
-        moved = source[start : start + size].astype(DOUBLE, copy=False) @ matrix
+    for i in range(count):
+        shifts[:, i] = shift[i]
+    for start in range(0, len(rows), size):
+        block = source[start : start + size].astype(DOUBLE, copy=False)
+        found = rows[start : start + size]
+        moved = np.matmul(block, matrix, out=found if found.dtype == DOUBLE else None)
         moved += shifts[: len(moved)]
-        rows[start : start + size] = moved
+        if moved is not found:
+            found[...] = moved
     return store(target, out)
 
 

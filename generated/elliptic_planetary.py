@@ -19,6 +19,7 @@ from ._arrays import (
     as_floats,
     holds,
     in_blocks,
+    is_finite,
     nan_outside,
     product_rest,
     quotient_rest,
@@ -87,9 +88,7 @@ def ratio(
 
     """
     phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
-    inside = (
-        (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    )
+    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
     R1 = nan_outside(R1, inside)
     return in_blocks(_ratio, (phi1,), _prepare_ratio, (R1, R2, e), out=out)
 
@@ -176,9 +175,7 @@ def position(
 
     """
     phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
-    inside = (
-        (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    )
+    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
     R1 = nan_outside(R1, inside)
     if holds(e <= 1 / 2):
         return in_blocks(
@@ -278,9 +275,7 @@ def acceleration(
 
     """
     phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
-    inside = (
-        (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    )
+    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
     R1 = nan_outside(R1, inside)
     return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (R1, R2, e), out=out)
 
@@ -368,9 +363,7 @@ def position_printed(
 
     """
     phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
-    inside = (
-        (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    )
+    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
     R1 = nan_outside(R1, inside)
     return in_blocks(_position_printed, (phi1,), _prepare_position_printed, (R1, R2, e), out=out)
 
@@ -444,9 +437,7 @@ def position_principal(
 
     """
     phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
-    inside = (
-        (R1 > 0) & np.isfinite(R1) & (R2 > 0) & np.isfinite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    )
+    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
     R1 = nan_outside(R1, inside)
     return in_blocks(
         _position_principal, (phi1,), _prepare_position_principal, (R1, R2, e), out=out

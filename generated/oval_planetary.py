@@ -18,6 +18,7 @@ from ._arrays import (
     as_floats,
     holds,
     in_blocks,
+    is_finite,
     nan_outside,
     product_rest,
     quotient_rest,
@@ -368,7 +369,7 @@ def ratio_cylindrical(
 
     """
     phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
-    inside = (R4 > 0) & np.isfinite(R4) & (R5 > 0) & np.isfinite(R5) & (e2 >= 0) & (e2 < 1)
+    inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
     R4 = nan_outside(R4, inside)
     return in_blocks(_ratio_cylindrical, (phi1,), _prepare_ratio_cylindrical, (R4, R5, e2), out=out)
 
@@ -455,7 +456,7 @@ def position_cylindrical(
 
     """
     phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
-    inside = (R4 > 0) & np.isfinite(R4) & (R5 > 0) & np.isfinite(R5) & (e2 >= 0) & (e2 < 1)
+    inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
     R4 = nan_outside(R4, inside)
     if holds(e2 * R4 <= (1 - e2) * np.abs(R4 - R5)):
         return in_blocks(
@@ -564,7 +565,7 @@ def acceleration_cylindrical(
 
     """
     phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
-    inside = (R4 > 0) & np.isfinite(R4) & (R5 > 0) & np.isfinite(R5) & (e2 >= 0) & (e2 < 1)
+    inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
     R4 = nan_outside(R4, inside)
     return in_blocks(
         _acceleration_cylindrical, (phi1,), _prepare_acceleration_cylindrical, (R4, R5, e2), out=out

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import as_floats, in_blocks, nan_outside
+from ._arrays import as_floats, in_blocks, is_finite, nan_outside
 
 __all__ = [
     "chord_height",
@@ -205,9 +205,9 @@ def height_change(
     tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
     inside = (
         (m > 0)
-        & np.isfinite(m)
+        & is_finite(m)
         & (z >= 1)
-        & np.isfinite(z)
+        & is_finite(z)
         & (z == np.floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
@@ -297,9 +297,9 @@ def thickness_change(
     tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
     inside = (
         (m > 0)
-        & np.isfinite(m)
+        & is_finite(m)
         & (z >= 1)
-        & np.isfinite(z)
+        & is_finite(z)
         & (z == np.floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
@@ -451,9 +451,9 @@ def linearisation_bound(
     dh, m, z, alpha = as_floats(dh=dh, m=m, z=z, alpha=alpha)
     inside = (
         (m > 0)
-        & np.isfinite(m)
+        & is_finite(m)
         & (z >= 1)
-        & np.isfinite(z)
+        & is_finite(z)
         & (z == np.floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)

@@ -17,7 +17,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import as_floats, in_blocks, nan_outside, split_components, store, sum_axes, transform
+from ._arrays import (
+    as_floats,
+    check_components,
+    in_blocks,
+    is_finite,
+    nan_outside,
+    split_components,
+    store,
+    sum_axes,
+    transform,
+)
 
 __all__ = [
     "displacement",
@@ -165,7 +175,7 @@ def displacement(
 
     """
     points, angles, shift = as_floats(points=points, angles=angles, shift=shift)
-    split_components("points", points, 3)
+    check_components("points", points, 3)
     alpha, beta, gamma = split_components("angles", angles, 3)
     a, b, c = split_components("shift", shift, 3)
     return transform(points, _displacement, (alpha, beta, gamma, a, b, c), out=out)
@@ -255,7 +265,7 @@ def displacement_linear(
 
     """
     points, angles, shift = as_floats(points=points, angles=angles, shift=shift)
-    split_components("points", points, 3)
+    check_components("points", points, 3)
     alpha, beta, gamma = split_components("angles", angles, 3)
     a, b, c = split_components("shift", shift, 3)
     return transform(points, _displacement_linear, (alpha, beta, gamma, a, b, c), out=out)
@@ -322,9 +332,9 @@ def radius(
     phi, R, A, z = as_floats(phi=phi, R=R, A=A, z=z)
     inside = (
         (R > 0)
-        & np.isfinite(R)
+        & is_finite(R)
         & (z >= 1)
-        & np.isfinite(z)
+        & is_finite(z)
         & (z == np.floor(z))
         & (A <= R)
         & (np.abs(A) <= R)
@@ -412,11 +422,11 @@ def track(
     phi, R, A, z, H = as_floats(phi=phi, R=R, A=A, z=z, H=H)
     inside = (
         (R > 0)
-        & np.isfinite(R)
+        & is_finite(R)
         & (H > 0)
-        & np.isfinite(H)
+        & is_finite(H)
         & (z >= 1)
-        & np.isfinite(z)
+        & is_finite(z)
         & (z == np.floor(z))
         & (A <= R)
         & (np.abs(A) <= R)
@@ -630,13 +640,13 @@ def error_sum_correlated(
     )
     inside = (
         (total_scatter > 0)
-        & np.isfinite(total_scatter)
+        & is_finite(total_scatter)
         & np.all(scatters > 0, axis=-1)
-        & np.all(np.isfinite(scatters), axis=-1)
+        & np.all(is_finite(scatters), axis=-1)
         & np.all(correlation >= -1, axis=(-2, -1))
         & np.all(correlation <= 1, axis=(-2, -1))
         & np.all(tolerances >= 0, axis=-1)
-        & np.all(np.isfinite(tolerances), axis=-1)
+        & np.all(is_finite(tolerances), axis=-1)
         & np.all(np.diagonal(correlation, axis1=-2, axis2=-1) == 1, axis=-1)
         & np.all(correlation == np.swapaxes(correlation, -1, -2), axis=(-2, -1))
     )
@@ -729,11 +739,11 @@ def error_sum(
     )
     inside = (
         (total_scatter > 0)
-        & np.isfinite(total_scatter)
+        & is_finite(total_scatter)
         & np.all(scatters > 0, axis=-1)
-        & np.all(np.isfinite(scatters), axis=-1)
+        & np.all(is_finite(scatters), axis=-1)
         & np.all(tolerances >= 0, axis=-1)
-        & np.all(np.isfinite(tolerances), axis=-1)
+        & np.all(is_finite(tolerances), axis=-1)
     )
     total_scatter = nan_outside(total_scatter, inside)
 
@@ -825,15 +835,15 @@ def error_sum_thermal(
     )
     inside = (
         (total_scatter > 0)
-        & np.isfinite(total_scatter)
+        & is_finite(total_scatter)
         & np.all(scatters > 0, axis=-1)
-        & np.all(np.isfinite(scatters), axis=-1)
+        & np.all(is_finite(scatters), axis=-1)
         & (thermal_scatter > 0)
-        & np.isfinite(thermal_scatter)
+        & is_finite(thermal_scatter)
         & np.all(tolerances >= 0, axis=-1)
-        & np.all(np.isfinite(tolerances), axis=-1)
+        & np.all(is_finite(tolerances), axis=-1)
         & (thermal_share >= 0)
-        & np.isfinite(thermal_share)
+        & is_finite(thermal_share)
         & (thermal_scatter * thermal_share < total_scatter)
     )
     total_scatter = nan_outside(total_scatter, inside)

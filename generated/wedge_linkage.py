@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import as_floats, in_blocks, nan_outside
+from ._arrays import as_floats, in_blocks, is_finite, nan_outside
 
 __all__ = [
     "clearance",
@@ -87,12 +87,7 @@ def lever_angle(
     """
     x1, l_AB, l_BC, l_CD = as_floats(x1=x1, l_AB=l_AB, l_BC=l_BC, l_CD=l_CD)
     inside = (
-        (l_AB > 0)
-        & np.isfinite(l_AB)
-        & (l_BC > 0)
-        & np.isfinite(l_BC)
-        & (l_CD > 0)
-        & np.isfinite(l_CD)
+        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
     )
     l_AB = nan_outside(l_AB, inside)
     return in_blocks(_lever_angle, (x1,), _prepare_lever_angle, (l_AB, l_BC, l_CD), out=out)
@@ -159,7 +154,7 @@ def rod_displacement(
 
     """
     phi3, l_DE, alpha_DE = as_floats(phi3=phi3, l_DE=l_DE, alpha_DE=alpha_DE)
-    inside = (l_DE > 0) & np.isfinite(l_DE)
+    inside = (l_DE > 0) & is_finite(l_DE)
     l_DE = nan_outside(l_DE, inside)
     return in_blocks(
         _rod_displacement, (phi3,), _prepare_rod_displacement, (l_DE, alpha_DE), out=out
@@ -219,7 +214,7 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
 
     """
     x5, l_GH = as_floats(x5=x5, l_GH=l_GH)
-    inside = (l_GH > 0) & np.isfinite(l_GH)
+    inside = (l_GH > 0) & is_finite(l_GH)
     l_GH = nan_outside(l_GH, inside)
     return in_blocks(_clearance, (x5,), _prepare_clearance, (l_GH,), out=out)
 
@@ -285,7 +280,7 @@ def roller_lever_angle(
 
     """
     x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
-    inside = (l_KL > 0) & np.isfinite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
     l_KL = nan_outside(l_KL, inside)
     return in_blocks(
         _roller_lever_angle, (x5,), _prepare_roller_lever_angle, (l_KL, alpha_KL), out=out
@@ -359,7 +354,7 @@ def wedge_displacement(
 
     """
     phi7, l_LM, alpha_LM = as_floats(phi7=phi7, l_LM=l_LM, alpha_LM=alpha_LM)
-    inside = (l_LM > 0) & np.isfinite(l_LM)
+    inside = (l_LM > 0) & is_finite(l_LM)
     l_LM = nan_outside(l_LM, inside)
     return in_blocks(
         _wedge_displacement, (phi7,), _prepare_wedge_displacement, (l_LM, alpha_LM), out=out
@@ -472,19 +467,19 @@ def position(
     )
     inside = (
         (l_AB > 0)
-        & np.isfinite(l_AB)
+        & is_finite(l_AB)
         & (l_BC > 0)
-        & np.isfinite(l_BC)
+        & is_finite(l_BC)
         & (l_CD > 0)
-        & np.isfinite(l_CD)
+        & is_finite(l_CD)
         & (l_DE > 0)
-        & np.isfinite(l_DE)
+        & is_finite(l_DE)
         & (l_GH > 0)
-        & np.isfinite(l_GH)
+        & is_finite(l_GH)
         & (l_KL > 0)
-        & np.isfinite(l_KL)
+        & is_finite(l_KL)
         & (l_LM > 0)
-        & np.isfinite(l_LM)
+        & is_finite(l_LM)
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )
@@ -666,19 +661,19 @@ def velocity(
     )
     inside = (
         (l_AB > 0)
-        & np.isfinite(l_AB)
+        & is_finite(l_AB)
         & (l_BC > 0)
-        & np.isfinite(l_BC)
+        & is_finite(l_BC)
         & (l_CD > 0)
-        & np.isfinite(l_CD)
+        & is_finite(l_CD)
         & (l_DE > 0)
-        & np.isfinite(l_DE)
+        & is_finite(l_DE)
         & (l_GH > 0)
-        & np.isfinite(l_GH)
+        & is_finite(l_GH)
         & (l_KL > 0)
-        & np.isfinite(l_KL)
+        & is_finite(l_KL)
         & (l_LM > 0)
-        & np.isfinite(l_LM)
+        & is_finite(l_LM)
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )
@@ -881,19 +876,19 @@ def sensitivities(
     )
     inside = (
         (l_AB > 0)
-        & np.isfinite(l_AB)
+        & is_finite(l_AB)
         & (l_BC > 0)
-        & np.isfinite(l_BC)
+        & is_finite(l_BC)
         & (l_CD > 0)
-        & np.isfinite(l_CD)
+        & is_finite(l_CD)
         & (l_DE > 0)
-        & np.isfinite(l_DE)
+        & is_finite(l_DE)
         & (l_GH > 0)
-        & np.isfinite(l_GH)
+        & is_finite(l_GH)
         & (l_KL > 0)
-        & np.isfinite(l_KL)
+        & is_finite(l_KL)
         & (l_LM > 0)
-        & np.isfinite(l_LM)
+        & is_finite(l_LM)
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )

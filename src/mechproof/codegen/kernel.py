@@ -25,8 +25,10 @@ from mechproof.record import Argument, Paper, Quantity
 
 SUPPORT = (
     "as_floats",
+    "check_components",
     "holds",
     "in_blocks",
+    "is_finite",
     "nan_outside",
     "product_rest",
     "quotient_rest",

@@ -66,7 +66,7 @@ class NumpyPrinter(CodePrinter):  # type: ignore[misc]
         self._axes = tuple(sorted({i for item in items for i in item.indices}, key=str))
         text = self.print_expression(relation)
         axes, self._axes = self._axes, ()
-        text = text if axes or text.startswith("np.isfinite") else f"({text})"
+        text = text if axes or text.startswith("is_finite") else f"({text})"
         return f"np.all({text}, axis={_last_axes(len(axes))})" if axes else text
 
     def emptyPrinter(self, expr: sp.Basic) -> str:  # noqa: N802
@@ -146,7 +146,7 @@ class NumpyPrinter(CodePrinter):  # type: ignore[misc]
             return f"{self._compared(expr.lhs)} == {self._compared(expr.rhs)}"
         low, high = expr.lts, expr.gts
         if sp.oo in (-low, high):
-            return f"np.isfinite({self._print(low if high == sp.oo else high)})"
+            return f"is_finite({self._print(low if high == sp.oo else high)})"
         equal = "" if isinstance(expr, sp.StrictLessThan | sp.StrictGreaterThan) else "="
         if low.is_number:
             return f"{self._compared(high)} >{equal} {self._compared(low)}"
