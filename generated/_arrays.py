@@ -348,6 +348,11 @@ def transform(
     return store(target, out)
 
 
+def sum_rest(a: Any, b: Any, s: Any) -> Any:
+    """Return a + b - s for s the rounded a + b: exact where |b| <= |a| (Dekker 1971)."""
+    return b - (s - a)
+
+
 def product_rest(a: Any, b: Any, p: Any) -> Any:
     """Return a*b - p for p the rounded a*b: exact above 2**-969 (Dekker 1971)."""
     a_high, a_low = _split(a)

@@ -71,6 +71,9 @@ def instance(expression: sp.Expr) -> sp.Expr:
 
 CASES = {
     "low_word": arrange(frozenset({a, b}), [(x, a * b)], sp.sin(x) + sp.cos(2 * x)),
+    "low_product": arrange(
+        frozenset({a, b, c}), [(x, (1 - a) * (2 + 3 * b)), (y, (1 - a) * c)], x + y
+    ),
     "positive_atan2": sp.atan2(a * sp.sin(x), 2 - a * sp.cos(x)),
     "half_angle_tangent": a * sp.sin(x) / (1 + a**2 - 2 * a * sp.cos(x)) ** 2 + sp.cos(y) / (2 + b),
     "cosine_minus_one": a * (sp.cos(x) * sp.cos(y) - 1) + sp.cos(x) * sp.sin(y),
@@ -169,6 +172,20 @@ def test_low_word_of_a_doubled_product() -> None:
     done = REWRITES["low_word"](arrange(frozenset({a, b}), [(x, 2 * a * b)], sp.sin(x)))
     opaque = arrange(frozenset({a, b, x}), [s for s in done.steps if s[0] != x], done.output)
     assert largest_difference(opaque.expanded(), sp.sin(2 * a * b)) < mp.mpf(10) ** -50
+
+
+def test_low_product_leaves_out_only_the_product_of_the_rests() -> None:
+    done = REWRITES["low_product"](CASES["low_product"])
+    named = {str(symbol): symbol for symbol, _ in done.steps}
+    one, other, high = named["one_minus_a"], named["two_plus_three_b"], named["x_high"]
+    # The roundings of both factors and of their product are free symbols here.
+    rounded = {one, other, high}
+    steps = [step for step in done.steps if step[0] not in rounded]
+    opaque = arrange(done.inputs | rounded, steps, done.output).expanded()
+    left_out = (1 - a - one) * (2 + 3 * b - other)
+    exact = (1 - a) * (2 + 3 * b) + one * c
+    assert largest_difference(opaque + left_out, exact) < mp.mpf(10) ** -50
+    assert largest_difference(opaque, exact) > mp.mpf(10) ** -50
 
 
 def test_homogeneous_half_angle_keeps_its_factors() -> None:

@@ -11,7 +11,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mechproof.kernels import _arrays, elliptic_planetary, track_wheel, wedge_linkage
+from mechproof.kernels import (
+    _arrays,
+    elliptic_planetary,
+    oval_planetary,
+    track_wheel,
+    wedge_linkage,
+)
 
 RADII = (66.0, 16.0)
 SHARED_SHIFT = np.array([0.01, 0.02, 0.03])
@@ -206,6 +212,33 @@ def test_the_rest_of_a_product_is_exact(a: float, b: float) -> None:
             rest = _arrays.product_rest(one, other, product)
         exact = Fraction(float(one)) * Fraction(float(other)) - Fraction(float(product))
         assert Fraction(float(rest)) == exact
+
+
+def test_the_rest_of_a_sum_is_exact() -> None:
+    random = np.random.default_rng(35)
+    for a, b in random.uniform(-1, 1, (200, 2)) * 10 ** random.uniform(-9, 0, (200, 2)):
+        small, large = sorted((np.float64(a), np.float64(b)), key=abs)
+        total = large + small
+        exact = Fraction(float(large)) + Fraction(float(small)) - Fraction(float(total))
+        assert Fraction(float(_arrays.sum_rest(large, small, total))) == exact
+    # The order counts: here the larger comes second.
+    assert _arrays.sum_rest(1e-20, 1.0, 1.0) != 1e-20
+
+
+def test_a_product_with_its_low_word_is_rounded_once() -> None:
+    random = np.random.default_rng(36)
+    naive = []
+    for e1, e2 in (
+        *random.uniform(0, 1, (200, 2)) ** 3,
+        *1 - 10 ** random.uniform(-15, 0, (200, 2)),
+    ):
+        both, less, *_ = oval_planetary._prepare_acceleration(e1, e2, np.float64(0.0))
+        one, other = Fraction(float(e1)), Fraction(float(e2))
+        for value, exact in ((both, (1 + one) * (1 + other)), (less, (1 - one) * (1 - other))):
+            half = Fraction(float(np.spacing(value))) / 2
+            assert abs(Fraction(float(value)) - exact) <= half * (1 + Fraction(1, 2**50))
+        naive.append(abs(Fraction(float((1 - e1) * (1 - e2))) - exact) > half)
+    assert any(naive)
 
 
 def test_the_rest_of_a_quotient_is_rounded_once() -> None:

@@ -1,8 +1,8 @@
 """Functions that exist for their rounding: exact in SymPy, a sequence of operations in a backend.
 
-The rest of a product and of a quotient are doubles themselves, computed without a fused
-multiply-add by splitting each factor into halves whose products are exact (Veltkamp 1968, Dekker
-1971). What a backend computes is off by no more than each function states.
+The rests of a sum, a product and a quotient are doubles themselves. Those of products are computed
+without a fused multiply-add, by splitting each factor into halves whose products are exact
+(Veltkamp 1968, Dekker 1971). What a backend computes is off by no more than each function states.
 """
 
 from __future__ import annotations
@@ -19,6 +19,12 @@ class ProductRest(sp.Function):  # type: ignore[misc]
 
     Below the normal range of the partial products, 2**-969, it is off by some subnormal spacings.
     """
+
+    nargs = 3
+
+
+class SumRest(sp.Function):  # type: ignore[misc]
+    """SumRest(a, b, s) = a + b - s, for s the rounded a + b. Exact in doubles where |b| <= |a|."""
 
     nargs = 3
 
@@ -45,6 +51,7 @@ EXACT: Mapping[type[sp.Function], Callable[..., sp.Expr]] = MappingProxyType(
     {
         hypot: lambda a, b: sp.sqrt(a**2 + b**2),
         ProductRest: lambda a, b, p: a * b - p,
+        SumRest: lambda a, b, s: a + b - s,
         QuotientRest: lambda a, b, q: a / b - q,
         SmallTangent: sp.tan,
     }

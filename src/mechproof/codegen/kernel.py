@@ -36,6 +36,7 @@ SUPPORT = (
     "split_components",
     "store",
     "sum_axes",
+    "sum_rest",
     "transform",
 )
 RESERVED = frozenset({"Any", "ArrayLike", "NDArray", "np", "inside", "out", *SUPPORT})

@@ -31,6 +31,7 @@ FUNCTIONS: Mapping[str, str] = MappingProxyType(
         "Abs": "np.abs",
         "floor": "np.floor",
         "sign": "np.sign",
+        "SumRest": "sum_rest",
         "ProductRest": "product_rest",
         "QuotientRest": "quotient_rest",
         "SmallTangent": "small_tangent",

@@ -15,6 +15,7 @@ from sympy.codegen.cfunctions import hypot
 
 from mechproof.codegen.evaluation import Evaluation, Step, arrange, entries, map_entries
 from mechproof.codegen.half_angle import cosine_minus_one, half_angle_tangent
+from mechproof.codegen.low_product import low_product
 from mechproof.codegen.low_word import low_word
 from mechproof.codegen.products import Factors
 
@@ -146,6 +147,7 @@ REWRITES: Mapping[str, Rewrite] = MappingProxyType(
         for function in (
             positive_atan2,
             low_word,
+            low_product,
             half_angle_tangent,
             cosine_minus_one,
             hypotenuse,
