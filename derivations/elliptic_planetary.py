@@ -796,7 +796,11 @@ QUANTITIES = (
         unit="rad",
         bar=Bar(POSITION_ULP, "the value" + WHERE_LOW_WORD),
         shortcut=Shortcut(
-            Form("half-angle atan", position_closed, ("positive_atan2", "half_angle_tangent")),
+            Form(
+                "half-angle atan",
+                position_closed,
+                ("positive_atan2", "half_angle_tangent", "small_arc"),
+            ),
             PLAIN_PRODUCT,
         ),
     ),

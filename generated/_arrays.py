@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 # Numbers per block, arguments and results together: with the temporaries of one expression they
 # stay in a core's own cache, and the temporaries in pages that the process already has.
-BLOCK = 32768
+BLOCK = 16384
 # Loops along the last axis that cost more than their start.
 LONG_LOOP = 64
 SCALARS = frozenset({np.float64, np.float32})

@@ -25,6 +25,7 @@ from ._arrays import (
     quotient_rest,
     small_tangent,
 )
+from ._polynomials import small_arctan, tangent_quotient
 
 __all__ = [
     "acceleration",
@@ -120,8 +121,8 @@ def _ratio(phi1: Any, k: Any, one_minus_e: Any, one_plus_e: Any, k_low: Any) -> 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
 # Expression sha256: 830fe82f29ff22f44e6d333c5bd0f88fa521076110b435a728b2024280a941ff
 # Form where e <= 1 / 2: half-angle atan
-# Rewrites: positive_atan2, half_angle_tangent
-# Operations: 17
+# Rewrites: positive_atan2, half_angle_tangent, small_arc
+# Operations: 13
 # Form: half-angle atan with low word
 # Rewrites: positive_atan2, low_word, half_angle_tangent
 # Operations: 29
@@ -168,6 +169,9 @@ def position(
 
     Where e <= 1/2 for all elements, half-angle atan is as good.
 
+    There, where NumPy has no vector loop for tan, long arrays are computed by polynomials:
+    faster, with other last bits than short ones, and held to the same accuracy.
+
     Accuracy held by the tests: error <= 4 eps * (the value, where |x| <= 2**26), eps the
     spacing of floats at 1.
 
@@ -194,9 +198,10 @@ def _prepare_position_shortcut(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 
 def _position_shortcut(phi1: Any, e: Any, k: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
     x = k * phi1
-    t = np.tan(x / 2)
 
-    return (1 + k) * phi1 + 2 * np.arctan(2 * e / (one_minus_e + one_plus_e * t**2) * t)
+    return (1 + k) * phi1 + 2 * small_arctan(
+        2 * e * tangent_quotient(x / 2, one_minus_e, one_plus_e)
+    )
 
 
 def _prepare_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:

@@ -76,6 +76,11 @@ CASES = {
     ),
     "positive_atan2": sp.atan2(a * sp.sin(x), 2 - a * sp.cos(x)),
     "half_angle_tangent": a * sp.sin(x) / (1 + a**2 - 2 * a * sp.cos(x)) ** 2 + sp.cos(y) / (2 + b),
+    "small_arc": arrange(
+        frozenset({a, b, c}),
+        [(x, sp.tan(c)), (y, sp.atan(a * x / (1 + b * x**2)))],
+        y + sp.atan(a * x / (1 + b * x + x**2)) + sp.atan(a),
+    ),
     "cosine_minus_one": a * (sp.cos(x) * sp.cos(y) - 1) + sp.cos(x) * sp.sin(y),
     "hypotenuse": sp.sqrt(a**2 + b**2 + c**2) + sp.sqrt(x**2 + y**2) + sp.sqrt(a + b**2),
     "conjugate_root": a * sp.cos(x) + sp.sqrt(b**2 - a**2 * sp.sin(x) ** 2),
@@ -186,6 +191,12 @@ def test_low_product_leaves_out_only_the_product_of_the_rests() -> None:
     exact = (1 - a) * (2 + 3 * b) + one * c
     assert largest_difference(opaque + left_out, exact) < mp.mpf(10) ** -50
     assert largest_difference(opaque, exact) > mp.mpf(10) ** -50
+
+
+def test_small_arc_leaves_other_arcs_alone() -> None:
+    done = REWRITES["small_arc"](CASES["small_arc"])
+    assert done.output.count(sp.atan) == 2
+    assert str(dict(done.steps)[y]) == "SmallArctan(a*TangentQuotient(c, 1, b))"
 
 
 def test_homogeneous_half_angle_keeps_its_factors() -> None:
@@ -313,12 +324,9 @@ def load(paper: Paper, folder: Path) -> ModuleType:
     """Import the rendered module from a package of its own."""
     package = folder / f"package_{len(list(folder.iterdir()))}"
     package.mkdir()
-    for name, text in (
-        ("__init__", ""),
-        ("_arrays", render_support()),
-        ("kernels", render_module(paper)),
-    ):
-        (package / f"{name}.py").write_text(text)
+    files = {"__init__.py": "", **render_support(), "kernels.py": render_module(paper)}
+    for name, text in files.items():
+        (package / name).write_text(text)
     for name in (package.name, f"{package.name}.kernels"):
         path = package / ("__init__.py" if name == package.name else "kernels.py")
         spec = importlib.util.spec_from_file_location(name, path)

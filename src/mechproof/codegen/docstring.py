@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from textwrap import wrap
+from types import MappingProxyType
 
 import sympy as sp
 from sympy.printing.precedence import PRECEDENCE
@@ -18,6 +19,14 @@ INDENT = "    "
 OUT = (
     "out : ndarray, optional",
     "    Where the result goes, of its type and shape; it may overlap an argument.",
+)
+
+# What a rewrite does that a user may see.
+NOTES: Mapping[str, str] = MappingProxyType(
+    {
+        "small_arc": "There, where NumPy has no vector loop for tan, long arrays are computed by "
+        "polynomials: faster, with other last bits than short ones, and held to the same accuracy."
+    }
 )
 
 
@@ -204,6 +213,8 @@ def _notes(
     if quantity.shortcut is not None:
         when = write_formula(quantity.shortcut.when, quantity)
         notes.append(f"Where {when} for all elements, {quantity.shortcut.form.name} is as good.")
+    forms = [quantity.form, *([quantity.shortcut.form] if quantity.shortcut else [])]
+    notes += [NOTES[name] for form in forms for name in form.rewrites if name in NOTES]
     if quantity.bar is not None:
         notes.append(
             f"Accuracy held by the tests: error <= {quantity.bar.ulp:g} eps * ({quantity.bar.of}), "

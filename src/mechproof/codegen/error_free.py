@@ -1,4 +1,4 @@
-"""Functions that exist for their rounding: exact in SymPy, a sequence of operations in a backend.
+"""Functions that exist for their rounding or speed: exact in SymPy, operations in a backend.
 
 The rests of a sum, a product and a quotient are doubles themselves. Those of products are computed
 without a fused multiply-add, by splitting each factor into halves whose products are exact
@@ -47,6 +47,22 @@ class SmallTangent(sp.Function):  # type: ignore[misc]
     nargs = 1
 
 
+class TangentQuotient(sp.Function):  # type: ignore[misc]
+    """TangentQuotient(y, a, b) = t/(a + b*t**2), t = tan(y); for a, b > 0. Without tan if faster.
+
+    Off by a few eps of its largest value, and of itself where it is near 0 with y; elsewhere its
+    zeros at multiples of pi/2 are off as y is.
+    """
+
+    nargs = 3
+
+
+class SmallArctan(sp.Function):  # type: ignore[misc]
+    """SmallArctan(y) = atan y, for |y| <= 1/sqrt(3); without arctan where that is faster."""
+
+    nargs = 1
+
+
 EXACT: Mapping[type[sp.Function], Callable[..., sp.Expr]] = MappingProxyType(
     {
         hypot: lambda a, b: sp.sqrt(a**2 + b**2),
@@ -54,5 +70,7 @@ EXACT: Mapping[type[sp.Function], Callable[..., sp.Expr]] = MappingProxyType(
         SumRest: lambda a, b, s: a + b - s,
         QuotientRest: lambda a, b, q: a / b - q,
         SmallTangent: sp.tan,
+        TangentQuotient: lambda y, a, b: sp.tan(y) / (a + b * sp.tan(y) ** 2),
+        SmallArctan: sp.atan,
     }
 )

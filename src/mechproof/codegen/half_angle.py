@@ -7,7 +7,7 @@ from functools import partial
 
 import sympy as sp
 
-from mechproof.codegen.error_free import SmallTangent
+from mechproof.codegen.error_free import SmallArctan, SmallTangent, TangentQuotient
 from mechproof.codegen.evaluation import Evaluation, Step
 from mechproof.codegen.low_word import low_part
 from mechproof.codegen.names import suggest_name
@@ -77,6 +77,25 @@ def _to_tangent(
 
 def _is_negative_sum(expression: sp.Expr) -> bool:
     return expression.is_Add and all(t.could_extract_minus_sign() for t in expression.args)
+
+
+def small_arc(evaluation: Evaluation) -> Evaluation:
+    """Rewrite atan(c*t/(a + b*t**2)) -> SmallArctan(c*TangentQuotient(y, a, b)) for t = tan y.
+
+    Legal for a, b > 0 and |c| <= 2*sqrt(a*b/3): the argument of atan stays within +-1/sqrt(3),
+    as a + b*t**2 >= 2*sqrt(a*b)*|t|.
+    """
+    tangents = {s: v.args[0] for s, v in evaluation.steps if isinstance(v, sp.tan)}
+
+    def convert(argument: sp.Expr) -> sp.Expr:
+        above, below = sp.fraction(argument)
+        for t, y in tangents.items():
+            c, (a, none, b) = above / t, (below.coeff(t, power) for power in range(3))
+            if not none and not c.has(t) and sp.expand(a + b * t**2 - below) == 0:
+                return SmallArctan(c * TangentQuotient(y, a, b))
+        return sp.atan(argument)
+
+    return evaluation.transform(lambda e: e.replace(sp.atan, convert))
 
 
 def cosine_minus_one(evaluation: Evaluation) -> Evaluation:

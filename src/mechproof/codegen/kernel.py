@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from itertools import chain
 from keyword import iskeyword
+from types import MappingProxyType
 
 import sympy as sp
 
@@ -23,23 +26,30 @@ from mechproof.codegen.rewrites import apply_rewrites
 from mechproof.codegen.subexpressions import count_operations, share_subexpressions
 from mechproof.record import Argument, Paper, Quantity
 
-SUPPORT = (
-    "as_floats",
-    "check_components",
-    "holds",
-    "in_blocks",
-    "is_finite",
-    "nan_outside",
-    "product_rest",
-    "quotient_rest",
-    "small_tangent",
-    "split_components",
-    "store",
-    "sum_axes",
-    "sum_rest",
-    "transform",
+SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "_arrays": (
+            "as_floats",
+            "check_components",
+            "holds",
+            "in_blocks",
+            "is_finite",
+            "nan_outside",
+            "product_rest",
+            "quotient_rest",
+            "small_tangent",
+            "split_components",
+            "store",
+            "sum_axes",
+            "sum_rest",
+            "transform",
+        ),
+        "_polynomials": ("small_arctan", "tangent_quotient"),
+    }
 )
-RESERVED = frozenset({"Any", "ArrayLike", "NDArray", "np", "inside", "out", *SUPPORT})
+RESERVED = frozenset(
+    {"Any", "ArrayLike", "NDArray", "np", "inside", "out", *chain(*SUPPORT.values())}
+)
 
 
 @dataclass(frozen=True)

@@ -35,6 +35,8 @@ FUNCTIONS: Mapping[str, str] = MappingProxyType(
         "ProductRest": "product_rest",
         "QuotientRest": "quotient_rest",
         "SmallTangent": "small_tangent",
+        "SmallArctan": "small_arctan",
+        "TangentQuotient": "tangent_quotient",
     }
 )
 CONSTANTS: Mapping[sp.Basic, str] = MappingProxyType(

@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.codegen.cfunctions import hypot
 
 from mechproof.codegen.evaluation import Evaluation, Step, arrange, entries, map_entries
-from mechproof.codegen.half_angle import cosine_minus_one, half_angle_tangent
+from mechproof.codegen.half_angle import cosine_minus_one, half_angle_tangent, small_arc
 from mechproof.codegen.low_product import low_product
 from mechproof.codegen.low_word import low_word
 from mechproof.codegen.products import Factors
@@ -149,6 +149,7 @@ REWRITES: Mapping[str, Rewrite] = MappingProxyType(
             low_word,
             low_product,
             half_angle_tangent,
+            small_arc,
             cosine_minus_one,
             hypotenuse,
             conjugate_root,

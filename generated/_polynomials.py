@@ -1,0 +1,138 @@
+"""Quotients in a tangent and small arctangents without NumPy's tan and arctan.
+
+Without AVX-512, NumPy calls the C library's tan and arctan for one number at a time; quotients of
+polynomials, a block at a time and in place, take half as long. They are used for long arrays of
+doubles where NumPy has no vector loop; the bars of the kernels hold either way.
+
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+# From so many numbers on the calls of the polynomials cost less than what they save.
+LONG = 4096
+# Numbers per block: with the five temporaries they stay in a core's own cache.
+BLOCK = 8192
+# Where the multiple of pi next to y has at most 24 bits, its product with the 28 of PI is exact.
+LARGEST = 2.0**25
+PI = 3.141592651605606
+PI_LOW = 1.984187159361081e-09
+# tan(r/2)/r in powers of r**2.
+TANGENT = (
+    0.5,
+    -0.016035293642667474,
+    8.768104139812438e-05,
+    -5.8456452551230476e-08,
+)
+TANGENT_BELOW = (
+    1.0,
+    -0.11540392061866767,
+    0.0014590221343479823,
+    -3.256720523293968e-06,
+)
+# (atan(y)/y - 1)/y**2 in powers of y**2.
+ARCTANGENT = (
+    -0.333333333333333,
+    -0.5450762850257569,
+    -0.2613626368664646,
+    -0.034672159668541744,
+    -0.00014839242515389607,
+)
+ARCTANGENT_BELOW = (
+    1.0,
+    2.2352288550767723,
+    1.696653795115032,
+    0.4973868644715952,
+    0.04408898987456305,
+)
+
+
+def _has_vector_loop(name: str) -> bool:
+    """Say whether NumPy computes many doubles at once here; older ones cannot be asked."""
+    if not hasattr(np.lib, "introspect"):
+        return False
+    found = np.lib.introspect.opt_func_info(func_name=f"^{name}$", signature="float64")
+    loops = [loop["current"] for types in found.values() for loop in types.values()]
+    return bool(loops) and not any(loop.startswith("baseline") for loop in loops)
+
+
+IS_WORTH_IT = not _has_vector_loop("tan")
+
+
+def tangent_quotient(y: Any, a: Any, b: Any) -> Any:
+    """Return t/(a + b*t**2) for t = tan(y), a and b positive."""
+    is_one = type(a) is np.float64 and type(b) is np.float64
+    if is_one and _is_long(y) and y.min() >= -LARGEST and y.max() <= LARGEST:
+        return _in_blocks(_fill_tangent_quotient, y, a, b)
+    tan_y = np.tan(y)
+    return tan_y / (a + b * tan_y**2)
+
+
+def small_arctan(y: Any) -> Any:
+    """Return atan(y) for |y| <= 1/sqrt(3)."""
+    return _in_blocks(_fill_arctangent, y) if _is_long(y) else np.arctan(y)
+
+
+def _is_long(y: Any) -> bool:
+    return IS_WORTH_IT and type(y) is np.ndarray and y.size >= LONG and y.dtype == np.float64
+
+
+def _in_blocks(fill: Any, y: Array, *parameters: Any) -> Array:
+    given, values = y.reshape(-1), np.empty(y.size)
+    spare = np.empty((5, min(y.size, BLOCK)))
+    for start in range(0, y.size, BLOCK):
+        block = given[start : start + BLOCK]
+        found = values[start : start + BLOCK]
+        fill(found, block, *parameters, *spare[:, : block.size])
+    return values.reshape(y.shape)
+
+
+def _fill_tangent_quotient(
+    q: Array, y: Array, a: Any, b: Any, r: Array, z: Array, u: Array, v: Array, w: Array
+) -> None:
+    np.multiply(y, 1 / np.pi, out=w)
+    np.rint(w, out=w)
+    np.multiply(w, PI, out=z)
+    np.subtract(y, z, out=r)
+    w *= PI_LOW
+    r -= w
+    np.multiply(r, r, out=z)
+    # tan(r/2) = u/v
+    _fill_polynomial(u, z, TANGENT)
+    u *= r
+    _fill_polynomial(v, z, TANGENT_BELOW)
+    # tan(r) = 2*w/v
+    np.multiply(u, v, out=w)
+    u *= u
+    v *= v
+    v -= u
+    np.multiply(v, w, out=q)
+    v *= v
+    v *= a / 2
+    w *= w
+    w *= 2 * b
+    v += w
+    q /= v
+
+
+def _fill_arctangent(q: Array, y: Array, z: Array, u: Array, v: Array, *_: Array) -> None:
+    np.multiply(y, y, out=z)
+    _fill_polynomial(u, z, ARCTANGENT)
+    _fill_polynomial(v, z, ARCTANGENT_BELOW)
+    u /= v
+    u *= z
+    u *= y
+    np.add(u, y, out=q)
+
+
+def _fill_polynomial(value: Array, z: Array, coefficients: tuple[float, ...]) -> None:
+    *others, last, first = coefficients
+    np.multiply(z, first, out=value)
+    value += last
+    for number in reversed(others):
+        value *= z
+        value += number
