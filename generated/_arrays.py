@@ -122,6 +122,12 @@ def nan_outside(value: Any, inside: Any) -> NDArray[Any]:
     return masked
 
 
+def choose_where(condition: Any, value: Any, otherwise: Any) -> Any:
+    """Return np.where(condition, value, otherwise), masked if one of them is."""
+    masked = any(isinstance(a, np.ma.MaskedArray) for a in (condition, value, otherwise))
+    return (np.ma.where if masked else np.where)(condition, value, otherwise)
+
+
 def holds(condition: Any) -> bool:
     """Say whether a condition is true of every element; those of a lazy array stay unread."""
     if type(condition) is np.ndarray:
@@ -134,6 +140,8 @@ def store(value: Any, out: NDArray[Any] | None) -> Any:
     if out is None or out is value:
         return value
     _check_out(out, np.shape(value), value.dtype)
+    if isinstance(value, np.ma.MaskedArray) and not isinstance(out, np.ma.MaskedArray):
+        raise TypeError("out: expected a masked array, as the result has a mask, got an array")
     out[...] = value
     return out
 
@@ -166,7 +174,7 @@ def _components(target: NDArray[Any], shape: tuple[int, ...]) -> list[NDArray[An
 def _stack(components: tuple[Any, ...], shape: tuple[int, ...]) -> Any:
     """Put components on last axes of the given shape; what is masked or lazy stays so."""
     common = np.broadcast_shapes(*map(np.shape, components))
-    kind = next(c for c in components if type(c) not in PLAIN)
+    kind = next((c for c in components if type(c) not in PLAIN), None)
     if isinstance(kind, np.ndarray):
         stacked = np.empty_like(kind, shape=(*common, len(components)))
         for i, component in enumerate(components):
@@ -243,7 +251,7 @@ def _fill(
         def compute(*values: Any) -> Any:
             return evaluate(*values[:count], *prepare(*values[count:]))
 
-    values = [np.reshape(a, ())[()] if np.size(a) == 1 else None for a in arrays]
+    values = [_cast(np.reshape(a, ())[()], DOUBLE) if np.size(a) == 1 else None for a in arrays]
     large = [i for i, value in enumerate(values) if value is None]
     if _is_outer(parts[0], [arrays[i] for i in large]):
         for index in _cut(parts[0].shape, BLOCK // 2):

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._arrays import (
     as_floats,
     check_components,
+    choose_where,
     in_blocks,
     is_finite,
     nan_outside,
@@ -355,7 +356,7 @@ def _radius(phi: Any, A: Any, z: Any, w: Any) -> Any:
     u = A * np.cos(z * phi)
     q = np.abs(u) + np.hypot(np.sqrt(w), u)
 
-    return np.where(u >= 0, q, w / q)
+    return choose_where(u >= 0, q, w / q)
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (16)
@@ -447,7 +448,7 @@ def _prepare_track(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
 def _track(phi: Any, A: Any, z: Any, H: Any, w: Any) -> Any:
     u = A * np.cos(z * phi)
     q = np.abs(u) + np.hypot(np.sqrt(w), u)
-    term = np.where(u >= 0, q, w / q)
+    term = choose_where(u >= 0, q, w / q)
 
     return (
         term * np.cos(phi),

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import as_floats, in_blocks, is_finite, nan_outside
+from ._arrays import as_floats, choose_where, in_blocks, is_finite, nan_outside
 
 __all__ = [
     "clearance",
@@ -751,7 +751,7 @@ def _velocity(
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = np.where(run < l_GH, 0, l_LM / rise * cos_wedge)
+    gain = choose_where(run < l_GH, 0, l_LM / rise * cos_wedge)
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
 
     return l_DE / guide_length * cos_lever * gain * sin_arm
@@ -969,7 +969,7 @@ def _sensitivities(
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = np.where(run < l_GH, 0, l_LM / rise * cos_wedge)
+    gain = choose_where(run < l_GH, 0, l_LM / rise * cos_wedge)
     cos_lever = (guide_sum + x1) * (guide_sum - x1) / lever_square
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
     term = -2 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared

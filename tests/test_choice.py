@@ -7,13 +7,22 @@ import pytest
 import mechproof
 from mechproof import choice, choose
 
+# Fast and without error, and not to be chosen.
+REFUSED = ("wrong", "lossy", "in order", "in part", "enclosed")
+
 
 def form(name: str, verdict: str | None = "PROVED", bound: str | None = None) -> dict[str, Any]:
-    return {"name": name, "verdict": verdict, "bound": bound, "ordered": name == "in order"}
+    return {
+        "name": name,
+        "verdict": verdict,
+        "bound": bound,
+        "ordered": name == "in order",
+        "proved_on": "here" if name == "in part" else None,
+    }
 
 
 def errors(**worst: float) -> dict[str, Any]:
-    names = {"fine": 1e-15, "coarse": 1e-3, "wrong": 0.0, "lossy": 0.0, "in order": 0.0} | worst
+    names = {"fine": 1e-15, "coarse": 1e-3} | dict.fromkeys(REFUSED, 0.0) | worst
     found = {n: {"worst": w, "bound": None, "lost": int(n == "lossy")} for n, w in names.items()}
     found["coarse"]["bound"] = 2 * names["coarse"]
     return found
@@ -31,16 +40,16 @@ def timed(form: str, workload: str, count: int, median: float) -> dict[str, Any]
     }
 
 
-TIMES = {"fine": 10.0, "coarse": 2.0, "wrong": 1.0, "lossy": 1.0, "in order": 1.0}
+TIMES = {"fine": 10.0, "coarse": 2.0} | dict.fromkeys(REFUSED, 1.0)
 RECORD = {
     "quantity": "gear.angle",
     "unit": "rad",
     "forms": [form("fine"), form("coarse", bound="e"), form("wrong", "REFUTED"), form("lossy"),
-              form("in order")],
-    "ranges": {"phi": [0.0, 5.0], "e": [0.0, 0.9]},
+              form("in order"), form("in part"), form("enclosed", "ENCLOSED")],
+    "ranges": {"phi": [0.0, 5.0], "e": [0.0, 0.9], "z": [4.0, 9.0]},
     "boxes": [
-        {"box": {"e": [0.0, 0.5]}, "errors": errors()},
-        {"box": {"e": [0.5, 0.9]}, "errors": errors(coarse=0.2, fine=3e-15)},
+        {"box": {"e": [0.0, 0.5], "z": [4.0, 9.0]}, "errors": errors()},
+        {"box": {"e": [0.5, 0.9], "z": [4.0, 9.0]}, "errors": errors(coarse=0.2, fine=3e-15)},
     ],
     "times": [
         timed(n, "w", count, t * scale)
@@ -88,6 +97,8 @@ class TestDecision:
         assert choose("angle", error=0.01, e=0.5).form == "coarse"
         assert choose("angle", error=0.01, e=0.51).form == "fine"
         assert choose("angle", error=0.01, e=0).form == "coarse"
+        assert choose("angle", error=0.01, e=0.2, z=4).form == "coarse"
+        assert choose("angle", error=0.01, e=[0, 0.2], z=9).form == "coarse"
 
     def test_the_time_is_that_of_the_nearest_size(self) -> None:
         assert choose("angle", error=1e-9, size=500).time == 30.0
@@ -119,7 +130,12 @@ class TestDecision:
             ({"quantity": "speed", "error": 1.0}, "quantity = 'speed': .*gear.angle"),
             ({"error": 0.0}, "error = 0.0: must be positive"),
             ({"error": float("nan")}, "error = nan"),
-            ({"error": 1.0, "k": 2.0}, "k = 2.0: .*arguments phi, e"),
+            ({"error": 1.0, "k": 2.0}, "k = 2.0: .*arguments phi, e, z"),
+            ({"error": 1.0, "size": 0}, "size = 0: must be at least 1"),
+            (
+                {"error": 1.0, "e": (0.1, 0.2, 0.3)},
+                r"e = \(0.1, 0.2, 0.3\): must be a size, or two",
+            ),
             ({"error": 1.0, "e": (0.5, 0.1)}, r"e = \(0.5, 0.1\)"),
             ({"error": 1.0, "phi": (0.0, 7.0)}, "phi = .*from 0.0 to 5.0"),
         ],

@@ -252,7 +252,7 @@ def test_a_long_name_gives_way() -> None:
         (x * (a - b), "(a - b) * x"),
         (sp.sqrt(sp.Rational(1, 3)) * x, "np.sqrt(3) / 3 * x"),
         (-(a + b) * x, "(-a - b) * x"),
-        (sp.Piecewise((x, x >= 0), (a, True)), "np.where(x >= 0, x, a)"),
+        (sp.Piecewise((x, x >= 0), (a, True)), "choose_where(x >= 0, x, a)"),
     ],
 )
 def test_printed_expressions(expression: sp.Expr, text: str) -> None:

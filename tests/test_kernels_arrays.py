@@ -155,6 +155,36 @@ def test_masks_survive() -> None:
     assert np.array_equal(moved.mask, points.mask)
 
 
+def test_masks_survive_a_choice_of_branches() -> None:
+    masked = np.ma.masked_array([0.3, 9.0], mask=[False, True])
+    radius = track_wheel.radius(masked, 41.5, 3.75, 6)
+    assert np.array_equal(radius.mask, masked.mask)
+    np.testing.assert_array_max_ulp(radius.data[0], track_wheel.radius(0.3, 41.5, 3.75, 6), 4)
+    amplitude = np.ma.masked_array([3.75, 1.0], mask=[False, True])
+    points = track_wheel.track(0.3, 41.5, amplitude, 6, 20.0)
+    assert points.shape == (2, 3)
+    assert points.mask[1, :2].all()
+
+
+def test_a_mask_is_not_written_into_a_plain_array() -> None:
+    masked = np.ma.masked_array([0.3, 9.0], mask=[False, True])
+    with pytest.raises(TypeError, match="out: expected a masked array"):
+        elliptic_planetary.position(masked, *RADII, 0.4, out=np.empty(2))
+    out = np.ma.empty(2)
+    assert elliptic_planetary.position(masked, *RADII, 0.4, out=out) is out
+    assert np.array_equal(out.mask, masked.mask)
+
+
+@pytest.mark.parametrize("count", [10, 40_000])
+def test_single_parameters_are_computed_in_double_in_calls_of_any_size(count: int) -> None:
+    e = np.full(count, 0.9, np.float32)
+    singles = np.float32(1000.3), np.float32(80), np.float32(30)
+    doubles = elliptic_planetary.ratio(*map(float, singles), float(e[0]))
+    assert np.array_equal(
+        elliptic_planetary.ratio(*singles, e), np.full(count, np.float32(doubles))
+    )
+
+
 @pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
 def test_matrices_and_memory_maps_are_plain_arrays(tmp_path: Any) -> None:
     expected = elliptic_planetary.position(spread(1, 7), *RADII, 0.475)

@@ -16,14 +16,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
+from math import nan
 from typing import Any
 
 __all__ = ["Choice", "choose"]
 
-Size = float | tuple[float, float]
+Size = float | Sequence[float]
 Record = Mapping[str, Any]
 # Forms of these verdicts compute something else somewhere in the domain.
-NOT_EQUAL = ("REFUTED", "CONDITIONAL", "ILL_FORMED", "UNDECIDED")
+NOT_EQUAL = ("REFUTED", "CONDITIONAL", "ILL_FORMED", "UNDECIDED", "ENCLOSED")
 SIZE = 100_000
 # The next better form loses at most half as much.
 BETTER = 2
@@ -34,7 +35,8 @@ class Choice:
     """A form, its error over the stated ranges, and its time.
 
     `error` is in the unit of the quantity: the larger of the worst measured and the proved bound;
-    `bound` is the latter, None without. `time` is nanoseconds per point at `count` points on the
+    `bound` is the latter, rounding apart, None without. `asked` is the largest error permitted.
+    `time` is nanoseconds per point at `count` points on the
     machine of the record, the median of rounds with these `quartiles`. `better` is the cheapest
     form with at most half the error, `others` are all forms that could have been chosen, cheapest
     first.
@@ -48,6 +50,7 @@ class Choice:
     quartiles: tuple[float, float]
     count: int
     unit: str
+    asked: float
     better: Choice | None = None
     others: tuple[Choice, ...] = field(default=(), repr=False, compare=False)
 
@@ -57,12 +60,12 @@ class Choice:
 
     def _compare(self, other: Choice) -> str:
         """Say that a form is slower, no better, or too coarse."""
-        if other._may_be_as_fast_as(self) and other.error >= self.error:
-            reason = "not told apart in time, and not more accurate"
-        elif other.time >= self.time:
-            reason = f"{other.time / self.time:.3g} times the time"
-        else:
+        if other.error > self.asked:
             reason = "not accurate enough"
+        elif other._may_be_as_fast_as(self) or other.time < self.time:
+            reason = "not told apart in time, and not more accurate"
+        else:
+            reason = f"{other.time / self.time:.3g} times the time"
         return f"not {other._describe()}: {reason}"
 
     def _may_be_as_fast_as(self, other: Choice) -> bool:
@@ -108,16 +111,19 @@ def choose(quantity: str, *, error: float, size: int = SIZE, **ranges: Size) -> 
     Notes
     -----
     A measured error is the worst at points chosen to hurt, not a bound; a form that lost a single
-    result (NaN, infinity) in the ranges is left out, and so is one that is not proved equal to
-    the quantity nor bounded. Of forms whose times cannot be told apart, their quartiles
+    result (NaN, infinity) in the ranges is left out, and so is one that the ledger refutes or
+    proves on a part of the domain only. Other libraries and simulations, of which nothing is
+    proved, count by what was measured. Of forms whose times cannot be told apart, their quartiles
     overlapping, the most accurate is taken. The records are those that come with the package.
 
     """
     record = _find_record(quantity)
     if not error > 0:
         raise ValueError(f"error = {error!r}: must be positive")
+    if not size >= 1:
+        raise ValueError(f"size = {size!r}: must be at least 1")
     boxes = list(_overlapping(record, _as_pairs(record, ranges)))
-    rated = list(_rate_forms(record, boxes, size))
+    rated = list(_rate_forms(record, boxes, size, error))
     forms = sorted(rated, key=lambda c: c.time)
     good = [form for form in rated if form.error <= error]
     if not good:
@@ -126,7 +132,7 @@ def choose(quantity: str, *, error: float, size: int = SIZE, **ranges: Size) -> 
     fastest = min(good, key=lambda c: c.time)
     alike = [form for form in good if form._may_be_as_fast_as(fastest)]
     first = min(alike, key=lambda c: c.error)
-    better = [form for form in forms if form.error <= first.error / BETTER]
+    better = [form for form in forms if form.error < first.error / BETTER]
     others = tuple(form for form in forms if form is not first)
     return replace(first, better=better[0] if better else None, others=others)
 
@@ -155,7 +161,7 @@ def _as_pairs(record: Record, ranges: Mapping[str, Size]) -> dict[str, tuple[flo
         if name not in record["ranges"]:
             known = ", ".join(record["ranges"])
             raise ValueError(f"{name} = {given!r}: {record['quantity']} has the arguments {known}")
-        low, high = given if isinstance(given, tuple) else (abs(given), abs(given))
+        low, high = _as_pair(given)
         least, most = record["ranges"][name]
         if not 0 <= low <= high:
             raise ValueError(f"{name} = {given!r}: must be a size, or two in order")
@@ -165,27 +171,40 @@ def _as_pairs(record: Record, ranges: Mapping[str, Size]) -> dict[str, tuple[flo
     return pairs
 
 
+def _as_pair(given: Size) -> tuple[float, float]:
+    """Return both ends; NaN, which is in no range, for what is neither a number nor a pair."""
+    if isinstance(given, Sequence):
+        return (given[0], given[1]) if len(given) == 2 else (nan, nan)
+    return abs(given), abs(given)
+
+
 def _overlapping(
     record: Record, pairs: Mapping[str, tuple[float, float]]
 ) -> Iterator[Mapping[str, Any]]:
     """List the boxes that share more than an edge with the ranges."""
     for box in record["boxes"]:
-        sides = ((edges, pairs[name]) for name, edges in box["box"].items() if name in pairs)
-        if all(_overlap(edges, pair) for edges, pair in sides):
+        sides = ((name, edges) for name, edges in box["box"].items() if name in pairs)
+        if all(_overlap(edges, pairs[name], record["ranges"][name][0]) for name, edges in sides):
             yield box
 
 
-def _overlap(edges: Sequence[float], pair: tuple[float, float]) -> bool:
+def _overlap(edges: Sequence[float], pair: tuple[float, float], least: float) -> bool:
+    """Say whether they share more than an edge; one size belongs to the box below an edge."""
     (lower, upper), (low, high) = edges, pair
     if low == high:
-        return lower < low <= upper or low == lower == 0
+        return lower < low <= upper or low == lower == least
     return low < upper and high > lower
 
 
-def _rate_forms(record: Record, boxes: list[Mapping[str, Any]], size: int) -> Iterator[Choice]:
+def _rate_forms(
+    record: Record, boxes: list[Mapping[str, Any]], size: int, asked: float
+) -> Iterator[Choice]:
     """Rate every form that is the quantity, or is bounded, and that lost nothing in the boxes."""
+    shipped = record["forms"][0]
     for form in record["forms"]:
         if form["ordered"] or form["verdict"] in NOT_EQUAL:
+            continue
+        if form["proved_on"] not in (None, shipped["proved_on"]):
             continue
         found = [box["errors"][form["name"]] for box in boxes]
         timed = _find_time(record, form["name"], size)
@@ -198,7 +217,7 @@ def _rate_forms(record: Record, boxes: list[Mapping[str, Any]], size: int) -> It
         error = max([float(f["worst"]) for f in found] + ([] if bound is None else [bound]))
         count, time, quartiles = timed
         name, unit = record["quantity"], record["unit"]
-        yield Choice(name, form["name"], error, bound, time, quartiles, count, unit)
+        yield Choice(name, form["name"], error, bound, time, quartiles, count, unit, asked)
 
 
 def _find_time(

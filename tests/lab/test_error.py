@@ -51,6 +51,13 @@ def test_wrong_branches_are_counted() -> None:
     assert summarise(errors, exact).wrong_branch == 0
 
 
+def test_an_error_without_a_scale_is_not_excused() -> None:
+    exact = Truth(np.zeros(2), np.zeros(2), np.ones(2, bool), np.full(2, np.nan))
+    errors = find_errors(np.array([0.0, 1e-16]), exact)
+    assert errors.scaled.tolist() == [0, np.inf]
+    assert summarise(errors, exact).worst_scaled == np.inf
+
+
 def test_undecided_points_have_no_error() -> None:
     exact = truth_of([1.0, np.nan], decided=[True, False])
     summary = summarise(find_errors(np.array([1.0, 5.0]), exact), exact)

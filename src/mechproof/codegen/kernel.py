@@ -31,6 +31,7 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "_arrays": (
             "as_floats",
             "check_components",
+            "choose_where",
             "holds",
             "in_blocks",
             "is_finite",
@@ -129,6 +130,8 @@ def build_kernel(quantity: Quantity, paper: Paper) -> Kernel:
     printer = NumpyPrinter(input_names(quantity), frozenset())
     shorter = take_shortcut(quantity)
     stages = [build_stage(quantity, evaluation)]
+    if shorter and any(isinstance(s, sp.IndexedBase) for s in evaluation.inputs):
+        raise ValueError(f"{quantity.name}: a shortcut of sums over an axis is not printed")
     if shorter and quantity.shortcut:
         when = printer.print_expression(quantity.shortcut.when)
         stages.insert(0, build_stage(shorter, evaluate_quantity(shorter, paper), when))

@@ -162,7 +162,7 @@ class NumpyPrinter(CodePrinter):  # type: ignore[misc]
         (value, condition), (otherwise, last) = expr.args
         if last != sp.true:
             return self.emptyPrinter(expr)
-        return f"np.where({', '.join(map(self._print, (condition, value, otherwise)))})"
+        return f"choose_where({', '.join(map(self._print, (condition, value, otherwise)))})"
 
     def _print_Sum(self, expr: sp.Sum) -> str:  # noqa: N802
         # The outermost index of a double sum stands last in `limits` and first among the axes.

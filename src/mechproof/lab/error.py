@@ -73,6 +73,8 @@ def find_errors(result: Any, truth: Truth) -> Errors:
         visible = np.where(absolute <= np.finfo(float).smallest_subnormal, 0.0, absolute)
         ulp = visible / np.spacing(size)
         scaled = np.where(visible == 0, 0.0, visible / (EPS * truth.scale))
+        # An error where no scale is known excuses nothing.
+        scaled = np.where((visible > 0) & np.isnan(truth.scale), np.inf, scaled)
     lost = ~np.isfinite(_measure_size(result.astype(np.float64)))
     lost_all = (np.where(lost, np.inf, e) for e in (absolute, ulp, scaled))
     absolute, ulp, scaled = (np.where(truth.decided, e, np.nan) for e in lost_all)

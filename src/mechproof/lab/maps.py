@@ -68,7 +68,7 @@ def _errors(form: Specimen, arguments: Arguments, truth: Truth) -> Errors:
 
 
 def draw_jumps(subject: Subject) -> Figure | None:
-    """Draw the error in periods of every form with wrong branches on the ordered point sets."""
+    """Draw the error in periods of every form but peers with wrong branches on the ordered sets."""
     period = subject.study.period
     if period is None:
         return None

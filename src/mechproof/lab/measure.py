@@ -223,8 +223,10 @@ def _search(subject: Subject, depth: Depth) -> dict[str, Any]:
 
 
 def _span(argument: Array) -> list[float]:
+    """Return the least and the largest size; numbers of both signs enclose zero."""
     size = np.abs(argument)
-    return [float(np.min(size)), float(np.max(size))]
+    least = 0.0 if np.min(argument) < 0 < np.max(argument) else float(np.min(size))
+    return [least, float(np.max(size))]
 
 
 def _sample(count: int, wanted: int | None) -> Array:

@@ -2,7 +2,8 @@
 
 Every set is drawn anew from a seed: searches climb from the sets of the seed TUNE, tables report
 those of the seed REPORT, so nothing is reported on the points it was found on. The exact singular
-points belong to both.
+points belong to both. Of a sequence that is the same for all, the even seed takes the even points
+and the odd seed the odd ones.
 """
 
 from __future__ import annotations
@@ -21,7 +22,8 @@ GENERIC_COUNT = 200
 
 def draw_points(point_set: PointSet, seed: int) -> Arguments:
     """Draw a point set; sets of other names get other numbers from the same seed."""
-    return point_set.make(np.random.default_rng([seed, zlib.crc32(point_set.name.encode())]))
+    points = point_set.make(np.random.default_rng([seed, zlib.crc32(point_set.name.encode())]))
+    return tuple(c[seed % 2 :: 2] for c in points) if point_set.halved else points
 
 
 def step_ulps(value: Array, steps: Array) -> Array:
@@ -87,15 +89,13 @@ def generic_set(subject: Subject) -> PointSet:
     symbols = [s for argument in subject.quantity.arguments for s in argument.symbols]
     counts = [len(argument.symbols) for argument in subject.quantity.arguments]
 
-    def make(rng: np.random.Generator) -> Arguments:
+    def make(_: np.random.Generator) -> Arguments:
         inside = subject.domain.points(symbols, GENERIC_COUNT)
         table = np.array([[float(point[s]) for s in symbols] for point in inside])
-        # The points of the domain are one sequence; a seed takes its own half of it.
-        table = rng.permutation(table)[: GENERIC_COUNT // 2]
         columns = np.split(table, np.cumsum(counts)[:-1], axis=1)
         return tuple(c[:, 0] if c.shape[1] == 1 else c for c in columns)
 
-    return PointSet("domain", make)
+    return PointSet("domain", make, halved=True)
 
 
 def list_sets(subject: Subject) -> tuple[PointSet, ...]:

@@ -77,7 +77,8 @@ def _survive(
     columns = join(crowd, others) if crowd else others
     total = np.concatenate([heights, found])
     order = np.argsort(-total, kind="stable")
-    _, first = np.unique(total[order], return_index=True)
+    rows = np.column_stack([np.reshape(c, (len(total), -1)) for c in columns])[order]
+    _, first = np.unique(rows, axis=0, return_index=True)
     kept = order[np.sort(first)][:SURVIVORS]
     return tuple(c[kept] for c in columns), total[kept], tried + len(found)
 

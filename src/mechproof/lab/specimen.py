@@ -69,11 +69,10 @@ def _state_kernel(quantity: Quantity, paper: Paper) -> tuple[Statement | None, P
 
 def _into_buffer(kernel: Compute) -> Compute:
     """Call a kernel with the output array of the call before, as a loop would."""
-    kept: dict[tuple[int, ...], Array] = {}
+    kept: dict[tuple[tuple[int, ...], ...], Array] = {}
 
     def compute(*arguments: Array) -> Any:
-        shapes = tuple(np.shape(a) for a in arguments)
-        key = tuple(n for shape in shapes for n in (-1, *shape))
+        key = tuple(map(np.shape, arguments))
         if key not in kept:
             kept.clear()
             kept[key] = np.asarray(kernel(*arguments))

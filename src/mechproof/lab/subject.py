@@ -40,12 +40,14 @@ class PointSet:
     """Named points: `make` draws the arguments, in the order of the quantity's arguments.
 
     The leading axis runs over the points; an argument of fewer axes is shared by all of them.
-    `ordered`: the first argument rises from 0 in even steps, all others are shared.
+    `ordered`: the first argument rises from 0 in even steps, all others are shared. `halved`: the
+    points are one sequence, of which every seed takes its half.
     """
 
     name: str
     make: Callable[[np.random.Generator], Arguments]
     ordered: bool = False
+    halved: bool = False
 
 
 @dataclass(frozen=True)

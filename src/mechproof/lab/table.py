@@ -90,6 +90,7 @@ def _held_errors(record: Record, form: str) -> list[float]:
 def _describe_form(record: Record, form: Mapping[str, Any]) -> Sequence[str]:
     rows = [row for row in record["accuracy"] if row["form"] == form["name"]]
     verdict = (form["verdict"] or "") + (", with its bound" if form["bound"] else "")
+    verdict += f" on {form['proved_on']}" if form["proved_on"] else ""
     held = _number(max(_held_errors(record, form["name"]), default=None))
     return (
         form["name"], verdict, _total(rows, "points"), _total(rows, "undecided"), held,

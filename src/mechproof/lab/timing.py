@@ -128,7 +128,7 @@ def _time_size(
     count, rounds = size
     forms = {s.name: s.compute for s in subject.specimens}
     calls: dict[str, Callable[[], object]] = {f: _bind(forms[f], arguments) for f in worth}
-    calls[COPY] = _copy_call(count)
+    calls[COPY] = _copy_call(np.shape(subject.kernel(*arguments)))
     times = interleave(calls, rounds)
     pace |= {name: float(np.median(t)) / count for name, t in times.items()} | {COUNTED: count}
     rows = [_summarise(f, workload, count, times, times[f]) for f in calls]
@@ -150,8 +150,8 @@ def _bind(compute: Callable[..., Any], arguments: Arguments) -> Callable[[], obj
     return lambda: compute(*arguments)
 
 
-def _copy_call(count: int) -> Callable[[], object]:
-    source, target = np.ones(count), np.empty(count)
+def _copy_call(shape: tuple[int, ...]) -> Callable[[], object]:
+    source, target = np.ones(shape), np.empty(shape)
     return lambda: np.copyto(target, source)
 
 

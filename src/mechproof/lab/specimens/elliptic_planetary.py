@@ -95,9 +95,9 @@ def fourier(terms: int) -> Specimen:
 # b_m = a_m + 2 cos(y) b_(m+1) - b_(m+2): |b_m| <= 2 e**m/(1 - e), and an error d in b_m moves the
 # sum by |sin(m y)*d| <= |d|. A step loses 3u |2 cos(y) b_(m+1)| + 2u |b_(m+2)| + u |b_m|, the
 # cosine 3u of itself; coefficients and y lose u, the sine 3u and the product u. Up to |x| = 2**26
-# the reduction of x loses less than 2**-26.
+# x, rounded twice, and its reduction lose 2**-26 each, and the two sums in double as much.
 SINGLE = e * (2 + 24 * e + 4 * e**2) / (1 - e) ** 2 + 17 * e / (1 - e)
-SINGLE_BOUND = SINGLE / 2**24 + sp.Rational(1, 2**26)
+SINGLE_BOUND = SINGLE / 2**24 + sp.Rational(1, 2**24)
 
 
 def fourier_single(terms: int) -> Specimen:

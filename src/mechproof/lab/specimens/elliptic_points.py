@@ -77,7 +77,8 @@ def one_sweep(end: float, count: int, e: float) -> PointSet:
     return PointSet(name, lambda rng: (grid, *sizes), ordered=True)
 
 
-AS_TIMED = one_sweep(32 * np.pi, 3301, WORKING[2])
+# Long enough for the polynomials of the kernels, in more than one block.
+AS_TIMED = one_sweep(32 * np.pi, 16_384, WORKING[2])
 SETS = (
     PointSet("generic", generic),
     PointSet("near zero", near_zero),
@@ -85,6 +86,7 @@ SETS = (
     PointSet("steep", steep),
     PointSet("far", far),
     AS_TIMED,
+    one_sweep(32 * np.pi, 3301, WORKING[2]),
     one_sweep(32 * np.pi, 161, WORKING[2]),
     one_sweep(2 * np.pi, 1001, 0.9),
 )
