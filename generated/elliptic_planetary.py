@@ -15,17 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import (
-    as_floats,
-    holds,
-    in_blocks,
-    is_finite,
-    nan_outside,
-    product_rest,
-    quotient_rest,
-    small_tangent,
-)
-from ._polynomials import small_arctan, tangent_quotient
+from mechproof.kernel_support.arrays import as_floats, holds, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent
+from mechproof.kernel_support.polynomials import small_arctan, tangent_quotient
 
 __all__ = [
     "acceleration",
@@ -34,6 +26,23 @@ __all__ = [
     "position_printed",
     "ratio",
 ]
+
+# tan(r/2)/r in powers of r**2
+TANGENT = (
+    (0.5, -0.016035293642667474, 8.768104139812438e-05, -5.8456452551230476e-08),
+    (1.0, -0.11540392061866767, 0.0014590221343479823, -3.256720523293968e-06),
+)
+# (atan(y)/y - 1)/y**2 in powers of y**2
+ARCTANGENT = (
+    (
+        -0.333333333333333,
+        -0.5450762850257569,
+        -0.2613626368664646,
+        -0.034672159668541744,
+        -0.00014839242515389607,
+    ),
+    (1.0, 2.2352288550767723, 1.696653795115032, 0.4973868644715952, 0.04408898987456305),
+)
 
 
 # Source: Prikhodko et al. 2024, equation (8)
@@ -200,7 +209,7 @@ def _position_shortcut(phi1: Any, e: Any, k: Any, one_minus_e: Any, one_plus_e: 
     x = k * phi1
 
     return (1 + k) * phi1 + 2 * small_arctan(
-        2 * e * tangent_quotient(x / 2, one_minus_e, one_plus_e)
+        2 * e * tangent_quotient(x / 2, one_minus_e, one_plus_e, TANGENT), ARCTANGENT
     )
 
 

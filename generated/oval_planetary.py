@@ -14,17 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import (
-    as_floats,
-    holds,
-    in_blocks,
-    is_finite,
-    nan_outside,
-    product_rest,
-    quotient_rest,
-    small_tangent,
-    sum_rest,
-)
+from mechproof.kernel_support.arrays import as_floats, holds, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent, sum_rest
 
 __all__ = [
     "acceleration",

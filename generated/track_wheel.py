@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import (
+from mechproof.kernel_support.arrays import (
     as_floats,
     check_components,
     choose_where,

@@ -15,7 +15,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import as_floats, choose_where, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.arrays import (
+    as_floats,
+    choose_where,
+    in_blocks,
+    is_finite,
+    nan_outside,
+)
 
 __all__ = [
     "clearance",

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from mechproof.codegen.backend import format_source, render_module, render_support, render_template
+from mechproof.codegen.backend import format_source, render_module, render_template
 from mechproof.codegen.domain import set_relations
 from mechproof.codegen.evaluation import Evaluation, arrange, entries, start_evaluation, unused_name
 from mechproof.codegen.kernel import build_kernel, evaluate_quantity, take_shortcut
@@ -324,7 +324,7 @@ def load(paper: Paper, folder: Path) -> ModuleType:
     """Import the rendered module from a package of its own."""
     package = folder / f"package_{len(list(folder.iterdir()))}"
     package.mkdir()
-    files = {"__init__.py": "", **render_support(), "kernels.py": render_module(paper)}
+    files = {"__init__.py": "", "kernels.py": render_module(paper)}
     for name, text in files.items():
         (package / name).write_text(text)
     for name in (package.name, f"{package.name}.kernels"):

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import mechproof
-from mechproof import kernels
+from mechproof import kernel_support, kernels
 
 HEAVY = ("sympy", "jinja2", "flint", "matplotlib", "numba", "scipy")
 
@@ -46,19 +46,25 @@ def test_the_probe_sees_a_heavy_import() -> None:
 
 
 def imported(path: Path) -> set[str]:
-    """Top-level packages a file imports anywhere, relative ones as a dot."""
+    """Packages a file imports anywhere, of our own the first two names."""
     names: set[str] = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            names |= {alias.name.partition(".")[0] for alias in node.names}
+            names |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
-            names.add("." if node.level else str(node.module).partition(".")[0])
-    return names
+            names.add(f"{'.' * node.level}{node.module or ''}")
+    return {".".join(name.split(".")[: 2 if name.startswith("mechproof") else 1]) for name in names}
 
 
-def test_kernels_import_numpy_alone() -> None:
+def test_kernels_import_numpy_and_their_support_alone() -> None:
     for path in Path(kernels.__path__[0]).glob("*.py"):
-        assert imported(path) <= {"numpy", "typing", "."}, path.name
+        assert imported(path) <= {"numpy", "typing", "mechproof.kernel_support"}, path.name
+
+
+def test_the_support_of_kernels_imports_numpy_alone() -> None:
+    allowed = {"__future__", "math", "numpy", "typing"}
+    for path in Path(kernel_support.__path__[0]).glob("*.py"):
+        assert imported(path) <= allowed, path.name
 
 
 def test_public_names() -> None:

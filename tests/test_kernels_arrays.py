@@ -11,13 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mechproof.kernels import (
-    _arrays,
-    elliptic_planetary,
-    oval_planetary,
-    track_wheel,
-    wedge_linkage,
-)
+from mechproof.kernel_support import arrays, error_free
+from mechproof.kernels import elliptic_planetary, oval_planetary, track_wheel, wedge_linkage
 
 RADII = (66.0, 16.0)
 SHARED_SHIFT = np.array([0.01, 0.02, 0.03])
@@ -53,14 +48,14 @@ CALLS: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
 
 @pytest.fixture
 def small_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(_arrays, "BLOCK", 6)
+    monkeypatch.setattr(arrays, "BLOCK", 6)
 
 
 @pytest.mark.parametrize("name", CALLS)
 def test_blocks_change_no_digit(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     function, arguments = CALLS[name]
     whole = function(*arguments)
-    monkeypatch.setattr(_arrays, "BLOCK", 6)
+    monkeypatch.setattr(arrays, "BLOCK", 6)
     in_blocks = function(*arguments)
     # A matrix product may sum in another order: an ulp of the largest of four terms, below 20.
     tolerance = 4 * np.finfo(float).eps * 20 if name == "one pose" else 0
@@ -71,7 +66,7 @@ def test_blocks_change_no_digit(name: str, monkeypatch: pytest.MonkeyPatch) -> N
 @pytest.mark.parametrize("blocks", [6, 32768])
 @pytest.mark.parametrize("name", CALLS)
 def test_out_receives_the_result(name: str, blocks: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(_arrays, "BLOCK", blocks)
+    monkeypatch.setattr(arrays, "BLOCK", blocks)
     function, arguments = CALLS[name]
     expected = function(*arguments)
     for order in ("C", "F"):
@@ -98,7 +93,7 @@ def test_single_precision_is_the_rounded_double(name: str) -> None:
 def test_out_may_overlap_an_argument(
     e: float, blocks: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(_arrays, "BLOCK", blocks)
+    monkeypatch.setattr(arrays, "BLOCK", blocks)
     phi = spread(40)
     expected = elliptic_planetary.position(phi[:30], *RADII, e)
     for start in (0, 7, 10):
@@ -239,7 +234,7 @@ def test_the_rest_of_a_product_is_exact(a: float, b: float) -> None:
         if not np.isfinite(product):
             continue
         with np.errstate(all="raise"):
-            rest = _arrays.product_rest(one, other, product)
+            rest = error_free.product_rest(one, other, product)
         exact = Fraction(float(one)) * Fraction(float(other)) - Fraction(float(product))
         assert Fraction(float(rest)) == exact
 
@@ -250,9 +245,9 @@ def test_the_rest_of_a_sum_is_exact() -> None:
         small, large = sorted((np.float64(a), np.float64(b)), key=abs)
         total = large + small
         exact = Fraction(float(large)) + Fraction(float(small)) - Fraction(float(total))
-        assert Fraction(float(_arrays.sum_rest(large, small, total))) == exact
+        assert Fraction(float(error_free.sum_rest(large, small, total))) == exact
     # The order counts: here the larger comes second.
-    assert _arrays.sum_rest(1e-20, 1.0, 1.0) != 1e-20
+    assert error_free.sum_rest(1e-20, 1.0, 1.0) != 1e-20
 
 
 def test_a_product_with_its_low_word_is_rounded_once() -> None:
@@ -276,14 +271,14 @@ def test_the_rest_of_a_quotient_is_rounded_once() -> None:
     for a, b in 10 ** random.uniform(-3, 3, (200, 2)):
         quotient = np.float64(a) / np.float64(b)
         exact = Fraction(float(a)) / Fraction(float(b)) - Fraction(float(quotient))
-        rest = Fraction(float(_arrays.quotient_rest(np.float64(a), np.float64(b), quotient)))
+        rest = Fraction(float(error_free.quotient_rest(np.float64(a), np.float64(b), quotient)))
         assert abs(rest - exact) <= Fraction(1, 2**53) * abs(exact)
 
 
 def test_the_small_tangent_keeps_to_one() -> None:
     values = np.array([-1e300, -1.0, -1e-300, 0.0, 1e-9, 2.0, np.nan])
     expected = [-1.0, -1.0, -1e-300, 0.0, 1e-9, 1.0, np.nan]
-    assert np.array_equal(_arrays.small_tangent(values), expected, equal_nan=True)
+    assert np.array_equal(error_free.small_tangent(values), expected, equal_nan=True)
 
 
 @pytest.mark.parametrize("name", ["position", "ratio", "acceleration"])
@@ -325,10 +320,10 @@ def test_the_low_word_is_paid_for_only_above_its_threshold(
 
 
 def test_lazy_conditions_stay_unread() -> None:
-    assert _arrays.holds(np.array([True, True]))
-    assert not _arrays.holds(np.array([True, False]))
-    assert _arrays.holds(np.float64(1) > 0)
-    assert not _arrays.holds(operator.gt(Lazy(lambda: 1.0, ()), 0))
+    assert arrays.holds(np.array([True, True]))
+    assert not arrays.holds(np.array([True, False]))
+    assert arrays.holds(np.float64(1) > 0)
+    assert not arrays.holds(operator.gt(Lazy(lambda: 1.0, ()), 0))
 
 
 @pytest.mark.parametrize("shape", [(200, 100), (3, 5, 80), (2, 1, 70)])
@@ -336,7 +331,7 @@ def test_outer_products_keep_what_depends_on_few_arguments_short(
     shape: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Arrays along axes of their own, in slices: the same as all of them written out."""
-    monkeypatch.setattr(_arrays, "BLOCK", 256)
+    monkeypatch.setattr(arrays, "BLOCK", 256)
     x1 = np.linspace(-40, 0, shape[-1])
     l_de = np.linspace(82, 84, shape[0]).reshape(-1, *[1] * (len(shape) - 1))
     l_kl = np.linspace(59.8, 60.2, shape[-2])[:, np.newaxis]

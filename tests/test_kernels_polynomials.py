@@ -16,10 +16,10 @@ from mechproof.codegen.polynomials import (
     Rational,
     fit_arctangent,
     fit_tangent,
-    split_pi,
 )
 from mechproof.derivations.elliptic_planetary import PLAIN_PRODUCT, e
-from mechproof.kernels import _polynomials
+from mechproof.kernel_support import polynomials
+from mechproof.kernels import elliptic_planetary as kernels
 from mechproof.kernels.elliptic_planetary import position
 from mechproof.lab.search import find_worst
 from mechproof.lab.specimen import Array
@@ -33,8 +33,8 @@ PIECES, ORDER = 64, 24
 @pytest.fixture(autouse=True)
 def always(monkeypatch: pytest.MonkeyPatch) -> None:
     """Use the polynomials on every host and for arrays of every length."""
-    monkeypatch.setattr(_polynomials, "IS_WORTH_IT", True)
-    monkeypatch.setattr(_polynomials, "LONG", 1)
+    monkeypatch.setattr(polynomials, "IS_WORTH_IT", True)
+    monkeypatch.setattr(polynomials, "LONG", 1)
 
 
 @pytest.fixture
@@ -100,12 +100,14 @@ def test_the_approximation_is_proved(name: str) -> None:
 
 
 def test_the_shipped_coefficients_are_the_fitted() -> None:
-    shipped = _polynomials
-    assert (fit_tangent().above, fit_tangent().below) == (shipped.TANGENT, shipped.TANGENT_BELOW)
-    fit = fit_arctangent()
-    assert (fit.above, fit.below) == (shipped.ARCTANGENT, shipped.ARCTANGENT_BELOW)
-    assert split_pi() == (shipped.PI, shipped.PI_LOW)
-    assert shipped.PI * 2**26 == int(shipped.PI * 2**26) < 2**28
+    assert (fit_tangent().above, fit_tangent().below) == kernels.TANGENT
+    assert (fit_arctangent().above, fit_arctangent().below) == kernels.ARCTANGENT
+
+
+def test_pi_is_split_into_28_bits_and_the_double_next_to_the_rest() -> None:
+    with mp.workdps(60):
+        high = mp.floor(mp.pi * 2**26) / 2**26
+        assert (float(high), float(mp.pi - high)) == (polynomials.PI, polynomials.PI_LOW)
 
 
 def test_the_arc_stays_small_where_the_shortcut_is_taken() -> None:
@@ -132,8 +134,8 @@ def test_the_bar_of_the_position_holds() -> None:
 
 def test_the_bar_of_the_position_sees_a_wrong_coefficient(monkeypatch: pytest.MonkeyPatch) -> None:
     (subject,) = find_subjects(("elliptic_planetary.position",))
-    first, *others = _polynomials.ARCTANGENT
-    monkeypatch.setattr(_polynomials, "ARCTANGENT", (first * (1 + 2.0**-40), *others))
+    (first, *others), below = kernels.ARCTANGENT
+    monkeypatch.setattr(kernels, "ARCTANGENT", ((first * (1 + 2.0**-40), *others), below))
     found = find_worst(subject, one_by_one, rounds=0, seed=4711, most=60)
     assert subject.quantity.bar is not None
     assert found.scaled > subject.quantity.bar.ulp
@@ -144,7 +146,7 @@ Y = np.concatenate([np.linspace(-9, 9, 37), 10.0 ** np.arange(-300, 7, 17), [np.
 
 @pytest.mark.parametrize(("a", "b"), [(1.0, 1.0), (0.5, 1.5), (1.5, 0.5), (1e-3, 1.0)])
 def test_the_quotient_is_off_by_a_few_eps_of_its_largest_value(a: float, b: float) -> None:
-    found = _polynomials.tangent_quotient(Y, np.float64(a), np.float64(b))
+    found = polynomials.tangent_quotient(Y, np.float64(a), np.float64(b), kernels.TANGENT)
     with mp.workdps(60):
         for y, value in zip(Y, found, strict=True):
             t = mp.tan(mp.mpf(float(y)))
@@ -158,7 +160,7 @@ def test_the_quotient_is_off_by_a_few_eps_of_its_largest_value(a: float, b: floa
 def test_blocks_shapes_and_strides(monkeypatch: pytest.MonkeyPatch) -> None:
     phi = np.linspace(-60, 60, 120)
     expected = position(phi, *RADII, 0.4)
-    monkeypatch.setattr(_polynomials, "BLOCK", 7)
+    monkeypatch.setattr(polynomials, "BLOCK", 7)
     assert np.array_equal(position(phi, *RADII, 0.4), expected)
     grid = phi.reshape(8, 15)
     for view in (grid, np.asfortranarray(grid), grid[::-1, ::2]):
@@ -172,7 +174,7 @@ def test_the_argument_is_not_written_to() -> None:
     phi.flags.writeable = False
     position(phi, *RADII, 0.4)
     y = phi.copy()
-    _polynomials.tangent_quotient(y, np.float64(1), np.float64(1))
+    polynomials.tangent_quotient(y, np.float64(1), np.float64(1), kernels.TANGENT)
     assert np.array_equal(y, phi)
 
 
@@ -195,8 +197,8 @@ def test_a_vector_loop_is_preferred(monkeypatch: pytest.MonkeyPatch) -> None:
 
     for current, expected in (("X86_V4", True), ("AVX512_SKX", True), ("baseline(X86_V2)", False)):
         answer(current)
-        assert _polynomials._has_vector_loop("tan") is expected
+        assert polynomials._has_vector_loop("tan") is expected
     monkeypatch.setattr(np.lib.introspect, "opt_func_info", lambda **_: {})
-    assert not _polynomials._has_vector_loop("tan")
+    assert not polynomials._has_vector_loop("tan")
     monkeypatch.delattr(np.lib, "introspect")
-    assert not _polynomials._has_vector_loop("tan")
+    assert not polynomials._has_vector_loop("tan")

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mechproof.kernels import _arrays, elliptic_planetary, track_wheel
+from mechproof.kernel_support import arrays
+from mechproof.kernels import elliptic_planetary, track_wheel
 
 ELLIPTIC = (0.3, 66.0, 16.0, 0.475)
 POINT, ANGLES, SHIFT = [1.0, 2.0, 3.0], [0.1, -0.2, 0.3], [0.01, 0.02, 0.03]
@@ -182,11 +183,11 @@ def test_uncorrelated_is_the_plain_sum() -> None:
 
 
 def test_conversion_of_arguments() -> None:
-    (weak,) = _arrays.as_floats(a=1)
+    (weak,) = arrays.as_floats(a=1)
     assert weak.dtype == np.float64
-    single, mixed = _arrays.as_floats(a=np.float32(1), b=True)
+    single, mixed = arrays.as_floats(a=np.float32(1), b=True)
     assert single.dtype == mixed.dtype == np.float32
-    single, integer = _arrays.as_floats(a=np.float32(1), b=np.int64(2))
+    single, integer = arrays.as_floats(a=np.float32(1), b=np.int64(2))
     assert single.dtype == integer.dtype == np.float64
     with pytest.raises(TypeError, match="b: expected real numbers"):
-        _arrays.as_floats(a=1.0, b=[1j])
+        arrays.as_floats(a=1.0, b=[1j])

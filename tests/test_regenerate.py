@@ -109,5 +109,5 @@ def test_package_has_one_module_per_system_with_quantities() -> None:
     paper = dataclasses.replace(elliptic_planetary.PAPER, system="system")
     bare = Paper("bare", "", (), ())
     files = render_package([paper, bare])
-    assert set(files) == {"__init__.py", "_arrays.py", "_polynomials.py", "system.py"}
+    assert set(files) == {"__init__.py", "system.py"}
     assert all(text.endswith("\n") for text in files.values())

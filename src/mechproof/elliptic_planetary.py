@@ -19,8 +19,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import elliptic_planetary as kernels
-from mechproof.kernels._arrays import as_floats
 from mechproof.validation import check_count, check_real, require
 
 __all__ = ["EllipticPlanetary", "RatioExtremes"]

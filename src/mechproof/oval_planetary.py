@@ -24,8 +24,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import oval_planetary as kernels
-from mechproof.kernels._arrays import as_floats
 from mechproof.oval_planetary_motion import Motion, Number, OnePair, compose, describe_motion
 from mechproof.validation import check_count, check_real, require
 

@@ -14,12 +14,8 @@ import jinja2
 import sympy as sp
 from jinja2 import meta
 
-from mechproof.codegen.error_free import EXACT, SmallArctan, TangentQuotient
-from mechproof.codegen.evaluation import arrange
-from mechproof.codegen.kernel import SUPPORT, build_kernel
-from mechproof.codegen.numpy_printer import NumpyPrinter
-from mechproof.codegen.polynomials import fit_arctangent, fit_tangent, split_pi
-from mechproof.codegen.subexpressions import share_subexpressions
+from mechproof.codegen.kernel import CONSTANTS, SUPPORT, build_kernel
+from mechproof.codegen.polynomials import Rational, fit_arctangent, fit_tangent
 from mechproof.record import Paper
 
 TEMPLATES = Path(__file__).parent / "templates"
@@ -28,32 +24,16 @@ LINE_LENGTH = 100
 
 @dataclass(frozen=True)
 class Backend:
-    """A kind of kernel: the templates of its modules, of their support files, of its package."""
+    """A kind of kernel: the templates of its modules and of its package."""
 
     name: str
     module: str
-    support: Mapping[str, str]
     package: str
 
 
-NUMPY = Backend(
-    "NumPy",
-    "numpy_module.py.jinja",
-    {"_arrays": "numpy_arrays.py.jinja", "_polynomials": "numpy_polynomials.py.jinja"},
-    "numpy_package.py.jinja",
-)
-# What the templates of the support files ask for.
-SUPPORT_DATA: Mapping[str, Callable[[], dict[str, object]]] = MappingProxyType(
-    {
-        "_arrays": dict,
-        "_polynomials": lambda: {
-            "pi": split_pi(),
-            "tangent": fit_tangent(),
-            "arctangent": fit_arctangent(),
-            "plain_quotient": print_plainly(TangentQuotient, "y a b"),
-            "plain_arctan": print_plainly(SmallArctan, "y"),
-        },
-    }
+NUMPY = Backend("NumPy", "numpy_module.py.jinja", "numpy_package.py.jinja")
+FITS: Mapping[str, Callable[[], Rational]] = MappingProxyType(
+    {"TANGENT": fit_tangent, "ARCTANGENT": fit_arctangent}
 )
 
 
@@ -67,6 +47,7 @@ def render_module(paper: Paper, backend: Backend = NUMPY) -> str:
         "sympy_version": sp.__version__,
         "kernels": kernels,
         "support": {},
+        "constants": [],
     }
     body = render_template(backend.module, data)
     data["support"] = {
@@ -74,25 +55,10 @@ def render_module(paper: Paper, backend: Backend = NUMPY) -> str:
         for file, names in SUPPORT.items()
         if (used := [name for name in names if f"{name}(" in body])
     }
+    data["constants"] = [
+        (name, meaning, FITS[name]()) for name, meaning in CONSTANTS.items() if name in body
+    ]
     return format_source(render_template(backend.module, data))
-
-
-def render_support(backend: Backend = NUMPY) -> dict[str, str]:
-    """Render the files that the kernels share, under their names."""
-    return {
-        f"{file}.py": format_source(render_template(template, SUPPORT_DATA[file]()))
-        for file, template in backend.support.items()
-    }
-
-
-def print_plainly(function: type[sp.Function], names: str) -> dict[str, object]:
-    """Print what a function is exactly: the steps that occur twice, and the value."""
-    arguments = sp.symbols(names, real=True, seq=True)
-    evaluation = arrange(frozenset(arguments), (), EXACT[function](*arguments))
-    printer = NumpyPrinter({}, frozenset())
-    shared = share_subexpressions(evaluation)
-    steps = [(str(s), printer.print_expression(value)) for s, value in shared.steps]
-    return {"steps": steps, "value": printer.print_expression(shared.output)}
 
 
 def render_init(backend: Backend = NUMPY) -> str:

@@ -28,7 +28,7 @@ from mechproof.record import Argument, Paper, Quantity
 
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
-        "_arrays": (
+        "arrays": (
             "as_floats",
             "check_components",
             "choose_where",
@@ -36,20 +36,24 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "in_blocks",
             "is_finite",
             "nan_outside",
-            "product_rest",
-            "quotient_rest",
-            "small_tangent",
             "split_components",
             "store",
             "sum_axes",
-            "sum_rest",
             "transform",
         ),
-        "_polynomials": ("small_arctan", "tangent_quotient"),
+        "error_free": ("product_rest", "quotient_rest", "small_tangent", "sum_rest"),
+        "polynomials": ("small_arctan", "tangent_quotient"),
+    }
+)
+# Constants that functions of the support package take as their last argument.
+CONSTANTS: Mapping[str, str] = MappingProxyType(
+    {
+        "TANGENT": "tan(r/2)/r in powers of r**2",
+        "ARCTANGENT": "(atan(y)/y - 1)/y**2 in powers of y**2",
     }
 )
 RESERVED = frozenset(
-    {"Any", "ArrayLike", "NDArray", "np", "inside", "out", *chain(*SUPPORT.values())}
+    {"Any", "ArrayLike", "NDArray", "np", "inside", "out", *CONSTANTS, *chain(*SUPPORT.values())}
 )
 
 

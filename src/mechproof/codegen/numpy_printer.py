@@ -39,6 +39,10 @@ FUNCTIONS: Mapping[str, str] = MappingProxyType(
         "TangentQuotient": "tangent_quotient",
     }
 )
+# The constants of the module that a function takes as its last argument.
+FITTED: Mapping[str, str] = MappingProxyType(
+    {"small_arctan": "ARCTANGENT", "tangent_quotient": "TANGENT"}
+)
 CONSTANTS: Mapping[sp.Basic, str] = MappingProxyType(
     {sp.pi: "np.pi", sp.E: "np.e", sp.oo: "np.inf", -sp.oo: "-np.inf"}
 )
@@ -93,7 +97,9 @@ class NumpyPrinter(CodePrinter):  # type: ignore[misc]
         name = expr.func.__name__
         if name not in FUNCTIONS:
             return self.emptyPrinter(expr)
-        return f"{FUNCTIONS[name]}({', '.join(map(self._print, expr.args))})"
+        function = FUNCTIONS[name]
+        fit = [FITTED[function]] if function in FITTED else []
+        return f"{function}({', '.join([*map(self._print, expr.args), *fit])})"
 
     _print_hypot = _print_Abs = _print_Function  # noqa: N815
 

@@ -28,14 +28,6 @@ class Rational:
 
 
 @cache
-def split_pi() -> tuple[float, float]:
-    """Return the first 28 bits of pi and the rest as a double."""
-    with mp.workdps(DIGITS):
-        high = mp.floor(mp.pi * 2**26) / 2**26
-        return float(high), float(mp.pi - high)
-
-
-@cache
 def fit_tangent() -> Rational:
     """Fit tan(r/2)/r in r**2, where |r| <= pi/2."""
     with mp.workdps(DIGITS):

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from mechproof.codegen.backend import NUMPY, Backend, render_init, render_module, render_support
+from mechproof.codegen.backend import NUMPY, Backend, render_init, render_module
 from mechproof.record import Paper
 
 REPAIR = "mechproof regenerate"
@@ -23,7 +23,7 @@ def render_package(papers: Iterable[Paper], backend: Backend = NUMPY) -> dict[st
     """
     modules = {p.system: render_module(p, backend) for p in papers if p.quantities}
     files = {f"{system}.py": text for system, text in sorted(modules.items())}
-    return {"__init__.py": render_init(backend), **render_support(backend), **files}
+    return {"__init__.py": render_init(backend), **files}
 
 
 def compare_or_update(directory: Path, files: Mapping[str, str], *, check: bool) -> list[str]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from mechproof.kernel_support.arrays import in_blocks
 from mechproof.kernels import elliptic_planetary as kernels
-from mechproof.kernels._arrays import in_blocks
 from mechproof.lab.specimen import Array
 
 KNOTS = 1024

@@ -1,0 +1,44 @@
+"""Error-free transformations of doubles, point by point: the rests that a rounding leaves.
+
+Products are split by Veltkamp's method (1968) and recovered by Dekker's (1971), without a fused
+multiply-add.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+
+def sum_rest(a: Any, b: Any, s: Any) -> Any:
+    """Return a + b - s for s the rounded a + b: exact where |b| <= |a| (Dekker 1971)."""
+    return b - (s - a)
+
+
+def product_rest(a: Any, b: Any, p: Any) -> Any:
+    """Return a*b - p for p the rounded a*b: exact above 2**-969 (Dekker 1971)."""
+    a_high, a_low = _split(a)
+    b_high, b_low = _split(b)
+    return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
+
+
+def quotient_rest(a: Any, b: Any, q: Any) -> Any:
+    """Return a/b - q for q the rounded a/b, to half an ulp of itself."""
+    p = q * b
+    return ((a - p) - product_rest(q, b, p)) / b
+
+
+def small_tangent(y: Any) -> Any:
+    """Return tan(y) for y the half of a low word, which is y; kept within +-1."""
+    return np.minimum(np.maximum(y, -1.0), 1.0)
+
+
+def _split(a: Any) -> tuple[Any, Any]:
+    """Split a double into two of at most 26 bits (Veltkamp 1968)."""
+    # Scaled down, so that the largest double does not overflow; below 2**-994 the high half has
+    # fewer bits, which is as good.
+    small = a * 2.0**-28
+    scaled = small * (2.0**27 + 1)
+    high = (scaled - (scaled - small)) * 2.0**28
+    return high, a - high
