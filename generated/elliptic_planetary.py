@@ -3,12 +3,30 @@
 Prikhodko, Polivoda, Shchetinin 2024, planetary mechanism with an elliptical pair, doi
 10.37313/1990-5378-2024-26-3-164-171
 
-Angles are positive in the direction of the carrier's rotation; distances on the line A-C are
-positive from A towards C and B. Lengths in mm, angles in rad.
+Angles are positive in the direction of the carrier's rotation; distances on the line A-C
+are positive from A towards C and B. Lengths in mm, angles in rad.
+
+Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
+otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
+the result's type and shape, takes the result; it may overlap an argument. Outside the
+domain and where an argument is NaN the result is NaN.
+
+TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
+ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
+
+Accuracy is the bound of the error that the tests hold; eps = 2**-52.
+
+    the value and what eps*x makes of it (ratio) = 1 + k*(1 - e**2)/(1 + e**2 - 2*e*cos(x))
+        + e*k*(1 - e**2)*|x|/(2**51*(1 + e**2 - 2*e*cos(x))**2)
+
+    the value and what eps*x makes of it (acceleration) = 2*k**2*|e*(e**2 - 1)*sin(x)/(1 +
+        e**2 - 2*e*cos(x))**2| + e*k**2*(1 - e**2)*|x|/(2**51*(1 + e**2 - 2*e*cos(x))**2)
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
+
+from __future__ import annotations
 
 from typing import Any
 
@@ -17,14 +35,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from mechproof.kernel_support.arrays import as_floats, holds, in_blocks, is_finite, nan_outside
 from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent
+from mechproof.kernel_support.facts import Condition, Sizes
 from mechproof.kernel_support.polynomials import small_arctan, tangent_quotient
 
 __all__ = [
     "acceleration",
+    "largest_ratio",
     "position",
-    "position_principal",
-    "position_printed",
     "ratio",
+    "smallest_ratio",
 ]
 
 # tan(r/2)/r in powers of r**2
@@ -43,10 +62,46 @@ ARCTANGENT = (
     ),
     (1.0, 2.2352288550767723, 1.696653795115032, 0.4973868644715952, 0.04408898987456305),
 )
+DOMAIN = (
+    Condition(
+        "R1",
+        "0 < R1 < oo",
+        ("R1",),
+        lambda R1: (R1 > 0) & is_finite(R1),
+        ("ratio", "position", "acceleration"),
+    ),
+    Condition(
+        "R2",
+        "0 < R2 < oo",
+        ("R2",),
+        lambda R2: (R2 > 0) & is_finite(R2),
+        ("ratio", "position", "acceleration", "largest_ratio", "smallest_ratio"),
+    ),
+    Condition(
+        "e",
+        "0 <= e < 1",
+        ("e",),
+        lambda e: (e >= 0) & (e < 1),
+        ("ratio", "position", "acceleration", "largest_ratio", "smallest_ratio"),
+    ),
+    Condition(
+        "R2", "R2 < R1", ("R1", "R2"), lambda R1, R2: R2 < R1, ("ratio", "position", "acceleration")
+    ),
+)
+PUBLISHED = (
+    Sizes("Table 1, variant 1", {"R1": 66.0, "R2": 16.0, "e": 0.28}, ()),
+    Sizes("Table 1, variant 2", {"R1": 66.0, "R2": 16.0, "e": 0.475}, ()),
+    Sizes("Table 1, variant 3", {"R1": 80.0, "R2": 30.0, "e": 0.28}, ()),
+    Sizes("Table 1, variant 4", {"R1": 80.0, "R2": 30.0, "e": 0.475}, ()),
+)
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 # Source: Prikhodko et al. 2024, equation (8)
-# Expression sha256: b5fb0f9dcade9b79936108565603b2f32333369257747622bbaec24aeb5a9dad
+# Expressions sha256: b5fb0f9dcade9b79936108565603b2f32333369257747622bbaec24aeb5a9dad
 # Form: half-angle quotient with low word
 # Rewrites: low_word, half_angle_tangent
 # Operations: 28
@@ -69,37 +124,24 @@ def ratio(
         Radius of the satellite's cylindrical wheel (mm).
     e : array_like, any shape
         Eccentricity of the ellipse (pure number).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (pure number); float32 if every array argument is
-        float32, float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (pure number)
 
     Notes
     -----
     Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
 
-    Outside it the result is NaN, by way of R1.
-
-    Accuracy held by the tests: error <= 8 eps * (the value, where |x| <= 2**26), eps the
-    spacing of floats at 1.
+    Accuracy: 8 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (phi1 = 0 or
+    1e-290 <= |phi1|).
 
     Source: Prikhodko et al. 2024, equation (8).
 
     """
     phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1 = nan_outside(R1, inside)
+    R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_ratio, (phi1,), _prepare_ratio, (R1, R2, e), out=out)
 
 
@@ -128,8 +170,8 @@ def _ratio(phi1: Any, k: Any, one_minus_e: Any, one_plus_e: Any, k_low: Any) -> 
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
-# Expression sha256: 830fe82f29ff22f44e6d333c5bd0f88fa521076110b435a728b2024280a941ff
-# Form where e <= 1 / 2: half-angle atan
+# Expressions sha256: 13f880f4a6a21c5572bc39200def7042d9af11411e8c1ef77771dd1fd987cd2d
+# Form where e <= 0.5: half-angle atan
 # Rewrites: positive_atan2, half_angle_tangent, small_arc
 # Operations: 13
 # Form: half-angle atan with low word
@@ -154,50 +196,34 @@ def position(
         Radius of the satellite's cylindrical wheel (mm).
     e : array_like, any shape
         Eccentricity of the ellipse (pure number).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (rad); float32 if every array argument is float32,
-        float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (rad)
 
     Notes
     -----
     Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
 
-    Outside it the result is NaN, by way of R1.
-
-    Where e <= 1/2 for all elements, half-angle atan is as good.
+    Where e <= 1/2 for all elements, half-angle atan is computed.
 
     There, where NumPy has no vector loop for tan, long arrays are computed by polynomials:
-    faster, with other last bits than short ones, and held to the same accuracy.
+    faster, and with other last bits than short ones.
 
-    Accuracy held by the tests: error <= 4 eps * (the value, where |x| <= 2**26), eps the
-    spacing of floats at 1.
+    Accuracy: 6 eps of the value, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|).
 
     Source: Prikhodko et al. 2024, integral (9) of equation (8).
 
     """
     phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1 = nan_outside(R1, inside)
-    if holds(e <= 1 / 2):
-        return in_blocks(
-            _position_shortcut, (phi1,), _prepare_position_shortcut, (R1, R2, e), out=out
-        )
+    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if holds(e <= 0.5):
+        return in_blocks(_position_1, (phi1,), _prepare_position_1, (R1, R2, e), out=out)
     return in_blocks(_position, (phi1,), _prepare_position, (R1, R2, e), out=out)
 
 
-def _prepare_position_shortcut(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_position_1(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
     one_minus_e = 1 - e
     one_plus_e = 1 + e
@@ -205,7 +231,7 @@ def _prepare_position_shortcut(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     return (e, k, one_minus_e, one_plus_e)
 
 
-def _position_shortcut(phi1: Any, e: Any, k: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
+def _position_1(phi1: Any, e: Any, k: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
     x = k * phi1
 
     return (1 + k) * phi1 + 2 * small_arctan(
@@ -236,10 +262,10 @@ def _position(phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_plus_
 
 
 # Source: derivative of Prikhodko et al. 2024, equation (8)
-# Expression sha256: 91b69a6ba07be0093cc100c53552f487804079c310d6d68931af9e3d14dcd55f
+# Expressions sha256: 91b69a6ba07be0093cc100c53552f487804079c310d6d68931af9e3d14dcd55f
 # Form: half-angle quotient with low word
 # Rewrites: low_word, half_angle_tangent
-# Operations: 34
+# Operations: 33
 def acceleration(
     phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
@@ -259,38 +285,24 @@ def acceleration(
         Radius of the satellite's cylindrical wheel (mm).
     e : array_like, any shape
         Eccentricity of the ellipse (pure number).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (pure number); float32 if every array argument is
-        float32, float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (pure number)
 
     Notes
     -----
     Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
 
-    Outside it the result is NaN, by way of R1.
-
-    Accuracy held by the tests: error <= 8 eps * (|value| + eps*|x|*2*e*k**2*(1 - e**2)/(1 +
-    e**2 - 2*e*cos(x))**2, where |x| <= 2**26 and e = 0 or e >= 1e-200), eps the spacing of
-    floats at 1.
+    Accuracy: 8 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (phi1 = 0 or
+    1e-290 <= |phi1|) and (e = 0 or 1e-200 <= e).
 
     Source: derivative of Prikhodko et al. 2024, equation (8).
 
     """
     phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1 = nan_outside(R1, inside)
+    R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (R1, R2, e), out=out)
 
 
@@ -326,145 +338,105 @@ def _acceleration(phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_p
     )
 
 
-# Source: Prikhodko et al. 2024, equation (12)
-# Expression sha256: 57141eb1f5a1911636963a3944f616d16509b37ec44b8f956c64f2d10da47e9d
-# Form: as printed
-# Operations: 17
-def position_printed(
-    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+# Source: extremes of Prikhodko et al. 2024, equation (8)
+# Expressions sha256: b017edbd5d2e5e430c3333c1c68ccc82f8b19eb3899ca560e04999267c36d672
+# Form: quotient
+# Operations: 6
+def largest_ratio(
+    R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
-    """Compute equation (12) as it stands in print.
+    """Compute the largest transmission ratio, met at phi1 = 0 and every period 2*pi*R2/R1 on.
 
-    Specimen, not for use: its derivative is not the ratio (8), and it jumps where x/2 passes
-    pi/2.
-
-        position_printed = phi1 + 2*sqrt((1 - e)/(1 + e))*atan(sqrt((1 + e)/(1 -
-            e))*tan(R1*phi1/(2*R2)))
-
-    Parameters
-    ----------
-    phi1 : array_like, any shape
-        Carrier angle, any number of turns (rad).
-    R1 : array_like, any shape
-        Radius of the epicycle (mm).
-    R2 : array_like, any shape
-        Radius of the satellite's cylindrical wheel (mm).
-    e : array_like, any shape
-        Eccentricity of the ellipse (pure number).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
-
-    Returns
-    -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (rad); float32 if every array argument is float32,
-        float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
-
-    Notes
-    -----
-    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
-
-    Outside it the result is NaN, by way of R1.
-
-    Source: Prikhodko et al. 2024, equation (12).
-
-    """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1 = nan_outside(R1, inside)
-    return in_blocks(_position_printed, (phi1,), _prepare_position_printed, (R1, R2, e), out=out)
-
-
-def _prepare_position_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    one_minus_e = 1 - e
-    one_plus_e = 1 + e
-
-    return (R1, R2, one_minus_e, one_plus_e)
-
-
-def _position_printed(phi1: Any, R1: Any, R2: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
-
-    return phi1 + 2 * np.sqrt(one_minus_e / one_plus_e) * np.arctan(
-        np.sqrt(one_plus_e / one_minus_e) * np.tan(R1 / (2 * R2) * phi1)
-    )
-
-
-# Source: Prikhodko et al. 2024, equation (12) with the factor of (11) corrected
-# Expression sha256: 387e96024e7cecf0d2a5583237b63348953846e0d42093f13a93e610793c85df
-# Form: principal branch
-# Operations: 11
-def position_principal(
-    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
-) -> Any:
-    """Compute the integral (9) by one principal arctangent.
-
-    Specimen, not for use: right only for |phi1| < pi*R2/R1, beyond that off by multiples of
-    2*pi.
-
-        position_principal = phi1 + 2*atan((1 + e)*tan(x/2)/(1 - e))
+        largest_ratio = 1 + k*(1 + e)/(1 - e)
         k = R1/R2
-        x = k*phi1
 
     Parameters
     ----------
-    phi1 : array_like, any shape
-        Carrier angle, any number of turns (rad).
     R1 : array_like, any shape
         Radius of the epicycle (mm).
     R2 : array_like, any shape
         Radius of the satellite's cylindrical wheel (mm).
     e : array_like, any shape
         Eccentricity of the ellipse (pure number).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (rad); float32 if every array argument is float32,
-        float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (pure number)
 
     Notes
     -----
-    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1, Abs(phi1) < pi*R2/R1 (less than half
-    a turn of the satellite).
+    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1; 0 < R1, R1 < oo, R2 < R1 is not
+    checked.
 
-    Outside it the result is NaN, by way of R1; Abs(phi1) < pi*R2/R1 is not checked.
+    Accuracy: 3 eps of the value.
 
-    Singular: jumps by 2*pi at odd multiples of pi*R2/R1.
-
-    Source: Prikhodko et al. 2024, equation (12) with the factor of (11) corrected.
+    Source: extremes of Prikhodko et al. 2024, equation (8).
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1 = nan_outside(R1, inside)
-    return in_blocks(
-        _position_principal, (phi1,), _prepare_position_principal, (R1, R2, e), out=out
-    )
+    R1, R2, e = as_floats(R1=R1, R2=R2, e=e)
+    inside = (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1)
+    R2, e = nan_outside(inside, R2, e)
+    return in_blocks(_largest_ratio, (R1,), _prepare_largest_ratio, (R2, e), out=out, quiet=True)
 
 
-def _prepare_position_principal(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_largest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
+
+    return (R2, e)
+
+
+def _largest_ratio(R1: Any, R2: Any, e: Any) -> Any:
     k = R1 / R2
 
-    return (e, k)
+    return 1 + (1 + e) / (1 - e) * k
 
 
-def _position_principal(phi1: Any, e: Any, k: Any) -> Any:
-    x = k * phi1
+# Source: extremes of Prikhodko et al. 2024, equation (8)
+# Expressions sha256: 68b0ec7ae12bd9b06b323ac53aacae2d0a7345c59fb9a11dd11ead6c00a516e3
+# Form: quotient
+# Operations: 6
+def smallest_ratio(
+    R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the smallest transmission ratio, met half a period after the largest.
 
-    return phi1 + 2 * np.arctan((1 + e) / (1 - e) * np.tan(x / 2))
+        smallest_ratio = 1 + k*(1 - e)/(1 + e)
+        k = R1/R2
+
+    Parameters
+    ----------
+    R1 : array_like, any shape
+        Radius of the epicycle (mm).
+    R2 : array_like, any shape
+        Radius of the satellite's cylindrical wheel (mm).
+    e : array_like, any shape
+        Eccentricity of the ellipse (pure number).
+
+    Returns
+    -------
+    ndarray or NumPy scalar (pure number)
+
+    Notes
+    -----
+    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1; 0 < R1, R1 < oo, R2 < R1 is not
+    checked.
+
+    Accuracy: 3 eps of the value.
+
+    Source: extremes of Prikhodko et al. 2024, equation (8).
+
+    """
+    R1, R2, e = as_floats(R1=R1, R2=R2, e=e)
+    inside = (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1)
+    R2, e = nan_outside(inside, R2, e)
+    return in_blocks(_smallest_ratio, (R1,), _prepare_smallest_ratio, (R2, e), out=out, quiet=True)
+
+
+def _prepare_smallest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
+
+    return (R2, e)
+
+
+def _smallest_ratio(R1: Any, R2: Any, e: Any) -> Any:
+    k = R1 / R2
+
+    return 1 + (1 - e) / (1 + e) * k

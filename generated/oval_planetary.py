@@ -1,13 +1,45 @@
 """Kernels of the system `oval_planetary`.
 
-Prikhodko, Kurapov, Belina, Azizov, Polivoda 2024, planetary mechanism with oval wheels, EDN HZWKZJ
+Prikhodko, Kurapov, Belina, Azizov, Polivoda 2024, planetary mechanism with oval wheels, EDN
+HZWKZJ
 
-Angles in radians, positive in the direction of the carrier's rotation; lengths in mm. The paper's
-(10) has the opposite sign.
+Angles in radians, positive in the direction of the carrier's rotation; lengths in mm. The
+paper's (10) has the opposite sign.
+
+Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
+otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
+the result's type and shape, takes the result; it may overlap an argument. Outside the
+domain and where an argument is NaN the result is NaN.
+
+TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
+ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
+
+Accuracy is the bound of the error that the tests hold; eps = 2**-52.
+
+    the larger of 1 and 1 - value, and what eps*x makes of it (ratio_cylindrical) =
+        |x|*|e2*k*(e2**2 - 1)*sin(x)/(1 + e2**2 - 2*e2*cos(x))**2|/2**51 + Max(1, k*(1 -
+        e2**2)/(1 + e2**2 - 2*e2*cos(x)))
+    k = R4/R5
+    x = 2*k*phi1
+
+    the larger of both terms, and what eps*x makes of the second (position_cylindrical) =
+        |x|*|e2**2*sin(x)**2/(e2**2*sin(x)**2 + (e2*cos(x) - 1)**2) + e2*(e2*cos(x) -
+        1)*cos(x)/(e2**2*sin(x)**2 + (e2*cos(x) - 1)**2)|/2**52 + Max(|phi1*(R4 - R5)|/R5,
+        |atan2(e2*sin(x), 1 - e2*cos(x))|)
+    k = R4/R5
+    x = 2*k*phi1
+
+    the value and what eps*x makes of it (acceleration_cylindrical) = 4*k**2*|e2*(e2**2 -
+        1)*sin(x)/(1 + e2**2 - 2*e2*cos(x))**2| + e2*k**2*(1 - e2**2)*|x|/(2**50*(1 + e2**2
+        - 2*e2*cos(x))**2)
+    k = R4/R5
+    x = 2*k*phi1
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
+
+from __future__ import annotations
 
 from typing import Any
 
@@ -16,6 +48,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from mechproof.kernel_support.arrays import as_floats, holds, in_blocks, is_finite, nan_outside
 from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent, sum_rest
+from mechproof.kernel_support.facts import Condition, Sizes
 
 __all__ = [
     "acceleration",
@@ -26,9 +59,57 @@ __all__ = [
     "ratio_cylindrical",
 ]
 
+DOMAIN = (
+    Condition(
+        "e1",
+        "0 <= e1 < 1",
+        ("e1",),
+        lambda e1: (e1 >= 0) & (e1 < 1),
+        ("ratio", "position", "acceleration"),
+    ),
+    Condition(
+        "e2",
+        "0 <= e2 < 1",
+        ("e2",),
+        lambda e2: (e2 >= 0) & (e2 < 1),
+        (
+            "ratio",
+            "position",
+            "acceleration",
+            "ratio_cylindrical",
+            "position_cylindrical",
+            "acceleration_cylindrical",
+        ),
+    ),
+    Condition(
+        "R4",
+        "0 < R4 < oo",
+        ("R4",),
+        lambda R4: (R4 > 0) & is_finite(R4),
+        ("ratio_cylindrical", "position_cylindrical", "acceleration_cylindrical"),
+    ),
+    Condition(
+        "R5",
+        "0 < R5 < oo",
+        ("R5",),
+        lambda R5: (R5 > 0) & is_finite(R5),
+        ("ratio_cylindrical", "position_cylindrical", "acceleration_cylindrical"),
+    ),
+)
+PUBLISHED = (
+    Sizes("variant 1", {"e1": 0.2, "e2": 0.2}, ()),
+    Sizes("variant 2", {"R4": 25.0, "R5": 25.0, "e2": 0.2}, ()),
+    Sizes("variant 3", {"R4": 30.0, "R5": 20.0, "e2": 0.2}, ()),
+    Sizes("variant 4", {"R4": 32.0, "R5": 18.0, "e2": 0.2}, ()),
+)
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 # Source: Prikhodko et al. 2024 (oval wheels), equation (10)
-# Expression sha256: 4fa78bd90400bf094bf74bd08a302fb8230798daf67a6337c651a2ea558b75c0
+# Expressions sha256: 4fa78bd90400bf094bf74bd08a302fb8230798daf67a6337c651a2ea558b75c0
 # Form: quotient in tan(phi1)
 # Operations: 30
 def ratio(
@@ -57,39 +138,23 @@ def ratio(
         Eccentricity of the oval pair 6-3 (pure number).
     mount : array_like, any shape, default 0
         Turn of wheel 6 on its shaft, forward from its place in the paper (rad).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (pure number); float32 if every array argument is
-        float32, float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (pure number)
 
     Notes
     -----
     Domain: 0 <= e1 < 1, 0 <= e2 < 1.
 
-    Outside it the result is NaN, by way of e1.
-
-    Accuracy held by the tests: error <= 8 eps * (the larger of 1 and W = 1 - value, + W*|(less
-    + y)*(rise*t - shift)|/S (0 without a mount), S = (less + y)**2 + both**2*t**2, t =
-    tan(phi1), y = shift + rise*t, both = alpha/(1 - e2), less = (1 - e1)*(1 - e2), rise =
-    gamma/(1 - e2), shift = beta/(1 - e2) - less), eps the spacing of floats at 1.
+    Accuracy: 8 eps of the larger of 1 and W, and what the roundings of y make of it.
 
     Source: Prikhodko et al. 2024 (oval wheels), equation (10).
 
     """
     phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
     inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
-    e1 = nan_outside(e1, inside)
+    e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_ratio, (phi1,), _prepare_ratio, (e1, e2, mount), out=out)
 
 
@@ -118,7 +183,7 @@ def _ratio(phi1: Any, both: Any, less: Any, shift: Any, rise: Any) -> Any:
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11)
-# Expression sha256: a2397a9e807261f3665754144248d98d8b3a51cf18b1eef27f8fd921132d3051
+# Expressions sha256: a2397a9e807261f3665754144248d98d8b3a51cf18b1eef27f8fd921132d3051
 # Form: one arctangent of tan(phi1)
 # Operations: 28
 def position(
@@ -148,39 +213,25 @@ def position(
         Eccentricity of the oval pair 6-3 (pure number).
     mount : array_like, any shape, default 0
         Turn of wheel 6 on its shaft, forward from its place in the paper (rad).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (rad); float32 if every array argument is float32,
-        float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (rad)
 
     Notes
     -----
     Domain: 0 <= e1 < 1, 0 <= e2 < 1.
 
-    Outside it the result is NaN, by way of e1.
-
-    Accuracy held by the tests: error <= 4 eps * (the largest of |value|, |y*sin(phi1)|/R and
-    2*(e1 + e2)*|sin(phi1)|/R, R = sqrt(S), + |both*t*(rise*t - shift)|/(2*S) (|value| without a
-    mount), with t, S, y, both, less, rise, shift as in `ratio`, where no product underflows),
-    eps the spacing of floats at 1.
+    Accuracy: 4 eps of the value or its largest term, and what the roundings of y make of it,
+    where (phi1 = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or
+    1/2**830 <= e2*|mount|).
 
     Source: Prikhodko et al. 2024 (oval wheels), integral (11).
 
     """
     phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
     inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
-    e1 = nan_outside(e1, inside)
+    e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_position, (phi1,), _prepare_position, (e1, e2, mount), out=out)
 
 
@@ -207,7 +258,7 @@ def _position(phi1: Any, shift: Any, rise: Any, swing: Any, less: Any, both: Any
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), derivative of (10)
-# Expression sha256: 03ad4ce6b842072ee747b9bb46ff1a7cdddaef00cc9e6332565ec616e81ae2fa
+# Expressions sha256: 03ad4ce6b842072ee747b9bb46ff1a7cdddaef00cc9e6332565ec616e81ae2fa
 # Form: quotient in tan(phi1)
 # Rewrites: low_product
 # Operations: 67
@@ -238,40 +289,25 @@ def acceleration(
         Eccentricity of the oval pair 6-3 (pure number).
     mount : array_like, any shape, default 0
         Turn of wheel 6 on its shaft, forward from its place in the paper (rad).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (pure number); float32 if every array argument is
-        float32, float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (pure number)
 
     Notes
     -----
     Domain: 0 <= e1 < 1, 0 <= e2 < 1.
 
-    Outside it the result is NaN, by way of e1.
-
-    Accuracy held by the tests: error <= 10 eps * (the largest of |value| and 2*W/S times
-    |y*(rise - shift*t)|, less*|rise|*(1 + t**2), 2*(e1 + e2)*(less + both)*|t|,
-    2*less*shift*|t|, |y*(rise + shift*t)|/2, + W/S*|(rise - shift*t - 4*(less + y)*Z/S)*(rise*t
-    - shift)|, Z = value*S/(2*W) (|value| without a mount), with W, S, t, y, both, less, rise,
-    shift as in `ratio`, where no product underflows), eps the spacing of floats at 1.
+    Accuracy: 10 eps of the value or its largest term, and what the roundings of y make of it,
+    where (phi1 = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or
+    1/2**830 <= e2*|mount|).
 
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10).
 
     """
     phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
     inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
-    e1 = nan_outside(e1, inside)
+    e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (e1, e2, mount), out=out)
 
 
@@ -327,7 +363,7 @@ def _acceleration(phi1: Any, both: Any, less: Any, shift: Any, rise: Any, swing:
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), equation (10), pair 4-5 cylindrical
-# Expression sha256: 66813425db29bb27833abeeeb7af61d5e1e556ca1182dddf5d3142408fbcb750
+# Expressions sha256: 66813425db29bb27833abeeeb7af61d5e1e556ca1182dddf5d3142408fbcb750
 # Form: half-angle quotient with low word
 # Rewrites: low_word, half_angle_tangent
 # Operations: 32
@@ -350,37 +386,24 @@ def ratio_cylindrical(
         Radius of the cylindrical wheel 5 (mm).
     e2 : array_like, any shape
         Eccentricity of the oval pair 6-3 (pure number).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (pure number); float32 if every array argument is
-        float32, float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (pure number)
 
     Notes
     -----
     Domain: 0 < R4 < oo, 0 < R5 < oo, 0 <= e2 < 1.
 
-    Outside it the result is NaN, by way of R4.
-
-    Accuracy held by the tests: error <= 8 eps * (the larger of 1 and 1 - value, + eps*|x*d
-    value/d x|, where |x| <= 2**26), eps the spacing of floats at 1.
+    Accuracy: 8 eps of the larger of 1 and 1 - value, and what eps*x makes of it, where |x| <=
+    2**26.
 
     Source: Prikhodko et al. 2024 (oval wheels), equation (10), pair 4-5 cylindrical.
 
     """
     phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
     inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
-    R4 = nan_outside(R4, inside)
+    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(_ratio_cylindrical, (phi1,), _prepare_ratio_cylindrical, (R4, R5, e2), out=out)
 
 
@@ -409,7 +432,7 @@ def _ratio_cylindrical(phi1: Any, k: Any, one_minus_e2: Any, one_plus_e2: Any, k
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
-# Expression sha256: d968249bfe4369830ea6a02f2dd824ffc2a6049abadb9f31cf4ddfd6fe006fe3
+# Expressions sha256: f8b907549eae029485216bcc629080770ee49b161db6cef2debba288a7aae18d
 # Form where e2 * R4 <= (1 - e2) * np.abs(R4 - R5): half-angle atan
 # Rewrites: positive_atan2, half_angle_tangent
 # Operations: 18
@@ -435,53 +458,36 @@ def position_cylindrical(
         Radius of the cylindrical wheel 5 (mm).
     e2 : array_like, any shape
         Eccentricity of the oval pair 6-3 (pure number).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (rad); float32 if every array argument is float32,
-        float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (rad)
 
     Notes
     -----
     Domain: 0 < R4 < oo, 0 < R5 < oo, 0 <= e2 < 1.
 
-    Outside it the result is NaN, by way of R4.
+    Where R4*e2 <= (1 - e2)*|R4 - R5| for all elements, half-angle atan is computed.
 
-    Where R4*e2 <= (1 - e2)*Abs(R4 - R5) for all elements, half-angle atan is as good.
-
-    Accuracy held by the tests: error <= 4 eps * (the larger of both terms + eps*|x| times the
-    slope of the second in x, where |x| <= 2**26), eps the spacing of floats at 1.
+    Accuracy: 4 eps of the larger of both terms, and what eps*x makes of the second, where |x|
+    <= 2**26 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|).
 
     Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical.
 
     """
     phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
     inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
-    R4 = nan_outside(R4, inside)
+    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     if holds(e2 * R4 <= (1 - e2) * np.abs(R4 - R5)):
         return in_blocks(
-            _position_cylindrical_shortcut,
-            (phi1,),
-            _prepare_position_cylindrical_shortcut,
-            (R4, R5, e2),
-            out=out,
+            _position_cylindrical_1, (phi1,), _prepare_position_cylindrical_1, (R4, R5, e2), out=out
         )
     return in_blocks(
         _position_cylindrical, (phi1,), _prepare_position_cylindrical, (R4, R5, e2), out=out
     )
 
 
-def _prepare_position_cylindrical_shortcut(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+def _prepare_position_cylindrical_1(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
     one_minus_e2 = 1 - e2
     one_plus_e2 = 1 + e2
@@ -489,7 +495,7 @@ def _prepare_position_cylindrical_shortcut(R4: Any, R5: Any, e2: Any) -> tuple[A
     return (R4, R5, e2, k, one_minus_e2, one_plus_e2)
 
 
-def _position_cylindrical_shortcut(
+def _position_cylindrical_1(
     phi1: Any, R4: Any, R5: Any, e2: Any, k: Any, one_minus_e2: Any, one_plus_e2: Any
 ) -> Any:
     x = 2 * k * phi1
@@ -523,7 +529,7 @@ def _position_cylindrical(
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), derivative of (10), pair 4-5 cylindrical
-# Expression sha256: bd0148c962e84df813095c1a019189f4a423d568a23a9314b13f59408733a46b
+# Expressions sha256: bd0148c962e84df813095c1a019189f4a423d568a23a9314b13f59408733a46b
 # Form: half-angle quotient with low word
 # Rewrites: low_word, half_angle_tangent
 # Operations: 37
@@ -546,37 +552,24 @@ def acceleration_cylindrical(
         Radius of the cylindrical wheel 5 (mm).
     e2 : array_like, any shape
         Eccentricity of the oval pair 6-3 (pure number).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (pure number); float32 if every array argument is
-        float32, float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (pure number)
 
     Notes
     -----
     Domain: 0 < R4 < oo, 0 < R5 < oo, 0 <= e2 < 1.
 
-    Outside it the result is NaN, by way of R4.
-
-    Accuracy held by the tests: error <= 8 eps * (|value| + eps*|x|*4*e2*k**2*(1 - e2**2)/(1 +
-    e2**2 - 2*e2*cos(x))**2, where |x| <= 2**26), eps the spacing of floats at 1.
+    Accuracy: 8 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (e2 = 0 or
+    phi1 = 0 or 1/2**960 <= e2*|phi1|) and (e2 = 0 or 1/2**660 <= e2).
 
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10), pair 4-5 cylindrical.
 
     """
     phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
     inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
-    R4 = nan_outside(R4, inside)
+    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
         _acceleration_cylindrical, (phi1,), _prepare_acceleration_cylindrical, (R4, R5, e2), out=out
     )

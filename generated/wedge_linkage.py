@@ -3,12 +3,39 @@
 Bazuev, Koksharov, Naichuk 2021, transfer function of a rod semi-automatic, doi
 10.15593/2224-9982/2021.64.07
 
-Displacements and rotations are counted from the position x1 = 0; angles from Ox, positive counter-
-clockwise; x to the right, y upwards.
+Displacements and rotations are counted from the position x1 = 0; angles from Ox, positive
+counter-clockwise; x to the right, y upwards.
+
+Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
+otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
+the result's type and shape, takes the result; it may overlap an argument. Outside the
+domain and where an argument is NaN the result is NaN.
+
+TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
+ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
+
+Accuracy is the bound of the error that the tests hold; eps = 2**-52.
+
+    |value| + sum of |p * d value/d p| over the arguments p (guide_radicand) = 2*l_BC**2 +
+        2*l_AB*|x1| + 2*l_CD*|x1| + |x1*(2*l_AB + 2*l_CD + 2*x1)| + |l_BC**2 + x1*(2*l_AB +
+        2*l_CD + x1)|
+
+    |value| + sum of |p * d value/d p| over the arguments p (rod_displacement) =
+        l_DE*|alpha_DE*(sin(alpha_DE) - sin(alpha_DE + phi3))| + l_DE*|phi3*sin(alpha_DE +
+        phi3)| + l_DE*|cos(alpha_DE) - cos(alpha_DE + phi3)|
+
+    |value| + sum of |p * d value/d p| over the arguments p (roller_offset) =
+        l_KL*|cos(alpha_KL)| + |x5| + |l_KL*cos(alpha_KL) - x5|
+
+    |value| + sum of |p * d value/d p| over the arguments p (wedge_displacement) =
+        l_LM*|alpha_LM*(cos(alpha_LM) - cos(alpha_LM + phi7))| + l_LM*|phi7*cos(alpha_LM +
+        phi7)| + l_LM*|sin(alpha_LM) - sin(alpha_LM + phi7)|
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
+
+from __future__ import annotations
 
 from typing import Any
 
@@ -22,23 +49,181 @@ from mechproof.kernel_support.arrays import (
     is_finite,
     nan_outside,
 )
+from mechproof.kernel_support.facts import Condition, Sizes
 
 __all__ = [
     "clearance",
+    "guide_radicand",
     "lever_angle",
     "position",
     "rod_displacement",
     "roller_lever_angle",
+    "roller_offset",
     "sensitivities",
     "velocity",
     "wedge_displacement",
 ]
 
+DOMAIN = (
+    Condition(
+        "l_AB",
+        "0 < l_AB < oo",
+        ("l_AB",),
+        lambda l_AB: (l_AB > 0) & is_finite(l_AB),
+        ("guide_radicand", "lever_angle", "position", "velocity", "sensitivities"),
+    ),
+    Condition(
+        "l_BC",
+        "0 < l_BC < oo",
+        ("l_BC",),
+        lambda l_BC: (l_BC > 0) & is_finite(l_BC),
+        ("guide_radicand", "lever_angle", "position", "velocity", "sensitivities"),
+    ),
+    Condition(
+        "l_CD",
+        "0 < l_CD < oo",
+        ("l_CD",),
+        lambda l_CD: (l_CD > 0) & is_finite(l_CD),
+        ("guide_radicand", "lever_angle", "position", "velocity", "sensitivities"),
+    ),
+    Condition(
+        "l_DE",
+        "0 < l_DE < oo",
+        ("l_DE",),
+        lambda l_DE: (l_DE > 0) & is_finite(l_DE),
+        ("rod_displacement", "position", "velocity", "sensitivities"),
+    ),
+    Condition(
+        "l_GH",
+        "0 < l_GH < oo",
+        ("l_GH",),
+        lambda l_GH: (l_GH > 0) & is_finite(l_GH),
+        ("clearance", "position", "velocity", "sensitivities"),
+    ),
+    Condition(
+        "l_KL",
+        "0 < l_KL < oo",
+        ("l_KL",),
+        lambda l_KL: (l_KL > 0) & is_finite(l_KL),
+        ("roller_offset", "roller_lever_angle", "position", "velocity", "sensitivities"),
+    ),
+    Condition(
+        "alpha_KL",
+        "0 < alpha_KL < pi",
+        ("alpha_KL",),
+        lambda alpha_KL: (alpha_KL > 0) & (alpha_KL < np.pi),
+        ("roller_offset", "roller_lever_angle", "position", "velocity", "sensitivities"),
+    ),
+    Condition(
+        "l_LM",
+        "0 < l_LM < oo",
+        ("l_LM",),
+        lambda l_LM: (l_LM > 0) & is_finite(l_LM),
+        ("wedge_displacement", "position", "velocity", "sensitivities"),
+    ),
+)
+PUBLISHED = (
+    Sizes(
+        "the set reconstructed with l_BC = 49.75, l_CD = 38, l_DE = 83",
+        {
+            "l_AB": (6.25, 0.0, 0.0),
+            "l_BC": (49.75, 1.22, -1.22),
+            "l_CD": (38.0, 0.0, -2.06),
+            "l_DE": (83.0, 0.92, -1.05),
+            "l_GH": (2.0, 1.03, -0.72),
+            "l_KL": (60.0, 0.2, -0.2),
+            "l_LM": (145.0, 0.1, -0.1),
+            "alpha_DE": (4.940328980695149, 0.010821041362364843, -0.019198621771937624),
+            "alpha_KL": (1.1344640137963142, 0.004188790204786391, -0.004363323129985824),
+            "alpha_LM": (2.155132560362598, 0.0, 0.0),
+        },
+        ("calibrated", "fitted", "uncertain"),
+    ),
+    Sizes(
+        "the set reconstructed with l_BC = 39.75, l_CD = 28, l_DE = 70.83",
+        {
+            "l_AB": (6.25, 0.0, 0.0),
+            "l_BC": (39.75, 1.22, -1.22),
+            "l_CD": (28.0, 1.19, -2.06),
+            "l_DE": (70.83, 0.92, -1.05),
+            "l_GH": (2.0, 1.03, -0.72),
+            "l_KL": (60.0, 0.2, -0.2),
+            "l_LM": (145.0, 0.1, -0.1),
+            "alpha_DE": (4.940328980695149, 0.010821041362364843, -0.019198621771937624),
+            "alpha_KL": (1.1344640137963142, 0.004188790204786391, -0.004363323129985824),
+            "alpha_LM": (2.155132560362598, 0.0, 0.0),
+        },
+        ("calibrated", "fitted", "uncertain"),
+    ),
+)
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 # Source: Bazuev et al. 2021, equation (1)
-# Expression sha256: 27235217bcc306856482c01aeca096e91f764b533e6c8b95cc82d10597dd8ff0
+# Expressions sha256: 31b22938b916ad3f6ccf72d90186f0f0769c635661f7a070f404cc3dd827ae07
+# Form: product
+# Operations: 7
+def guide_radicand(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the radicand of Q, the square of BC: the guide follows where it is not negative.
+
+        guide_radicand = l_BC**2 + x1*(2*l_AB + 2*l_CD + x1)
+
+    Parameters
+    ----------
+    x1 : array_like, any shape
+        Displacement of the pusher (mm).
+    l_AB : array_like, any shape
+        Length of AB, pusher to foot of the guide (mm).
+    l_BC : array_like, any shape
+        Length of BC at x1 = 0 (mm).
+    l_CD : array_like, any shape
+        Length of CD (mm).
+
+    Returns
+    -------
+    ndarray or NumPy scalar (mm**2)
+
+    Notes
+    -----
+    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo.
+
+    Accuracy: 2.5 eps of |value| + sum of |p * d value/d p| over the arguments p.
+
+    Source: Bazuev et al. 2021, equation (1).
+
+    """
+    x1, l_AB, l_BC, l_CD = as_floats(x1=x1, l_AB=l_AB, l_BC=l_BC, l_CD=l_CD)
+    inside = (
+        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+    )
+    l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
+    return in_blocks(_guide_radicand, (x1,), _prepare_guide_radicand, (l_AB, l_BC, l_CD), out=out)
+
+
+def _prepare_guide_radicand(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+
+    return (l_AB, l_BC, l_CD)
+
+
+def _guide_radicand(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any) -> Any:
+
+    return l_BC**2 + x1 * (2 * l_AB + 2 * l_CD + x1)
+
+
+# Source: Bazuev et al. 2021, equation (1)
+# Expressions sha256: 27235217bcc306856482c01aeca096e91f764b533e6c8b95cc82d10597dd8ff0
 # Form: half-angle atan
-# Operations: 13
+# Operations: 11
 def lever_angle(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -61,32 +246,18 @@ def lever_angle(
         Length of BC at x1 = 0 (mm).
     l_CD : array_like, any shape
         Length of CD (mm).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (rad); float32 if every array argument is float32,
-        float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (rad)
 
     Notes
     -----
     Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo (the guide follows the pusher).
 
-    Outside it the result is NaN, by way of l_AB.
+    NaN where guide_radicand is negative.
 
-    Singular: NaN where the radicand l_BC**2 + x1*(2*(l_AB + l_CD) + x1) is negative.
-
-    Accuracy held by the tests: error <= 8 eps * (|value| + sum of |p * d value/d p| over the
-    arguments p), eps the spacing of floats at 1.
+    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p.
 
     Source: Bazuev et al. 2021, equation (1).
 
@@ -95,8 +266,10 @@ def lever_angle(
     inside = (
         (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
     )
-    l_AB = nan_outside(l_AB, inside)
-    return in_blocks(_lever_angle, (x1,), _prepare_lever_angle, (l_AB, l_BC, l_CD), out=out)
+    l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
+    return in_blocks(
+        _lever_angle, (x1,), _prepare_lever_angle, (l_AB, l_BC, l_CD), out=out, quiet=True
+    )
 
 
 def _prepare_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
@@ -113,9 +286,9 @@ def _lever_angle(x1: Any, l_BC: Any, arm: Any) -> Any:
 
 
 # Source: Bazuev et al. 2021, equation (3)
-# Expression sha256: 1ec3aa1fa41feaad5341e1f1800c06daca3988f50e50141ff1a51109f07f0e1b
+# Expressions sha256: 1ec3aa1fa41feaad5341e1f1800c06daca3988f50e50141ff1a51109f07f0e1b
 # Form: product
-# Operations: 9
+# Operations: 8
 def rod_displacement(
     phi3: ArrayLike, l_DE: ArrayLike, alpha_DE: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
@@ -131,37 +304,23 @@ def rod_displacement(
         Length of DE, arm of the lever (mm).
     alpha_DE : array_like, any shape
         Direction of DE at x1 = 0 (rad).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
-        otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (mm)
 
     Notes
     -----
     Domain: 0 < l_DE < oo.
 
-    Outside it the result is NaN, by way of l_DE.
-
-    Accuracy held by the tests: error <= 4 eps * (|value| + sum of |p * d value/d p| over the
-    arguments p), eps the spacing of floats at 1.
+    Accuracy: 4 eps of |value| + sum of |p * d value/d p| over the arguments p.
 
     Source: Bazuev et al. 2021, equation (3).
 
     """
     phi3, l_DE, alpha_DE = as_floats(phi3=phi3, l_DE=l_DE, alpha_DE=alpha_DE)
     inside = (l_DE > 0) & is_finite(l_DE)
-    l_DE = nan_outside(l_DE, inside)
+    (l_DE,) = nan_outside(inside, l_DE)
     return in_blocks(
         _rod_displacement, (phi3,), _prepare_rod_displacement, (l_DE, alpha_DE), out=out
     )
@@ -178,7 +337,7 @@ def _rod_displacement(phi3: Any, l_DE: Any, alpha_DE: Any) -> Any:
 
 
 # Source: Bazuev et al. 2021, equation (4)
-# Expression sha256: 1bf73c4710c0ba7ef99998ca5abc5ff0c56cd2dd93acbf2a119b42d407d3c7e6
+# Expressions sha256: 1bf73c4710c0ba7ef99998ca5abc5ff0c56cd2dd93acbf2a119b42d407d3c7e6
 # Form: maximum
 # Operations: 2
 def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -189,39 +348,26 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
     Parameters
     ----------
     x5 : array_like, any shape
-        Displacement of the rod; in (6)-(8) of the link 5' (mm).
+        Displacement of the rod (mm).
     l_GH : array_like, any shape
         Clearance between the rod 5 and the link 5' (mm).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
-        otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (mm)
 
     Notes
     -----
     Domain: 0 < l_GH < oo.
 
-    Outside it the result is NaN, by way of l_GH.
-
-    Accuracy held by the tests: error <= 0.5 eps * (the value), eps the spacing of floats at 1.
+    Accuracy: 0.5 eps of the value.
 
     Source: Bazuev et al. 2021, equation (4).
 
     """
     x5, l_GH = as_floats(x5=x5, l_GH=l_GH)
     inside = (l_GH > 0) & is_finite(l_GH)
-    l_GH = nan_outside(l_GH, inside)
+    (l_GH,) = nan_outside(inside, l_GH)
     return in_blocks(_clearance, (x5,), _prepare_clearance, (l_GH,), out=out)
 
 
@@ -236,9 +382,58 @@ def _clearance(x5: Any, l_GH: Any) -> Any:
 
 
 # Source: Bazuev et al. 2021, equations (7) and (8)
-# Expression sha256: cd704aa96a777112d9ba7deac4c586eb1c3403ed4c6333dd7baa5373bba38f80
+# Expressions sha256: 7a99ff4912deb887d2d3af1310d7613c3ce82dacb09a4962952ce3597403d443
+# Form: difference
+# Operations: 3
+def roller_offset(
+    x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute R, the projection of KL on Ox: the roller lever follows where |R| <= l_KL.
+
+        roller_offset = l_KL*cos(alpha_KL) - x5
+
+    Parameters
+    ----------
+    x5 : array_like, any shape
+        Displacement of the link 5' after the clearance (mm).
+    l_KL : array_like, any shape
+        Length of KL, driven arm of the roller lever (mm).
+    alpha_KL : array_like, any shape
+        Direction of KL at x1 = 0, in (0, pi) (rad).
+
+    Returns
+    -------
+    ndarray or NumPy scalar (mm)
+
+    Notes
+    -----
+    Domain: 0 < l_KL < oo, 0 < alpha_KL < pi.
+
+    Accuracy: 1.5 eps of |value| + sum of |p * d value/d p| over the arguments p.
+
+    Source: Bazuev et al. 2021, equations (7) and (8).
+
+    """
+    x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
+    inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    return in_blocks(_roller_offset, (x5,), _prepare_roller_offset, (l_KL, alpha_KL), out=out)
+
+
+def _prepare_roller_offset(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+
+    return (l_KL, alpha_KL)
+
+
+def _roller_offset(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
+
+    return l_KL * np.cos(alpha_KL) - x5
+
+
+# Source: Bazuev et al. 2021, equations (7) and (8)
+# Expressions sha256: cd704aa96a777112d9ba7deac4c586eb1c3403ed4c6333dd7baa5373bba38f80
 # Form: half-angle atan
-# Operations: 21
+# Operations: 20
 def roller_lever_angle(
     x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
@@ -255,41 +450,32 @@ def roller_lever_angle(
         Length of KL, driven arm of the roller lever (mm).
     alpha_KL : array_like, any shape
         Direction of KL at x1 = 0, in (0, pi) (rad).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (rad); float32 if every array argument is float32,
-        float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (rad)
 
     Notes
     -----
     Domain: 0 < l_KL < oo, 0 < alpha_KL < pi (the roller lever follows the link 5').
 
-    Outside it the result is NaN, by way of l_KL.
+    NaN where |roller_offset| > l_KL.
 
-    Singular: NaN where |l_KL*cos(alpha_KL) - x5| > l_KL.
-
-    Accuracy held by the tests: error <= 16 eps * (|value| + sum of |p * d value/d p| over the
-    arguments p), eps the spacing of floats at 1.
+    Accuracy: 16 eps of |value| + sum of |p * d value/d p| over the arguments p.
 
     Source: Bazuev et al. 2021, equations (7) and (8).
 
     """
     x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
     inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
-    l_KL = nan_outside(l_KL, inside)
+    l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(
-        _roller_lever_angle, (x5,), _prepare_roller_lever_angle, (l_KL, alpha_KL), out=out
+        _roller_lever_angle,
+        (x5,),
+        _prepare_roller_lever_angle,
+        (l_KL, alpha_KL),
+        out=out,
+        quiet=True,
     )
 
 
@@ -313,7 +499,7 @@ def _roller_lever_angle(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
 
 
 # Source: Bazuev et al. 2021, equation (10)
-# Expression sha256: 73efa20a6bb33f331686cd156f10696b6395eecb8517166aea2ad20dfe4755ed
+# Expressions sha256: 73efa20a6bb33f331686cd156f10696b6395eecb8517166aea2ad20dfe4755ed
 # Form: product
 # Operations: 8
 def wedge_displacement(
@@ -331,37 +517,23 @@ def wedge_displacement(
         Length of LM, driving arm of the roller lever (mm).
     alpha_LM : array_like, any shape
         Direction of LM at x1 = 0 (rad).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
-        otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (mm)
 
     Notes
     -----
     Domain: 0 < l_LM < oo.
 
-    Outside it the result is NaN, by way of l_LM.
-
-    Accuracy held by the tests: error <= 4 eps * (|value| + sum of |p * d value/d p| over the
-    arguments p), eps the spacing of floats at 1.
+    Accuracy: 4 eps of |value| + sum of |p * d value/d p| over the arguments p.
 
     Source: Bazuev et al. 2021, equation (10).
 
     """
     phi7, l_LM, alpha_LM = as_floats(phi7=phi7, l_LM=l_LM, alpha_LM=alpha_LM)
     inside = (l_LM > 0) & is_finite(l_LM)
-    l_LM = nan_outside(l_LM, inside)
+    (l_LM,) = nan_outside(inside, l_LM)
     return in_blocks(
         _wedge_displacement, (phi7,), _prepare_wedge_displacement, (l_LM, alpha_LM), out=out
     )
@@ -378,9 +550,9 @@ def _wedge_displacement(phi7: Any, l_LM: Any, alpha_LM: Any) -> Any:
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
-# Expression sha256: 757bf4851530486d23028c93c4b94b16921b69c62a3e50bd518a587e1c785308
+# Expressions sha256: 757bf4851530486d23028c93c4b94b16921b69c62a3e50bd518a587e1c785308
 # Form: half-angle chain
-# Operations: 53
+# Operations: 51
 def position(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -399,6 +571,9 @@ def position(
     """Compute the displacement y9 of the wedge, the whole chain.
 
         position = l_LM*(sin(alpha_LM + turn_7) - sin(alpha_LM))
+        turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
+        travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
+        driven_5 = Max(0, travel_5 - l_GH)
         KL_x = l_KL*cos(alpha_KL) - driven_5
         turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
 
@@ -426,34 +601,19 @@ def position(
         Direction of KL at x1 = 0, in (0, pi) (rad).
     alpha_LM : array_like, any shape
         Direction of LM at x1 = 0 (rad).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (mm); float32 if every array argument is float32, float64
-        otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (mm)
 
     Notes
     -----
     Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo, 0 < l_DE < oo, 0 < l_GH < oo, 0 < l_KL
     < oo, 0 < l_LM < oo, 0 < alpha_KL < pi (the linkage closes).
 
-    Outside it the result is NaN, by way of l_AB.
+    NaN where guide_radicand is negative or |roller_offset| > l_KL.
 
-    Singular: NaN where the radicand l_BC**2 + x1*(2*(l_AB + l_CD) + x1) is negative or |R| >
-    l_KL.
-
-    Accuracy held by the tests: error <= 8 eps * (|value| + sum of |p * d value/d p| over the
-    arguments p, in contact), eps the spacing of floats at 1.
+    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -489,13 +649,16 @@ def position(
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )
-    l_AB = nan_outside(l_AB, inside)
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    )
     return in_blocks(
         _position,
         (x1,),
         _prepare_position,
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
+        quiet=True,
     )
 
 
@@ -564,9 +727,9 @@ def _position(
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
-# Expression sha256: b9c07c9c80a9362a30f46a843b7cc6ef7e48ecb0195ae865ab0f9dbbe87b149c
+# Expressions sha256: b9c07c9c80a9362a30f46a843b7cc6ef7e48ecb0195ae865ab0f9dbbe87b149c
 # Form: half-angle chain
-# Operations: 72
+# Operations: 71
 def velocity(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -585,14 +748,14 @@ def velocity(
     """Compute dy9/dx1, the velocity of the wedge at unit speed of the pusher.
 
         velocity = engaged*l_DE*l_LM*sin(alpha_DE + turn_3)*cos(turn_3)*cos(alpha_LM +
-            turn_7)/(guide_length*l_KL*sin(alpha_KL + turn_7))
-        arm = l_AB + l_CD
-        guide_length = sqrt(l_BC**2 + x1*(2*arm + x1))
+            turn_7)/(BC_length*l_KL*sin(alpha_KL + turn_7))
+        BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
         turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
         travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
+        driven_5 = Max(0, travel_5 - l_GH)
         KL_x = l_KL*cos(alpha_KL) - driven_5
         turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
-        engaged = Piecewise((0, travel_5/l_GH < 1), (1, True))
+        engaged = Piecewise((0, travel_5 < l_GH), (1, True))
 
     Parameters
     ----------
@@ -618,36 +781,25 @@ def velocity(
         Direction of KL at x1 = 0, in (0, pi) (rad).
     alpha_LM : array_like, any shape
         Direction of LM at x1 = 0 (rad).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray or NumPy scalar
-        The broadcast of the arguments (pure number); float32 if every array argument is
-        float32, float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray or NumPy scalar (pure number)
 
     Notes
     -----
     Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo, 0 < l_DE < oo, 0 < l_GH < oo, 0 < l_KL
     < oo, 0 < l_LM < oo, 0 < alpha_KL < pi (the linkage closes and is at no dead centre).
 
-    Outside it the result is NaN, by way of l_AB.
+    Singular: travel_5 = l_GH, the start of contact: derivatives jump, here they are those in
+    contact.
 
-    Singular: NaN where the radicand l_BC**2 + x1*(2*(l_AB + l_CD) + x1) is negative or |R| >
-    l_KL.
+    NaN where guide_radicand is negative or |roller_offset| > l_KL.
 
-    Singular: at the start of contact the derivatives are those in contact.
+    The rod's travel_condition is |travel_5| + sum of |p * d travel_5/d p| over the arguments p.
 
-    Accuracy held by the tests: error <= 8 eps * (|value| + sum of |p * d value/d p| over the
-    arguments p, in contact), eps the spacing of floats at 1.
+    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact,
+    where travel_condition/2**48 < |l_GH - travel_5|.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -683,13 +835,16 @@ def velocity(
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )
-    l_AB = nan_outside(l_AB, inside)
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    )
     return in_blocks(
         _velocity,
         (x1,),
         _prepare_velocity,
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
+        quiet=True,
     )
 
 
@@ -764,9 +919,9 @@ def _velocity(
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
-# Expression sha256: 098eea19f5280918190d7786dba72782e3dc63a0c0ef79b928be58785805cdca
+# Expressions sha256: 098eea19f5280918190d7786dba72782e3dc63a0c0ef79b928be58785805cdca
 # Form: half-angle chain
-# Operations: 116
+# Operations: 112
 def sensitivities(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -785,11 +940,11 @@ def sensitivities(
     """Compute the derivatives of y9 by the sizes, in the order of the arguments.
 
         [-engaged*l_DE*l_LM*(1 - cos(turn_3))*sin(alpha_DE + turn_3)*cos(alpha_LM +
-            turn_7)/(guide_length*l_KL*sin(alpha_KL + turn_7))]
+            turn_7)/(BC_length*l_KL*sin(alpha_KL + turn_7))]
         [engaged*l_DE*l_LM*sin(turn_3)*sin(alpha_DE + turn_3)*cos(alpha_LM +
-            turn_7)/(guide_length*l_KL*sin(alpha_KL + turn_7))]
+            turn_7)/(BC_length*l_KL*sin(alpha_KL + turn_7))]
         [-engaged*l_DE*l_LM*(1 - cos(turn_3))*sin(alpha_DE + turn_3)*cos(alpha_LM +
-            turn_7)/(guide_length*l_KL*sin(alpha_KL + turn_7))]
+            turn_7)/(BC_length*l_KL*sin(alpha_KL + turn_7))]
         [engaged*l_LM*(cos(alpha_DE + turn_3) - cos(alpha_DE))*cos(alpha_LM +
             turn_7)/(l_KL*sin(alpha_KL + turn_7))]
         [-engaged*l_LM*cos(alpha_LM + turn_7)/(l_KL*sin(alpha_KL + turn_7))]
@@ -800,13 +955,13 @@ def sensitivities(
             turn_7)/(l_KL*sin(alpha_KL + turn_7))]
         [engaged*l_LM*(sin(alpha_KL)/sin(alpha_KL + turn_7) - 1)*cos(alpha_LM + turn_7)]
         [engaged*l_LM*(cos(alpha_LM + turn_7) - cos(alpha_LM))]
-        arm = l_AB + l_CD
-        guide_length = sqrt(l_BC**2 + x1*(2*arm + x1))
+        BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
         turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
         travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
+        driven_5 = Max(0, travel_5 - l_GH)
         KL_x = l_KL*cos(alpha_KL) - driven_5
         turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
-        engaged = Piecewise((0, travel_5/l_GH < 1), (1, True))
+        engaged = Piecewise((0, travel_5 < l_GH), (1, True))
 
     Parameters
     ----------
@@ -832,37 +987,26 @@ def sensitivities(
         Direction of KL at x1 = 0, in (0, pi) (rad).
     alpha_LM : array_like, any shape
         Direction of LM at x1 = 0 (rad).
-    out : ndarray, optional
-        Where the result goes, of its type and shape; it may overlap an argument.
 
     Returns
     -------
-    ndarray, shape (..., 10)
-        The broadcast of the arguments (mm per mm or mm per rad); float32 if every array
-        argument is float32, float64 otherwise.
-
-    Raises
-    ------
-    TypeError
-        If an argument is complex or not numeric, or `out` has another type.
-    ValueError
-        If shapes do not broadcast, or `out` has another shape.
+    ndarray, shape (..., 10) (mm per mm or mm per rad)
 
     Notes
     -----
     Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo, 0 < l_DE < oo, 0 < l_GH < oo, 0 < l_KL
     < oo, 0 < l_LM < oo, 0 < alpha_KL < pi (the linkage closes and is at no dead centre).
 
-    Outside it the result is NaN, by way of l_AB.
+    Singular: travel_5 = l_GH, the start of contact: derivatives jump, here they are those in
+    contact.
 
-    Singular: NaN where the radicand l_BC**2 + x1*(2*(l_AB + l_CD) + x1) is negative or |R| >
-    l_KL.
+    NaN where guide_radicand is negative or |roller_offset| > l_KL.
 
-    Singular: at the start of contact the derivatives are those in contact.
+    The rod's travel_condition is |travel_5| + sum of |p * d travel_5/d p| over the arguments p.
 
-    Accuracy held by the tests: error <= 8 eps * (norm over the entries (each keeps its own) of
-    |value| + sum of |p * d value/d p| over the arguments p, in contact), eps the spacing of
-    floats at 1.
+    Accuracy: 8 eps of norm over the entries (each keeps its own) of |value| + sum of |p * d
+    value/d p| over the arguments p, in contact, where travel_condition/2**48 < |l_GH -
+    travel_5|.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -898,7 +1042,9 @@ def sensitivities(
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )
-    l_AB = nan_outside(l_AB, inside)
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    )
     return in_blocks(
         _sensitivities,
         (x1,),
@@ -906,6 +1052,7 @@ def sensitivities(
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         shape=(10,),
+        quiet=True,
     )
 
 

@@ -1,73 +1,97 @@
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 import mechproof
-from mechproof import choice, choose
+from mechproof import choose
+from mechproof.measured import (
+    Cell,
+    CellErrors,
+    Kind,
+    Machine,
+    Record,
+    Searched,
+    Timing,
+    Way,
+    write_record,
+)
 
 # Fast and without error, and not to be chosen.
 REFUSED = ("wrong", "lossy", "in order", "in part", "enclosed")
 
 
-def form(name: str, verdict: str | None = "PROVED", bound: str | None = None) -> dict[str, Any]:
-    return {
-        "name": name,
-        "verdict": verdict,
-        "bound": bound,
-        "ordered": name == "in order",
-        "proved_on": "here" if name == "in part" else None,
-    }
-
-
-def errors(**worst: float) -> dict[str, Any]:
-    names = {"fine": 1e-15, "coarse": 1e-3} | dict.fromkeys(REFUSED, 0.0) | worst
-    found = {n: {"worst": w, "bound": None, "lost": int(n == "lossy")} for n, w in names.items()}
-    found["coarse"]["bound"] = 2 * names["coarse"]
-    return found
-
-
-def timed(form: str, workload: str, count: int, median: float) -> dict[str, Any]:
-    quartiles = {"lower": 0.95 * median, "upper": 1.05 * median}
-    return {
-        "form": form,
-        "workload": workload,
-        "count": count,
-        "rounds": 3,
-        "median": median,
-        **quartiles,
-    }
-
-
+WORST = {"fine": 1e-15, "coarse": 1e-3} | dict.fromkeys(REFUSED, 0.0)
 TIMES = {"fine": 10.0, "coarse": 2.0} | dict.fromkeys(REFUSED, 1.0)
-RECORD = {
-    "quantity": "gear.angle",
-    "unit": "rad",
-    "forms": [form("fine"), form("coarse", bound="e"), form("wrong", "REFUTED"), form("lossy"),
-              form("in order"), form("in part"), form("enclosed", "ENCLOSED")],
-    "ranges": {"phi": [0.0, 5.0], "e": [0.0, 0.9], "z": [4.0, 9.0]},
-    "boxes": [
-        {"box": {"e": [0.0, 0.5], "z": [4.0, 9.0]}, "errors": errors()},
-        {"box": {"e": [0.5, 0.9], "z": [4.0, 9.0]}, "errors": errors(coarse=0.2, fine=3e-15)},
-    ],
-    "times": [
-        timed(n, "w", count, t * scale)
-        for n, t in TIMES.items()
+
+
+def way(name: str, verdict: str = "PROVED", kind: Kind = "form", bound: str = "") -> Way:
+    part = "here" if name == "in part" else ""
+    return Way(name, kind, verdict, proved_on=part, bound=bound, ordered=name == "in order")
+
+
+def errors(cell: int, **worst: float) -> list[CellErrors]:
+    named = WORST | worst
+    bounds = {"coarse": 2 * named["coarse"]}
+    return [
+        CellErrors(cell, name, error, bounds.get(name), int(name == "lossy"))
+        for name, error in named.items()
+    ]
+
+
+def timed(way: str, workload: str, count: int, median: float) -> Timing:
+    return Timing(workload, way, count, 3, median, 0.95 * median, 1.05 * median, None)
+
+
+RECORD = Record(
+    quantity="gear.angle",
+    unit="rad",
+    taken="2026-01-01T00:00:00+00:00",
+    quick=True,
+    machine=Machine("none", 1, (), "none", "3.11", {}),
+    load=None,
+    seeds={},
+    scale="the value",
+    bound=4.0,
+    typical=None,
+    ranges={"phi": (0.0, 5.0), "e": (0.0, 0.9), "z": (4.0, 9.0)},
+    searched=Searched(0.0, 0, ()),
+    ufuncs={},
+    ways=(
+        way("fine"),
+        way("coarse", bound="e"),
+        way("wrong", "REFUTED"),
+        way("lossy"),
+        way("in order"),
+        way("in part"),
+        way("enclosed", "ENCLOSED"),
+    ),
+    sets=(),
+    cells=(
+        Cell({"e": (0.0, 0.5), "z": (4.0, 9.0)}, 9, 0),
+        Cell({"e": (0.5, 0.9), "z": (4.0, 9.0)}, 9, 0),
+    ),
+    cell_errors=(*errors(0), *errors(1, coarse=0.2, fine=3e-15)),
+    times=tuple(
+        timed(name, "w", count, time * scale)
+        for name, time in TIMES.items()
         for count, scale in ((1000, 3.0), (100_000, 1.0))
-    ],
-}  # fmt: skip
+    ),
+)
 
 
 @pytest.fixture
-def records(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(choice, "_records", lambda: {"gear.angle": RECORD})
+def folder(tmp_path: Path) -> Path:
+    write_record(RECORD, tmp_path)
+    return tmp_path
 
 
-@pytest.mark.usefixtures("records")
 class TestDecision:
-    def test_cheapest_that_meets_the_request(self) -> None:
-        chosen = choose("angle", error=0.01, e=(0, 0.5))
+    def test_cheapest_that_meets_the_request(self, folder: Path) -> None:
+        chosen = choose("angle", error=0.01, e=(0, 0.5), measured=folder)
         # The proved bound is larger than what was measured, so it counts.
         assert (chosen.form, chosen.error, chosen.bound) == ("coarse", 2e-3, 2e-3)
         assert chosen.better is not None
@@ -77,52 +101,51 @@ class TestDecision:
             "better: fine, error 1e-15 rad (measured), 10 ns per point."
         )
 
-    def test_a_wider_range_needs_more(self) -> None:
-        chosen = choose("gear.angle", error=0.01)
+    def test_a_wider_range_needs_more(self, folder: Path) -> None:
+        chosen = choose("gear.angle", error=0.01, measured=folder)
         assert (chosen.form, chosen.error) == ("fine", 3e-15)
         assert str(chosen).endswith("nothing measured has half the error.")
 
-    def test_the_others_are_explained(self) -> None:
-        exact = choose("angle", error=1e-9, e=(0, 0.5))
+    def test_the_others_are_explained(self, folder: Path) -> None:
+        exact = choose("angle", error=1e-9, e=(0, 0.5), measured=folder)
         assert [other.form for other in exact.others] == ["coarse"]
         assert exact.explain().splitlines()[1:] == [
             "not coarse, error 0.002 rad (proved bound), 2 ns per point: not accurate enough"
         ]
-        rough = choose("angle", error=0.01, e=(0, 0.5))
+        rough = choose("angle", error=0.01, e=(0, 0.5), measured=folder)
         assert rough.explain().splitlines()[1:] == [
             "not fine, error 1e-15 rad (measured), 10 ns per point: 5 times the time"
         ]
 
-    def test_an_edge_belongs_to_the_box_below(self) -> None:
-        assert choose("angle", error=0.01, e=0.5).form == "coarse"
-        assert choose("angle", error=0.01, e=0.51).form == "fine"
-        assert choose("angle", error=0.01, e=0).form == "coarse"
-        assert choose("angle", error=0.01, e=0.2, z=4).form == "coarse"
-        assert choose("angle", error=0.01, e=[0, 0.2], z=9).form == "coarse"
+    def test_an_edge_belongs_to_the_box_below(self, folder: Path) -> None:
+        assert choose("angle", error=0.01, e=0.5, measured=folder).form == "coarse"
+        assert choose("angle", error=0.01, e=0.51, measured=folder).form == "fine"
+        assert choose("angle", error=0.01, e=0, measured=folder).form == "coarse"
+        assert choose("angle", error=0.01, e=0.2, z=4, measured=folder).form == "coarse"
+        assert choose("angle", error=0.01, e=[0, 0.2], z=9, measured=folder).form == "coarse"
 
-    def test_the_time_is_that_of_the_nearest_size(self) -> None:
-        assert choose("angle", error=1e-9, size=500).time == 30.0
-        assert choose("angle", error=1e-9, size=500).count == 1000
+    def test_the_time_is_that_of_the_nearest_size(self, folder: Path) -> None:
+        assert choose("angle", error=1e-9, size=500, measured=folder).time == 30.0
+        assert choose("angle", error=1e-9, size=500, measured=folder).count == 1000
 
-    def test_the_most_expensive_workload_counts(self, monkeypatch: pytest.MonkeyPatch) -> None:
+    def test_the_most_expensive_workload_counts(self, folder: Path) -> None:
         other = timed("coarse", "v", 100_000, 20.0)
-        slower = {**RECORD, "times": [*RECORD["times"], other]}
-        monkeypatch.setattr(choice, "_records", lambda: {"gear.angle": slower})
-        chosen = choose("angle", error=0.01, e=(0, 0.5))
+        write_record(replace(RECORD, times=(*RECORD.times, other)), folder)
+        chosen = choose("angle", error=0.01, e=(0, 0.5), measured=folder)
         assert (chosen.form, chosen.better) == ("fine", None)
 
-    def test_of_forms_as_fast_the_most_accurate(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        rows = [timed("coarse", "w", 100_000, 9.8), timed("fine", "w", 100_000, 10.0)]
-        monkeypatch.setattr(choice, "_records", lambda: {"gear.angle": {**RECORD, "times": rows}})
-        chosen = choose("angle", error=0.01, e=(0, 0.5))
+    def test_of_forms_as_fast_the_most_accurate(self, folder: Path) -> None:
+        fine = timed("fine", "w", 100_000, 10.0)
+        write_record(replace(RECORD, times=(timed("coarse", "w", 100_000, 9.8), fine)), folder)
+        chosen = choose("angle", error=0.01, e=(0, 0.5), measured=folder)
         assert chosen.form == "fine"
         assert "not told apart in time" in chosen.explain()
-        rows[0] = timed("coarse", "w", 100_000, 8.0)
-        assert choose("angle", error=0.01, e=(0, 0.5)).form == "coarse"
+        write_record(replace(RECORD, times=(timed("coarse", "w", 100_000, 8.0), fine)), folder)
+        assert choose("angle", error=0.01, e=(0, 0.5), measured=folder).form == "coarse"
 
-    def test_nothing_qualifies(self) -> None:
+    def test_nothing_qualifies(self, folder: Path) -> None:
         with pytest.raises(ValueError, match=r"reaches it; gear\.angle: fine, error 3e-15 rad"):
-            choose("angle", error=1e-16)
+            choose("angle", error=1e-16, measured=folder)
 
     @pytest.mark.parametrize(
         ("arguments", "says"),
@@ -140,9 +163,32 @@ class TestDecision:
             ({"error": 1.0, "phi": (0.0, 7.0)}, "phi = .*from 0.0 to 5.0"),
         ],
     )
-    def test_bad_requests(self, arguments: dict[str, Any], says: str) -> None:
+    def test_bad_requests(self, folder: Path, arguments: dict[str, Any], says: str) -> None:
         with pytest.raises(ValueError, match=says):
-            choose(**{"quantity": "angle", **arguments})
+            choose(**{"quantity": "angle", "measured": folder, **arguments})
+
+    def test_a_peer_counts_by_what_was_measured(self, folder: Path) -> None:
+        solver = way("solver", "MEASURED", "peer")
+        rough = [CellErrors(0, "solver", 1e-9, None, 0), CellErrors(1, "solver", 1.0, None, 0)]
+        record = replace(
+            RECORD,
+            ways=(*RECORD.ways, solver),
+            cell_errors=(*RECORD.cell_errors, *rough),
+            times=(*RECORD.times, timed("solver", "w", 100_000, 1.0)),
+        )
+        write_record(record, folder)
+        chosen = choose("angle", error=1e-8, e=(0, 0.5), measured=folder)
+        assert (chosen.form, chosen.error, chosen.bound) == ("solver", 1e-9, None)
+        assert choose("angle", error=1e-8, measured=folder).form == "fine"
+
+    def test_a_quantity_without_cells_has_no_ranges(self, folder: Path) -> None:
+        write_record(replace(RECORD, cells=(), cell_errors=(), ranges={}), folder)
+        with pytest.raises(ValueError, match=r"angle.*not measured over ranges"):
+            choose("angle", error=1.0, measured=str(folder))
+
+    def test_a_folder_without_records_is_named(self, tmp_path: Path) -> None:
+        with pytest.raises(ValueError, match=r"measured = .*nowhere'\): no folder with records"):
+            choose("angle", error=1.0, measured=tmp_path / "nowhere")
 
 
 def test_first_order_for_a_milliradian_and_a_micrometre() -> None:
@@ -174,3 +220,9 @@ def test_shares_are_computed_and_not_simulated(share: str) -> None:
 
 def test_the_lazy_entry() -> None:
     assert mechproof.choose is choose
+
+
+@pytest.mark.parametrize("error", ["1e-6", None, True, 1e-6j])
+def test_an_error_that_is_no_number_is_named(error: Any) -> None:
+    with pytest.raises(TypeError, match=r"^error = .*: must be a real number, not"):
+        choose("elliptic_planetary.position", error=error)

@@ -5,26 +5,68 @@ from __future__ import annotations
 import ast
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
 
 import mechproof
-from mechproof import kernel_support, kernels
+from mechproof import derivations, kernels, mechanisms
 
-HEAVY = ("sympy", "jinja2", "flint", "matplotlib", "numba", "scipy")
+HEAVY = frozenset({"sympy", "jinja2", "lark", "flint", "matplotlib", "numba", "scipy"})
 
 PROBES = {
-    "package": "import mechproof; mechproof.__version__",
+    "package": "mechproof.__version__",
     "kernel": "from mechproof.kernels import elliptic_planetary as k; k.position(1.0, 66, 16, 0.4)",
-    "planetary": "import mechproof; mechproof.EllipticPlanetary(66, 16, 0.4).ratio(1.0)",
-    "wheel": "import mechproof; mechproof.TrackWheel(41.5, 3.75, 6, 20).planar_error(1.0)",
+    "choose": "from mechproof import choose; choose('displacement', error=1e-3)",
+    "EllipticPlanetary": "mechproof.EllipticPlanetary(66, 16, 0.4).ratio(1.0)",
+    "carrier angle": "mechproof.EllipticPlanetary(66, 16, 0.4).carrier_angle([1.0, 2.0])",
+    "thickness": "mechproof.ToothThickness.published().thickness_change(0.01)",
+    "TrackWheel": "mechproof.TrackWheel(41.5, 3.75, 6, 20).planar_error(1.0)",
+    "OvalPlanetary": "mechproof.OvalPlanetary.published(3).position(1.0)",
+    "ToothThickness": "mechproof.ToothThickness.published().deepest",
+    "WedgeLinkage": "mechproof.WedgeLinkage.published(1).position(-30.0)",
+    "ThicknessInspection": "mechproof.ThicknessInspection",
+    "conformity": "import mechproof.conformity",
+    "tolerance": "from mechproof.tolerance import certified_range",
+    "measurement": "import mechproof.measurement",
+}
+
+# What the files of a runtime package may import when they are loaded, and inside functions.
+LOADED = {
+    "kernel_support": {"numpy"},
+    "conformity": {"numpy", "mechproof.conformity"},
+    "measurement": {"numpy", "mechproof.measurement"},
+    "tolerance": {"numpy", "mechproof.tolerance"},
+    "mechanisms": {
+        "numpy",
+        "mechproof.conformity",
+        "mechproof.kernel_support",
+        "mechproof.kernels",
+        "mechproof.mechanisms",
+    },
+    "proof": {"sympy", "flint", "mechproof.proof", "mechproof.record"},
+    "codegen": {
+        *("sympy", "jinja2", "mpmath"),
+        *("mechproof.codegen", "mechproof.proof", "mechproof.record"),
+    },
+    "lab": {
+        *("numpy", "sympy", "flint", "matplotlib", "typer", "rich"),
+        *("mechproof.lab", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
+        *("mechproof.kernel_support", "mechproof.derivation", "mechproof.measured"),
+    },
+}
+INSIDE = {
+    "conformity": {"scipy"},
+    "measurement": {"scipy"},
+    "tolerance": {"scipy", "sympy", "flint", "mechproof.derivation", "mechproof.proof"},
+    "mechanisms": {"scipy", "mechproof.tolerance"},
 }
 
 
 def loaded_after(code: str) -> set[str]:
     done = subprocess.run(
-        [sys.executable, "-c", f"{code}\nimport sys; print(*sys.modules)"],
+        [sys.executable, "-c", f"import mechproof\n{code}\nimport sys; print(*sys.modules)"],
         capture_output=True,
         text=True,
         check=True,
@@ -37,38 +79,122 @@ def test_runtime_loads_nothing_heavy(name: str) -> None:
     assert loaded_after(PROBES[name]).isdisjoint(HEAVY)
 
 
+def test_every_mechanism_has_a_probe() -> None:
+    pairs = {"OvalPair", "CylindricalPair"}
+    assert set(mechanisms.__all__) - pairs <= set(PROBES)
+
+
 def test_package_itself_loads_no_numpy() -> None:
-    assert "numpy" not in loaded_after("import mechproof")
+    assert "numpy" not in loaded_after("")
+
+
+def test_a_choice_loads_no_numpy() -> None:
+    assert "numpy" not in loaded_after(PROBES["choose"])
 
 
 def test_the_probe_sees_a_heavy_import() -> None:
     assert "sympy" in loaded_after("import mechproof.record")
 
 
-def imported(path: Path) -> set[str]:
-    """Packages a file imports anywhere, of our own the first two names."""
+def imported(nodes: Iterable[ast.AST]) -> set[str]:
+    """Packages the nodes import, of our own the first two names; the standard library is left out.
+
+    What is imported for type checkers alone is never loaded.
+    """
     names: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in nodes:
         if isinstance(node, ast.Import):
             names |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
-            names.add(f"{'.' * node.level}{node.module or ''}")
-    return {".".join(name.split(".")[: 2 if name.startswith("mechproof") else 1]) for name in names}
+            module = f"{'.' * node.level}{node.module or ''}"
+            inner = [f"{module}.{alias.name}" for alias in node.names]
+            names |= set(inner) if module == "mechproof" else {module}
+    parts = (name.split(".") for name in names)
+    return {
+        ".".join(part[: 2 if part[0] == "mechproof" else 1])
+        for part in parts
+        if part[0] not in sys.stdlib_module_names
+    }
+
+
+def split(tree: ast.Module) -> tuple[list[ast.AST], list[ast.AST]]:
+    """Nodes that run when the file is loaded, and those inside functions."""
+    loaded: list[ast.AST] = []
+    inside: list[ast.AST] = []
+    open_nodes: list[ast.AST] = [tree]
+    while open_nodes:
+        node = open_nodes.pop()
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
+            inside += ast.walk(node)
+        elif isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
+            open_nodes += node.orelse
+        else:
+            loaded.append(node)
+            open_nodes += ast.iter_child_nodes(node)
+    return loaded, inside
+
+
+def breaches(source: str, package: str) -> set[str]:
+    """Imports of a file that its package's sentence does not allow."""
+    loaded, inside = (imported(nodes) for nodes in split(ast.parse(source)))
+    allowed = LOADED[package]
+    return (loaded - allowed) | (inside - allowed - INSIDE.get(package, set()))
+
+
+def layer_files() -> list[tuple[str, Path]]:
+    root = Path(mechproof.__file__).parent
+    return [(package, path) for package in LOADED for path in (root / package).rglob("*.py")]
+
+
+@pytest.mark.parametrize(
+    ("package", "path"), layer_files(), ids=lambda v: v.stem if isinstance(v, Path) else v
+)
+def test_packages_keep_to_their_layer(package: str, path: Path) -> None:
+    assert breaches(path.read_text(encoding="utf-8"), package) == set()
+
+
+@pytest.mark.parametrize(
+    ("source", "package", "breach"),
+    [
+        ("import scipy.special", "conformity", "scipy"),
+        ("if True:\n    from scipy import special", "conformity", "scipy"),
+        ("class A:\n    import sympy", "mechanisms", "sympy"),
+        ("def f():\n    import sympy", "mechanisms", "sympy"),
+        ("def f():\n    from mechproof import proof", "mechanisms", "mechproof.proof"),
+        ("from mechproof.record import Paper", "tolerance", "mechproof.record"),
+        ("from mechproof.mechanisms import TrackWheel", "tolerance", "mechproof.mechanisms"),
+        ("if TYPE_CHECKING:\n    pass\nelse:\n    import flint", "tolerance", "flint"),
+    ],
+)
+def test_the_checker_sees_a_breach(source: str, package: str, breach: str) -> None:
+    assert breaches(source, package) == {breach}
+
+
+def test_the_checker_lets_pass_what_is_allowed() -> None:
+    source = (
+        "import math\nimport numpy\ndef f():\n    import scipy\nif TYPE_CHECKING:\n    import sympy"
+    )
+    assert breaches(source, "conformity") == set()
+
+
+def test_derivations_import_sympy_and_the_records_alone() -> None:
+    for path in Path(derivations.__path__[0]).rglob("*.py"):
+        if path.stem in ("peers", "points"):
+            continue
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        found = imported(ast.walk(tree)) - {""}  # relative ones have no first name
+        assert found <= {"sympy", "mechproof.record"}, path
 
 
 def test_kernels_import_numpy_and_their_support_alone() -> None:
-    for path in Path(kernels.__path__[0]).glob("*.py"):
-        assert imported(path) <= {"numpy", "typing", "mechproof.kernel_support"}, path.name
-
-
-def test_the_support_of_kernels_imports_numpy_alone() -> None:
-    allowed = {"__future__", "math", "numpy", "typing"}
-    for path in Path(kernel_support.__path__[0]).glob("*.py"):
-        assert imported(path) <= allowed, path.name
+    for path in Path(kernels.__path__[0]).rglob("*.py"):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        assert imported(ast.walk(tree)) <= {"numpy", "mechproof.kernel_support"}, path.name
 
 
 def test_public_names() -> None:
     assert set(mechproof.__all__) <= set(dir(mechproof))
-    assert mechproof.EllipticPlanetary.__module__ == "mechproof.elliptic_planetary"
-    with pytest.raises(AttributeError, match="no attribute 'Gearbox'"):
-        _ = mechproof.Gearbox
+    assert mechproof.EllipticPlanetary.__module__ == "mechproof.mechanisms.elliptic_planetary"
+    for package in (mechproof, mechanisms):
+        with pytest.raises(AttributeError, match="no attribute 'Gearbox'"):
+            _ = package.Gearbox

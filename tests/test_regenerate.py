@@ -4,68 +4,118 @@ from __future__ import annotations
 
 import dataclasses
 import os
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 
-from mechproof.codegen.regenerate import compare_or_update, render_package
+from mechproof.codegen.regenerate import (
+    STAMP,
+    Change,
+    ForeignFileError,
+    compare_files,
+    render_package,
+    update_files,
+)
 from mechproof.derivations import elliptic_planetary
 from mechproof.record import Paper
 
-FILES = {"__init__.py": "", "a.py": "x = 1\ny = 2\n", "LEDGER.md": "# Ledger\n"}
+HEAD = '"""Kernels.\n\nRegenerate with `mechproof regenerate`; edits are overwritten.\n"""\n'
+FILES = {
+    "__init__.py": HEAD,
+    "a.py": f"{HEAD}x = 1\ny = 2\n",
+    "forms/a.py": f"{HEAD}z = 1\n",
+    "LEDGER.md": "# Ledger\n",
+}
+
+
+def update(folder: Path, files: Mapping[str, str]) -> list[Change]:
+    changes = compare_files(folder, files)
+    update_files(folder, changes)
+    return changes
 
 
 def contents(folder: Path) -> dict[str, str]:
-    return {p.name: p.read_text() for p in folder.iterdir() if p.is_file()}
+    files = (path for path in folder.rglob("*") if path.is_file())
+    return {path.relative_to(folder).as_posix(): path.read_text() for path in files}
 
 
-def test_update_writes_and_check_is_then_silent(tmp_path: Path) -> None:
+def test_update_writes_and_there_is_then_no_difference(tmp_path: Path) -> None:
     target = tmp_path / "generated"
-    assert len(compare_or_update(target, FILES, check=False)) == len(FILES)
+    assert [change.name for change in update(target, FILES)] == sorted(FILES)
     assert contents(target) == FILES
-    assert compare_or_update(target, FILES, check=True) == []
-    assert compare_or_update(target, FILES, check=False) == []
+    assert compare_files(target, FILES) == []
 
 
-def test_check_names_every_difference_and_the_repair(tmp_path: Path) -> None:
-    compare_or_update(tmp_path, FILES, check=False)
-    (tmp_path / "a.py").write_text("x = 1\ny = 3\n")
+def test_every_difference_is_named(tmp_path: Path) -> None:
+    update(tmp_path, FILES)
+    (tmp_path / "a.py").write_text(f"{HEAD}x = 1\ny = 3\n")
     (tmp_path / "LEDGER.md").unlink()
-    (tmp_path / "old.py").write_text("gone = True\n")
+    (tmp_path / "old.py").write_text(f"{HEAD}gone = True\n")
     before = contents(tmp_path)
-    missing, different, surplus, repair = compare_or_update(tmp_path, FILES, check=True)
+    missing, different, surplus = (c.describe() for c in compare_files(tmp_path, FILES))
     assert missing.startswith("missing: LEDGER.md")
     assert different.startswith("different: a.py")
     assert "-y = 3\n+y = 2\n" in different
     assert surplus.startswith("surplus: old.py")
     assert "-gone = True" in surplus
-    assert "mechproof regenerate" in repair
     assert contents(tmp_path) == before
-    compare_or_update(tmp_path, FILES, check=False)
+    assert [c.name for c in update(tmp_path, FILES) if c.is_removal] == ["old.py"]
     assert contents(tmp_path) == FILES
 
 
 def test_line_ends_and_encodings_are_differences(tmp_path: Path) -> None:
-    compare_or_update(tmp_path, FILES, check=False)
-    for wrong in (b"x = 1\r\ny = 2\r\n", b"x = 1\ny = 2\n\xff"):
+    update(tmp_path, FILES)
+    text = FILES["a.py"].encode()
+    for wrong in (text.replace(b"\n", b"\r\n"), text + b"\xff"):
         (tmp_path / "a.py").write_bytes(wrong)
-        assert len(compare_or_update(tmp_path, FILES, check=True)) == 2
+        assert len(compare_files(tmp_path, FILES)) == 1
 
 
-@pytest.mark.parametrize("folder", ["measured", "compiled", "__pycache__"])
-def test_foreign_folders_are_left_alone(tmp_path: Path, folder: str) -> None:
-    compare_or_update(tmp_path, FILES, check=False)
-    (tmp_path / folder).mkdir()
-    (tmp_path / folder / "kept").write_text("kept")
-    assert compare_or_update(tmp_path, FILES, check=True) == []
-    compare_or_update(tmp_path, FILES, check=False)
-    assert (tmp_path / folder / "kept").exists()
+@pytest.mark.parametrize(
+    "name",
+    [
+        "notes.txt",
+        "helper.py",
+        "forms/helper.py",
+        "measured/record.json",
+        "compiled/native.so",
+        "__pycache__/a.pyc",
+        ".git/config",
+    ],
+)
+def test_what_was_not_generated_is_left_alone(tmp_path: Path, name: str) -> None:
+    update(tmp_path, FILES)
+    file = tmp_path / name
+    file.parent.mkdir(exist_ok=True)
+    file.write_text("made_by = 'hand'\n")
+    assert compare_files(tmp_path, FILES) == []
+    update(tmp_path, {})
+    assert contents(tmp_path) == {name: "made_by = 'hand'\n"}
+
+
+def test_a_folder_whose_files_are_removed_goes_with_them(tmp_path: Path) -> None:
+    update(tmp_path, FILES)
+    update(tmp_path, {name: text for name, text in FILES.items() if "/" not in name})
+    assert not (tmp_path / "forms").exists()
+
+
+@pytest.mark.parametrize("name", ["a.py", "forms/a.py"])
+def test_a_name_taken_by_a_foreign_file_is_refused(tmp_path: Path, name: str) -> None:
+    file = tmp_path / name
+    file.parent.mkdir(exist_ok=True)
+    file.write_text("made_by = 'hand'\n")
+    with pytest.raises(ForeignFileError, match=rf"{name}: .* move it away or delete it"):
+        compare_files(tmp_path, FILES)
+    file.write_text("\n")  # nothing to lose
+    update(tmp_path, FILES)
+    assert contents(tmp_path) == FILES
 
 
 def test_interrupted_write_leaves_the_old_files_whole(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    compare_or_update(tmp_path, FILES, check=False)
+    update(tmp_path, FILES)
     write, calls = Path.write_text, []
 
     def fail_on_second(self: Path, *args: object, **kwargs: object) -> int:
@@ -78,15 +128,15 @@ def test_interrupted_write_leaves_the_old_files_whole(
     with monkeypatch.context() as patch:
         patch.setattr(Path, "write_text", fail_on_second)
         with pytest.raises(OSError, match="no space left"):
-            compare_or_update(tmp_path, changed, check=False)
+            update(tmp_path, changed)
     assert contents(tmp_path) == FILES
-    assert compare_or_update(tmp_path, FILES, check=True) == []
+    assert compare_files(tmp_path, FILES) == []
 
 
 def test_interrupted_placing_leaves_each_file_old_or_new(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    compare_or_update(tmp_path, FILES, check=False)
+    update(tmp_path, FILES)
     replace, calls = os.replace, []
 
     def fail_on_second(source: Path, target: Path) -> None:
@@ -99,15 +149,15 @@ def test_interrupted_placing_leaves_each_file_old_or_new(
     with monkeypatch.context() as patch:
         patch.setattr(os, "replace", fail_on_second)
         with pytest.raises(KeyboardInterrupt):
-            compare_or_update(tmp_path, changed, check=False)
+            update(tmp_path, changed)
     present = contents(tmp_path)
     assert set(present) == set(FILES)
     assert all(text in (FILES[name], changed[name]) for name, text in present.items())
 
 
-def test_package_has_one_module_per_system_with_quantities() -> None:
+def test_package_has_modules_for_systems_with_forms_and_no_others() -> None:
     paper = dataclasses.replace(elliptic_planetary.PAPER, system="system")
     bare = Paper("bare", "", (), ())
     files = render_package([paper, bare])
-    assert set(files) == {"__init__.py", "system.py"}
-    assert all(text.endswith("\n") for text in files.values())
+    assert set(files) == {"__init__.py", "forms/__init__.py", "forms/system.py", "system.py"}
+    assert all(text.endswith("\n") and STAMP.search(text) for text in files.values())

@@ -1,4 +1,4 @@
-"""The verdict of every row of the paper."""
+"""The verdict of every row of the paper, and of forms that are slightly wrong."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from functools import cache
 import pytest
 import sympy as sp
 
-from mechproof.derivations import wedge_linkage as paper
-from mechproof.derivations.wedge_linkage import PAPER
+from mechproof.codegen.forms import form_rows
+from mechproof.derivations.wedge_linkage import PAPER, mechanics, sizes, steps
 from mechproof.proof import balls
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.record import Equality
+from mechproof.record import Equality, Form, Paper, Toleranced
 
 
 @cache
@@ -33,14 +33,15 @@ def test_what_rests_on_the_reconstructions_is_marked() -> None:
     assert all("calibrated" in judgement(number).marks for number in numbers)
     for number in ("crossing", "deviation at -40"):
         assert "fitted" in judgement(number).marks
+    assert all({"calibrated", "fitted"} <= set(table.marks) for table in PAPER.published)
 
 
 WRONG = {
-    "(3)": paper.l_DE * (paper.cos(paper.alpha_DE - paper.phi3) - paper.cos(paper.alpha_DE)),
-    "(10)": paper.l_LM * (paper.sin(paper.phi7 + paper.alpha_LM) + paper.sin(paper.alpha_LM)),
-    "(8)": paper.print_7.subs(paper.R, paper.l_KL * paper.cosine_of_sigma),
-    "(1)": paper.print_1.subs(paper.l_CD, paper.l_AB),
-    "sensitivity of varphi3 to x1": -paper.lever_slopes[paper.x1],
+    "(3)": mechanics.print_3.subs(mechanics.phi3, -mechanics.phi3),
+    "(10)": mechanics.print_10 + 2 * mechanics.l_LM * sp.sin(mechanics.alpha_LM),
+    "(8)": mechanics.print_7.subs(mechanics.R, mechanics.l_KL * mechanics.cosine_of_sigma),
+    "(1)": mechanics.print_1.subs(mechanics.l_CD, mechanics.l_AB),
+    "sensitivity of varphi3 to x1": -mechanics.lever_slopes[mechanics.x1],
 }
 
 
@@ -53,10 +54,21 @@ def test_a_slightly_wrong_formula_is_refuted(number: str) -> None:
 
 
 def test_the_other_signs_of_iv_are_not_lowest() -> None:
-    wrong = {**paper.BOUNDARY_IV, paper.alpha_DE: 1}
-    for table in (paper.CALIBRATED, paper.ALTERNATIVE):
-        says = paper.above(table, paper.BOUNDARY_IV, wrong, -40)
+    wrong = {**sizes.BOUNDARY_IV, mechanics.alpha_DE: 1}
+    for table in PAPER.published:
+        says = sizes.above(table, sizes.BOUNDARY_IV, wrong, -40)
         assert decide(says, Domain.of(PAPER)).verdict is Verdict.REFUTED
+
+
+def test_reconstructed_sizes_differ_in_three_and_are_exact() -> None:
+    first, second = (table.sizes for table in PAPER.published)
+    assert first.keys() == second.keys()
+    changed = {s for s in first if first[s] != second[s]}
+    assert changed == {mechanics.l_BC, mechanics.l_CD, mechanics.l_DE}
+    expected = Toleranced(
+        sp.Rational(28306, 18000) * sp.pi, sp.Rational(62, 18000) * sp.pi, -sp.pi * 11 / 1800
+    )
+    assert first[mechanics.alpha_DE] == expected
 
 
 def test_balls_of_an_undefined_arctangent_are_not_finite() -> None:
@@ -67,7 +79,85 @@ def test_balls_of_an_undefined_arctangent_are_not_finite() -> None:
 
 
 def test_evidence_of_exact_numbers_shows_both_sides() -> None:
-    says = paper.above(paper.CALIBRATED, paper.BOUNDARY_II, paper.BOUNDARY_IV, -40)
+    says = sizes.above(sizes.FIRST_SET, sizes.BOUNDARY_II, sizes.BOUNDARY_IV, -40)
     (evidence,) = decide(says, Domain.of(PAPER)).evidence
     assert "-110.1" in evidence.what
     assert "-134.9" in evidence.what
+
+
+def with_form(name: str, form: Form) -> Paper:
+    """Keep one quantity, computed by another form."""
+    quantity = next(q for q in PAPER.quantities if q.name == name)
+    return dataclasses.replace(
+        PAPER, quantities=(dataclasses.replace(quantity, forms=(form,)),), rows=()
+    )
+
+
+def shipped(name: str) -> Form:
+    return next(q for q in PAPER.quantities if q.name == name).forms[0]
+
+
+def judge_form(paper: Paper) -> Verdict:
+    (row,) = form_rows(paper)
+    return judge(row, paper).verdict
+
+
+# The quantity in which a step is met first, and what stands in its place.
+NEARLY = sp.Rational(1025, 1024)
+IN_CONTACT = steps.l_LM * steps.cos_wedge / steps.rise
+WRONG_STEPS = {
+    steps.arm: ("position", NEARLY * steps.STEPS[steps.arm]),
+    steps.sin_DE: ("position", sp.cos(mechanics.alpha_DE)),
+    steps.to_right: ("position", NEARLY * steps.STEPS[steps.to_right]),
+    steps.to_left: ("position", steps.STEPS[steps.to_right]),
+    steps.start_height: ("position", NEARLY * steps.STEPS[steps.start_height]),
+    steps.guide_length: ("position", NEARLY * steps.STEPS[steps.guide_length]),
+    steps.guide_sum: ("position", NEARLY * steps.STEPS[steps.guide_sum]),
+    steps.lever_square: ("position", steps.guide_sum**2 - mechanics.x1**2),
+    steps.run: ("position", -steps.STEPS[steps.run]),
+    steps.push: ("position", sp.Max(0, steps.run - 2 * mechanics.l_GH)),
+    steps.rise: ("position", NEARLY * steps.STEPS[steps.rise]),
+    steps.roller_square: ("position", NEARLY * steps.STEPS[steps.roller_square]),
+    steps.cos_lever: ("velocity", NEARLY * steps.STEPS[steps.cos_lever]),
+    steps.sin_arm: ("velocity", NEARLY * steps.STEPS[steps.sin_arm]),
+    steps.cos_wedge: ("velocity", NEARLY * steps.STEPS[steps.cos_wedge]),
+    steps.gain: ("velocity", sp.Piecewise((0, steps.run >= mechanics.l_GH), (IN_CONTACT, True))),
+}
+
+
+@pytest.mark.parametrize("step", WRONG_STEPS, ids=str)
+def test_a_wrong_step_is_refuted(step: sp.Symbol) -> None:
+    name, value = WRONG_STEPS[step]
+    paper = with_form(name, shipped(name))
+    variables = tuple(
+        dataclasses.replace(v, given=value) if v.symbol == step else v for v in paper.variables
+    )
+    assert judge_form(dataclasses.replace(paper, variables=variables)) is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    "size", [mechanics.l_BC, mechanics.l_KL, mechanics.l_LM, mechanics.alpha_DE], ids=str
+)
+def test_a_wrong_sensitivity_is_refuted(size: sp.Symbol) -> None:
+    form = shipped("sensitivities")
+    entries = list(form.expression)
+    entries[list(steps.SENSITIVITY_FORMS).index(size)] *= NEARLY
+    wrong = dataclasses.replace(form, expression=sp.ImmutableDenseMatrix(entries))
+    assert judge_form(with_form("sensitivities", wrong)) is Verdict.REFUTED
+
+
+R = mechanics.R
+OTHER_CASES = {
+    "(7) where R < 0": ((mechanics.print_7, R < 0), (mechanics.print_8, R > 0)),
+    "half a turn": ((mechanics.print_7, R > 0), (mechanics.print_8 + sp.pi, R < 0)),
+    "R > l_KL/2": ((mechanics.print_7, mechanics.l_KL < 2 * R), (mechanics.print_8, R < 0)),
+}
+
+
+@pytest.mark.parametrize("cases", OTHER_CASES)
+def test_a_wrong_case_is_refuted(cases: str) -> None:
+    quantity = next(q for q in PAPER.quantities if q.name == "roller_lever_angle")
+    form = next(f for f in quantity.forms if f.key == "printed")
+    expression = sp.Piecewise(*OTHER_CASES[cases], (sp.nan, True)).subs(R, mechanics.PRINTED_R)
+    wrong = dataclasses.replace(form, expression=expression)
+    assert judge_form(with_form("roller_lever_angle", wrong)) is Verdict.REFUTED

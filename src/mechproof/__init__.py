@@ -13,12 +13,16 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from mechproof.choice import choose
-    from mechproof.elliptic_planetary import EllipticPlanetary
-    from mechproof.oval_planetary import CylindricalPair, OvalPair, OvalPlanetary
-    from mechproof.tooth_thickness import ToothThickness
-    from mechproof.tooth_thickness_inspection import ThicknessInspection
-    from mechproof.track_wheel import TrackWheel
-    from mechproof.wedge_linkage import WedgeLinkage
+    from mechproof.mechanisms import (
+        CylindricalPair,
+        EllipticPlanetary,
+        OvalPair,
+        OvalPlanetary,
+        ThicknessInspection,
+        ToothThickness,
+        TrackWheel,
+        WedgeLinkage,
+    )
 
 __all__ = [
     "CylindricalPair",
@@ -33,18 +37,8 @@ __all__ = [
     "choose",
 ]
 
-# The module in which each public name lives.
-HOMES = {
-    "CylindricalPair": "mechproof.oval_planetary",
-    "EllipticPlanetary": "mechproof.elliptic_planetary",
-    "OvalPair": "mechproof.oval_planetary",
-    "OvalPlanetary": "mechproof.oval_planetary",
-    "ThicknessInspection": "mechproof.tooth_thickness_inspection",
-    "ToothThickness": "mechproof.tooth_thickness",
-    "TrackWheel": "mechproof.track_wheel",
-    "WedgeLinkage": "mechproof.wedge_linkage",
-    "choose": "mechproof.choice",
-}
+# Where each public name comes from.
+HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {"choose": "mechproof.choice"}
 
 
 def __getattr__(name: str) -> Any:

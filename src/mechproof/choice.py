@@ -1,6 +1,6 @@
 """Choice of model: the cheapest form whose error over stated ranges meets a request.
 
-Decided from what `mechproof measure` found and proved: for boxes of argument sizes the worst error
+Decided from what `mechproof measure` found and proved: for cells of argument sizes the worst error
 of every form and, for an approximation, its proved bound; and the time per point.
 
 >>> from mechproof import choose
@@ -11,18 +11,18 @@ True
 
 from __future__ import annotations
 
-import json
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache
-from importlib.resources import files
 from math import nan
-from typing import Any
+from numbers import Real
+from pathlib import Path
+
+from mechproof.measured import Cell, Record, Timing, Way, find_files, read_record
 
 __all__ = ["Choice", "choose"]
 
 Size = float | Sequence[float]
-Record = Mapping[str, Any]
 # Forms of these verdicts compute something else somewhere in the domain.
 NOT_EQUAL = ("REFUTED", "CONDITIONAL", "ILL_FORMED", "UNDECIDED", "ENCLOSED")
 SIZE = 100_000
@@ -35,8 +35,9 @@ class Choice:
     """A form, its error over the stated ranges, and its time.
 
     `error` is in the unit of the quantity: the larger of the worst measured and the proved bound;
-    `bound` is the latter, rounding apart, None without. `asked` is the largest error permitted.
-    `time` is nanoseconds per point at `count` points on the
+    `bound` is the latter, rounding apart, None without. `function` is the dotted name under which
+    a form of the package is imported, empty for other libraries and the like. `asked` is the
+    largest error permitted. `time` is nanoseconds per point at `count` points on the
     machine of the record, the median of rounds with these `quartiles`. `better` is the cheapest
     form with at most half the error, `others` are all forms that could have been chosen, cheapest
     first.
@@ -51,6 +52,7 @@ class Choice:
     count: int
     unit: str
     asked: float
+    function: str = ""
     better: Choice | None = None
     others: tuple[Choice, ...] = field(default=(), repr=False, compare=False)
 
@@ -86,7 +88,14 @@ class Choice:
         return f"{self.form}, error {self.error:.2g}{unit} ({how}), {self.time:.3g} ns per point"
 
 
-def choose(quantity: str, *, error: float, size: int = SIZE, **ranges: Size) -> Choice:
+def choose(
+    quantity: str,
+    *,
+    error: float,
+    size: int = SIZE,
+    measured: str | os.PathLike[str] | None = None,
+    **ranges: Size,
+) -> Choice:
     """Return the cheapest form whose error over the ranges is at most `error`.
 
     Parameters
@@ -98,37 +107,44 @@ def choose(quantity: str, *, error: float, size: int = SIZE, **ranges: Size) -> 
     size : int
         Number of points of a call: the time is that of the nearest size measured, and of the
         most expensive workload (one pose and many points, or many poses).
+    measured : path, optional
+        Folder of records that `mechproof measure` wrote; left out: those of the package.
     **ranges : float or pair of floats
         Sizes (absolute values; of a vector, of its largest component) of the arguments: one
         number, or from and to. An argument that is left out may have any size measured.
 
     Raises
     ------
+    TypeError
+        For an error that is no real number.
     ValueError
-        For an unknown quantity or argument, for ranges that were not measured, and where no form
-        is accurate enough; the message says what is reachable.
+        For an unknown quantity or argument, for ranges that were not measured, for a folder
+        without records or with a broken one, and where no form is accurate enough; the message
+        says what is reachable.
 
     Notes
     -----
     A measured error is the worst at points chosen to hurt, not a bound; a form that lost a single
     result (NaN, infinity) in the ranges is left out, and so is one that the ledger refutes or
-    proves on a part of the domain only. Other libraries and simulations, of which nothing is
-    proved, count by what was measured. Of forms whose times cannot be told apart, their quartiles
-    overlapping, the most accurate is taken. The records are those that come with the package.
+    proves on a part of the domain only. Peers (other libraries, solvers, simulations), of which
+    nothing is proved, count by what was measured. Of forms whose times cannot be told apart, their
+    quartiles overlapping, the most accurate is taken.
 
     """
-    record = _find_record(quantity)
+    record = _find_record(quantity, measured)
+    if isinstance(error, bool) or not isinstance(error, Real):
+        raise TypeError(f"error = {error!r}: must be a real number, not {type(error).__name__}")
     if not error > 0:
         raise ValueError(f"error = {error!r}: must be positive")
     if not size >= 1:
         raise ValueError(f"size = {size!r}: must be at least 1")
-    boxes = list(_overlapping(record, _as_pairs(record, ranges)))
-    rated = list(_rate_forms(record, boxes, size, error))
+    cells = list(_overlapping(record, _as_pairs(record, ranges)))
+    rated = list(_rate_ways(record, cells, size, error))
     forms = sorted(rated, key=lambda c: c.time)
     good = [form for form in rated if form.error <= error]
     if not good:
         best = min(forms, key=lambda c: c.error)
-        raise ValueError(f"error = {error!r}: no form of {record['quantity']} reaches it; {best}")
+        raise ValueError(f"error = {error!r}: no form of {record.quantity} reaches it; {best}")
     fastest = min(good, key=lambda c: c.time)
     alike = [form for form in good if form._may_be_as_fast_as(fastest)]
     first = min(alike, key=lambda c: c.error)
@@ -137,32 +153,30 @@ def choose(quantity: str, *, error: float, size: int = SIZE, **ranges: Size) -> 
     return replace(first, better=better[0] if better else None, others=others)
 
 
-@cache
-def _records() -> dict[str, Record]:
-    folder = files("mechproof.kernels").joinpath("measured")
-    found = (f for f in folder.iterdir() if f.name.endswith(".json")) if folder.is_dir() else ()
-    records = (json.loads(file.read_text(encoding="utf-8")) for file in found)
-    return {record["quantity"]: record for record in records if record["boxes"]}
-
-
-def _find_record(quantity: str) -> Record:
-    records = _records()
-    named = [r for name, r in records.items() if quantity in (name, name.partition(".")[2])]
+def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Record:
+    """Read the record of a quantity, from the package or from a folder."""
+    files = find_files(None if measured is None else Path(measured))
+    if measured is not None and not files:
+        raise ValueError(f"measured = {measured!r}: no folder with records of `mechproof measure`")
+    named = [name for name in files if quantity in (name, name.partition(".")[2])]
     if len(named) != 1:
-        known = ", ".join(sorted(records)) or "none; run `mechproof measure`"
+        known = ", ".join(files) or "none; run `mechproof measure`"
         raise ValueError(f"quantity = {quantity!r}: must be one of those measured: {known}")
-    return named[0]
+    record = read_record(files[named[0]])
+    if not record.cells:
+        raise ValueError(f"quantity = {quantity!r}: was not measured over ranges of its arguments")
+    return record
 
 
 def _as_pairs(record: Record, ranges: Mapping[str, Size]) -> dict[str, tuple[float, float]]:
     """Check the ranges against what was measured."""
     pairs = {}
     for name, given in ranges.items():
-        if name not in record["ranges"]:
-            known = ", ".join(record["ranges"])
-            raise ValueError(f"{name} = {given!r}: {record['quantity']} has the arguments {known}")
+        if name not in record.ranges:
+            known = ", ".join(record.ranges)
+            raise ValueError(f"{name} = {given!r}: {record.quantity} has the arguments {known}")
         low, high = _as_pair(given)
-        least, most = record["ranges"][name]
+        least, most = record.ranges[name]
         if not 0 <= low <= high:
             raise ValueError(f"{name} = {given!r}: must be a size, or two in order")
         if not (least <= low and high <= most):
@@ -178,61 +192,80 @@ def _as_pair(given: Size) -> tuple[float, float]:
     return abs(given), abs(given)
 
 
-def _overlapping(
-    record: Record, pairs: Mapping[str, tuple[float, float]]
-) -> Iterator[Mapping[str, Any]]:
-    """List the boxes that share more than an edge with the ranges."""
-    for box in record["boxes"]:
-        sides = ((name, edges) for name, edges in box["box"].items() if name in pairs)
-        if all(_overlap(edges, pairs[name], record["ranges"][name][0]) for name, edges in sides):
-            yield box
+def _overlapping(record: Record, pairs: Mapping[str, tuple[float, float]]) -> Iterator[int]:
+    """List the cells, by their places, that share more than an edge with the ranges."""
+    for place, cell in enumerate(record.cells):
+        if _shares(cell, pairs, record.ranges):
+            yield place
+
+
+def _shares(
+    cell: Cell,
+    pairs: Mapping[str, tuple[float, float]],
+    ranges: Mapping[str, tuple[float, float]],
+) -> bool:
+    sides = ((name, edges) for name, edges in cell.sides.items() if name in pairs)
+    return all(_overlap(edges, pairs[name], ranges[name][0]) for name, edges in sides)
 
 
 def _overlap(edges: Sequence[float], pair: tuple[float, float], least: float) -> bool:
-    """Say whether they share more than an edge; one size belongs to the box below an edge."""
+    """Say whether they share more than an edge; one size belongs to the cell below an edge."""
     (lower, upper), (low, high) = edges, pair
     if low == high:
         return lower < low <= upper or low == lower == least
     return low < upper and high > lower
 
 
-def _rate_forms(
-    record: Record, boxes: list[Mapping[str, Any]], size: int, asked: float
-) -> Iterator[Choice]:
-    """Rate every form that is the quantity, or is bounded, and that lost nothing in the boxes."""
-    shipped = record["forms"][0]
-    for form in record["forms"]:
-        if form["ordered"] or form["verdict"] in NOT_EQUAL:
+def _rate_ways(record: Record, cells: list[int], size: int, asked: float) -> Iterator[Choice]:
+    """Rate every way that is the quantity, or is bounded, and that lost nothing in the cells."""
+    errors = {(found.way, found.cell): found for found in record.cell_errors}
+    for way in filter(lambda way: _is_the_quantity(way, record.ways[0]), record.ways):
+        found = [errors[way.name, cell] for cell in cells]
+        timed = _find_time(record, way.name, size)
+        if timed is None or any(f.lost for f in found):
             continue
-        if form["proved_on"] not in (None, shipped["proved_on"]):
+        bounds = [f.bound for f in found if f.bound is not None]
+        bound = max(bounds) if len(bounds) == len(found) else None
+        if way.bound and bound is None:
             continue
-        found = [box["errors"][form["name"]] for box in boxes]
-        timed = _find_time(record, form["name"], size)
-        if timed is None or any(f["lost"] for f in found):
-            continue
-        bounds = [f["bound"] for f in found]
-        bound = None if None in bounds else max(map(float, bounds))
-        if form["bound"] is not None and bound is None:
-            continue
-        error = max([float(f["worst"]) for f in found] + ([] if bound is None else [bound]))
-        count, time, quartiles = timed
-        name, unit = record["quantity"], record["unit"]
-        yield Choice(name, form["name"], error, bound, time, quartiles, count, unit, asked)
+        error = max([f.worst for f in found] + ([] if bound is None else [bound]))
+        yield Choice(
+            quantity=record.quantity,
+            form=way.name,
+            error=error,
+            bound=bound,
+            time=timed.median,
+            quartiles=(timed.lower, timed.upper),
+            count=timed.count,
+            unit=record.unit,
+            asked=asked,
+            function=_locate(record.quantity, way),
+        )
 
 
-def _find_time(
-    record: Record, form: str, size: int
-) -> tuple[int, float, tuple[float, float]] | None:
-    """Return the size measured nearest to `size`, and the time of the most expensive workload."""
-    rows = [r for r in record["times"] if r["form"] == form and r["rounds"]]
+def _locate(quantity: str, way: Way) -> str:
+    """Return the dotted name of a generated function; empty for what is none."""
+    system, _, name = quantity.partition(".")
+    if way.kind == "form":
+        # A record of an older version does not know the names of forms.
+        return "" if not way.key else f"mechproof.kernels.forms.{system}.{name}_{way.key}"
+    return f"mechproof.kernels.{system}.{name}" if way.kind == "kernel" else ""
+
+
+def _is_the_quantity(way: Way, shipped: Way) -> bool:
+    """Say that single points can be computed, and that nothing speaks against its being equal."""
+    part = way.proved_on not in ("", shipped.proved_on)
+    return not (way.ordered or way.verdict in NOT_EQUAL or part)
+
+
+def _find_time(record: Record, way: str, size: int) -> Timing | None:
+    """Return the time at the size measured nearest to `size`, of the most expensive workload."""
+    rows = [row for row in record.times if row.way == way]
     nearest = [
         min(
-            (r for r in rows if r["workload"] == workload),
-            key=lambda r: max(r["count"], size) / min(r["count"], size),
+            (row for row in rows if row.workload == workload),
+            key=lambda row: max(row.count, size) / min(row.count, size),
         )
-        for workload in {r["workload"] for r in rows}
+        for workload in {row.workload for row in rows}
     ]
-    row = max(nearest, key=lambda r: float(r["median"]), default=None)
-    if row is None:
-        return None
-    return row["count"], float(row["median"]), (float(row["lower"]), float(row["upper"]))
+    return max(nearest, key=lambda row: row.median, default=None)

@@ -1,54 +1,196 @@
-"""Where papers come from: the derivations of the package, of a folder, or one file of a user."""
+"""Where papers come from: the derivations of the package, of a folder, or one of a user.
+
+A derivation is a file `<system>.py`, or a folder `<system>/` whose `__init__.py` binds the paper.
+What begins with an underscore is shared by the papers of a folder and is no system.
+"""
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
+import re
 import sys
-from collections.abc import Iterator
+import traceback
+from collections.abc import Iterator, Sequence
+from importlib.abc import MetaPathFinder
+from importlib.machinery import FileFinder, ModuleSpec, SourceFileLoader
+from itertools import count
 from pathlib import Path
+from types import CodeType, ModuleType
+from typing import Literal
 
 from mechproof.record import Paper
+
+PACKAGE = "mechproof.derivations"
+# Folders that are not the package's get a package name of their own for each load.
+LOADED = "_mechproof_derivations_"
+_numbers = count(1)
+# The module of the paper that was last loaded from a place, and the way back.
+_modules: dict[Path, str] = {}
+_places: dict[str, Path] = {}
 
 
 class DerivationError(RuntimeError):
     """A derivation could not be loaded, or does not bind one `Paper` to the name PAPER."""
 
 
+class _SourceLoader(SourceFileLoader):
+    """Reads the source each time: bytecode is out of date for an edit within one second."""
+
+    def get_code(self, fullname: str) -> CodeType:
+        path = self.get_filename(fullname)
+        return self.source_to_code(self.get_data(path), path)
+
+
+class _FolderFinder(MetaPathFinder):
+    """Finds the modules of folders loaded under a name of their own."""
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        if not fullname.startswith(LOADED) or path is None:
+            return None
+        if fullname in _places:
+            return _specify(fullname, _places[fullname])
+        return FileFinder(next(iter(path)), (_SourceLoader, [".py"])).find_spec(fullname)
+
+
+def _specify(name: str, place: Path) -> ModuleSpec | None:
+    """Describe the module of a file of any name, or of a folder."""
+    file = place / "__init__.py" if place.is_dir() else place
+    inside = [str(place)] if place.is_dir() else None
+    return importlib.util.spec_from_file_location(
+        name, file, loader=_SourceLoader(name, str(file)), submodule_search_locations=inside
+    )
+
+
+sys.meta_path.insert(0, _FolderFinder())
+
+
 def packaged_directory() -> Path:
     """Return the folder of the derivations that come with the package."""
-    spec = importlib.util.find_spec("mechproof.derivations")
+    spec = importlib.util.find_spec(PACKAGE)
     if spec is None or not spec.submodule_search_locations:
-        raise DerivationError("the package mechproof.derivations is not installed")
+        raise DerivationError(f"the package {PACKAGE} is not installed")
     return Path(next(iter(spec.submodule_search_locations)))
 
 
 def find_systems(directory: Path) -> dict[str, Path]:
-    """Return system -> file for every derivation in a folder, in alphabetical order."""
-    files = sorted(directory.glob("[!_]*.py"))
-    return {file.stem: file for file in files}
+    """Return system -> place (a file or a folder) of a folder's derivations, in their order.
 
-
-def load_paper(file: Path) -> Paper:
-    """Run a derivation and return its paper.
-
-    Raises `DerivationError` naming the file and what went wrong.
+    Raises `DerivationError` for a system that is there twice, as a file and as a folder.
     """
-    spec = importlib.util.spec_from_file_location(f"mechproof_derivation_{file.stem}", file)
-    if spec is None or spec.loader is None:
-        raise DerivationError(f"{file}: not a Python file")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    try:
-        spec.loader.exec_module(module)
-    except (Exception, SystemExit) as error:
-        raise DerivationError(f"{file}: {type(error).__name__}: {error}") from error
+    files = [path for path in directory.glob("[!_.]*.py") if path.is_file()]
+    folders = [path.parent for path in directory.glob("[!_.]*/__init__.py")]
+    if twice := sorted({path.stem for path in files} & {path.name for path in folders}):
+        raise DerivationError(f"{directory}: both a file and a folder of {', '.join(twice)}")
+    systems = {path.stem: path for path in files} | {path.name: path for path in folders}
+    return dict(sorted(systems.items()))
+
+
+def load_paper(location: Path) -> Paper:
+    """Run a derivation, a file or a folder, and return its paper.
+
+    It is read anew each time, with what it imports relatively: its folder serves as a package
+    (whose own `__init__.py` is not run, but for the derivations that come with mechproof).
+    Raises `DerivationError` naming the file and the line of what went wrong.
+    """
+    place = _to_place(location)
+    if not place.exists():
+        raise DerivationError(f"{location}: does not exist")
+    name = _name_module(place)
+    _modules[place] = name
+    module = _import(name, place)
     paper = getattr(module, "PAPER", None)
     if not isinstance(paper, Paper):
-        raise DerivationError(f"{file}: binds no mechproof.record.Paper to the name PAPER")
+        raise DerivationError(
+            f"{module.__file__}: binds no mechproof.record.Paper to the name PAPER"
+        )
     return paper
 
 
+def load_part(location: Path, part: Literal["peers", "points"]) -> ModuleType | None:
+    """Import an optional module of a derivation that is a folder; None where there is none.
+
+    It shares the modules of the paper that was last loaded from there.
+    Raises `DerivationError` as `load_paper` does.
+    """
+    place = _to_place(location)
+    if not (place / f"{part}.py").is_file():
+        return None
+    if place not in _modules:
+        load_paper(place)
+    return _import(f"{_modules[place]}.{part}", place)
+
+
 def load_directory(directory: Path) -> Iterator[Paper]:
-    """Load every derivation of a folder."""
-    for file in find_systems(directory).values():
-        yield load_paper(file)
+    """Load every derivation of a folder.
+
+    Raises `DerivationError` as `load_paper` does, and for two papers of one name.
+    """
+    places: dict[str, Path] = {}
+    for place in find_systems(directory).values():
+        paper = load_paper(place)
+        check_names(places, paper, place)
+        yield paper
+
+
+def check_names(places: dict[str, Path], paper: Paper, place: Path) -> None:
+    """Enter a paper into name -> place; `DerivationError` if another paper has its name."""
+    other = places.setdefault(paper.system, place)
+    if other != place:
+        raise DerivationError(f"{place}: its paper has the name {paper.system!r}, as {other} has")
+
+
+def _to_place(location: Path) -> Path:
+    place = location.resolve()
+    return place.parent if place.name == "__init__.py" else place
+
+
+def _name_module(place: Path) -> str:
+    """Name the module of a place in a package of which nothing old is loaded."""
+    if place.parent == packaged_directory().resolve():
+        name = f"{PACKAGE}.{place.stem}"
+        _forget(name, f"{PACKAGE}._")
+        importlib.invalidate_caches()
+        return name
+    if place in _modules:
+        _forget(_modules[place].partition(".")[0])
+    package = ModuleType(f"{LOADED}{next(_numbers)}")
+    package.__path__ = [str(place.parent)]
+    sys.modules[package.__name__] = package
+    name = f"{package.__name__}.{re.sub(r'[^0-9A-Za-z_]', '_', place.stem)}"
+    _places[name] = place
+    return name
+
+
+def _forget(name: str, *shared: str) -> None:
+    for module in [m for m in sys.modules if m == name or m.startswith((f"{name}.", *shared))]:
+        del sys.modules[module]
+
+
+def _import(name: str, place: Path) -> ModuleType:
+    try:
+        return importlib.import_module(name)
+    except (Exception, SystemExit) as error:
+        where = _find_fault(error, place)
+        raise DerivationError(f"{where}: {type(error).__name__}: {_describe(error)}") from error
+
+
+def _describe(error: BaseException) -> str:
+    return error.msg if isinstance(error, SyntaxError) else str(error)
+
+
+def _find_fault(error: BaseException, place: Path) -> str:
+    """Return file:line of the innermost line of the derivation, or of its folder, at fault."""
+    if isinstance(error, SyntaxError) and error.filename and Path(error.filename).is_file():
+        return f"{error.filename}:{error.lineno}"
+    frames = traceback.extract_tb(error.__traceback__)
+    own = [frame for frame in frames if _is_own(Path(frame.filename), place)]
+    return f"{own[-1].filename}:{own[-1].lineno}" if own else str(place)
+
+
+def _is_own(file: Path, place: Path) -> bool:
+    """Return whether a file lies in the folder of a derivation or is shared beside it."""
+    folders = file.resolve().parents
+    return file.is_file() and (folders[0] == place.parent or place in folders)

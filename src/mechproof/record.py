@@ -7,16 +7,19 @@ Nothing here decides anything: verdicts come from `mechproof.proof`, source code
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from keyword import iskeyword
 from types import MappingProxyType
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal, Protocol
 
 import sympy as sp
 
 Power = int | Fraction
 
+# Names of the generated package that no system may take.
+RESERVED = ("compiled", "forms", "kernels", "measured")
 MARKS = ("rebuilt", "calibrated", "fitted", "uncertain", "inferred", "ours")
 
 
@@ -219,7 +222,7 @@ class Claim(Row):
     kind = "claim"
 
 
-# Quantities: what the generated kernels compute.
+# Quantities: what can be computed, and every way of computing it.
 
 
 @dataclass(frozen=True)
@@ -228,6 +231,8 @@ class Argument:
 
     One symbol: an array-like of any shape. Several symbols: components on the last axis.
     One `IndexedBase`: a last axis of any length, or two for a symbol with two indices.
+    `usual` are the sizes met in practice, absolute values, as edges that rise: the ranges that
+    errors are kept for and that points and timed calls are drawn from.
     """
 
     name: str
@@ -235,61 +240,166 @@ class Argument:
     meaning: str
     unit: str = "1"
     default: float | None = None
+    usual: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
-class Bar:
-    """Accuracy the tests hold: error <= `ulp` * eps * |scale|; `scale` None: the value itself."""
+class Scale:
+    """What an error is relative to: a name, an expression, and the symbols it is written with."""
+
+    name: str
+    expression: sp.Expr
+    where: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+
+    def written_out(self) -> sp.Expr:
+        """Return the expression without the symbols of `where`; each may use those before it."""
+        values: dict[sp.Symbol, sp.Expr] = {}
+        for symbol, value in self.where:
+            values[symbol] = value.xreplace(values)
+        # At once: SymPy compares the arguments of a maximum whenever one of them changes.
+        return self.expression.xreplace(values)
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """The accuracy bound that the tests hold: |error| <= `ulp` * eps * |scale|.
+
+    Without a scale, of the value itself. It holds where the relations `within` are true.
+    """
 
     ulp: float
-    of: str = "the value"
-    scale: sp.Expr | None = None
+    scale: Scale | None = None
+    within: tuple[sp.Basic, ...] = ()
+
+
+@dataclass(frozen=True)
+class Singular:
+    """A set where a quantity is undefined, jumps, is steep or cancels, as an equation.
+
+    Integer symbols that are no variables of the paper run over all integers. `text` says what
+    happens there; it stands in the docstring of the kernel.
+    """
+
+    equation: sp.Basic
+    text: str = ""
+
+
+class Written(Protocol):
+    """A form as its emitted source has it: what a proof compares."""
+
+    def output(self, *kept: sp.Symbol) -> sp.Basic:
+        """Return the value with every step inserted but the kept ones."""
+
+    def step(self, name: sp.Symbol, *kept: sp.Symbol) -> sp.Expr:
+        """Return the value of a step with every step before it inserted but the kept ones."""
 
 
 @dataclass(frozen=True)
 class Form:
-    """One way to compute: a starting expression and the named rewrites applied to it in order.
+    """One algebraic way to compute: an expression and the named rewrites applied to it in order.
 
-    `bound` is set for an approximation: a proved bound of |form - definition|. `proved_by` names
-    the row of the paper that states form = definition, where the derivation does it itself.
+    `key` ends the name of its function, <quantity>_<key>; the shipped form needs none. `when` is
+    the relation on the parameters under which it is taken instead of the forms after it. `bound`
+    is set for an approximation: a bound of |form - definition|. `states` makes the statement
+    that proves it from what was emitted (left out: it equals the definition), decided on `on`;
+    where false, `holds_on` may say where it is true. `source` is where it is printed.
     """
 
     name: str
     expression: sp.Basic
     rewrites: tuple[str, ...] = ()
+    key: str = ""
+    when: sp.Basic | None = None
     bound: sp.Expr | None = None
-    proved_by: str = ""
-
-
-@dataclass(frozen=True)
-class Shortcut:
-    """A cheaper form, taken where `when`, a relation on the parameters, is true of all of them."""
-
-    form: Form
-    when: sp.Basic
+    states: Callable[[Written], Statement] | None = None
+    on: Part | None = None
+    holds_on: Part | None = None
+    source: str = ""
+    note: str = ""
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """A function of a system that is generated as a kernel.
+    """A function of a system and every form of it.
 
-    `definition` is the exact meaning (what the accuracy is measured against), `form` what is
-    printed, `shortcut` what is computed instead where it is as accurate. `specimen` holds, for a
-    function kept only for comparison, what is wrong with it.
+    `definition` is the exact meaning (what accuracy is measured against). The kernel takes the
+    first of `forms` whose condition holds; the first without a condition ends it. The forms after
+    that one are rivals, each a function of its own. A quantity without forms is computed by
+    hand-written code, the first of its peers. `period` is the spacing of wrong branches.
+    `workloads` names calls to be timed by the arguments that vary (left out: the first).
     """
 
     name: str
     summary: str
     arguments: tuple[Argument, ...]
     definition: sp.Basic
-    form: Form
+    forms: tuple[Form, ...]
     source: str
     unit: str = "1"
-    bar: Bar | None = None
+    accuracy: Accuracy | None = None
     on: Part | None = None
-    singular: tuple[str, ...] = ()
-    specimen: str = ""
-    shortcut: Shortcut | None = None
+    singular: tuple[Singular, ...] = ()
+    period: sp.Expr | None = None
+    workloads: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def shipped(self) -> tuple[Form, ...]:
+        """Return the forms of the kernel, in the order in which they are tried."""
+        conditional = [form.when is not None for form in self.forms]
+        return self.forms[: conditional.index(False) + 1] if self.forms else ()
+
+    @property
+    def rivals(self) -> tuple[Form, ...]:
+        """Return the forms kept for comparison."""
+        return self.forms[len(self.shipped) :]
+
+    def __post_init__(self) -> None:
+        if self.forms and all(form.when is not None for form in self.forms):
+            raise ValueError(f"quantity {self.name!r}: every form has a condition")
+        keys = [form.key for form in self.rivals]
+        wrong = sorted(
+            {k for k in keys if not f"x_{k}".isidentifier() or keys.count(k) > 1 or not k}
+        )
+        if wrong:
+            raise ValueError(f"quantity {self.name!r}: keys of rivals {wrong}: no names, or twice")
+
+
+@dataclass(frozen=True)
+class Peer:
+    """A way to get the number that is no form: a solver, a spline, a simulation, a library.
+
+    `ordered`: it needs samples in order from 0 on. `slow`: measured on few points, timed at small
+    sizes only. `ours`: hand-written code of the package itself.
+    """
+
+    name: str
+    compute: Callable[..., Any]
+    ordered: bool = False
+    slow: bool = False
+    ours: bool = False
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Toleranced:
+    """A size with its limit deviations, exact."""
+
+    nominal: sp.Expr
+    upper: sp.Expr
+    lower: sp.Expr
+
+
+@dataclass(frozen=True)
+class Published:
+    """Sizes that a paper prints, exact; a symbol that is left out is not printed.
+
+    `marks` say what they rest on.
+    """
+
+    source: str
+    sizes: Mapping[sp.Symbol, sp.Expr | Toleranced]
+    marks: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -302,9 +412,15 @@ class Paper:
     rows: tuple[Row, ...]
     where: tuple[sp.Basic, ...] = ()
     quantities: tuple[Quantity, ...] = ()
+    published: tuple[Published, ...] = ()
     conventions: str = ""
 
     def __post_init__(self) -> None:
+        if not _names_module(self.system):
+            raise ValueError(
+                f"paper: system = {self.system!r}: it names a module, so it must be a Python name "
+                f"that begins with no underscore and is none of {', '.join(RESERVED)}"
+            )
         for what, names in (
             ("row numbers", [row.number for row in self.rows]),
             ("symbols", [str(variable.symbol) for variable in self.variables]),
@@ -313,3 +429,8 @@ class Paper:
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:
                 raise ValueError(f"paper {self.system!r}: {what} given twice: {twice}")
+
+
+def _names_module(system: str) -> bool:
+    is_name = isinstance(system, str) and system.isidentifier() and not iskeyword(system)
+    return is_name and not system.startswith("_") and system not in RESERVED

@@ -1,52 +1,99 @@
-"""Checks of the parameters of mechanisms: an error names parameter, value and what is allowed."""
+"""Validation of emitted kernels on all processors, before they are written."""
 
 from __future__ import annotations
 
-import math
-import operator
-from collections.abc import Iterable
-from numbers import Real
-from typing import Any, SupportsIndex
+import json
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from hashlib import sha256
+from importlib.metadata import version
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
-__all__ = ["check_count", "check_real", "check_triple", "require"]
+from mechproof.derivation import load_paper
+from mechproof.lab.subject import Subject, make_subjects
+from mechproof.lab.validation import validate
+from mechproof.processes import START, WorkerError, run_tasks
+from mechproof.proof.cache import cache_folder
+from mechproof.record import Paper
 
-
-def require(condition: bool, name: str, value: object, allowed: str) -> None:
-    """Raise ValueError "name = value: allowed" unless the condition holds."""
-    if not condition:
-        raise ValueError(f"{name} = {value!r}: {allowed}")
-
-
-def check_real(name: str, value: Any) -> float:
-    """Return a finite float; TypeError unless `value` is a real number (a bool is none)."""
-    if isinstance(value, bool) or not isinstance(value, Real):
-        raise TypeError(f"{name} = {value!r}: must be a real number, not {type(value).__name__}")
-    try:
-        number = float(value)
-    except OverflowError:
-        number = math.inf
-    require(math.isfinite(number), name, value, "must be finite")
-    return number
+# What a validation rests on besides the emitted source and the derivation.
+LAYERS = ("kernel_support", "codegen", "lab", "proof")
+VERSIONS = ("sympy", "numpy", "python-flint")
+# What has passed is kept; more than so many entries are of old sources.
+MOST_KEPT = 1000
 
 
-def check_count(name: str, value: SupportsIndex) -> int:
-    """Return a natural number; TypeError unless `value` is an integer (a bool is none)."""
-    try:
-        count = operator.index(value)
-    except TypeError:
-        count = None
-    if count is None or isinstance(value, bool):
-        raise TypeError(f"{name} = {value!r}: must be an integer, not {type(value).__name__}")
-    require(count >= 1, name, value, "must be at least 1")
-    return count
+class ValidationError(RuntimeError):
+    """A kernel does not compute what was emitted, or not within its accuracy bound."""
 
 
-def check_triple(name: str, value: Iterable[Any]) -> tuple[float, float, float]:
-    """Return three finite floats; errors name the component."""
-    try:
-        components = tuple(value)
-    except TypeError:
-        raise TypeError(f"{name} = {value!r}: must be three real numbers") from None
-    require(len(components) == 3, name, value, "must be three real numbers")
-    x, y, z = (check_real(f"{name}[{i}]", component) for i, component in enumerate(components))
-    return x, y, z
+# Subjects that a process has made, by the place of the derivation and the emitted files.
+_made: dict[tuple[Path, Path], tuple[Subject, ...]] = {}
+
+
+def validate_derivations(
+    papers: Sequence[tuple[Path, Paper]],
+    files: Mapping[str, str],
+    *,
+    use_cache: bool = True,
+    limit: float = 600.0,
+    report: Callable[[str], None] = lambda text: None,
+) -> None:
+    """Run the emitted kernels of all papers, given by their places.
+
+    Raises `ValidationError` with the kernel, the point and both values.
+    """
+    kept = _load() if use_cache else []
+    keys = {place: _key(place, paper, files) for place, paper in papers}
+    wanted = [(place, paper) for place, paper in papers if keys[place] not in kept]
+    with TemporaryDirectory() as folder:
+        for name, text in files.items():
+            target = Path(folder, name)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(text, encoding="utf-8")
+        names = [(place, q.name) for place, paper in wanted for q in paper.quantities if q.forms]
+        tasks = [(place, Path(folder), name) for place, name in names]
+        try:
+            for done, _ in enumerate(run_tasks(_validate, tasks, limit=limit, start=START), 1):
+                report(f"{done} of {len(tasks)} kernels run")
+        except WorkerError as error:
+            place, name = names[error.number]
+            raise ValidationError(f"{place}: {name}: {error.reason}") from error
+    if use_cache:
+        _save([*kept, *(keys[place] for place, _ in wanted)])
+
+
+def _validate(task: tuple[Path, Path, str]) -> None:
+    place, folder, name = task
+    if (place, folder) not in _made:
+        _made[place, folder] = tuple(make_subjects(load_paper(place), place, folder))
+    validate(s for s in _made[place, folder] if s.quantity.name == name)
+
+
+def _key(place: Path, paper: Paper, files: Mapping[str, str]) -> str:
+    """Return a key of all that the values depend on: sources of the package and of the paper."""
+    package = Path(__file__).parent
+    sources = [p for layer in LAYERS for p in sorted((package / layer).rglob("*.py"))]
+    sources += sorted(place.rglob("*.py")) if place.is_dir() else [place]
+    sources += sorted(place.parent.glob("_*.py"))
+    emitted = [text for name, text in sorted(files.items()) if Path(name).stem == paper.system]
+    parts = [sys.version, *map(version, VERSIONS), *emitted]
+    digests = [sha256(path.read_bytes()).hexdigest() for path in sources]
+    return sha256("\n".join([*parts, *digests]).encode()).hexdigest()
+
+
+def _load() -> list[str]:
+    with suppress(OSError, ValueError):
+        found = json.loads((cache_folder() / "validated.json").read_bytes())
+        if isinstance(found, list):
+            return [key for key in found if isinstance(key, str)]
+    return []
+
+
+def _save(keys: list[str]) -> None:
+    with suppress(OSError):
+        cache_folder().mkdir(parents=True, exist_ok=True)
+        text = json.dumps(list(dict.fromkeys(keys))[-MOST_KEPT:])
+        (cache_folder() / "validated.json").write_text(text, encoding="utf-8")

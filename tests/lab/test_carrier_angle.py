@@ -7,10 +7,11 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from mechproof import CylindricalPair, EllipticPlanetary, OvalPlanetary
+from mechproof import CylindricalPair as Pair
+from mechproof import EllipticPlanetary, OvalPlanetary
+from mechproof.lab.method import Array
 from mechproof.lab.oracle import Truth, find_truth
 from mechproof.lab.points import step_ulps
-from mechproof.lab.specimen import Array
 from mechproof.lab.subject import find_subjects
 
 EPS = float(np.finfo(float).eps)
@@ -22,13 +23,13 @@ MECHANISMS: dict[str, Mechanism] = {
     **{f"elliptic 66/16, {e!r}": EllipticPlanetary(66, 16, e) for e in ECCENTRICITIES},
     **{f"elliptic 50.3/50.2, {e!r}": EllipticPlanetary(50.3, 50.2, e) for e in (0.475, 0.99)},
     "intermittent": OvalPlanetary.published(3),
-    "intermittent at zero": OvalPlanetary(CylindricalPair(20, 30), Fraction(1, 5)),
+    "intermittent at zero": OvalPlanetary(Pair(20, 30), Fraction(1, 5)),
     "one-way": OvalPlanetary.published(4),
-    "with the carrier": OvalPlanetary(CylindricalPair(20, 30), 0.1),
-    "uniform": OvalPlanetary(CylindricalPair(20, 30), 0.0),
-    "steep": OvalPlanetary(CylindricalPair(1, 3000), 0.99),
-    "steepest": OvalPlanetary(CylindricalPair(1, 4e12), 1 - 1e-12),
-    "fastest": OvalPlanetary(CylindricalPair(4e12, 1), 1 - 1e-12),
+    "with the carrier": OvalPlanetary(Pair(20, 30), 0.1),
+    "uniform": OvalPlanetary(Pair(20, 30), 0.0),
+    "steep": OvalPlanetary(Pair(1, 3000), 0.99),
+    "steepest": OvalPlanetary(Pair(1, 4e12), 1 - 1e-12),
+    "fastest": OvalPlanetary(Pair(4e12, 1), 1 - 1e-12),
 }
 # The worst targets that searches met.
 WORST: dict[str, tuple[float, ...]] = {}
@@ -38,7 +39,7 @@ def sizes_of(mechanism: Mechanism) -> tuple[float, float, float]:
     if isinstance(mechanism, EllipticPlanetary):
         return mechanism.R1, mechanism.R2, mechanism.e
     pair = mechanism.pair
-    assert isinstance(pair, CylindricalPair)
+    assert isinstance(pair, Pair)
     return float(pair.R4), float(pair.R5), float(mechanism.e2)
 
 
@@ -95,6 +96,52 @@ def residual_of(mechanism: Mechanism, targets: Array, found: Array) -> Array:
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_residual_within_the_conditioning(name: str) -> None:
     assert measure_residual(name, draw_targets(name, 20240901)).max() <= ALLOWED
+
+
+LADDER = [1 - 10.0**-j for j in (1, 3, 9, 12, 15)]
+
+
+def miss_position(mechanism: Mechanism, targets: Array, found: Array) -> float:
+    """Return by how many eps the exact position misses the target beyond a step to a neighbour."""
+    at = truth_of(mechanism, found)
+    beside = [truth_of(mechanism, step_ulps(found, np.array(n))) for n in (-1, 1)]
+    change = np.max([np.abs((b.high - at.high) + (b.low - at.low)) for b in beside], axis=0)
+    beyond = np.abs((at.high - targets) + at.low) - change
+    scale = EPS * np.maximum(at.scale, np.abs(targets))
+    return float((beyond / np.maximum(scale, TINIEST)).max())
+
+
+def draw_ladder_targets(mechanism: Mechanism) -> Array:
+    """Draw small, usual and large angles, and positions on the steep places."""
+    r1, r2, e = sizes_of(mechanism)
+    random = np.random.default_rng(99)
+    usual = random.uniform(-30, 30, 30)
+    phi1 = np.concatenate([10.0 ** random.uniform(-300, 1, 10), usual])
+    phi1 = np.concatenate([phi1, random.uniform(-1, 1, 20) * min(2.0**25 * r2 / r1, 1e6)])
+    phi1 = np.concatenate([phi1, np.pi * r2 / r1 * np.arange(1, 9) * (1 - e * 1e-3)])
+    # Angles drawn at random meet no steep place.
+    steep = mechanism.position(2 * np.pi * r2 / r1 * np.arange(1, 4))
+    around = np.add.outer(steep, usual).ravel()
+    return np.concatenate([mechanism.position(phi1), around])
+
+
+@pytest.mark.parametrize("e", LADDER, ids=repr)
+@pytest.mark.parametrize("sizes", [(66.0, 16.0), (50.3, 50.2), (1.0, 4e15)], ids=str)
+def test_the_bound_holds_up_to_e_1(sizes: tuple[float, float], e: float) -> None:
+    """Both neighbours enclose the target in positions that are each 4 eps off: 8 eps."""
+    elliptic = sizes[0] > sizes[1]
+    mechanism = EllipticPlanetary(*sizes, e) if elliptic else OvalPlanetary(Pair(*sizes), e)
+    targets = draw_ladder_targets(mechanism)
+    found = np.asarray(mechanism.carrier_angle(targets))
+    assert miss_position(mechanism, targets, found) <= 2 * BAR
+
+
+def test_an_angle_a_few_ulps_off_would_be_seen_near_e_1() -> None:
+    """What a search that stops at 4 eps of the angle may find."""
+    mechanism = EllipticPlanetary(66, 16, LADDER[-1])
+    targets = draw_ladder_targets(mechanism)
+    found = step_ulps(np.asarray(mechanism.carrier_angle(targets)), np.array(4))
+    assert miss_position(mechanism, targets, found) > 1000 * BAR
 
 
 @pytest.mark.parametrize("name", ["elliptic 66/16, 0.475", "one-way"])

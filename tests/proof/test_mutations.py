@@ -18,6 +18,7 @@ from mechproof.derivations import (
     track_wheel,
     wedge_linkage,
 )
+from mechproof.derivations.track_wheel.errors import i, j
 from mechproof.proof.continuity import find_break
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
@@ -93,7 +94,7 @@ def lose_a_root(node):
 
 def swap_two_indices(node):
     if isinstance(node, sp.Indexed) and len(node.indices) == 1:
-        others = [s for s in (track_wheel.i, track_wheel.j) if s not in node.indices]
+        others = [s for s in (i, j) if s not in node.indices]
         yield from (node.base[other] for other in others)
 
 

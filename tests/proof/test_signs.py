@@ -47,6 +47,8 @@ TRUE = {
     "chain": (z - x > 0, {}, (y > x, z > y)),
     "relation with a closed end": (y >= 0, {z: sp.Interval(0, 1)}, (y >= 1 - z,)),
     "root": (later(sp.Ge, sp.sqrt(x) + 1, 1), {x: sp.Interval(0, sp.oo)}, ()),
+    "modulus": (later(sp.Gt, sp.Abs(x + y) + 1, 0), {}, ()),
+    "modulus below": (R1**2 - x**2 >= 0, RADII, (sp.Abs(x) <= R1,)),
     "count": (later(sp.Ge, n * (n - 1), 0), {n: sp.S.Naturals}, ()),
     "indexed": (later(sp.Gt, q[i] ** 2 + 1, 0), {}, ()),
     "unequal": (sp.Ne(x**2 + 1, 0, evaluate=False), {}, ()),
@@ -54,6 +56,8 @@ TRUE = {
 
 WRONG = {
     "square, strict": (later(sp.Gt, x**2, 0), {}, ()),
+    "modulus, strict": (later(sp.Gt, sp.Abs(x), 0), {}, ()),
+    "modulus above": (R1**2 - 2 * x**2 >= 0, RADII, (sp.Abs(x) <= R1,)),
     "quadratic with a double root": (x**2 + 2 * x + 1 > 0, {}, ()),
     "quadratic with two roots": (x**2 + 3 * x + 1 > 0, {}, ()),
     "half line closed at the root": (x**3 + x > 0, {x: sp.Interval(0, sp.oo)}, ()),
@@ -112,7 +116,6 @@ NOT_SHOWN = {
     "integral": sp.Integral(x**2, (x, 0, 1)) * y**2 + sp.Integral(sp.exp(y * x), (x, 0, 1)),
     "complex number": sp.sqrt(-2) * x,
     "undefined": sp.nan,
-    "modulus": sp.Abs(x + y) + 1,
     "sine above its tangent": sp.sin(x) ** 3 + sp.Rational(1, 10**6),
 }
 

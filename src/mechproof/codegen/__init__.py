@@ -1,7 +1,8 @@
-"""From quantities to kernel source, in one direction.
+"""From quantities to kernel source, in one direction; imports SymPy, Jinja2 and the records.
 
-`Quantity` -> `evaluation` (named steps and an output) -> `rewrites` (named, exact; what exists
-for its rounding alone is in `error_free`, exact there as well) ->
-`subexpressions` (what occurs twice gets a name) -> `numpy_printer` (text of expressions) ->
-`kernel` (pure data) -> `backend` (template and formatter) -> `regenerate` (files).
+`Form` -> `evaluation` (named steps and an output) -> `rewrites` (named, exact; what exists for its
+rounding alone is in `error_free`) -> `subexpressions` (what occurs twice gets a name) ->
+`lowering` (a `program` of single operations in a fixed order) -> `numpy_syntax` (text) ->
+`numpy_backend` (template and formatter) -> `regenerate` (files). And back: `reading` (the emitted
+text as a program) -> `raising` (its mathematics) -> `forms` (rows of the ledger).
 """

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.codegen.evaluation import input_symbols
+from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Quantity, Variable
 
 
@@ -33,6 +34,14 @@ def parameter_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...
     return tuple(r for r in domain_relations(quantity, paper) if not r.has(*running))
 
 
+def can_be_left(quantity: Quantity, paper: Paper, checked: tuple[sp.Basic, ...]) -> bool:
+    """Say whether a relation on the arguments, also by symbols given by them, stays unchecked."""
+    inputs = {s for argument in quantity.arguments for s in argument.symbols}
+    whole, extra = Domain.of(paper), quantity.on.where if quantity.on else ()
+    others = (r for r in (*paper.where, *extra) if input_symbols(whole.resolve(r)) <= inputs)
+    return any(r not in checked for r in (*domain_relations(quantity, paper), *others))
+
+
 def set_relations(item: sp.Expr, values: sp.Set) -> list[sp.Basic]:
     """State that `item` is in an interval or a natural number; infinity is outside."""
     if values == sp.S.Reals:
@@ -55,5 +64,5 @@ def _element(variable: Variable, quantity: Quantity) -> sp.Expr:
     """Return the symbol itself, or an element of an indexed base as the quantity indexes it."""
     if not isinstance(variable.symbol, sp.IndexedBase):
         return variable.symbol
-    items = [i for i in quantity.form.expression.atoms(sp.Indexed) if i.base == variable.symbol]
+    items = [i for i in quantity.definition.atoms(sp.Indexed) if i.base == variable.symbol]
     return min(items, key=sp.default_sort_key)

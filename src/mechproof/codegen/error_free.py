@@ -7,11 +7,7 @@ without a fused multiply-add, by splitting each factor into halves whose product
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from types import MappingProxyType
-
 import sympy as sp
-from sympy.codegen.cfunctions import hypot
 
 
 class ProductRest(sp.Function):  # type: ignore[misc]
@@ -63,14 +59,13 @@ class SmallArctan(sp.Function):  # type: ignore[misc]
     nargs = 1
 
 
-EXACT: Mapping[type[sp.Function], Callable[..., sp.Expr]] = MappingProxyType(
-    {
-        hypot: lambda a, b: sp.sqrt(a**2 + b**2),
-        ProductRest: lambda a, b, p: a * b - p,
-        SumRest: lambda a, b, s: a + b - s,
-        QuotientRest: lambda a, b, q: a / b - q,
-        SmallTangent: sp.tan,
-        TangentQuotient: lambda y, a, b: sp.tan(y) / (a + b * sp.tan(y) ** 2),
-        SmallArctan: sp.atan,
-    }
-)
+class Single(sp.Function):  # type: ignore[misc]
+    """Single(a) = a, rounded to float32; what is computed from it is float32, too."""
+
+    nargs = 1
+
+
+class WholeTurnsOff(sp.Function):  # type: ignore[misc]
+    """WholeTurnsOff(x) = x less whole turns: inside sines and cosines, and nowhere else, x."""
+
+    nargs = 1

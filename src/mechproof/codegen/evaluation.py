@@ -3,23 +3,52 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import reduce
+from typing import Any
 
 import sympy as sp
 
-from mechproof.codegen.error_free import EXACT
-from mechproof.record import Argument, Paper, Quantity
+from mechproof.record import Argument, Form, Paper, Quantity
 
 Step = tuple[sp.Symbol, sp.Expr]
 
 
+class Alongside(sp.Function):  # type: ignore[misc]
+    """A value that an argument only gives its shape and its NaN: value + 0*argument."""
+
+    nargs = 2
+
+
 @dataclass(frozen=True)
 class Evaluation:
-    """A straight-line program: every step uses inputs and the steps before it."""
+    """Named steps, each of inputs and the steps before it, and the output computed from them.
+
+    `obligations` are the relations on the inputs under which the rewrites so far are legal.
+    """
 
     inputs: frozenset[sp.Basic]
     steps: tuple[Step, ...]
     output: sp.Basic
+    obligations: tuple[sp.Basic, ...] = ()
+
+    def oblige(self, relations: Iterable[sp.Basic]) -> Evaluation:
+        """Add relations under which a rewrite is legal, their steps inserted."""
+        values = self.step_values()
+        added = (relation.xreplace(values) for relation in relations)
+        wanted = (r for r in (*self.obligations, *added) if r != sp.true)
+        return replace(self, obligations=tuple(dict.fromkeys(wanted)))
+
+    def step_values(self) -> dict[sp.Symbol, sp.Expr]:
+        """Return every step in terms of the inputs."""
+        values: dict[sp.Symbol, sp.Expr] = {}
+        for symbol, value in self.steps:
+            values[symbol] = value.xreplace(values)
+        return values
+
+    def expressions(self) -> tuple[sp.Expr, ...]:
+        """List the values of the steps and the entries of the output."""
+        return (*(value for _, value in self.steps), *entries(self.output))
 
     def new_symbol(self, name: str, steps: Iterable[Step] = ()) -> sp.Symbol:
         """Return a real symbol called `name`, numbered if an input or a step has that name."""
@@ -35,46 +64,50 @@ class Evaluation:
         """
         old = [(symbol, convert(value)) for symbol, value in self.steps]
         output = map_entries(convert, self.output)
-        return arrange(self.inputs, (*old, *steps), output)
+        return self.rearrange((*old, *steps), output)
 
-    def expanded(self) -> sp.Basic:
-        """Return the output in terms of the inputs, all steps inserted: what a proof compares."""
-        values: dict[sp.Symbol, sp.Expr] = {}
-        for symbol, value in self.steps:
-            values[symbol] = value.xreplace(values)
-        return map_entries(lambda e: write_exactly(e.xreplace(values)), self.output)
+    def rearrange(self, steps: Iterable[Step], output: sp.Basic) -> Evaluation:
+        """Take other steps and another output; what the output does not need is left out."""
+        return replace(self, **_arranged(steps, output))
 
 
-def write_exactly(expression: sp.Expr) -> sp.Expr:
-    """Replace the functions that exist for their rounding by what they are exactly."""
-    for function, exact in EXACT.items():
-        expression = expression.replace(function, exact)
-    return expression
+def start_evaluation(quantity: Quantity, form: Form, paper: Paper) -> Evaluation:
+    """Take a form's expression; symbols that the paper defines by others become steps.
 
-
-def start_evaluation(quantity: Quantity, paper: Paper) -> Evaluation:
-    """Take the form's expression; symbols that the paper defines by others become steps.
-
-    Raises ValueError if the expression has a symbol that is neither argument nor defined,
-    or if an argument does not occur.
+    An argument that does not occur in a rival goes alongside. Raises ValueError if the expression
+    has a symbol that is neither argument nor defined, or if an argument of the kernel does not
+    occur.
     """
     inputs = frozenset(s for argument in quantity.arguments for s in argument.symbols)
     given = {v.symbol: v.given for v in paper.variables if v.given is not None}
     steps = [(s, g) for s, g in given.items() if s not in inputs]
-    evaluation = arrange(inputs, steps, map_entries(sp.sympify, quantity.form.expression))
+    evaluation = arrange(inputs, steps, map_entries(sp.sympify, form.expression))
     used = input_symbols(evaluation.output).union(
         *(input_symbols(value) for _, value in evaluation.steps)
     )
+    where = f"{paper.system}.{quantity.name}, {form.name}"
     known = inputs | {symbol for symbol, _ in evaluation.steps}
     if unknown := sorted(map(str, used - known)):
-        raise ValueError(f"{paper.system}.{quantity.name}: symbols without a value: {unknown}")
-    if idle := [a.name for a in quantity.arguments if used.isdisjoint(a.symbols)]:
-        raise ValueError(f"{paper.system}.{quantity.name}: arguments that do not occur: {idle}")
-    return evaluation
+        raise ValueError(f"{where}: symbols without a value: {unknown}")
+    idle = [a for a in quantity.arguments if used.isdisjoint(a.symbols)]
+    if idle and form not in quantity.rivals:
+        raise ValueError(f"{where}: arguments that do not occur: {[a.name for a in idle]}")
+    return _carry_along(evaluation, [s for argument in idle for s in argument.symbols])
+
+
+def _carry_along(evaluation: Evaluation, symbols: Iterable[sp.Symbol]) -> Evaluation:
+    def add(entry: sp.Expr) -> sp.Expr:
+        return reduce(Alongside, symbols, entry)
+
+    return evaluation.rearrange(evaluation.steps, map_entries(add, evaluation.output))
 
 
 def arrange(inputs: frozenset[sp.Basic], steps: Iterable[Step], output: sp.Basic) -> Evaluation:
     """Order the steps as the output needs them and leave out those it does not need."""
+    return Evaluation(inputs, **_arranged(steps, output))
+
+
+def _arranged(steps: Iterable[Step], output: sp.Basic) -> dict[str, Any]:
     values: Mapping[sp.Symbol, sp.Expr] = dict(steps)
     ordered: dict[sp.Symbol, sp.Expr] = {}
 
@@ -85,7 +118,7 @@ def arrange(inputs: frozenset[sp.Basic], steps: Iterable[Step], output: sp.Basic
                 ordered[node] = values[node]
 
     visit(output)
-    return Evaluation(inputs, tuple(ordered.items()), output)
+    return {"steps": tuple(ordered.items()), "output": output}
 
 
 def input_symbols(expression: sp.Basic) -> set[sp.Basic]:
@@ -99,8 +132,8 @@ def input_symbols(expression: sp.Basic) -> set[sp.Basic]:
 
 
 def count_axes(argument: Argument, quantity: Quantity) -> int:
-    """Count the indices with which the form uses an indexed argument."""
-    items = quantity.form.expression.atoms(sp.Indexed)
+    """Count the indices with which the definition uses an indexed argument."""
+    items = quantity.definition.atoms(sp.Indexed)
     return next(len(item.indices) for item in items if item.base == argument.symbols[0])
 
 

@@ -1,55 +1,126 @@
-"""Forms: in, a paper's quantities; out, the rows that say each printed form is its definition."""
+"""Forms: in, a paper and the source emitted from it; out, the rows that say what each form is."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields
+
 import sympy as sp
 
-from mechproof.codegen.kernel import evaluate_quantity, take_shortcut
-from mechproof.record import Claim, Conjunction, Equality, Paper, Quantity, Row, Statement
+from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.kernel import Kernel, list_functions
+from mechproof.codegen.numpy_backend import render_modules
+from mechproof.codegen.raising import WrittenForm
+from mechproof.codegen.reading import read_module
+from mechproof.record import (
+    Claim,
+    Conjunction,
+    Equality,
+    Form,
+    Holds,
+    Paper,
+    Part,
+    Quantity,
+    Row,
+    Statement,
+)
+
+
+class TranslationError(ValueError):
+    """The emitted source does not compute the program that was meant."""
 
 
 def form_rows(paper: Paper) -> tuple[Row, ...]:
-    """Return one row for each form, shortcuts included, that is not its quantity's definition.
+    """Return the rows of every form: what its source computes, and that its rewrites are legal.
 
-    Left out are approximations, whose bound has rows of its own in the derivation, and
-    quantities whose row stands in the derivation itself. Raises ValueError if it does not.
+    The source is read back first. Raises `TranslationError` where it is not the program.
     """
-    rows = {row.number for row in paper.rows}
-    for quantity in paper.quantities:
-        if quantity.form.proved_by not in (*rows, ""):
-            raise ValueError(f"{quantity.name}: no row {quantity.form.proved_by!r} in the paper")
-    forms = [
-        (name, version)
-        for quantity in paper.quantities
-        for name, version in (
-            (quantity.name, quantity),
-            (f"{quantity.name}, shortcut", take_shortcut(quantity)),
-        )
-        if version is not None
-    ]
+    kernels = list_functions(paper)
+    codes = read_back(paper, kernels)
     return tuple(
-        _state_form(name, quantity, paper)
-        for name, quantity in forms
-        if quantity.form.bound is None
-        and not quantity.form.proved_by
-        and (quantity.form.rewrites or quantity.form.expression != quantity.definition)
+        row
+        for kernel in kernels
+        for number in range(len(kernel.forms))
+        for row in _state_form(kernel, number, codes[kernel.name].stages[number], paper)
     )
 
 
-def _state_form(number: str, quantity: Quantity, paper: Paper) -> Row:
-    rewrites = ", ".join(quantity.form.rewrites) or "none"
-    name = quantity.name.replace("_", r"\_")
-    return Claim(
-        f"kernel {number}",
-        rf"\text{{the kernel {name} computes its definition}}",
-        _equal_on_branches(evaluate_quantity(quantity, paper).expanded(), quantity.definition),
-        note=f"Form: {quantity.form.name}; rewrites: {rewrites}.",
+def read_back(paper: Paper, kernels: Sequence[Kernel]) -> dict[str, KernelCode]:
+    """Read the emitted modules of a paper and compare them with the programs they come from."""
+    read: dict[str, KernelCode] = {}
+    for source in render_modules(paper).values():
+        read |= read_module(source)
+    for kernel in kernels:
+        compare_code(f"{paper.system}.{kernel.name}", kernel.code, read.get(kernel.name))
+    return read
+
+
+def compare_code(name: str, meant: KernelCode, read: KernelCode | None) -> None:
+    """Raise `TranslationError` with the first difference between what is meant and what is read."""
+    if read is None:
+        raise TranslationError(f"{name}: not in the source")
+    for field in fields(KernelCode):
+        one, other = getattr(meant, field.name), getattr(read, field.name)
+        if one != other:
+            raise TranslationError(f"{name}: {field.name} meant {one}, the source reads {other}")
+
+
+def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Iterator[Row]:
+    quantity, form = kernel.quantity, kernel.forms[place]
+    last = form is kernel.forms[-1]
+    number = f"kernel {kernel.name}" if last else f"kernel {kernel.name}, {form.name}"
+    shown = kernel.name.replace("_", r"\_")
+    rewrites = ", ".join(form.rewrites) or "none"
+    states = form.states or (lambda code: equal_on_branches(code.output(), quantity.definition))
+    on = _join_parts(quantity, form, paper)
+    note = f" {form.note[:1].upper()}{form.note[1:]}." if form.note else ""
+    yield Claim(
+        number,
+        rf"\text{{the source of {shown} computes "
+        + (r"its definition}" if form.bound is None else r"its definition to a bound}"),
+        states(WrittenForm(quantity, kernel.code, stage)),
+        note=f"Read back from the source: {form.name}; rewrites: {rewrites}.{note}",
+        on=on,
+        holds_on=form.holds_on,
         marks=("ours",),
     )
+    obligations = kernel.obligations[place]
+    if obligations:
+        yield Claim(
+            f"{number}, legal",
+            rf"\text{{the rewrites of {shown} are legal}}",
+            Conjunction(tuple(map(Holds, obligations))),
+            note=f"What {rewrites} ask for.",
+            on=on,
+            marks=("ours",),
+        )
 
 
-def _equal_on_branches(form: sp.Basic, definition: sp.Basic) -> Statement:
-    """State the equality for each branch, where the sign of the compared value is known."""
+def _join_parts(quantity: Quantity, form: Form, paper: Paper) -> Part | None:
+    """Join where the quantity is meant, where the form is, and when it is taken."""
+    parts = [part for part in (quantity.on, form.on) if part is not None]
+    if form.when is not None:
+        parts.append(_as_part(form.when, {v.symbol: v.within for v in paper.variables}))
+    if not parts:
+        return None
+    within = {s: values for part in parts for s, values in part.within.items()}
+    where = tuple(relation for part in parts for relation in part.where)
+    return Part("; ".join(part.text for part in parts), within, where)
+
+
+def _as_part(condition: sp.Basic, sets: Mapping[sp.Basic, sp.Set]) -> Part:
+    """Return a condition as a narrower set of its symbol if it has one only, else as it stands."""
+    symbols = condition.free_symbols & sets.keys()
+    if len(symbols) == 1 == len(condition.free_symbols):
+        (symbol,) = symbols
+        narrowed = sets[symbol].intersect(condition.as_set())
+        if isinstance(narrowed, sp.Interval):
+            return Part(str(condition), {symbol: narrowed})
+    return Part(str(condition), where=(condition,))
+
+
+def equal_on_branches(form: sp.Basic, definition: sp.Basic) -> Statement:
+    """State an equality for each branch v >= 0 of a form, where the sign of v is known."""
     values = sorted(_branch_values(form), key=sp.default_sort_key)
     if not values:
         return Equality(form, definition)

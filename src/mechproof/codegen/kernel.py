@@ -1,209 +1,179 @@
-"""Kernel: in, a quantity and its paper; out, the pure data that a template lays out."""
+"""Kernel: in, a quantity and the forms of one function; out, its code as programs.
+
+What the parameters alone decide is divided from what varies point by point; every backend prints
+the same code.
+"""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from itertools import chain
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from keyword import iskeyword
-from types import MappingProxyType
 
 import sympy as sp
 
-from mechproof.codegen.docstring import describe_kernel, input_names
-from mechproof.codegen.domain import domain_relations, parameter_relations
+from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.domain import can_be_left, parameter_relations
 from mechproof.codegen.evaluation import (
     Evaluation,
-    Step,
     count_axes,
     entries,
     input_symbols,
     start_evaluation,
 )
-from mechproof.codegen.numpy_printer import NumpyPrinter
+from mechproof.codegen.lowering import lower_conditions, lower_steps
+from mechproof.codegen.program import Program
 from mechproof.codegen.rewrites import apply_rewrites
-from mechproof.codegen.subexpressions import count_operations, share_subexpressions
-from mechproof.record import Argument, Paper, Quantity
+from mechproof.codegen.subexpressions import share_subexpressions
+from mechproof.record import Argument, Form, Paper, Quantity
 
-SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
-    {
-        "arrays": (
-            "as_floats",
-            "check_components",
-            "choose_where",
-            "holds",
-            "in_blocks",
-            "is_finite",
-            "nan_outside",
-            "split_components",
-            "store",
-            "sum_axes",
-            "transform",
-        ),
-        "error_free": ("product_rest", "quotient_rest", "small_tangent", "sum_rest"),
-        "polynomials": ("small_arctan", "tangent_quotient"),
-    }
-)
-# Constants that functions of the support package take as their last argument.
-CONSTANTS: Mapping[str, str] = MappingProxyType(
-    {
-        "TANGENT": "tan(r/2)/r in powers of r**2",
-        "ARCTANGENT": "(atan(y)/y - 1)/y**2 in powers of y**2",
-    }
-)
-RESERVED = frozenset(
-    {"Any", "ArrayLike", "NDArray", "np", "inside", "out", *CONSTANTS, *chain(*SUPPORT.values())}
-)
-
-
-@dataclass(frozen=True)
-class Vector:
-    """An argument with components on its last axis, and their names."""
-
-    argument: str
-    components: tuple[str, ...]
-
-
-@dataclass(frozen=True)
-class Indexed:
-    """An argument with one or two axes that are summed over."""
-
-    argument: str
-    axes: int
-
-
-@dataclass(frozen=True)
-class Stage:
-    """One form in two functions: what the parameters alone decide, and the rest, point by point.
-
-    `when` is the condition on the parameters under which the form is taken, "" for always.
-    `prepare` has inputs, steps and results; `evaluate` has inputs, steps and outputs.
-    """
-
-    when: str
-    suffix: str
-    form: str
-    rewrites: tuple[str, ...]
-    operations: int
-    parameters: tuple[str, ...]
-    prepare: tuple[tuple[str, str], ...]
-    prepared: tuple[str, ...]
-    running: tuple[str, ...]
-    evaluate: tuple[tuple[str, str], ...]
-    outputs: tuple[str, ...]
-    affine: bool
+NOTHING = Program((), (), ())
 
 
 @dataclass(frozen=True)
 class Kernel:
-    """All that is printed of one kernel, as text."""
+    """A function to be printed: its forms, tried in order, and its code.
+
+    `obligations` are the relations under which the rewrites of each form are legal.
+    """
 
     name: str
-    arguments: tuple[tuple[str, float | None], ...]
-    docstring: tuple[str, ...]
-    source: str
+    quantity: Quantity
+    forms: tuple[Form, ...]
     digest: str
-    vectors: tuple[Vector, ...]
-    indexed: tuple[Indexed, ...]
-    conditions: tuple[str, ...]
-    masked: tuple[str, ...]
-    stages: tuple[Stage, ...]
-    shape: tuple[int, ...]
+    code: KernelCode
+    obligations: tuple[tuple[sp.Basic, ...], ...]
+
+    @property
+    def is_shipped(self) -> bool:
+        """Return whether it is the kernel of its quantity, not a rival."""
+        return self.forms == self.quantity.shipped
 
 
-def evaluate_quantity(quantity: Quantity, paper: Paper) -> Evaluation:
+# The functions of the papers last asked for; a record with mappings in it has no hash.
+_built: list[tuple[Paper, tuple[Kernel, ...]]] = []
+MOST_BUILT = 8
+
+
+def list_functions(paper: Paper) -> tuple[Kernel, ...]:
+    """Build the kernel of every quantity that has forms, each followed by its rivals."""
+    for known, functions in _built:
+        if known is paper:
+            return functions
+    functions = tuple(f for q in paper.quantities if q.forms for f in _build(q, paper))
+    _built[:] = [*_built[1 - MOST_BUILT :], (paper, functions)]
+    return functions
+
+
+def _build(quantity: Quantity, paper: Paper) -> Iterator[Kernel]:
+    yield build_kernel(quantity.name, quantity, quantity.shipped, paper)
+    for form in quantity.rivals:
+        yield build_kernel(name_rival(quantity, form), quantity, (form,), paper)
+
+
+def name_rival(quantity: Quantity, form: Form) -> str:
+    """Return the name of a rival form's function."""
+    return f"{quantity.name}_{form.key}"
+
+
+def evaluate_form(quantity: Quantity, form: Form, paper: Paper) -> Evaluation:
     """Make the evaluation a kernel prints: the form, its rewrites, shared subexpressions."""
-    started = start_evaluation(quantity, paper)
-    return share_subexpressions(apply_rewrites(started, quantity.form.rewrites))
+    started = start_evaluation(quantity, form, paper)
+    return share_subexpressions(apply_rewrites(started, form.rewrites))
 
 
-def take_shortcut(quantity: Quantity) -> Quantity | None:
-    """Return the quantity with its shortcut as the form, None if it has none."""
-    return replace(quantity, form=quantity.shortcut.form) if quantity.shortcut else None
-
-
-def build_kernel(quantity: Quantity, paper: Paper) -> Kernel:
-    """Evaluate a quantity and print it.
+def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: Paper) -> Kernel:
+    """Build the code of one function.
 
     Raises ValueError where the quantity cannot be computed or its domain cannot be checked.
     """
-    evaluation = evaluate_quantity(quantity, paper)
+    evaluations = [evaluate_form(quantity, form, paper) for form in forms]
+    used = set().union(*map(_used_symbols, evaluations))
     conditions = parameter_relations(quantity, paper)
-    masked = _choose_masked(quantity, evaluation) if conditions else ()
-    printer = NumpyPrinter(input_names(quantity), frozenset())
-    shorter = take_shortcut(quantity)
-    stages = [build_stage(quantity, evaluation)]
-    if shorter and any(isinstance(s, sp.IndexedBase) for s in evaluation.inputs):
-        raise ValueError(f"{quantity.name}: a shortcut of sums over an axis is not printed")
-    if shorter and quantity.shortcut:
-        when = printer.print_expression(quantity.shortcut.when)
-        stages.insert(0, build_stage(shorter, evaluate_quantity(shorter, paper), when))
-    return Kernel(
-        name=quantity.name,
-        arguments=tuple((a.name, a.default) for a in quantity.arguments),
-        docstring=describe_kernel(
-            quantity, paper, domain_relations(quantity, paper), conditions, masked
-        ),
-        source=quantity.source,
-        digest=hash_expression(start_evaluation(quantity, paper)),
-        vectors=tuple(_vector(a, evaluation) for a in quantity.arguments if len(a.symbols) > 1),
+    names = input_names(quantity)
+    affine = len(forms) == 1 and _affine_coefficients(quantity, evaluations[0]) is not None
+    vectors = _name_vectors(quantity, used, affine)
+    scalars = _list_scalars(quantity, vectors)
+    if len(forms) > 1 and any(isinstance(s, sp.IndexedBase) for s in evaluations[0].inputs):
+        raise ValueError(f"{name}: forms of sums over an axis cannot be chosen by a condition")
+    code = KernelCode(
+        name=name,
+        arguments=tuple(a.name for a in quantity.arguments),
+        vectors=vectors,
         indexed=tuple(
-            Indexed(a.name, count_axes(a, quantity))
+            (a.name, count_axes(a, quantity))
             for a in quantity.arguments
             if isinstance(a.symbols[0], sp.IndexedBase)
         ),
-        conditions=tuple(map(printer.print_condition, conditions)),
-        masked=masked,
-        stages=tuple(stages),
-        shape=_trailing_shape(evaluation.output),
+        inside=lower_conditions(names, scalars, conditions) if conditions else None,
+        masked=_choose_masked(quantity, conditions, evaluations[-1]),
+        stages=tuple(
+            _build_stage(quantity, form, evaluation, scalars, vectors)
+            for form, evaluation in zip(forms, evaluations, strict=True)
+        ),
+        shape=_trailing_shape(evaluations[0].output),
+        quiet=can_be_left(quantity, paper, conditions),
     )
+    started = [start_evaluation(quantity, form, paper) for form in forms]
+    obligations = tuple(evaluation.obligations for evaluation in evaluations)
+    return Kernel(name, quantity, forms, hash_expressions(started), code, obligations)
 
 
-def build_stage(quantity: Quantity, evaluation: Evaluation, when: str = "") -> Stage:
-    """Divide an evaluation into what the parameters alone decide and the rest, and print both."""
+def _build_stage(
+    quantity: Quantity,
+    form: Form,
+    evaluation: Evaluation,
+    scalars: tuple[str, ...],
+    vectors: tuple[tuple[str, tuple[str, ...]], ...],
+) -> Stage:
     names = input_names(quantity)
     _check_names(quantity, [*names.values(), *(str(s) for s, _ in evaluation.steps)])
+    when = lower_conditions(names, scalars, (form.when,)) if form.when is not None else None
     large = _point_sized(quantity, evaluation)
-    printer = NumpyPrinter(names, large)
-    occurring = input_symbols(evaluation.output).union(
-        *(input_symbols(value) for _, value in evaluation.steps)
-    )
+    occurring = _used_symbols(evaluation)
     running, *others = (
         [s for s in argument.symbols if s in occurring] for argument in quantity.arguments
     )
+    outputs = entries(evaluation.output)
+    if any(isinstance(s, sp.IndexedBase) for s in evaluation.inputs):
+        program = lower_steps(names, large, scalars, evaluation.steps, outputs)
+        return Stage(when, scalars, (), NOTHING, program)
     parameters = [s for symbols in others for s in symbols]
+    given = tuple(names[s] for s in parameters)
+    affine = _affine_coefficients(quantity, evaluation)
+    if affine is not None:
+        prepare = lower_steps(names, large, given, evaluation.steps, affine)
+        return Stage(when, dict(vectors)[quantity.arguments[0].name], given, prepare, None)
     before = [step for step in evaluation.steps if step[0] not in large]
     after = [step for step in evaluation.steps if step[0] in large]
-    outputs = entries(evaluation.output)
-    affine = _affine_coefficients(quantity, outputs) if not after else None
     last = [value for _, value in after] + list(outputs)
-    used = set().union(*(input_symbols(value) for value in last))
-    needed = [names.get(s, str(s)) for s in (*parameters, *(s for s, _ in before)) if s in used]
-    return Stage(
-        when=when,
-        suffix="_shortcut" if when else "",
-        form=quantity.form.name,
-        rewrites=quantity.form.rewrites,
-        operations=count_operations(evaluation),
-        parameters=tuple(names[s] for s in parameters),
-        prepare=_print_steps(before, printer),
-        prepared=tuple(map(printer.print_expression, affine) if affine else needed),
-        running=tuple(names[s] for s in running),
-        evaluate=_print_steps(after, printer),
-        outputs=tuple(map(printer.print_expression, outputs)),
-        affine=affine is not None,
-    )
+    wanted = set().union(*(input_symbols(value) for value in last))
+    passed = [s for s in (*parameters, *(s for s, _ in before)) if s in wanted]
+    prepare = lower_steps(names, large, given, before, passed) if given else NOTHING
+    moving = tuple(names[s] for s in running)
+    inputs = (*moving, *(names.get(s, str(s)) for s in passed))
+    return Stage(when, moving, given, prepare, lower_steps(names, large, inputs, after, outputs))
 
 
-def _print_steps(steps: list[Step], printer: NumpyPrinter) -> tuple[tuple[str, str], ...]:
-    return tuple((str(symbol), printer.print_expression(value)) for symbol, value in steps)
+def input_names(quantity: Quantity) -> Mapping[sp.Basic, str]:
+    """Name the inputs: a lone symbol is called like its argument, components like their symbols."""
+    return {
+        s: argument.name if len(argument.symbols) == 1 else str(s)
+        for argument in quantity.arguments
+        for s in argument.symbols
+    }
 
 
-def _affine_coefficients(quantity: Quantity, outputs: tuple[sp.Expr, ...]) -> list[sp.Expr] | None:
+def _used_symbols(evaluation: Evaluation) -> set[sp.Basic]:
+    return set().union(*map(input_symbols, evaluation.expressions()))
+
+
+def _affine_coefficients(quantity: Quantity, evaluation: Evaluation) -> list[sp.Expr] | None:
     """List the matrix row by row, then the shift, of outputs affine in as many components."""
-    point = quantity.arguments[0].symbols
-    if not 1 < len(point) == len(outputs):
+    point, outputs = quantity.arguments[0].symbols, entries(evaluation.output)
+    large = _point_sized(quantity, evaluation)
+    if not 1 < len(point) == len(outputs) or any(s in large for s, _ in evaluation.steps):
         return None
     matrix = [sp.diff(output, component) for output in outputs for component in point]
     if any(entry.has(*point) for entry in matrix):
@@ -211,17 +181,18 @@ def _affine_coefficients(quantity: Quantity, outputs: tuple[sp.Expr, ...]) -> li
     return matrix + [output.xreplace(dict.fromkeys(point, sp.S.Zero)) for output in outputs]
 
 
-def hash_expression(evaluation: Evaluation) -> str:
-    """Return the SHA-256 of the `srepr` of the unrewritten steps and output."""
-    parts = [sp.srepr(part) for step in evaluation.steps for part in step]
-    return hashlib.sha256("\n".join([*parts, sp.srepr(evaluation.output)]).encode()).hexdigest()
+def hash_expressions(evaluations: list[Evaluation]) -> str:
+    """Return the SHA-256 of the `srepr` of the steps and outputs before any rewrite."""
+    parts = [sp.srepr(part) for e in evaluations for step in e.steps for part in step]
+    parts += [sp.srepr(e.output) for e in evaluations]
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
 def _check_names(quantity: Quantity, names: list[str]) -> None:
     """Require every name to be a variable of its own in the printed function."""
     taken = {a.name for a in quantity.arguments if len(a.symbols) > 1}
     for name in names:
-        if not name.isidentifier() or iskeyword(name) or name in RESERVED or name in taken:
+        if not name.isidentifier() or iskeyword(name) or name.startswith("_") or name in taken:
             raise ValueError(f"{quantity.name}: {name!r} cannot name a variable of the kernel")
         taken.add(name)
 
@@ -235,26 +206,47 @@ def _point_sized(quantity: Quantity, evaluation: Evaluation) -> frozenset[sp.Bas
     return frozenset(large)
 
 
-def _choose_masked(quantity: Quantity, evaluation: Evaluation) -> tuple[str, ...]:
-    """Find the fewest parameters, in the order of the arguments, on which every output depends."""
-    open_entries = [entry.free_symbols for entry in entries(evaluation.expanded())]
-    chosen: list[str] = []
-    for argument in quantity.arguments[1:]:
-        (symbol, *others) = argument.symbols
-        if others or isinstance(symbol, sp.IndexedBase):
-            continue
-        left = [symbols for symbols in open_entries if symbol not in symbols]
-        if len(left) < len(open_entries):
-            open_entries = left
-            chosen.append(argument.name)
-    if open_entries:
+def _choose_masked(
+    quantity: Quantity, conditions: tuple[sp.Basic, ...], evaluation: Evaluation
+) -> tuple[str, ...]:
+    """List the parameters of the conditions: none of them is computed with outside the domain.
+
+    Raises ValueError if an output depends on none of them and would not become NaN.
+    """
+    if not conditions:
+        return ()
+    names = input_names(quantity)
+    checked = set().union(*map(input_symbols, conditions))
+    masked = {s for s in checked if isinstance(s, sp.Symbol)}
+    values = evaluation.step_values()
+    if any(
+        masked.isdisjoint(input_symbols(e.xreplace(values))) for e in entries(evaluation.output)
+    ):
         raise ValueError(f"{quantity.name}: no parameter through which an output can become NaN")
-    return tuple(chosen)
+    return tuple(names[s] for a in quantity.arguments for s in a.symbols if s in masked)
 
 
-def _vector(argument: Argument, evaluation: Evaluation) -> Vector:
-    used = evaluation.output.free_symbols.union(*(v.free_symbols for _, v in evaluation.steps))
-    return Vector(argument.name, tuple(str(s) if s in used else "_" for s in argument.symbols))
+def _name_vectors(
+    quantity: Quantity, used: set[sp.Basic], affine: bool
+) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Name the components of vectors; an affine map takes its points whole."""
+    vectors = []
+    for number, argument in enumerate(quantity.arguments):
+        if len(argument.symbols) == 1:
+            continue
+        names = tuple(str(s) if s in used else "_" for s in argument.symbols)
+        if affine and number == 0:
+            names = tuple(f"{argument.name}[{i}]" for i in range(len(names)))
+        vectors.append((argument.name, names))
+    return tuple(vectors)
+
+
+def _list_scalars(
+    quantity: Quantity, vectors: tuple[tuple[str, tuple[str, ...]], ...]
+) -> tuple[str, ...]:
+    """List what a condition may use: the arguments, vectors by their components."""
+    parts = dict(vectors)
+    return tuple(n for a in quantity.arguments for n in parts.get(a.name, (a.name,)))
 
 
 def _trailing_shape(output: sp.Basic) -> tuple[int, ...]:
@@ -263,3 +255,12 @@ def _trailing_shape(output: sp.Basic) -> tuple[int, ...]:
         return ()
     rows, columns = output.shape
     return (rows,) if columns == 1 else (rows, columns)
+
+
+def shape_of(argument: Argument, quantity: Quantity) -> str:
+    """Describe the shape of an argument."""
+    if len(argument.symbols) > 1:
+        return f"shape (..., {len(argument.symbols)})"
+    if isinstance(argument.symbols[0], sp.IndexedBase):
+        return f"shape (..., {', '.join('n' * count_axes(argument, quantity))})"
+    return "any shape"

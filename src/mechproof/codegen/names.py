@@ -12,7 +12,9 @@ LONGEST = 24
 def suggest_name(expression: sp.Expr, otherwise: str = "term") -> str:
     """Return a name that says what the expression is, or `otherwise` where that would be long."""
     name = _spell(expression)
-    return name if name.isidentifier() and len(name) <= LONGEST else otherwise
+    # What has no word, as a fraction, is spelled as nothing and leaves an underscore.
+    readable = name.isidentifier() and name == name.strip("_")
+    return name if readable and len(name) <= LONGEST else otherwise
 
 
 def _spell(expression: sp.Expr) -> str:

@@ -4,67 +4,110 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from mechproof.codegen.backend import NUMPY, Backend, render_init, render_module
+from mechproof.codegen.numpy_backend import render_init, render_modules
 from mechproof.record import Paper
 
-REPAIR = "mechproof regenerate"
-# Results of measurements, other backends and caches live in folders of their own.
-FOREIGN_FOLDERS = ("measured", "compiled", "__pycache__")
+# What was generated, and may be replaced and removed: these, and modules with this line.
+LEDGERS = ("LEDGER.md", "ledger.json")
+STAMP = re.compile("^Regenerate with `mechproof regenerate`", re.MULTILINE)
 
 
-def render_package(papers: Iterable[Paper], backend: Backend = NUMPY) -> dict[str, str]:
+class ForeignFileError(RuntimeError):
+    """A file that was not generated lies where one is to be written."""
+
+
+def render_package(papers: Iterable[Paper]) -> dict[str, str]:
     """Render every file of the generated package, by its name relative to the package.
 
-    Papers without quantities have no module.
+    Papers without forms have no module.
     """
-    modules = {p.system: render_module(p, backend) for p in papers if p.quantities}
-    files = {f"{system}.py": text for system, text in sorted(modules.items())}
-    return {"__init__.py": render_init(backend), **files}
-
-
-def compare_or_update(directory: Path, files: Mapping[str, str], *, check: bool) -> list[str]:
-    """Compare the directory with `files`; unless `check`, make it equal.
-
-    Returns one entry for each missing, surplus or different file, a unified diff from the file
-    to what it should be; empty if there is nothing to do. With `check` and a difference, the
-    last entry names the command that repairs it. An interrupted write leaves old files whole.
-    """
-    present = _read_files(directory)
-    names = sorted(set(present) | set(files))
-    changed = [name for name in names if present.get(name) != files.get(name)]
-    report = [_describe_change(name, present.get(name), files.get(name)) for name in changed]
-    if check:
-        return [*report, f"run `{REPAIR}`"] if report else []
-    _write_files(directory, {name: files[name] for name in changed if name in files})
-    for name in set(changed) - set(files):
-        (directory / name).unlink()
-    return report
-
-
-def _read_files(directory: Path) -> dict[str, str]:
-    """Read what lies in the directory, its foreign folders apart."""
-    paths = (path.relative_to(directory) for path in directory.rglob("*") if path.is_file())
-    own = sorted(path for path in paths if path.parts[0] not in FOREIGN_FOLDERS)
-    # Bytes, because a line end or an encoding that is not ours is a difference to show, too.
+    files = {name: text for p in papers for name, text in render_modules(p).items()}
     return {
-        path.as_posix(): (directory / path).read_bytes().decode("utf-8", "backslashreplace")
-        for path in own
+        "__init__.py": render_init("Generated kernels: one module per system."),
+        "forms/__init__.py": render_init("Other forms of the kernels: one module per system."),
+        **dict(sorted(files.items())),
     }
 
 
-def _describe_change(name: str, present: str | None, wanted: str | None) -> str:
-    what = "missing" if present is None else "surplus" if wanted is None else "different"
-    lines = difflib.unified_diff(
-        (present or "").splitlines(keepends=True),
-        (wanted or "").splitlines(keepends=True),
-        fromfile=f"{name} (present)",
-        tofile=f"{name} (regenerated)",
-    )
-    return f"{what}: {name}\n{''.join(lines)}"
+@dataclass(frozen=True)
+class Change:
+    """A file of ours that is not what it should be: its text, and the text it should have."""
+
+    name: str
+    present: str | None
+    wanted: str | None
+
+    @property
+    def is_removal(self) -> bool:
+        """Return whether the file is surplus."""
+        return self.wanted is None
+
+    def describe(self) -> str:
+        """Return what is wrong and a unified diff from the file to what it should be."""
+        what = "missing" if self.present is None else "surplus" if self.is_removal else "different"
+        lines = difflib.unified_diff(
+            (self.present or "").splitlines(keepends=True),
+            (self.wanted or "").splitlines(keepends=True),
+            fromfile=f"{self.name} (present)",
+            tofile=f"{self.name} (regenerated)",
+        )
+        return f"{what}: {self.name}\n{''.join(lines)}"
+
+
+def compare_files(directory: Path, files: Mapping[str, str]) -> list[Change]:
+    """Return the missing, surplus and different files, in the order of their names.
+
+    Surplus is only what was generated: a ledger, or a module with the stamp. Raises
+    `ForeignFileError` if a name is taken by a file that was not.
+    """
+    present = _read_own_files(directory, files)
+    return [
+        Change(name, present.get(name), files.get(name))
+        for name in sorted(present.keys() | files.keys())
+        if present.get(name) != files.get(name)
+    ]
+
+
+def update_files(directory: Path, changes: Iterable[Change]) -> None:
+    """Make the changes; an interrupted write leaves the old files whole."""
+    changes = list(changes)
+    _write_files(directory, {c.name: c.wanted for c in changes if c.wanted is not None})
+    for change in changes:
+        if change.is_removal:
+            (directory / change.name).unlink()
+            _remove_empty_folders(directory, change.name)
+
+
+def _remove_empty_folders(directory: Path, name: str) -> None:
+    for folder in Path(name).parents[:-1]:
+        with suppress(OSError):
+            (directory / folder).rmdir()
+
+
+def _read_own_files(directory: Path, wanted: Iterable[str]) -> dict[str, str]:
+    """Read what was generated, and what lies where something is to be."""
+    modules = (path.relative_to(directory).as_posix() for path in directory.rglob("*.py"))
+    names = sorted({*modules, *LEDGERS, *wanted})
+    texts = {name: _read(directory / name) for name in names if (directory / name).is_file()}
+    own = {name for name, text in texts.items() if name in LEDGERS or STAMP.search(text)}
+    if taken := sorted(n for n in wanted if n in texts and n not in own and texts[n].strip()):
+        raise ForeignFileError(
+            f"{directory / taken[0]}: is to be generated, but lies there without the line "
+            "that generated modules have; move it away or delete it"
+        )
+    return {name: text for name, text in texts.items() if name in own or name in wanted}
+
+
+def _read(file: Path) -> str:
+    # Bytes, because a line end or an encoding that is not ours is a difference to show, too.
+    return file.read_bytes().decode("utf-8", "backslashreplace")
 
 
 def _write_files(directory: Path, files: Mapping[str, str]) -> None:

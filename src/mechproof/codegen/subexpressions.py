@@ -7,7 +7,7 @@ from operator import methodcaller
 
 import sympy as sp
 
-from mechproof.codegen.evaluation import Evaluation, arrange, entries, map_entries
+from mechproof.codegen.evaluation import Evaluation, entries, map_entries
 from mechproof.codegen.names import suggest_name
 
 
@@ -20,18 +20,11 @@ def share_subexpressions(evaluation: Evaluation) -> Evaluation:
     while (repeated := _find_repeated(evaluation)) is not None:
         symbol = evaluation.new_symbol(suggest_name(repeated))
         replace = methodcaller("xreplace", {repeated: symbol})
-        evaluation = arrange(
-            evaluation.inputs,
+        evaluation = evaluation.rearrange(
             [(symbol, repeated), *((s, replace(v)) for s, v in evaluation.steps)],
             map_entries(replace, evaluation.output),
         )
     return _merge_steps(evaluation)
-
-
-def count_operations(evaluation: Evaluation) -> int:
-    """Count the operations and function calls of all steps and of the output."""
-    values = [value for _, value in evaluation.steps] + list(entries(evaluation.output))
-    return int(sum(sp.count_ops(value) for value in values))
 
 
 def _find_repeated(evaluation: Evaluation) -> sp.Expr | None:
@@ -69,4 +62,4 @@ def _merge_steps(evaluation: Evaluation) -> Evaluation:
         for symbol, value in evaluation.steps
     ]
     output = map_entries(lambda e: e.xreplace(names), evaluation.output)
-    return arrange(evaluation.inputs, steps, output)
+    return evaluation.rearrange(steps, output)

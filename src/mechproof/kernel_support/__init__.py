@@ -1,4 +1,4 @@
-"""What generated kernels call: arrays in blocks, error-free transformations, fast quotients.
+"""What generated kernels call: arrays in blocks, error-free transformations, fast quotients, facts.
 
-Plain code that generated modules import; it imports NumPy and nothing of the package.
+Plain code that generated modules and the runtime import; it imports NumPy alone.
 """

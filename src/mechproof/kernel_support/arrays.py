@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,8 @@ BLOCK = 16384
 # Loops along the last axis that cost more than their start.
 LONG_LOOP = 64
 SCALARS = frozenset({np.float64, np.float32})
+# Types whose finiteness is told by a comparison.
+COMPARED = SCALARS | {Fraction}
 # Types that Python's arithmetic and NumPy's agree on; all others keep their own.
 PLAIN = SCALARS | {np.ndarray}
 WEAK = (bool, int, float)
@@ -37,6 +40,9 @@ def as_floats(**arguments: ArrayLike) -> tuple[NDArray[Any], ...]:
 
     """
     arrays = [np.float64(v) if type(v) is float else _as_array(v) for v in arguments.values()]
+    for name, array in zip(arguments, arrays, strict=True):
+        if not hasattr(array, "dtype"):
+            raise TypeError(f"{name}: expected numbers with a dtype, got {type(array).__name__}")
     dtypes = [array.dtype for array in arrays]
     if dtypes.count(DOUBLE) == len(dtypes):
         return tuple(arrays)
@@ -52,8 +58,10 @@ def _as_array(value: Any) -> Any:
     """Return an array, a NumPy scalar if it has no axes, or what brings ufuncs of its own."""
     if type(value) in PLAIN:
         return value if value.shape else value[()]
-    is_foreign = hasattr(value, "__array_ufunc__") and hasattr(value, "dtype")
-    return value if is_foreign and not isinstance(value, AS_ARRAYS) else np.asarray(value)
+    if not hasattr(value, "__array_ufunc__") or isinstance(value, AS_ARRAYS):
+        return np.asarray(value)
+    # A foreign scalar, a number with a unit, gets a dtype and stays what it is.
+    return value if hasattr(value, "dtype") else np.multiply(value, np.float64(1.0))
 
 
 def _cast(array: Any, dtype: np.dtype[Any]) -> Any:
@@ -62,16 +70,28 @@ def _cast(array: Any, dtype: np.dtype[Any]) -> Any:
 
 
 def check_components(name: str, array: Any, count: int) -> None:
-    """Check the length of the last axis.
+    """Check the length of the last axis, and that components can be taken from it.
 
     Raises
     ------
+    TypeError
+        If the array cannot be indexed by axes, as a series of pandas; the message names the
+        argument.
     ValueError
         If the last axis has not `count` components; the message names the argument.
 
     """
     if array.shape[-1:] != (count,):
         raise ValueError(f"{name}: last axis must have length {count}, got shape {array.shape}")
+    if type(array) is not np.ndarray:
+        try:
+            array[..., :0]
+        except (LookupError, TypeError, ValueError):
+            kind = type(array).__name__
+            raise TypeError(
+                f"{name}: expected an array with components on its last axis, got {kind}; "
+                "convert it by np.asarray"
+            ) from None
 
 
 def split_components(name: str, array: Any, count: int) -> tuple[NDArray[Any], ...]:
@@ -103,22 +123,20 @@ def sum_axes(**arguments: tuple[Any, int]) -> tuple[NDArray[Any], ...]:
 
 
 def is_finite(value: Any) -> Any:
-    """Return np.isfinite(value), which for a scalar costs as much as a short loop."""
-    return abs(value) < np.inf if type(value) in SCALARS else np.isfinite(value)
+    """Return np.isfinite(value), which costs for a scalar as a short loop, or of a fraction."""
+    return abs(value) < np.inf if type(value) in COMPARED else np.isfinite(value)
 
 
-def nan_outside(value: Any, inside: Any) -> NDArray[Any]:
-    """Return `value` where `inside` is true, NaN elsewhere."""
-    masked: NDArray[Any]
+def nan_outside(inside: Any, *values: Any) -> tuple[NDArray[Any], ...]:
+    """Return the values where `inside` is true, NaN elsewhere."""
     if type(inside) is np.bool:
-        masked = value if inside else value * np.nan
-    elif type(value) in PLAIN and type(inside) is np.ndarray:
-        # Unmasked it keeps its own shape, and so does what is computed of it.
-        masked = value if inside.all() else np.where(inside, value, np.nan)
-    else:
-        # A product keeps the mask, the laziness or the unit, which np.where would drop.
-        masked = value * np.where(inside, 1.0, np.nan)
-    return masked
+        return values if inside else tuple([value * np.nan for value in values])
+    if type(inside) is np.ndarray and PLAIN.issuperset(map(type, values)):
+        # Unmasked they keep their own shapes, and so does what is computed of them.
+        return values if inside.all() else tuple([np.where(inside, v, np.nan) for v in values])
+    # A product keeps the mask, the laziness or the unit, which np.where would drop.
+    factor = np.where(inside, 1.0, np.nan)
+    return tuple([value * factor for value in values])
 
 
 def choose_where(condition: Any, value: Any, otherwise: Any) -> Any:
@@ -192,11 +210,13 @@ def in_blocks(
     *,
     out: NDArray[Any] | None = None,
     shape: tuple[int, ...] = (),
+    quiet: bool = False,
 ) -> Any:
     """Return evaluate(*running, *prepare(*parameters)), broadcast, a block of points at a time.
 
     With a `shape`, `evaluate` returns the components of that shape's last axes. float32 is
-    computed in float64. Arrays with ufuncs of their own are evaluated in one piece.
+    computed in float64. Arrays with ufuncs of their own are evaluated in one piece. `quiet`: the
+    points may leave the domain, where NaN is the documented answer and no warning is due.
 
     Raises
     ------
@@ -204,6 +224,9 @@ def in_blocks(
         If `out` is no array of the result's type and shape, or shapes do not broadcast.
 
     """
+    if quiet:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return in_blocks(evaluate, running, prepare, parameters, out=out, shape=shape)
     arrays = (*running, *parameters)
     if not PLAIN.issuperset(map(type, arrays)):
         values = evaluate(*running, *prepare(*parameters))
@@ -315,6 +338,7 @@ def transform(
     parameters: tuple[Any, ...],
     *,
     out: NDArray[Any] | None = None,
+    quiet: bool = False,
 ) -> Any:
     """Return M @ p + v for each p of `points`, `coefficients` giving M row by row, then v.
 

@@ -42,3 +42,13 @@ def _split(a: Any) -> tuple[Any, Any]:
     scaled = small * (2.0**27 + 1)
     high = (scaled - (scaled - small)) * 2.0**28
     return high, a - high
+
+
+def single(value: Any) -> Any:
+    """Return the value in float32."""
+    return value.astype(np.float32)
+
+
+def whole_turns_off(x: Any) -> Any:
+    """Return x less the multiple of the double next to 2*pi that is nearest to it."""
+    return x - 2 * np.pi * np.rint(x / (2 * np.pi))

@@ -7,21 +7,22 @@ from functools import lru_cache
 import numpy as np
 import sympy as sp
 
-from mechproof.lab.specimen import Specimen
-from mechproof.lab.subject import Box, Subject
+from mechproof.lab.method import Method
+from mechproof.lab.sizes import Cell
+from mechproof.lab.subject import Subject
 from mechproof.proof.balls import evaluate
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
 
 
-def bound_over(subject: Subject, specimen: Specimen, box: Box) -> float | None:
+def bound_over(subject: Subject, method: Method, box: Cell) -> float | None:
     """Return what the error stays below on a box of sizes.
 
     None without a bound, or for a bound that does not provably rise with every size.
     """
-    if specimen.bound is None:
+    if method.bound is None:
         return None
-    bound = subject.domain.resolve(specimen.bound)
+    bound = subject.domain.resolve(method.bound)
     sizes = {s: sp.Symbol(f"size_{s}", positive=True) for s in _needed(bound)}
     if not sizes.keys() <= _corner(subject, box).keys() or not _rises(bound, subject, sizes):
         return None
@@ -33,7 +34,7 @@ def _needed(bound: sp.Expr) -> list[sp.Symbol]:
     return sorted(bound.free_symbols, key=str)
 
 
-def _corner(subject: Subject, box: Box) -> dict[sp.Symbol, float]:
+def _corner(subject: Subject, box: Cell) -> dict[sp.Symbol, float]:
     """Give every symbol the largest size its argument has in the box."""
     return {
         symbol: box[argument.name][1]

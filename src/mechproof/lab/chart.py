@@ -12,9 +12,9 @@ from typing import Any
 import matplotlib as mpl
 from matplotlib.figure import Figure
 
-from mechproof.lab.maps import draw_jumps, draw_map
+from mechproof.lab.jumps import draw_jumps
 from mechproof.lab.subject import Subject
-from mechproof.lab.timing import COPY
+from mechproof.measured import COPY, Kind, Record
 
 # What is below this is drawn here: an exact result has no place on a logarithmic axis.
 SMALLEST_ERROR = 0.1
@@ -25,37 +25,41 @@ PLACES = sorted(
     ((dx, dy) for dx in range(-90, 91, 15) for dy in range(-90, 91, 15) if (dx, dy) != (0, 0)),
     key=lambda p: (math.hypot(*p), -p[0], -p[1]),
 )
-MARKERS = {"ours": "s", "form": "o", "peer": "^"}
+MARKERS: Mapping[Kind, str] = {"kernel": "s", "form": "o", "peer": "^"}
+SIGNS: Mapping[Kind, str] = {"kernel": "square", "form": "circle", "peer": "triangle"}
+# The largest size drawn, where caches and pages both count.
+LARGEST = 100_000
 STYLE: Any = {"svg.hashsalt": "mechproof", "svg.fonttype": "none", "font.size": 9}
 
 
 @dataclass(frozen=True)
 class Dot:
-    """A form on the chart: nanoseconds at `count`, errors on its best and worst point set.
+    """A way on the chart: nanoseconds at `count`, errors on its best and worst point set.
 
     `error` is the one it is drawn at: of the worst set, or of one set.
     """
 
-    form: str
-    source: str
+    way: str
+    kind: Kind
     time: float
     best: float
     error: float
     count: int
 
 
-def draw_charts(subject: Subject, record: Mapping[str, Any], folder: Path) -> list[Path]:
-    """Draw what there is to draw of one subject, as PNG and SVG; return the files."""
+def draw_charts(record: Record, subject: Subject | None, folder: Path) -> list[Path]:
+    """Draw what there is to draw of one quantity, as PNG and SVG; return the files.
+
+    Time against error is in the record; jumps between branches are computed from the subject, if
+    it is there.
+    """
     files: list[Path] = []
     with mpl.rc_context(STYLE):
         for workload, count in _largest_sizes(record):
-            name = f"{record['quantity']}.{_as_file_name(workload)}"
-            figure = draw_front(record, workload, count, subject.study.typical)
-            files += save(figure, folder / name)
-        for item in subject.study.maps:
-            files += save(draw_map(subject, item), folder / f"{record['quantity']}.lost_bits")
-        if figure_of_jumps := draw_jumps(subject):
-            files += save(figure_of_jumps, folder / f"{record['quantity']}.jumps")
+            name = f"{record.quantity}.{_as_file_name(workload)}"
+            files += save(draw_front(record, workload, count), folder / name)
+        if subject is not None and (jumps := draw_jumps(subject)):
+            files += save(jumps, folder / f"{record.quantity}.jumps")
     return files
 
 
@@ -72,46 +76,39 @@ def _as_file_name(text: str) -> str:
     return "".join(c if c.isalnum() else "_" for c in text)
 
 
-def _largest_sizes(record: Mapping[str, Any]) -> list[tuple[str, int]]:
-    """Return for each workload the largest size up to 1e5, where caches and pages both count."""
+def _largest_sizes(record: Record) -> list[tuple[str, int]]:
+    """Return for each workload the largest size that is drawn."""
     sizes: dict[str, int] = {}
-    for row in record["times"]:
-        if row["rounds"] and row["count"] <= 100_000:
-            sizes[row["workload"]] = max(row["count"], sizes.get(row["workload"], 0))
+    for row in record.times:
+        if row.count <= LARGEST:
+            sizes[row.workload] = max(row.count, sizes.get(row.workload, 0))
     return list(sizes.items())
 
 
 def collect_dots(
-    record: Mapping[str, Any], workload: str, count: int, only: str | None = None
+    record: Record, workload: str, count: int, only: str | None = None
 ) -> Iterator[Dot]:
-    """Pair time and error of every form that has both, on all point sets or on one."""
-    sources = {form["name"]: form["source"] for form in record["forms"]}
-    for form, source in sources.items():
-        rows = [r for r in record["accuracy"] if r["form"] == form and only in (None, r["set"])]
-        errors = [float(e) for r in rows if (e := r["worst_where_the_bar_holds"]) is not None]
-        found = find_time(record, form, workload, count)
+    """Pair time and error of every way that has both, on all point sets or on one."""
+    for way in record.ways:
+        rows = [row for row in record.errors_of(way.name) if only in (None, row.set)]
+        errors = [row.worst_scaled for row in rows if row.worst_scaled is not None]
+        found = find_time(record, way.name, workload, count)
         if errors and found:
             kept = [min(max(e, SMALLEST_ERROR), LOST) for e in errors]
-            yield Dot(form, source, found[1], min(kept), max(kept), found[0])
+            yield Dot(way.name, way.kind, found[1], min(kept), max(kept), found[0])
 
 
-def find_time(
-    record: Mapping[str, Any], form: str, workload: str, count: int
-) -> tuple[int, float] | None:
+def find_time(record: Record, way: str, workload: str, count: int) -> tuple[int, float] | None:
     """Return size and time at this size, or at the largest size below that was worth it."""
-    rows = [
-        r
-        for r in record["times"]
-        if (r["form"], r["workload"]) == (form, workload) and r["rounds"] and r["count"] <= count
-    ]
-    best = max(rows, key=lambda r: r["count"], default=None)
-    return (best["count"], float(best["median"])) if best else None
+    rows = [r for r in record.times if (r.way, r.workload) == (way, workload) and r.count <= count]
+    best = max(rows, key=lambda r: r.count, default=None)
+    return (best.count, best.median) if best else None
 
 
 def find_front(dots: list[Dot]) -> list[Dot]:
     """Return the dots that no other beats in both time and worst error, fastest first.
 
-    A form that lost results is not on it.
+    A way that lost results is not on it.
     """
     front: list[Dot] = []
     kept = [dot for dot in dots if dot.error < LOST]
@@ -121,14 +118,12 @@ def find_front(dots: list[Dot]) -> list[Dot]:
     return front
 
 
-def draw_front(
-    record: Mapping[str, Any], workload: str, count: int, typical: str | None = None
-) -> Figure:
+def draw_front(record: Record, workload: str, count: int) -> Figure:
     """Draw time against worst error, both logarithmic, numbered, with the front and the copy.
 
-    With a `typical` point set the errors on it are drawn in a panel of their own.
+    The errors on a typical point set are drawn in a panel of their own.
     """
-    chosen = [typical, None] if typical else [None]
+    chosen = [record.typical, None] if record.typical else [None]
     panels = [_sorted_dots(record, workload, count, only) for only in chosen]
     figure = Figure(figsize=(5.2 + 4.8 * len(panels), 5.2), layout="constrained")
     *axes, listing = figure.subplots(1, len(panels) + 1, width_ratios=[*[4.8] * len(panels), 3.2])
@@ -138,21 +133,19 @@ def draw_front(
         panel.set_title(only or "worst of all point sets", fontsize=9)
         panel.sharey(axes[0])
     axes[0].set_ylabel("ns per point, median")
-    scale = "\n".join(textwrap.wrap(record["scale"], 80))
-    axes[0].set_xlabel(f"worst error, eps of {scale}", fontsize=8)
-    title = f"{record['quantity']}: {workload}, N = {count:.0e}"
-    figure.suptitle(f"{title}; {record['machine']['processor']}, {record['taken'][:10]}")
+    label = "\n".join(textwrap.wrap(f"worst error, {record.error_unit}", 90))
+    axes[0].set_xlabel(label, fontsize=8)
+    title = f"{record.quantity}: {workload}, N = {count:.0e}"
+    figure.suptitle(f"{title}; {record.machine.processor}, {record.taken[:10]}")
     _list_dots(listing, panels[-1], count)
     figure.draw_without_rendering()
-    numbers = {dot.form: n for n, dot in enumerate(panels[-1], start=1)}
+    numbers = {dot.way: n for n, dot in enumerate(panels[-1], start=1)}
     for panel, dots in zip(axes, panels, strict=True):
         _number_dots(panel, dots, numbers)
     return figure
 
 
-def _sorted_dots(
-    record: Mapping[str, Any], workload: str, count: int, only: str | None
-) -> list[Dot]:
+def _sorted_dots(record: Record, workload: str, count: int, only: str | None) -> list[Dot]:
     return sorted(collect_dots(record, workload, count, only), key=lambda d: d.time)
 
 
@@ -178,7 +171,7 @@ def _draw_dot(axes: Any, dot: Dot, on_front: bool) -> None:
     """Draw a dot, and a thin line from its best point set."""
     face = "k" if on_front else "w"
     axes.plot([dot.best, dot.error], [dot.time, dot.time], "-", color="0.7", lw=0.8, zorder=1)
-    marker = MARKERS[dot.source]
+    marker = MARKERS[dot.kind]
     axes.plot(dot.error, dot.time, marker, color="k", markerfacecolor=face, ms=7, zorder=2)
 
 
@@ -194,7 +187,7 @@ def _number_dots(axes: Any, dots: list[Dot], numbers: Mapping[str, int]) -> None
         tie = {"arrowstyle": "-", "color": "0.5", "lw": 0.5} if math.hypot(*place) > 20 else None
         offset = place[0] * 72 / dpi, place[1] * 72 / dpi
         axes.annotate(
-            str(numbers[dot.form]), (dot.error, dot.time), offset,
+            str(numbers[dot.way]), (dot.error, dot.time), offset,
             textcoords="offset points", ha="center", va="center", arrowprops=tie,
         )  # fmt: skip
 
@@ -206,13 +199,12 @@ def _is_free(spot: tuple[float, float], taken: list[tuple[float, float]]) -> boo
 def _list_dots(axes: Any, dots: list[Dot], count: int) -> None:
     axes.axis("off")
     front = find_front(dots)
-    signs = {"ours": "square", "form": "circle", "peer": "triangle"}
     lines = [
-        f"{n:2} {'*' if d in front else ' '} {d.form}"
+        f"{n:2} {'*' if d in front else ' '} {d.way}"
         + (f" (N = {d.count})" if d.count != count else "")
         for n, d in enumerate(dots, start=1)
     ]
-    key = ", ".join(f"{sign}: {source}" for source, sign in signs.items())
+    key = ", ".join(f"{sign}: {kind}" for kind, sign in SIGNS.items())
     notes = ["", "filled: Pareto front (*: of all sets)", key, "thin line: from its best point set",
              f"at {LOST:.0e}: result lost (nan, inf)"]  # fmt: skip
     axes.text(0, 1, "\n".join(lines + notes), va="top", family="monospace", fontsize=8)

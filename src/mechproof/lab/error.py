@@ -7,12 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from mechproof.lab.method import Array
 from mechproof.lab.oracle import Truth
-from mechproof.lab.specimen import Array
+from mechproof.measured import ALL_BITS
 
 EPS = float(np.finfo(float).eps)
-# A lost value loses every bit of a double.
-ALL_BITS = 64.0
 # The errors of a summary where no point is decided.
 NOTHING = (np.nan, np.nan, np.nan, np.nan, np.nan, np.nan)
 
@@ -23,8 +22,9 @@ class Errors:
 
     absolute: |result - exact|, the norm of it for a vector, the largest entry of a matrix.
     ulp: in units in the last place of the exact value (of the vector's norm, of the matrix's
-    largest entry). scaled: in eps times the scale of the bar. Undecided points are NaN in all
-    three; where the result is NaN or infinite and the truth is not, all three are infinite.
+    largest entry). scaled: in eps times the scale of the accuracy bound; without one, as ulp.
+    Undecided points are NaN in all three; where the result is NaN or infinite and the truth is
+    not, all three are infinite.
     """
 
     absolute: Array
@@ -72,13 +72,17 @@ def find_errors(result: Any, truth: Truth) -> Errors:
         # At most one subnormal spacing is lost to the range of doubles, not to the formula.
         visible = np.where(absolute <= np.finfo(float).smallest_subnormal, 0.0, absolute)
         ulp = visible / np.spacing(size)
-        scaled = np.where(visible == 0, 0.0, visible / (EPS * truth.scale))
-        # An error where no scale is known excuses nothing.
-        scaled = np.where((visible > 0) & np.isnan(truth.scale), np.inf, scaled)
+        scaled = ulp if truth.scale is None else _scale(visible, truth.scale)
     lost = ~np.isfinite(_measure_size(result.astype(np.float64)))
     lost_all = (np.where(lost, np.inf, e) for e in (absolute, ulp, scaled))
     absolute, ulp, scaled = (np.where(truth.decided, e, np.nan) for e in lost_all)
     return Errors(absolute, ulp, scaled, result)
+
+
+def _scale(visible: Array, scale: Array) -> Array:
+    """Return errors in eps of the scale; one whose scale is undecided must not pass: infinite."""
+    scaled = np.where(visible == 0, 0.0, visible / (EPS * scale))
+    return np.where((visible > 0) & np.isnan(scale), np.inf, scaled)
 
 
 def _measure_size(values: Array) -> Array:

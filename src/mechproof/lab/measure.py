@@ -1,35 +1,44 @@
-"""Measure: accuracy, proofs and time of every form of a subject, into one JSON record.
+"""Measure: accuracy, proofs and time of every way of computing a quantity, into one record.
 
-The tables report the points of the seed REPORT; the search climbs from those of the seed TUNE.
+Records report the points of the seed REPORT; the search climbs from those of the seed TUNE.
 """
 
 from __future__ import annotations
 
-import json
-import math
-import os
-import platform
-import sys
-from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
-from importlib.metadata import version
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from mechproof.lab.bounds import bound_over
 from mechproof.lab.error import find_errors, summarise
+from mechproof.lab.machine import describe_machine, find_load
+from mechproof.lab.method import Arguments, Array, Method
 from mechproof.lab.oracle import Truth, count_points, find_truth
-from mechproof.lab.points import REPORT, TUNE, draw_points, list_boxes, list_sets
-from mechproof.lab.search import find_worst, within_bar
-from mechproof.lab.specimen import Arguments, Array, Specimen
-from mechproof.lab.subject import Box, PointSet, Subject, judge_specimen
+from mechproof.lab.points import REPORT, TUNE, PointSet, draw_points
+from mechproof.lab.search import find_worst
+from mechproof.lab.sets import draw_in_cell, list_cells, list_sets
+from mechproof.lab.sizes import Cell as Sides
+from mechproof.lab.subject import Subject
 from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs
-from mechproof.proof.verdict import Judgement
+from mechproof.measured import (
+    Cell,
+    CellErrors,
+    Point,
+    Record,
+    Searched,
+    SetErrors,
+    Span,
+    Way,
+    round_off,
+    round_up,
+)
+from mechproof.proof.judge import judge
+from mechproof.proof.verdict import Verdict
+from mechproof.record import Accuracy
 
-VERSIONS = ("mechproof", "numpy", "scipy", "sympy", "python-flint")
 # Simulations and solvers are measured on this many points of a set.
 SLOW_SAMPLE = 30
 
@@ -48,185 +57,188 @@ DEPTHS = {False: Depth(None, 20, FULL), True: Depth(24, 2, QUICK)}
 Report = Callable[[str], None]
 
 
-def measure(subject: Subject, *, quick: bool = False, report: Report = lambda text: None) -> Any:
-    """Return the record of one subject: forms, accuracy, boxes, worst input, times."""
-    depth = DEPTHS[quick]
+def measure(subject: Subject, *, quick: bool = False, report: Report = lambda text: None) -> Record:
+    """Return the record of one quantity: its ways, errors on sets and in cells, search, times."""
+    depth, accuracy = DEPTHS[quick], subject.quantity.accuracy
     report("proofs")
-    forms = _describe_forms(subject)
-    accuracy = []
+    ways = describe_ways(subject)
+    errors: list[SetErrors] = []
     for point_set in list_sets(subject):
         report(f"accuracy, {point_set.name}")
-        accuracy += _measure_set(subject, point_set, depth)
-    report("boxes")
-    boxes, ranges = _measure_boxes(subject, depth)
+        errors += _measure_set(subject, point_set, depth)
+    report("cells")
+    cells, cell_errors, ranges = _measure_cells(subject, depth)
     report("search")
-    worst = _search(subject, depth)
+    searched = _search(subject, depth)
     report("time")
-    ufuncs = time_ufuncs()
-    times = [row.as_dict() for row in time_subject(subject, depth.effort)]
-    bar = subject.quantity.bar
-    return {
-        "quantity": subject.name,
-        "unit": subject.quantity.unit,
-        "taken": datetime.now(UTC).isoformat(timespec="seconds"),
-        "quick": quick,
-        "machine": describe_machine(),
-        "versions": {name: version(name) for name in VERSIONS},
-        "seeds": {"tune": TUNE, "report": REPORT},
-        "scale": bar.of if bar else "the value",
-        "bar": bar.ulp if bar else None,
-        "forms": forms,
-        "accuracy": accuracy,
-        "ranges": ranges,
-        "boxes": boxes,
-        "worst_found": worst,
-        "ufuncs": ufuncs,
-        "times": times,
-    }
+    return Record(
+        quantity=subject.name,
+        unit=subject.quantity.unit,
+        taken=datetime.now(UTC).isoformat(timespec="seconds"),
+        quick=quick,
+        machine=describe_machine(),
+        load=find_load(),
+        seeds={"tune": TUNE, "report": REPORT},
+        scale=_name_scale(accuracy),
+        bound=float(accuracy.ulp) if accuracy else None,
+        typical=list_sets(subject)[0].name,
+        ranges=ranges,
+        searched=searched,
+        ufuncs=time_ufuncs(),
+        ways=ways,
+        sets=tuple(errors),
+        cells=tuple(cells),
+        cell_errors=tuple(cell_errors),
+        times=tuple(time_subject(subject, depth.effort)),
+    )
 
 
-def describe_machine() -> dict[str, Any]:
-    """Describe the processor, what NumPy uses of it, and how busy the machine was."""
-    simd = np.show_config(mode="dicts")["SIMD Extensions"]
-    return {
-        "processor": _processor(),
-        "cores": os.cpu_count(),
-        "simd": simd["found"],
-        "system": platform.system(),
-        "python": ".".join(map(str, sys.version_info[:3])),
-        "load": round(os.getloadavg()[0], 2) if hasattr(os, "getloadavg") else None,
-    }
+def _name_scale(accuracy: Accuracy | None) -> str:
+    if accuracy is None:
+        return ""
+    return accuracy.scale.name if accuracy.scale else "the value"
 
 
-def _processor() -> str:
-    info = Path("/proc/cpuinfo")
-    lines = info.read_text(encoding="utf-8").splitlines() if info.is_file() else []
-    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
-    return names[0] if names else platform.processor()
+def describe_ways(subject: Subject) -> tuple[Way, ...]:
+    """Describe every way; what the ledger's rows say of its source is decided here."""
+    return tuple(_describe(subject, method) for method in subject.methods)
 
 
-def _describe_forms(subject: Subject) -> list[dict[str, Any]]:
-    """Describe every form; what several of them state is decided once."""
-    judged: dict[tuple[int, ...], Judgement | None] = {}
-    forms = []
-    for specimen in subject.specimens:
-        stated = id(specimen.says), id(specimen.on), id(specimen.holds_on)
-        if stated not in judged:
-            judged[stated] = judge_specimen(subject, specimen)
-        forms.append(_describe(specimen, judged[stated]))
-    return forms
+def _describe(subject: Subject, method: Method) -> Way:
+    bound = "" if method.bound is None else str(method.bound)
+    about = Way(
+        method.name,
+        method.kind,
+        bound=bound,
+        ordered=method.ordered,
+        key=method.key,
+        note=method.note,
+    )
+    if not method.rows:
+        return about
+    judged = [judge(row, subject.paper) for row in method.rows]
+    worst = next((j for j in judged if j.verdict is not Verdict.PROVED), judged[-1])
+    parts = {row.on.text for row in method.rows if row.on} if method.kind == "form" else set()
+    return replace(
+        about, verdict=worst.verdict.value, rung=worst.rung, proved_on="; ".join(sorted(parts))
+    )
 
 
-def _describe(specimen: Specimen, judged: Judgement | None) -> dict[str, Any]:
-    return {
-        "name": specimen.name,
-        "source": specimen.source,
-        "verdict": judged.verdict.value if judged else None,
-        "rung": judged.rung if judged else None,
-        "proved_on": specimen.on.text if specimen.on else None,
-        "bound": str(specimen.bound) if specimen.bound is not None else None,
-        "ordered": specimen.ordered,
-        "note": specimen.note,
-    }
-
-
-def _measure_set(subject: Subject, point_set: PointSet, depth: Depth) -> list[dict[str, Any]]:
-    """Measure every form on one set; an ordered form is measured on ordered sets only."""
+def _measure_set(subject: Subject, point_set: PointSet, depth: Depth) -> list[SetErrors]:
+    """Measure every way on one set; an ordered one is measured on ordered sets only."""
     arguments = draw_points(point_set, REPORT)
     if not point_set.ordered:
         arguments = _thin(subject, arguments, depth.points)
     truth = find_truth(subject, arguments)
-    held = np.broadcast_to(within_bar(subject, arguments), truth.decided.shape)
-    rows = []
-    for specimen in subject.specimens:
-        if specimen.ordered <= point_set.ordered:
-            row = _measure_form(subject, specimen, arguments, truth, held, point_set.ordered)
-            rows.append({"set": point_set.name, "form": specimen.name, **row})
-    return rows
+    held = np.broadcast_to(subject.within(*arguments), truth.decided.shape)
+    return [
+        _measure_way(subject, method, point_set, arguments, truth, held)
+        for method in subject.methods
+        if method.ordered <= point_set.ordered
+    ]
 
 
-def _measure_form(
+def _measure_way(
     subject: Subject,
-    specimen: Specimen,
+    method: Method,
+    point_set: PointSet,
     arguments: Arguments,
     truth: Truth,
     held: Array,
-    ordered: bool,
-) -> dict[str, Any]:
-    if specimen.slow and not ordered:
+) -> SetErrors:
+    if method.slow and not point_set.ordered:
         chosen = _sample(len(truth.high), SLOW_SAMPLE)
         arguments, truth, held = _take(subject, arguments, chosen), truth[chosen], held[chosen]
     with np.errstate(all="ignore"):
-        errors = find_errors(specimen.compute(*arguments), truth)
-    summary = summarise(errors, truth, subject.study.period)
-    # The bar of the kernel speaks of these points only.
+        errors = find_errors(method.compute(*arguments), truth)
+    found = summarise(errors, truth, subject.period)
+    # The accuracy bound speaks of these points only.
     inside = errors.scaled[held & truth.decided]
-    worst = float(np.max(inside)) if inside.size else None
-    at = _point(subject, arguments, summary.worst_point)
-    record = {**asdict(summary), "worst_where_the_bar_holds": worst, "worst_at": at}
-    del record["worst_point"]
-    return record
+    keeps_point = method is subject.methods[0] and truth.decided.any()
+    return SetErrors(
+        set=point_set.name,
+        way=method.name,
+        points=found.points,
+        undecided=found.undecided,
+        nan=found.nan,
+        infinite=found.infinite,
+        wrong_branch=found.wrong_branch,
+        worst_ulp=round_up(found.worst_ulp),
+        mean_ulp=round_off(found.mean_ulp),
+        mean_bits=round_off(found.mean_bits),
+        worst_absolute=round_up(found.worst_absolute),
+        worst_scaled=round_up(float(np.max(inside))) if inside.size else None,
+        worst_at=_point(subject, arguments, found.worst_point) if keeps_point else None,
+    )
 
 
-def _measure_boxes(subject: Subject, depth: Depth) -> tuple[list[dict[str, Any]], Any]:
-    """Measure every single-point form on boxes of sizes: largest absolute error and bound."""
-    study, boxes, spans = subject.study, [], []
-    for number, box in enumerate(list_boxes(subject)):
-        assert study.in_cell is not None
-        arguments = study.in_cell(np.random.default_rng([REPORT, number]), box)
+def _measure_cells(
+    subject: Subject, depth: Depth
+) -> tuple[list[Cell], list[CellErrors], dict[str, Span]]:
+    """Measure every single-point way in cells of sizes: largest absolute error and bound."""
+    cells: list[Cell] = []
+    errors: list[CellErrors] = []
+    spans: list[list[Span]] = []
+    for place, sides in enumerate(list_cells(subject)):
+        arguments = draw_in_cell(subject, np.random.default_rng([REPORT, place]), sides)
         arguments = _thin(subject, arguments, depth.points)
         truth = find_truth(subject, arguments)
         spans.append([_span(a) for a in arguments])
-        boxes.append(
-            {
-                "box": {name: list(edges) for name, edges in box.items()},
-                "points": len(truth.high),
-                "undecided": truth.undecided,
-                "errors": {
-                    s.name: _measure_box(subject, s, arguments, truth, box)
-                    for s in subject.specimens
-                    if not s.ordered
-                },
-            }
+        named = {name: (float(low), float(high)) for name, (low, high) in sides.items()}
+        cells.append(Cell(named, len(truth.high), truth.undecided))
+        errors += (
+            _measure_cell(subject, method, arguments, truth, (place, sides))
+            for method in subject.methods
+            if not method.ordered
         )
-    return boxes, _find_ranges(subject, spans)
+    return cells, errors, _find_ranges(subject, spans)
 
 
-def _find_ranges(subject: Subject, spans: list[list[list[float]]]) -> dict[str, list[float]]:
-    """Return the sizes measured: the edges of the boxes, and what else the points spanned."""
+def _find_ranges(subject: Subject, spans: list[list[Span]]) -> dict[str, Span]:
+    """Return the sizes measured: the edges of the cells, and what else the points spanned."""
     if not spans:
         return {}
     lows, highs = np.min(spans, axis=0)[:, 0], np.max(spans, axis=0)[:, 1]
     names = [argument.name for argument in subject.quantity.arguments]
-    found = {n: [float(lo), float(hi)] for n, lo, hi in zip(names, lows, highs, strict=True)}
-    edges = {c.argument: [c.edges[0], c.edges[-1]] for c in subject.study.cells}
+    found = {n: (float(lo), float(hi)) for n, lo, hi in zip(names, lows, highs, strict=True)}
+    usual = {a.name: a.usual for a in subject.quantity.arguments if len(a.usual) > 1}
+    edges = {name: (float(sizes[0]), float(sizes[-1])) for name, sizes in usual.items()}
     return {**found, **edges}
 
 
-def _measure_box(
-    subject: Subject, specimen: Specimen, arguments: Arguments, truth: Truth, box: Box
-) -> dict[str, Any]:
-    if specimen.slow:
+def _measure_cell(
+    subject: Subject,
+    method: Method,
+    arguments: Arguments,
+    truth: Truth,
+    cell: tuple[int, Sides],
+) -> CellErrors:
+    place, sides = cell
+    if method.slow:
         chosen = _sample(len(truth.high), SLOW_SAMPLE)
         arguments, truth = _take(subject, arguments, chosen), truth[chosen]
     with np.errstate(all="ignore"):
-        summary = summarise(find_errors(specimen.compute(*arguments), truth), truth)
-    bound = bound_over(subject, specimen, box)
-    lost = summary.nan + summary.infinite
-    return {"worst": summary.worst_absolute, "bound": bound, "lost": lost}
+        found = summarise(find_errors(method.compute(*arguments), truth), truth)
+    bound = bound_over(subject, method, sides)
+    return CellErrors(
+        cell=place,
+        way=method.name,
+        worst=round_up(found.worst_absolute),
+        bound=None if bound is None else round_up(bound),
+        lost=found.nan + found.infinite,
+    )
 
 
-def _search(subject: Subject, depth: Depth) -> dict[str, Any]:
+def _search(subject: Subject, depth: Depth) -> Searched:
     found = find_worst(subject, subject.kernel, depth.rounds)
-    at = [np.asarray(a).tolist() for a in found.arguments]
-    return {"scaled": found.scaled, "tried": found.tried, "at": at}
+    return Searched(round_up(found.scaled), found.tried, _as_point(found.arguments))
 
 
-def _span(argument: Array) -> list[float]:
+def _span(argument: Array) -> Span:
     """Return the least and the largest size; numbers of both signs enclose zero."""
     size = np.abs(argument)
     least = 0.0 if np.min(argument) < 0 < np.max(argument) else float(np.min(size))
-    return [least, float(np.max(size))]
+    return least, float(np.max(size))
 
 
 def _sample(count: int, wanted: int | None) -> Array:
@@ -240,42 +252,20 @@ def _thin(subject: Subject, arguments: Arguments, wanted: int | None) -> Argumen
     return _take(subject, arguments, _sample(count_points(subject, arguments), wanted))
 
 
-def _take(subject: Subject, arguments: Arguments, chosen: Array) -> Arguments:
-    """Take some of the points; what all points share stays as it is."""
+def _take(subject: Subject, arguments: Arguments, chosen: Any) -> Arguments:
+    """Take some of the points, or one; what all points share stays as it is."""
     count = count_points(subject, arguments)
     return tuple(a[chosen] if np.shape(a)[:1] == (count,) else a for a in arguments)
 
 
-def _point(subject: Subject, arguments: Arguments, index: int) -> list[Any]:
-    """Return one point of a set as numbers that read back to the same doubles."""
-    count = count_points(subject, arguments)
-    shared = (a[index] if np.shape(a)[:1] == (count,) else a for a in arguments)
-    return [np.asarray(a).tolist() for a in shared]
+def _point(subject: Subject, arguments: Arguments, index: int) -> Point:
+    return _as_point(_take(subject, arguments, index))
 
 
-def write_record(record: Mapping[str, Any], folder: Path) -> Path:
-    """Write a record as <system>.<quantity>.json; an interrupted write leaves the old one."""
-    folder.mkdir(parents=True, exist_ok=True)
-    target = folder / f"{record['quantity']}.json"
-    staged = target.with_suffix(".json.new")
-    text = json.dumps(_in_json(record), indent=1, ensure_ascii=False, allow_nan=False)
-    staged.write_text(_join_short_lists(text) + "\n", encoding="utf-8")
-    os.replace(staged, target)
-    return target
+def _as_point(arguments: Arguments) -> Point:
+    """Return one point as numbers that read back to the same doubles."""
+    return tuple(_as_numbers(np.asarray(a, float).tolist()) for a in arguments)
 
 
-def _in_json(value: Any) -> Any:
-    """Turn NaN and infinity, which JSON has not, into text."""
-    if isinstance(value, Mapping):
-        return {key: _in_json(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_in_json(item) for item in value]
-    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
-
-
-def _join_short_lists(text: str) -> str:
-    """Put lists of numbers and records of a few numbers on one line each."""
-    import re
-
-    short = re.compile(r"([\[{])\n\s+([^\[\]{}]{1,240}?)\n\s+([\]}])")
-    return short.sub(lambda m: m[1] + re.sub(r"\s*\n\s*", " ", m[2]) + m[3], text)
+def _as_numbers(value: Any) -> Any:
+    return tuple(map(_as_numbers, value)) if isinstance(value, list) else value

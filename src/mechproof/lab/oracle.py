@@ -14,7 +14,7 @@ import numpy as np
 import sympy as sp
 
 from mechproof.codegen.evaluation import count_axes, entries
-from mechproof.lab.specimen import Arguments, Array, result_shape
+from mechproof.lab.method import Arguments, Array, result_shape
 from mechproof.lab.subject import Subject
 from mechproof.proof.balls import evaluate, evaluate_until, working_precision
 
@@ -32,16 +32,18 @@ SCALE_BITS = 30
 class Truth:
     """Exact values as two doubles, high + low; shape (points, *trailing axes).
 
-    `scale` is the size the bar refers to, (points,); NaN where it or the value is undecided.
+    `scale` is the size the bar refers to, (points,); NaN where it or the value is undecided, None
+    for a quantity without an accuracy bound.
     """
 
     high: Array
     low: Array
     decided: Array
-    scale: Array
+    scale: Array | None
 
     def __getitem__(self, chosen: Array) -> Truth:
-        return Truth(self.high[chosen], self.low[chosen], self.decided[chosen], self.scale[chosen])
+        scale = None if self.scale is None else self.scale[chosen]
+        return Truth(self.high[chosen], self.low[chosen], self.decided[chosen], scale)
 
     @property
     def undecided(self) -> int:
@@ -50,20 +52,29 @@ class Truth:
 
 
 def find_truth(subject: Subject, arguments: Arguments) -> Truth:
-    """Evaluate the definition and the scale of the bar at every point."""
-    definition, bar = subject.exact, subject.quantity.bar
-    scale = bar.scale if bar else None
+    """Evaluate the definition and the scale of the accuracy bound at every point."""
+    definition = subject.exact
     points = list(list_values(subject, arguments))
     pairs = np.array([[*_to_pairs(subject, values)] for values in points])
     pairs = pairs.reshape(len(points), -1, 2)
     high, low = (pairs[..., i].reshape(len(points), *result_shape(definition)) for i in (0, 1))
     decided = np.isfinite(pairs[..., 0]).all(axis=1)
-    if scale is None:
-        size = np.abs(high).reshape(len(points), -1).max(axis=1, initial=0)
-    else:
-        given = subject.domain.given
-        size = np.array([_to_double(scale, given, values) for values in points])
-    return Truth(high, low, decided, size)
+    return Truth(high, low, decided, _find_scale(subject, high, points))
+
+
+def _find_scale(
+    subject: Subject, high: Array, points: list[Mapping[sp.Basic, Any]]
+) -> Array | None:
+    """Evaluate the scale of the accuracy bound: without a scale the value's own size."""
+    accuracy, given = subject.quantity.accuracy, subject.domain.given
+    if accuracy is None:
+        return None
+    if accuracy.scale is not None:
+        scale = accuracy.scale
+        named = {**given, **dict(scale.where)}
+        return np.array([_to_double(scale.expression, named, values) for values in points])
+    size: Array = np.abs(high).reshape(len(points), -1).max(axis=1, initial=0)
+    return size
 
 
 def list_values(subject: Subject, arguments: Arguments) -> Iterator[Mapping[sp.Basic, Any]]:
@@ -122,7 +133,8 @@ def _to_pairs(subject: Subject, values: Mapping[sp.Basic, Any]) -> Iterator[tupl
     for index, entry in enumerate(entries(subject.exact)):
         pair = _to_pair(entry, values)
         if not np.isfinite(pair[0]) and _is_defined(entry, values):
-            pair = _to_pair(entries(subject.form)[index], values)
+            equal = (_to_pair(entries(form)[index], values) for form in subject.equal_forms)
+            pair = next((p for p in equal if np.isfinite(p[0])), pair)
         yield pair
 
 

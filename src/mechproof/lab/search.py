@@ -11,9 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from mechproof.lab.error import find_errors
+from mechproof.lab.method import Arguments, Array, Compute
 from mechproof.lab.oracle import find_truth
-from mechproof.lab.points import TUNE, draw_points, join, list_sets, step_ulps
-from mechproof.lab.specimen import Arguments, Array, Compute
+from mechproof.lab.points import TUNE, draw_points, join, step_ulps
+from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
 
 SURVIVORS = 24
@@ -23,7 +24,7 @@ FINEST_MOVE, WIDEST_MOVE = -16.0, -1.0
 
 @dataclass(frozen=True)
 class Found:
-    """The worst input of a search, its error in units of the bar, and how many were tried."""
+    """The worst input of a search, its error in units of the bound, and how many were tried."""
 
     arguments: tuple[Array, ...]
     scaled: float
@@ -31,13 +32,18 @@ class Found:
 
 
 def find_worst(
-    subject: Subject, compute: Compute, rounds: int, seed: int = TUNE, most: int | None = None
+    subject: Subject,
+    compute: Compute,
+    rounds: int,
+    seed: int = TUNE,
+    share: float = 1.0,
+    most: int | None = None,
 ) -> Found:
-    """Climb for some rounds from at most so many points of each set; the domain is not left."""
+    """Climb for some rounds from a share of each set, at most so many; the domain is not left."""
     rng = np.random.default_rng(seed)
     crowd: Arguments = ()
     heights, tried = np.empty(0), 0
-    for point_set in list_sets(subject):
+    for point_set in list_sets(subject, share):
         if point_set.ordered:
             continue
         start = _thin(_with_leading_axis(draw_points(point_set, seed)), most)
@@ -50,18 +56,12 @@ def find_worst(
 
 
 def scaled_errors(subject: Subject, compute: Compute, arguments: Arguments) -> Array:
-    """Return the errors in units of the bar; -1 where undecided or where the bar does not hold."""
+    """Return the errors in units of the accuracy bound; -1 where undecided or out of it."""
     truth = find_truth(subject, arguments)
     with np.errstate(all="ignore"):
         errors = find_errors(compute(*arguments), truth).scaled
-    held = within_bar(subject, arguments) & truth.decided
+    held = subject.within(*arguments) & truth.decided
     return np.where(held, np.nan_to_num(errors, nan=-1.0, posinf=np.inf), -1.0)
-
-
-def within_bar(subject: Subject, arguments: Arguments) -> Array:
-    """Mark the points at which the bar of the kernel holds."""
-    within = subject.study.within
-    return np.asarray(True) if within is None else np.asarray(within(*arguments))
 
 
 def _survive(

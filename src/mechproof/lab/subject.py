@@ -1,117 +1,69 @@
-"""Subjects: a quantity, the point sets it is measured on, and the ways of computing it.
+"""Subjects: a quantity with its paper, every method of computing it, and where it is measured.
 
-Quantities are found in the derivations, kernels by their names. A module of
-`mechproof.lab.specimens` adds rows: a `Table` for each of its systems or statistics. A quantity
-without rows is still measured: its kernel and what SymPy prints, on points of its domain.
+All of it comes from the derivation: quantities with their forms, peers from the module `peers`
+beside them, point sets from singular sets, usual and published sizes. A module `points` may add
+sets that cannot be said by equations.
 """
 
 from __future__ import annotations
 
-import pkgutil
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
-from functools import cached_property, lru_cache
+from dataclasses import dataclass, field
+from functools import cache, cached_property, lru_cache, partial
 from importlib import import_module
-from types import MappingProxyType
-from typing import Literal
+from importlib.util import find_spec, module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import sympy as sp
 
-from mechproof.derivation import load_directory, packaged_directory
-from mechproof.lab.specimen import (
-    Arguments,
-    Array,
-    Compute,
-    Specimen,
-    list_kernel,
-    print_by_sympy,
-)
+from mechproof.codegen.forms import form_rows
+from mechproof.derivation import find_systems, load_paper, load_part, packaged_directory
+from mechproof.lab.facts import Facts
+from mechproof.lab.method import Arguments, Array, Compute, Method, list_methods
+from mechproof.lab.points import PointSet
+from mechproof.lab.sizes import Cell
 from mechproof.proof.domain import Domain
-from mechproof.proof.judge import judge
-from mechproof.proof.verdict import Judgement
-from mechproof.record import Claim, Paper, Quantity, Variable
-
-Box = Mapping[str, tuple[float, float]]
+from mechproof.record import Paper, Peer, Quantity, Row
 
 
 @dataclass(frozen=True)
-class PointSet:
-    """Named points: `make` draws the arguments, in the order of the quantity's arguments.
+class ByHand:
+    """What a module `points` states of a quantity where no equation can.
 
-    The leading axis runs over the points; an argument of fewer axes is shared by all of them.
-    `ordered`: the first argument rises from 0 in even steps, all others are shared. `halved`: the
-    points are one sequence, of which every seed takes its half.
+    Its point sets, how points of one cell are drawn, and timed calls with so many points.
     """
 
-    name: str
-    make: Callable[[np.random.Generator], Arguments]
-    ordered: bool = False
-    halved: bool = False
-
-
-@dataclass(frozen=True)
-class Cells:
-    """Edges that split the size of an argument; errors are kept for every box between them."""
-
-    argument: str
-    edges: tuple[float, ...]
-
-
-@dataclass(frozen=True)
-class Map:
-    """A map of lost bits: a grid of arguments (rows times columns, flat) and its two axes.
-
-    The worst along the other axis is drawn `against` one of them.
-    """
-
-    name: str
-    make: Callable[[int], tuple[Arguments, Array, Array]]
-    across: str
-    upward: str
-    forms: tuple[str, ...]
-    against: Literal["across", "upward"] = "upward"
-
-
-@dataclass(frozen=True)
-class Study:
-    """The rows of one quantity: specimens, points, and how the error is to be read.
-
-    `within` marks the points at which the bar of the kernel holds (None: all). `period` is the
-    spacing of wrong branches. `cells` and `in_cell` (points of one box) are what `choose` decides
-    from. `workloads` make the arguments of timed calls with N points; `typical` names the point
-    set nearest to them, if one is.
-    """
-
-    specimens: tuple[Specimen, ...] = ()
     sets: tuple[PointSet, ...] = ()
-    cells: tuple[Cells, ...] = ()
-    in_cell: Callable[[np.random.Generator, Box], Arguments] | None = None
-    within: Callable[..., Array] | None = None
-    period: float | None = None
-    workloads: tuple[tuple[str, Callable[[int], Arguments]], ...] = ()
-    maps: tuple[Map, ...] = ()
-    typical: str | None = None
+    in_cell: Callable[[np.random.Generator, Cell], Arguments] | None = None
+    workloads: Mapping[str, Callable[[int], Arguments]] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, module: ModuleType | None, quantity: str) -> ByHand:
+        """Read what the module says of a quantity in POINTS, IN_CELL and WORKLOADS."""
+        drawn = getattr(module, "POINTS", {}).get(quantity, {})
+        return cls(
+            tuple(PointSet(name, make) for name, make in drawn.items()),
+            getattr(module, "IN_CELL", {}).get(quantity),
+            getattr(module, "WORKLOADS", {}).get(quantity, {}),
+        )
 
 
-@dataclass(frozen=True)
-class Table:
-    """What a module of specimens binds to the name TABLE."""
-
-    studies: Mapping[str, Study]
-    variables: tuple[Variable, ...] = ()
-    paper: Paper | None = None
-    kernels: Mapping[str, Compute] = field(default_factory=lambda: MappingProxyType({}))
-
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Subject:
-    """A quantity with its paper, its kernel and its rows."""
+    """A quantity with its paper, the ledger's rows of its forms, its code and its peers."""
 
     paper: Paper
     quantity: Quantity
-    kernel: Compute
-    study: Study
+    list_rows: Callable[[], tuple[Row, ...]]
+    modules: tuple[ModuleType | None, ModuleType | None]
+    peers: tuple[Peer, ...] = ()
+    by_hand: ByHand = field(default_factory=ByHand)
+
+    def __repr__(self) -> str:
+        # Written out, the expressions of a paper take minutes.
+        return f"Subject({self.name})"
 
     @property
     def name(self) -> str:
@@ -130,32 +82,94 @@ class Subject:
 
     @cached_property
     def exact(self) -> sp.Basic:
-        """Write the definition out, whose value is the truth; of an approximation its form.
-
-        An approximation's own rounding is what its bar is about.
-        """
-        form = self.quantity.form
-        whole = self.quantity.definition if form.bound is None else form.expression
-        return self.domain.resolve(whole)
+        """Write the definition out, whose value is the truth."""
+        return self.domain.resolve(self.quantity.definition)
 
     @cached_property
-    def form(self) -> sp.Basic:
-        """Write the form out, which equals the truth and may spare it a cancellation."""
-        return self.domain.resolve(self.quantity.form.expression)
+    def equal_forms(self) -> tuple[sp.Basic, ...]:
+        """Write out the shipped forms, which equal the truth and may spare it a cancellation."""
+        forms = (f for f in self.quantity.shipped if f.bound is None)
+        return tuple(self.domain.resolve(form.expression) for form in forms)
 
     @cached_property
-    def specimens(self) -> tuple[Specimen, ...]:
-        """List ours first, then the rows of the table, then what SymPy prints."""
-        own = list_kernel(self.kernel, self.quantity, self.paper)
-        return (*own, *self.study.specimens, *print_by_sympy(self.quantity, self.domain))
+    def methods(self) -> tuple[Method, ...]:
+        """List every way of computing the quantity, the shipped one first."""
+        return list_methods(self.quantity, self.domain, self.list_rows(), self.modules, self.peers)
+
+    @property
+    def kernel(self) -> Compute:
+        """Return the function that is shipped."""
+        return self.methods[0].compute
+
+    @cached_property
+    def facts(self) -> Facts:
+        """Return what points are made from."""
+        quantity = self.quantity
+        return Facts(quantity.arguments, self.domain, quantity.singular, self.paper.published)
+
+    @cached_property
+    def period(self) -> float | None:
+        """Return the spacing of wrong branches."""
+        return None if self.quantity.period is None else float(self.quantity.period)
+
+    @cached_property
+    def within(self) -> Callable[..., Array]:
+        """Return the function that marks the points at which the accuracy bound holds."""
+        return compile_relations(self)
 
 
-def find_subjects(names: tuple[str, ...] = ()) -> tuple[Subject, ...]:
+def compile_relations(subject: Subject) -> Callable[..., Array]:
+    """Turn the relations of an accuracy bound into a function of the arguments' arrays.
+
+    A relation on elements holds where it holds for all of them.
+    """
+    accuracy = subject.quantity.accuracy
+    relations = [subject.domain.resolve(r) for r in (accuracy.within if accuracy else ())]
+    if not relations:
+        return lambda *arguments: np.asarray(True)
+    symbols = [s for argument in subject.quantity.arguments for s in argument.symbols]
+    plain = {s: sp.Symbol(str(s)) for s in symbols if isinstance(s, sp.IndexedBase)}
+    elements = {i: plain[i.base] for r in relations for i in r.atoms(sp.Indexed)}
+    tests = [
+        (
+            sp.lambdify([plain.get(s, s) for s in symbols], r.xreplace(elements), "numpy"),
+            bool(r.atoms(sp.Indexed)),
+        )
+        for r in relations
+    ]
+    counts = [len(argument.symbols) for argument in subject.quantity.arguments]
+
+    def within(*arguments: Array) -> Array:
+        parts = zip(counts, map(np.asarray, arguments), strict=True)
+        columns = [c for n, a in parts for c in ([a] if n == 1 else np.moveaxis(a, -1, 0))]
+        if not plain:
+            # SymPy's code for "or" joins its parts into one array.
+            columns = list(np.broadcast_arrays(*columns))
+        held = np.asarray(True)
+        with np.errstate(all="ignore"):
+            for test, over_elements in tests:
+                found = np.asarray(test(*columns), bool)
+                held = held & (found.all(axis=-1) if over_elements else found)
+        return held
+
+    return within
+
+
+def find_subjects(
+    names: tuple[str, ...] = (), directory: Path | None = None
+) -> tuple[Subject, ...]:
     """Find the subjects with these names (system, quantity or system.quantity); all without.
 
-    Raises ValueError naming a name that fits none, with those that there are.
+    `directory` holds the derivations, by default those of the package; their kernels lie in the
+    folder `generated` beside it. Raises ValueError naming a name that fits none.
     """
-    subjects = _all_subjects()
+    source = directory or packaged_directory()
+    generated = None if directory is None else directory.resolve().parent / "generated"
+    places = find_systems(source)
+    # A name that begins with a system spares loading the others.
+    systems = {name.partition(".")[0] for name in names}
+    needed = [p for s, p in places.items() if not names or s in systems or systems - places.keys()]
+    subjects = [s for place in needed for s in _subjects_at(place, generated)]
     for name in names:
         if not any(_fits(subject, name) for subject in subjects):
             known = ", ".join(subject.name for subject in subjects)
@@ -163,51 +177,53 @@ def find_subjects(names: tuple[str, ...] = ()) -> tuple[Subject, ...]:
     return tuple(s for s in subjects if not names or any(_fits(s, name) for name in names))
 
 
-def judge_specimen(subject: Subject, specimen: Specimen) -> Judgement | None:
-    """Decide by the ladder what a specimen equals; None for a row that asserts nothing."""
-    if specimen.says is None:
-        return None
-    number = f"{subject.name}, {specimen.name}"
-    row = Claim(number, "", specimen.says, on=specimen.on, holds_on=specimen.holds_on)
-    return judge(row, subject.paper)
-
-
 def _fits(subject: Subject, name: str) -> bool:
     return name in (subject.name, subject.paper.system, subject.quantity.name)
 
 
-@lru_cache(maxsize=1)
-def _all_subjects() -> tuple[Subject, ...]:
-    papers = {paper.system: paper for paper in load_directory(packaged_directory())}
-    tables = dict(_find_tables())
-    papers |= {name: table.paper for name, table in tables.items() if table.paper}
-    return tuple(
-        subject
-        for name, paper in sorted(papers.items())
-        for subject in _subjects_of(paper, tables.get(name, Table({})))
+@lru_cache(maxsize=16)
+def _subjects_at(place: Path, generated: Path | None) -> tuple[Subject, ...]:
+    return tuple(make_subjects(load_paper(place), place, generated))
+
+
+def make_subjects(paper: Paper, place: Path, generated: Path | None) -> Iterator[Subject]:
+    """Pair the quantities of a paper with their code, in `generated` or in the package.
+
+    Peers or points for no quantity raise ValueError.
+    """
+    # Stating the rows of all forms takes longer than a run of one kernel, which needs none.
+    list_rows = cache(partial(form_rows, paper))
+    peers: Mapping[str, tuple[Peer, ...]] = getattr(load_part(place, "peers"), "PEERS", {})
+    points = load_part(place, "points")
+    names = {quantity.name for quantity in paper.quantities}
+    if surplus := sorted({*peers, *getattr(points, "POINTS", {})} - names):
+        raise ValueError(f"peers and points of {paper.system}: no quantities {surplus}")
+    modules = (
+        _load_kernels(paper.system, generated),
+        _load_kernels(f"forms.{paper.system}", generated),
     )
+    for quantity in paper.quantities:
+        yield Subject(
+            paper,
+            quantity,
+            list_rows,
+            modules,
+            peers.get(quantity.name, ()),
+            ByHand.of(points, quantity.name),
+        )
 
 
-def _find_tables() -> Iterator[tuple[str, Table]]:
-    package = import_module("mechproof.lab.specimens")
-    for module in sorted(info.name for info in pkgutil.iter_modules(package.__path__)):
-        table = getattr(import_module(f"{package.__name__}.{module}"), "TABLE", None)
-        if isinstance(table, Table):
-            yield module, table
-
-
-def _subjects_of(paper: Paper, table: Table) -> Iterator[Subject]:
-    """Pair the shipped quantities of a paper with their rows; a row without a quantity raises."""
-    shipped = [q for q in paper.quantities if not q.specimen]
-    if surplus := sorted(set(table.studies) - {q.name for q in shipped}):
-        raise ValueError(f"specimens of {paper.system}: no quantities {surplus}")
-    extended = replace(paper, variables=paper.variables + table.variables)
-    for quantity in shipped:
-        kernel = table.kernels.get(quantity.name) or _find_kernel(paper.system, quantity.name)
-        study = table.studies.get(quantity.name, Study())
-        yield Subject(extended, quantity, kernel, study)
-
-
-def _find_kernel(system: str, name: str) -> Compute:
-    kernel: Compute = getattr(import_module(f"mechproof.kernels.{system}"), name)
-    return kernel
+def _load_kernels(name: str, generated: Path | None) -> ModuleType | None:
+    """Import a generated module, of the package or of a folder; None where there is none."""
+    if generated is None:
+        full = f"mechproof.kernels.{name}"
+        return import_module(full) if find_spec(full) is not None else None
+    file = generated.joinpath(*name.split(".")).with_suffix(".py")
+    if not file.is_file():
+        return None
+    spec = spec_from_file_location(f"_mechproof_kernels.{name}", file)
+    assert spec is not None
+    assert spec.loader is not None
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module

@@ -1,52 +1,56 @@
-"""Tables of the records: what every form loses and costs, relative to what, as one page."""
+"""Tables of the records: what every way loses and costs, relative to what, as one page."""
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Any
 
-from mechproof.lab.timing import COPY, REFERENCE
+from mechproof.measured import COPY, MEASURED, Record, SetErrors, Timing, Way, read_records
 
-Record = Mapping[str, Any]
 PAGE = "TABLES.md"
-FORM_HEAD = (
-    "form", "verdict", "points", "undecided", "worst, eps of scale", "worst, ulp", "mean, ulp",
-    "worst, bits", "mean, bits", "worst, absolute", "wrong branch", "nan", "inf", "fails first on",
+WAY_HEAD = (
+    "way", "kind", "verdict", "points", "undecided", "worst, scaled", "worst, ulp", "mean, bits",
+    "worst, absolute", "wrong branch", "nan", "inf", "fails first on",
 )  # fmt: skip
-COUNTED = ("wrong_branch", "nan", "infinite")
-SHIPPED_HEAD = ("quantity", "bar", "worst on the sets", "worst searched", "eps of")
+SHIPPED_HEAD = ("quantity", "bound", "worst on the sets", "worst searched")
 INTRODUCTION = """# What the kernels and the other ways lose and cost
 
 Errors are taken against balls at the exact doubles, on the points of the reporting seed; the
-search climbed from the points of the tuning seed. *eps of scale*: the error in units of 2**-52
-times the scale named with each quantity, where the bar of the kernel holds; the other columns are
-over all points. *bits*: log2(1 + ulps). Times are medians of rounds in which all forms took turns,
-quartiles in brackets, in ns per point; *: ratio to the kernel of the same round.
+search climbed from the points of the tuning seed. *scaled*: the error in units of 2**-52 times the
+scale named with each quantity, where the accuracy bound of the kernel holds (without such a bound
+in ulp of the value); the other columns are over all points. *bits*: log2(1 + ulps). Times are
+medians, in ns per point, of rounds in which all ways took turns; in brackets the ratio to the
+first way in the same round. Quartiles, errors set by set, and the times of NumPy's own functions
+are in the records beside.
 """
-
-
-def read_records(folder: Path) -> list[Record]:
-    """Read the records of a folder, in the order of their names."""
-    return [json.loads(file.read_text(encoding="utf-8")) for file in sorted(folder.glob("*.json"))]
 
 
 def write_tables(folder: Path) -> Path:
     """Write the page of all records in a folder."""
     target = folder / PAGE
-    target.write_text("\n".join(_list_lines(read_records(folder))), encoding="utf-8")
+    target.write_text("\n".join(list_lines(read_records(folder))), encoding="utf-8")
     return target
 
 
-def _list_lines(records: Sequence[Record]) -> Iterator[str]:
+def headline(record: Record) -> str:
+    """Return the worst error of what is shipped against its accuracy bound, in a line."""
+    rows = record.errors_of(record.ways[0].name)
+    found = (record.worst_of(record.ways[0].name), record.searched.scaled)
+    worst = max(error for error in found if error is not None)
+    bound = "" if record.bound is None else f" of {record.bound:.3g}"
+    points, undecided = sum(r.points for r in rows), sum(r.undecided for r in rows)
+    return f"worst {worst:.3g}{bound} {record.error_unit}; {points} points, {undecided} undecided"
+
+
+def list_lines(records: Sequence[Record]) -> Iterator[str]:
+    """List the lines of the page."""
     yield INTRODUCTION
-    yield from _table(SHIPPED_HEAD, map(_describe_kernel, records))
+    yield from _table(SHIPPED_HEAD, map(_describe_shipped, records))
     for record in records:
-        yield f"\n## {record['quantity']}\n"
-        yield f"Scale: {record['scale']}. {_describe_run(record)}\n"
-        yield from _table(FORM_HEAD, (_describe_form(record, form) for form in record["forms"]))
-        for workload in dict.fromkeys(row["workload"] for row in record["times"]):
+        yield f"\n## {record.quantity}\n"
+        yield f"Scaled: {record.error_unit}. {_describe_run(record)}\n"
+        yield from _table(WAY_HEAD, (_describe_way(record, way) for way in record.ways))
+        for workload in dict.fromkeys(row.workload for row in record.times):
             yield f"\n{workload}\n"
             yield from _list_times(record, workload)
     yield ""
@@ -59,67 +63,67 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
         yield _line(row)
 
 
-def _line(cells: Sequence[str]) -> str:
-    return "| " + " | ".join(cell.replace("|", r"\|") for cell in cells) + " |"
+def _line(entries: Sequence[str]) -> str:
+    return "|" + "|".join(entry.replace("|", r"\|") for entry in entries) + "|"
 
 
 def _describe_run(record: Record) -> str:
-    machine, versions = record["machine"], record["versions"]
-    simd = machine["simd"][-1] if machine["simd"] else "no SIMD"
-    quick = ", quick" if record["quick"] else ""
-    ufuncs = ", ".join(f"{name} {time:.3g}" for name, time in record["ufuncs"].items())
+    machine = record.machine
+    simd = machine.simd[-1] if machine.simd else "no SIMD"
+    quick = ", quick" if record.quick else ""
     return (
-        f"Taken {record['taken'][:10]} on {machine['processor']}, {simd}, load {machine['load']}, "
-        f"numpy {versions['numpy']}{quick}. NumPy's own functions in cache, ns per point: {ufuncs}."
+        f"Taken {record.taken[:10]} on {machine.processor}, {simd}, load {record.load}, "
+        f"numpy {machine.versions['numpy']}{quick}."
     )
 
 
-def _describe_kernel(record: Record) -> Sequence[str]:
-    held = _held_errors(record, REFERENCE)
-    bar = f"{record['bar']:.3g}" if record["bar"] else "none"
-    searched = f"{float(record['worst_found']['scaled']):.3g}"
-    return record["quantity"], bar, _number(max(held, default=None)), searched, record["scale"]
+def _describe_shipped(record: Record) -> Sequence[str]:
+    worst = _number(record.worst_of(record.ways[0].name))
+    searched = _number(record.searched.scaled)
+    return record.quantity, _number(record.bound) or "none", worst, searched
 
 
-def _held_errors(record: Record, form: str) -> list[float]:
-    rows = (row for row in record["accuracy"] if row["form"] == form)
-    found = (row["worst_where_the_bar_holds"] for row in rows)
-    return [float(worst) for worst in found if worst is not None]
-
-
-def _describe_form(record: Record, form: Mapping[str, Any]) -> Sequence[str]:
-    rows = [row for row in record["accuracy"] if row["form"] == form["name"]]
-    verdict = (form["verdict"] or "") + (", with its bound" if form["bound"] else "")
-    verdict += f" on {form['proved_on']}" if form["proved_on"] else ""
-    held = _number(max(_held_errors(record, form["name"]), default=None))
+def _describe_way(record: Record, way: Way) -> Sequence[str]:
+    rows = record.errors_of(way.name)
+    known = [row for row in rows if row.points > row.undecided]
     return (
-        form["name"], verdict, _total(rows, "points"), _total(rows, "undecided"), held,
-        _number(_worst(rows, "worst_ulp")), _number(_mean(rows, "mean_ulp")),
-        _number(_worst(rows, "worst_bits")), _number(_mean(rows, "mean_bits")),
-        _number(_worst(rows, "worst_absolute")), *(_total(rows, key) for key in COUNTED),
-        _name_first_failure(rows),
-    )  # fmt: skip
+        way.name,
+        way.kind,
+        _describe_verdict(way),
+        str(sum(row.points for row in rows)),
+        _count(row.undecided for row in rows),
+        _number(record.worst_of(way.name)),
+        _number(max((row.worst_ulp for row in known), default=None)),
+        _number(_mean_bits(known)),
+        _number(max((row.worst_absolute for row in known), default=None)),
+        _count(row.wrong_branch for row in rows),
+        _count(row.nan for row in rows),
+        _count(row.infinite for row in rows),
+        next((row.set for row in rows if row.failed), ""),
+    )
 
 
-def _total(rows: Iterable[Mapping[str, Any]], key: str) -> str:
-    return str(sum(row[key] for row in rows))
+def _describe_verdict(way: Way) -> str:
+    """Add the part of the domain, and where a bound was proved: with the verdict or apart."""
+    part = f" on {way.proved_on}" if way.proved_on else ""
+    if not way.bound:
+        return way.verdict + part
+    return (
+        way.verdict + (", bounded apart" if way.verdict == MEASURED else ", with its bound") + part
+    )
 
 
-def _mean(rows: Iterable[Mapping[str, Any]], key: str) -> float | None:
+def _mean_bits(rows: Sequence[SetErrors]) -> float | None:
     """Average over the decided points of all sets."""
-    counted = [(row["points"] - row["undecided"], float(row[key])) for row in rows]
-    known = [(count, mean) for count, mean in counted if count]
-    return sum(n * m for n, m in known) / sum(n for n, _ in known) if known else None
+    counts = [row.points - row.undecided for row in rows]
+    bits = sum(n * row.mean_bits for n, row in zip(counts, rows, strict=True))
+    return bits / sum(counts) if rows else None
 
 
-def _worst(rows: Iterable[Mapping[str, Any]], key: str) -> float | None:
-    values = [float(row[key]) for row in rows if row["points"] > row["undecided"]]
-    return max(values, default=None)
-
-
-def _name_first_failure(rows: Iterable[Mapping[str, Any]]) -> str:
-    """Name the first set with lost results or a wrong branch."""
-    return next((row["set"] for row in rows if any(row[key] for key in COUNTED)), "")
+def _count(numbers: Iterable[int]) -> str:
+    """Add up; nothing stays empty, so that what failed is seen."""
+    total = sum(numbers)
+    return str(total) if total else ""
 
 
 def _number(value: float | None) -> str:
@@ -127,18 +131,16 @@ def _number(value: float | None) -> str:
 
 
 def _list_times(record: Record, workload: str) -> Iterator[str]:
-    rows = [row for row in record["times"] if row["workload"] == workload]
-    counts = sorted({row["count"] for row in rows})
-    forms = dict.fromkeys(row["form"] for row in rows if row["form"] != COPY)
-    by_place = {(row["form"], row["count"]): row for row in rows}
-    head = ("form", *(f"N = {count}" for count in counts))
-    lines = ([f, *(_time(by_place.get((f, n))) for n in counts)] for f in (*forms, COPY))
-    yield from _table(head, lines)
+    rows = [row for row in record.times if row.workload == workload]
+    counts = sorted({row.count for row in rows})
+    by_place = {(row.way, row.count): row for row in rows}
+    names = (*(way.name for way in record.ways), COPY)
+    head = ("way", *(f"N = {count}" for count in counts))
+    yield from _table(head, ([n, *(_time(by_place.get((n, c))) for c in counts)] for n in names))
 
 
-def _time(row: Mapping[str, Any] | None) -> str:
-    """Write median, quartiles and ratio; a form that was too slow for a size is not timed."""
-    if row is None or not row["rounds"]:
+def _time(row: Timing | None) -> str:
+    """Write median and ratio; a way that was too slow for a size is not timed."""
+    if row is None:
         return "not timed"
-    ratio = f", {row['ratio']:.3g}*" if row["ratio"] else ""
-    return f"{row['median']:.3g} [{row['lower']:.3g}, {row['upper']:.3g}]{ratio}"
+    return f"{row.median:.3g}" + (f" ({row.ratio:.3g})" if row.ratio else "")

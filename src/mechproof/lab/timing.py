@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from mechproof.lab.oracle import count_points
-from mechproof.lab.points import TUNE, draw_points, list_sets
-from mechproof.lab.specimen import Arguments, Specimen
+from mechproof.lab.method import Arguments, Method
+from mechproof.lab.sets import list_workloads
 from mechproof.lab.subject import Subject
+from mechproof.measured import COPY, Timing, round_off
 
-COPY, REFERENCE = "memory copy", "kernel"
 # The entry of the paces with the number of points they were taken at.
 COUNTED = ""
 SEED = 11
@@ -41,72 +40,37 @@ FULL = Effort((1_000, 100_000, 10_000_000), (15, 15, 5), 1.5)
 QUICK = Effort((1_000, 100_000), (3, 3), 0.2)
 
 
-@dataclass(frozen=True)
-class Timing:
-    """Nanoseconds per point of one form at one size.
-
-    median, and the quartiles of the rounds; `ratio` is the median of (this form : reference)
-    within each round. `rounds` 0: not timed, a call would take too long or too much memory.
-    """
-
-    form: str
-    workload: str
-    count: int
-    rounds: int
-    median: float | None = None
-    lower: float | None = None
-    upper: float | None = None
-    ratio: float | None = None
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return the record."""
-        return asdict(self)
-
-
 def time_subject(subject: Subject, effort: Effort) -> list[Timing]:
-    """Time all forms of a subject on all its workloads."""
+    """Time all ways of a quantity on all its workloads; left out is what takes too long."""
     rows: list[Timing] = []
-    for name, workload in subject.study.workloads or (default_workload(subject),):
+    for name, workload in list_workloads(subject):
         pace = _probe(subject, workload(PROBE))
         # What is too slow for every size has at least the time of its few points.
-        slow = [s for s in subject.specimens if not _is_worth(s, pace, effort, effort.sizes[0])]
-        rows += [_summarise(s.name, name, PROBE, {}, [pace[s.name] * PROBE]) for s in slow]
+        slow = [s for s in subject.methods if not _is_worth(s, pace, effort, effort.sizes[0])]
+        rows += [_summarise(s.name, name, PROBE, [pace[s.name] * PROBE]) for s in slow]
         for count, rounds in zip(effort.sizes, effort.rounds, strict=True):
             arguments = workload(count)
-            forms = subject.specimens if _fits(arguments, effort) else ()
+            forms = subject.methods if _fits(arguments, effort) else ()
             worth = [s.name for s in forms if _is_worth(s, pace, effort, count)]
             rows += _time_size(subject, name, arguments, worth, (count, rounds), pace)
     return rows
 
 
-def default_workload(subject: Subject) -> tuple[str, Callable[[int], Arguments]]:
-    """Repeat the points of the first set that is not ordered, as often as needed."""
-    first = next(s for s in list_sets(subject) if not s.ordered)
-    drawn = draw_points(first, TUNE)
-    many = count_points(subject, drawn)
-
-    def make(count: int) -> Arguments:
-        rows = np.arange(count) % many
-        return tuple(a[rows] if np.shape(a)[:1] == (many,) else a for a in drawn)
-
-    return f"N points, {first.name}", make
-
-
-def _is_worth(specimen: Specimen, pace: dict[str, float], effort: Effort, count: int) -> bool:
+def _is_worth(method: Method, pace: dict[str, float], effort: Effort, count: int) -> bool:
     """Estimate whether one call is short enough.
 
     Time goes with the number of points, but for a solver of a whole sweep with its range.
     """
-    if specimen.ordered:
+    if method.ordered:
         # The call before, on fewer points, may be a first one.
-        return pace[specimen.name] * pace[COUNTED] <= 2 * effort.longest
-    return pace[specimen.name] * count <= effort.longest
+        return pace[method.name] * pace[COUNTED] <= 2 * effort.longest
+    return pace[method.name] * count <= effort.longest
 
 
 def _probe(subject: Subject, arguments: Arguments) -> dict[str, float]:
     """Estimate seconds per point from one call on a few points."""
     with np.errstate(all="ignore"):
-        calls = {s.name: _bind(s.compute, arguments) for s in subject.specimens}
+        calls = {s.name: _bind(s.compute, arguments) for s in subject.methods}
         times = {name: _time_call(call, 1) / PROBE for name, call in calls.items()}
     return {**times, COUNTED: PROBE}
 
@@ -126,13 +90,13 @@ def _time_size(
 ) -> list[Timing]:
     """Time one size (points, rounds); `pace` has the seconds per point of smaller sizes."""
     count, rounds = size
-    forms = {s.name: s.compute for s in subject.specimens}
+    forms = {s.name: s.compute for s in subject.methods}
     calls: dict[str, Callable[[], object]] = {f: _bind(forms[f], arguments) for f in worth}
     calls[COPY] = _copy_call(np.shape(subject.kernel(*arguments)))
     times = interleave(calls, rounds)
     pace |= {name: float(np.median(t)) / count for name, t in times.items()} | {COUNTED: count}
-    rows = [_summarise(f, workload, count, times, times[f]) for f in calls]
-    return rows + [Timing(f, workload, count, 0) for f in forms if f not in calls]
+    first = times.get(subject.methods[0].name)
+    return [_summarise(f, workload, count, times[f], first) for f in calls]
 
 
 def time_ufuncs() -> dict[str, float]:
@@ -143,7 +107,7 @@ def time_ufuncs() -> dict[str, float]:
         ufunc.__name__: _bind(ufunc, (values,) * ufunc.nin + (target,)) for ufunc in UFUNCS
     }
     times = interleave(calls, UFUNC_ROUNDS)
-    return {name: round(float(np.median(t)) / UFUNC_COUNT * 1e9, 3) for name, t in times.items()}
+    return {name: round_off(float(np.median(t)) / UFUNC_COUNT * 1e9) for name, t in times.items()}
 
 
 def _bind(compute: Callable[..., Any], arguments: Arguments) -> Callable[[], object]:
@@ -181,13 +145,13 @@ def _time_call(call: Callable[[], object], repeats: int) -> float:
 
 
 def _summarise(
-    form: str, workload: str, count: int, times: Mapping[str, list[float]], mine: list[float]
+    way: str, workload: str, count: int, mine: list[float], first: list[float] | None = None
 ) -> Timing:
-    lower, median, upper = np.quantile(mine, [0.25, 0.5, 0.75]) / count * 1e9
-    ratio = _median_ratio(mine, times[REFERENCE]) if REFERENCE in times else None
-    return Timing(
-        form, workload, count, len(mine), float(median), float(lower), float(upper), ratio
-    )
+    """Summarise the rounds of one way, `first` those of the first way."""
+    quartiles = np.quantile(mine, [0.25, 0.5, 0.75]) / count * 1e9
+    lower, median, upper = (round_off(float(q)) for q in quartiles)
+    ratio = None if first is None else round_off(_median_ratio(mine, first))
+    return Timing(workload, way, count, len(mine), median, lower, upper, ratio)
 
 
 def _median_ratio(mine: list[float], reference: list[float]) -> float:

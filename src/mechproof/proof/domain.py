@@ -36,6 +36,10 @@ class Domain:
     where: tuple[sp.Basic, ...]
     given: Mapping[sp.Basic, sp.Expr]
 
+    def __hash__(self) -> int:
+        within, given = frozenset(self.within.items()), frozenset(self.given.items())
+        return hash((within, self.where, given))
+
     @classmethod
     def of(cls, paper: Paper, part: Part | None = None) -> Domain:
         """Build the domain of a paper, narrowed to a part."""

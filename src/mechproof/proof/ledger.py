@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
-from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
-from mechproof.record import Paper, Row
+from mechproof.record import Paper
 
 PLAIN = (Verdict.PROVED, Verdict.DEFINITION)
 INTRODUCTION = """# Ledger
@@ -18,17 +17,6 @@ Every printed equation and every checkable claim of the papers, with the verdict
 Rows marked *ours* are not printed in the paper: they are results that other rows or the
 kernels rest on, and they are counted apart.
 """
-
-
-def judge_paper(
-    paper: Paper, extra: Sequence[Row] = (), report: Callable[[str], None] = lambda number: None
-) -> list[Judgement]:
-    """Judge every row of a paper, then the extra rows; `report` is told each number first."""
-    judgements = []
-    for row in (*paper.rows, *extra):
-        report(row.number)
-        judgements.append(judge(row, paper))
-    return judgements
 
 
 def totals(judgements: Sequence[Judgement], ours: bool) -> Counter[Verdict]:

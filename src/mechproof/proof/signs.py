@@ -9,6 +9,7 @@ factor whose monomials all have one sign has that sign. Sound, not complete: `No
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 
@@ -28,6 +29,8 @@ class Sign:
         return Sign(self.direction * other.direction, self.strict and other.strict)
 
 
+# Rows of a paper share their radicals and divisors, whose signs are what a proof takes longest for.
+@lru_cache(maxsize=4096)
 def find_sign(expression: sp.Expr, domain: Domain) -> Sign | None:
     """Return the proved sign of the expression on the domain, or None if it is not shown."""
     expression = domain.resolve(expression)
@@ -96,6 +99,7 @@ def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> Sign | None:
         changed = changed.subs(coordinates.replacement, simultaneous=True)
         if not changed.free_symbols & coordinates.replacement.keys():
             break
+    changed = _name_absolute_values(changed, coordinates)
     sign = _sign_by_half_angles(changed, coordinates)
     return sign if sign else _sign_of_quotient(_cosines(changed), coordinates)
 
@@ -167,6 +171,17 @@ def _name_exponentials(expression: sp.Expr, coordinates: _Coordinates) -> sp.Exp
     named = {node: sp.Dummy("exp", positive=True) for node in nodes if node.args[0].is_real}
     coordinates.positive |= set(named.values())
     return expression.subs(named)
+
+
+def _name_absolute_values(expression: sp.Expr, coordinates: _Coordinates) -> sp.Expr:
+    """Let each absolute value, its squares being squares of the number, be one not negative."""
+    if not expression.has(sp.Abs):
+        return expression
+    expression = sp.expand(expression)
+    nodes = sorted(expression.atoms(sp.Abs), key=sp.default_sort_key)
+    named = {node: sp.Dummy("size", nonnegative=True) for node in nodes}
+    coordinates.nonnegative |= set(named.values())
+    return expression.xreplace(named)
 
 
 def _free_tangents(expression: sp.Expr) -> sp.Expr:

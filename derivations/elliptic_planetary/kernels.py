@@ -1,0 +1,314 @@
+"""What can be computed of paper 1: ratio, position and acceleration, and every form of them."""
+
+from collections.abc import Callable
+
+from sympy import (
+    Abs,
+    Eq,
+    Expr,
+    Ge,
+    Integer,
+    Or,
+    Rational,
+    atan,
+    atan2,
+    cos,
+    diff,
+    floor,
+    pi,
+    sin,
+    tan,
+)
+
+from mechproof.record import (
+    Accuracy,
+    Argument,
+    Conjunction,
+    Equality,
+    Form,
+    Holds,
+    Quantity,
+    Scale,
+    Singular,
+    Statement,
+    Written,
+)
+
+from .paper import (
+    BRANCH,
+    R1,
+    R2,
+    E,
+    T,
+    e,
+    k,
+    largest,
+    nu,
+    phi1,
+    phi5,
+    position_closed,
+    position_principal,
+    print_8,
+    print_12,
+    smallest,
+    turns,
+    x,
+)
+
+ARGUMENTS = (
+    Argument("phi1", (phi1,), "carrier angle, any number of turns", "rad", usual=(0, 10, 1000)),
+    Argument("R1", (R1,), "radius of the epicycle", "mm"),
+    Argument("R2", (R2,), "radius of the satellite's cylindrical wheel", "mm"),
+    Argument("e", (e,), "eccentricity of the ellipse", usual=(0, 0.28, 0.5, 0.9, 0.99, 1)),
+)
+
+RATIO = 1 + k * (1 - e**2) / (1 + e**2 - 2 * e * cos(x))
+ACCELERATION = diff(RATIO, x) * k
+
+ENDS_OF_E = (Singular(Eq(e, 1)), Singular(Eq(e, 0)))
+SINGULAR = (
+    Singular(Eq(x, 2 * pi * turns)),
+    Singular(Eq(x, pi + 2 * pi * turns)),
+    *ENDS_OF_E,
+)
+
+# Accuracy. With the low word, x is known to eps**2 relative, and what is left are the roundings of
+# some 20 operations, tan and atan within an ulp. All of them in one direction would make 8 eps of
+# position, 10 of ratio and 16 of acceleration; the bounds of the last two are what searches for
+# the worst input hold. What the error of x itself makes, eps**2*|x| times the slope, counts where
+# the acceleration passes through zero and, far away, where e is so near to 1 that the peak of the
+# ratio is narrower than eps*|x|; the slopes have the envelope of |sin x|, |cos x| <= 1.
+# A forward analysis of the position without the low word, every rounding in the worst direction,
+# gives 5.6 eps where polynomials replace tan and arctan, and 4.51 eps are met there.
+# Below 1e-290 the products with phi1 lose bits to the range of doubles.
+LOW_WORD = (Abs(x) <= 2**26, Or(Eq(phi1, 0), Abs(phi1) >= Rational(1, 10**290)))
+SLOPE = 2 * e * k**2 * (1 - e**2) / (1 + e**2 - 2 * e * cos(x)) ** 2
+EPS_X = Rational(1, 2**52) * Abs(x)
+RATIO_SCALE = Scale("the value and what eps*x makes of it", RATIO + EPS_X * SLOPE / k)
+ACCELERATION_SCALE = Scale(
+    "the value and what eps*x makes of it", Abs(ACCELERATION) + EPS_X * SLOPE
+)
+
+# Without it x = k*phi1 is off by two roundings, eps*|x|. The slope of the arctangent in x lies
+# between -2*e/(1 + e) and 2*e/(1 - e), by the extremes of the ratio, and is steepest at whole
+# turns, where |x| < |position|: there the plain product costs 2*e/(1 - e) eps of the value, and
+# at most 1 % more just before, where the arctangent is negative. Up to e = 1/2 that is 2 eps,
+# whatever phi1 and R1/R2. The ratio and the acceleration lose some |x| times 2*e/(1 - e)
+# eps, however small the eccentricity: they have no such threshold but e = 0.
+PLAIN_PRODUCT = e <= Rational(1, 2)
+
+HALF_ANGLE = (1 - e) ** 2 + 4 * e * sin(x / 2) ** 2
+
+
+def over_turns(code: Written) -> Statement:
+    """State the form at x + 2*pi*m for |x| < pi, where its floor is m."""
+    form = code.output(x)
+    (count,) = form.atoms(floor)
+    whole = phi1 + x + 2 * atan2(e * sin(x), 1 - e * cos(x))
+    at_turn = {x: x + 2 * pi * turns}
+    return Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn))
+
+
+# Fourier series. Cut after n terms, its error starts with slope 0 at x = 0, where it vanishes, and
+# has the slope of `remainder` with e**n, n*x. Each further term takes no more from that than
+# `tail` falls, and both go to 0 with e**n: the error stays below `tail`. E stands for e**n and T
+# for n*x, so that one step proves every n.
+def remainder(power: Expr, angle: Expr) -> Expr:
+    """Slope of what is left of the series, power = e**n and angle = n*x."""
+    return 2 * power * e * (cos(angle + x) - e * cos(angle)) / (1 + e**2 - 2 * e * cos(x))
+
+
+def tail(power: Expr, terms: Expr) -> Expr:
+    """Bound of what is left of the series after `terms` terms, power = e**terms."""
+    return 2 * power * e / ((terms + 1) * (1 - e))
+
+
+STEP_OF_SERIES = (
+    Equality(remainder(E, T) - remainder(E * e, T + x), 2 * E * e * cos(T + x)),
+    Holds(Ge(tail(E, nu) - tail(E * e, nu + 1), 2 * E * e / (nu + 1))),
+)
+
+
+def by_series(terms: int) -> Callable[[Written], Statement]:
+    """Make the statement that a form is the series cut after so many terms."""
+
+    def states(code: Written) -> Statement:
+        form = code.output(x)
+        return Conjunction(
+            (
+                Equality(form.subs(x, 0), (1 + k) * phi1),
+                Equality(diff(position_closed, x) - diff(form, x), remainder(e**terms, terms * x)),
+                *STEP_OF_SERIES,
+            )
+        )
+
+    return states
+
+
+def cut_series(terms: int) -> Expr:
+    """Return the position by the series cut after so many terms."""
+    return (1 + k) * phi1 + sum(Rational(2, m) * e**m * sin(m * x) for m in range(1, terms + 1))
+
+
+# Roundings of float32, u = 2**-24, in Clenshaw's recurrence
+# b_m = a_m + 2 cos(y) b_(m+1) - b_(m+2): |b_m| <= 2 e**m/(1 - e), and an error d in b_m moves the
+# sum by |sin(m y)*d| <= |d|. A step loses 3u |2 cos(y) b_(m+1)| + 2u |b_(m+2)| + u |b_m|, the
+# cosine 3u of itself; coefficients and y lose u, the sine 3u and the product u. Up to |x| = 2**26
+# x, rounded twice, and its reduction lose 2**-26 each, and the two sums in double as much.
+IN_SINGLE = (e * (2 + 24 * e + 4 * e**2) / (1 - e) ** 2 + 17 * e / (1 - e)) / 2**24 + Rational(
+    1, 2**24
+)
+
+
+def fourier(terms: int, single: bool = False) -> Form:
+    """Make the form of a series cut after so many terms, computed in doubles or in float32."""
+    bound = tail(e**terms, Integer(terms))
+    return Form(
+        f"Fourier series, {terms} terms" + (", float32" if single else ""),
+        cut_series(terms),
+        ("clenshaw", "in_single") if single else ("clenshaw",),
+        key=f"fourier_{terms}" + ("_single" if single else ""),
+        bound=bound + IN_SINGLE if single else bound,
+        states=by_series(terms),
+        note="the bound includes the roundings of float32, |x| <= 2**26" if single else "",
+    )
+
+
+# Roundings of k, 1 + e and 1 - e, of a product, a quotient of positive terms and their sum with
+# 1: 1/2 eps each, 3 eps if all are in one direction.
+EXTREME = Accuracy(3)
+
+HALF_TANGENT = tan(x / 2)
+SOURCE = "Prikhodko et al. 2024"
+EXTREMES = f"extremes of {SOURCE}, equation (8)"
+QUANTITIES = (
+    Quantity(
+        "ratio",
+        "Compute the transmission ratio d phi3/d phi1 of the output wheel to the carrier.",
+        ARGUMENTS,
+        RATIO,
+        (
+            Form("half-angle quotient with low word", RATIO, ("low_word", "half_angle_tangent")),
+            Form(
+                "printed (8)",
+                print_8.subs(phi5, -x),
+                key="printed",
+                source=f"{SOURCE}, equation (8)",
+            ),
+            Form(
+                "half-angle sine",
+                1 + k * (1 - e) * (1 + e) / HALF_ANGLE,
+                key="half_angle",
+            ),
+        ),
+        f"{SOURCE}, equation (8)",
+        accuracy=Accuracy(8, RATIO_SCALE, LOW_WORD),
+        singular=SINGULAR,
+    ),
+    Quantity(
+        "position",
+        "Compute the position function phi3(phi1) of the output wheel, phi3(0) = 0.",
+        ARGUMENTS,
+        position_closed,
+        (
+            Form(
+                "half-angle atan",
+                position_closed,
+                ("positive_atan2", "half_angle_tangent", "small_arc"),
+                when=PLAIN_PRODUCT,
+            ),
+            Form(
+                "half-angle atan with low word",
+                position_closed,
+                ("positive_atan2", "low_word", "half_angle_tangent"),
+            ),
+            Form(
+                "printed (12)",
+                print_12,
+                key="printed",
+                source=f"{SOURCE}, equation (12)",
+                note="its derivative is not the ratio (8), and it jumps where x/2 passes pi/2",
+            ),
+            Form(
+                "tan/arctan",
+                position_principal,
+                key="principal",
+                holds_on=BRANCH,
+                source=f"{SOURCE}, equation (12) with the factor of (11) corrected",
+                note="right for |phi1| < pi*R2/R1, beyond that off by multiples of 2*pi",
+            ),
+            Form(
+                "tan/arctan + floor",
+                position_principal + 2 * pi * floor((x + pi) / (2 * pi)),
+                key="floor",
+                states=over_turns,
+                on=BRANCH,
+                note="proved for |x - 2 pi m| < pi; the computed floor and tangent disagree at "
+                "the ends",
+            ),
+            Form("x + 2 atan2, 1 - e cos x", position_closed, key="atan2"),
+            Form(
+                "x + 2 atan2, no cancellation",
+                (1 + k) * phi1 + 2 * atan2(e * sin(x), (1 - e) + 2 * e * sin(x / 2) ** 2),
+                key="atan2_stable",
+            ),
+            Form(
+                "tan-half, by hand",
+                (1 + k) * phi1
+                + 2 * atan(2 * e * HALF_TANGENT / ((1 - e) + (1 + e) * HALF_TANGENT**2)),
+                key="tan_half",
+            ),
+            *map(fourier, (2, 4, 8)),
+            *(fourier(terms, single=True) for terms in (2, 4, 8, 12)),
+        ),
+        f"{SOURCE}, integral (9) of equation (8)",
+        unit="rad",
+        accuracy=Accuracy(6, within=LOW_WORD),
+        singular=SINGULAR,
+        period=2 * pi,
+    ),
+    Quantity(
+        "acceleration",
+        "Compute d ratio/d phi1, the angular acceleration of the output at unit carrier speed.",
+        ARGUMENTS,
+        ACCELERATION,
+        (
+            Form(
+                "half-angle quotient with low word",
+                ACCELERATION,
+                ("low_word", "half_angle_tangent"),
+            ),
+            Form("1 + e**2 - 2 e cos x", ACCELERATION, key="direct"),
+            Form(
+                "half-angle sine",
+                -2 * e * k**2 * (1 - e) * (1 + e) * sin(x) / HALF_ANGLE**2,
+                key="half_angle",
+            ),
+        ),
+        f"derivative of {SOURCE}, equation (8)",
+        accuracy=Accuracy(
+            8, ACCELERATION_SCALE, (*LOW_WORD, Or(Eq(e, 0), Ge(e, Rational(1, 10**200))))
+        ),
+        singular=SINGULAR,
+    ),
+    Quantity(
+        "largest_ratio",
+        "Compute the largest transmission ratio, met at phi1 = 0 and every period 2*pi*R2/R1 on.",
+        ARGUMENTS[1:],
+        largest,
+        (Form("quotient", largest),),
+        EXTREMES,
+        accuracy=EXTREME,
+        singular=ENDS_OF_E,
+    ),
+    Quantity(
+        "smallest_ratio",
+        "Compute the smallest transmission ratio, met half a period after the largest.",
+        ARGUMENTS[1:],
+        smallest,
+        (Form("quotient", smallest),),
+        EXTREMES,
+        accuracy=EXTREME,
+        singular=ENDS_OF_E,
+    ),
+)

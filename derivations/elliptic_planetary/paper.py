@@ -1,0 +1,654 @@
+"""What paper 1 prints and what is rebuilt: symbols, mechanics, rows.
+
+Order of the file: symbols; the mechanics (velocity plan, inversion, ellipse, position); what
+the paper prints, row by row.
+
+Conventions: angles are positive in the direction of the carrier's rotation; distances on the
+line A-C are positive from A towards C and B; lengths in mm, angles in rad.
+"""
+
+from sympy import (
+    And,
+    Eq,
+    Expr,
+    Ge,
+    Gt,
+    Integral,
+    Interval,
+    Le,
+    Matrix,
+    Ne,
+    Rational,
+    S,
+    Symbol,
+    atan,
+    atan2,
+    cos,
+    diff,
+    oo,
+    pi,
+    sin,
+    solve,
+    sqrt,
+    symbols,
+    tan,
+)
+
+from mechproof.record import (
+    FREQUENCY,
+    LENGTH,
+    SPEED,
+    Claim,
+    Completion,
+    Completions,
+    Conjunction,
+    Correction,
+    Definition,
+    Equality,
+    Equation,
+    Holds,
+    IntegralWithoutDifferential,
+    Part,
+    PrintedNumber,
+    Reading,
+    Variable,
+)
+
+from .._metrology import (
+    ENCODER_VARIABLES,
+    FULL_SCALE_LINEARITY,
+    READING_LINEARITY,
+    RESOLUTION,
+    TYPE_A_VARIABLES,
+    coverage_row,
+    encoder_rows,
+    linearity_row,
+    mean_row,
+    resolution_row,
+    unbiased_row,
+    uncertainty_row,
+    variance_of_mean_row,
+    variance_row,
+)
+from .._relations import less
+
+# Symbols --------------------------------------------------------------------------------------
+
+phi1 = Symbol("phi1", real=True)
+R1, R2 = symbols("R1 R2", positive=True)
+e = Symbol("e", real=True)
+a, rho = symbols("a rho", real=True)
+phi5, k, x, a1, b1 = symbols("phi5 k x a1 b1", real=True)
+omega1, omega3 = symbols("omega1 omega3", real=True)
+VC, VD, AC, BC, BD, CD, DE = symbols("V_C V_D AC BC BD CD DE", real=True)
+at_b, at_c, at_d = symbols("s_B s_C s_D", real=True)
+U = Symbol("U", real=True)
+ratio_symbol = Symbol("phi3'", real=True)
+tau, u, v = symbols("tau u v", real=True)
+turns = Symbol("m_turns", integer=True)
+nu, E = symbols("nu E", positive=True)
+T = Symbol("T", real=True)
+
+
+VARIABLES = (
+    Variable(phi1, "angle of the carrier 1", sign="positive in its direction of rotation"),
+    Variable(R1, "radius of the epicycle 4", LENGTH, Interval.open(0, oo)),
+    Variable(R2, "radius of the satellite wheel 5", LENGTH, Interval.open(0, oo)),
+    Variable(e, "eccentricity of the ellipse", within=Interval.Ropen(0, 1)),
+    Variable(a, "major semi-axis of the ellipse", LENGTH, given=(R1 - R2) / 2),
+    Variable(phi5, "rotation of wheel 6 against the carrier", given=-R1 / R2 * phi1),
+    Variable(k, "ratio of the cylindrical radii", given=R1 / R2),
+    Variable(x, "rotation of wheel 6 against the carrier, reversed", given=k * phi1),
+    Variable(a1, "1 + e^2", given=1 + e**2),
+    Variable(b1, "2 e", given=2 * e),
+    Variable(rho, "radius CD", LENGTH, given=a * (1 - e**2) / (1 - e * cos(phi5))),
+    Variable(omega1, "angular velocity of the carrier", FREQUENCY, Interval.open(0, oo)),
+    Variable(omega3, "angular velocity of wheel 3", FREQUENCY),
+    Variable(at_b, "coordinate of B on the line A-C", LENGTH),
+    Variable(at_c, "coordinate of C", LENGTH, Interval.open(0, oo)),
+    Variable(at_d, "coordinate of D", LENGTH),
+    Variable(AC, "from A to C", LENGTH, given=at_c),
+    Variable(BC, "from C to B", LENGTH, given=at_b - at_c),
+    Variable(CD, "from D to C", LENGTH, given=at_c - at_d),
+    Variable(BD, "from D to B", LENGTH, given=at_b - at_d),
+    Variable(DE, "from E to D", LENGTH, given=at_d),
+    Variable(VC, "velocity of C, positive with the carrier", SPEED, given=omega1 * at_c),
+    Variable(VD, "velocity of D, positive with the carrier", SPEED, given=omega3 * at_d),
+    Variable(U, "tg(x/2) as a variable of integration's limit"),
+    *TYPE_A_VARIABLES,
+    Variable(ratio_symbol, "analogue of the angular velocity"),
+    *ENCODER_VARIABLES,
+    Variable(turns, "whole turns of x", within=S.Naturals0),
+    Variable(nu, "number of terms of a series", within=Interval.open(0, oo)),
+    Variable(E, "e**nu", within=Interval.open(0, oo)),
+    Variable(T, "nu*x"),
+)
+
+BRANCH = Part("|x| < pi, the first branch of the half-angle", {x: Interval.open(-pi, pi)})
+UP_TO_ONE = Part("0 <= e <= 1", {e: Interval(0, 1)})
+BELOW_ONE = Part("0 <= e < 1", {e: Interval.Ropen(0, 1)})
+
+# The mechanics --------------------------------------------------------------------------------
+
+# Velocity plan on the line A-C at one instant. The carrier turns about A = E = 0, the satellite
+# rolls inside the fixed epicycle, so the point B at the coordinate R1 is at rest.
+s, omega_satellite, omega_out = symbols("s omega_5 omega_3", real=True)
+centre_c = solve(Eq(at_c + R2, R1), at_c)[0]
+satellite_velocity = omega1 * centre_c + omega_satellite * (s - centre_c)
+rolling = solve(satellite_velocity.subs(s, R1), omega_satellite)[0]
+point_d = centre_c - rho
+driven = Eq(omega_out * point_d, satellite_velocity.subs({s: point_d, omega_satellite: rolling}))
+ratio_by_plan = solve(driven, omega_out)[0] / omega1
+
+# Inversion (Willis), in units of omega1: seen from the carrier the epicycle turns with -1, an
+# internal mesh keeps the sense of rotation, an external one reverses it.
+satellite_against_carrier = -k
+wheel_3_against_carrier = -satellite_against_carrier * rho / (2 * a - rho)
+ratio_by_inversion = 1 + wheel_3_against_carrier
+
+# Ellipse seen from a focus: the distances to both foci (2 a e apart) add up to 2 a.
+r, theta = symbols("r theta", real=True)
+second_focus_squared = r**2 - 4 * a * e * r * cos(theta) + 4 * a**2 * e**2
+focal_radius = solve(Eq((2 * a - r) ** 2, second_focus_squared), r)[0]
+
+
+def radius_of_mate(angle: Expr) -> Expr:
+    """Radius of the congruent ellipse at the angle it has reached by rolling from its far end.
+
+    It has turned by angle + 2 delta, tan(delta) = y/x below; its polar angle is measured from
+    the side away from its own centre of rotation.
+    """
+    y, x_ = e * sin(angle), 1 - e * cos(angle)
+    cos_2delta = (x_**2 - y**2) / (x_**2 + y**2)
+    sin_2delta = 2 * x_ * y / (x_**2 + y**2)
+    cos_turned = cos(angle) * cos_2delta - sin(angle) * sin_2delta
+    return a * (1 - e**2) / (1 + e * cos_turned)
+
+
+# Position: the ratio integrated from phi10 = 0, phi30 = 0, over any number of turns.
+position = Integral(ratio_by_inversion.subs(rho, focal_radius.subs(theta, k * tau)), (tau, 0, phi1))
+position_closed = (1 + k) * phi1 + 2 * atan2(e * sin(x), 1 - e * cos(x))
+position_principal = phi1 + 2 * atan((1 + e) / (1 - e) * tan(x / 2))
+
+# Planar vectors for the sentences of the velocity plan.
+axis_c = Matrix([cos(phi1), sin(phi1)]) * centre_c
+axis_b = Matrix([cos(phi1), sin(phi1)]) * R1
+quarter_turn = Matrix([[0, -1], [1, 0]])
+velocity_c = diff(axis_c, phi1)
+velocity_b = velocity_c + (rolling / omega1) * quarter_turn * (axis_b - axis_c)
+
+# Non-uniformity of the ratio, (largest - smallest)/mean.
+largest = 1 + k * (1 + e) / (1 - e)
+smallest = 1 + k * (1 - e) / (1 + e)
+non_uniformity = (largest - smallest) / (1 + k)
+
+# What the paper prints ------------------------------------------------------------------------
+
+print_rho = a * (1 - e**2) / (1 - e * cos(phi5))
+print_7 = (R2 + rho) * 2 * a / (R2 * (2 * a - rho))
+print_8 = 1 + R1 / R2 * ((1 - e**2) / (1 + e**2 - 2 * e * cos(phi5)))
+print_9 = phi1 + (1 - e**2) * Integral(1 / (1 + e**2 - 2 * e * cos(u)), (u, 0, R1 / R2 * phi1))
+
+half = u / 2
+print_10_first = Integral(1 / (a1 - b1 * cos(u)), (u, 0, x))
+print_10_second = Integral(
+    1 / (a1 * sin(half) ** 2 + a1 * cos(half) ** 2 - b1 * cos(half) ** 2 + b1 * sin(half) ** 2),
+    (u, 0, x),
+)
+print_10_third = Integral(1 / ((a1 + b1) * sin(half) ** 2 + (a1 - b1) * cos(half) ** 2), (u, 0, x))
+integrand_10_fourth = cos(half) ** 2 / ((a1 + b1) * tan(half) ** 2 + (a1 - b1))
+print_10_fourth = IntegralWithoutDifferential(integrand_10_fourth.subs(u, x))
+print_10_fifth = 2 / (a1 + b1) * Integral(1 / (v**2 + (a1 - b1) / (a1 + b1)), (v, 0, tan(x / 2)))
+corrected_10_fourth = Integral(
+    1 / (cos(half) ** 2 * ((a1 + b1) * tan(half) ** 2 + (a1 - b1))), (u, 0, x)
+)
+CORRECT_FOURTH = (
+    r"\int\frac{dx}{\cos^2\frac x2\left[(a_1+b_1)\mathrm{tg}^2\frac x2+(a_1-b_1)\right]}"
+)
+
+
+def print_11(tangent: Expr) -> Expr:
+    """Right-hand side of (11) without the constant, at tg(x/2) = `tangent`."""
+    shrink = (a1 - b1) / (a1 + b1)
+    return 2 / (a1 + b1) * sqrt((a1 + b1) / (a1 - b1)) * atan(tangent / sqrt(shrink))
+
+
+print_12 = phi1 + 2 * sqrt((1 - e) / (1 + e)) * atan(
+    tan(R1 / (2 * R2) * phi1) * sqrt((1 + e) / (1 - e))
+)
+CORRECT_12 = (
+    r"\varphi_3=\left(1+\frac{R_1}{R_2}\right)\varphi_1+2\,\mathrm{arctg}"
+    r"\frac{e\sin x}{1-e\cos x},\ x=\frac{R_1}{R_2}\varphi_1"
+    r"\quad\left(\text{for }|x|<\pi:\ \varphi_3=\varphi_1+2\,\mathrm{arctg}"
+    r"\left(\frac{1+e}{1-e}\,\mathrm{tg}\frac x2\right)\right)"
+)
+
+# Table 1 (R1, R2, e) and table 3 (n, mean error, u), degrees.
+VARIANTS = {
+    1: (66, 16, Rational("0.28")),
+    2: (66, 16, Rational("0.475")),
+    3: (80, 30, Rational("0.28")),
+    4: (80, 30, Rational("0.475")),
+}
+READINGS = {
+    1: (198, Rational("-0.93"), Rational("0.82"), "1.64"),
+    2: (194, Rational("-0.98"), Rational("1.36"), "2.72"),
+    3: (192, Rational("0.68"), Rational("0.28"), "0.28"),
+    4: (171, Rational("-0.89"), Rational("1.01"), "2.02"),
+}
+
+
+def of_variant(expression: Expr, number: int) -> Expr:
+    """Put the sizes of table 1 into an expression."""
+    return expression.subs(k, R1 / R2).subs(dict(zip((R1, R2, e), VARIANTS[number], strict=True)))
+
+
+def implied_scatter(number: int) -> tuple[Expr, Expr]:
+    """Return s = u sqrt(n) and its largest possible value for errors within +-180 degrees."""
+    count, _, uncertainty, _ = READINGS[number]
+    return uncertainty * sqrt(count), 180 * sqrt(Rational(count, count - 1))
+
+
+def interval_row(number: int) -> Claim:
+    """Recompute the 95 % interval of one variant: its half-width is twice the printed u."""
+    _, mean, uncertainty, printed = READINGS[number]
+    right = f"{float(2 * uncertainty):.2f}"
+    return Claim(
+        f"table 3, interval {number}",
+        rf"{float(mean):.2f} \pm {printed}^\circ",
+        PrintedNumber(printed, 2 * uncertainty),
+        note="The half-width is to be 2u with the u of table 3; if right, u is half of it.",
+        corrected=Correction(
+            rf"{float(mean):.2f} \pm {right}^\circ", PrintedNumber(right, 2 * uncertainty)
+        ),
+    )
+
+
+def mean_errors_below(limit: Expr) -> Holds:
+    """State that no mean error exceeds a limit."""
+    means = (mean for _, mean, _, _ in READINGS.values())
+    return Holds(And(*(Le(abs(mean), limit, evaluate=False) for mean in means)))
+
+
+largest_mean_error = max(abs(mean) for _, mean, _, _ in READINGS.values())
+
+ROWS = (
+    Claim(
+        "velocity plan, V_C",
+        r"V_C\perp AC",
+        Equality(S.Zero, velocity_c.dot(axis_c)),
+    ),
+    Claim(
+        "velocity plan, B",
+        r"V_B=0:\ B\text{ is the instant centre of the satellite}",
+        Equality(Matrix([0, 0]), velocity_b),
+        note="V_A and V_E are zero because A and E lie on the fixed axis.",
+    ),
+    Equation(
+        "(1), first and second equals sign",
+        r"\varphi_3'=\frac{\omega_3}{\omega_1}=\frac{d\varphi_3}{d\varphi_1}",
+        Definition(ratio_symbol, omega3 / omega1),
+        note="Introduces the analogue of the velocity; its two readings differ by the chain rule.",
+    ),
+    Equation(
+        "(1), third equals sign",
+        r"\frac{d\varphi_3}{d\varphi_1}=\frac{V_D\cdot AC}{V_C\cdot DE}",
+        Equality(VD * AC / (VC * DE), omega3 / omega1),
+        note="V_C = omega1 AC and V_D = omega3 DE, all signed on the line A-C.",
+    ),
+    Equation(
+        "(1), fourth equals sign",
+        r"\frac{V_D\cdot AC}{V_C\cdot DE}=\frac{BD\cdot AC}{BC\cdot DE}",
+        Equality(BD * AC / (BC * DE), (at_d - at_b) / (at_c - at_b) * at_c / at_d),
+        note="Velocities of the satellite are proportional to the distance from B.",
+    ),
+    Equation(
+        "(2), first equals sign",
+        r"AC=R_1-R_2",
+        Equality(R1 - R2, centre_c),
+        note="Circle 5 touches circle 4 from inside: AC + R2 = R1.",
+    ),
+    Equation(
+        "(2), second equals sign",
+        r"R_1-R_2=2a",
+        Equality(2 * a, print_rho + radius_of_mate(phi5)),
+        note=(
+            "The centre distance at which two congruent ellipses roll about their foci; "
+            "with it, R1, R2 and a are no longer independent."
+        ),
+    ),
+    Equation("(3)", r"BC=R_2", Equality(R2, R1 - centre_c)),
+    Equation(
+        "(4)",
+        r"CD=\rho(\varphi_5)=\frac{a(1-e^2)}{1-e\cos\varphi_5}",
+        Equality(print_rho, focal_radius.subs(theta, phi5)),
+        note="At phi1 = 0 the second focus lies towards A: read from the sign in (4).",
+    ),
+    Claim(
+        "(4), phi5",
+        r"\varphi_5=-\frac{R_1}{R_2}\varphi_1\text{ is the rotation of the ellipse}",
+        Equality(-R1 / R2 * phi1, rolling / omega1 * phi1),
+        readings=(
+            Reading(
+                "the rotation against the carrier, not against the frame",
+                Equality(-R1 / R2 * phi1, (rolling - omega1) / omega1 * phi1),
+            ),
+        ),
+    ),
+    Equation("(5)", r"BD=BC+CD=R_2+\rho", Equality(R2 + rho, R1 - point_d)),
+    Equation("(6)", r"DE=AC-CD=2a-\rho", Equality(2 * a - rho, point_d)),
+    Claim(
+        "two routes",
+        r"\text{velocity plan}=\text{method of inversion}",
+        Equality(ratio_by_plan, ratio_by_inversion),
+        marks=("ours",),
+    ),
+    Equation(
+        "(7)",
+        r"\varphi_3'=\frac{(R_2+\rho)\cdot 2a}{R_2\cdot(2a-\rho)}",
+        Equality(print_7, ratio_by_plan),
+    ),
+    Equation(
+        "(8)",
+        r"\frac{d\varphi_3}{d\varphi_1}=1+\frac{R_1}{R_2}\cdot"
+        r"\left(\frac{1-e^2}{1+e^2-2e\cos\varphi_5}\right)",
+        Equality(print_8, ratio_by_plan),
+    ),
+    Equation(
+        "(9)",
+        r"\varphi_3=\varphi_1+(1-e^2)\cdot\int\frac{1}{1+e^2-2e\cos\frac{R_1}{R_2}\varphi_1}"
+        r"\,d\frac{R_1}{R_2}\varphi_1",
+        Equality(print_9, position),
+        note="Read from the initial conditions phi10 = phi30 = 0; holds over all turns.",
+    ),
+    Equation(
+        "(10), first equals sign",
+        r"\int\frac{dx}{a_1-b_1\cos x}=\int\frac{dx}{a_1\sin^2\frac x2+a_1\cos^2\frac x2"
+        r"-b_1\cos^2\frac x2+b_1\sin^2\frac x2}",
+        Equality(print_10_second, print_10_first),
+    ),
+    Equation(
+        "(10), second equals sign",
+        r"\dots=\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}",
+        Equality(print_10_third, print_10_second),
+    ),
+    Equation(
+        "(10), third equals sign",
+        r"\dots=\int\frac{\cos^2\frac x2}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}",
+        Equality(print_10_fourth, print_10_third),
+        note="The factor 1/cos^2(x/2) has moved into the numerator and dx is missing.",
+        corrected=Correction(CORRECT_FOURTH, Equality(corrected_10_fourth, print_10_third)),
+        on=BRANCH,
+    ),
+    Claim(
+        "(10), third equals sign, dx supplied",
+        r"\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}="
+        r"\int\frac{\cos^2\frac x2\,dx}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}",
+        Equality(Integral(integrand_10_fourth, (u, 0, x)), print_10_third),
+        note="With the missing differential supplied the numerator is still wrong.",
+        corrected=Correction(CORRECT_FOURTH, Equality(corrected_10_fourth, print_10_third)),
+        on=BRANCH,
+        marks=("ours",),
+    ),
+    Equation(
+        "(10), fourth equals sign",
+        r"\int\frac{\cos^2\frac x2}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}="
+        r"\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
+        r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}",
+        Equality(print_10_fourth, print_10_fifth),
+        note="Its left-hand side is the ill-formed integral; the right-hand side is sound.",
+        corrected=Correction(
+            CORRECT_FOURTH + r"=\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
+            r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}",
+            Equality(corrected_10_fourth, print_10_fifth),
+        ),
+        on=BRANCH,
+    ),
+    Claim(
+        "(10), first and last expression",
+        r"\int\frac{dx}{a_1-b_1\cos x}=\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
+        r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}",
+        Equality(print_10_fifth, print_10_first),
+        note=(
+            "Read as integrals from 0. The chain's end is right although its fourth "
+            "expression is not."
+        ),
+        holds_on=BRANCH,
+        marks=("inferred",),
+    ),
+    Claim(
+        "since e <= 1",
+        r"e\le1\Rightarrow\frac{a_1-b_1}{a_1+b_1}\ge0",
+        Holds(Ge((a1 - b1) / (a1 + b1), 0)),
+        on=UP_TO_ONE,
+    ),
+    Claim(
+        "since e <= 1, used for (11)",
+        r"e\le1\text{ lets (11) divide by }\sqrt{\tfrac{a_1-b_1}{a_1+b_1}}",
+        Holds(Gt((a1 - b1) / (a1 + b1), 0)),
+        note="(11) divides by the root: e = 1 must be excluded.",
+        on=UP_TO_ONE,
+        holds_on=BELOW_ONE,
+        marks=("inferred",),
+    ),
+    Equation(
+        "(11)",
+        r"\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}{\mathrm{tg}^2\frac x2+"
+        r"\frac{a_1-b_1}{a_1+b_1}}=\frac{2}{a_1+b_1}\cdot\sqrt{\frac{a_1+b_1}{a_1-b_1}}\cdot"
+        r"\mathrm{arctg}\frac{\mathrm{tg}\frac x2}{\sqrt{\frac{a_1-b_1}{a_1+b_1}}}+C",
+        Equality(
+            print_11(U), 2 / (a1 + b1) * Integral(1 / (v**2 + (a1 - b1) / (a1 + b1)), (v, 0, U))
+        ),
+        note="As an integral over tg(x/2) = U; C = 0 for the lower limit 0.",
+    ),
+    Claim(
+        "(11) over all turns",
+        r"\int_0^x\frac{dx}{a_1-b_1\cos x}=\frac{2}{a_1+b_1}\sqrt{\frac{a_1+b_1}{a_1-b_1}}\,"
+        r"\mathrm{arctg}\frac{\mathrm{tg}\frac x2}{\sqrt{\frac{a_1-b_1}{a_1+b_1}}}",
+        Equality(print_11(tan(x / 2)), print_10_first),
+        note="With one constant C the right-hand side falls back at every odd multiple of pi.",
+        holds_on=BRANCH,
+        singular=("x = (2m+1) pi",),
+        corrected=Correction(
+            r"\frac{1}{1-e^2}\left(x+2\,\mathrm{arctg}\frac{e\sin x}{1-e\cos x}\right)",
+            Equality((x + 2 * atan2(e * sin(x), 1 - e * cos(x))) / (1 - e**2), print_10_first),
+        ),
+        marks=("inferred",),
+    ),
+    Equation(
+        "(12)",
+        r"\varphi_3=\varphi_1+2\cdot\sqrt{\frac{1-e}{1+e}}\;\mathrm{arctg}\left(\mathrm{tg}"
+        r"\left(\frac{R_1}{2R_2}\varphi_1\right)\cdot\sqrt{\frac{1+e}{1-e}}\right)",
+        Equality(print_12, position),
+        note=(
+            "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1+e)/(1-e) itself, but (12) still has "
+            "the root of that. Without it the factor before the arctangent is 2 and the quotient "
+            "inside is (1+e)/(1-e). Besides, the arctangent falls back after each turn."
+        ),
+        corrected=Correction(CORRECT_12, Equality(position_closed, position)),
+        singular=("R1 phi1/R2 = (2m+1) pi",),
+    ),
+    Claim(
+        "(12), first branch",
+        r"\text{(12) for }|x|<\pi",
+        Equality(print_12, position),
+        note="The error is not only one of branches.",
+        corrected=Correction(
+            r"\varphi_3=\varphi_1+2\,\mathrm{arctg}\left(\frac{1+e}{1-e}\,"
+            r"\mathrm{tg}\left(\frac{R_1}{2R_2}\varphi_1\right)\right)",
+            Equality(position_principal, position),
+        ),
+        on=BRANCH,
+        marks=("ours",),
+    ),
+    Claim(
+        "(12), initial conditions",
+        r"\varphi_{10}=0,\ \varphi_{30}=0",
+        Equality(print_12.subs(phi1, 0), S.Zero),
+    ),
+    Claim(
+        "half-angle arctangent without branches",
+        r"2\,\mathrm{arctg}\left(\tfrac{1+e}{1-e}\mathrm{tg}\tfrac x2\right)="
+        r"x+2\,\mathrm{arctg}\frac{e\sin x}{1-e\cos x}",
+        Equality(position_principal, position_closed),
+        on=BRANCH,
+        note="The right-hand side goes on beyond the branch.",
+        marks=("ours",),
+    ),
+    Claim(
+        "(12) gives the position function",
+        r"\text{equation (12) gives the calculated position function}",
+        Equality(print_12, position),
+        note="Follows from (12); not a second error.",
+        corrected=Correction(CORRECT_12, Equality(position_closed, position)),
+    ),
+    Claim(
+        "Fig. 3, formula used",
+        r"\text{using formula (8) we build the position functions}",
+        Equality(print_8, position),
+        note=(
+            "Read literally, phi3 = (8). (8) is the ratio; the position functions are its "
+            "integral, (9)."
+        ),
+        corrected=Correction(
+            r"\varphi_3=\int_0^{\varphi_1}\left[1+\frac{R_1}{R_2}\cdot"
+            r"\frac{1-e^2}{1+e^2-2e\cos\varphi_5}\right]d\varphi_1",
+            Equality(Integral(print_8.subs(phi5, -R1 / R2 * tau), (tau, 0, phi1)), position),
+        ),
+    ),
+    Claim(
+        "extremes of the ratio",
+        r"1+\frac{R_1}{R_2}\frac{1-e}{1+e}\le\varphi_3'\le1+\frac{R_1}{R_2}\frac{1+e}{1-e}",
+        Conjunction((Holds(Le(smallest, print_8)), Holds(Ge(largest, print_8)))),
+        note="Reached at x = pi and x = 0 modulo 2 pi.",
+        marks=("ours",),
+    ),
+    mean_row("(13)", "The mean of the readings; a definition."),
+    variance_row("(14)"),
+    unbiased_row("(14)"),
+    variance_of_mean_row("(15)", r"s^2(q)=\frac{s^2(q_k)}{n}"),
+    uncertainty_row("(16)", "The GUM's type A standard uncertainty of the mean."),
+    Claim(
+        "table 1, centre distances",
+        r"R_1-R_2\text{ is the same in all four variants}",
+        Conjunction(
+            tuple(
+                Holds(Eq(of_variant(R1 - R2, 1), of_variant(R1 - R2, number), evaluate=False))
+                for number in (2, 3, 4)
+            )
+        ),
+        note="2a = 50 mm, so one pair of ellipses with a = 25 mm fits every variant of its e.",
+        marks=("ours",),
+    ),
+    Claim(
+        "table 1, domain",
+        r"0<R_2<R_1,\ 0\le e<1\text{ in all four variants}",
+        Conjunction(
+            tuple(
+                Holds(
+                    And(
+                        Gt(of_variant(R1 - R2, number), 0, evaluate=False),
+                        Ge(of_variant(e, number), 0, evaluate=False),
+                        Gt(1 - of_variant(e, number), 0, evaluate=False),
+                    )
+                )
+                for number in VARIANTS
+            )
+        ),
+        marks=("ours",),
+    ),
+    resolution_row("table 2"),
+    linearity_row("table 2", "every mean error of table 3", mean_errors_below),
+    *encoder_rows("table 2"),
+    *(interval_row(number) for number in READINGS),
+    Claim(
+        "table 3, scatter of single readings",
+        r"s(q_k)=u\sqrt n",
+        Conjunction(
+            tuple(
+                less(small, large)
+                for scatter, limit in map(implied_scatter, READINGS)
+                for small, large in ((40 * RESOLUTION, scatter), (scatter, limit))
+            )
+        ),
+        note=(
+            "If u is that of the mean, single errors scatter by "
+            + ", ".join(f"{float(implied_scatter(number)[0]):.1f}" for number in READINGS)
+            + " deg: more than 40 steps of the encoder each, but possible for errors within half "
+            "a turn."
+        ),
+        marks=("ours",),
+    ),
+    *(
+        coverage_row(
+            number,
+            count,
+            "Coverage of the factor 2 by Student's t; normal, independent observations assumed.",
+            ("inferred",),
+        )
+        for number, (count, *_) in READINGS.items()
+    ),
+    Claim(
+        "different non-uniformity",
+        r"\text{varying the parameters gives position functions of different non-uniformity}",
+        Conjunction(
+            (
+                Holds(Gt(diff(non_uniformity, e), 0)),
+                Holds(Ge(diff(non_uniformity, k), 0)),
+                *(
+                    Holds(
+                        Ne(
+                            of_variant(non_uniformity, one),
+                            of_variant(non_uniformity, two),
+                            evaluate=False,
+                        )
+                    )
+                    for one in VARIANTS
+                    for two in VARIANTS
+                    if one < two
+                ),
+            )
+        ),
+        note=(
+            "(largest - smallest)/mean of the ratio grows with e and with R1/R2 and differs "
+            "between any two of the four variants."
+        ),
+    ),
+    Claim(
+        "measured functions adequate",
+        r"\text{the measured functions of all variants are adequate to the model}",
+        Completions(
+            Completion(
+                "adequate: the 95 % interval of the mean error contains 0, all variants",
+                Holds(
+                    And(
+                        *(
+                            Le(abs(mean), 2 * uncertainty, evaluate=False)
+                            for _, mean, uncertainty, _ in READINGS.values()
+                        )
+                    )
+                ),
+            ),
+            Completion(
+                "adequate: the mean error stays inside 0.3 % of 360 deg, all variants",
+                mean_errors_below(FULL_SCALE_LINEARITY),
+            ),
+        ),
+        note="No criterion and no readings are printed; variant 3 fails the first criterion.",
+    ),
+    Claim(
+        "inaccurate manufacture",
+        r"\text{a large mean error may point to inaccurate manufacture}",
+        Completions(
+            Completion(
+                "linearity of the full scale: the largest mean error exceeds it",
+                less(FULL_SCALE_LINEARITY, largest_mean_error),
+            ),
+            Completion(
+                "linearity of a reading of 90 deg: the largest mean error exceeds it",
+                less(READING_LINEARITY, largest_mean_error),
+            ),
+        ),
+        note="The encoder alone may explain the mean errors, or may not.",
+    ),
+)

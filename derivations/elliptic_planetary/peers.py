@@ -1,0 +1,112 @@
+"""Ways to get the numbers of paper 1 that are no formulas: joined branches, solvers, libraries."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib.util import find_spec
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechproof.kernels import elliptic_planetary as kernels
+from mechproof.record import Peer
+
+Array = NDArray[np.float64]
+KNOTS = 1024
+
+
+def join_branches(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
+    """Join the branches of the arctangent by np.unwrap."""
+    branch = 2 * np.arctan((1 + e) / (1 - e) * np.tan(r1 / r2 * phi1 / 2))
+    return np.asarray(phi1 + np.unwrap(branch))
+
+
+def sum_by_simpson(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
+    """Integrate the samples of the ratio."""
+    from scipy.integrate import cumulative_simpson
+
+    return np.asarray(cumulative_simpson(kernels.ratio(phi1, r1, r2, e), x=phi1, initial=0))
+
+
+def integrate(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
+    """Solve the differential equation with the tightest usual tolerance."""
+    from scipy.integrate import solve_ivp
+
+    done = solve_ivp(
+        lambda t, y: [kernels.ratio(t, r1, r2, e)],
+        (phi1[0], phi1[-1]), [0.0], "DOP853", t_eval=phi1, rtol=1e-12, atol=1e-12,
+    )  # fmt: skip
+    return np.asarray(done.y[0])
+
+
+def interpolate(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
+    """Interpolate the periodic part at 1024 knots; one spline for each eccentricity."""
+    from scipy.interpolate import CubicSpline
+
+    knots = np.linspace(0, 2 * np.pi, KNOTS + 1)
+    x, eccentricity = np.broadcast_arrays(r1 / r2 * phi1, e)
+    result = np.empty(x.shape)
+    for value in np.unique(eccentricity):
+        part = 2 * np.arctan2(
+            value * np.sin(knots), (1 - value) + 2 * value * np.sin(knots / 2) ** 2
+        )
+        part[-1] = part[0] = 0.0
+        mine = eccentricity == value
+        result[mine] = CubicSpline(knots, part, bc_type="periodic")(x[mine])
+    return np.asarray(phi1 + x + result)
+
+
+def distribute(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
+    """Use the distribution function of the wrapped Cauchy law, turn by turn."""
+    from scipy.stats import wrapcauchy
+
+    x = r1 / r2 * phi1
+    turn = np.floor(x / (2 * np.pi))
+    share = wrapcauchy.cdf(x - 2 * np.pi * turn, np.broadcast_to(e, np.shape(x)))
+    return np.asarray(phi1 + 2 * np.pi * (turn + share))
+
+
+def take_anomaly(phi1: Array, r1: Array, r2: Array, e: Array) -> Array:
+    """Take the true anomaly from kepler.py, x being the eccentric anomaly."""
+    from kepler import kepler
+
+    x, largest = r1 / r2 * phi1, np.nextafter(1.0, 0.0)
+    orbit = np.broadcast_to(np.minimum(2 * e / (1 + e**2), largest), np.shape(x))
+    _, cosine, sine = kepler(x - orbit * np.sin(x), orbit)
+    turn = 2 * np.pi * np.floor((x + np.pi) / (2 * np.pi))
+    return np.asarray(phi1 + turn + np.arctan2(sine, cosine))
+
+
+def list_libraries() -> tuple[Peer, ...]:
+    """List the peers that need a library of the extra `bench`."""
+    if not find_spec("kepler"):
+        return ()
+    note = "solves Kepler's equation on the way, which the position does not need"
+    return (Peer("kepler.py", take_anomaly, note=note),)
+
+
+PEERS: Mapping[str, tuple[Peer, ...]] = {
+    "position": (
+        Peer(
+            "tan/arctan + unwrap",
+            join_branches,
+            ordered=True,
+            note="right only if no step of the samples turns the output by pi",
+        ),
+        Peer("cumulative Simpson", sum_by_simpson, ordered=True),
+        Peer("cubic spline, 1024 knots", interpolate),
+        Peer(
+            "solve_ivp, DOP853 1e-12",
+            integrate,
+            ordered=True,
+            slow=True,
+            note="the solver controls an estimate of the local error",
+        ),
+        Peer(
+            "scipy.stats.wrapcauchy",
+            distribute,
+            note="its cdf is (position - phi1)/(2 pi) on the first turn of x",
+        ),
+        *list_libraries(),
+    )
+}

@@ -1,0 +1,332 @@
+"""Symbols and mechanics of paper 2: velocity plan, inversion, ovals, position, kinds of motion.
+
+Conventions: angles are positive in the direction of the carrier's rotation; distances on the
+line A-C are positive from A towards C; at phi1 = 0 a major axis of the sun 4 points to C and the
+major axes of the satellite's wheels 5 and 6 stand at right angles, that of 6 along the line A-C.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.record import (
+    FREQUENCY,
+    LENGTH,
+    SPEED,
+    Part,
+    Variable,
+)
+
+from .._metrology import ENCODER_VARIABLES, TYPE_A_VARIABLES
+
+# Symbols --------------------------------------------------------------------------------------
+
+phi1, mount = sp.symbols("phi1 mount", real=True)
+R4, R5 = sp.symbols("R4 R5", positive=True)
+R3, R6 = sp.symbols("R3 R6", positive=True)
+e, e1, e2 = sp.symbols("e e1 e2", real=True)
+a, rho3, rho4, rho5, rho6, span = sp.symbols("a rho3 rho4 rho5 rho6 L", positive=True)
+phi, phi5, phi6, start = sp.symbols("varphi varphi5 varphi6 c", real=True)
+omega1, omega3 = sp.symbols("omega1 omega3", real=True)
+VC, VD, AC, BC, BD, CD, DE = sp.symbols("v_C v_D AC BC BD CD DE", real=True)
+sB, sC, sD = sp.symbols("s_B s_C s_D", real=True)
+ratio_symbol = sp.Symbol("varphi3'", real=True)
+k, x = sp.symbols("k x", real=True)
+alpha, beta, gamma, delta = sp.symbols("alpha beta gamma delta", real=True)
+alpha_double, beta_double, gamma_double = sp.symbols(
+    "alpha_double beta_double gamma_double", real=True
+)
+both, less, swing, lever, shift, rise, y = sp.symbols(
+    "both less swing lever shift rise y", real=True
+)
+phi6_closed, phi6_counted, mount_counted = sp.symbols("phi6 phi6_counted mount_counted", real=True)
+lam, mu = sp.symbols("lambda mu", positive=True)
+nu, xi, tangent = sp.symbols("nu xi U", real=True)
+width, eta = sp.symbols("T eta", positive=True)
+lowest, highest = sp.symbols("q_min q_max", real=True)
+m, index = sp.symbols("m k", integer=True)
+tau, theta, r = sp.symbols("tau theta r", real=True)
+turns = sp.Symbol("m_turns", integer=True)
+
+POSITIVE = sp.Interval.open(0, sp.oo)
+ECCENTRICITY = sp.Interval.Ropen(0, 1)
+
+
+def lead(eccentricity: sp.Expr, driver: sp.Expr) -> sp.Expr:
+    """By how much the driven wheel of an oval pair is ahead of its driver."""
+    return sp.atan2(eccentricity * sp.sin(2 * driver), 1 - eccentricity * sp.cos(2 * driver))
+
+
+def driven_angle(eccentricity: sp.Expr, driver: sp.Expr) -> sp.Expr:
+    """Angle of the driven wheel of an oval pair, 0 where that of the driver is 0."""
+    return driver + lead(eccentricity, driver)
+
+
+def count_branches(eccentricity: sp.Expr, driver: sp.Expr) -> sp.Expr:
+    """Angle of the driven wheel by one arctangent, its branches counted by floor."""
+    branch = sp.atan((1 + eccentricity) / (1 - eccentricity) * sp.tan(driver))
+    return branch + sp.pi * sp.floor(driver / sp.pi + sp.S.Half)
+
+
+VARIABLES = (
+    Variable(phi1, "angle of the carrier 1", sign="positive in its direction of rotation"),
+    Variable(mount, "turn of wheel 6 on its shaft, from its place in the paper", sign="as phi1"),
+    Variable(R4, "radius of a cylindrical sun 4", LENGTH, POSITIVE),
+    Variable(R5, "radius of a cylindrical wheel 5", LENGTH, POSITIVE),
+    Variable(R3, "radius of a cylindrical wheel 3", LENGTH, POSITIVE),
+    Variable(R6, "radius of a cylindrical wheel 6", LENGTH, POSITIVE),
+    Variable(e, "eccentricity of the ellipse that generates an oval", within=ECCENTRICITY),
+    Variable(e1, "eccentricity of the oval pair 4-5", within=ECCENTRICITY),
+    Variable(e2, "eccentricity of the oval pair 6-3", within=ECCENTRICITY),
+    Variable(k, "ratio of the cylindrical wheels 4 and 5", given=R4 / R5),
+    Variable(x, "twice the turn of the satellite against the carrier", given=2 * k * phi1),
+    Variable(
+        alpha,
+        "coefficient of tan(chi) = alpha*t/(beta + gamma*t), t = tan(phi1)",
+        given=(1 + e1) * (1 + e2) * (1 - e2),
+    ),
+    Variable(
+        beta,
+        "coefficient of tan(chi)",
+        given=(1 - e1) * ((1 - e2) ** 2 * sp.cos(mount) ** 2 + (1 + e2) ** 2 * sp.sin(mount) ** 2),
+    ),
+    Variable(
+        gamma,
+        "coefficient of tan(chi)",
+        given=4 * (1 + e1) * e2 * sp.sin(mount) * sp.cos(mount),
+    ),
+    Variable(
+        delta,
+        "alpha - beta",
+        given=2
+        * ((e1 + e2) * (1 - e2) * sp.cos(mount) ** 2 + (e1 - e2) * (1 + e2) * sp.sin(mount) ** 2),
+    ),
+    Variable(alpha_double, "alpha, multiplied out", given=(1 + e1) * (1 - e2**2)),
+    Variable(
+        beta_double,
+        "beta by the double mount",
+        given=(1 - e1) * (1 + e2**2 - 2 * e2 * sp.cos(2 * mount)),
+    ),
+    Variable(gamma_double, "gamma by it", given=2 * (1 + e1) * e2 * sp.sin(2 * mount)),
+    Variable(both, "alpha/(1 - e2)", given=(1 + e1) * (1 + e2)),
+    Variable(less, "what beta/(1 - e2) has without a turn of wheel 6", given=(1 - e1) * (1 - e2)),
+    Variable(lever, "part of shift and rise", given=4 * e2 * sp.sin(mount) / (1 - e2)),
+    Variable(shift, "the rest of beta/(1 - e2)", given=lever * (1 - e1) * sp.sin(mount)),
+    Variable(rise, "gamma/(1 - e2)", given=lever * (1 + e1) * sp.cos(mount)),
+    Variable(swing, "both - less", given=2 * (e1 + e2)),
+    Variable(y, "what the turn of wheel 6 adds", given=shift + rise * sp.tan(phi1)),
+    Variable(lam, "alpha, any positive number", within=POSITIVE),
+    Variable(mu, "beta, any positive number", within=POSITIVE),
+    Variable(nu, "gamma, any real number"),
+    Variable(xi, "part of beta, any real number"),
+    Variable(tangent, "tg(phi1) as a variable of its own"),
+    Variable(a, "major semi-axis of the generating ellipse", LENGTH, POSITIVE),
+    Variable(phi, "polar angle of an oval from its major axis"),
+    Variable(phi6, "angle of wheel 6 against the carrier"),
+    Variable(phi5, "angle of wheel 5 against the carrier", given=sp.pi / 2 - phi6),
+    Variable(phi6_closed, "the integral (5)", given=driven_angle(e1, phi1)),
+    Variable(phi6_counted, "the same, branches counted", given=count_branches(e1, phi1)),
+    Variable(
+        mount_counted,
+        "turn of wheel 3 by the mount, branches counted",
+        given=count_branches(e2, mount),
+    ),
+    Variable(turns, "half turns", within=sp.S.Naturals0),
+    Variable(start, "constant of the integral (5)"),
+    Variable(rho3, "radius of wheel 3 at D", LENGTH, POSITIVE),
+    Variable(rho4, "radius of wheel 4 at B", LENGTH, POSITIVE),
+    Variable(rho5, "radius of wheel 5 at B", LENGTH, POSITIVE),
+    Variable(rho6, "radius of wheel 6 at D", LENGTH, POSITIVE),
+    Variable(span, "distance of two fixed axes", LENGTH, POSITIVE),
+    Variable(omega1, "angular velocity of the carrier", FREQUENCY, POSITIVE),
+    Variable(omega3, "angular velocity of wheel 3", FREQUENCY),
+    Variable(sB, "coordinate of B on the line A-C", LENGTH),
+    Variable(sC, "coordinate of C", LENGTH, POSITIVE),
+    Variable(sD, "coordinate of D", LENGTH),
+    Variable(AC, "from A to C", LENGTH, given=sC),
+    Variable(BC, "from B to C", LENGTH, given=sC - sB),
+    Variable(BD, "from B to D", LENGTH, given=sD - sB),
+    Variable(CD, "from D to C", LENGTH, given=sC - sD),
+    Variable(DE, "from E to D", LENGTH, given=sD),
+    Variable(VC, "velocity of C, positive with the carrier", SPEED, given=omega1 * sC),
+    Variable(VD, "velocity of D, positive with the carrier", SPEED, given=omega3 * sD),
+    Variable(ratio_symbol, "analogue of the angular velocity"),
+    Variable(theta, "x as a variable of its own"),
+    Variable(width, "tangent of half the angle x from the double zero", within=POSITIVE),
+    Variable(eta, "ratio up to which the output counts as at rest", within=POSITIVE),
+    *TYPE_A_VARIABLES,
+    Variable(lowest, "smallest possible measurement error"),
+    Variable(highest, "largest possible measurement error"),
+    *ENCODER_VARIABLES,
+)
+
+# A proper oval or ellipse, not a circle.
+OVAL = sp.Interval.open(0, 1)
+
+# The mechanics --------------------------------------------------------------------------------
+
+# Velocity plan on the line A-C at one instant, the sun 4 at rest: the satellite turns about B.
+s, omega_satellite, omega_out = sp.symbols("s omega_5 omega_3", real=True)
+point_c = 2 * a
+point_b = point_c - rho5
+point_d = point_c - rho6
+satellite_velocity = omega1 * point_c + omega_satellite * (s - point_c)
+rolling = sp.solve(satellite_velocity.subs(s, point_b), omega_satellite)[0]
+driven = sp.Eq(omega_out * point_d, satellite_velocity.subs({s: point_d, omega_satellite: rolling}))
+ratio_by_plan = sp.solve(driven, omega_out)[0] / omega1
+
+# Inversion (Willis), in units of omega1: seen from the carrier the sun turns with -1, and each
+# external mesh reverses the sense of rotation.
+sun_against_carrier = sp.Integer(-1)
+satellite_against_carrier = -sun_against_carrier * (2 * a - rho5) / rho5
+wheel_3_against_carrier = -satellite_against_carrier * rho6 / (2 * a - rho6)
+ratio_by_inversion = 1 + wheel_3_against_carrier
+
+# Ellipse seen from a focus: the distances to both foci (2 a e apart) add up to 2 a. The oval has
+# at half the polar angle the radius of the ellipse.
+second_focus_squared = r**2 - 4 * a * e * r * sp.cos(theta) + 4 * a**2 * e**2
+focal_radius = sp.solve(sp.Eq((2 * a - r) ** 2, second_focus_squared), r)[0]
+
+
+def oval_radius(eccentricity: sp.Expr, cosine: sp.Expr) -> sp.Expr:
+    """Radius of the oval, by the cosine of twice the polar angle."""
+    return focal_radius.subs({e: eccentricity, sp.cos(theta): cosine})
+
+
+def pair_ratio(eccentricity: sp.Expr, cosine: sp.Expr) -> sp.Expr:
+    """Speed of the driven wheel by that of the driver, both external: the quotient of the radii."""
+    radius = oval_radius(eccentricity, cosine)
+    return sp.cancel(radius / (2 * a - radius))
+
+
+def roll(eccentricity: sp.Expr, angle: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Cosine and sine of twice the angle of the driven wheel, by the angle of the driver.
+
+    It is ahead of the driver by lead = atan(y/x): see `driven_angle`.
+    """
+    cosine, sine = sp.cos(2 * angle), sp.sin(2 * angle)
+    y, x_ = eccentricity * sine, 1 - eccentricity * cosine
+    cos_2lead = (x_**2 - y**2) / (x_**2 + y**2)
+    sin_2lead = 2 * x_ * y / (x_**2 + y**2)
+    return cosine * cos_2lead - sine * sin_2lead, sine * cos_2lead + cosine * sin_2lead
+
+
+def roll_reduced(eccentricity: sp.Expr, angle: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Give the same as `roll` in the fewest terms."""
+    cosine, sine = sp.cos(2 * angle), sp.sin(2 * angle)
+    square = 1 + eccentricity**2 - 2 * eccentricity * cosine
+    return (
+        ((1 + eccentricity**2) * cosine - 2 * eccentricity) / square,
+        (1 - eccentricity**2) * sine / square,
+    )
+
+
+# The two oval pairs in series: sun 4 turned by phi1 against the carrier, wheel 6 by phi6 + mount.
+COS_4 = sp.cos(2 * phi1)
+sun_radius = oval_radius(e1, COS_4)
+cos_6, sin_6 = roll_reduced(e1, phi1)
+cos_mounted = cos_6 * sp.cos(2 * mount) - sin_6 * sp.sin(2 * mount)
+wheel_3_rate = pair_ratio(e1, COS_4) * pair_ratio(e2, cos_mounted)
+two_pairs = {rho5: 2 * a - sun_radius, rho6: oval_radius(e2, cos_6)}
+
+# Both pairs are Moebius maps of tangents, and so is their composition:
+# tan(chi) = lambda*t/(mu + nu*t), t = tan(phi1), chi the turn of wheel 3 against the carrier,
+# reversed. mu*cos(phi1) + nu*sin(phi1) + i*lambda*sin(phi1) has the argument chi.
+
+
+def ratio_of_map(p: sp.Expr, q_: sp.Expr, g: sp.Expr) -> sp.Expr:
+    """1 - d chi/d phi1 for the coefficients lambda, mu, nu = p, q_, g."""
+    square = q_**2 * (1 + COS_4) + 2 * q_ * g * sp.sin(2 * phi1) + (p**2 + g**2) * (1 - COS_4)
+    return 1 - 2 * p * q_ / square
+
+
+def position_of_map(p: sp.Expr, q_: sp.Expr, g: sp.Expr, difference: sp.Expr) -> sp.Expr:
+    """phi1 - chi as one argument; `difference` is p - q_."""
+    return sp.atan2(
+        g * (1 - COS_4) - difference * sp.sin(2 * phi1),
+        p + q_ + (q_ - p) * COS_4 + g * sp.sin(2 * phi1),
+    )
+
+
+# The same as the argument of a constant vector and of one that turns about 1, as for one pair.
+square_sum = (lam + mu) ** 2 + nu**2
+along, across = lam**2 - mu**2 + nu**2, -2 * mu * nu
+position_by_one_pair = -sp.atan2(-nu, lam + mu) - sp.atan2(
+    along * sp.sin(2 * phi1) - across * COS_4,
+    square_sum - along * COS_4 - across * sp.sin(2 * phi1),
+)
+GIVEN = {v.symbol: v.given for v in VARIABLES if v.given is not None}
+COEFFICIENTS = tuple(GIVEN[s] for s in (alpha_double, beta_double, gamma_double))
+
+t = sp.tan(phi1)
+POSITION = position_of_map(alpha, beta, gamma, delta)
+RATIO = ratio_of_map(alpha, beta, gamma)
+ACCELERATION = sp.diff(RATIO, phi1)
+
+# Mounted as in the paper the two eccentricities act as one.
+E_SERIES = (e1 + e2) / (1 + e1 * e2)
+E_ALIGNED = (e1 - e2) / (1 - e1 * e2)
+
+
+def position_of_one(eccentricity: sp.Expr) -> sp.Expr:
+    """Position function of two pairs that act like one."""
+    return phi1 - driven_angle(eccentricity, phi1)
+
+
+def ratio_of_one(eccentricity: sp.Expr) -> sp.Expr:
+    """Transmission ratio of two pairs that act like one."""
+    return 1 - pair_ratio(eccentricity, COS_4)
+
+
+# Pair 4-5 cylindrical: the satellite turns by (R4/R5) phi1 against the carrier.
+RATIO_CYLINDRICAL = 1 - k * (1 - e2**2) / (1 + e2**2 - 2 * e2 * sp.cos(x))
+POSITION_CYLINDRICAL = (R5 - R4) / R5 * phi1 - sp.atan2(e2 * sp.sin(x), 1 - e2 * sp.cos(x))
+ACCELERATION_CYLINDRICAL = sp.diff(RATIO_CYLINDRICAL, x) * 2 * k
+AXES_45 = {a: (R4 + R5) / 2, rho5: R5}
+ratio_with_cylinders_45 = ratio_by_plan.subs(AXES_45).subs(
+    rho6, oval_radius(e2, sp.cos(2 * R4 / R5 * phi1)).subs(AXES_45)
+)
+explicit = {x: 2 * R4 / R5 * phi1, k: R4 / R5}
+ratio_45, position_45 = (f.subs(explicit) for f in (RATIO_CYLINDRICAL, POSITION_CYLINDRICAL))
+
+# Pair 3-6 cylindrical.
+AXES_36 = {a: (R3 + R6) / 2, rho6: R6}
+ratio_with_cylinders_36 = ratio_by_plan.subs(AXES_36).subs(rho5, (2 * a - sun_radius).subs(AXES_36))
+position_36 = phi1 - R6 / R3 * driven_angle(e1, phi1)
+
+
+def integrate(ratio: sp.Expr) -> sp.Integral:
+    """Integral of a ratio from phi1 = 0, where phi3 = 0."""
+    return sp.Integral(ratio.subs(phi1, tau), (tau, 0, phi1))
+
+
+# The kinds of motion --------------------------------------------------------------------------
+
+# Extremes of d chi/d phi1 with a cylindrical pair 4-5.
+fastest = R4 / R5 * (1 + e2) / (1 - e2)
+slowest = R4 / R5 * (1 - e2) / (1 + e2)
+FASTER = Part("R4/R5 > (1 + e2)/(1 - e2)", where=(R5 * (1 + e2) / (1 - e2) < R4,))
+SLOWER = Part("R4/R5 < (1 - e2)/(1 + e2)", where=(R4 * (1 + e2) / (1 - e2) < R5,))
+BELOW_UPPER = Part("R4/R5 < (1 + e2)/(1 - e2)", where=(R4 * (1 - e2) / (1 + e2) < R5,))
+ABOVE_LOWER = Part("R4/R5 > (1 - e2)/(1 + e2)", where=(R5 * (1 - e2) / (1 + e2) < R4,))
+PROPER_45 = Part("e2 > 0", {e2: OVAL})
+
+# With R4/R5 at a limit the ratio has a double zero; half the width of a dwell is 2 atan(T) in x.
+limit_ratio = RATIO_CYLINDRICAL.subs(k, (1 + e2) / (1 - e2)).subs(sp.cos(x), sp.cos(theta))
+cos_beside = -(1 - width**2) / (1 + width**2)
+ratio_beside = limit_ratio.subs(sp.cos(theta), cos_beside)
+edge = (1 + e2) * sp.sqrt(eta / (4 * e2 - eta * (1 - e2) ** 2))
+REACHED = Part(
+    "e2 > 0 and eta below the largest ratio",
+    {e2: OVAL},
+    (eta < 4 * e2 / (1 - e2) ** 2,),
+)
+
+# The variants ---------------------------------------------------------------------------------
+
+VARIANTS = {
+    1: {e1: sp.Rational("0.2"), e2: sp.Rational("0.2")},
+    2: {R4: sp.Integer(25), R5: sp.Integer(25), e2: sp.Rational("0.2")},
+    3: {R4: sp.Integer(30), R5: sp.Integer(20), e2: sp.Rational("0.2")},
+    4: {R4: sp.Integer(32), R5: sp.Integer(18), e2: sp.Rational("0.2")},
+}

@@ -1,0 +1,104 @@
+"""Ways to get the numbers of paper 2 that are no formulas: branches joined, integrals, solvers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechproof.kernels import oval_planetary as kernels
+from mechproof.record import Peer
+
+Array = NDArray[np.float64]
+
+
+def take_branch(driver: Array, eccentricity: Array) -> Array:
+    """Return the angle of a driven wheel by one arctangent, one branch."""
+    tangent: Array = np.arctan((1 + eccentricity) / (1 - eccentricity) * np.tan(driver))
+    return tangent
+
+
+def join_branches(driver: Array, eccentricity: Array) -> Array:
+    """Return the same over any number of turns of the samples."""
+    joined: Array = np.unwrap(take_branch(driver, eccentricity), period=np.pi)
+    return joined
+
+
+def unwrap_ovals(phi1: Array, e1: Array, e2: Array, mount: Array) -> Array:
+    """Send the angle through both pairs."""
+    wheel_6 = join_branches(phi1, e1) + mount
+    return phi1 - (join_branches(wheel_6, e2) - take_branch(mount, e2))
+
+
+def unwrap_cylindrical(phi1: Array, r4: Array, r5: Array, e2: Array) -> Array:
+    """Send the angle through the pair 6-3."""
+    return phi1 - join_branches(r4 / r5 * phi1, e2)
+
+
+def sum_by_simpson(ratio: Callable[..., Any]) -> Callable[..., Any]:
+    """Make the integral (11) of the samples of a ratio."""
+
+    def integrate(phi1: Array, *sizes: Array) -> Array:
+        from scipy.integrate import cumulative_simpson
+
+        total: Array = cumulative_simpson(ratio(phi1, *sizes), x=phi1, initial=0)
+        return total
+
+    return integrate
+
+
+def solve_by_steps(ratio: Callable[..., Any]) -> Callable[..., Any]:
+    """Make the solution of the differential equation of (11), with the tightest usual tolerance."""
+
+    def integrate(phi1: Array, *sizes: Array) -> Array:
+        from scipy.integrate import solve_ivp
+
+        done = solve_ivp(
+            lambda angle, _: [ratio(angle, *sizes)],
+            (phi1[0], phi1[-1]),
+            [0.0],
+            "DOP853",
+            t_eval=phi1,
+            rtol=1e-12,
+            atol=1e-12,
+        )
+        solution: Array = done.y[0]
+        return solution
+
+    return integrate
+
+
+def list_peers(ratio: Callable[..., Any], unwrap: Callable[..., Any]) -> tuple[Peer, ...]:
+    """List the peers of a position function."""
+    return (
+        Peer(
+            "tan/arctan + unwrap",
+            unwrap,
+            ordered=True,
+            note="right only if no step of the samples turns a wheel by half of pi",
+        ),
+        Peer(
+            "cumulative Simpson",
+            sum_by_simpson(ratio),
+            ordered=True,
+            note="a bound would need the fourth derivative of the ratio over the samples",
+        ),
+        Peer(
+            "solve_ivp, DOP853 1e-12",
+            solve_by_steps(ratio),
+            ordered=True,
+            slow=True,
+            note="the solver controls an estimate of the local error",
+        ),
+    )
+
+
+PEERS: Mapping[str, tuple[Peer, ...]] = MappingProxyType(
+    {
+        "position": list_peers(kernels.ratio, unwrap_ovals),
+        "position_cylindrical": list_peers(kernels.ratio_cylindrical, unwrap_cylindrical),
+    }
+)

@@ -1,0 +1,33 @@
+"""Paper 5: the machining error of a wheel with a multi-period track.
+
+Part one propagates the errors of machining, (1)-(7); part two turns and shifts the frame of
+the part, (8)-(15); part three is the track and what the displacement does to it, (16)-(18),
+Table 1 and the figures. Rows marked `ours` are not printed in the paper.
+"""
+
+from sympy import Ge
+
+from mechproof.record import Paper
+
+from .curve import CURVE_ROWS, CURVE_VARIABLES, amplitude, radius
+from .errors import ERROR_ROWS, ERROR_VARIABLES
+from .frame import FRAME_ROWS, FRAME_VARIABLES
+from .kernels_of_poses import POSES
+from .kernels_of_sums import SUMS
+from .kernels_of_tracks import TRACKS
+from .table import TABLE_1, TABLE_ROWS
+
+PAPER = Paper(
+    system="track_wheel",
+    citation="Kapitonov, Yakubovsky 2022, machining error of a wheel with a multi-period track, "
+    "doi 10.24412/2079-7958-2022-1-43-52",
+    variables=ERROR_VARIABLES + FRAME_VARIABLES + CURVE_VARIABLES,
+    rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + TABLE_ROWS,
+    quantities=POSES + TRACKS + SUMS,
+    published=(TABLE_1,),
+    where=(Ge(radius, amplitude),),
+    conventions="Lengths in mm, angles in radians, turns counter-clockwise positive. The matrices "
+    "give coordinates in the turned frame. Letters that the paper uses twice are kept apart: K "
+    "(scatter coefficient) and the matrix K, A (amplitude) and the matrix A, z (number of "
+    "periods) and the coordinate, varphi (polar angle) and the rotation vector.",
+)

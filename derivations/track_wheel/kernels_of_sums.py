@@ -1,0 +1,172 @@
+"""What can be computed of elementary errors: their sums."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.record import (
+    Accuracy,
+    Argument,
+    Equality,
+    Form,
+    Part,
+    Quantity,
+    Scale,
+    Singular,
+    Statement,
+    Written,
+)
+
+from .errors import (
+    CORRECTED_5,
+    CROSS,
+    SQUARES,
+    correlations,
+    i,
+    influences,
+    j,
+    k_thermal,
+    n,
+    scatter,
+    scatters,
+    share,
+    tolerances,
+)
+
+PAIR = CROSS * correlations[i, j]
+DOUBLE_SUM = sp.Sum(PAIR, (j, 1, n), (i, 1, n))
+CORRELATED = sp.sqrt(DOUBLE_SUM) / scatter
+SOLVED = sp.sqrt(SQUARES) / sp.sqrt(scatter**2 - (k_thermal * share) ** 2)
+
+NONNEGATIVE = sp.Interval(0, sp.oo)
+ANY_TOLERANCES = Part("tolerances from zero on", {tolerances: NONNEGATIVE})
+CORRELATION_MATRIX = Part(
+    "a symmetric matrix with ones on its diagonal",
+    {tolerances: NONNEGATIVE},
+    (sp.Eq(correlations[i, i], 1), sp.Eq(correlations[i, j], correlations[j, i])),
+)
+SOLVABLE = Part(
+    "the temperature error below the total",
+    {tolerances: NONNEGATIVE, share: NONNEGATIVE},
+    (k_thermal * share < scatter,),
+)
+
+
+def compare_squares(code: Written) -> Statement:
+    """State that a form is the double sum, by their squares; neither root is negative."""
+    return Equality(code.output() ** 2, CORRELATED**2)
+
+
+# Accuracy, in eps, 1/2 for an operation. No square and no product of three squares leaves the
+# doubles where the factors lie in MODERATE.
+LARGEST = sp.Integer(10) ** 50
+
+
+def zero_or_moderate(factor: sp.Expr) -> sp.Basic:
+    """State that a factor is zero or its size is moderate."""
+    moderate = sp.And(sp.Abs(factor) >= 1 / LARGEST, sp.Abs(factor) <= LARGEST)
+    return sp.Or(sp.Eq(factor, 0), moderate)
+
+
+MODERATE = (
+    zero_or_moderate(tolerances[i]),
+    zero_or_moderate(influences[i]),
+    sp.And(scatters[i] >= 1 / LARGEST, scatters[i] <= LARGEST),
+)
+BEYOND_SQUARES = (
+    "squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to "
+    "1e50 they may leave the range of doubles, and the result is infinite, NaN or too small"
+)
+# Sums of n <= 128 nonnegative terms: NumPy adds in 8 strands, at most 16 + 3 roundings, 9.5;
+# a term 2 * 1 + 1/2; the root halves 12, then root and quotient 1 more.
+SUM_ULP = 7
+UP_TO_128 = "the accuracy is that of sums of at most 128 errors"
+# correlated: the same for n**2 <= 128 terms of 6 roundings, and the scale has the terms' sizes.
+CORRELATED_ULP = 8
+UP_TO_11 = "the accuracy is that of sums of at most 11 errors"
+VALUE = sp.Symbol("value", nonnegative=True)
+TERMS = Scale(
+    "the value and what the sizes of the terms make of it",
+    VALUE + sp.Sum(sp.Abs(PAIR), (j, 1, n), (i, 1, n)) / (scatter**2 * VALUE),
+    where=((VALUE, CORRELATED),),
+)
+# thermal: as independent, and the root of the product of K - K_T*share and K + K_T*share, on
+# the condition number of the difference.
+THERMAL_ULP = 9
+CONDITIONED = Scale(
+    "the value times the condition of its denominator",
+    SOLVED * scatter / (scatter - k_thermal * share),
+)
+
+ERRORS = (
+    Argument(
+        "tolerances",
+        (tolerances,),
+        "tolerances of the elementary errors",
+        "mm",
+    ),
+    Argument("sensitivities", (influences,), "sensitivity of the total to each error"),
+    Argument("scatters", (scatters,), "relative-scatter coefficient of each error"),
+)
+CORRELATION = Argument(
+    "correlation",
+    (correlations,),
+    "correlation matrix: symmetric, positive semi-definite, ones on its diagonal",
+)
+TOTAL = Argument("total_scatter", (scatter,), "relative-scatter coefficient of the total")
+SHARE = Argument("thermal_share", (share,), "temperature error over total error")
+THERMAL_SCATTER = Argument(
+    "thermal_scatter",
+    (k_thermal,),
+    "relative-scatter coefficient of the temperature error",
+)
+SOURCE = "Kapitonov, Yakubovsky 2022"
+
+SUMS = (
+    Quantity(
+        "error_sum_correlated",
+        "Compute the total error of correlated elementary errors.",
+        (*ERRORS, CORRELATION, TOTAL),
+        CORRELATED,
+        (Form("double sum", CORRELATED, states=compare_squares),),
+        f"{SOURCE}, equation (3) with its indices corrected",
+        unit="mm",
+        on=CORRELATION_MATRIX,
+        accuracy=Accuracy(CORRELATED_ULP, TERMS, MODERATE),
+        singular=(
+            Singular(
+                sp.Eq(DOUBLE_SUM, 0),
+                "rounding may leave the sum negative and the result NaN",
+            ),
+        ),
+        remarks=(BEYOND_SQUARES, UP_TO_11),
+    ),
+    Quantity(
+        "error_sum",
+        "Compute the total error of independent elementary errors.",
+        (*ERRORS, TOTAL),
+        CORRECTED_5,
+        (Form("sum of squares", CORRECTED_5),),
+        f"{SOURCE}, equation (5) with sensitivities",
+        unit="mm",
+        on=ANY_TOLERANCES,
+        accuracy=Accuracy(SUM_ULP, within=MODERATE),
+        remarks=(BEYOND_SQUARES, UP_TO_128),
+    ),
+    Quantity(
+        "error_sum_thermal",
+        "Compute the total error with a temperature error in fixed proportion to the total itself.",
+        (*ERRORS, TOTAL, SHARE, THERMAL_SCATTER),
+        SOLVED,
+        (
+            Form("solved for the total", SOLVED, ("difference_of_squares",)),
+            Form("difference of squares", SOLVED, key="direct"),
+        ),
+        f"{SOURCE}, equation (6) made homogeneous, Table 1 for the share",
+        unit="mm",
+        on=SOLVABLE,
+        accuracy=Accuracy(THERMAL_ULP, CONDITIONED, MODERATE),
+        singular=(Singular(sp.Eq(k_thermal * share, scatter)),),
+        remarks=(BEYOND_SQUARES, UP_TO_128),
+    ),
+)

@@ -1,0 +1,45 @@
+"""Derivatives of the chain by central differences of its kernel."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechproof.kernels import wedge_linkage as kernels
+from mechproof.record import Peer
+
+Array = NDArray[np.float64]
+
+# mm or rad: the error of the difference, STEP**2/6 of the third derivative, and that of rounding,
+# eps/STEP of the position, are alike.
+STEP = 1e-4
+
+
+def take_difference(index: int, *arguments: Array) -> Array:
+    """Take the central difference of the position by one argument."""
+    before, at, after = arguments[:index], arguments[index], arguments[index + 1 :]
+    moved = ((*before, at + step, *after) for step in (-STEP, STEP))
+    low, high = (kernels.position(*point) for point in moved)
+    return np.asarray((high - low) / (2 * STEP))
+
+
+def take_by_pusher(*arguments: Array) -> Array:
+    """Take the central difference by x1."""
+    return take_difference(0, *arguments)
+
+
+def take_by_sizes(*arguments: Array) -> Array:
+    """Take the central differences by all ten sizes."""
+    columns = (take_difference(index, *arguments) for index in range(1, len(arguments)))
+    return np.stack(np.broadcast_arrays(*columns), axis=-1)
+
+
+PEERS: Mapping[str, tuple[Peer, ...]] = MappingProxyType(
+    {
+        "velocity": (Peer("central difference", take_by_pusher),),
+        "sensitivities": (Peer("central differences", take_by_sizes),),
+    }
+)

@@ -1,0 +1,643 @@
+"""Other forms of the kernels of `oval_planetary`.
+
+Prikhodko, Kurapov, Belina, Azizov, Polivoda 2024, planetary mechanism with oval wheels, EDN
+HZWKZJ
+
+Angles in radians, positive in the direction of the carrier's rotation; lengths in mm. The
+paper's (10) has the opposite sign.
+
+Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
+otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
+the result's type and shape, takes the result; it may overlap an argument. Outside the
+domain and where an argument is NaN the result is NaN.
+
+TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
+ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
+
+Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.kernel_support.arrays import as_floats, in_blocks, is_finite, nan_outside
+
+__all__ = [
+    "acceleration_cylindrical_direct",
+    "acceleration_direct",
+    "position_atan2",
+    "position_cylindrical_atan2",
+    "position_cylindrical_atan2_stable",
+    "position_cylindrical_floor",
+    "position_floor",
+    "position_unsplit",
+    "ratio_cylindrical_half_angle",
+    "ratio_cylindrical_printed",
+    "ratio_direct",
+    "ratio_printed",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), equation (10)
+# Expressions sha256: e6656bd5bdcc598018e3233880c7afaa590e39b548156fcd8f5ab45e6f7e2312
+# Form: printed (3)-(6), (10)
+# Operations: 35
+def ratio_printed(
+    phi1: ArrayLike,
+    e1: ArrayLike,
+    e2: ArrayLike,
+    mount: ArrayLike = 0.0,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `ratio` by another form: printed (3)-(6), (10).
+
+        ratio_printed = -(1 + e1*cos(2*phi6))*(2*(1 - e2**2)/(1 - e2*cos(2*mount + 2*phi6)) -
+            2*(1 - e1**2)/(1 + e1*cos(2*phi6)))/((1 - e1**2)*(2 - (1 - e2**2)/(1 -
+            e2*cos(2*mount + 2*phi6))))
+        phi6 = phi1 + atan2(e1*sin(2*phi1), 1 - e1*cos(2*phi1))
+
+    The print with its sign reversed, wheel 6 at its mounted angle; proved to be the speed of
+    wheel 3, which the row on any mount has for the map.
+
+    Domain as that of `ratio`.
+
+    Source: Prikhodko et al. 2024 (oval wheels), equations (3)-(6) and (10).
+
+    """
+    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    e1, e2 = nan_outside(inside, e1, e2)
+    return in_blocks(_ratio_printed, (phi1,), _prepare_ratio_printed, (e1, e2, mount), out=out)
+
+
+def _prepare_ratio_printed(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+    one_minus_e1_squared = 1 - e1**2
+    one_minus_e2_squared = 1 - e2**2
+
+    return (e1, e2, mount, one_minus_e1_squared, one_minus_e2_squared)
+
+
+def _ratio_printed(
+    phi1: Any, e1: Any, e2: Any, mount: Any, one_minus_e1_squared: Any, one_minus_e2_squared: Any
+) -> Any:
+    phi6 = phi1 + np.arctan2(e1 * np.sin(2 * phi1), 1 - e1 * np.cos(2 * phi1))
+    one_plus_e1_cos_two_phi6 = 1 + e1 * np.cos(2 * phi6)
+    term = 1 / (1 - e2 * np.cos(2 * mount + 2 * phi6))
+
+    return (
+        -one_plus_e1_cos_two_phi6
+        * (2 * one_minus_e2_squared * term - 2 * one_minus_e1_squared / one_plus_e1_cos_two_phi6)
+        / (one_minus_e1_squared * (2 - one_minus_e2_squared * term))
+    )
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), equation (10)
+# Expressions sha256: e85d586e1c75cf87ebeca656dcabdaba74b43ecab42fec8973a012066e5c7f0a
+# Form: double angles
+# Operations: 39
+def ratio_direct(
+    phi1: ArrayLike,
+    e1: ArrayLike,
+    e2: ArrayLike,
+    mount: ArrayLike = 0.0,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `ratio` by another form: double angles.
+
+        ratio_direct = 1 - 2*alpha_double*beta_double/(beta_double**2*(1 + cos(2*phi1)) + (1 -
+            cos(2*phi1))*(alpha_double**2 + gamma_double**2) +
+            2*beta_double*gamma_double*sin(2*phi1))
+        alpha_double = (1 - e2**2)*(1 + e1)
+        beta_double = (1 - e1)*(1 + e2**2 - 2*e2*cos(2*mount))
+        gamma_double = e2*(2 + 2*e1)*sin(2*mount)
+
+    Domain as that of `ratio`.
+
+    """
+    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    e1, e2 = nan_outside(inside, e1, e2)
+    return in_blocks(_ratio_direct, (phi1,), _prepare_ratio_direct, (e1, e2, mount), out=out)
+
+
+def _prepare_ratio_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+    e2_squared = e2**2
+    alpha_double = (1 + e1) * (1 - e2_squared)
+    beta_double = (1 - e1) * (1 + e2_squared - 2 * e2 * np.cos(2 * mount))
+    gamma_double = e2 * (2 + 2 * e1) * np.sin(2 * mount)
+
+    return (alpha_double, beta_double, gamma_double)
+
+
+def _ratio_direct(phi1: Any, alpha_double: Any, beta_double: Any, gamma_double: Any) -> Any:
+    cos_two_phi1 = np.cos(2 * phi1)
+
+    return 1 - 2 * alpha_double * beta_double / (
+        beta_double**2 * (1 + cos_two_phi1)
+        + (alpha_double**2 + gamma_double**2) * (1 - cos_two_phi1)
+        + 2 * beta_double * gamma_double * np.sin(2 * phi1)
+    )
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), integral (11)
+# Expressions sha256: 62e7475df8934fd500d5c17b765bb3df939c4e1abcde9ce76f5be69832d9d327
+# Form: leads by atan2, 1 - e cos 2 phi
+# Operations: 29
+def position_atan2(
+    phi1: ArrayLike,
+    e1: ArrayLike,
+    e2: ArrayLike,
+    mount: ArrayLike = 0.0,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `position` by another form: leads by atan2, 1 - e cos 2 phi.
+
+        position_atan2 = phi1 + atan2(e2*sin(2*mount), 1 - e2*cos(2*mount)) - phi6 -
+            atan2(e2*sin(2*mount + 2*phi6), 1 - e2*cos(2*mount + 2*phi6))
+        phi6 = phi1 + atan2(e1*sin(2*phi1), 1 - e1*cos(2*phi1))
+
+    Proved for each pair; the rows on any mount put the pairs in series.
+
+    Domain as that of `position`.
+
+    """
+    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    e1, e2 = nan_outside(inside, e1, e2)
+    return in_blocks(_position_atan2, (phi1,), _prepare_position_atan2, (e1, e2, mount), out=out)
+
+
+def _prepare_position_atan2(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+
+    return (e1, e2, mount)
+
+
+def _position_atan2(phi1: Any, e1: Any, e2: Any, mount: Any) -> Any:
+    phi6 = phi1 + np.arctan2(e1 * np.sin(2 * phi1), 1 - e1 * np.cos(2 * phi1))
+    two_mount_plus_two_phi6 = 2 * mount + 2 * phi6
+
+    return (
+        phi1
+        + np.arctan2(e2 * np.sin(2 * mount), 1 - e2 * np.cos(2 * mount))
+        - phi6
+        - np.arctan2(e2 * np.sin(two_mount_plus_two_phi6), 1 - e2 * np.cos(two_mount_plus_two_phi6))
+    )
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), integral (11)
+# Expressions sha256: 6ba20f38f59c1f73931c4d5fe0b73582bc2081d2545e615428355106739ed671
+# Form: tan/arctan + floor
+# Operations: 35
+def position_floor(
+    phi1: ArrayLike,
+    e1: ArrayLike,
+    e2: ArrayLike,
+    mount: ArrayLike = 0.0,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `position` by another form: tan/arctan + floor.
+
+        position_floor = mount_counted + phi1 - pi*floor(1/2 + (mount + phi6_counted)/pi) -
+            atan((1 + e2)*tan(mount + phi6_counted)/(1 - e2))
+        phi6_counted = pi*floor(1/2 + phi1/pi) + atan((1 + e1)*tan(phi1)/(1 - e1))
+        mount_counted = pi*floor(1/2 + mount/pi) + atan((1 + e2)*tan(mount)/(1 - e2))
+
+    Proved to be that by atan2, for each angle beside pi m; the computed floor and tangent
+    disagree at the ends.
+
+    Domain as that of `position`, each angle on its first branch.
+
+    """
+    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    e1, e2 = nan_outside(inside, e1, e2)
+    return in_blocks(_position_floor, (phi1,), _prepare_position_floor, (e1, e2, mount), out=out)
+
+
+def _prepare_position_floor(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+    one_plus_e2 = 1 + e2
+    term = 1 / (1 - e2)
+    mount_counted = np.pi * np.floor(0.5 + mount / np.pi) + np.arctan(
+        one_plus_e2 * term * np.tan(mount)
+    )
+
+    return (e1, mount, one_plus_e2, term, mount_counted)
+
+
+def _position_floor(
+    phi1: Any, e1: Any, mount: Any, one_plus_e2: Any, term: Any, mount_counted: Any
+) -> Any:
+    phi6_counted = np.pi * np.floor(0.5 + phi1 / np.pi) + np.arctan(
+        (1 + e1) / (1 - e1) * np.tan(phi1)
+    )
+    mount_plus_phi6_counted = mount + phi6_counted
+
+    return (
+        mount_counted
+        + phi1
+        - np.pi * np.floor(0.5 + mount_plus_phi6_counted / np.pi)
+        - np.arctan(one_plus_e2 * term * np.tan(mount_plus_phi6_counted))
+    )
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), integral (11)
+# Expressions sha256: e44feb034ceb98236caa37bc6414805925f4da26f3fa3a7365fd624a7b2cce7d
+# Form: one atan2, unsplit
+# Operations: 28
+def position_unsplit(
+    phi1: ArrayLike,
+    e1: ArrayLike,
+    e2: ArrayLike,
+    mount: ArrayLike = 0.0,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `position` by another form: one atan2, unsplit.
+
+        position_unsplit = atan2((beta_double + gamma_double*tan(phi1) -
+            alpha_double)*tan(phi1), beta_double + alpha_double*tan(phi1)**2 +
+            gamma_double*tan(phi1))
+        alpha_double = (1 - e2**2)*(1 + e1)
+        beta_double = (1 - e1)*(1 + e2**2 - 2*e2*cos(2*mount))
+        gamma_double = e2*(2 + 2*e1)*sin(2*mount)
+
+    Domain as that of `position`.
+
+    """
+    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    e1, e2 = nan_outside(inside, e1, e2)
+    return in_blocks(
+        _position_unsplit, (phi1,), _prepare_position_unsplit, (e1, e2, mount), out=out
+    )
+
+
+def _prepare_position_unsplit(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+    e2_squared = e2**2
+    beta_double = (1 - e1) * (1 + e2_squared - 2 * e2 * np.cos(2 * mount))
+    gamma_double = e2 * (2 + 2 * e1) * np.sin(2 * mount)
+    alpha_double = (1 + e1) * (1 - e2_squared)
+
+    return (beta_double, gamma_double, alpha_double)
+
+
+def _position_unsplit(phi1: Any, beta_double: Any, gamma_double: Any, alpha_double: Any) -> Any:
+    tan_phi1 = np.tan(phi1)
+    gamma_double_tan_phi1 = gamma_double * tan_phi1
+
+    return np.arctan2(
+        tan_phi1 * (beta_double + gamma_double_tan_phi1 - alpha_double),
+        beta_double + gamma_double_tan_phi1 + alpha_double * tan_phi1**2,
+    )
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), derivative of (10)
+# Expressions sha256: 83f1585f750dbf1d07ebb5dbd3d461668eae4ab2e716f02807506636870def95
+# Form: double angles
+# Operations: 49
+def acceleration_direct(
+    phi1: ArrayLike,
+    e1: ArrayLike,
+    e2: ArrayLike,
+    mount: ArrayLike = 0.0,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `acceleration` by another form: double angles.
+
+        acceleration_direct = -2*alpha_double*beta_double*(2*beta_double**2*sin(2*phi1) -
+            2*(alpha_double**2 + gamma_double**2)*sin(2*phi1) -
+            4*beta_double*gamma_double*cos(2*phi1))/(beta_double**2*(1 + cos(2*phi1)) + (1 -
+            cos(2*phi1))*(alpha_double**2 + gamma_double**2) +
+            2*beta_double*gamma_double*sin(2*phi1))**2
+        alpha_double = (1 - e2**2)*(1 + e1)
+        beta_double = (1 - e1)*(1 + e2**2 - 2*e2*cos(2*mount))
+        gamma_double = e2*(2 + 2*e1)*sin(2*mount)
+
+    Domain as that of `acceleration`.
+
+    """
+    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    e1, e2 = nan_outside(inside, e1, e2)
+    return in_blocks(
+        _acceleration_direct, (phi1,), _prepare_acceleration_direct, (e1, e2, mount), out=out
+    )
+
+
+def _prepare_acceleration_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+    e2_squared = e2**2
+    alpha_double = (1 + e1) * (1 - e2_squared)
+    beta_double = (1 - e1) * (1 + e2_squared - 2 * e2 * np.cos(2 * mount))
+    beta_double_squared = beta_double**2
+    gamma_double = e2 * (2 + 2 * e1) * np.sin(2 * mount)
+    term = alpha_double**2 + gamma_double**2
+
+    return (alpha_double, beta_double, beta_double_squared, gamma_double, term)
+
+
+def _acceleration_direct(
+    phi1: Any,
+    alpha_double: Any,
+    beta_double: Any,
+    beta_double_squared: Any,
+    gamma_double: Any,
+    term: Any,
+) -> Any:
+    cos_two_phi1 = np.cos(2 * phi1)
+    sin_two_phi1 = np.sin(2 * phi1)
+
+    return (
+        -2
+        * alpha_double
+        * beta_double
+        / (
+            beta_double_squared * (1 + cos_two_phi1)
+            + term * (1 - cos_two_phi1)
+            + 2 * beta_double * gamma_double * sin_two_phi1
+        )
+        ** 2
+        * (
+            2 * beta_double_squared * sin_two_phi1
+            - 2 * term * sin_two_phi1
+            - 4 * beta_double * gamma_double * cos_two_phi1
+        )
+    )
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), equation (10), pair 4-5 cylindrical
+# Expressions sha256: 067f8502f781f004422689e6e1852e011362c5f6872182ddd2c098986fa4f65a
+# Form: printed (4), (10)
+# Operations: 25
+def ratio_cylindrical_printed(
+    phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `ratio_cylindrical` by another form: printed (4), (10).
+
+        ratio_cylindrical_printed = -(R4/2 + R5/2)*(2*(1 - e2**2)*(R4/2 + R5/2)/(1 - e2*cos(x))
+            - 2*R5)/(R5*(R4 + R5 - (1 - e2**2)*(R4/2 + R5/2)/(1 - e2*cos(x))))
+        k = R4/R5
+        x = 2*k*phi1
+
+    The print with its sign reversed.
+
+    Domain as that of `ratio_cylindrical`.
+
+    Source: Prikhodko et al. 2024 (oval wheels), equations (4) and (10).
+
+    """
+    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    return in_blocks(
+        _ratio_cylindrical_printed,
+        (phi1,),
+        _prepare_ratio_cylindrical_printed,
+        (R4, R5, e2),
+        out=out,
+    )
+
+
+def _prepare_ratio_cylindrical_printed(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    term_2 = R4 / 2 + R5 / 2
+    one_minus_e2_squared = 1 - e2**2
+    k = R4 / R5
+
+    return (R4, R5, e2, term_2, one_minus_e2_squared, k)
+
+
+def _ratio_cylindrical_printed(
+    phi1: Any, R4: Any, R5: Any, e2: Any, term_2: Any, one_minus_e2_squared: Any, k: Any
+) -> Any:
+    x = 2 * k * phi1
+    term = 1 / (1 - e2 * np.cos(x))
+
+    return (
+        -term_2
+        / (R5 * (R4 + R5 - one_minus_e2_squared * term_2 * term))
+        * (2 * one_minus_e2_squared * term_2 * term - 2 * R5)
+    )
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), equation (10), pair 4-5 cylindrical
+# Expressions sha256: 2410532441e7ae395b7a37652b4086188ba22f71b48e476ce6f6644f19b59b9f
+# Form: half-angle sine
+# Operations: 16
+def ratio_cylindrical_half_angle(
+    phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `ratio_cylindrical` by another form: half-angle sine.
+
+        ratio_cylindrical_half_angle = 1 - k*(1 - e2)*(1 + e2)/(4*e2*sin(x/2)**2 + (1 - e2)**2)
+        k = R4/R5
+        x = 2*k*phi1
+
+    Domain as that of `ratio_cylindrical`.
+
+    """
+    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    return in_blocks(
+        _ratio_cylindrical_half_angle,
+        (phi1,),
+        _prepare_ratio_cylindrical_half_angle,
+        (R4, R5, e2),
+        out=out,
+    )
+
+
+def _prepare_ratio_cylindrical_half_angle(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    k = R4 / R5
+    one_minus_e2 = 1 - e2
+
+    return (e2, k, one_minus_e2)
+
+
+def _ratio_cylindrical_half_angle(phi1: Any, e2: Any, k: Any, one_minus_e2: Any) -> Any:
+    x = 2 * k * phi1
+
+    return 1 - k * one_minus_e2 * (1 + e2) / (one_minus_e2**2 + 4 * e2 * np.sin(x / 2) ** 2)
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
+# Expressions sha256: 79116fa3ceb4735b72f946bba74f36a483d6f4c83e6e7421d2fe2e519e2e0893
+# Form: atan2, 1 - e cos x
+# Operations: 12
+def position_cylindrical_atan2(
+    phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `position_cylindrical` by another form: atan2, 1 - e cos x.
+
+        position_cylindrical_atan2 = phi1*(1 - k) - atan2(e2*sin(x), 1 - e2*cos(x))
+        k = R4/R5
+        x = 2*k*phi1
+
+    Domain as that of `position_cylindrical`.
+
+    """
+    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    return in_blocks(
+        _position_cylindrical_atan2,
+        (phi1,),
+        _prepare_position_cylindrical_atan2,
+        (R4, R5, e2),
+        out=out,
+    )
+
+
+def _prepare_position_cylindrical_atan2(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    k = R4 / R5
+
+    return (e2, k)
+
+
+def _position_cylindrical_atan2(phi1: Any, e2: Any, k: Any) -> Any:
+    x = 2 * k * phi1
+
+    return (1 - k) * phi1 - np.arctan2(e2 * np.sin(x), 1 - e2 * np.cos(x))
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
+# Expressions sha256: 976c397b32a434f0972daeac6c92e5f2e00cabfd9a79d8e1e9b247ea632e1dd7
+# Form: atan2, no cancellation
+# Operations: 16
+def position_cylindrical_atan2_stable(
+    phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `position_cylindrical` by another form: atan2, no cancellation.
+
+        position_cylindrical_atan2_stable = phi1*(1 - k) - atan2(e2*sin(x), 1 + 2*e2*sin(x/2)**2
+            - e2)
+        k = R4/R5
+        x = 2*k*phi1
+
+    Domain as that of `position_cylindrical`.
+
+    """
+    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    return in_blocks(
+        _position_cylindrical_atan2_stable,
+        (phi1,),
+        _prepare_position_cylindrical_atan2_stable,
+        (R4, R5, e2),
+        out=out,
+    )
+
+
+def _prepare_position_cylindrical_atan2_stable(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    k = R4 / R5
+
+    return (e2, k)
+
+
+def _position_cylindrical_atan2_stable(phi1: Any, e2: Any, k: Any) -> Any:
+    x = 2 * k * phi1
+
+    return (1 - k) * phi1 - np.arctan2(e2 * np.sin(x), 1 + 2 * e2 * np.sin(x / 2) ** 2 - e2)
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
+# Expressions sha256: 11d548d1e1333a3f11154e9653753d268fa049237d9ea66c66af545d2e1e4929
+# Form: tan/arctan + floor
+# Operations: 17
+def position_cylindrical_floor(
+    phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `position_cylindrical` by another form: tan/arctan + floor.
+
+        position_cylindrical_floor = phi1 - pi*floor(1/2 + x/(2*pi)) - atan((1 + e2)*tan(x/2)/(1
+            - e2))
+        k = R4/R5
+        x = 2*k*phi1
+
+    Proved for |x - 2 pi m| < pi; the computed floor and tangent disagree at the ends.
+
+    Domain as that of `position_cylindrical`, |x| < pi, the first branch.
+
+    """
+    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    return in_blocks(
+        _position_cylindrical_floor,
+        (phi1,),
+        _prepare_position_cylindrical_floor,
+        (R4, R5, e2),
+        out=out,
+    )
+
+
+def _prepare_position_cylindrical_floor(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    k = R4 / R5
+
+    return (e2, k)
+
+
+def _position_cylindrical_floor(phi1: Any, e2: Any, k: Any) -> Any:
+    x = 2 * k * phi1
+
+    return (
+        phi1
+        - np.pi * np.floor(0.5 + x / (2 * np.pi))
+        - np.arctan((1 + e2) / (1 - e2) * np.tan(x / 2))
+    )
+
+
+# Source: Prikhodko et al. 2024 (oval wheels), derivative of (10), pair 4-5 cylindrical
+# Expressions sha256: bd0148c962e84df813095c1a019189f4a423d568a23a9314b13f59408733a46b
+# Form: 1 + e**2 - 2 e cos x
+# Operations: 18
+def acceleration_cylindrical_direct(
+    phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `acceleration_cylindrical` by another form: 1 + e**2 - 2 e cos x.
+
+        acceleration_cylindrical_direct = 4*e2*k**2*(1 - e2**2)*sin(x)/(1 + e2**2 -
+            2*e2*cos(x))**2
+        k = R4/R5
+        x = 2*k*phi1
+
+    Domain as that of `acceleration_cylindrical`.
+
+    """
+    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    return in_blocks(
+        _acceleration_cylindrical_direct,
+        (phi1,),
+        _prepare_acceleration_cylindrical_direct,
+        (R4, R5, e2),
+        out=out,
+    )
+
+
+def _prepare_acceleration_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    k = R4 / R5
+    e2_squared = e2**2
+
+    return (e2, k, e2_squared)
+
+
+def _acceleration_cylindrical_direct(phi1: Any, e2: Any, k: Any, e2_squared: Any) -> Any:
+    x = 2 * k * phi1
+
+    return 4 * e2 * k**2 * (1 - e2_squared) / (1 + e2_squared - 2 * e2 * np.cos(x)) ** 2 * np.sin(x)

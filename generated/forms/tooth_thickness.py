@@ -1,0 +1,581 @@
+"""Other forms of the kernels of `tooth_thickness`.
+
+Paper 3: stochastic simulation of tooth thickness and of its measurement
+
+Lengths in mm, angles in rad. Heights grow from the tip towards the centre; deviations of
+thickness are positive for a thicker tooth.
+
+Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
+otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
+the result's type and shape, takes the result; it may overlap an argument. Outside the
+domain and where an argument is NaN the result is NaN.
+
+TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
+ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
+
+Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.kernel_support.arrays import as_floats, in_blocks, is_finite, nan_outside
+
+__all__ = [
+    "chord_height_handbook",
+    "constant_chord_handbook",
+    "height_change_distances",
+    "height_change_first_order",
+    "thickness_change_by_height",
+    "thickness_change_chords",
+    "thickness_change_first_order",
+    "thickness_change_half_angle",
+    "thickness_change_linear_printed",
+    "thickness_error_printed",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+# Source: paper on tooth thickness, design data; basic rack
+# Expressions sha256: 8b0116c7e826406ef9a73a71863c2ac6d5ea4d55955fa79d468f7af59ad6d0d1
+# Form: 1.387 m
+# Operations: 4
+def constant_chord_handbook(
+    m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `constant_chord` by another form: 1.387 m.
+
+        constant_chord_handbook = 1387*m/1000
+
+    Printed for a profile angle of 20 deg, rounded; wrong for every other.
+
+    Domain as that of `constant_chord`.
+
+    """
+    m, alpha = as_floats(m=m, alpha=alpha)
+    inside = (alpha > 0) & (alpha < np.pi / 4)
+    (alpha,) = nan_outside(inside, alpha)
+    return in_blocks(
+        _constant_chord_handbook,
+        (m,),
+        _prepare_constant_chord_handbook,
+        (alpha,),
+        out=out,
+        quiet=True,
+    )
+
+
+def _prepare_constant_chord_handbook(alpha: Any) -> tuple[Any, ...]:
+
+    return (alpha,)
+
+
+def _constant_chord_handbook(m: Any, alpha: Any) -> Any:
+
+    return 1387 / 1000 * m + 0 * alpha
+
+
+# Source: paper on tooth thickness, design data; basic rack
+# Expressions sha256: 9c4f120757e4e400167424052dbe0b9a752439b8c139d0420e0284eaadb36d86
+# Form: 0.7476 m
+# Operations: 4
+def chord_height_handbook(
+    m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `chord_height` by another form: 0.7476 m.
+
+        chord_height_handbook = 1869*m/2500
+
+    Printed for a profile angle of 20 deg, rounded; wrong for every other.
+
+    Domain as that of `chord_height`.
+
+    """
+    m, alpha = as_floats(m=m, alpha=alpha)
+    inside = (alpha > 0) & (alpha < np.pi / 4)
+    (alpha,) = nan_outside(inside, alpha)
+    return in_blocks(
+        _chord_height_handbook, (m,), _prepare_chord_height_handbook, (alpha,), out=out, quiet=True
+    )
+
+
+def _prepare_chord_height_handbook(alpha: Any) -> tuple[Any, ...]:
+
+    return (alpha,)
+
+
+def _chord_height_handbook(m: Any, alpha: Any) -> Any:
+
+    return 1869 / 2500 * m + 0 * alpha
+
+
+# Source: paper on tooth thickness, step 6, on the involute
+# Expressions sha256: 07a08b312a7bf4029f4e3feb5e834e01ae835d761083559c9af682a533ad37ce
+# Form: difference of two distances
+# Operations: 20
+def height_change_distances(
+    tilt: ArrayLike,
+    m: ArrayLike,
+    z: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `height_change` by another form: difference of two distances.
+
+        height_change_distances = r_b*((pi/(2*z) + tan(alpha))*sin(alpha) + cos(alpha) - (tilt +
+            pi/(2*z) + tan(alpha))*sin(alpha + tilt) - cos(alpha + tilt))
+        r_b = m*z*cos(alpha)/2
+
+    Domain as that of `height_change`.
+
+    """
+    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    inside = (
+        (m > 0)
+        & is_finite(m)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == np.floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    )
+    m, z, alpha = nan_outside(inside, m, z, alpha)
+    return in_blocks(
+        _height_change_distances, (tilt,), _prepare_height_change_distances, (m, z, alpha), out=out
+    )
+
+
+def _prepare_height_change_distances(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    cos_alpha = np.cos(alpha)
+    r_b = cos_alpha * m * z / 2
+    tan_alpha = np.tan(alpha)
+    term = np.pi / (2 * z)
+
+    return (alpha, cos_alpha, r_b, tan_alpha, term)
+
+
+def _height_change_distances(
+    tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, tan_alpha: Any, term: Any
+) -> Any:
+    alpha_plus_tilt = alpha + tilt
+
+    return r_b * (
+        cos_alpha
+        + (tan_alpha + term) * np.sin(alpha)
+        - (tan_alpha + term + tilt) * np.sin(alpha_plus_tilt)
+        - np.cos(alpha_plus_tilt)
+    )
+
+
+# Source: paper on tooth thickness, step 6, on the involute
+# Expressions sha256: 7b3dc25e57e1b23853bdb792fd200fc8e80665c0f2606089a3cc7d6906d4a4ea
+# Form: first order in the tilt
+# Operations: 12
+def height_change_first_order(
+    tilt: ArrayLike,
+    m: ArrayLike,
+    z: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `height_change` by another form: first order in the tilt.
+
+        height_change_first_order = -r_b*t_c*tilt*cos(alpha)
+        r_b = m*z*cos(alpha)/2
+        t_c = pi/(2*z) + tan(alpha)
+
+    Taylor's remainder with |sin|, |cos| <= 1.
+
+    Approximation, first order in the tilt: |result - exact| <= m*tilt**2*(pi/2 + z*(2 +
+    |tilt|))/4, rounding apart.
+
+    Domain as that of `height_change`.
+
+    """
+    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    inside = (
+        (m > 0)
+        & is_finite(m)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == np.floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    )
+    m, z, alpha = nan_outside(inside, m, z, alpha)
+    return in_blocks(
+        _height_change_first_order,
+        (tilt,),
+        _prepare_height_change_first_order,
+        (m, z, alpha),
+        out=out,
+    )
+
+
+def _prepare_height_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    cos_alpha = np.cos(alpha)
+    r_b = cos_alpha * m * z / 2
+    t_c = np.pi / (2 * z) + np.tan(alpha)
+
+    return (cos_alpha, r_b, t_c)
+
+
+def _height_change_first_order(tilt: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
+
+    return -cos_alpha * r_b * t_c * tilt
+
+
+# Source: paper on tooth thickness, step 6, on the involute
+# Expressions sha256: 645b4665aa21ff3138a9d59e56f6ecb8e36dc1aa6cf3addbe40a7dd391256f7c
+# Form: difference of two chords
+# Operations: 21
+def thickness_change_chords(
+    tilt: ArrayLike,
+    m: ArrayLike,
+    z: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `thickness_change` by another form: difference of two chords.
+
+        thickness_change_chords = 2*r_b*((tilt + pi/(2*z) + tan(alpha))*cos(alpha + tilt) +
+            sin(alpha) - (pi/(2*z) + tan(alpha))*cos(alpha) - sin(alpha + tilt))
+        r_b = m*z*cos(alpha)/2
+
+    Domain as that of `thickness_change`.
+
+    """
+    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    inside = (
+        (m > 0)
+        & is_finite(m)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == np.floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    )
+    m, z, alpha = nan_outside(inside, m, z, alpha)
+    return in_blocks(
+        _thickness_change_chords, (tilt,), _prepare_thickness_change_chords, (m, z, alpha), out=out
+    )
+
+
+def _prepare_thickness_change_chords(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    cos_alpha = np.cos(alpha)
+    r_b = cos_alpha * m * z / 2
+    tan_alpha = np.tan(alpha)
+    term = np.pi / (2 * z)
+
+    return (alpha, cos_alpha, r_b, tan_alpha, term)
+
+
+def _thickness_change_chords(
+    tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, tan_alpha: Any, term: Any
+) -> Any:
+    alpha_plus_tilt = alpha + tilt
+
+    return (
+        2
+        * r_b
+        * (
+            (tan_alpha + term + tilt) * np.cos(alpha_plus_tilt)
+            + np.sin(alpha)
+            - cos_alpha * (tan_alpha + term)
+            - np.sin(alpha_plus_tilt)
+        )
+    )
+
+
+# Source: paper on tooth thickness, step 6, on the involute
+# Expressions sha256: 9eb995e4abcb59db862d2502633baf265a70c1d3ae4f929d288b8f919a5dd67b
+# Form: half angles, by hand
+# Operations: 28
+def thickness_change_half_angle(
+    tilt: ArrayLike,
+    m: ArrayLike,
+    z: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `thickness_change` by another form: half angles, by hand.
+
+        thickness_change_half_angle = -2*r_b*(((t_c + tilt)*sin(tilt) -
+            2*sin(tilt/2)**2)*sin(alpha) + (2*t_c*sin(tilt/2)**2 + sin(tilt) -
+            tilt*cos(tilt))*cos(alpha))
+        r_b = m*z*cos(alpha)/2
+        t_c = pi/(2*z) + tan(alpha)
+
+    Domain as that of `thickness_change`.
+
+    """
+    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    inside = (
+        (m > 0)
+        & is_finite(m)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == np.floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    )
+    m, z, alpha = nan_outside(inside, m, z, alpha)
+    return in_blocks(
+        _thickness_change_half_angle,
+        (tilt,),
+        _prepare_thickness_change_half_angle,
+        (m, z, alpha),
+        out=out,
+    )
+
+
+def _prepare_thickness_change_half_angle(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    cos_alpha = np.cos(alpha)
+    r_b = cos_alpha * m * z / 2
+    t_c = np.pi / (2 * z) + np.tan(alpha)
+
+    return (alpha, cos_alpha, r_b, t_c)
+
+
+def _thickness_change_half_angle(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
+    sin_tilt = np.sin(tilt)
+    sin__tilt_squared = np.sin(tilt / 2) ** 2
+
+    return (
+        -2
+        * r_b
+        * (
+            cos_alpha * (sin_tilt + 2 * t_c * sin__tilt_squared - tilt * np.cos(tilt))
+            + np.sin(alpha) * (sin_tilt * (t_c + tilt) - 2 * sin__tilt_squared)
+        )
+    )
+
+
+# Source: paper on tooth thickness, step 6, on the involute
+# Expressions sha256: f6e7827b3cd7f8409b755701da7050002a85dc435d104c421c7cc7245f78395b
+# Form: first order in the tilt
+# Operations: 13
+def thickness_change_first_order(
+    tilt: ArrayLike,
+    m: ArrayLike,
+    z: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `thickness_change` by another form: first order in the tilt.
+
+        thickness_change_first_order = -2*r_b*t_c*tilt*sin(alpha)
+        r_b = m*z*cos(alpha)/2
+        t_c = pi/(2*z) + tan(alpha)
+
+    Taylor's remainder with |sin|, |cos| <= 1.
+
+    Approximation, first order in the tilt: |result - exact| <= m*tilt**2*(pi/2 + z*(2 +
+    |tilt|))/2, rounding apart.
+
+    Domain as that of `thickness_change`.
+
+    """
+    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    inside = (
+        (m > 0)
+        & is_finite(m)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == np.floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    )
+    m, z, alpha = nan_outside(inside, m, z, alpha)
+    return in_blocks(
+        _thickness_change_first_order,
+        (tilt,),
+        _prepare_thickness_change_first_order,
+        (m, z, alpha),
+        out=out,
+    )
+
+
+def _prepare_thickness_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    r_b = m * z * np.cos(alpha) / 2
+    t_c = np.pi / (2 * z) + np.tan(alpha)
+
+    return (alpha, r_b, t_c)
+
+
+def _thickness_change_first_order(tilt: Any, alpha: Any, r_b: Any, t_c: Any) -> Any:
+
+    return -2 * r_b * t_c * np.sin(alpha) * tilt
+
+
+# Source: paper on tooth thickness, step 6, on the involute
+# Expressions sha256: 0f015fdc2e6691340e3fcaf364b51793c366e972506e918da5e2f98cc6e425dd
+# Form: 2 tan(alpha) times the height
+# Rewrites: cosine_minus_one
+# Operations: 33
+def thickness_change_by_height(
+    tilt: ArrayLike,
+    m: ArrayLike,
+    z: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `thickness_change` by another form: 2 tan(alpha) times the height.
+
+        thickness_change_by_height = K_m*r_b*((t_c*(1 - cos(tilt)) + sin(tilt) -
+            tilt*cos(tilt))*sin(alpha) - ((t_c + tilt)*sin(tilt) + cos(tilt) - 1)*cos(alpha))
+        r_b = m*z*cos(alpha)/2
+        t_c = pi/(2*z) + tan(alpha)
+        K_m = 2*tan(alpha)
+
+    The derivative of what is missing is proved; |sin(tilt)| <= |tilt|, integrated.
+
+    Approximation, 2 tan(alpha) times the height: |result - exact| <= m*tilt**2*(pi/4 + z/2 +
+    z*|tilt|/3), rounding apart.
+
+    Domain as that of `thickness_change`.
+
+    Source: paper on tooth thickness, step 6 with the exact derivative.
+
+    """
+    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    inside = (
+        (m > 0)
+        & is_finite(m)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == np.floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    )
+    m, z, alpha = nan_outside(inside, m, z, alpha)
+    return in_blocks(
+        _thickness_change_by_height,
+        (tilt,),
+        _prepare_thickness_change_by_height,
+        (m, z, alpha),
+        out=out,
+    )
+
+
+def _prepare_thickness_change_by_height(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    tan_alpha = np.tan(alpha)
+    K_m = 2 * tan_alpha
+    cosm1_alpha = -2 * np.sin(alpha / 2) ** 2
+    cos_alpha = 1 + cosm1_alpha
+    r_b = cos_alpha * m * z / 2
+    t_c = tan_alpha + np.pi / (2 * z)
+
+    return (alpha, K_m, cos_alpha, r_b, t_c)
+
+
+def _thickness_change_by_height(
+    tilt: Any, alpha: Any, K_m: Any, cos_alpha: Any, r_b: Any, t_c: Any
+) -> Any:
+    sin_tilt = np.sin(tilt)
+    cosm1_tilt = -2 * np.sin(tilt / 2) ** 2
+    cos_tilt = 1 + cosm1_tilt
+
+    return (
+        K_m
+        * r_b
+        * (
+            np.sin(alpha) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
+            - cos_alpha * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
+        )
+    )
+
+
+# Source: paper on tooth thickness, equation (1) with the exact derivative
+# Expressions sha256: e3b9cd0c935a2d0cf4dd7873b5e345b30de15464175c4df6abf186e6b37d3779
+# Form: printed (1)
+# Operations: 4
+def thickness_change_linear_printed(
+    dh: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `thickness_change_linear` by another form: printed (1).
+
+        thickness_change_linear_printed = 1821*dh/2500
+
+    0.7284 is meant for 20 deg, where 2*tan(alpha) = 0.7279.
+
+    Domain as that of `thickness_change_linear`.
+
+    Source: paper on tooth thickness, equation (1).
+
+    """
+    dh, alpha = as_floats(dh=dh, alpha=alpha)
+    inside = (alpha > 0) & (alpha < np.pi / 4)
+    (alpha,) = nan_outside(inside, alpha)
+    return in_blocks(
+        _thickness_change_linear_printed,
+        (dh,),
+        _prepare_thickness_change_linear_printed,
+        (alpha,),
+        out=out,
+    )
+
+
+def _prepare_thickness_change_linear_printed(alpha: Any) -> tuple[Any, ...]:
+
+    return (alpha,)
+
+
+def _thickness_change_linear_printed(dh: Any, alpha: Any) -> Any:
+
+    return 1821 / 2500 * dh + 0 * alpha
+
+
+# Source: paper on tooth thickness, steps 5 and 6 corrected
+# Expressions sha256: 6318500434945f23a3dc76da6d5e6f5da53d3b90df163c450adb8f157777a7f7
+# Form: printed (1), steps 5 and 6
+# Operations: 7
+def thickness_error_printed(
+    e_tip: ArrayLike, height_error: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `thickness_error` by another form: printed (1), steps 5 and 6.
+
+        thickness_error_printed = 1821*height_error/2500 + 1821*e_tip/2500
+
+    Takes the diameter for the radius and has the wrong sign for the tip; 0.7284 is 2*tan(20
+    deg) = 0.7279.
+
+    Domain as that of `thickness_error`.
+
+    Source: paper on tooth thickness, equation (1) and step 5.
+
+    """
+    e_tip, height_error, alpha = as_floats(e_tip=e_tip, height_error=height_error, alpha=alpha)
+    inside = (alpha > 0) & (alpha < np.pi / 4)
+    (alpha,) = nan_outside(inside, alpha)
+    return in_blocks(
+        _thickness_error_printed,
+        (e_tip,),
+        _prepare_thickness_error_printed,
+        (height_error, alpha),
+        out=out,
+    )
+
+
+def _prepare_thickness_error_printed(height_error: Any, alpha: Any) -> tuple[Any, ...]:
+
+    return (height_error, alpha)
+
+
+def _thickness_error_printed(e_tip: Any, height_error: Any, alpha: Any) -> Any:
+
+    return 1821 * height_error / 2500 + 1821 / 2500 * e_tip + 0 * alpha

@@ -1,0 +1,350 @@
+"""Other forms of the kernels of `track_wheel`.
+
+Kapitonov, Yakubovsky 2022, machining error of a wheel with a multi-period track, doi
+10.24412/2079-7958-2022-1-43-52
+
+Lengths in mm, angles in radians, turns counter-clockwise positive. The matrices give
+coordinates in the turned frame. Letters that the paper uses twice are kept apart: K
+(scatter coefficient) and the matrix K, A (amplitude) and the matrix A, z (number of
+periods) and the coordinate, varphi (polar angle) and the rotation vector.
+
+Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
+otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
+the result's type and shape, takes the result; it may overlap an argument. Outside the
+domain and where an argument is NaN the result is NaN.
+
+TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
+ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
+
+Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.kernel_support.arrays import (
+    as_floats,
+    check_components,
+    in_blocks,
+    is_finite,
+    nan_outside,
+    split_components,
+    store,
+    sum_axes,
+    transform,
+)
+
+__all__ = [
+    "displacement_direct",
+    "displacement_linear",
+    "error_sum_thermal_direct",
+    "planar_error_printed",
+    "radius_printed",
+    "spatial_error_printed",
+    "track_printed",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+# Source: Kapitonov, Yakubovsky 2022, equation (15)
+# Expressions sha256: 9c3b364591307c1882a9f9eab81c1c909b9a7d9f9c4cf8a6c9c4209a7cd0587a
+# Form: direct (K^T - I)*p + t
+# Operations: 31
+def displacement_direct(
+    points: ArrayLike, angles: ArrayLike, shift: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `displacement` by another form: direct (K^T - I)*p + t.
+
+        [a + z_13*sin(beta) + x_13*cos(beta)*cos(gamma) - x_13 - y_13*sin(gamma)*cos(beta)]
+        [b + x_13*(sin(gamma)*cos(alpha) + sin(alpha)*sin(beta)*cos(gamma)) +
+            y_13*(cos(alpha)*cos(gamma) - sin(alpha)*sin(beta)*sin(gamma)) - y_13 -
+            z_13*sin(alpha)*cos(beta)]
+        [c + x_13*(sin(alpha)*sin(gamma) - sin(beta)*cos(alpha)*cos(gamma)) +
+            y_13*(sin(alpha)*cos(gamma) + sin(beta)*sin(gamma)*cos(alpha)) +
+            z_13*cos(alpha)*cos(beta) - z_13]
+
+    The entries of K are rounded before the ones are taken off.
+
+    Domain as that of `displacement`.
+
+    Source: Kapitonov, Yakubovsky 2022, equation (15).
+
+    """
+    points, angles, shift = as_floats(points=points, angles=angles, shift=shift)
+    check_components("points", points, 3)
+    alpha, beta, gamma = split_components("angles", angles, 3)
+    a, b, c = split_components("shift", shift, 3)
+    return transform(points, _displacement_direct, (alpha, beta, gamma, a, b, c), out=out)
+
+
+def _displacement_direct(
+    alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any
+) -> tuple[Any, ...]:
+    sin_beta = np.sin(beta)
+    cos_beta = np.cos(beta)
+    cos_gamma = np.cos(gamma)
+    sin_gamma = np.sin(gamma)
+    cos_alpha = np.cos(alpha)
+    sin_alpha = np.sin(alpha)
+
+    return (
+        cos_beta * cos_gamma - 1,
+        -cos_beta * sin_gamma,
+        sin_beta,
+        cos_alpha * sin_gamma + cos_gamma * sin_alpha * sin_beta,
+        cos_alpha * cos_gamma - 1 - sin_alpha * sin_beta * sin_gamma,
+        -cos_beta * sin_alpha,
+        sin_alpha * sin_gamma - cos_alpha * cos_gamma * sin_beta,
+        cos_gamma * sin_alpha + cos_alpha * sin_beta * sin_gamma,
+        cos_alpha * cos_beta - 1,
+        a,
+        b,
+        c,
+    )
+
+
+# Source: Kapitonov, Yakubovsky 2022, equation (15)
+# Expressions sha256: e58ef8fa94509c948da8a770d7047ec06cfe8ee2caab9cf1d24ca425f8c0f01e
+# Form: first order in the angles
+# Operations: 3
+def displacement_linear(
+    points: ArrayLike, angles: ArrayLike, shift: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `displacement` by another form: first order in the angles.
+
+        [a + beta*z_13 - gamma*y_13]
+        [b + gamma*x_13 - alpha*z_13]
+        [c + alpha*y_13 - beta*x_13]
+
+    The bound is that of the norm of the error.
+
+    Approximation, first order in the angles: |result - exact| <= sqrt(x_13**2 + y_13**2 +
+    z_13**2)*(|alpha| + |beta| + |gamma|)**2/2, rounding apart.
+
+    Domain as that of `displacement`.
+
+    """
+    points, angles, shift = as_floats(points=points, angles=angles, shift=shift)
+    check_components("points", points, 3)
+    alpha, beta, gamma = split_components("angles", angles, 3)
+    a, b, c = split_components("shift", shift, 3)
+    return transform(points, _displacement_linear, (alpha, beta, gamma, a, b, c), out=out)
+
+
+def _displacement_linear(
+    alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any
+) -> tuple[Any, ...]:
+
+    return (0, -gamma, beta, gamma, 0, -alpha, -beta, alpha, 0, a, b, c)
+
+
+# Source: Kapitonov, Yakubovsky 2022, equation (17)
+# Expressions sha256: 14e4884bac83d19c6b82566fa55a54b132dd8f49b74bb0324b329bfab95547d3
+# Form: printed (17)
+# Operations: 4
+def planar_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute `planar_error` by another form: printed (17).
+
+        planar_error_printed = sqrt(Delta_x0**2 + Delta_y0**2)
+
+    Domain as that of `planar_error`.
+
+    Source: Kapitonov, Yakubovsky 2022, equation (17).
+
+    """
+    (displacement,) = as_floats(displacement=displacement)
+    Delta_x0, Delta_y0, _ = split_components("displacement", displacement, 3)
+    return in_blocks(_planar_error_printed, (Delta_x0, Delta_y0), out=out)
+
+
+def _planar_error_printed(Delta_x0: Any, Delta_y0: Any) -> Any:
+
+    return np.sqrt(Delta_x0**2 + Delta_y0**2)
+
+
+# Source: Kapitonov, Yakubovsky 2022, equation (18)
+# Expressions sha256: 704a84eb6694283854149d86d68ea5fc31a8c9f3d765f5e35bf9b26a42c607fe
+# Form: printed (18)
+# Operations: 6
+def spatial_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute `spatial_error` by another form: printed (18).
+
+        spatial_error_printed = sqrt(Delta_x0**2 + Delta_y0**2 + Delta_z0**2)
+
+    Domain as that of `spatial_error`.
+
+    Source: Kapitonov, Yakubovsky 2022, equation (18).
+
+    """
+    (displacement,) = as_floats(displacement=displacement)
+    Delta_x0, Delta_y0, Delta_z0 = split_components("displacement", displacement, 3)
+    return in_blocks(_spatial_error_printed, (Delta_x0, Delta_y0, Delta_z0), out=out)
+
+
+def _spatial_error_printed(Delta_x0: Any, Delta_y0: Any, Delta_z0: Any) -> Any:
+
+    return np.sqrt(Delta_x0**2 + Delta_y0**2 + Delta_z0**2)
+
+
+# Source: Kapitonov, Yakubovsky 2022, equation (16)
+# Expressions sha256: bcc8d5b79cb3045914e1969c5fd6ba7254aa274323f55489839dfbd98d6309d7
+# Form: printed (16)
+# Operations: 11
+def radius_printed(
+    phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `radius` by another form: printed (16).
+
+        radius_printed = A*cos(phi*z) + sqrt(R**2 - A**2*sin(phi*z)**2)
+
+    Domain as that of `radius`, A of either sign.
+
+    Source: Kapitonov, Yakubovsky 2022, equation (16).
+
+    """
+    phi, R, A, z = as_floats(phi=phi, R=R, A=A, z=z)
+    inside = (
+        (R > 0)
+        & is_finite(R)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == np.floor(z))
+        & (A <= R)
+        & (np.abs(A) <= R)
+    )
+    R, A, z = nan_outside(inside, R, A, z)
+    return in_blocks(_radius_printed, (phi,), _prepare_radius_printed, (R, A, z), out=out)
+
+
+def _prepare_radius_printed(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
+
+    return (R, A, z)
+
+
+def _radius_printed(phi: Any, R: Any, A: Any, z: Any) -> Any:
+    phi_z = z * phi
+
+    return A * np.cos(phi_z) + np.sqrt(R**2 - A**2 * np.sin(phi_z) ** 2)
+
+
+# Source: Kapitonov, Yakubovsky 2022, equation (16)
+# Expressions sha256: 2b587a728eeac7d4234ec241f2e8f065649a9cbcf7994471b0fcb3b523bca0d7
+# Form: printed (16)
+# Operations: 15
+def track_printed(
+    phi: ArrayLike,
+    R: ArrayLike,
+    A: ArrayLike,
+    z: ArrayLike,
+    H: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `track` by another form: printed (16).
+
+        [(A*cos(phi*z) + sqrt(R**2 - A**2*sin(phi*z)**2))*cos(phi)]
+        [(A*cos(phi*z) + sqrt(R**2 - A**2*sin(phi*z)**2))*sin(phi)]
+        [H]
+
+    Domain as that of `track`, A of either sign.
+
+    Source: Kapitonov, Yakubovsky 2022, equation (16).
+
+    """
+    phi, R, A, z, H = as_floats(phi=phi, R=R, A=A, z=z, H=H)
+    inside = (
+        (R > 0)
+        & is_finite(R)
+        & (H > 0)
+        & is_finite(H)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == np.floor(z))
+        & (A <= R)
+        & (np.abs(A) <= R)
+    )
+    R, A, z, H = nan_outside(inside, R, A, z, H)
+    return in_blocks(
+        _track_printed, (phi,), _prepare_track_printed, (R, A, z, H), out=out, shape=(3,)
+    )
+
+
+def _prepare_track_printed(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
+
+    return (R, A, z, H)
+
+
+def _track_printed(phi: Any, R: Any, A: Any, z: Any, H: Any) -> Any:
+    phi_z = z * phi
+    term = A * np.cos(phi_z) + np.sqrt(R**2 - A**2 * np.sin(phi_z) ** 2)
+
+    return (
+        term * np.cos(phi),
+        term * np.sin(phi),
+        H,
+    )
+
+
+# Source: Kapitonov, Yakubovsky 2022, equation (6) made homogeneous, Table 1 for the share
+# Expressions sha256: 7fff15e2b77264d9943ed6fac71e8c97670915ebed3cc734ffdf6e2555bd8298
+# Form: difference of squares
+# Operations: 14
+def error_sum_thermal_direct(
+    tolerances: ArrayLike,
+    sensitivities: ArrayLike,
+    scatters: ArrayLike,
+    total_scatter: ArrayLike,
+    thermal_share: ArrayLike,
+    thermal_scatter: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `error_sum_thermal` by another form: difference of squares.
+
+        error_sum_thermal_direct = sqrt(Sum[i=1..n](scatters[i]**2*sensitivities[i]**2*
+            tolerances[i]**2))/sqrt(total_scatter**2 - thermal_scatter**2*thermal_share**2)
+
+    Domain as that of `error_sum_thermal`, the temperature error below the total.
+
+    """
+    tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter = as_floats(
+        tolerances=tolerances,
+        sensitivities=sensitivities,
+        scatters=scatters,
+        total_scatter=total_scatter,
+        thermal_share=thermal_share,
+        thermal_scatter=thermal_scatter,
+    )
+    tolerances, sensitivities, scatters = sum_axes(
+        tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
+    )
+    inside = (
+        (total_scatter > 0)
+        & is_finite(total_scatter)
+        & np.all(scatters > 0, axis=-1)
+        & np.all(is_finite(scatters), axis=-1)
+        & (thermal_scatter > 0)
+        & is_finite(thermal_scatter)
+        & np.all(tolerances >= 0, axis=-1)
+        & np.all(is_finite(tolerances), axis=-1)
+        & (thermal_share >= 0)
+        & is_finite(thermal_share)
+        & (thermal_share * thermal_scatter < total_scatter)
+    )
+    total_scatter, thermal_share, thermal_scatter = nan_outside(
+        inside, total_scatter, thermal_share, thermal_scatter
+    )
+
+    return store(
+        np.sqrt(np.sum(sensitivities**2 * scatters**2 * tolerances**2, axis=-1))
+        / np.sqrt(total_scatter**2 - thermal_share**2 * thermal_scatter**2),
+        out,
+    )

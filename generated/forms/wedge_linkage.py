@@ -1,0 +1,1021 @@
+"""Other forms of the kernels of `wedge_linkage`.
+
+Bazuev, Koksharov, Naichuk 2021, transfer function of a rod semi-automatic, doi
+10.15593/2224-9982/2021.64.07
+
+Displacements and rotations are counted from the position x1 = 0; angles from Ox, positive
+counter-clockwise; x to the right, y upwards.
+
+Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
+otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
+the result's type and shape, takes the result; it may overlap an argument. Outside the
+domain and where an argument is NaN the result is NaN.
+
+TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
+ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
+
+Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.kernel_support.arrays import (
+    as_floats,
+    choose_where,
+    in_blocks,
+    is_finite,
+    nan_outside,
+)
+
+__all__ = [
+    "clearance_printed",
+    "lever_angle_atan2",
+    "lever_angle_printed",
+    "position_atan2",
+    "position_printed",
+    "rod_displacement_printed",
+    "roller_lever_angle_arccosine",
+    "roller_lever_angle_atan2",
+    "roller_lever_angle_or_else",
+    "roller_lever_angle_printed",
+    "sensitivities_slopes",
+    "velocity_slopes",
+    "wedge_displacement_printed",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+# Source: Bazuev et al. 2021, equation (1)
+# Expressions sha256: 01f6e945b7fe10fd1d4f04226b5931c0dd5add5e1464085bbd1103e5affe934e
+# Form: printed (1)
+# Operations: 27
+def lever_angle_printed(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `lever_angle` by another form: printed (1).
+
+        lever_angle_printed = atan((Q*(-l_AB - x1) + l_AB*l_BC**2 + l_CD*(l_BC**2 - Q))/(l_BC*(Q
+            + (l_AB + l_CD)*(l_AB + l_CD + x1))))
+        Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
+
+    Beyond a right angle of the lever it is off by pi.
+
+    Domain as that of `lever_angle`, the radicand of Q is positive.
+
+    Source: Bazuev et al. 2021, equation (1).
+
+    """
+    x1, l_AB, l_BC, l_CD = as_floats(x1=x1, l_AB=l_AB, l_BC=l_BC, l_CD=l_CD)
+    inside = (
+        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+    )
+    l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
+    return in_blocks(
+        _lever_angle_printed,
+        (x1,),
+        _prepare_lever_angle_printed,
+        (l_AB, l_BC, l_CD),
+        out=out,
+        quiet=True,
+    )
+
+
+def _prepare_lever_angle_printed(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    l_BC_squared = l_BC**2
+
+    return (l_AB, l_BC, l_CD, l_BC_squared)
+
+
+def _lever_angle_printed(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared: Any) -> Any:
+    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2 * l_AB + 2 * l_CD + x1))
+
+    return np.arctan(
+        (Q * (-l_AB - x1) + l_BC_squared * l_AB + l_CD * (l_BC_squared - Q))
+        / (l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)))
+    )
+
+
+# Source: Bazuev et al. 2021, equation (1)
+# Expressions sha256: eea92e682c2a09a27685f508975c7bd85f78ff0f67ec4c80ecb8a6a57507795a
+# Form: (1) with atan2
+# Operations: 26
+def lever_angle_atan2(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `lever_angle` by another form: (1) with atan2.
+
+        lever_angle_atan2 = atan2(Q*(-l_AB - x1) + l_AB*l_BC**2 + l_CD*(l_BC**2 - Q), l_BC*(Q +
+            (l_AB + l_CD)*(l_AB + l_CD + x1)))
+        Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
+
+    Domain as that of `lever_angle`, the radicand of Q is positive.
+
+    """
+    x1, l_AB, l_BC, l_CD = as_floats(x1=x1, l_AB=l_AB, l_BC=l_BC, l_CD=l_CD)
+    inside = (
+        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+    )
+    l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
+    return in_blocks(
+        _lever_angle_atan2,
+        (x1,),
+        _prepare_lever_angle_atan2,
+        (l_AB, l_BC, l_CD),
+        out=out,
+        quiet=True,
+    )
+
+
+def _prepare_lever_angle_atan2(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    l_BC_squared = l_BC**2
+
+    return (l_AB, l_BC, l_CD, l_BC_squared)
+
+
+def _lever_angle_atan2(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared: Any) -> Any:
+    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2 * l_AB + 2 * l_CD + x1))
+
+    return np.arctan2(
+        Q * (-l_AB - x1) + l_BC_squared * l_AB + l_CD * (l_BC_squared - Q),
+        l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
+    )
+
+
+# Source: Bazuev et al. 2021, equation (3)
+# Expressions sha256: c259a9eb668b11d74a163d09e1c2d5da9b743aab3232290ddb9f4c483059c57c
+# Form: printed (3)
+# Operations: 5
+def rod_displacement_printed(
+    phi3: ArrayLike, l_DE: ArrayLike, alpha_DE: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `rod_displacement` by another form: printed (3).
+
+        rod_displacement_printed = l_DE*(cos(alpha_DE + phi3) - cos(alpha_DE))
+
+    Domain as that of `rod_displacement`.
+
+    Source: Bazuev et al. 2021, equation (3).
+
+    """
+    phi3, l_DE, alpha_DE = as_floats(phi3=phi3, l_DE=l_DE, alpha_DE=alpha_DE)
+    inside = (l_DE > 0) & is_finite(l_DE)
+    (l_DE,) = nan_outside(inside, l_DE)
+    return in_blocks(
+        _rod_displacement_printed,
+        (phi3,),
+        _prepare_rod_displacement_printed,
+        (l_DE, alpha_DE),
+        out=out,
+    )
+
+
+def _prepare_rod_displacement_printed(l_DE: Any, alpha_DE: Any) -> tuple[Any, ...]:
+
+    return (l_DE, alpha_DE)
+
+
+def _rod_displacement_printed(phi3: Any, l_DE: Any, alpha_DE: Any) -> Any:
+
+    return l_DE * (np.cos(alpha_DE + phi3) - np.cos(alpha_DE))
+
+
+# Source: Bazuev et al. 2021, equation (4)
+# Expressions sha256: 796c0ff2c4b7fbd700fd8514bd0d9170d6d783e05c963645bf3a0df7705e8404
+# Form: printed (4)
+# Operations: 3
+def clearance_printed(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute `clearance` by another form: printed (4).
+
+        clearance_printed = Piecewise((0, x5 < l_GH), (x5 - l_GH, True))
+
+    Domain as that of `clearance`.
+
+    Source: Bazuev et al. 2021, equation (4).
+
+    """
+    x5, l_GH = as_floats(x5=x5, l_GH=l_GH)
+    inside = (l_GH > 0) & is_finite(l_GH)
+    (l_GH,) = nan_outside(inside, l_GH)
+    return in_blocks(_clearance_printed, (x5,), _prepare_clearance_printed, (l_GH,), out=out)
+
+
+def _prepare_clearance_printed(l_GH: Any) -> tuple[Any, ...]:
+
+    return (l_GH,)
+
+
+def _clearance_printed(x5: Any, l_GH: Any) -> Any:
+
+    return choose_where(x5 < l_GH, 0, x5 - l_GH)
+
+
+# Source: Bazuev et al. 2021, equations (7) and (8)
+# Expressions sha256: 1b73d4c36bbf8a0c3f48665172650163271a5435d1a64b8c4de077ecc95fb63c
+# Form: printed (7), (8)
+# Operations: 16
+def roller_lever_angle_printed(
+    x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `roller_lever_angle` by another form: printed (7), (8).
+
+        roller_lever_angle_printed = Piecewise((atan(sqrt(l_KL**2 - (l_KL*cos(alpha_KL) -
+            x5)**2)/(l_KL*cos(alpha_KL) - x5)) - alpha_KL, 0 < l_KL*cos(alpha_KL) - x5), (pi +
+            atan(sqrt(l_KL**2 - (l_KL*cos(alpha_KL) - x5)**2)/(l_KL*cos(alpha_KL) - x5)) -
+            alpha_KL, l_KL*cos(alpha_KL) - x5 < 0), (nan, True))
+
+    R = 0 is in neither case: NaN.
+
+    Domain as that of `roller_lever_angle`, R > 0 or R < 0, |R| <= l_KL.
+
+    Source: Bazuev et al. 2021, equations (7) and (8).
+
+    """
+    x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
+    inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    return in_blocks(
+        _roller_lever_angle_printed,
+        (x5,),
+        _prepare_roller_lever_angle_printed,
+        (l_KL, alpha_KL),
+        out=out,
+        quiet=True,
+    )
+
+
+def _prepare_roller_lever_angle_printed(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+
+    return (l_KL, alpha_KL)
+
+
+def _roller_lever_angle_printed(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
+    term_2 = l_KL * np.cos(alpha_KL) - x5
+    term = np.arctan(np.sqrt(l_KL**2 - term_2**2) / term_2)
+
+    return choose_where(
+        term_2 > 0, term - alpha_KL, choose_where(term_2 < 0, np.pi + term - alpha_KL, np.nan)
+    )
+
+
+# Source: Bazuev et al. 2021, equations (7) and (8)
+# Expressions sha256: fb72964592027305f4257925cbd4a4f9de8d3459638035926878b60d939c1f6a
+# Form: (7) or else (8)
+# Operations: 14
+def roller_lever_angle_or_else(
+    x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `roller_lever_angle` by another form: (7) or else (8).
+
+        roller_lever_angle_or_else = Piecewise((atan(sqrt(l_KL**2 - (l_KL*cos(alpha_KL) -
+            x5)**2)/(l_KL*cos(alpha_KL) - x5)) - alpha_KL, 0 < l_KL*cos(alpha_KL) - x5), (pi +
+            atan(sqrt(l_KL**2 - (l_KL*cos(alpha_KL) - x5)**2)/(l_KL*cos(alpha_KL) - x5)) -
+            alpha_KL, True))
+
+    At R = 0 the quotient is infinite and (8) off by pi.
+
+    Domain as that of `roller_lever_angle`, R > 0 or R < 0, |R| <= l_KL.
+
+    """
+    x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
+    inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    return in_blocks(
+        _roller_lever_angle_or_else,
+        (x5,),
+        _prepare_roller_lever_angle_or_else,
+        (l_KL, alpha_KL),
+        out=out,
+        quiet=True,
+    )
+
+
+def _prepare_roller_lever_angle_or_else(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+
+    return (l_KL, alpha_KL)
+
+
+def _roller_lever_angle_or_else(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
+    term_2 = l_KL * np.cos(alpha_KL) - x5
+    term = np.arctan(np.sqrt(l_KL**2 - term_2**2) / term_2)
+
+    return choose_where(term_2 > 0, term - alpha_KL, np.pi + term - alpha_KL)
+
+
+# Source: Bazuev et al. 2021, equations (7) and (8)
+# Expressions sha256: 3f0268d8b2efcdfdaaf43cb9fa60a6542316aadf642280e60f489d48eafad960
+# Form: atan2
+# Operations: 9
+def roller_lever_angle_atan2(
+    x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `roller_lever_angle` by another form: atan2.
+
+        roller_lever_angle_atan2 = atan2(sqrt(l_KL**2 - (l_KL*cos(alpha_KL) - x5)**2),
+            l_KL*cos(alpha_KL) - x5) - alpha_KL
+
+    Domain as that of `roller_lever_angle`, the roller lever follows the link 5'.
+
+    """
+    x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
+    inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    return in_blocks(
+        _roller_lever_angle_atan2,
+        (x5,),
+        _prepare_roller_lever_angle_atan2,
+        (l_KL, alpha_KL),
+        out=out,
+        quiet=True,
+    )
+
+
+def _prepare_roller_lever_angle_atan2(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+
+    return (l_KL, alpha_KL)
+
+
+def _roller_lever_angle_atan2(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
+    term = l_KL * np.cos(alpha_KL) - x5
+
+    return np.arctan2(np.sqrt(l_KL**2 - term**2), term) - alpha_KL
+
+
+# Source: Bazuev et al. 2021, equations (7) and (8)
+# Expressions sha256: b97f8ea1de5f7ba333b79944cd7e07e73bf7c73127e168bd5c429d9ea29b06a2
+# Form: arccosine
+# Operations: 5
+def roller_lever_angle_arccosine(
+    x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `roller_lever_angle` by another form: arccosine.
+
+        roller_lever_angle_arccosine = acos(cos(alpha_KL) - x5/l_KL) - alpha_KL
+
+    Domain as that of `roller_lever_angle`, alpha_KL = 2 arctan(kappa) in [0, pi), KL upwards.
+
+    """
+    x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
+    inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    return in_blocks(
+        _roller_lever_angle_arccosine,
+        (x5,),
+        _prepare_roller_lever_angle_arccosine,
+        (l_KL, alpha_KL),
+        out=out,
+        quiet=True,
+    )
+
+
+def _prepare_roller_lever_angle_arccosine(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+
+    return (l_KL, alpha_KL)
+
+
+def _roller_lever_angle_arccosine(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
+
+    return np.arccos(np.cos(alpha_KL) - x5 / l_KL) - alpha_KL
+
+
+# Source: Bazuev et al. 2021, equation (10)
+# Expressions sha256: 93cb92e4570440792e65e4efc2e24e0e79ff9a204760d4fe9261a947b5f7782e
+# Form: printed (10)
+# Operations: 5
+def wedge_displacement_printed(
+    phi7: ArrayLike, l_LM: ArrayLike, alpha_LM: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute `wedge_displacement` by another form: printed (10).
+
+        wedge_displacement_printed = l_LM*(sin(alpha_LM + phi7) - sin(alpha_LM))
+
+    Domain as that of `wedge_displacement`.
+
+    Source: Bazuev et al. 2021, equation (10).
+
+    """
+    phi7, l_LM, alpha_LM = as_floats(phi7=phi7, l_LM=l_LM, alpha_LM=alpha_LM)
+    inside = (l_LM > 0) & is_finite(l_LM)
+    (l_LM,) = nan_outside(inside, l_LM)
+    return in_blocks(
+        _wedge_displacement_printed,
+        (phi7,),
+        _prepare_wedge_displacement_printed,
+        (l_LM, alpha_LM),
+        out=out,
+    )
+
+
+def _prepare_wedge_displacement_printed(l_LM: Any, alpha_LM: Any) -> tuple[Any, ...]:
+
+    return (l_LM, alpha_LM)
+
+
+def _wedge_displacement_printed(phi7: Any, l_LM: Any, alpha_LM: Any) -> Any:
+
+    return l_LM * (np.sin(alpha_LM + phi7) - np.sin(alpha_LM))
+
+
+# Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
+# Expressions sha256: d4fdb5031247eedbbacee1f7d49870d74558bb3aab7400c91d6134803426091b
+# Form: printed chain
+# Operations: 56
+def position_printed(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    l_DE: ArrayLike,
+    l_GH: ArrayLike,
+    l_KL: ArrayLike,
+    l_LM: ArrayLike,
+    alpha_DE: ArrayLike,
+    alpha_KL: ArrayLike,
+    alpha_LM: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `position` by another form: printed chain.
+
+        position_printed = l_LM*(sin(alpha_LM + turn_7_printed) - sin(alpha_LM))
+        Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
+        turn_3_printed = atan((Q*(-l_AB - x1) + l_AB*l_BC**2 + l_CD*(l_BC**2 - Q))/(l_BC*(Q +
+            (l_AB + l_CD)*(l_AB + l_CD + x1))))
+        travel_5_printed = l_DE*(cos(alpha_DE + turn_3_printed) - cos(alpha_DE))
+        driven_5_printed = Piecewise((0, travel_5_printed < l_GH), (travel_5_printed - l_GH,
+            True))
+        KL_x_printed = l_KL*cos(alpha_KL) - driven_5_printed
+        turn_7_printed = Piecewise((atan(sqrt(l_KL**2 - KL_x_printed**2)/KL_x_printed) -
+            alpha_KL, 0 < KL_x_printed), (pi + atan(sqrt(l_KL**2 -
+            KL_x_printed**2)/KL_x_printed) - alpha_KL, KL_x_printed < 0), (nan, True))
+
+    Stage by stage; R = 0 is in neither case: NaN.
+
+    Domain as that of `position`, x1 > -(l_AB + l_CD), A has not passed D; R > 0 or R < 0, |R|
+    <= l_KL.
+
+    Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
+
+    """
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+        x1=x1,
+        l_AB=l_AB,
+        l_BC=l_BC,
+        l_CD=l_CD,
+        l_DE=l_DE,
+        l_GH=l_GH,
+        l_KL=l_KL,
+        l_LM=l_LM,
+        alpha_DE=alpha_DE,
+        alpha_KL=alpha_KL,
+        alpha_LM=alpha_LM,
+    )
+    inside = (
+        (l_AB > 0)
+        & is_finite(l_AB)
+        & (l_BC > 0)
+        & is_finite(l_BC)
+        & (l_CD > 0)
+        & is_finite(l_CD)
+        & (l_DE > 0)
+        & is_finite(l_DE)
+        & (l_GH > 0)
+        & is_finite(l_GH)
+        & (l_KL > 0)
+        & is_finite(l_KL)
+        & (l_LM > 0)
+        & is_finite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    )
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    )
+    return in_blocks(
+        _position_printed,
+        (x1,),
+        _prepare_position_printed,
+        (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
+        out=out,
+        quiet=True,
+    )
+
+
+def _prepare_position_printed(
+    l_AB: Any,
+    l_BC: Any,
+    l_CD: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_DE: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+) -> tuple[Any, ...]:
+    l_BC_squared = l_BC**2
+
+    return (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, l_BC_squared)
+
+
+def _position_printed(
+    x1: Any,
+    l_AB: Any,
+    l_BC: Any,
+    l_CD: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_DE: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+    l_BC_squared: Any,
+) -> Any:
+    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2 * l_AB + 2 * l_CD + x1))
+    turn_3_printed = np.arctan(
+        (Q * (-l_AB - x1) + l_BC_squared * l_AB + l_CD * (l_BC_squared - Q))
+        / (l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)))
+    )
+    travel_5_printed = l_DE * (np.cos(alpha_DE + turn_3_printed) - np.cos(alpha_DE))
+    driven_5_printed = choose_where(travel_5_printed < l_GH, 0, travel_5_printed - l_GH)
+    KL_x_printed = l_KL * np.cos(alpha_KL) - driven_5_printed
+    term = np.arctan(np.sqrt(l_KL**2 - KL_x_printed**2) / KL_x_printed)
+    turn_7_printed = choose_where(
+        KL_x_printed > 0,
+        term - alpha_KL,
+        choose_where(KL_x_printed < 0, np.pi + term - alpha_KL, np.nan),
+    )
+
+    return l_LM * (np.sin(alpha_LM + turn_7_printed) - np.sin(alpha_LM))
+
+
+# Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
+# Expressions sha256: 8e9354a9eb0d491c42bcbd04be58beb0ae454e668386e668dc14ad0cffef86c8
+# Form: chain with atan2
+# Operations: 47
+def position_atan2(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    l_DE: ArrayLike,
+    l_GH: ArrayLike,
+    l_KL: ArrayLike,
+    l_LM: ArrayLike,
+    alpha_DE: ArrayLike,
+    alpha_KL: ArrayLike,
+    alpha_LM: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `position` by another form: chain with atan2.
+
+        position_atan2 = l_LM*(sin(alpha_LM + turn_7_atan2) - sin(alpha_LM))
+        Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
+        turn_3_atan2 = atan2(Q*(-l_AB - x1) + l_AB*l_BC**2 + l_CD*(l_BC**2 - Q), l_BC*(Q + (l_AB
+            + l_CD)*(l_AB + l_CD + x1)))
+        travel_5_atan2 = l_DE*(cos(alpha_DE + turn_3_atan2) - cos(alpha_DE))
+        driven_5_atan2 = Max(0, travel_5_atan2 - l_GH)
+        KL_x_atan2 = l_KL*cos(alpha_KL) - driven_5_atan2
+        turn_7_atan2 = atan2(sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
+
+    Stage by stage.
+
+    Domain as that of `position`, the radicand of Q is positive; alpha_KL = 2 arctan(kappa) in
+    [0, pi), KL upwards.
+
+    """
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+        x1=x1,
+        l_AB=l_AB,
+        l_BC=l_BC,
+        l_CD=l_CD,
+        l_DE=l_DE,
+        l_GH=l_GH,
+        l_KL=l_KL,
+        l_LM=l_LM,
+        alpha_DE=alpha_DE,
+        alpha_KL=alpha_KL,
+        alpha_LM=alpha_LM,
+    )
+    inside = (
+        (l_AB > 0)
+        & is_finite(l_AB)
+        & (l_BC > 0)
+        & is_finite(l_BC)
+        & (l_CD > 0)
+        & is_finite(l_CD)
+        & (l_DE > 0)
+        & is_finite(l_DE)
+        & (l_GH > 0)
+        & is_finite(l_GH)
+        & (l_KL > 0)
+        & is_finite(l_KL)
+        & (l_LM > 0)
+        & is_finite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    )
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    )
+    return in_blocks(
+        _position_atan2,
+        (x1,),
+        _prepare_position_atan2,
+        (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
+        out=out,
+        quiet=True,
+    )
+
+
+def _prepare_position_atan2(
+    l_AB: Any,
+    l_BC: Any,
+    l_CD: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_DE: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+) -> tuple[Any, ...]:
+    l_BC_squared = l_BC**2
+
+    return (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, l_BC_squared)
+
+
+def _position_atan2(
+    x1: Any,
+    l_AB: Any,
+    l_BC: Any,
+    l_CD: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_DE: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+    l_BC_squared: Any,
+) -> Any:
+    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2 * l_AB + 2 * l_CD + x1))
+    turn_3_atan2 = np.arctan2(
+        Q * (-l_AB - x1) + l_BC_squared * l_AB + l_CD * (l_BC_squared - Q),
+        l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
+    )
+    travel_5_atan2 = l_DE * (np.cos(alpha_DE + turn_3_atan2) - np.cos(alpha_DE))
+    driven_5_atan2 = np.maximum(0, travel_5_atan2 - l_GH)
+    KL_x_atan2 = l_KL * np.cos(alpha_KL) - driven_5_atan2
+    turn_7_atan2 = np.arctan2(np.sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
+
+    return l_LM * (np.sin(alpha_LM + turn_7_atan2) - np.sin(alpha_LM))
+
+
+# Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
+# Expressions sha256: fee8d36178a5350edd959ed402b8e02d5ab30bfbdb52c422149d658b3107abab
+# Form: product of slopes
+# Operations: 61
+def velocity_slopes(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    l_DE: ArrayLike,
+    l_GH: ArrayLike,
+    l_KL: ArrayLike,
+    l_LM: ArrayLike,
+    alpha_DE: ArrayLike,
+    alpha_KL: ArrayLike,
+    alpha_LM: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `velocity` by another form: product of slopes.
+
+        velocity_slopes = engaged_atan2*l_DE*l_LM*sin(alpha_DE +
+            turn_3_atan2)*cos(turn_3_atan2)*cos(alpha_LM +
+            turn_7_atan2)/(BC_length*l_KL*sin(alpha_KL + turn_7_atan2))
+        Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
+        BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
+        turn_3_atan2 = atan2(Q*(-l_AB - x1) + l_AB*l_BC**2 + l_CD*(l_BC**2 - Q), l_BC*(Q + (l_AB
+            + l_CD)*(l_AB + l_CD + x1)))
+        travel_5_atan2 = l_DE*(cos(alpha_DE + turn_3_atan2) - cos(alpha_DE))
+        driven_5_atan2 = Max(0, travel_5_atan2 - l_GH)
+        KL_x_atan2 = l_KL*cos(alpha_KL) - driven_5_atan2
+        turn_7_atan2 = atan2(sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
+        engaged_atan2 = Piecewise((0, travel_5_atan2 < l_GH), (1, True))
+
+    Stage by stage, at the angles of the chain with atan2.
+
+    Domain as that of `velocity`, the radicand of Q is positive; alpha_KL = 2 arctan(kappa) in
+    [0, pi), KL upwards.
+
+    """
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+        x1=x1,
+        l_AB=l_AB,
+        l_BC=l_BC,
+        l_CD=l_CD,
+        l_DE=l_DE,
+        l_GH=l_GH,
+        l_KL=l_KL,
+        l_LM=l_LM,
+        alpha_DE=alpha_DE,
+        alpha_KL=alpha_KL,
+        alpha_LM=alpha_LM,
+    )
+    inside = (
+        (l_AB > 0)
+        & is_finite(l_AB)
+        & (l_BC > 0)
+        & is_finite(l_BC)
+        & (l_CD > 0)
+        & is_finite(l_CD)
+        & (l_DE > 0)
+        & is_finite(l_DE)
+        & (l_GH > 0)
+        & is_finite(l_GH)
+        & (l_KL > 0)
+        & is_finite(l_KL)
+        & (l_LM > 0)
+        & is_finite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    )
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    )
+    return in_blocks(
+        _velocity_slopes,
+        (x1,),
+        _prepare_velocity_slopes,
+        (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
+        out=out,
+        quiet=True,
+    )
+
+
+def _prepare_velocity_slopes(
+    l_AB: Any,
+    l_BC: Any,
+    l_CD: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_DE: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+) -> tuple[Any, ...]:
+    l_BC_squared = l_BC**2
+
+    return (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, l_BC_squared)
+
+
+def _velocity_slopes(
+    x1: Any,
+    l_AB: Any,
+    l_BC: Any,
+    l_CD: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_DE: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+    l_BC_squared: Any,
+) -> Any:
+    term = 2 * l_AB + 2 * l_CD + x1
+    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * term * x1)
+    turn_3_atan2 = np.arctan2(
+        Q * (-l_AB - x1) + l_BC_squared * l_AB + l_CD * (l_BC_squared - Q),
+        l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
+    )
+    term_2 = alpha_DE + turn_3_atan2
+    travel_5_atan2 = l_DE * (np.cos(term_2) - np.cos(alpha_DE))
+    engaged_atan2 = choose_where(travel_5_atan2 < l_GH, 0, 1)
+    BC_length = np.sqrt(l_BC_squared + term * x1)
+    driven_5_atan2 = np.maximum(0, travel_5_atan2 - l_GH)
+    KL_x_atan2 = l_KL * np.cos(alpha_KL) - driven_5_atan2
+    turn_7_atan2 = np.arctan2(np.sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
+
+    return (
+        l_DE
+        * l_LM
+        / (l_KL * BC_length * np.sin(alpha_KL + turn_7_atan2))
+        * engaged_atan2
+        * np.cos(turn_3_atan2)
+        * np.cos(alpha_LM + turn_7_atan2)
+        * np.sin(term_2)
+    )
+
+
+# Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
+# Expressions sha256: d67b7f4119a799fefc3ef5ccc6a6d4e627fac9c9ef0a6db1099748d9606657b2
+# Form: product of slopes
+# Operations: 121
+def sensitivities_slopes(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    l_DE: ArrayLike,
+    l_GH: ArrayLike,
+    l_KL: ArrayLike,
+    l_LM: ArrayLike,
+    alpha_DE: ArrayLike,
+    alpha_KL: ArrayLike,
+    alpha_LM: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute `sensitivities` by another form: product of slopes.
+
+        [-engaged_atan2*l_DE*l_LM*(1 - cos(turn_3_atan2))*sin(alpha_DE +
+            turn_3_atan2)*cos(alpha_LM + turn_7_atan2)/(BC_length*l_KL*sin(alpha_KL +
+            turn_7_atan2))]
+        [engaged_atan2*l_DE*l_LM*sin(turn_3_atan2)*sin(alpha_DE + turn_3_atan2)*cos(alpha_LM +
+            turn_7_atan2)/(BC_length*l_KL*sin(alpha_KL + turn_7_atan2))]
+        [-engaged_atan2*l_DE*l_LM*(1 - cos(turn_3_atan2))*sin(alpha_DE +
+            turn_3_atan2)*cos(alpha_LM + turn_7_atan2)/(BC_length*l_KL*sin(alpha_KL +
+            turn_7_atan2))]
+        [engaged_atan2*l_LM*(cos(alpha_DE + turn_3_atan2) - cos(alpha_DE))*cos(alpha_LM +
+            turn_7_atan2)/(l_KL*sin(alpha_KL + turn_7_atan2))]
+        [-engaged_atan2*l_LM*cos(alpha_LM + turn_7_atan2)/(l_KL*sin(alpha_KL + turn_7_atan2))]
+        [engaged_atan2*l_LM*(cos(alpha_KL + turn_7_atan2) - cos(alpha_KL))*cos(alpha_LM +
+            turn_7_atan2)/(l_KL*sin(alpha_KL + turn_7_atan2))]
+        [engaged_atan2*(sin(alpha_LM + turn_7_atan2) - sin(alpha_LM))]
+        [engaged_atan2*l_DE*l_LM*(sin(alpha_DE) - sin(alpha_DE + turn_3_atan2))*cos(alpha_LM +
+            turn_7_atan2)/(l_KL*sin(alpha_KL + turn_7_atan2))]
+        [engaged_atan2*l_LM*(sin(alpha_KL)/sin(alpha_KL + turn_7_atan2) - 1)*cos(alpha_LM +
+            turn_7_atan2)]
+        [engaged_atan2*l_LM*(cos(alpha_LM + turn_7_atan2) - cos(alpha_LM))]
+        Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
+        BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
+        turn_3_atan2 = atan2(Q*(-l_AB - x1) + l_AB*l_BC**2 + l_CD*(l_BC**2 - Q), l_BC*(Q + (l_AB
+            + l_CD)*(l_AB + l_CD + x1)))
+        travel_5_atan2 = l_DE*(cos(alpha_DE + turn_3_atan2) - cos(alpha_DE))
+        driven_5_atan2 = Max(0, travel_5_atan2 - l_GH)
+        KL_x_atan2 = l_KL*cos(alpha_KL) - driven_5_atan2
+        turn_7_atan2 = atan2(sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
+        engaged_atan2 = Piecewise((0, travel_5_atan2 < l_GH), (1, True))
+
+    Stage by stage, at the angles of the chain with atan2.
+
+    Domain as that of `sensitivities`, the radicand of Q is positive; alpha_KL = 2 arctan(kappa)
+    in [0, pi), KL upwards.
+
+    """
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+        x1=x1,
+        l_AB=l_AB,
+        l_BC=l_BC,
+        l_CD=l_CD,
+        l_DE=l_DE,
+        l_GH=l_GH,
+        l_KL=l_KL,
+        l_LM=l_LM,
+        alpha_DE=alpha_DE,
+        alpha_KL=alpha_KL,
+        alpha_LM=alpha_LM,
+    )
+    inside = (
+        (l_AB > 0)
+        & is_finite(l_AB)
+        & (l_BC > 0)
+        & is_finite(l_BC)
+        & (l_CD > 0)
+        & is_finite(l_CD)
+        & (l_DE > 0)
+        & is_finite(l_DE)
+        & (l_GH > 0)
+        & is_finite(l_GH)
+        & (l_KL > 0)
+        & is_finite(l_KL)
+        & (l_LM > 0)
+        & is_finite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    )
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    )
+    return in_blocks(
+        _sensitivities_slopes,
+        (x1,),
+        _prepare_sensitivities_slopes,
+        (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
+        out=out,
+        shape=(10,),
+        quiet=True,
+    )
+
+
+def _prepare_sensitivities_slopes(
+    l_AB: Any,
+    l_BC: Any,
+    l_CD: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_DE: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+) -> tuple[Any, ...]:
+    l_BC_squared = l_BC**2
+    cos_alpha_KL = np.cos(alpha_KL)
+
+    return (
+        l_AB,
+        l_BC,
+        l_CD,
+        l_DE,
+        l_GH,
+        l_KL,
+        l_LM,
+        alpha_DE,
+        alpha_KL,
+        alpha_LM,
+        l_BC_squared,
+        cos_alpha_KL,
+    )
+
+
+def _sensitivities_slopes(
+    x1: Any,
+    l_AB: Any,
+    l_BC: Any,
+    l_CD: Any,
+    l_DE: Any,
+    l_GH: Any,
+    l_KL: Any,
+    l_LM: Any,
+    alpha_DE: Any,
+    alpha_KL: Any,
+    alpha_LM: Any,
+    l_BC_squared: Any,
+    cos_alpha_KL: Any,
+) -> Any:
+    term = 2 * l_AB + 2 * l_CD + x1
+    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * term * x1)
+    turn_3_atan2 = np.arctan2(
+        Q * (-l_AB - x1) + l_BC_squared * l_AB + l_CD * (l_BC_squared - Q),
+        l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
+    )
+    term_7 = alpha_DE + turn_3_atan2
+    term_2 = np.cos(term_7) - np.cos(alpha_DE)
+    travel_5_atan2 = l_DE * term_2
+    engaged_atan2 = choose_where(travel_5_atan2 < l_GH, 0, 1)
+    driven_5_atan2 = np.maximum(0, travel_5_atan2 - l_GH)
+    KL_x_atan2 = cos_alpha_KL * l_KL - driven_5_atan2
+    turn_7_atan2 = np.arctan2(np.sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
+    term_8 = alpha_KL + turn_7_atan2
+    term_3 = 1 / np.sin(term_8)
+    term_4 = 1 - np.cos(turn_3_atan2)
+    term_9 = alpha_LM + turn_7_atan2
+    term_5 = np.cos(term_9)
+    term_6 = np.sin(term_7)
+    BC_length = np.sqrt(l_BC_squared + term * x1)
+
+    return (
+        -l_DE * l_LM / (l_KL * BC_length) * engaged_atan2 * term_3 * term_4 * term_5 * term_6,
+        l_DE
+        * l_LM
+        / (l_KL * BC_length)
+        * engaged_atan2
+        * term_3
+        * term_5
+        * term_6
+        * np.sin(turn_3_atan2),
+        -l_DE * l_LM / (l_KL * BC_length) * engaged_atan2 * term_3 * term_4 * term_5 * term_6,
+        l_LM / l_KL * engaged_atan2 * term_2 * term_3 * term_5,
+        -l_LM / l_KL * engaged_atan2 * term_3 * term_5,
+        l_LM / l_KL * engaged_atan2 * term_3 * term_5 * (np.cos(term_8) - cos_alpha_KL),
+        engaged_atan2 * (np.sin(term_9) - np.sin(alpha_LM)),
+        l_DE * l_LM / l_KL * engaged_atan2 * term_3 * term_5 * (np.sin(alpha_DE) - term_6),
+        l_LM * engaged_atan2 * term_5 * (np.sin(alpha_KL) * term_3 - 1),
+        l_LM * engaged_atan2 * (term_5 - np.cos(alpha_LM)),
+    )

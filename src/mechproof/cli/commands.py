@@ -1,0 +1,268 @@
+"""The commands: what is asked for, in which order, and the exit status."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from importlib.metadata import version
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.cli.ledger import print_ledger
+from mechproof.cli.places import RULE, Places, find_location, find_places
+from mechproof.codegen.regenerate import (
+    Change,
+    ForeignFileError,
+    compare_files,
+    render_package,
+    update_files,
+)
+from mechproof.derivation import DerivationError, find_systems
+from mechproof.lab import commands
+from mechproof.proof.ledger import to_json, to_markdown
+from mechproof.proof.verdict import Judgement, Verdict
+from mechproof.record import Paper
+from mechproof.validation import ValidationError, validate_derivations
+from mechproof.verification import LIMIT, VerificationError, judge_derivations
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    help=f"Prove or refute the formulas of mechanism papers; generate kernels from them.\n\n{RULE}",
+    pretty_exceptions_show_locals=False,
+)
+app.command()(commands.chart)
+
+DerivationsOption = Annotated[
+    Path | None,
+    typer.Option("--derivations", metavar="DIR", help="The folder that holds the derivations."),
+]
+RootOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--root", metavar="ROOT", help="The folder that holds derivations/ and generated/."
+    ),
+]
+NoCacheOption = Annotated[
+    bool, typer.Option("--no-cache", help="Judge every row anew and keep no verdict.")
+]
+LimitOption = Annotated[
+    float,
+    typer.Option(
+        "--limit", metavar="SECONDS", min=0, help="A row that takes longer is an error, no verdict."
+    ),
+]
+
+
+def _print_version(asked: bool) -> None:
+    if asked:
+        say(f"mechproof {version('mechproof')}")
+        raise typer.Exit
+
+
+@app.callback()
+def _main(
+    show_version: Annotated[
+        bool,
+        typer.Option(
+            "--version", is_eager=True, callback=_print_version, help="Show the version and exit."
+        ),
+    ] = False,
+) -> None:
+    pass
+
+
+@app.command(epilog=RULE)
+def verify(
+    papers: Annotated[
+        list[str] | None,
+        typer.Argument(
+            help="Systems, files FILE.py or folders of derivations; all systems if none."
+        ),
+    ] = None,
+    json_file: Annotated[
+        Path | None, typer.Option("--json", help="Also write the rows to this file.")
+    ] = None,
+    derivations: DerivationsOption = None,
+    root: RootOption = None,
+    no_cache: NoCacheOption = False,
+    limit: LimitOption = LIMIT,
+) -> None:
+    """Derive and judge every row of the papers, and print the ledger.
+
+    Exit status 0: every row has a verdict, and every UNDECIDED one says why it must stay open;
+    1: a row is UNDECIDED without that, a row hangs or crashes, or a derivation fails;
+    2: bad usage.
+    """
+    locations = _find_locations(papers or (), find_places(derivations, root))
+    if json_file and json_file.is_dir():
+        refuse(f"--json {json_file}: is a folder, a file is needed")
+    if json_file and not json_file.absolute().parent.is_dir():
+        refuse(f"--json {json_file}: the folder {json_file.absolute().parent} does not exist")
+    judged = _judge(locations, use_cache=not no_cache, limit=limit)
+    rows = [row for _, judgements in judged for row in judgements]
+    if json_file:
+        _write(json_file, to_json(rows))
+    for paper, judgements in judged:
+        print_ledger(paper, judgements)
+    if any(row.verdict is Verdict.UNDECIDED and not row.may_stay_open for row in rows):
+        raise typer.Exit(1)
+
+
+@app.command(epilog=RULE)
+def regenerate(
+    check: Annotated[
+        bool, typer.Option("--check", help="Write nothing; fail on any difference.")
+    ] = False,
+    derivations: DerivationsOption = None,
+    root: RootOption = None,
+    no_cache: NoCacheOption = False,
+    limit: LimitOption = LIMIT,
+) -> None:
+    """Write the kernels and the ledger of DIR into DIR/../generated.
+
+    Only what was generated is replaced or removed: the ledger, and modules that say so. Every
+    kernel is read back from its source and run against the oracle first.
+
+    Exit status 0: nothing to do or written; 1: with --check, a file is missing, surplus or
+    different; a kernel computes something else than its derivation; a row hangs or crashes, or a
+    derivation fails; 2: bad usage.
+    """
+    places = find_places(derivations, root)
+    if not (derivations or root) and not Path("derivations").is_dir():
+        refuse("there is no folder derivations: run it where it lies, or give --derivations DIR")
+    locations = _find_locations((), places)
+    judged = _judge(locations, use_cache=not no_cache, limit=limit)
+    files = _render(judged, places)
+    _validate(locations, [paper for paper, _ in judged], files, use_cache=not no_cache, limit=limit)
+    changes = _compare_or_update(places.generated, files, check)
+    for change in changes:
+        say(change.describe() if check else _describe_step(change))
+    say(f"{places.generated}: {len(files)} files, {_count(changes, check)}")
+    if check and changes:
+        say(f"run `mechproof regenerate{places.options}`")
+        raise typer.Exit(1)
+
+
+@app.command(epilog=RULE)
+def measure(
+    quantities: Annotated[
+        list[str] | None,
+        typer.Argument(help="Quantities, systems or system.quantity; all if none."),
+    ] = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Few points, short times: under a minute.")
+    ] = False,
+    derivations: DerivationsOption = None,
+    root: RootOption = None,
+) -> None:
+    """Measure accuracy and time of all ways to compute; write DIR/../generated/measured.
+
+    `mechproof chart` draws what was measured. A quick run writes into its folder `quick`, which
+    `chart` and `choose` read only when told to.
+
+    Exit status 0: measured; 1: a derivation fails; 2: bad usage.
+    """
+    places = find_places(derivations, root)
+    if not places.generated.is_dir():
+        refuse(f"there is no folder {places.generated}: `mechproof regenerate` writes it")
+    from mechproof.lab.measure import measure as measure_subject
+    from mechproof.lab.subject import find_subjects
+    from mechproof.lab.table import headline, write_tables
+    from mechproof.measured import write_record
+
+    target = places.generated / "measured" / ("quick" if quick else "")
+    directory = None if places.is_packaged else places.derivations
+    try:
+        subjects = find_subjects(tuple(quantities or ()), directory)
+    except DerivationError as error:
+        fail(str(error))
+    except ValueError as error:
+        refuse(str(error))
+    for number, subject in enumerate(subjects, start=1):
+        title = f"{subject.name} ({number} of {len(subjects)})"
+        with show_progress(f"{title}: measuring") as report:
+            record = measure_subject(subject, quick=quick, report=report)
+        say(f"{write_record(record, target)}: {headline(record)}")
+    say(str(write_tables(target)))
+
+
+def _find_locations(names: Iterable[str], places: Places) -> list[Path]:
+    try:
+        if names:
+            return [find_location(name, places.derivations) for name in dict.fromkeys(names)]
+        locations = list(find_systems(places.derivations).values())
+    except DerivationError as error:
+        fail(str(error))
+    if not locations:
+        refuse(f"there is no derivation in {places.derivations}")
+    return locations
+
+
+def _judge(
+    locations: Sequence[Path], *, use_cache: bool, limit: float
+) -> list[tuple[Paper, list[Judgement]]]:
+    title = f"judging {', '.join(location.stem for location in locations)}"
+    try:
+        with show_progress(title) as report:
+            return judge_derivations(locations, use_cache=use_cache, limit=limit, report=report)
+    except (DerivationError, VerificationError) as error:
+        fail(str(error))
+
+
+def _render(judged: Sequence[tuple[Paper, Sequence[Judgement]]], places: Places) -> dict[str, str]:
+    try:
+        files = render_package([paper for paper, _ in judged])
+    except (ValueError, NotImplementedError) as error:
+        fail(f"{places.derivations}: {error}")
+    files["ledger.json"] = to_json([row for _, judgements in judged for row in judgements])
+    files["LEDGER.md"] = to_markdown(judged)
+    return files
+
+
+def _validate(
+    locations: Sequence[Path],
+    papers: Sequence[Paper],
+    files: Mapping[str, str],
+    *,
+    use_cache: bool,
+    limit: float,
+) -> None:
+    placed = list(zip(locations, papers, strict=True))
+    try:
+        with show_progress("running the emitted kernels") as report:
+            validate_derivations(placed, files, use_cache=use_cache, limit=limit, report=report)
+    except ValidationError as error:
+        fail(str(error))
+
+
+def _compare_or_update(directory: Path, files: Mapping[str, str], check: bool) -> list[Change]:
+    try:
+        changes = compare_files(directory, files)
+        if not check:
+            update_files(directory, changes)
+    except (ForeignFileError, OSError) as error:
+        fail(str(error))
+    return changes
+
+
+def _describe_step(change: Change) -> str:
+    return f"{'removed' if change.is_removal else 'wrote'} {change.name}"
+
+
+def _count(changes: Sequence[Change], check: bool) -> str:
+    if not changes:
+        return "all as regenerated"
+    if check:
+        return "differences found"
+    removed = sum(change.is_removal for change in changes)
+    return f"{len(changes) - removed} written, {removed} removed"
+
+
+def _write(file: Path, text: str) -> None:
+    try:
+        file.write_text(text, encoding="utf-8")
+    except OSError as error:
+        fail(f"--json {file}: {error}")

@@ -1,0 +1,63 @@
+"""Where a command finds derivations, and where it writes what is generated from them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from mechproof.cli.console import refuse
+from mechproof.derivation import find_systems, packaged_directory
+
+RULE = (
+    "Derivations are those of --derivations DIR (or of ROOT/derivations with --root ROOT), else "
+    "those of the folder ./derivations if there is one, else those that come with the package. "
+    "What is generated from DIR lies in DIR/../generated."
+)
+
+
+@dataclass(frozen=True)
+class Places:
+    """A folder of derivations, the folder generated from it, and the options that name them."""
+
+    derivations: Path
+    generated: Path
+    options: str = ""
+
+    @property
+    def is_packaged(self) -> bool:
+        """Return whether the derivations are those that come with the package."""
+        return self.derivations.resolve() == packaged_directory().resolve()
+
+
+def find_places(derivations: Path | None, root: Path | None) -> Places:
+    """Apply the rule; an option that names no folder is refused."""
+    if derivations and root:
+        refuse("--derivations and --root: give one of them")
+    if root:
+        return _check(root / "derivations", f" --root {root}")
+    if derivations:
+        return _check(derivations, f" --derivations {derivations}")
+    here = Path("derivations")
+    return _check(here if here.is_dir() else packaged_directory(), "")
+
+
+def _check(derivations: Path, options: str) -> Places:
+    if not derivations.is_dir():
+        refuse(f"{options.strip()}: there is no folder {derivations}")
+    named = derivations if derivations.name.strip(".") else derivations.resolve()
+    return Places(derivations, named.parent / "generated", options)
+
+
+def find_location(name: str, directory: Path) -> Path:
+    """Return the place of a system of a folder, or of a file or a folder named by its path."""
+    systems = find_systems(directory)
+    if name in systems:
+        return systems[name]
+    path = Path(name)
+    if (path.suffix == ".py" and path.is_file()) or (path / "__init__.py").is_file():
+        return path
+    known = ", ".join(systems) or "none"
+    refuse(
+        f"{name!r} is neither a file FILE.py, nor a folder with an __init__.py, nor one of the "
+        f"systems of {directory}: {known}"
+    )

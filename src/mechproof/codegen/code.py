@@ -1,0 +1,59 @@
+"""Code of a kernel: what a backend prints of it and what reading its source must give back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mechproof.codegen.program import Operand, Program
+
+
+@dataclass(frozen=True)
+class Stage:
+    """One form in two programs: what the parameters alone decide, and the rest, point by point.
+
+    `when` is the condition on the parameters under which the stage is taken. `prepare` takes the
+    `parameters` and gives what `evaluate` takes after the `running` components. Of an affine stage
+    `prepare` gives a matrix row by row, then a shift; there is nothing left to evaluate.
+    """
+
+    when: Program | None
+    running: tuple[str, ...]
+    parameters: tuple[str, ...]
+    prepare: Program
+    evaluate: Program | None
+
+    @property
+    def affine(self) -> bool:
+        """Say whether the points are mapped by a matrix and a shift."""
+        return self.evaluate is None
+
+
+@dataclass(frozen=True)
+class KernelCode:
+    """The computing parts of a kernel.
+
+    `vectors` are arguments with components on their last axis, `indexed` those with axes that are
+    summed over, with their number. `inside` says where the parameters are in the domain; outside
+    the `masked` ones become NaN. `shape` is that of the result's last axes.
+    """
+
+    name: str
+    arguments: tuple[str, ...]
+    vectors: tuple[tuple[str, tuple[str, ...]], ...]
+    indexed: tuple[tuple[str, int], ...]
+    inside: Program | None
+    masked: tuple[str, ...]
+    stages: tuple[Stage, ...]
+    shape: tuple[int, ...]
+    quiet: bool
+
+    def count_operations(self) -> tuple[int, ...]:
+        """Count the operations of each stage."""
+        programs = [(s.prepare, *([s.evaluate] if s.evaluate else [])) for s in self.stages]
+        return tuple(sum(p.count_operations() for p in parts) for parts in programs)
+
+    def bind(self, stage: Stage) -> dict[str, Operand]:
+        """Return what the inputs of a stage's second program are in terms of its first."""
+        assert stage.evaluate is not None
+        given = (*stage.running, *stage.prepare.outputs)
+        return dict(zip(stage.evaluate.inputs, given, strict=True))

@@ -1,0 +1,213 @@
+"""Docstrings: in, a paper and its kernels; out, the lines of the documentation."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from textwrap import TextWrapper
+from types import MappingProxyType
+
+import sympy as sp
+
+from mechproof.codegen.domain import domain_relations, parameter_relations
+from mechproof.codegen.formula_text import chain_relations, write_formula
+from mechproof.codegen.kernel import Kernel, input_names, shape_of
+from mechproof.record import Accuracy, Argument, Paper, Quantity, Scale
+
+WIDTH = 92
+INDENT = "    "
+# Lines of a scale's formula; of a longer one the name alone is told.
+LONGEST_SCALE = 8
+# What holds for every kernel of a module.
+COMMON = (
+    "Arguments broadcast. The result is a NumPy scalar where they are scalars, an array otherwise; "
+    "float32 if every array argument is float32, float64 otherwise. `out`, an array of the "
+    "result's type and shape, takes the result; it may overlap an argument. Outside the domain "
+    "and where an argument is NaN the result is NaN.",
+    "TypeError: an argument is complex or not numeric, or `out` is no array of the result's type. "
+    "ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.",
+)
+EPS = "Accuracy is the bound of the error that the tests hold; eps = 2**-52."
+
+# What a rewrite does that a user may see.
+NOTES: Mapping[str, str] = MappingProxyType(
+    {
+        "small_arc": "There, where NumPy has no vector loop for tan, long arrays are computed by "
+        "polynomials: faster, and with other last bits than short ones."
+    }
+)
+
+
+def describe_module(paper: Paper, first_line: str, kernels: Iterable[Kernel]) -> tuple[str, ...]:
+    """Write the module's lines: what it holds, conventions, what all kernels share, scales."""
+    kernels = tuple(kernels)
+    bounds = [k.quantity.accuracy for k in kernels if k.is_shipped]
+    scales = [_define_scale(k) for k in kernels if k.is_shipped and _scale_of(k.quantity)]
+    paragraphs = [first_line, paper.citation, paper.conventions, *COMMON]
+    paragraphs += [EPS] if any(bounds) else []
+    lines = [line for p in paragraphs if p for line in (*_fill(p), "")]
+    short = (scale for scale in scales if len(scale) <= LONGEST_SCALE)
+    return (*lines, *(line for scale in short for line in (*scale, "")))
+
+
+def describe_kernel(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
+    """Write the lines of a function: formula, arguments, result, domain, accuracy, source."""
+    quantity = kernel.quantity
+    if not kernel.is_shipped:
+        return _describe_rival(kernel, paper)
+    return (
+        quantity.summary,
+        "",
+        *_formula(quantity.name, quantity.definition, quantity, paper),
+        *_section(
+            "Parameters", [line for a in quantity.arguments for line in _parameter(a, quantity)]
+        ),
+        *_section("Returns", _result(kernel)),
+        *_section("Notes", _paragraphs(_notes(kernel, paper))),
+    )
+
+
+def _describe_rival(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
+    quantity, (form,) = kernel.quantity, kernel.forms
+    notes = [f"{_sentence(form.note)}."] if form.note else []
+    notes += _approximations(kernel)
+    part = form.on or quantity.on
+    notes += [f"Domain as that of `{quantity.name}`" + (f", {part.text}." if part else ".")]
+    notes += [f"Source: {form.source}."] if form.source else []
+    return (
+        f"Compute `{quantity.name}` by another form: {form.name}.",
+        "",
+        *_formula(kernel.name, form.expression, quantity, paper),
+        "",
+        *_paragraphs(notes),
+    )
+
+
+def _scale_of(quantity: Quantity) -> Scale | None:
+    return quantity.accuracy.scale if quantity.accuracy else None
+
+
+def _define_scale(kernel: Kernel) -> list[str]:
+    scale, names = _scale_of(kernel.quantity), input_names(kernel.quantity)
+    assert scale is not None
+    shown = [f"{s} = {write_formula(value, names)}" for s, value in scale.where]
+    text = f"{scale.name} ({kernel.name}) = {write_formula(scale.expression, names)}"
+    return [line for item in (text, *shown) for line in _wrap_formula(item)]
+
+
+def _section(title: str, lines: list[str]) -> list[str]:
+    return ["", title, "-" * len(title), *lines]
+
+
+class _Wrapper(TextWrapper):
+    """Wraps at blanks; products longer than a line after their signs too."""
+
+    def _split(self, text: str) -> list[str]:
+        room = self.width - len(self.subsequent_indent)
+        return [part for chunk in super()._split(text) for part in _break_product(chunk, room)]
+
+
+def _break_product(text: str, room: int) -> list[str]:
+    return re.split(r"(?<=[^*][*/])(?=[^*])", text) if len(text) > room else [text]
+
+
+def _fill(text: str, indent: str = "", hanging: str = "") -> list[str]:
+    wrapper = _Wrapper(
+        WIDTH, initial_indent=indent, subsequent_indent=indent + hanging, break_long_words=False
+    )
+    return wrapper.wrap(text)
+
+
+def _wrap_formula(text: str) -> list[str]:
+    return _fill(text, INDENT, INDENT)
+
+
+def _paragraphs(notes: list[str]) -> list[str]:
+    return [line for i, note in enumerate(notes) for line in ([""] if i else []) + _fill(note)]
+
+
+def _formula(name: str, formula: sp.Basic, quantity: Quantity, paper: Paper) -> list[str]:
+    names = input_names(quantity)
+    given = {v.symbol: v.given for v in paper.variables if v.given is not None}
+    used = _find_given(formula, {s: g for s, g in given.items() if s not in names})
+    if isinstance(formula, sp.MatrixBase):
+        rows = [[write_formula(entry, names) for entry in row] for row in formula.tolist()]
+        shown = [f"[{', '.join(row)}]" for row in rows]
+    else:
+        shown = [f"{name} = {write_formula(formula, names)}"]
+    shown += [f"{s} = {write_formula(given[s], names)}" for s in used]
+    return [line for text in shown for line in _wrap_formula(text)]
+
+
+def _find_given(formula: sp.Basic, given: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Symbol]:
+    """List the given symbols that a formula needs, directly or through others."""
+    used: set[sp.Symbol] = set()
+    found = {s for s in given if formula.has(s)}
+    while found:
+        used |= found
+        found = {s for s in given if s not in used and any(given[u].has(s) for u in found)}
+    return [s for s in given if s in used]
+
+
+def _parameter(argument: Argument, quantity: Quantity) -> list[str]:
+    default = "" if argument.default is None else f", default {argument.default:g}"
+    return [
+        f"{argument.name} : array_like, {shape_of(argument, quantity)}{default}",
+        *_fill(f"{_sentence(argument.meaning)} ({_unit(argument.unit)}).", INDENT),
+    ]
+
+
+def _unit(unit: str) -> str:
+    return "pure number" if unit == "1" else unit
+
+
+def _sentence(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def _result(kernel: Kernel) -> list[str]:
+    trailing = ", ".join(map(str, kernel.code.shape))
+    head = f"ndarray, shape (..., {trailing})" if trailing else "ndarray or NumPy scalar"
+    return [f"{head} ({_unit(kernel.quantity.unit)})"]
+
+
+def _notes(kernel: Kernel, paper: Paper) -> list[str]:
+    quantity, names = kernel.quantity, input_names(kernel.quantity)
+    domain, checked = domain_relations(quantity, paper), parameter_relations(quantity, paper)
+    part = f" ({quantity.on.text})" if quantity.on else ""
+    limits = chain_relations([write_formula(r, names) for r in domain])
+    skipped = [write_formula(r, names) for r in domain if r not in checked]
+    tail = f"; {', '.join(skipped)} is not checked" if skipped else ""
+    notes = [f"Domain: {', '.join(limits) or 'all real arguments'}{part}{tail}."]
+    notes += [
+        f"Singular: {write_formula(s.equation, names)}" + (f", {s.text}." if s.text else ".")
+        for s in quantity.singular
+        if s.text
+    ]
+    notes += [f"{_sentence(remark)}." for remark in quantity.remarks]
+    notes += _approximations(kernel)
+    for form in kernel.forms[:-1]:
+        assert form.when is not None
+        notes.append(
+            f"Where {write_formula(form.when, names)} for all elements, {form.name} is computed."
+        )
+    notes += [NOTES[name] for form in kernel.forms for name in form.rewrites if name in NOTES]
+    notes += [_promise(quantity.accuracy, names)] if quantity.accuracy else []
+    return [*notes, f"Source: {quantity.source}."]
+
+
+def _approximations(kernel: Kernel) -> list[str]:
+    names = input_names(kernel.quantity)
+    return [
+        f"Approximation, {form.name}: |result - exact| <= {write_formula(form.bound, names)}, "
+        "rounding apart."
+        for form in kernel.forms
+        if form.bound is not None
+    ]
+
+
+def _promise(accuracy: Accuracy, names: Mapping[sp.Basic, str]) -> str:
+    of = accuracy.scale.name if accuracy.scale else "the value"
+    within = " and ".join(write_formula(r, names) for r in accuracy.within)
+    where = f", where {within}" if within else ""
+    return f"Accuracy: {accuracy.ulp:g} eps of {of}{where}."

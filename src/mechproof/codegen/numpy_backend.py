@@ -1,0 +1,204 @@
+"""NumPy backend: in, a paper; out, formatted source. Templates hold layout only."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+import jinja2
+import sympy as sp
+from jinja2 import meta
+
+from mechproof.codegen.code import Stage
+from mechproof.codegen.docstrings import describe_kernel, describe_module
+from mechproof.codegen.facts import Condition, Sizes, list_conditions, list_sizes
+from mechproof.codegen.kernel import Kernel, list_functions
+from mechproof.codegen.numpy_syntax import Text, write_program
+from mechproof.codegen.polynomials import Rational, fit_arctangent, fit_tangent
+from mechproof.codegen.program import Program
+from mechproof.record import Form, Paper
+
+TEMPLATES = Path(__file__).parent / "templates"
+LINE_LENGTH = 100
+SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "arrays": (
+            "as_floats",
+            "check_components",
+            "choose_where",
+            "holds",
+            "in_blocks",
+            "is_finite",
+            "nan_outside",
+            "split_components",
+            "store",
+            "sum_axes",
+            "transform",
+        ),
+        "error_free": (
+            "product_rest",
+            "quotient_rest",
+            "single",
+            "small_tangent",
+            "sum_rest",
+            "whole_turns_off",
+        ),
+        "facts": ("Condition", "Sizes"),
+        "polynomials": ("small_arctan", "tangent_quotient"),
+    }
+)
+# Constants that functions of the support package take as their last argument.
+FITS: Mapping[str, tuple[str, Callable[[], Rational]]] = MappingProxyType(
+    {
+        "TANGENT": ("tan(r/2)/r in powers of r**2", fit_tangent),
+        "ARCTANGENT": ("(atan(y)/y - 1)/y**2 in powers of y**2", fit_arctangent),
+    }
+)
+RESERVED = frozenset({"np", "inside", "out", *FITS, *(n for ns in SUPPORT.values() for n in ns)})
+
+
+@dataclass(frozen=True)
+class StageText:
+    """What is printed of a stage."""
+
+    form: Form
+    operations: int
+    suffix: str
+    when: str
+    code: Stage
+    prepare: Text
+    evaluate: Text
+
+
+@dataclass(frozen=True)
+class KernelText:
+    """What is printed of a kernel."""
+
+    kernel: Kernel
+    docstring: tuple[str, ...]
+    inside: str
+    stages: tuple[StageText, ...]
+
+
+def render_modules(paper: Paper) -> dict[str, str]:
+    """Render the modules of a paper by their file names: its kernels, and their rival forms."""
+    system, functions = paper.system, list_functions(paper)
+    kernels = tuple(f for f in functions if f.is_shipped)
+    rivals = tuple(f for f in functions if not f.is_shipped)
+    modules: dict[str, str] = {}
+    if kernels:
+        facts = list_conditions(paper), list_sizes(paper)
+        text = describe_module(paper, f"Kernels of the system `{system}`.", kernels)
+        modules[f"{system}.py"] = _render(paper, text, kernels, *facts)
+    if rivals:
+        text = describe_module(paper, f"Other forms of the kernels of `{system}`.", rivals)
+        modules[f"forms/{system}.py"] = _render(paper, text, rivals, (), ())
+    return modules
+
+
+def _render(
+    paper: Paper,
+    docstring: tuple[str, ...],
+    kernels: tuple[Kernel, ...],
+    conditions: tuple[Condition, ...],
+    sizes: tuple[Sizes, ...],
+) -> str:
+    data: dict[str, object] = {
+        "docstring": docstring,
+        "system": paper.system,
+        "sympy_version": sp.__version__,
+        "kernels": [write_kernel(kernel, paper) for kernel in kernels],
+        "conditions": conditions,
+        "sizes": sizes,
+        "support": {},
+        "constants": [],
+    }
+    # What the body names is imported.
+    body = render_template("numpy_module.py.jinja", data)
+    data["support"] = {
+        file: used
+        for file, names in SUPPORT.items()
+        if (used := [name for name in names if f"{name}(" in body])
+    }
+    data["constants"] = [
+        (name, meaning, fit()) for name, (meaning, fit) in FITS.items() if name in body
+    ]
+    return format_source(render_template("numpy_module.py.jinja", data))
+
+
+def write_kernel(kernel: Kernel, paper: Paper) -> KernelText:
+    """Write the texts of a kernel.
+
+    Raises ValueError if a name in it means something else in the module.
+    """
+    code, stages = kernel.code, []
+    counts = zip(kernel.forms, code.stages, code.count_operations(), strict=True)
+    for number, (form, stage, operations) in enumerate(counts):
+        last = number == len(code.stages) - 1
+        _check_reserved(kernel.name, stage)
+        stages.append(
+            StageText(
+                form,
+                operations,
+                "" if last else f"_{number + 1}",
+                _write_condition(stage.when),
+                stage,
+                write_program(stage.prepare),
+                write_program(stage.evaluate) if stage.evaluate else Text((), ()),
+            )
+        )
+    return KernelText(
+        kernel, describe_kernel(kernel, paper), _write_condition(code.inside), tuple(stages)
+    )
+
+
+def _write_condition(program: Program | None) -> str:
+    if program is None:
+        return ""
+    (text,) = write_program(program).outputs
+    return text
+
+
+def _check_reserved(name: str, stage: Stage) -> None:
+    programs = (stage.prepare, *([stage.evaluate] if stage.evaluate else []))
+    used = {n for p in programs for n in (*p.inputs, *(o.result for o in p.operations))}
+    if taken := sorted(used & RESERVED):
+        raise ValueError(f"{name}: {taken} cannot name variables of a kernel")
+
+
+def render_init(text: str) -> str:
+    """Render the file of a package."""
+    return format_source(render_template("numpy_package.py.jinja", {"text": text}))
+
+
+def render_template(name: str, data: Mapping[str, object], folder: Path = TEMPLATES) -> str:
+    """Lay out `data`; ValueError unless the template asks for exactly its keys."""
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(folder),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+    text = (folder / name).read_text(encoding="utf-8")
+    asked = meta.find_undeclared_variables(environment.parse(text))
+    if asked != set(data):
+        raise ValueError(f"template {name}: asks for {sorted(asked)}, is given {sorted(data)}")
+    return environment.from_string(text).render(data)
+
+
+def format_source(source: str) -> str:
+    """Format with `ruff format`; ValueError with the formatter's message if it is not Python."""
+    command = [sys.executable, "-m", "ruff", "format", "--isolated", "--target-version", "py311"]
+    arguments = ["--line-length", str(LINE_LENGTH), "--stdin-filename", "kernel.py", "-"]
+    done = subprocess.run(
+        [*command, *arguments], input=source, capture_output=True, text=True, encoding="utf-8"
+    )
+    if done.returncode:
+        raise ValueError(f"the formatter rejects the generated source: {done.stderr.strip()}")
+    return done.stdout

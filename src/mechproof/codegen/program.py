@@ -1,0 +1,128 @@
+"""Programs: single operations in a fixed order, between mathematics and syntax.
+
+What a form computes is decided here: which operation is rounded after which. Proofs, operation
+counts and every backend read programs; a printer only spells them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+
+import sympy as sp
+
+# A result, an input or a constant by its name, or a number that is a double.
+Operand = str | int | float
+# The result of an operation that is used once and has no name of its own.
+TEMPORARY = "_"
+
+
+@dataclass(frozen=True)
+class Operation:
+    """One operation: the name of its result, its kind in `MEANINGS`, its operands."""
+
+    result: str
+    kind: str
+    operands: tuple[Operand, ...]
+
+
+@dataclass(frozen=True)
+class Program:
+    """Inputs, operations each of which uses inputs and results before it, and outputs."""
+
+    inputs: tuple[str, ...]
+    operations: tuple[Operation, ...]
+    outputs: tuple[Operand, ...]
+
+    def normal_form(self) -> Program:
+        """Return the program in the order of its text, temporaries numbered in that order.
+
+        Equal programs become equal objects: a temporary stands right before what uses it.
+        """
+        names: dict[Operand, str] = {}
+        operations = []
+        for step in self._list_as_read():
+            operands = tuple(names.get(operand, operand) for operand in step.operands)
+            if step.result.startswith(TEMPORARY):
+                names[step.result] = f"{TEMPORARY}{len(names) + 1}"
+            result = names.get(step.result, step.result)
+            operations.append(Operation(result, step.kind, operands))
+        outputs = tuple(names.get(output, output) for output in self.outputs)
+        return replace(self, operations=tuple(operations), outputs=outputs)
+
+    def _list_as_read(self) -> tuple[Operation, ...]:
+        made = {step.result: step for step in self.operations}
+        listed: dict[Operand, Operation] = {}
+
+        def visit(operand: Operand) -> None:
+            if operand in made and operand not in listed:
+                step = made[str(operand)]
+                for used in step.operands:
+                    visit(used)
+                listed[operand] = step
+
+        named = [result for result in made if not result.startswith(TEMPORARY)]
+        for operand in (*named, *self.outputs):
+            visit(operand)
+        return tuple(listed.values())
+
+    def count_operations(self) -> int:
+        """Count the operations that compute; views of arrays do not."""
+        return sum(step.kind not in VIEWS for step in self.operations)
+
+
+def _rest_of_quotient(a: sp.Expr, b: sp.Expr, q: sp.Expr) -> sp.Expr:
+    return a / b - q
+
+
+# What each kind of operation is exactly.
+MEANINGS: Mapping[str, Callable[..., sp.Basic]] = MappingProxyType(
+    {
+        "add": lambda a, b: a + b,
+        "subtract": lambda a, b: a - b,
+        "multiply": lambda a, b: a * b,
+        "divide": lambda a, b: a / b,
+        "negate": lambda a: -a,
+        "square": lambda a: a**2,
+        "power": lambda a, b: a**b,
+        "sqrt": sp.sqrt,
+        "sin": sp.sin,
+        "cos": sp.cos,
+        "tan": sp.tan,
+        "arcsin": sp.asin,
+        "arccos": sp.acos,
+        "arctan": sp.atan,
+        "arctan2": sp.atan2,
+        "exp": sp.exp,
+        "log": sp.log,
+        "hypot": lambda a, b: sp.sqrt(a**2 + b**2),
+        "absolute": sp.Abs,
+        "floor": sp.floor,
+        "sign": sp.sign,
+        "maximum": sp.Max,
+        "choose": lambda condition, a, b: sp.Piecewise((a, condition), (b, True)),
+        "less": sp.Lt,
+        "less_equal": sp.Le,
+        "greater": sp.Gt,
+        "greater_equal": sp.Ge,
+        "equal": sp.Eq,
+        "both": sp.And,
+        "product_rest": lambda a, b, p: a * b - p,
+        "sum_rest": lambda a, b, s: a + b - s,
+        "quotient_rest": _rest_of_quotient,
+        "small_tangent": sp.tan,
+        "tangent_quotient": lambda y, a, b: sp.tan(y) / (a + b * sp.tan(y) ** 2),
+        "small_arctan": sp.atan,
+        "single": lambda a: a,
+        "whole_turns_off": lambda a: a,
+    }
+)
+# Constants by names that no input can have.
+CONSTANTS: Mapping[str, sp.Basic] = MappingProxyType(
+    {"#pi": sp.pi, "#e": sp.E, "#inf": sp.oo, "#nan": sp.nan}
+)
+# Views of an input with axes that are summed over: a vector along the first or the last of two, a
+# matrix transposed, its diagonal; and what reduces one or two axes.
+VIEWS = ("along_first", "along_last", "transpose", "diagonal")
+REDUCTIONS = ("sum", "every")

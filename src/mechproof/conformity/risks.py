@@ -1,0 +1,181 @@
+"""Exact shares of parts, risks of one measured value, and shares counted in a simulation."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from mechproof.conformity.checks import require, require_finite, require_law, require_pair
+from mechproof.conformity.laws import LAWS, Law, Normal, parameters, select
+from mechproof.conformity.normal import normal_masses
+from mechproof.conformity.quadrature import law_masses
+from mechproof.conformity.windows import Array
+
+Limits = tuple[ArrayLike, ArrayLike]
+
+NORMAL_CHUNK = 5120  # parameter sets at a time: temporaries that the heap keeps
+LAW_CHUNK = 32  # parameter sets at a time, up to some 1 MB each
+LEVEL = 0.95  # of the one-sided bounds of a simulated share
+
+
+@dataclass(frozen=True, eq=False)
+class Shares:
+    """The four shares of parts; arrays of the broadcast shape, or NumPy scalars."""
+
+    rightly_accepted: Any
+    wrongly_accepted: Any
+    rightly_rejected: Any
+    wrongly_rejected: Any
+
+
+@dataclass(frozen=True, eq=False)
+class SimulatedShares(Shares):
+    """Shares counted among `count` simulated parts, with their uncertainty.
+
+    `standard_error` is the binomial sqrt(p (1 - p) / count), NaN where no part or every part fell
+    in a share: the estimate 0 would be false there. `lower` and `upper` are one-sided bounds, each
+    at the 95 % level (Clopper and Pearson); for no part in `count`, `upper` is close to 3/count.
+    """
+
+    count: int
+    standard_error: Shares
+    lower: Shares
+    upper: Shares
+
+
+def shares(true: Law, error: Law, tolerance: Limits, acceptance: Limits | None = None) -> Shares:
+    """Exact shares of rightly and wrongly accepted and rejected parts.
+
+    `true` is the law of the true deviation, `error` that of the measurement error (its mean is
+    the bias); `tolerance` and `acceptance` are (lower, upper), in the same unit, infinite for a
+    one-sided limit; without `acceptance` the tolerance limits are used (simple acceptance). All
+    parameters broadcast. Where one is NaN, so are the shares.
+
+    Accuracy: for two normal laws every share that is above 1e-100 is right to a relative 1e-12,
+    however small it is beside the others; for other laws to 1e-12 as long as the widths of both
+    laws and windows and the distances between them lie within a factor of 1000.
+    A law of width 0 is a fixed value.
+
+    Raises ValueError for a lower limit that is not below the upper one and finite numbers beyond
+    1e150, TypeError for what is no law, no pair, no real number, or has a mask or a unit.
+
+    Source: paper on tooth thickness, algorithm steps 1-10; JCGM 106:2012, 9.5.
+    """
+    for name, law in (("true", true), ("error", error)):
+        require_law(name, law, *LAWS)
+    limits = _check_limits(tolerance, acceptance)
+    inputs = [*parameters(true), *parameters(error), *limits]
+    shape = np.broadcast_shapes(*(p.shape for p in inputs))
+    missing = np.any(np.broadcast_arrays(*map(np.isnan, inputs)), axis=0)
+    flat = [np.broadcast_to(p, shape).reshape(-1) for p in limits]
+    both_normal = isinstance(true, Normal) and isinstance(error, Normal)
+    chunk = NORMAL_CHUNK if both_normal else LAW_CHUNK
+    masses = np.empty((4, flat[0].size))
+    for start in range(0, flat[0].size, chunk):
+        part = slice(start, start + chunk)
+        laws = select(true, shape, part), select(error, shape, part)
+        windows = np.stack([p[part] for p in flat[:2]]), np.stack([p[part] for p in flat[2:]])
+        masses[:, part] = _masses(*laws, *windows)
+    return Shares(*(np.where(missing, np.nan, m.reshape(shape))[()] for m in masses))
+
+
+def _masses(
+    true: Law, error: Law, tolerance: Array, acceptance: Array
+) -> tuple[Array, Array, Array, Array]:
+    """Masses of flat parameter sets: in closed form and arc integrals if both laws are normal."""
+    if isinstance(true, Normal) and isinstance(error, Normal):
+        return normal_masses(true, error, tolerance, acceptance)
+    return law_masses(true, error, tolerance, acceptance)
+
+
+def conformance_probability(
+    measured: ArrayLike, true: Normal, error: Normal, tolerance: Limits
+) -> tuple[Any, Any]:
+    """Probabilities that a part with this measured value conforms, and that it does not.
+
+    The first is the conformance probability. The second is the specific consumer's risk if the
+    part is accepted; the first is the specific producer's risk if it is rejected. Both come from
+    the normal law of Y given Y + E = measured, each relatively accurate to 1e-12 down to 1e-20.
+    Arguments and errors as in `shares`.
+
+    Source: JCGM 106:2012, 7.2 and 9.3.
+    """
+    for name, law in (("true", true), ("error", error)):
+        require_law(name, law, Normal)
+    low, high = require_pair("tolerance", tolerance)
+    rho = np.hypot(true.std, error.std)
+    with np.errstate(invalid="ignore"):
+        gain = np.where(rho == 0, 0.0, np.asarray(true.std) / rho)
+        spread = np.where(rho == 0, 0.0, np.asarray(error.std) / rho)
+    surprise = require_finite("measured", measured) - true.mean - error.mean
+    given = Normal(true.mean + gain**2 * surprise, np.asarray(true.std) * spread)
+    return given.probability(low, high), given.outside(low, high)
+
+
+def simulate_shares(
+    true: Law,
+    error: Law | Sequence[Law],
+    tolerance: Limits,
+    acceptance: Limits | None = None,
+    *,
+    rng: np.random.Generator,
+    count: int,
+    chunk: int = 1 << 18,
+) -> SimulatedShares:
+    """Shares among `count` simulated parts of every parameter set.
+
+    Arguments as in `shares`; several error laws are independent errors that add up. Some `chunk`
+    values are held at a time (at least one per parameter set), whatever the count. Raises
+    ValueError for a count or chunk below 1 and for reversed limits.
+
+    Source: paper on tooth thickness, algorithm steps 1-10.
+    """
+    require(count >= 1, "count", count, "must be at least 1")
+    require(chunk >= 1, "chunk", chunk, "must be at least 1")
+    errors = [error] if isinstance(error, LAWS) else list(error)
+    require_law("true", true, *LAWS)
+    for i, law in enumerate(errors):
+        require_law(f"error[{i}]", law, *LAWS)
+    low, high, low_accepted, high_accepted = limits = _check_limits(tolerance, acceptance)
+    inputs = [p for law in (true, *errors) for p in parameters(law)] + list(limits)
+    shape = np.broadcast_shapes(*(p.shape for p in inputs))
+    missing = np.any(np.broadcast_arrays(*map(np.isnan, inputs)), axis=0)
+    parts = max(1, chunk // max(1, int(np.prod(shape))))
+    counts = np.zeros((4, *shape))
+    for start in range(0, count, parts):
+        size = (min(parts, count - start), *shape)
+        value = true.sample(rng, size)
+        measured = value + sum(law.sample(rng, size) for law in errors)
+        conforms = (low < value) & (value < high)
+        accepted = (low_accepted < measured) & (measured < high_accepted)
+        outcomes = (conforms & accepted, ~conforms & accepted, ~conforms & ~accepted)
+        counts[:3] += [outcome.sum(axis=0) for outcome in outcomes]
+    counts[3] = count - counts[:3].sum(axis=0)
+    return _estimate(np.where(missing, np.nan, counts), count)
+
+
+def _estimate(counts: Array, count: int) -> SimulatedShares:
+    """Shares, binomial standard errors and Clopper-Pearson bounds of the counts (axis 0)."""
+    from scipy.special import betaincinv
+
+    share, other = counts / count, count - counts
+    within = (counts > 0) & (other > 0)
+    deviation = np.where(within, np.sqrt(share * (1 - share) / count), np.nan)
+    lower = np.where(counts == 0, 0.0, betaincinv(counts, other + 1, 1 - LEVEL))
+    upper = np.where(other == 0, 1.0, betaincinv(counts + 1, other, LEVEL))
+    four = [Shares(*(v[()] for v in values)) for values in (deviation, lower, upper)]
+    right, wrong, rightly_out, wrongly_out = (v[()] for v in share)
+    return SimulatedShares(right, wrong, rightly_out, wrongly_out, count, *four)
+
+
+def _check_limits(tolerance: Limits, acceptance: Limits | None) -> list[Array]:
+    """Lower and upper tolerance limit, lower and upper acceptance limit."""
+    accepted = tolerance if acceptance is None else acceptance
+    return [
+        *require_pair("tolerance", tolerance),
+        *require_pair("acceptance", accepted),
+    ]

@@ -1,0 +1,166 @@
+"""Draws of arguments: usual sizes, published ones and their limits, wide ones, ladders."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import sympy as sp
+
+from mechproof.lab.facts import FEWEST, WIDE, Facts
+from mechproof.lab.method import Array
+from mechproof.lab.roots import Columns
+from mechproof.record import Argument
+
+Rng = np.random.Generator
+Draw = Callable[[Rng, int], Columns]
+BATCHES, HOPELESS = 8, 1
+# A size of which nothing is known lies about one.
+UNKNOWN = (0.1, 10.0)
+MOST_COUNTED = 1e6
+# Of a range from zero on, the logarithm is drawn down to this part of its end.
+SMALL = 1e-6
+EPS = float(np.finfo(float).eps)
+
+
+def draw_inside(facts: Facts, rng: Rng, count: int, draw: Draw) -> Columns:
+    """Draw until `count` points lie in the domain, or none at first; the others are dropped."""
+    kept: list[Columns] = []
+    found = 0
+    for batch in range(BATCHES):
+        kept.append(_keep_inside(facts, draw(rng, max(count - found, facts.part(FEWEST)))))
+        found += count_points(kept[-1])
+        if found >= count or (found == 0 and batch >= HOPELESS):
+            break
+    return {s: np.concatenate([k[s] for k in kept])[:count] for s in facts.symbols}
+
+
+def _keep_inside(facts: Facts, columns: Columns) -> Columns:
+    inside = facts.region.mark_inside(columns)
+    return {s: columns[s][inside] for s in facts.symbols}
+
+
+def count_points(columns: Columns) -> int:
+    """Count the points."""
+    return len(next(iter(columns.values())))
+
+
+def draw_mixed(facts: Facts, rng: Rng, count: int) -> Columns:
+    """Draw each point in one of the ways: usual, published, published and off a little, wide."""
+    ways = draw_usual, draw_published, draw_about_published, draw_wide
+    tables = [way(facts, rng, count) for way in ways]
+    chosen = rng.integers(0, len(ways), count)
+    return {s: np.choose(chosen, [table[s] for table in tables]) for s in facts.symbols}
+
+
+def draw_usual(facts: Facts, rng: Rng, count: int) -> Columns:
+    """Draw from the ranges between usual edges; published sizes for arguments without."""
+    columns = dict(draw_published(facts, rng, count))
+    for argument in facts.arguments:
+        if argument.usual:
+            edges = np.array(argument.usual)
+            which = rng.integers(0, len(edges) - 1, count)
+            sizes = draw_sizes(rng, edges[which], edges[which + 1], _find_beyond(facts, argument))
+            columns |= _point_any_way(facts, rng, argument.symbols, sizes)
+    return columns
+
+
+def draw_sizes(rng: Rng, low: Array, high: Array, beyond: float = np.inf) -> Array:
+    """Draw sizes between limits: evenly, by the logarithm, toward a place beyond, at the ends."""
+    count = len(low)
+    floor = np.where(low > 0, low, high * SMALL)
+    ways = [rng.uniform(low, high), np.exp(rng.uniform(np.log(floor), np.log(high)))]
+    if np.isfinite(beyond):
+        nearest = np.maximum(beyond - high, EPS)
+        ways.append(beyond - np.exp(rng.uniform(np.log(nearest), np.log(beyond - low))))
+    sizes = np.choose(rng.integers(0, len(ways), count), ways)
+    ends = np.where(rng.random(count) < 0.5, low, high)
+    return np.where(rng.random(count) < 0.05, ends, np.clip(sizes, low, high))
+
+
+def _find_beyond(facts: Facts, argument: Argument) -> float:
+    """Return the place next to the largest usual size, infinite without one."""
+    known = facts.own_places[argument.symbols[0]] if len(argument.symbols) == 1 else []
+    return min((p for p in known if p >= argument.usual[-1]), default=np.inf)
+
+
+def _point_any_way(facts: Facts, rng: Rng, symbols: tuple[sp.Symbol, ...], sizes: Array) -> Columns:
+    """Give sizes a sign, or a direction: any, along axes and diagonals, parts of unlike size."""
+    count = len(sizes)
+    if len(symbols) == 1:
+        return {symbols[0]: sign_randomly(facts, rng, symbols[0], sizes)}
+    shape = (count, len(symbols))
+    ways = (
+        rng.uniform(-1, 1, shape),
+        rng.choice([-1.0, 0.0, 1.0], shape),
+        rng.choice([-1.0, 1.0], shape),
+        rng.choice([-1.0, 1.0], shape) * 10 ** rng.uniform(-12, 0, shape),
+    )
+    direction = np.choose(rng.integers(0, len(ways), (count, 1)), ways)
+    largest = np.max(np.abs(direction), axis=1, keepdims=True)
+    direction = direction / np.where(largest > 0, largest, 1) * sizes[:, np.newaxis]
+    return dict(zip(symbols, direction.T, strict=True))
+
+
+def sign_randomly(facts: Facts, rng: Rng, symbol: sp.Symbol, sizes: Array) -> Array:
+    """Give sizes both signs where the domain has both; whole numbers for counts."""
+    if facts.region.is_count(symbol):
+        return np.rint(sizes)
+    low, high = facts.region.ends(symbol)
+    if low >= 0 or high <= 0:
+        return sizes if low >= 0 else -sizes
+    signed: Array = sizes * rng.choice([-1.0, 1.0], len(sizes))
+    return signed
+
+
+def draw_published(facts: Facts, rng: Rng, count: int) -> Columns:
+    """Draw published sizes, nominal or at a limit; what is not printed is of any usual size."""
+    rows = rng.integers(0, max(1, len(facts.printed)), count)
+    return {symbol: _draw_printed(facts, rng, symbol, rows) for symbol in facts.symbols}
+
+
+def _draw_printed(facts: Facts, rng: Rng, symbol: sp.Symbol, rows: Array) -> Array:
+    """Draw a size of the row, of any row that has the symbol, or between usual ends."""
+    count = len(rows)
+    anywhere = [size for row in facts.printed for size in row.get(symbol, ())]
+    if not anywhere:
+        edges = facts.usual.get(symbol, UNKNOWN)
+        low, high = np.full(count, edges[0]), np.full(count, edges[-1])
+        return sign_randomly(facts, rng, symbol, draw_sizes(rng, low, high))
+    column = rng.choice(anywhere, count)
+    for number, row in enumerate(facts.printed):
+        if symbol in row:
+            column = np.where(rows == number, rng.choice(row[symbol], count), column)
+    return column
+
+
+def draw_about_published(facts: Facts, rng: Rng, count: int) -> Columns:
+    """Draw published sizes off by up to 2 %, or by half."""
+    columns = draw_published(facts, rng, count)
+    spread = rng.choice([0.02, 0.5], count)
+    return {
+        s: np.rint(c) if facts.region.is_count(s) else c * (1 + rng.uniform(-1, 1, count) * spread)
+        for s, c in columns.items()
+    }
+
+
+def draw_wide(facts: Facts, rng: Rng, count: int) -> Columns:
+    """Draw all that the sets allow: bounded ones whole and toward both ends, others by decades."""
+    columns = dict(draw_usual(facts, rng, count))
+    for symbol, column in columns.items():
+        low, high = facts.region.ends(symbol)
+        if facts.region.is_count(symbol):
+            columns[symbol] = np.rint(10 ** rng.uniform(0, np.log10(MOST_COUNTED), count))
+        elif np.isfinite([low, high]).all():
+            columns[symbol] = _draw_bounded(rng, count, low, high)
+        elif symbol not in facts.usual:
+            columns[symbol] = column * WIDE ** rng.uniform(-1, 1, count)
+    return columns
+
+
+def _draw_bounded(rng: Rng, count: int, low: float, high: float) -> Array:
+    width = high - low
+    near = width * 10 ** rng.uniform(-16, 0, count)
+    return np.choose(
+        rng.integers(0, 3, count), [rng.uniform(low, high, count), low + near, high - near]
+    )

@@ -1,0 +1,126 @@
+"""What the derivation states of a quantity, as far as points are made from it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import sympy as sp
+
+from mechproof.lab.method import Arguments, Array
+from mechproof.lab.region import Region
+from mechproof.lab.roots import Columns, Place
+from mechproof.proof.domain import Domain
+from mechproof.record import Argument, Published, Singular, Toleranced
+
+# Sizes are drawn so many times smaller and larger than the usual and published ones.
+WIDE = 1e3
+# A set that keeps fewer points of its domain says nothing.
+FEWEST = 16
+
+
+@dataclass(frozen=True)
+class Facts:
+    """Arguments with their usual sizes, where they are allowed, where it hurts, what is printed.
+
+    Of every set the part `share` is drawn.
+    """
+
+    arguments: tuple[Argument, ...]
+    domain: Domain
+    singular: tuple[Singular, ...] = ()
+    published: tuple[Published, ...] = ()
+    share: float = 1.0
+
+    def part(self, count: int) -> int:
+        """Return how many of so many points are drawn."""
+        return max(1, round(count * self.share))
+
+    @cached_property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """List the symbols of all arguments in order."""
+        return tuple(symbol for argument in self.arguments for symbol in argument.symbols)
+
+    @cached_property
+    def region(self) -> Region:
+        """Return where the arguments may lie."""
+        return Region(self.symbols, self.domain)
+
+    @cached_property
+    def usual(self) -> Mapping[sp.Symbol, tuple[float, ...]]:
+        """Return the usual sizes of the symbols that have some."""
+        return {s: a.usual for a in self.arguments for s in a.symbols if a.usual}
+
+    @cached_property
+    def printed(self) -> tuple[Mapping[sp.Symbol, tuple[float, ...]], ...]:
+        """Return the published sizes as doubles: nominal, lower and upper limit."""
+        rows = [{s: v for s, v in p.sizes.items() if s in self.symbols} for p in self.published]
+        return tuple({s: _list_limits(v) for s, v in row.items()} for row in rows if row)
+
+    @cached_property
+    def singular_places(self) -> tuple[Place, ...]:
+        """Return where it is singular, as equations of the arguments.
+
+        Raises ValueError for an equation in which no argument occurs, or another symbol.
+        """
+        return tuple(self._place(row) for row in self.singular)
+
+    def _place(self, row: Singular) -> Place:
+        written_out = self.domain.resolve(row.equation)
+        place = Place(written_out.lhs - written_out.rhs, row.text or str(row.equation))
+        own, others = place.split(self.symbols)
+        if not own or not all(s.is_integer for s in others):
+            raise ValueError(f"singular set {row.equation}: {others} are no arguments or integers")
+        return place
+
+    @cached_property
+    def edges(self) -> tuple[Place, ...]:
+        """Return the edges of the domain."""
+        return tuple(Place(gap, f"edge {sp.Eq(gap, 0)}") for gap in self.region.edges)
+
+    @cached_property
+    def places(self) -> tuple[Place, ...]:
+        """Return singular places, then edges that are none of them."""
+        known = {place.gap for place in self.singular_places}
+        others = [e for e in self.edges if e.gap not in known and -e.gap not in known]
+        return (*self.singular_places, *others)
+
+    @cached_property
+    def own_places(self) -> Mapping[sp.Symbol, list[float]]:
+        """Return the numbers at which a place lies whatever the other arguments are."""
+        return {symbol: self._list_own_places(symbol) for symbol in self.symbols}
+
+    def _list_own_places(self, symbol: sp.Symbol) -> list[float]:
+        gaps = [sp.expand(p.gap) for p in self.places if p.gap.free_symbols == {symbol}]
+        slopes = [(gap, sp.diff(gap, symbol)) for gap in gaps]
+        return sorted(float(-gap.subs(symbol, 0) / s) for gap, s in slopes if s in (1, -1))
+
+    def mark_in_reach(self, symbol: sp.Symbol, values: Array, *, recurring: bool) -> Array:
+        """Mark sizes that are not far beyond the usual and the published ones.
+
+        Of roots that recur for ever those beyond the usual sizes are left out; other roots may
+        follow the rest of the arguments toward zero.
+        """
+        known = [size for row in self.printed for size in row.get(symbol, ()) if size]
+        known += [edge for edge in self.usual.get(symbol, ()) if edge > 0]
+        sizes = np.abs(known or [1.0])
+        low, high = self.region.ends(symbol)
+        # Of a size that is positive and unbounded zero is as far away as infinity.
+        least = sizes.min() / WIDE if recurring and low == 0 and np.isinf(high) else 0.0
+        most = sizes.max() * (1 if recurring else WIDE)
+        inside: Array = (np.abs(values) >= least) & (np.abs(values) <= most)
+        return inside
+
+    def pack(self, columns: Columns) -> Arguments:
+        """Return the arguments, components of vectors on the last axis."""
+        grouped = ([columns[s] for s in a.symbols] for a in self.arguments)
+        return tuple(g[0] if len(g) == 1 else np.stack(g, axis=-1) for g in grouped)
+
+
+def _list_limits(size: sp.Expr | Toleranced) -> tuple[float, ...]:
+    if not isinstance(size, Toleranced):
+        return (float(size),)
+    ends = (0, size.lower, size.upper)
+    return tuple(dict.fromkeys(float(size.nominal + end) for end in ends))

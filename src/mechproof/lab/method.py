@@ -1,0 +1,156 @@
+"""Methods: every way of computing a quantity, as a function, with the rows that decide on it."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from mechproof.codegen.evaluation import entries
+from mechproof.codegen.kernel import name_rival
+from mechproof.measured import Kind
+from mechproof.proof.domain import Domain
+from mechproof.record import Peer, Quantity, Row
+
+Array = NDArray[Any]
+Arguments = tuple[Array, ...]
+Compute = Callable[..., Any]
+
+# What SymPy's NumPy printer has no array code for.
+BEYOND_LAMBDIFY = (sp.Sum, sp.Integral, sp.Indexed)
+
+
+@dataclass(frozen=True)
+class Method:
+    """One way of computing a quantity.
+
+    `rows` of the ledger say what its source computes; a peer has none, nothing is proved of it.
+    `key` ends the name of its function, empty for the kernel and for peers.
+    """
+
+    name: str
+    compute: Compute
+    kind: Kind
+    rows: tuple[Row, ...] = ()
+    bound: sp.Expr | None = None
+    ordered: bool = False
+    slow: bool = False
+    key: str = ""
+    note: str = ""
+
+
+def list_methods(
+    quantity: Quantity,
+    domain: Domain,
+    rows: Iterable[Row],
+    modules: tuple[ModuleType | None, ModuleType | None],
+    peers: tuple[Peer, ...],
+) -> tuple[Method, ...]:
+    """List the kernel, its rival forms, peers, and what SymPy prints; the shipped one first.
+
+    `modules` are those of the kernels and of their rival forms.
+    """
+    rows = tuple(rows)
+    ours = [peer for peer in peers if peer.ours]
+    others = [peer for peer in peers if not peer.ours]
+    kernels, forms = modules
+    found = [*_list_kernel(quantity, kernels, rows), *map(_from_peer, ours)]
+    found += _list_rivals(quantity, forms, rows)
+    return (*found, *map(_from_peer, others), *print_by_sympy(quantity, domain))
+
+
+def _list_kernel(
+    quantity: Quantity, module: ModuleType | None, rows: tuple[Row, ...]
+) -> Iterator[Method]:
+    """List the kernel, the same into a given array, and the same in float32."""
+    if not quantity.forms or module is None:
+        return
+    kernel: Compute = getattr(module, quantity.name)
+    bound, decided = quantity.shipped[-1].bound, _rows_of(quantity.name, rows)
+    own = Method("kernel", kernel, "kernel", decided, bound)
+    yield own
+    if "out" in inspect.signature(kernel).parameters:
+        yield replace(own, name="kernel, out=", compute=_into_buffer(kernel))
+    yield Method("kernel, float32", _in_single(kernel), "peer", note="inputs rounded too")
+
+
+def _list_rivals(
+    quantity: Quantity, module: ModuleType | None, rows: tuple[Row, ...]
+) -> Iterator[Method]:
+    for form in quantity.rivals if module is not None else ():
+        name = name_rival(quantity, form)
+        compute = getattr(module, name)
+        decided = _rows_of(name, rows)
+        yield Method(form.name, compute, "form", decided, form.bound, key=form.key, note=form.note)
+
+
+def _from_peer(peer: Peer) -> Method:
+    return Method(
+        peer.name, peer.compute, "peer", ordered=peer.ordered, slow=peer.slow, note=peer.note
+    )
+
+
+def _rows_of(name: str, rows: tuple[Row, ...]) -> tuple[Row, ...]:
+    """Return the rows of the ledger that speak of a function."""
+    wanted = f"kernel {name}"
+    return tuple(r for r in rows if r.number == wanted or r.number.startswith(f"{wanted}, "))
+
+
+def _into_buffer(kernel: Compute) -> Compute:
+    """Call a kernel with the output array of the call before, as a loop would."""
+    kept: dict[tuple[tuple[int, ...], ...], Array] = {}
+
+    def compute(*arguments: Array) -> Any:
+        key = tuple(map(np.shape, arguments))
+        if key not in kept:
+            kept.clear()
+            kept[key] = np.asarray(kernel(*arguments))
+        return kernel(*arguments, out=kept[key])
+
+    return compute
+
+
+def _in_single(kernel: Compute) -> Compute:
+    return lambda *arguments: kernel(*(np.asarray(a, np.float32) for a in arguments))
+
+
+def print_by_sympy(quantity: Quantity, domain: Domain) -> Iterator[Method]:
+    """List `sympy.lambdify` of the definition, with common subexpressions and without.
+
+    Sums and integrals have none: SymPy has no array code for them.
+    """
+    definition = domain.resolve(quantity.definition)
+    if definition.has(*BEYOND_LAMBDIFY):
+        return
+    for name, cse in (("sympy.lambdify", False), ("sympy.lambdify, cse", True)):
+        yield Method(name, _lambdify(quantity, definition, cse), "peer")
+
+
+def _lambdify(quantity: Quantity, definition: sp.Basic, cse: bool) -> Compute:
+    symbols = [s for argument in quantity.arguments for s in argument.symbols]
+    counts = [len(argument.symbols) for argument in quantity.arguments]
+    function = sp.lambdify(symbols, list(entries(definition)), "numpy", cse=cse)
+    shape = result_shape(definition)
+
+    def compute(*arguments: Array) -> Array:
+        parts = zip(counts, map(np.asarray, arguments), strict=True)
+        columns = [c for n, a in parts for c in ([a] if n == 1 else np.moveaxis(a, -1, 0))]
+        results = np.broadcast_arrays(*function(*columns))
+        common = results[0].shape
+        return np.stack(results, axis=-1).reshape(*common, *shape) if shape else results[0]
+
+    return compute
+
+
+def result_shape(definition: sp.Basic) -> tuple[int, ...]:
+    """Return the trailing axes of a result: none, (n,) for a column, (m, n) for a matrix."""
+    if not isinstance(definition, sp.MatrixBase):
+        return ()
+    rows, columns = definition.shape
+    return (rows,) if columns == 1 else (rows, columns)

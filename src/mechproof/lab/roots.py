@@ -1,0 +1,169 @@
+"""Roots of the equations of singular sets and edges: the double nearest to each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property, lru_cache
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from mechproof.lab.method import Array
+from mechproof.lab.points import step_ulps
+from mechproof.proof.balls import evaluate
+
+# Symbol -> its values, one to a point.
+Columns = Mapping[sp.Symbol, Array]
+Wanted = Callable[[Array], Array]
+# A sign that no ball of this many bits decides is that of a root.
+BITS = 320
+HALVINGS = 60
+# Longer equations are not brought to a common denominator.
+SHORT = 60
+# Where a sign change is looked for, in sizes of the drawn value from it; both signs.
+REACH = np.concatenate([[0.0], np.logspace(-3, 1, 17)])
+# The root is at most so many doubles from where bisection in doubles puts it.
+FARTHEST = 2**44
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where `gap` is zero; symbols that are no arguments run over the integers."""
+
+    gap: sp.Expr
+    text: str
+
+    @cached_property
+    def symbols(self) -> set[sp.Basic]:
+        """Return the symbols, integers among them."""
+        return set(self.gap.free_symbols)
+
+    def split(self, arguments: Iterable[sp.Symbol]) -> tuple[list[sp.Symbol], list[sp.Symbol]]:
+        """Return the arguments that occur, and what else does."""
+        own = [s for s in arguments if s in self.symbols]
+        return own, sorted(self.symbols - set(own), key=str)
+
+
+def find_roots(
+    place: Place, symbol: sp.Symbol, values: Columns, within: tuple[float, float], wanted: Wanted
+) -> Array:
+    """Return the doubles nearest to roots, one to a point, near the values drawn; NaN without one.
+
+    All arguments and integers of the place have `values`; those of `symbol` say where to look.
+    `wanted` marks the approximate roots that are worth to be found.
+    """
+    guesses = _guess(place, symbol, values, within)
+    names = sorted(place.symbols - {symbol}, key=str)
+    roots = np.full(len(guesses), np.nan)
+    for index in np.flatnonzero(np.isfinite(guesses) & wanted(guesses)):
+        given = {s: float(values[s][index]) for s in names}
+        roots[index] = _polish(place.gap, symbol, given, float(guesses[index]))
+    return roots
+
+
+def find_integers(place: Place, integer: sp.Symbol, values: Columns) -> Array | None:
+    """Return the whole numbers for which the values drawn lie nearest; None if not linear."""
+    found = solve_linear(place.gap, integer)
+    return None if found is None else np.rint(call(found, values))
+
+
+def _guess(place: Place, symbol: sp.Symbol, values: Columns, within: tuple[float, float]) -> Array:
+    solution = solve_linear(place.gap, symbol)
+    with np.errstate(all="ignore"):
+        if solution is not None:
+            return call(solution, values)
+        return _bisect(_as_function(place, symbol, values), values[symbol], within)
+
+
+@lru_cache(maxsize=256)
+def solve_linear(gap: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
+    """Return the symbol for which the gap is zero; None if its numerator is not linear in it."""
+    whole = sp.fraction(sp.together(gap))[0] if sp.count_ops(gap) <= SHORT else gap
+    slope = sp.diff(whole, symbol)
+    if slope == 0 or slope.has(symbol):
+        return None
+    return -whole.subs(symbol, 0) / slope
+
+
+@lru_cache(maxsize=512)
+def _compile(expression: sp.Expr) -> tuple[tuple[sp.Symbol, ...], Callable[..., Any]]:
+    names = tuple(sorted(expression.free_symbols, key=str))
+    return names, sp.lambdify(names, expression, "numpy", cse=True)
+
+
+def call(expression: sp.Expr, values: Columns) -> Array:
+    """Evaluate an expression in doubles, point by point."""
+    names, function = _compile(expression)
+    shape = np.broadcast_shapes(*map(np.shape, values.values()))
+    with np.errstate(all="ignore"):
+        result = function(*(values[s] for s in names))
+    return np.broadcast_to(np.asarray(result, float), shape)
+
+
+def _as_function(place: Place, symbol: sp.Symbol, values: Columns) -> Callable[[Array], Array]:
+    others = {s: v for s, v in values.items() if s in place.symbols and s != symbol}
+    return lambda tried: call(
+        place.gap,
+        {s: v[:, np.newaxis] if tried.ndim > v.ndim else v for s, v in others.items()}
+        | {symbol: tried},
+    )
+
+
+def _bisect(function: Callable[[Array], Array], start: Array, within: tuple[float, float]) -> Array:
+    """Bisect one of the sign changes on a grid about the values drawn, the nearest to them."""
+    size = np.maximum(np.abs(start), 1e-3)[:, np.newaxis]
+    grid = start[:, np.newaxis] + size * np.concatenate([-REACH[:0:-1], REACH])
+    grid = np.clip(grid, *within) if np.isfinite(within).all() else grid
+    signs = np.sign(function(grid))
+    changes = signs[:, 1:] * signs[:, :-1] <= 0
+    middle = np.abs(np.arange(grid.shape[1] - 1) - REACH.size + 1)
+    nearest = np.argmin(np.where(changes, middle, middle.max() + 1), axis=1)
+    rows = np.arange(len(start))
+    low, high, below = grid[rows, nearest], grid[rows, nearest + 1], signs[rows, nearest]
+    for _ in range(HALVINGS):
+        centre = low + (high - low) / 2
+        before = np.sign(function(centre)) == below
+        low, high = np.where(before, centre, low), np.where(before, high, centre)
+    return np.where(changes.any(axis=1), high, np.nan)
+
+
+def _polish(
+    gap: sp.Expr, symbol: sp.Symbol, given: Mapping[sp.Symbol, float], guess: float
+) -> float:
+    """Return the double nearest to a change of sign; the guess itself if there is none about."""
+
+    def sign(at: float | Fraction) -> int:
+        ball = evaluate(gap, {**given, symbol: at}, BITS)
+        return 1 if ball > 0 else -1 if ball < 0 else 0
+
+    if sign(guess) == 0:
+        return guess
+    reach = 1
+    while sign(_step(guess, -reach)) * sign(_step(guess, reach)) > 0:
+        reach *= 8
+        if reach > FARTHEST:
+            return guess
+    low, high = _narrow(sign, guess, reach)
+    middle = (Fraction(low) + Fraction(high)) / 2
+    return high if sign(low) * sign(middle) > 0 else low
+
+
+def _narrow(
+    sign: Callable[[float | Fraction], int], guess: float, reach: int
+) -> tuple[float, float]:
+    """Halve the steps around a guess until two neighbours are left, or the root itself."""
+    below, least, most = sign(_step(guess, -reach)), -reach, reach
+    while most - least > 1:
+        middle = (least + most) // 2
+        if sign(_step(guess, middle)) * below > 0:
+            least = middle
+        else:
+            most = middle
+    return _step(guess, least), _step(guess, most)
+
+
+def _step(value: float, steps: int) -> float:
+    return float(step_ulps(np.array(value), np.array(steps)))

@@ -1,0 +1,83 @@
+"""The point sets, cells and timed calls of a quantity, made from what its derivation states."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from itertools import pairwise, product
+
+import numpy as np
+import sympy as sp
+
+from mechproof.lab.facts import Facts
+from mechproof.lab.method import Arguments
+from mechproof.lab.points import PointSet
+from mechproof.lab.singular_points import list_point_sets
+from mechproof.lab.sizes import Cell, draw_cell, make_workload
+from mechproof.lab.subject import Subject
+
+Workload = tuple[str, Callable[[int], Arguments]]
+# A sweep ends after so many half turns of the running variable.
+SWEEP, SAMPLES = 32, (3301, 201)
+
+
+def list_sets(subject: Subject, share: float = 1.0) -> tuple[PointSet, ...]:
+    """List the point sets of a quantity: made from its facts, by hand, and sweeps.
+
+    None is made of arguments whose axes are summed over, nor where sets are written by hand and no
+    singular set is stated. `share` is the part of the usual number of points that is drawn.
+    """
+    by_hand = subject.by_hand.sets
+    facts = replace(subject.facts, share=share)
+    can_be_made = not any(isinstance(s, sp.IndexedBase) for s in facts.symbols)
+    wanted = subject.quantity.singular or not by_hand
+    made = list_point_sets(facts) if can_be_made and wanted else ()
+    return (*made, *by_hand, *list_sweeps(subject))
+
+
+def list_cells(subject: Subject) -> list[Cell]:
+    """List the boxes between the usual sizes of the arguments; none without any."""
+    edges = {a.name: a.usual for a in subject.quantity.arguments if len(a.usual) > 1}
+    if not edges:
+        return []
+    spans = [list(pairwise(e)) for e in edges.values()]
+    return [dict(zip(edges, sides, strict=True)) for sides in product(*spans)]
+
+
+def draw_in_cell(subject: Subject, rng: np.random.Generator, cell: Cell) -> Arguments:
+    """Draw points of one cell."""
+    by_hand = subject.by_hand.in_cell
+    return by_hand(rng, cell) if by_hand else draw_cell(subject.facts, rng, cell)
+
+
+def list_workloads(subject: Subject) -> list[Workload]:
+    """List the timed calls of a quantity: the first argument varies, or those that are named."""
+    if subject.by_hand.workloads:
+        return list(subject.by_hand.workloads.items())
+    first = subject.quantity.arguments[0].name
+    named = subject.quantity.workloads or ((f"N values of {first}", (first,)),)
+    return [(name, partial(_vary, subject.facts, varying)) for name, varying in named]
+
+
+def _vary(facts: Facts, varying: tuple[str, ...], count: int) -> Arguments:
+    return make_workload(facts, count, varying)
+
+
+def list_sweeps(subject: Subject) -> tuple[PointSet, ...]:
+    """List sweeps from 0, for ways that need samples in order and for jumps between branches.
+
+    The end of a sweep is a singular place of a large turn, so that some samples lie on others.
+    """
+    if subject.period is None:
+        return ()
+    _, *parameters = make_workload(subject.facts, 1, (subject.quantity.arguments[0].name,))
+
+    def sweep(count: int, rng: np.random.Generator) -> Arguments:
+        del rng
+        return np.linspace(0, SWEEP * np.pi, count), *parameters
+
+    return tuple(
+        PointSet(f"sweep, {count} samples", partial(sweep, count), ordered=True)
+        for count in SAMPLES
+    )

@@ -1,0 +1,140 @@
+"""Validation: the emitted kernels are run in doubles before they are written.
+
+Every function, its support code included, has to give a value that some order of roundings of its
+program can give; a shipped kernel has to keep its accuracy bound against the oracle as well. The
+first alone would pass a low word that is dropped: it is smaller than what rounding may do. The
+points lie on both sides of every condition, alone and in arrays longer than every block.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+
+import numpy as np
+from flint import arb
+
+from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.forms import TranslationError
+from mechproof.codegen.kernel import Kernel, list_functions
+from mechproof.kernel_support import arrays, polynomials
+from mechproof.lab.error import find_errors
+from mechproof.lab.method import Arguments, Compute
+from mechproof.lab.oracle import count_points, find_truth
+from mechproof.lab.points import TUNE, PointSet, draw_points
+from mechproof.lab.rounding import decide, enclose_stage
+from mechproof.lab.sets import list_sets
+from mechproof.lab.subject import Subject
+
+# Of the first set so many points are enclosed, of every set so many go to the oracle.
+ENCLOSED, DECIDED = 8, 6
+# Of a set so much is drawn.
+SHARE = 0.05
+# Of a value and its ball: a ball wider than this part of the value says nothing.
+TELLING = 1e-6
+
+
+def validate(subjects: Iterator[Subject]) -> None:
+    """Run the functions of all quantities.
+
+    Raises `TranslationError` with the function, the point, and both values.
+    """
+    for subject in subjects:
+        own = [f for f in list_functions(subject.paper) if f.quantity is subject.quantity]
+        for kernel in own:
+            for module in subject.modules:
+                if hasattr(module, kernel.name):
+                    _check_rounding(subject, kernel, getattr(module, kernel.name))
+        if subject.quantity.forms and subject.quantity.accuracy:
+            _check_accuracy(subject)
+
+
+def _check_rounding(subject: Subject, kernel: Kernel, compute: Compute) -> None:
+    """Compare scalars and long arrays with the balls of the program."""
+    arguments = _take(subject, list_sets(subject, SHARE)[0], ENCLOSED)
+    telling = 0
+    for index in range(count_points(subject, arguments)):
+        point = tuple(np.asarray(a[index]) for a in arguments)
+        balls = enclose_stage(_choose_stage(kernel.code, point), _name(kernel.code, point))
+        for result in _compute_every_way(compute, point):
+            values = np.ravel(result)
+            for value, ball in zip(values, balls, strict=True):
+                _require_inside(kernel.name, point, float(value), ball)
+        telling += all(ball.rad() <= TELLING * abs(ball).upper() for ball in balls)
+    if not telling:
+        raise TranslationError(f"{kernel.name}: rounding explains every value at every point")
+
+
+def _require_inside(name: str, point: Arguments, value: float, ball: arb) -> None:
+    if ball.is_finite() and not ball.contains(arb(value)):
+        shown = ", ".join(repr(p.tolist()) for p in point)
+        raise TranslationError(f"{name}({shown}): {value!r}, its program gives {ball.str(20)}")
+
+
+def _compute_every_way(compute: Compute, point: Arguments) -> Iterator[float | np.ndarray]:
+    """Compute a point alone, and in arrays longer than a block with polynomials and without."""
+    with np.errstate(all="ignore"):
+        yield compute(*point)
+        first, *others = point
+        many = np.broadcast_to(first, (arrays.BLOCK, *first.shape)).copy()
+        for polynomial in (True, False):
+            with _with_polynomials(polynomial):
+                yield compute(many, *others)[arrays.BLOCK // 2]
+
+
+@contextmanager
+def _with_polynomials(wanted: bool) -> Iterator[None]:
+    """Take polynomials in place of tan and arctan, whatever the machine prefers."""
+    preferred = polynomials.IS_WORTH_IT
+    polynomials.IS_WORTH_IT = wanted
+    try:
+        yield
+    finally:
+        polynomials.IS_WORTH_IT = preferred
+
+
+def _choose_stage(code: KernelCode, point: Arguments) -> Stage:
+    named = _name(code, point)
+    return next(s for s in code.stages if s.when is None or decide(s.when, named))
+
+
+def _name(code: KernelCode, point: Arguments) -> Mapping[str, float | np.ndarray]:
+    """Name the values of a point as the programs do, vectors by their components."""
+    parts = dict(code.vectors)
+    named: dict[str, float | np.ndarray] = {}
+    for name, value in zip(code.arguments, point, strict=True):
+        named |= dict(zip(parts[name], value, strict=True)) if name in parts else {name: value}
+    return named
+
+
+def _check_accuracy(subject: Subject) -> None:
+    """Hold the shipped kernel to its bound on a few points of every set."""
+    accuracy = subject.quantity.accuracy
+    assert accuracy is not None
+    for point_set in list_sets(subject, SHARE):
+        if point_set.ordered:
+            continue
+        arguments = _take(subject, point_set, DECIDED)
+        truth = find_truth(subject, arguments)
+        held = np.broadcast_to(subject.within(*arguments), truth.decided.shape) & truth.decided
+        for polynomial in (True, False):
+            with np.errstate(all="ignore"), _with_polynomials(polynomial):
+                result = subject.kernel(*arguments)
+                errors = np.where(held, find_errors(result, truth).scaled, 0.0)
+            worst = int(np.argmax(errors))
+            if errors[worst] > accuracy.ulp:
+                shown = ", ".join(repr(np.asarray(a[worst]).tolist()) for a in arguments)
+                raise TranslationError(
+                    f"{subject.name}({shown}): {np.asarray(result)[worst]!r}, the oracle gives "
+                    f"{truth.high[worst]!r}: {errors[worst]:.3g} of {accuracy.ulp:g} eps"
+                )
+
+
+def _take(subject: Subject, point_set: PointSet, count: int) -> Arguments:
+    """Take a few points of a set, evenly spread over it."""
+    arguments = draw_points(point_set, TUNE)
+    total = count_points(subject, arguments)
+    chosen = np.unique(np.linspace(0, total - 1, count).astype(int))
+    return tuple(
+        a[chosen] if len(a) == total else np.repeat(a[None], len(chosen), 0) for a in arguments
+    )

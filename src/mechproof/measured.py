@@ -1,0 +1,276 @@
+"""Measured: what `mechproof measure` finds, as tables, charts and `choose` read it.
+
+One record is one quantity: its ways of computing, what they lose on sets of points and in cells
+(ranges of argument sizes), the worst input found, and times. A file holds one record as JSON, a
+line for each row, so that two measurements are compared by `diff`; NaN and infinity are text.
+
+>>> from mechproof.measured import find_files, read_record
+>>> record = read_record(find_files()["track_wheel.displacement"])
+>>> record.ways[0].kind, record.ways[0].verdict
+('kernel', 'PROVED')
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import ROUND_UP, Context, Decimal
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from pathlib import Path
+from typing import Any, Literal
+
+from mechproof.json_rows import read_fields, write_lines
+
+__all__ = [
+    "COPY",
+    "MEASURED",
+    "Cell",
+    "CellErrors",
+    "Machine",
+    "Record",
+    "Searched",
+    "SetErrors",
+    "Timing",
+    "Way",
+    "find_files",
+    "read_record",
+    "read_records",
+    "round_off",
+    "round_up",
+    "write_record",
+]
+
+Kind = Literal["kernel", "form", "peer"]
+Span = tuple[float, float]
+# Arguments of one call: numbers, and tuples of numbers where an argument has axes of its own.
+Point = tuple[Any, ...]
+# The verdict of a way of which nothing is proved.
+MEASURED = "MEASURED"
+# What copying the result takes, timed with the ways.
+COPY = "memory copy"
+# A lost value loses every bit of a double.
+ALL_BITS = 64.0
+ERROR_DIGITS, TIME_DIGITS = 4, 3
+SUFFIX = ".json"
+
+
+@dataclass(frozen=True)
+class Way:
+    """One way of computing a quantity.
+
+    kind: "kernel" (generated, shipped), "form" (a rival form) or "peer" (a solver, a library, a
+    simulation, hand-written code). verdict and rung: what is proved of it on `proved_on` (empty:
+    the whole domain); of a peer nothing is, its verdict is MEASURED. bound: what |way -
+    definition| provably stays below, empty without. ordered: it needs samples in order from 0 on.
+    key: the end of its function's name, <quantity>_<key>, empty without a function of its own.
+    """
+
+    name: str
+    kind: Kind
+    verdict: str = MEASURED
+    rung: str = ""
+    proved_on: str = ""
+    bound: str = ""
+    ordered: bool = False
+    key: str = ""
+    note: str = ""
+
+    def __post_init__(self) -> None:
+        if self.kind == "peer" and self.verdict != MEASURED:
+            raise ValueError(f"way {self.name!r}: a peer is {MEASURED}, not {self.verdict}")
+
+
+@dataclass(frozen=True)
+class SetErrors:
+    """Errors of one way on one set of points.
+
+    nan, infinite, wrong_branch count results; undecided counts points without a known truth,
+    which have no errors (NaN if all are). worst_scaled is in the record's unit of error where the
+    accuracy bound holds, None if it holds nowhere. worst_at is the point of it, of the first way.
+    """
+
+    set: str
+    way: str
+    points: int
+    undecided: int
+    nan: int
+    infinite: int
+    wrong_branch: int
+    worst_ulp: float
+    mean_ulp: float
+    mean_bits: float
+    worst_absolute: float
+    worst_scaled: float | None
+    worst_at: Point | None = None
+
+    @property
+    def worst_bits(self) -> float:
+        """Return log2(1 + ulps), at most 64: a lost value loses all bits."""
+        return min(math.log2(1 + self.worst_ulp), ALL_BITS)
+
+    @property
+    def failed(self) -> int:
+        """Count the results that are lost or on a wrong branch."""
+        return self.nan + self.infinite + self.wrong_branch
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A box of argument sizes, from and to; other arguments have any size measured."""
+
+    sides: Mapping[str, Span]
+    points: int
+    undecided: int
+
+
+@dataclass(frozen=True)
+class CellErrors:
+    """Largest absolute error of one way in one cell (its place in the list), and its bound there.
+
+    bound is None for a way without one; lost counts NaN and infinite results.
+    """
+
+    cell: int
+    way: str
+    worst: float
+    bound: float | None
+    lost: int
+
+
+@dataclass(frozen=True)
+class Searched:
+    """The worst input that the search found for the first way, of so many tried."""
+
+    scaled: float
+    tried: int
+    at: Point
+
+
+@dataclass(frozen=True)
+class Timing:
+    """Nanoseconds per point of one way for calls of `count` points.
+
+    median, and the quartiles of the rounds; `ratio` is the median of (this way : first way)
+    within each round, None if the first way was not timed. A way is not timed where a call would
+    take too long or too much memory.
+    """
+
+    workload: str
+    way: str
+    count: int
+    rounds: int
+    median: float
+    lower: float
+    upper: float
+    ratio: float | None
+
+
+@dataclass(frozen=True)
+class Machine:
+    """Where it was measured: the processor, what NumPy uses of it, and versions."""
+
+    processor: str
+    cores: int | None
+    simd: tuple[str, ...]
+    system: str
+    python: str
+    versions: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Record:
+    """All that was measured of one quantity.
+
+    The first of `ways` is the one that is shipped. `bound` is its accuracy bound in units of eps
+    of `scale`, None and empty without one: scaled errors are then in ulp of the value. `ranges`
+    are the sizes of the arguments that the cells cover. `typical` names the set nearest to usual
+    calls, if one is. `ufuncs` are NumPy's own functions, ns per point; `load` is how busy the
+    machine was.
+    """
+
+    quantity: str
+    unit: str
+    taken: str
+    quick: bool
+    machine: Machine
+    load: float | None
+    seeds: Mapping[str, int]
+    scale: str
+    bound: float | None
+    typical: str | None
+    ranges: Mapping[str, Span]
+    searched: Searched
+    ufuncs: Mapping[str, float]
+    ways: tuple[Way, ...]
+    sets: tuple[SetErrors, ...]
+    cells: tuple[Cell, ...]
+    cell_errors: tuple[CellErrors, ...]
+    times: tuple[Timing, ...]
+
+    @property
+    def error_unit(self) -> str:
+        """Return what scaled errors are in."""
+        return "ulp of the value" if self.bound is None else f"eps of {self.scale}"
+
+    def errors_of(self, way: str) -> tuple[SetErrors, ...]:
+        """Return the errors of one way on all sets."""
+        return tuple(errors for errors in self.sets if errors.way == way)
+
+    def worst_of(self, way: str) -> float | None:
+        """Return the worst scaled error of one way on all sets."""
+        found = (errors.worst_scaled for errors in self.errors_of(way))
+        return max((worst for worst in found if worst is not None), default=None)
+
+
+def round_up(value: float, digits: int = ERROR_DIGITS) -> float:
+    """Return the next number of so many digits that is not smaller in size."""
+    if not math.isfinite(value):
+        return value
+    near = round_off(value, digits)
+    if abs(near) >= abs(value):
+        return near
+    return float(Context(prec=digits, rounding=ROUND_UP).plus(Decimal(value)))
+
+
+def round_off(value: float, digits: int = TIME_DIGITS) -> float:
+    """Return the nearest number of so many digits."""
+    return float(f"{value:.{digits}g}")
+
+
+def find_files(folder: Traversable | None = None) -> dict[str, Traversable]:
+    """Return the files of a folder, by default those that come with the package, by quantity."""
+    folder = files("mechproof.kernels").joinpath("measured") if folder is None else folder
+    found = folder.iterdir() if folder.is_dir() else iter(())
+    named = {file.name.removesuffix(SUFFIX): file for file in found if file.name.endswith(SUFFIX)}
+    return dict(sorted(named.items()))
+
+
+def read_records(folder: Traversable) -> list[Record]:
+    """Read the records of a folder, in the order of their names."""
+    return [read_record(file) for file in find_files(folder).values()]
+
+
+def read_record(file: Traversable) -> Record:
+    """Read one record.
+
+    Raises ValueError, naming the file and the place, for what is not exactly such a record.
+    """
+    try:
+        found = json.loads(file.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise ValueError(f"{file}: not JSON: {error}") from error
+    return read_fields(Record, found, str(file))
+
+
+def write_record(record: Record, folder: Path) -> Path:
+    """Write a record as <quantity>.json; an interrupted write leaves the old file."""
+    folder.mkdir(parents=True, exist_ok=True)
+    target = folder / f"{record.quantity}{SUFFIX}"
+    staged = target.with_suffix(f"{SUFFIX}.new")
+    staged.write_text("\n".join(write_lines(record)), encoding="utf-8")
+    os.replace(staged, target)
+    return target

@@ -1,0 +1,105 @@
+"""An estimate with its uncertainty, and the coverage intervals that follow (GUM, JCGM 100)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from mechproof.measurement.notation import format_expanded, format_shorthand
+
+
+def check_uncertainty(name: str, value: float) -> None:
+    """Raise ValueError if `value` is negative or infinite."""
+    if value < 0 or math.isinf(value):
+        raise ValueError(f"{name} = {value}: must be finite and not negative, or NaN")
+
+
+def check_degrees_of_freedom(value: float) -> None:
+    """Raise ValueError unless `value` is positive or NaN."""
+    if value <= 0:
+        raise ValueError(f"degrees_of_freedom = {value}: must be positive (inf is allowed)")
+
+
+@dataclass(frozen=True)
+class CoverageInterval:
+    """The interval value ± k·u (GUM 6.2); `probability` is set when k was derived from it."""
+
+    value: float
+    expanded_uncertainty: float
+    k: float
+    probability: float | None = None
+    unit: str = ""
+
+    @property
+    def lower(self) -> float:
+        """Lower end of the interval."""
+        return self.value - self.expanded_uncertainty
+
+    @property
+    def upper(self) -> float:
+        """Upper end of the interval."""
+        return self.value + self.expanded_uncertainty
+
+    def __str__(self) -> str:
+        """Print as `0.68° ± 0.56° (k = 2)`, with p added where k came from a probability."""
+        factor = f"k = {self.k:.3g}"
+        if self.probability is not None:
+            factor += f", p = {100 * self.probability:.6g} %"
+        return f"{format_expanded(self.value, self.expanded_uncertainty, self.unit)} ({factor})"
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """An estimate with its combined standard uncertainty (GUM 5) and degrees of freedom.
+
+    A NaN uncertainty is one that is not known and makes every interval NaN. A negative or
+    infinite uncertainty and degrees of freedom that are not positive raise ValueError.
+    """
+
+    value: float
+    uncertainty: float
+    degrees_of_freedom: float = math.inf
+    unit: str = ""
+
+    def __post_init__(self) -> None:
+        """Check the uncertainty and its degrees of freedom."""
+        check_uncertainty("uncertainty", self.uncertainty)
+        check_degrees_of_freedom(self.degrees_of_freedom)
+
+    def expand(self, k: float) -> CoverageInterval:
+        """Return value ± k·u for a stated coverage factor k > 0 (GUM 6.2.1)."""
+        if not 0 < k < math.inf:
+            raise ValueError(f"k = {k}: must be positive and finite")
+        return CoverageInterval(self.value, k * self.uncertainty, k, unit=self.unit)
+
+    def cover(self, probability: float) -> CoverageInterval:
+        """Return the interval of coverage probability 0 < p < 1 by Student's t (GUM G.3.2).
+
+        The degrees of freedom are used as they are, not cut to an integer. The factor is
+        SciPy's quantile; the tests hold it to 1e-12, relative, for p from 0.001 to 1 - 1e-9.
+        """
+        if not 0 < probability < 1:
+            raise ValueError(f"probability = {probability}: must lie between 0 and 1")
+        k = _student_factor(probability, self.degrees_of_freedom)
+        return CoverageInterval(self.value, k * self.uncertainty, k, probability, self.unit)
+
+    def in_degrees(self) -> Estimate:
+        """Return the same estimate in degrees; ValueError unless the unit is "rad"."""
+        if self.unit != "rad":
+            raise ValueError(f"unit = {self.unit!r}: only 'rad' can be turned into degrees")
+        value, uncertainty = math.degrees(self.value), math.degrees(self.uncertainty)
+        return Estimate(value, uncertainty, self.degrees_of_freedom, "°")
+
+    def __str__(self) -> str:
+        """Print as `0.68(28)°`: the standard uncertainty in the last digits (GUM 7.2.2)."""
+        return format_shorthand(self.value, self.uncertainty, self.unit)
+
+
+def _student_factor(probability: float, degrees_of_freedom: float) -> float:
+    from scipy.special import ndtri, stdtrit
+
+    # The lower tail keeps its digits as p goes to 1, where (1 + p)/2 would round.
+    tail = (1 - probability) / 2
+    if math.isinf(degrees_of_freedom):
+        return float(-ndtri(tail))
+    return float(-stdtrit(degrees_of_freedom, tail))

@@ -1,0 +1,119 @@
+"""Type A and type B evaluation of measurements, and their combination (GUM, JCGM 100)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.measurement.estimate import Estimate, check_degrees_of_freedom, check_uncertainty
+
+
+@dataclass(frozen=True)
+class TypeA:
+    """Type A evaluation of independent readings (GUM 4.2).
+
+    `standard_deviation` is the experimental one of a single reading (divisor n - 1).
+    """
+
+    mean: float
+    standard_deviation: float
+    count: int
+
+    @property
+    def uncertainty(self) -> float:
+        """Standard uncertainty of the mean, s/√n."""
+        return self.standard_deviation / math.sqrt(self.count)
+
+    @property
+    def degrees_of_freedom(self) -> float:
+        """Return n - 1."""
+        return self.count - 1
+
+
+@dataclass(frozen=True)
+class TypeB:
+    """A part of the uncertainty known by other means than readings (GUM 4.3)."""
+
+    uncertainty: float
+    degrees_of_freedom: float = math.inf
+
+    def __post_init__(self) -> None:
+        """Check the uncertainty and its degrees of freedom."""
+        check_uncertainty("uncertainty", self.uncertainty)
+        check_degrees_of_freedom(self.degrees_of_freedom)
+
+    @classmethod
+    def rectangular(cls, half_width: float) -> TypeB:
+        """Return the part of an error that lies anywhere within ± half_width (GUM 4.3.7)."""
+        check_uncertainty("half_width", half_width)
+        return cls(half_width / math.sqrt(3))
+
+    @classmethod
+    def from_resolution(cls, resolution: float) -> TypeB:
+        """Return the part of an indication with this step: resolution/√12 (GUM F.2.2.1)."""
+        check_uncertainty("resolution", resolution)
+        return cls(resolution / math.sqrt(12))
+
+
+def evaluate_type_a(readings: ArrayLike) -> TypeA:
+    """Evaluate n ≥ 2 independent readings: mean, experimental standard deviation, count.
+
+    Equations (13)-(16) of Prikhodko et al. 2024 (elliptic_planetary); GUM 4.2.1-4.2.3.
+    `readings` is one-dimensional and real. A NaN reading makes both results NaN. Other shapes,
+    fewer than two readings and infinite readings raise ValueError, other types TypeError.
+
+    A large common offset costs no digits, because the deviations are centred twice. The tests
+    hold the standard deviation to 16 eps (n up to 1e5), and the mean to 1 ulp where the readings
+    lie within a factor of two of each other.
+    """
+    values = _as_readings(readings)
+    rounded_mean = np.mean(values)
+    deviations = values - rounded_mean
+    correction = np.mean(deviations)
+    spread = _root_mean_square(deviations - correction, values.size - 1)
+    return TypeA(float(rounded_mean + correction), spread, values.size)
+
+
+def _as_readings(readings: ArrayLike) -> NDArray[np.float64]:
+    if isinstance(readings, np.ma.MaskedArray):
+        raise TypeError("readings is a masked array: give readings.compressed()")
+    values = np.asarray(readings)
+    if values.ndim != 1 or values.size < 2:
+        raise ValueError(
+            f"readings has shape {values.shape}: one dimension of at least two is needed"
+        )
+    if values.dtype.kind not in "fiu":
+        raise TypeError(f"readings has dtype {values.dtype}: real numbers are needed")
+    values = values.astype(np.float64)
+    if np.isinf(values).any():
+        index = int(np.argmax(np.isinf(values)))
+        raise ValueError(f"readings[{index}] = {values[index]}: must be finite or NaN")
+    return values
+
+
+def _root_mean_square(deviations: NDArray[np.float64], divisor: int) -> float:
+    # Scaled by the largest, so that no square leaves the range of a double.
+    largest = np.max(np.abs(deviations))
+    if largest == 0:
+        return 0.0
+    return float(largest * np.sqrt(np.sum((deviations / largest) ** 2) / divisor))
+
+
+def combine(type_a: TypeA, *type_b: TypeB, unit: str = "") -> Estimate:
+    """Combine the readings' mean with type B parts that all add to it with weight one.
+
+    The uncertainties add in squares (GUM 5.1.2, independent parts); the effective degrees of
+    freedom follow Welch and Satterthwaite (GUM G.4.1). Where every part is zero, the
+    degrees of freedom are the smallest of the parts'.
+    """
+    parts: tuple[TypeA | TypeB, ...] = (type_a, *type_b)
+    total = math.hypot(*(part.uncertainty for part in parts))
+    if total == 0:
+        freedom = min(part.degrees_of_freedom for part in parts)
+    else:
+        loss = sum((part.uncertainty / total) ** 4 / part.degrees_of_freedom for part in parts)
+        freedom = 1 / loss if loss else math.inf
+    return Estimate(type_a.mean, total, freedom, unit)

@@ -1,0 +1,166 @@
+"""Planetary mechanism with an internal cylindrical mesh and an external elliptical pair.
+
+Angles are in radians, positive in the direction of the carrier's rotation, and count every turn.
+
+>>> from mechproof import EllipticPlanetary
+>>> mechanism = EllipticPlanetary.published(2)
+>>> mechanism
+EllipticPlanetary(R1=66.0, R2=16.0, e=0.475)
+>>> round(float(mechanism.ratio(0.0)), 6)
+12.589286
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from mechproof.kernel_support.arrays import as_floats
+from mechproof.kernels import elliptic_planetary as kernels
+from mechproof.mechanisms.inversion import follow_kind, invert, take_numbers
+from mechproof.mechanisms.validation import check_domain, check_real, choose_published
+
+__all__ = ["EllipticPlanetary", "RatioExtremes"]
+
+# The bracket of the inverse is widened by this relative amount: the accuracy bar of the position
+# kernel, 4 eps, and the rounding of the bounds, some ten operations of half an eps.
+WIDENING = 16 * np.finfo(float).eps
+# A carrier angle may be subnormal where phi3 is not; there the widening is absolute.
+FINEST = 4 * float(np.finfo(float).smallest_subnormal)
+
+
+class RatioExtremes(NamedTuple):
+    """Extremes of the transmission ratio and the carrier angles where they occur.
+
+    Each recurs with `period`: at_maximum + m*period, at_minimum + m*period.
+    """
+
+    maximum: float
+    at_maximum: float
+    minimum: float
+    at_minimum: float
+    period: float
+
+
+@dataclass(frozen=True)
+class EllipticPlanetary:
+    """A planetary mechanism: carrier in, elliptical wheel out, epicycle fixed.
+
+    Parameters
+    ----------
+    R1 : float
+        Radius of the epicycle (mm), positive.
+    R2 : float
+        Radius of the satellite's cylindrical wheel (mm), 0 < R2 < R1.
+    e : float
+        Eccentricity of the ellipse, 0 <= e < 1.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a parameter is not a real number or out of its range; the message names it.
+
+    Notes
+    -----
+    Source: Prikhodko, Polivoda, Shchetinin 2024, equations (2)-(9).
+
+    """
+
+    R1: float
+    R2: float
+    e: float
+
+    def __post_init__(self) -> None:
+        """Check the parameters and convert them to floats."""
+        for name in ("R1", "R2", "e"):
+            object.__setattr__(self, name, check_real(name, getattr(self, name)))
+        check_domain(kernels.DOMAIN, asdict(self))
+
+    @classmethod
+    def published(cls, variant: int) -> EllipticPlanetary:
+        """Return variant 1 to 4 of Table 1 of Prikhodko et al. 2024."""
+        return cls(**choose_published(kernels.PUBLISHED, "variant", variant))
+
+    @property
+    def radius_ratio(self) -> float:
+        """R1/R2: turns of the satellite relative to the carrier, per turn of the carrier."""
+        return self.R1 / self.R2
+
+    def ratio(self, phi1: ArrayLike) -> Any:
+        """Return d phi3/d phi1 at the carrier angles `phi1`; see `kernels.elliptic_planetary`."""
+        return kernels.ratio(phi1, self.R1, self.R2, self.e)
+
+    def position(self, phi1: ArrayLike) -> Any:
+        """Return the output angles phi3(phi1), continuous over any number of turns."""
+        return kernels.position(phi1, self.R1, self.R2, self.e)
+
+    def acceleration(self, phi1: ArrayLike) -> Any:
+        """Return d ratio/d phi1 at the carrier angles `phi1`."""
+        return kernels.acceleration(phi1, self.R1, self.R2, self.e)
+
+    def extremes(self) -> RatioExtremes:
+        """Return the largest and the smallest ratio in closed form, and where they occur.
+
+        The largest where the satellite has made whole turns relative to the carrier, the smallest
+        half a turn later; see `kernels.elliptic_planetary`. With e = 0 the ratio is constant.
+        """
+        period = 2 * math.pi / self.radius_ratio
+        return RatioExtremes(
+            maximum=float(kernels.largest_ratio(self.R1, self.R2, self.e)),
+            at_maximum=0.0,
+            minimum=float(kernels.smallest_ratio(self.R1, self.R2, self.e)),
+            at_minimum=period / 2,
+            period=period,
+        )
+
+    def carrier_angle(self, phi3: ArrayLike) -> Any:
+        """Return the carrier angles at which the output angles are `phi3`: inverse of `position`.
+
+        Parameters
+        ----------
+        phi3 : array_like, any shape
+            Output angle, any number of turns (rad).
+
+        Returns
+        -------
+        ndarray or NumPy scalar
+            phi1 (rad); NaN where `phi3` is not finite. The position function rises everywhere,
+            so there is exactly one. A mask or an index is kept.
+
+        Raises
+        ------
+        TypeError
+            If `phi3` is complex, not numeric or carries a unit.
+
+        Notes
+        -----
+        position(phi1) is inverted in its bracket: with delta = position - (1 + k)*phi1,
+        |delta| <= 2*asin(e), and position/phi1 lies between the extremes of the ratio.
+
+        Accuracy held by the tests, where R1/R2*|phi1| <= 2**25, for every e: the exact position at
+        phi1 misses phi3 by at most 8*eps*|phi3| (4 eps of the position kernel, twice) and what the
+        step to a neighbour of phi1 makes of the position.
+
+        """
+        (given,) = as_floats(phi3=phi3)
+        target = take_numbers("phi3", given)
+        proper = np.isfinite(target) & (target != 0)
+        # The function is odd; its positive half is enough.
+        size = np.where(proper, np.abs(target), 1.0).astype(np.float64)
+        root = np.copysign(self._invert(size), target)
+        root = np.where(proper, root, np.where(target == 0, target, np.nan))
+        return follow_kind(given, root.astype(target.dtype))
+
+    def _invert(self, size: Any) -> Any:
+        """Solve position(phi1) = size for positive, finite sizes."""
+        k, swing, extremes = self.radius_ratio, 2 * math.asin(self.e), self.extremes()
+        small, large = size * (1 - WIDENING), size * (1 + WIDENING)
+        swing *= 1 + WIDENING
+        low = np.maximum(small / extremes.maximum, (small - swing) / (1 + k)) - FINEST
+        high = np.minimum(large / extremes.minimum, (large + swing) / (1 + k)) + FINEST
+        failure = f"{self!r}: no carrier angle found for phi3"
+        return invert(self.position, size, low, high, failure=failure)

@@ -1,0 +1,120 @@
+"""The inverse of a rising function, to the last bit: a bracket is closed between neighbours.
+
+Doubles are counted in their order, so that a bracket of any width holds less than 2**64 of them
+and a steep place, where the function runs through much of its range within one, is no exception.
+Each step is one of ITP (Oliveira and Takahashi 2020): interpolation, pushed towards the middle
+and kept so near to it that at most a step more than by halving the count is needed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["follow_kind", "invert", "take_numbers"]
+
+Floats = NDArray[np.float64]
+Orders = NDArray[np.int64]
+
+LARGEST = np.finfo(np.float64).max
+SIGN = np.int64(np.iinfo(np.int64).min)
+# The push towards the middle, as a part of the bracket's square over the first one.
+PUSH = 0.2
+
+
+def invert(
+    function: Callable[[Floats], Any], wanted: Floats, low: Floats, high: Floats, *, failure: str
+) -> Floats:
+    """Solve function(x) = wanted for x between `low` and `high`, arrays of one shape.
+
+    Of the neighbouring doubles between which the computed function passes `wanted`, the one whose
+    value is nearer. The function must rise; the interval is cut off at the largest doubles.
+
+    Raises
+    ------
+    ArithmeticError
+        `failure` and the values of `wanted` that those of the function do not enclose: at the
+        ends, or where it is NaN.
+
+    """
+    target = np.ravel(wanted)
+    ends = [np.clip(np.ravel(end), -LARGEST, LARGEST) for end in (low, high)]
+    below, above = map(_to_order, ends)
+    short, long = (np.asarray(function(end) - target) for end in ends)
+    _check_enclosed(target, short, long, failure)
+    first = _count(below, above)
+    halvings = np.ceil(np.log2(np.maximum(first, 1.0)))
+    step = 0
+    (active,) = np.nonzero(first > 1)
+    while active.size:
+        a, b, fa, fb = below[active], above[active], short[active], long[active]
+        room = np.exp2(halvings[active] - step)
+        c = _place(a, b, fa, fb, first[active], room)
+        value = np.asarray(function(_from_order(c)) - target[active])
+        beneath = value <= 0
+        below[active], short[active] = np.where(beneath, c, a), np.where(beneath, value, fa)
+        above[active], long[active] = np.where(beneath, b, c), np.where(beneath, fb, value)
+        active = active[_count(below[active], above[active]) > 1]
+        step += 1
+    _check_enclosed(target, short, long, failure)
+    nearest = np.where(-short <= long, below, above)
+    return _from_order(nearest).reshape(np.shape(wanted))
+
+
+def _check_enclosed(target: Floats, short: Floats, long: Floats, failure: str) -> None:
+    enclosed = (short <= 0) & (long >= 0)
+    if not enclosed.all():
+        raise ArithmeticError(f"{failure} = {target[~enclosed]!r}")
+
+
+def _place(a: Orders, b: Orders, fa: Floats, fb: Floats, first: Floats, room: Floats) -> Orders:
+    """Return a place strictly between a and b: interpolate, push, keep near the middle."""
+    width, (low, high) = _count(a, b), map(_from_order, (a, b))
+    with np.errstate(over="ignore", invalid="ignore"):
+        crossing = low - fa * ((high - low) / (fb - fa))
+    crossing = np.where(np.isfinite(crossing), np.clip(crossing, low, high), low / 2 + high / 2)
+    away = _count(a, _to_order(crossing)) - width / 2
+    push = np.maximum(PUSH * width * (width / first), 1.0)
+    away = np.sign(away) * np.maximum(np.abs(away) - push, 0.0)
+    reach = np.maximum(room - width / 2, 0.0)
+    ahead = np.clip(np.rint(width / 2 + np.clip(away, -reach, reach)), 1.0, None)
+    # Beyond 2**53 the count is rounded.
+    steps = np.minimum(ahead.astype(np.uint64), (b - a).view(np.uint64) - np.uint64(1))
+    places: Orders = (a.view(np.uint64) + steps).view(np.int64)
+    return places
+
+
+def _to_order(values: Floats) -> Orders:
+    """Return the place of each double in their order, zero being 0."""
+    bits = values.astype(np.float64).view(np.int64)
+    return np.where(bits < 0, SIGN - bits, bits)
+
+
+def _from_order(orders: Orders) -> Floats:
+    return np.where(orders < 0, SIGN - orders, orders).view(np.float64)
+
+
+def _count(a: Orders, b: Orders) -> Floats:
+    """Return how many doubles b is above a; the difference may need all 64 bits."""
+    return (b - a).view(np.uint64).astype(np.float64)
+
+
+def take_numbers(name: str, given: Any) -> NDArray[Any]:
+    """Return the plain array; TypeError for what carries a unit, which would be lost."""
+    if hasattr(given, "units"):
+        raise TypeError(f"{name} = {given!r} carries a unit: give plain numbers")
+    return np.asarray(given)
+
+
+def follow_kind(given: Any, values: NDArray[Any]) -> Any:
+    """Return `values` with the mask, index or other kind of the array they were computed from.
+
+    NaN where `given` is not finite. A NumPy scalar where there are no axes.
+    """
+    if type(given) is np.ndarray or isinstance(given, np.generic):
+        return values[()]
+    with np.errstate(invalid="ignore"):
+        return (1 + (given - given)) * values

@@ -1,0 +1,162 @@
+"""Thickness of involute gear teeth at the constant chord, measured at a height below the tip.
+
+Lengths in mm, angles in radians. Heights grow from the tip towards the wheel's centre; a
+deviation of thickness is positive for a thicker tooth.
+
+>>> from mechproof import ToothThickness
+>>> wheel = ToothThickness.published()
+>>> round(float(wheel.constant_chord), 3), round(float(wheel.chord_height), 3)
+(4.161, 2.243)
+>>> error = wheel.thickness_error(e_tip=0.025, height_error=0.0)
+>>> round(float(error), 4)
+-0.0091
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from mechproof.kernel_support.arrays import as_floats
+from mechproof.kernels import tooth_thickness as kernels
+from mechproof.mechanisms.inversion import follow_kind, invert, take_numbers
+from mechproof.mechanisms.validation import check_count, check_domain, check_real, require
+
+__all__ = ["ToothThickness"]
+
+
+@dataclass(frozen=True)
+class ToothThickness:
+    """A spur gear without profile shift, addendum of one module.
+
+    Parameters
+    ----------
+    m : float
+        Module (mm), positive.
+    z : int
+        Number of teeth, at least 4.
+    alpha : float
+        Profile angle of the basic rack (rad), 0 < alpha < pi/4.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a parameter is not of its kind or out of its range; the message names it.
+
+    Notes
+    -----
+    Undercut and root fillet are not considered: the flank is an involute down to the base circle.
+
+    Source: paper on tooth thickness, design data and steps 5 and 6.
+
+    """
+
+    m: float
+    z: int
+    alpha: float = math.pi / 9
+
+    def __post_init__(self) -> None:
+        """Check the parameters and convert them."""
+        for name in ("m", "alpha"):
+            object.__setattr__(self, name, check_real(name, getattr(self, name)))
+        object.__setattr__(self, "z", check_count("z", self.z))
+        check_domain(kernels.DOMAIN, asdict(self))
+        # Then the flank's tangent is less than a right angle from the axis up to the tip circle.
+        require(self.z >= 4, "z", self.z, "must be at least 4")
+
+    @classmethod
+    def published(cls) -> ToothThickness:
+        """Return the wheel of the paper, m = 3 mm, z = 50.
+
+        alpha = 20 deg is the profile angle that gives its constant chord of 4.161 mm and height of
+        2.243 mm.
+        """
+        sizes: Mapping[str, Any] = kernels.PUBLISHED[0].sizes
+        return cls(sizes["m"], int(sizes["z"]), sizes["alpha"])
+
+    @property
+    def constant_chord(self) -> Any:
+        """Distance of the points where a rack touches both flanks (mm)."""
+        return kernels.constant_chord(self.m, self.alpha)
+
+    @property
+    def chord_height(self) -> Any:
+        """Height from the tip circle to the constant chord (mm)."""
+        return kernels.chord_height(self.m, self.alpha)
+
+    @property
+    def deepest(self) -> Any:
+        """From the constant chord down to where the flank is parallel to the tooth's axis (mm)."""
+        return kernels.height_change(-self.alpha, self.m, self.z, self.alpha)
+
+    def thickness_change(self, dh: ArrayLike) -> Any:
+        """Return how much the chord thickens if it lies `dh` deeper: exact, on the involute.
+
+        Parameters
+        ----------
+        dh : array_like, any shape
+            How much deeper than the constant chord the measured chord lies (mm).
+
+        Returns
+        -------
+        ndarray or NumPy scalar
+            Change of the chord (mm), negative for a chord nearer the tip; NaN where there is no
+            involute: above the tip circle (dh < -chord_height) or the point of a pointed tooth,
+            and below `deepest`, where the flank is parallel to the tooth's axis.
+
+        Raises
+        ------
+        TypeError
+            If `dh` is complex, not numeric or carries a unit.
+
+        Notes
+        -----
+        Accuracy held by the tests: error <= 61 eps * r_b*|tilt|*(1 + t_c + |tilt|), `tilt` the
+        angle by which the flank's tangent has turned: 29 for the thickness, 15 for the height
+        times its influence 2*tan of the flank's angle <= 2, and as often the eps of the tilt.
+
+        """
+        (given,) = as_floats(dh=dh)
+        depth = take_numbers("dh", given)
+        proper = (depth >= -self.chord_height) & (depth <= self.deepest)
+        tilt = self._invert(np.where(proper, depth, 0.0).astype(np.float64))
+        change = kernels.thickness_change(tilt, self.m, self.z, self.alpha)
+        proper &= self.constant_chord + change >= 0
+        return follow_kind(given, np.where(proper, change, np.nan).astype(depth.dtype))
+
+    def thickness_change_linear(self, dh: ArrayLike) -> Any:
+        """Return the change of thickness to first order, 2*tan(alpha)*dh."""
+        return kernels.thickness_change_linear(dh, self.alpha)
+
+    def linearisation_bound(self, dh: ArrayLike) -> Any:
+        """Bound the excess of the first order: 0 <= linear - exact <= bound (mm).
+
+        NaN where |dh| > `deepest`; see `kernels.tooth_thickness.linearisation_bound`.
+        """
+        (depth,) = as_floats(dh=dh)
+        within = np.where(np.abs(depth) <= self.deepest, depth, depth.dtype.type(np.nan))
+        return kernels.linearisation_bound(within, self.m, self.z, self.alpha)
+
+    def thickness_error(self, e_tip: ArrayLike, height_error: ArrayLike) -> Any:
+        """Return the error of the measured thickness, to first order (mm).
+
+        `e_tip` is the deviation of the tip diameter, `height_error` that of the gauge's height,
+        positive if set too deep. A larger tip diameter makes the measured tooth thinner.
+        """
+        return kernels.thickness_error(e_tip, height_error, self.alpha)
+
+    def _invert(self, depth: Any) -> Any:
+        """Solve height_change(tilt) = depth; the chord falls as the tangent turns to the axis."""
+        low = np.full(np.shape(depth), -self.alpha * (1 + 1e-9))
+        high = np.full(np.shape(depth), math.pi / 2 - self.alpha)
+        failure = f"{self!r}: no chord found for dh"
+
+        def rise(tilt: Any) -> Any:
+            return -kernels.height_change(tilt, self.m, self.z, self.alpha)
+
+        return invert(rise, -depth, low, high, failure=failure)

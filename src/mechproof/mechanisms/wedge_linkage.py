@@ -1,0 +1,192 @@
+"""Pusher, lever, rod, roller lever and wedge: a chain of four Assur groups with a clearance.
+
+Lengths are in millimetres, angles in radians from Ox, positive counter-clockwise; displacements
+and rotations are counted from the position x1 = 0.
+
+>>> from mechproof import WedgeLinkage
+>>> linkage = WedgeLinkage.published(1)
+>>> round(float(linkage.position(-40.0)), 3)
+-123.212
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from mechproof.kernel_support.arrays import as_floats
+from mechproof.kernels import wedge_linkage as kernels
+from mechproof.mechanisms.validation import check_domain, check_real, choose_published, require
+
+if TYPE_CHECKING:
+    from mechproof.tolerance import CornerRange, Size
+
+__all__ = ["PusherReachError", "RollerLeverReachError", "WedgeLinkage"]
+
+
+class PusherReachError(ValueError):
+    """The guide BC cannot follow the pusher: the radicand of Q is negative."""
+
+
+class RollerLeverReachError(ValueError):
+    """The roller lever cannot follow the rod: |R| > l_KL."""
+
+
+@dataclass(frozen=True)
+class WedgeLinkage:
+    """The linkage by its sizes: pusher in, wedge out.
+
+    Parameters
+    ----------
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM : float
+        Lengths and the clearance l_GH (mm), positive.
+    alpha_DE, alpha_KL, alpha_LM : float
+        Directions of the arms at x1 = 0 (rad), 0 < alpha_KL < pi.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a size is not a real number or out of its range; the message names it.
+
+    Notes
+    -----
+    Source: Bazuev et al. 2021, equations (1)-(10), with (7) and (8) in one form.
+
+    """
+
+    l_AB: float  # noqa: N815
+    l_BC: float  # noqa: N815
+    l_CD: float  # noqa: N815
+    l_DE: float  # noqa: N815
+    l_GH: float  # noqa: N815
+    l_KL: float  # noqa: N815
+    l_LM: float  # noqa: N815
+    alpha_DE: float  # noqa: N815
+    alpha_KL: float  # noqa: N815
+    alpha_LM: float  # noqa: N815
+
+    def __post_init__(self) -> None:
+        """Check the sizes and convert them to floats."""
+        for name, size in asdict(self).items():
+            object.__setattr__(self, name, check_real(name, size))
+        check_domain(kernels.DOMAIN, asdict(self))
+
+    @classmethod
+    def published(cls, set: int) -> WedgeLinkage:
+        """Return the nominal sizes of reconstruction 1 or 2 of Bazuev et al. 2021.
+
+        The sizes of the paper cannot be read in full. Set 1 changes one digit of l_BC and meets
+        the crossing at -29.4 mm and the largest spread at -40 mm; set 2 meets the crossing and
+        deviations of 10 %. Both were fitted to the crossing: it does not confirm them.
+        """
+        return cls(**{name: size.nominal for name, size in cls.published_sizes(set).items()})
+
+    @staticmethod
+    def published_sizes(set: int) -> dict[str, Size]:
+        """Return the sizes of reconstruction 1 or 2 with their limits (mm, rad).
+
+        The digits of l_BC and l_DE and two deviations cannot be read; both sets are fitted to the
+        printed crossing of two boundary curves at x1 = -29.4 mm.
+        """
+        from mechproof.tolerance import Size
+
+        sizes = choose_published(kernels.PUBLISHED, "set", set)
+        return {name: Size(*limits) for name, limits in sizes.items()}
+
+    def position(self, x1: ArrayLike) -> Any:
+        """Return the displacements y9 of the wedge; see `kernels.wedge_linkage`.
+
+        Raises
+        ------
+        PusherReachError
+            Where the radicand of Q is negative.
+        RollerLeverReachError
+            Where |R| > l_KL; both name the first displacement concerned.
+
+        """
+        self._check_reach(x1)
+        return kernels.position(x1, **asdict(self))
+
+    def velocity(self, x1: ArrayLike) -> Any:
+        """Return dy9/dx1, the velocity of the wedge at unit speed of the pusher.
+
+        0 before contact; at its start the value in contact. Raises as `position`.
+        """
+        self._check_reach(x1)
+        return kernels.velocity(x1, **asdict(self))
+
+    def sensitivities(self, x1: ArrayLike) -> dict[str, Any]:
+        """Return the derivative of y9 by every size (mm per mm or rad). Raises as `position`."""
+        self._check_reach(x1)
+        columns = np.moveaxis(kernels.sensitivities(x1, **asdict(self)), -1, 0)
+        return {name: column[()] for name, column in zip(asdict(self), columns, strict=True)}
+
+    def tolerance_range(
+        self, x1: ArrayLike, deviations: Mapping[str, tuple[float, float]]
+    ) -> CornerRange:
+        """Return the range of y9 over all combinations of limits of the sizes.
+
+        Parameters
+        ----------
+        x1 : array_like
+            Displacements of the pusher (mm).
+        deviations : mapping
+            Name of a size and its upper and lower limit deviation (mm, rad); others are fixed.
+
+        Raises
+        ------
+        TypeError, ValueError
+            Names the size whose deviations are no pair, no real numbers or not in order.
+
+        Notes
+        -----
+        No bound over the box of sizes: `mechproof.tolerance.certified_range` gives one.
+        Combinations outside the reach of the linkage are counted in `undefined`.
+
+        """
+        from mechproof.tolerance import Size, corner_range
+
+        unknown = sorted(deviations.keys() - asdict(self).keys())
+        require(not unknown, "deviations", unknown, f"names must be among {[*asdict(self)]}")
+        pairs = {name: _check_pair(name, pair) for name, pair in deviations.items()}
+        sizes = {
+            name: Size(nominal, *pairs.get(name, (0.0, 0.0)))
+            for name, nominal in asdict(self).items()
+        }
+        with np.errstate(invalid="ignore"):
+            return corner_range(kernels.position, x1, sizes)
+
+    def _check_reach(self, x1: ArrayLike) -> None:
+        """Raise for the first displacement that the linkage cannot follow; NaN passes."""
+        (moved,) = (np.ravel(a).astype(np.float64) for a in as_floats(x1=x1))
+        radicand = kernels.guide_radicand(moved, self.l_AB, self.l_BC, self.l_CD)
+        if (beyond := radicand < 0).any():
+            raise PusherReachError(
+                f"x1 = {moved[beyond][0]}: the radicand of Q, guide_radicand = "
+                f"{radicand[beyond][0]:.6g}, must not be negative"
+            )
+        turned = kernels.lever_angle(moved, self.l_AB, self.l_BC, self.l_CD)
+        run = kernels.rod_displacement(turned, self.l_DE, self.alpha_DE)
+        pushed = kernels.clearance(run, self.l_GH)
+        projection = kernels.roller_offset(pushed, self.l_KL, self.alpha_KL)
+        if (beyond := np.abs(projection) > self.l_KL).any():
+            raise RollerLeverReachError(
+                f"x1 = {moved[beyond][0]}: |R| <= l_KL = {self.l_KL!r} is violated, "
+                f"R = roller_offset = {projection[beyond][0]:.6g}"
+            )
+
+
+def _check_pair(name: str, pair: Any) -> tuple[float, float]:
+    """Return the upper and the lower deviation of a size."""
+    where = f"deviations[{name!r}]"
+    try:
+        upper, lower = pair
+    except (TypeError, ValueError):
+        raise TypeError(
+            f"{where} = {pair!r}: must be a pair, the upper and the lower deviation"
+        ) from None
+    return check_real(f"{where}[0]", upper), check_real(f"{where}[1]", lower)

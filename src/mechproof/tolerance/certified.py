@@ -1,0 +1,149 @@
+"""The range of a derived quantity over the whole box of its sizes, certified by ball arithmetic.
+
+A corner range is no bound where the dependence on a size turns between its limits. Here the
+derivation of a quantity gives its derivatives, and balls give their signs over the box: a size
+in which the quantity is monotonic goes to a limit, the others are cut into halves until the
+bound meets a value that is attained, or a budget is spent. What is then open is the gap.
+
+Needs the `derive` extra (sympy, python-flint).
+
+>>> from mechproof import WedgeLinkage
+>>> from mechproof.tolerance import certified_range
+>>> sizes = WedgeLinkage.published_sizes(1)
+>>> bool(certified_range("wedge_linkage", "position", -30.0, sizes).upper_gap < 1e-9)
+True
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.tolerance.problem import Problem
+from mechproof.tolerance.sizes import Floats, Size, check_count, check_inputs
+
+if TYPE_CHECKING:
+    from mechproof.record import Paper
+
+# Derivations already loaded; a derivation takes seconds.
+_LOADED: dict[str, Paper] = {}
+
+
+@dataclass(frozen=True, eq=False)
+class CertifiedRange:
+    """Bounds of a quantity over the whole box of sizes, at every input.
+
+    `lower` and `upper` are bounds: no sizes within their limits give a value beyond. The true
+    extremes lie between them and `lower_attained`, `upper_attained`, which are values of the
+    quantity at sizes in the box, NaN where none was found. Infinite bounds mean that the quantity
+    may be undefined there, or that the budget did not show it to be defined.
+
+    `turning` adds a last axis along `names`, the toleranced sizes: True where the whole box did
+    not show the quantity to be monotonic in the size. `without_influence` names the sizes whose
+    derivative is proved to be identically zero. `boxes` counts the boxes examined.
+    """
+
+    names: tuple[str, ...]
+    without_influence: tuple[str, ...]
+    lower: Floats
+    upper: Floats
+    lower_attained: Floats
+    upper_attained: Floats
+    turning: NDArray[np.bool_]
+    boxes: NDArray[np.int64]
+
+    @property
+    def lower_gap(self) -> Floats:
+        """What remains open at the lower end, in the unit of the quantity."""
+        return self.lower_attained - self.lower
+
+    @property
+    def upper_gap(self) -> Floats:
+        """What remains open at the upper end, in the unit of the quantity."""
+        return self.upper - self.upper_attained
+
+
+def certified_range(
+    system: str | Paper,
+    quantity: str,
+    inputs: ArrayLike,
+    sizes: Mapping[str, Size],
+    *,
+    gap: float = 1e-9,
+    budget: int = 200,
+) -> CertifiedRange:
+    """Bound a quantity of a derivation over the box of its sizes.
+
+    Parameters
+    ----------
+    system
+        Name of a system of the package, or a `Paper` of your own.
+    quantity
+        Name of one of its scalar quantities; its first argument takes the inputs.
+    inputs
+        Array-like of any shape.
+    sizes
+        Name and `Size` of every other argument, and of any other variable of the paper; with all
+        their limits in the sets and relations that the paper and the quantity state for them.
+    gap
+        Cut on while bound and attained value are further apart than this.
+    budget
+        Boxes to examine at most for each end at each input.
+
+    Returns
+    -------
+    CertifiedRange
+        Arrays of the inputs' shape. NaN in, NaN out; infinite bounds where the input and the
+        sizes are not shown to lie in the domain together.
+
+    Raises
+    ------
+    ImportError
+        Without the `derive` extra.
+    TypeError, ValueError
+        Names the parameter: also a size of which a part lies outside the domain.
+
+    """
+    check_count("budget", budget, 1)
+    if not gap >= 0:
+        raise ValueError(f"gap = {gap}: must not be negative")
+    points = check_inputs(inputs)
+    problem = Problem(_load(system), quantity, sizes)
+    results = [problem.bound(x, gap, budget) for x in points.ravel().tolist()]
+    ends = np.array([r[:4] for r in results], np.float64).reshape(-1, 4)
+    lower, lower_attained, upper, upper_attained = ends.T.reshape(4, *points.shape)
+    names = (*problem.names, *problem.idle)
+    turning = np.array([[n in r.turning for n in names] for r in results], bool)
+    return CertifiedRange(
+        names=names,
+        without_influence=tuple(problem.idle),
+        lower=lower,
+        upper=upper,
+        lower_attained=lower_attained,
+        upper_attained=upper_attained,
+        turning=turning.reshape(*points.shape, len(names)),
+        boxes=np.array([r.boxes for r in results], np.int64).reshape(points.shape),
+    )
+
+
+def _load(system: str | Paper) -> Paper:
+    try:
+        import flint  # noqa: F401
+
+        from mechproof.derivation import find_systems, load_paper, packaged_directory
+    except ImportError as error:
+        raise ImportError(
+            f"certified_range needs {error.name}: install mechproof with the extra `derive`"
+        ) from error
+    if not isinstance(system, str):
+        return system
+    if system not in _LOADED:
+        places = find_systems(packaged_directory())
+        if system not in places:
+            raise ValueError(f"system = {system!r}: must be one of {sorted(places)}")
+        _LOADED[system] = load_paper(places[system])
+    return _LOADED[system]

@@ -1,0 +1,131 @@
+"""Where a quantity is defined: sets of single sizes, relations between sizes and the input."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from mechproof.tolerance.boxes import (
+    Box,
+    Known,
+    common_sign,
+    differentiate,
+    enclose,
+    find_widest,
+    halve,
+    open_symbols,
+    put_to_limit,
+)
+from mechproof.tolerance.sizes import Size
+
+# Boxes to examine for a relation between sizes before it is left to every input.
+BUDGET = 200
+
+
+class Condition:
+    """A relation, decided over boxes by balls and, size by size, by the sign of its slope."""
+
+    def __init__(self, relation: Any) -> None:
+        import sympy as sp
+
+        self.relation = relation
+        self.strict = isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan)
+        self.room: Any = relation.gts - relation.lts if hasattr(relation, "gts") else None
+
+    @cached_property
+    def _slopes(self) -> dict[Any, list[Any]]:
+        try:
+            return {s: differentiate(self.room, s) for s in self.room.free_symbols}
+        except ValueError:
+            return {}
+
+    def decide(self, known: Known, box: Box) -> bool | None:
+        """Return whether it holds all over the box; False: at some point not; None: unknown."""
+        if self.room is None:
+            return self._decide_at_point(known, box)
+        room = enclose(self.room, known, box)
+        if self._is_enough(room):
+            return True
+        for symbol in open_symbols(box):
+            slopes = [enclose(branch, known, box) for branch in self._slopes.get(symbol, ())]
+            sign = common_sign(slopes) if slopes else 0
+            if sign:
+                box = put_to_limit(box, symbol, upper=sign < 0)
+        room = enclose(self.room, known, box)
+        if self._is_enough(room):
+            return True
+        return False if (room <= 0 if self.strict else room < 0) else None
+
+    def _is_enough(self, room: Any) -> bool:
+        return bool(room > 0 if self.strict else room >= 0)
+
+    def _decide_at_point(self, known: Known, box: Box) -> bool | None:
+        from mechproof.proof import balls
+
+        if open_symbols(box):
+            return None
+        return balls.truth(self.relation, {**known, **{s: low for s, (low, _) in box.items()}})
+
+
+def split(relation: Any) -> list[Any]:
+    """Return relations that hold together where the given one does, |u| <= v as two of u."""
+    import sympy as sp
+
+    if isinstance(relation, sp.And):
+        return [part for inner in relation.args for part in split(inner)]
+    if isinstance(relation, sp.Le | sp.Ge | sp.Lt | sp.Gt) and isinstance(relation.lts, sp.Abs):
+        less = sp.Le if isinstance(relation, sp.Le | sp.Ge) else sp.Lt
+        (inner,) = relation.lts.args
+        return [less(inner, relation.gts), less(-inner, relation.gts)]
+    return [relation]
+
+
+def is_inside(values: Any, number: float) -> bool:
+    """Say whether a number lies in the set of a variable."""
+    import sympy as sp
+
+    if not math.isfinite(number):
+        return False
+    exact = Fraction(number)
+    inside = values.contains(sp.Rational(exact.numerator, exact.denominator))
+    return bool(inside == sp.true)
+
+
+def check_sets(sizes: Mapping[str, Size], sets: Mapping[str, Any]) -> None:
+    """Raise ValueError, naming the size, unless all of it lies in the set of its variable."""
+    import sympy as sp
+
+    for name, size in sizes.items():
+        values = sets[name]
+        whole = isinstance(values, sp.Interval) or values == sp.S.Reals or not size.tolerance
+        if not whole or not all(is_inside(values, limit) for limit in size.limits):
+            raise ValueError(f"sizes[{name!r}] = {size}: must lie in {values} with its limits")
+
+
+def check_relation(
+    condition: Condition, sizes: Mapping[str, Size], symbols: Mapping[str, Any]
+) -> bool:
+    """Return whether the relation is shown for all the sizes within their limits.
+
+    Raises ValueError that names the sizes if it is violated at some of them.
+    """
+    box = {symbols[name]: size.limits for name, size in sizes.items()}
+    parts, undecided = deque([box]), False
+    for _ in range(BUDGET):
+        if not parts:
+            return not undecided
+        part = parts.popleft()
+        holds = condition.decide({}, part)
+        if holds is False:
+            given = ", ".join(f"sizes[{name!r}] = {size}" for name, size in sizes.items())
+            raise ValueError(f"{given}: must satisfy {condition.relation} with all their limits")
+        widest = find_widest(part, box)
+        if holds is None and widest is None:
+            undecided = True
+        elif holds is None:
+            parts += halve(part, widest)
+    return False

@@ -1,0 +1,264 @@
+"""The range of a function over all combinations of limits of its sizes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.tolerance.sizes import (
+    Floats,
+    Function,
+    Progress,
+    Report,
+    Size,
+    check_count,
+    check_inputs,
+    check_sizes,
+    evaluate,
+    evaluate_nominal,
+    slices,
+)
+
+# 2**24 combinations take seconds for each input, and each further size doubles that.
+MOST_SIZES = 24
+
+# Values per call: few enough for a kernel to keep what depends on few sizes that short.
+CHUNK = 2**14
+# Loops along the last axis are to be at least this long.
+LONG_LOOP = 64
+
+Index = NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False)
+class CornerRange:
+    """Smallest and largest value over all combinations of limits, at every input.
+
+    `nominal`, `lower`, `upper` and `undefined` have the inputs' shape; `lower_signs` and
+    `upper_signs` add a last axis along `names`, the toleranced sizes in their given order.
+    A sign tells at which limit the size gives the value: +1 upper, -1 lower, 0 either (with
+    every other size as its own sign says, those of sign 0 at their lower limits).
+
+    `undefined` counts the combinations for which the function is NaN. Where there is one, no
+    range is claimed: `lower` and `upper` are NaN and both rows of signs show the first such
+    combination.
+    """
+
+    names: tuple[str, ...]
+    nominal: Any
+    lower: Any
+    upper: Any
+    lower_signs: NDArray[np.int8]
+    upper_signs: NDArray[np.int8]
+    undefined: Any
+
+    @property
+    def spread(self) -> Any:
+        """Upper minus lower."""
+        return self.upper - self.lower
+
+    @property
+    def combinations(self) -> int:
+        """Number of combinations of limits, all of which were computed."""
+        return int(2 ** len(self.names))
+
+    @property
+    def influential(self) -> tuple[str, ...]:
+        """The sizes that matter: the range stays if all others keep to their lower limits."""
+        matters = np.count_nonzero(self._all_signs(), axis=0)
+        return tuple(name for name, count in zip(self.names, matters, strict=True) if count)
+
+    @property
+    def influential_combinations(self) -> int:
+        """Number of combinations of limits of the sizes that matter."""
+        return int(2 ** len(self.influential))
+
+    @property
+    def extreme_combinations(self) -> NDArray[np.int8]:
+        """The distinct rows of signs that give the smallest or largest value at some input."""
+        return np.unique(self._all_signs(), axis=0)
+
+    def describe(self, signs: ArrayLike) -> str:
+        """Return a row of signs as text, such as "+l_BC -l_CD"; sizes of sign 0 are left out."""
+        pairs = zip(self.names, np.asarray(signs), strict=True)
+        return " ".join(f"{'+' if sign > 0 else '-'}{name}" for name, sign in pairs if sign)
+
+    def _all_signs(self) -> NDArray[np.int8]:
+        width = len(self.names)
+        both = (self.lower_signs.reshape(-1, width), self.upper_signs.reshape(-1, width))
+        return np.concatenate(both)
+
+
+def corner_range(
+    function: Function,
+    inputs: ArrayLike,
+    sizes: Mapping[str, Size],
+    *,
+    chunk: int = CHUNK,
+    progress: Progress | None = None,
+) -> CornerRange:
+    """Evaluate `function(inputs, **sizes)` at all 2^m combinations of limits of m sizes.
+
+    This is no bound over the box of sizes: where the dependence on a size turns between its
+    limits, values inside lie beyond those at the corners. It is one where the function is
+    monotonic in every size.
+
+    Parameters
+    ----------
+    function
+        Called with inputs on the last axis and sizes on axes of their own before it, some of
+        them together on one axis, or of the inputs' shape; returns real numbers of the common
+        shape, or that broadcast to it. What depends on few sizes stays small in it. Fixed sizes
+        are passed as their nominal number.
+    inputs
+        Array-like of any shape; NaN in, NaN out.
+    sizes
+        Name and `Size`; at most 24 of them with a tolerance.
+    chunk
+        Values per call. Memory is a few times this and a few numbers per input and size,
+        whatever the number of combinations.
+    progress
+        Called as progress(done, total) after every call, in function values.
+
+    Returns
+    -------
+    CornerRange
+        The values themselves are those of `function`, unchanged. Of equal values, the first
+        combination counts, the lower limit before the upper.
+
+    Raises
+    ------
+    TypeError, ValueError
+        Names the parameter; also where the function returns complex numbers or another shape.
+
+    Source: Bazuev et al. 2021 (wedge_linkage), boundaries II to IV of the transfer function.
+
+    """
+    check_count("chunk", chunk, 1)
+    points = check_inputs(inputs)
+    box = _Box(function, sizes)
+    report = Report(points.size * box.combinations, progress)
+    rows, width = _block_shape(points.size, len(box.varying), chunk)
+    lower, upper = np.empty((2, points.size))
+    lower_at, upper_at, undefined = np.empty((3, points.size), np.int64)
+    for part in slices(points.size, rows):
+        lowest, highest, undefined[part] = _search(box, points.ravel()[part], width, report)
+        lower[part], upper[part] = lowest.value, highest.value
+        lower_at[part], upper_at[part] = lowest.index, highest.index
+    shape = points.shape
+    return CornerRange(
+        names=tuple(box.varying),
+        nominal=evaluate_nominal(function, points, sizes)[()],
+        lower=lower.reshape(shape)[()],
+        upper=upper.reshape(shape)[()],
+        lower_signs=_find_signs(box, points, lower_at, chunk),
+        upper_signs=_find_signs(box, points, upper_at, chunk),
+        undefined=undefined.reshape(shape)[()],
+    )
+
+
+def _block_shape(points: int, sizes: int, chunk: int) -> tuple[int, int]:
+    """Return how many inputs a block has, and how many of the first sizes vary in it."""
+    rows = max(1, min(points, chunk, max(LONG_LOOP, chunk >> sizes)))
+    return rows, min(sizes, (chunk // rows).bit_length() - 1)
+
+
+def _search(
+    box: _Box, inputs: Floats, width: int, report: Report
+) -> tuple[_Extreme, _Extreme, Index]:
+    lowest = _Extreme(inputs.size, np.argmin, np.less_equal, np.inf)
+    highest = _Extreme(inputs.size, np.argmax, np.greater_equal, -np.inf)
+    undefined = np.zeros(inputs.size, np.int64)
+    for first in range(0, box.combinations, 2**width):
+        values = box.evaluate_block(inputs, first, width)
+        lowest.update(values, first)
+        highest.update(values, first)
+        if np.isnan(lowest.value).any():
+            undefined += np.count_nonzero(np.isnan(values), axis=0)
+        report.add(values.size)
+    return lowest, highest, undefined
+
+
+def _find_signs(box: _Box, points: Floats, index: Index, chunk: int) -> NDArray[np.int8]:
+    signs = np.empty((points.size, len(box.varying)), np.int8)
+    for part in slices(points.size, max(1, chunk // (1 + len(box.varying)))):
+        signs[part] = box.find_signs(points.ravel()[part], index[part])
+    return signs.reshape(*points.shape, len(box.varying))
+
+
+class _Box:
+    """The function at numbered combinations; bit j is set where size j is at its upper limit."""
+
+    def __init__(self, function: Function, sizes: Mapping[str, Size]) -> None:
+        self.function = function
+        self.varying = check_sizes(sizes)
+        if len(self.varying) > MOST_SIZES:
+            count = len(self.varying)
+            raise ValueError(
+                f"sizes has {count} sizes with a tolerance, {2**count:,} combinations: at most "
+                f"{MOST_SIZES} sizes; fix those whose `contributions` are small, or use "
+                "`monte_carlo_range` or `certified_range`"
+            )
+        self.nominal: dict[str, float | Floats] = {
+            name: size.nominal for name, size in sizes.items()
+        }
+        self.bits = np.arange(len(self.varying))
+        self.combinations = 2 ** len(self.varying)
+
+    def evaluate_block(self, inputs: Floats, first: int, width: int) -> Floats:
+        """Return the values of 2**width combinations from `first` on, shape (2**width, inputs).
+
+        The first sizes share an axis until its loops are long; each other has one of its own.
+        """
+        together = min(width, (LONG_LOOP // max(inputs.size, 1)).bit_length())
+        axes = (2,) * (width - together) + (2**together,)
+        at_limits: dict[str, float | Floats] = {}
+        for bit, (name, size) in enumerate(self.varying.items()):
+            limits = np.array(size.limits)
+            if bit < together:
+                at_limits[name] = limits[np.arange(2**together) >> bit & 1, np.newaxis]
+            elif bit < width:
+                at_limits[name] = limits.reshape(2, *[1] * (bit - together + 2))
+            else:
+                at_limits[name] = size.limits[first >> bit & 1]
+        shape = (*axes, inputs.size)
+        values = evaluate(self.function, inputs, self.nominal | at_limits, shape)
+        return values.reshape(2**width, inputs.size)
+
+    def evaluate(self, inputs: Floats, index: Index) -> Floats:
+        """Return the values at combinations chosen for every input, shape of `index`."""
+        at_limits: dict[str, Floats] = {
+            name: np.where(index >> bit & 1, *reversed(size.limits))
+            for bit, (name, size) in enumerate(self.varying.items())
+        }
+        return evaluate(self.function, inputs, self.nominal | at_limits, index.shape)
+
+    def find_signs(self, inputs: Floats, index: Index) -> NDArray[np.int8]:
+        """Return at which limit each size gives the value of its combination; 0 for either."""
+        # Both sides of a comparison come from one call: another memory layout may take
+        # another code path of NumPy and differ in the last bit.
+        bits = self.bits[:, np.newaxis]
+        values = self.evaluate(inputs, np.vstack([index, index ^ 1 << bits]))
+        here, flipped = values[:1], values[1:]
+        same = (here == flipped) | (np.isnan(here) & np.isnan(flipped))
+        return np.where(same, 0, 2 * (index >> bits & 1) - 1).astype(np.int8).T
+
+
+class _Extreme:
+    """The running smallest or largest value of every input; the first NaN wins and stays."""
+
+    def __init__(self, count: int, pick: Any, keeps: Any, start: float) -> None:
+        self.pick, self.keeps = pick, keeps
+        self.value = np.full(count, start)
+        self.index = np.zeros(count, np.int64)
+
+    def update(self, values: Floats, first: int) -> None:
+        at = self.pick(values, axis=0)
+        value = values[at, np.arange(at.size)]
+        better = ~(self.keeps(self.value, value) | np.isnan(self.value))
+        self.value[better] = value[better]
+        self.index[better] = first + at[better]

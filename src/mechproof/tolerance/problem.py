@@ -1,0 +1,144 @@
+"""A quantity of a derivation over its sizes, ready to be bounded."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from mechproof.tolerance.boxes import Box, differentiate
+from mechproof.tolerance.conditions import (
+    Condition,
+    check_relation,
+    check_sets,
+    is_inside,
+    split,
+)
+from mechproof.tolerance.search import Search
+from mechproof.tolerance.sizes import Size, check_sizes
+
+if TYPE_CHECKING:
+    from mechproof.proof.domain import Domain
+    from mechproof.record import Paper, Quantity
+
+
+class Bounds(NamedTuple):
+    """Bounds and attained values at one input, the sizes that turn, the boxes examined."""
+
+    lower: float
+    lower_attained: float
+    upper: float
+    upper_attained: float
+    turning: frozenset[str]
+    boxes: int
+
+
+class Problem:
+    """A quantity, its derivatives and its domain, ready to be enclosed over boxes of sizes."""
+
+    def __init__(self, paper: Paper, name: str, sizes: Mapping[str, Size]) -> None:
+        from mechproof.proof.domain import Domain
+
+        quantity = _find_quantity(paper, name)
+        self.running = quantity.arguments[0].symbols[0]
+        self.sizes, self.sized = sizes, _match_symbols(paper, quantity, sizes)
+        domain = Domain.of(paper, quantity.on)
+        sets = {v.symbol: v.within for v in paper.variables} | dict(domain.within)
+        check_sets(sizes, {n: sets[s] for n, s in self.sized.items()})
+        self.inputs = sets[self.running]
+        chosen = {self.running, *self.sized.values()}
+        given = {s: g for s, g in domain.given.items() if s not in chosen}
+        free = Domain(domain.within, (), given)
+        # Definition and form are equal (an approximation is not used), but not their balls: the
+        # narrower counts. The form spares cancellations, the definition has shorter derivatives.
+        exact = [quantity.definition]
+        exact += [form.expression for form in quantity.shipped[-1:] if form.bound is None]
+        self.values = [free.resolve(e) for e in exact]
+        relations = [*paper.where, *(quantity.on.where if quantity.on else ())]
+        self.conditions = self._collect([free.resolve(r) for r in relations])
+        self._sort_sizes(domain)
+        self.slopes = {
+            s: [differentiate(value, s) for value in self.values] for s in self.names.values()
+        }
+
+    def _sort_sizes(self, domain: Domain) -> None:
+        """Tell the sizes that vary from those that are fixed or have no influence."""
+        varying = {n: self.sized[n] for n in check_sizes(self.sizes)}
+        tied = set().union(*(c.relation.free_symbols for c in self.conditions))
+        free = {n: s for n, s in varying.items() if s not in tied}
+        self.idle = [n for n, s in free.items() if _is_idle(self.values[-1], s, domain)]
+        self.names = {n: s for n, s in varying.items() if n not in self.idle}
+        self.limits: Box = {s: self.sizes[n].limits for n, s in self.names.items()}
+        self.fixed = {
+            s: self.sizes[n].nominal for n, s in self.sized.items() if n not in self.names
+        }
+
+    def _collect(self, relations: list[Any]) -> list[Condition]:
+        """Return the conditions to decide at every input; those of the sizes alone are checked."""
+        single = [part for relation in relations for part in split(relation)]
+        names = {s: n for n, s in self.sized.items()}
+        known = [r for r in single if r.free_symbols <= {self.running, *names}]
+        kept = []
+        for relation in known:
+            condition = Condition(relation)
+            symbols = relation.free_symbols
+            within = {names[s]: self.sizes[names[s]] for s in symbols - {self.running}}
+            if self.running in symbols or not check_relation(condition, within, self.sized):
+                kept.append(condition)
+        return kept
+
+    def bound(self, x: float, gap: float, budget: int) -> Bounds:
+        """Return the bounds at an input."""
+        if x != x:
+            return Bounds(x, x, x, x, frozenset(), 0)
+        if not is_inside(self.inputs, x):
+            return Bounds(-np.inf, np.nan, np.inf, np.nan, frozenset(self.names), 0)
+        known = {**self.fixed, self.running: x}
+        low = Search(self, known, -1).run(gap, budget)
+        high = Search(self, known, 1).run(gap, budget)
+        turning = {n for n, s in self.names.items() if s in low.turning | high.turning}
+        attained = (np.nan if np.isinf(s.attained) else s.attained for s in (low, high))
+        lower, upper = (sign * value for sign, value in zip((-1, 1), attained, strict=True))
+        boxes = low.boxes + high.boxes
+        return Bounds(-low.bound, lower, high.bound, upper, frozenset(turning), boxes)
+
+
+def _find_quantity(paper: Paper, name: str) -> Quantity:
+    import sympy as sp
+
+    found = {q.name: q for q in paper.quantities}
+    if name not in found:
+        raise ValueError(f"quantity = {name!r}: must be one of {sorted(found)}")
+    quantity = found[name]
+    single = all(len(a.symbols) == 1 for a in quantity.arguments)
+    indexed = any(isinstance(s, sp.IndexedBase) for a in quantity.arguments for s in a.symbols)
+    if not single or indexed or isinstance(quantity.definition, sp.MatrixBase):
+        raise ValueError(f"quantity = {name!r}: must be a scalar function of scalars")
+    return quantity
+
+
+def _match_symbols(paper: Paper, quantity: Quantity, sizes: Mapping[str, Size]) -> dict[str, Any]:
+    """Return the symbols of the sizes; an argument may have another name than its symbol."""
+    running, *needed = quantity.arguments
+    symbols = {str(v.symbol): v.symbol for v in paper.variables}
+    symbols |= {a.name: a.symbols[0] for a in needed}
+    allowed = {n: s for n, s in symbols.items() if s != running.symbols[0]}
+    missing = sorted({a.name for a in needed} - set(sizes))
+    unknown = sorted(set(sizes) - set(allowed))
+    if missing or unknown:
+        names = [a.name for a in needed]
+        raise ValueError(f"sizes: missing {missing}, unknown {unknown}; needed are {names}")
+    return {n: allowed[n] for n in sizes}
+
+
+def _is_idle(value: Any, symbol: Any, domain: Any) -> bool:
+    """Prove that the derivative is identically zero."""
+    import sympy as sp
+
+    from mechproof.proof.algebra import decide_equal
+
+    slope = sp.diff(value, symbol)
+    return slope == 0 or (
+        not slope.has(sp.Heaviside, sp.Max) and decide_equal(slope, sp.S.Zero, domain) is not None
+    )

@@ -1,0 +1,143 @@
+"""Verification: the places of derivations -> papers with their judgements, on all processors."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from mechproof.codegen.forms import form_rows
+from mechproof.derivation import DerivationError, check_names, load_paper
+from mechproof.processes import START, WorkerError, run_tasks
+from mechproof.proof.cache import VerdictCache, row_keys
+from mechproof.proof.judge import judge
+from mechproof.proof.verdict import Judgement
+from mechproof.record import Paper, Row
+
+# Seconds for a row; beyond, something hangs.
+LIMIT = 600.0
+
+
+class VerificationError(RuntimeError):
+    """A row could not be judged: its process hung or died, or the prover contradicts itself."""
+
+
+@dataclass(frozen=True)
+class Opened:
+    """A derivation that is loaded: its paper, all rows, and what of the paper a verdict sees."""
+
+    location: Path
+    paper: Paper
+    rows: tuple[Row, ...]
+    domain: Paper
+
+
+# What a process has opened; one that was forked finds here what its parent had.
+_opened: dict[Path, Opened] = {}
+
+
+def open_derivation(location: Path) -> Opened:
+    """Load a derivation and state the rows of its forms.
+
+    Raises `DerivationError` naming the place.
+    """
+    paper = load_paper(location)
+    try:
+        rows = (*paper.rows, *form_rows(paper))
+    except (ValueError, NotImplementedError) as error:
+        raise DerivationError(f"{location}: {error}") from error
+    variables = tuple(replace(variable, meaning="", sign="") for variable in paper.variables)
+    domain = Paper(paper.system, "", variables, (), paper.where)
+    return Opened(location, paper, rows, domain)
+
+
+def judge_derivations(
+    locations: Sequence[Path],
+    *,
+    use_cache: bool = True,
+    limit: float = LIMIT,
+    processes: int | None = None,
+    start: str = START,
+    report: Callable[[str], None] = lambda text: None,
+) -> list[tuple[Paper, list[Judgement]]]:
+    """Judge every row of the papers, then the rows of their forms; papers and rows in order.
+
+    `report` is told what has been done. Raises `DerivationError`, and `VerificationError` naming
+    a row that takes longer than `limit` seconds or whose process dies; what was judged until then
+    is kept in the cache.
+    """
+    ledgers: list[_Ledger] = []
+    places: dict[str, Path] = {}
+    try:
+        for location in locations:
+            report(f"loading {location}")
+            _opened[location] = opened = open_derivation(location)
+            check_names(places, opened.paper, location)
+            ledgers.append(_Ledger(opened, use_cache))
+        _fill(ledgers, limit, processes, start, report)
+    finally:
+        _opened.clear()
+        for ledger in ledgers if use_cache else ():
+            ledger.save()
+    return [(ledger.opened.paper, ledger.judgements()) for ledger in ledgers]
+
+
+class _Ledger:
+    """The judgements of a paper while they come in."""
+
+    def __init__(self, opened: Opened, use_cache: bool) -> None:
+        self.opened = opened
+        self.cache = VerdictCache(opened.location)
+        self.keys = row_keys(opened.domain, opened.rows) if use_cache else [""] * len(opened.rows)
+        self.kept = self.cache.load() if use_cache else {}
+        self.found = {n: self.kept[k] for n, k in enumerate(self.keys) if k in self.kept}
+
+    def missing(self) -> Iterator[int]:
+        """Yield the numbers of rows to judge, from the last: forms stand last and take longest."""
+        return (n for n in reversed(range(len(self.keys))) if n not in self.found)
+
+    def add(self, number: int, judgement: Judgement) -> None:
+        """Take the judgement of a row; a process that read the file anew may have met another."""
+        if judgement.number != self.opened.rows[number].number:
+            raise VerificationError(f"{self.opened.location}: changed while it was judged")
+        self.found[number] = judgement
+
+    def save(self) -> None:
+        """Keep what is new."""
+        judged = {self.keys[number]: found for number, found in self.found.items()}
+        if judged != self.kept:
+            self.cache.save(judged)
+
+    def judgements(self) -> list[Judgement]:
+        """Return the judgements in the order of the rows."""
+        return [self.found[number] for number in range(len(self.keys))]
+
+
+def _fill(
+    ledgers: Sequence[_Ledger],
+    limit: float,
+    processes: int | None,
+    start: str,
+    report: Callable[[str], None],
+) -> None:
+    tasks = [(ledger, number) for ledger in ledgers for number in ledger.missing()]
+    sent = [(ledger.opened.location, number) for ledger, number in tasks]
+    try:
+        results = run_tasks(_judge, sent, limit=limit, processes=processes, start=start)
+        for done, (task, judgement) in enumerate(results, start=1):
+            ledger, number = tasks[task]
+            ledger.add(number, judgement)
+            report(f"{done} of {len(tasks)} rows, {judgement.system}: {judgement.number}")
+    except WorkerError as error:
+        ledger, number = tasks[error.number]
+        row = ledger.opened.rows[number]
+        where = f"{ledger.opened.location}: row {row.number}"
+        raise VerificationError(f"{where}: {error.reason}") from error
+
+
+def _judge(task: tuple[Path, int]) -> Judgement:
+    location, number = task
+    if location not in _opened:
+        _opened[location] = open_derivation(location)
+    opened = _opened[location]
+    return judge(opened.rows[number], opened.domain)

@@ -1,0 +1,37 @@
+"""Formulas as plain text: arguments by their names, brackets, powers, lines that end in time."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from mechproof.codegen.docstrings import WIDTH, describe_kernel
+from mechproof.codegen.formula_text import write_formula
+from mechproof.codegen.kernel import list_functions
+from mechproof.derivations.track_wheel import PAPER
+
+a, b = sp.symbols("a b", real=True)
+i, j = sp.symbols("i j", integer=True, positive=True)
+m = sp.IndexedBase("m", real=True)
+SMALL = sp.Rational(1, 10**50)
+
+
+@pytest.mark.parametrize(
+    ("formula", "text"),
+    [
+        (m[i, j] * a, "length*matrix[i,j]"),
+        (sp.And(a >= SMALL, a <= 10**50), "1e-50 <= length <= 1e50"),
+        (sp.And(sp.Or(sp.Eq(a, 0), sp.Eq(b, 0)), a < b), "(length = 0 or b = 0) and length < b"),
+        (a * 2**26 + 1000, "1000 + 2**26*length"),
+    ],
+)
+def test_formulas(formula: sp.Basic, text: str) -> None:
+    assert write_formula(formula, {a: "length", m: "matrix"}) == text
+
+
+def test_products_longer_than_a_line_are_broken() -> None:
+    (kernel,) = (k for k in list_functions(PAPER) if k.name == "error_sum_correlated")
+    lines = describe_kernel(kernel, PAPER)
+    assert max(map(len, lines)) <= WIDTH
+    whole = "".join(line.strip() for line in lines)
+    assert "sensitivities[i]*sensitivities[j]*tolerances[i]*tolerances[j]" in whole

@@ -1,0 +1,147 @@
+"""Bad records are refused, templates hold layout only, and the formula decides the file."""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import sympy as sp
+from trial import load_paper, paper_of, quantity_of
+
+import mechproof.kernels.elliptic_planetary as shipped
+from mechproof.codegen.domain import set_relations
+from mechproof.codegen.numpy_backend import (
+    TEMPLATES,
+    format_source,
+    render_modules,
+    render_template,
+)
+from mechproof.derivations import elliptic_planetary
+from mechproof.derivations.elliptic_planetary.paper import k
+from mechproof.record import Accuracy, Quantity, Variable
+
+a, b, x = sp.symbols("a b x", real=True)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "message"),
+    [
+        (quantity_of(a + b, a), r"symbols without a value: \['b'\]"),
+        (quantity_of(sp.sin(a), a, b), r"arguments that do not occur: \['b'\]"),
+        (quantity_of(a + b, a, b, names="a lambda"), "'lambda' cannot name a variable"),
+        (quantity_of(a + b, a, b, names="a _b"), "'_b' cannot name a variable"),
+        (quantity_of(a + b, a, b, names="a np"), r"\['np'\] cannot name variables"),
+        (quantity_of(a + b, a, b, names="a b+c"), r"'b\+c' cannot name a variable"),
+    ],
+)
+def test_bad_quantities_are_refused(quantity: Quantity, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        render_modules(paper_of(quantity, Variable(b, "a number")))
+
+
+def test_a_domain_needs_a_parameter_to_mask() -> None:
+    quantity = quantity_of(sp.Matrix([a, b]), a, b)
+    positive = sp.Interval.open(0, sp.oo)
+    with pytest.raises(ValueError, match="no parameter through which"):
+        render_modules(paper_of(quantity, Variable(b, "a number", within=positive)))
+
+
+def test_sets_without_relations_are_refused() -> None:
+    with pytest.raises(ValueError, match="Interval, Naturals or Reals"):
+        set_relations(x, sp.FiniteSet(1, 2))
+
+
+def test_template_keys_are_the_data_keys(tmp_path: Path) -> None:
+    (tmp_path / "t.jinja").write_text("{{ one }} {{ two }}")
+    assert render_template("t.jinja", {"one": 1, "two": 2}, tmp_path) == "1 2"
+    for data in ({"one": 1}, {"one": 1, "two": 2, "three": 3}):
+        with pytest.raises(ValueError, match=r"asks for \['one', 'two'\]"):
+            render_template("t.jinja", data, tmp_path)
+
+
+def test_templates_hold_layout_only() -> None:
+    """No call of NumPy and no long stretch without a placeholder."""
+    for template in TEMPLATES.glob("*.jinja"):
+        text = template.read_text(encoding="utf-8")
+        assert "np." not in text.replace("import numpy as np", "")
+        plain = [len(part.splitlines()) for part in text.replace("{%", "{{").split("{{")]
+        assert max(plain) <= 20, template.name
+
+
+def test_source_that_is_not_python_is_refused() -> None:
+    with pytest.raises(ValueError, match="formatter rejects"):
+        format_source("def f(:\n")
+
+
+def test_a_changed_coefficient_changes_the_kernel(tmp_path: Path) -> None:
+    paper = elliptic_planetary.PAPER
+    ratio = paper.quantities[0]
+    arguments = (0.3, 66, 16, 0.475)
+
+    def compute(factor: sp.Expr) -> float:
+        form = dataclasses.replace(
+            ratio.forms[0], expression=ratio.forms[0].expression.subs(k, factor)
+        )
+        changed = dataclasses.replace(ratio, forms=(form,))
+        module = load_paper(dataclasses.replace(paper, quantities=(changed,)), tmp_path)
+        return float(module.ratio(*arguments))
+
+    assert compute(k) == shipped.ratio(*arguments)
+    deviation = (compute(sp.Rational(11, 10) * k) - 1) / (compute(k) - 1)
+    assert deviation == pytest.approx(1.1, rel=1e-14)
+
+
+def test_signatures_and_names_are_readable() -> None:
+    assert dir(shipped) == sorted(shipped.__all__)
+    text = str(inspect.signature(shipped.position))
+    assert text == (
+        "(phi1: 'ArrayLike', R1: 'ArrayLike', R2: 'ArrayLike', e: 'ArrayLike', "
+        "*, out: 'NDArray[Any] | None' = None) -> 'Any'"
+    )
+
+
+def test_published_sizes_and_the_domain_are_plain_data() -> None:
+    sizes = [dict(row.sizes) for row in shipped.PUBLISHED]
+    assert sizes[1] == {"R1": 66.0, "R2": 16.0, "e": 0.475}
+    told = {c.text: c.holds for c in shipped.DOMAIN}
+    assert list(told) == ["0 < R1 < oo", "0 < R2 < oo", "0 <= e < 1", "R2 < R1"]
+    assert told["0 <= e < 1"](0.0)
+    assert not told["0 <= e < 1"](1.0)
+    assert not told["R2 < R1"](1.0, 2.0)
+
+
+def test_rendering_does_not_depend_on_the_hash_seed() -> None:
+    script = (
+        "import hashlib; from mechproof.codegen.numpy_backend import render_modules;"
+        "from mechproof.derivations import elliptic_planetary as e, track_wheel as t;"
+        "texts = {**render_modules(e.PAPER), **render_modules(t.PAPER)};"
+        "print(hashlib.sha256(repr(texts).encode()).hexdigest())"
+    )
+    digests = {
+        subprocess.run(
+            [sys.executable, "-c", script],
+            env={**os.environ, "PYTHONHASHSEED": seed},
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for seed in ("1", "4242")
+    }
+    assert len(digests) == 1
+
+
+def test_alternatives_among_the_conditions_of_the_accuracy_stand_in_brackets() -> None:
+    either, small = sp.Or(sp.Eq(a, 0), sp.Eq(b, 0)), sp.Abs(a) <= 4
+    told = {
+        (either,): "where (a = 0 or b = 0).",
+        (small, either): "where |a| <= 4 and (a = 0 or b = 0).",
+    }
+    for within, text in told.items():
+        quantity = dataclasses.replace(quantity_of(a + b, a, b), accuracy=Accuracy(1, None, within))
+        (source,) = render_modules(paper_of(quantity)).values()
+        assert f"Accuracy: 1 eps of the value, {text}" in source

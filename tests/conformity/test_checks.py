@@ -1,0 +1,187 @@
+"""What laws and shares refuse, and when laws are equal."""
+
+from __future__ import annotations
+
+import warnings
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mechproof.conformity import (
+    Law,
+    Normal,
+    TruncatedNormal,
+    Uniform,
+    conformance_probability,
+    shares,
+    simulate_shares,
+)
+
+ONE = Normal(0, 1)
+LAWS: list[Law] = [ONE, Uniform(-1, 1), TruncatedNormal(0, 1, -1, 1)]
+
+
+class Millimetres:
+    """A number with a unit that conversion to an array strips."""
+
+    units = "mm"
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+        return np.asarray(1.0, dtype)
+
+
+NO_NUMBERS = [
+    ("1", "'1': must be a real number"),
+    (None, "None: must be a real number"),
+    (True, "True: must be a real number"),
+    (1 + 2j, r"\(1\+2j\): must be a real number"),
+    (np.array([1j]), "must be a real number"),
+    (np.array(["1"]), "must be a real number"),
+    (np.longdouble(1), "must be a real number"),
+    (np.ma.masked_array([1.0, 2.0], [True, False]), "is a masked array: give NaN"),
+    (np.ma.masked, "is a masked array: give NaN"),
+    (Millimetres(), "carries a unit"),
+]
+
+
+@pytest.mark.parametrize(("value", "message"), NO_NUMBERS, ids=lambda v: type(v).__name__)
+def test_what_is_no_real_number_is_named(value: Any, message: str) -> None:
+    for make, name in (
+        (lambda: Normal(value, 1), "mean"),
+        (lambda: Normal(0, value), "std"),
+        (lambda: Normal.from_width(0, 1, value), "multiple"),
+        (lambda: Uniform(value, 3), "lower"),
+        (lambda: Uniform.from_width(value, 3), "mean"),
+        (lambda: TruncatedNormal(0, 1, -1, value), "upper"),
+        (lambda: shares(ONE, ONE, (-1, value)), r"tolerance\[1\]"),
+        (lambda: shares(ONE, ONE, (-1, 1), (value, 1)), r"acceptance\[0\]"),
+        (lambda: conformance_probability(value, ONE, ONE, (-1, 1)), "measured"),
+    ):
+        with pytest.raises(TypeError, match=rf"^{name} .*{message}"):
+            make()
+
+
+@pytest.mark.parametrize("law", LAWS, ids=lambda law: type(law).__name__)
+@pytest.mark.parametrize(("value", "message"), NO_NUMBERS, ids=lambda v: type(v).__name__)
+def test_arguments_of_laws_are_named(law: Law, value: Any, message: str) -> None:
+    for call, name in (
+        (lambda: law.pdf(value), "x"),
+        (lambda: law.probability(value, 1), "lower"),
+        (lambda: law.outside(-1, value), "upper"),
+    ):
+        with pytest.raises(TypeError, match=rf"^{name} .*{message}"):
+            call()
+    with pytest.raises(TypeError, match=message):
+        law.cdf(value)
+
+
+def test_fractions_are_real_numbers() -> None:
+    assert Normal(Fraction(1, 2), 1) == Normal(0.5, 1)
+
+
+@pytest.mark.parametrize("limits", [40, (1, 2, 3), None, [1]])
+def test_what_is_no_pair_of_limits_is_named(limits: Any) -> None:
+    message = r"must be a pair \(lower, upper\)"
+    with pytest.raises(TypeError, match=r"^tolerance = .*" + message):
+        shares(ONE, ONE, limits)
+    with pytest.raises(TypeError, match=r"^tolerance = .*" + message):
+        conformance_probability(0, ONE, ONE, limits)
+    if limits is not None:
+        with pytest.raises(TypeError, match=r"^acceptance = .*" + message):
+            shares(ONE, ONE, (-1, 1), limits)
+
+
+def test_what_is_no_law_is_named() -> None:
+    wrong: Any = 3
+    with pytest.raises(TypeError, match=r"^true = 3: must be a law, Normal or Uniform"):
+        shares(wrong, ONE, (-1, 1))
+    with pytest.raises(TypeError, match=r"^error = 3: must be a law"):
+        shares(ONE, wrong, (-1, 1))
+    with pytest.raises(TypeError, match=r"^error\[1\] = 3: must be a law"):
+        simulate_shares(ONE, [ONE, wrong], (-1, 1), rng=np.random.default_rng(1), count=3)
+    uniform: Any = Uniform(-1, 1)
+    with pytest.raises(TypeError, match=r"^error = Uniform.*must be a law, Normal$"):
+        conformance_probability(0, ONE, uniform, (-1, 1))
+
+
+@pytest.mark.parametrize("width", [1e151, 1e307, 1.7e308])
+def test_widths_beyond_the_range_are_refused(width: float) -> None:
+    for make, name in (
+        (lambda: Normal(0, width), "std"),
+        (lambda: Normal(-width, 1), "mean"),
+        (lambda: Uniform(-width, width), "lower"),
+        (lambda: TruncatedNormal(0, 1, -1, width), "upper"),
+        (lambda: shares(ONE, ONE, (-width, 0)), r"tolerance\[0\]"),
+    ):
+        with pytest.raises(ValueError, match=rf"^{name} = .*between -1e\+150 and 1e\+150"):
+            make()
+
+
+@pytest.mark.parametrize("part", [1e150, 1e100, 1e6, 1e-6, 1e-100, 1e-150])
+@pytest.mark.parametrize("whole", [1e150, 1.0, 1e-150])
+def test_the_shares_add_up_to_one(whole: float, part: float) -> None:
+    for true in (Normal(0, whole), Uniform(-whole, whole), TruncatedNormal(0, whole, 0, whole)):
+        for error in (Normal(0, part), Uniform(0, part), TruncatedNormal(0, part, -part, part)):
+            for tolerance in ((-whole, whole), (-part, part), (-np.inf, part)):
+                found = shares(true, error, tolerance)
+                four = np.array(list(vars(found).values()))
+                assert (four >= 0).all()
+                # The stated accuracy of a share.
+                assert abs(four.sum() - 1) <= 1e-12, (true, error, tolerance)
+
+
+def test_scalars_have_narrow_windows() -> None:
+    """Each once ended in an assignment to a scalar."""
+    # erf(0.1/sqrt(2)) and the same of 1e-9 by its derivative.
+    assert ONE.probability(-0.1, 0.1) == pytest.approx(0.07965567455405798, rel=1e-15)
+    assert ONE.probability(0, 1e-9) == pytest.approx(1e-9 / np.sqrt(2 * np.pi), rel=1e-15)
+    assert type(ONE.probability(-0.1, 0.1)) is np.float64
+    law = TruncatedNormal(0, 10, -1, 1)
+    assert law.probability(-1, 1) == 1
+    assert law.cdf(0) == pytest.approx(0.5, rel=1e-15)
+    array = Normal(np.zeros(1), 1).probability(-0.1, 0.1)
+    assert ONE.probability(-0.1, 0.1) == array[0]
+
+
+def test_laws_are_equal_by_value() -> None:
+    assert Normal(0, 1) == Normal(0.0, 1.0)
+    assert Normal([0, 1], 1) == Normal(np.array([0.0, 1.0]), 1)
+    assert Normal(np.nan, 1) == Normal(np.nan, 1)
+    assert Uniform(0, 1) == Uniform(0, 1)
+    assert TruncatedNormal(0, 1, -1, 1) == TruncatedNormal(0, 1, -1, 1)
+    assert len({Normal(0, 1), Normal(-0.0, 1), Normal(np.nan, 1), Normal(np.nan, 1)}) == 2
+
+
+def test_laws_differ_by_kind_shape_and_value() -> None:
+    assert Normal(0, 1) != Uniform(0, 1)
+    assert Normal(0, 1) != Normal([0], 1)
+    assert Normal([0, 1], 1) != Normal([0, 2], 1)
+    assert Normal(0, 1) != (0, 1)
+    assert hash(Normal(0, 1)) != hash(Normal([0], 1))
+
+
+def test_a_law_keeps_its_own_parameters() -> None:
+    mean = np.array([0.0, 1.0])
+    law = Normal(mean, 1)
+    mean[0] = 7
+    assert law == Normal([0, 1], 1)
+
+
+def test_missing_numbers_warn_of_nothing() -> None:
+    odd = np.array([np.nan, np.inf, -np.inf, 0.0, 1e300])
+    unknown = Normal(np.nan, 1), Uniform(np.nan, 1), TruncatedNormal(np.nan, 1, -1, 1)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for law in (*LAWS, *unknown, Normal(0, 0)):
+            law.pdf(odd), law.cdf(odd), law.probability(odd, odd[::-1]), law.outside(-1, odd)
+        for true in (*LAWS, *unknown):
+            for error in (*LAWS, *unknown):
+                for tolerance in ((-1, 1), (-np.inf, np.inf), (np.nan, 1)):
+                    found = shares(true, error, tolerance)
+                    missing = any(np.isnan([*vars(law).values()]).any() for law in (true, error))
+                    assert np.isnan(found.rightly_accepted) == (
+                        missing or tolerance[0] != tolerance[0]
+                    )
+        conformance_probability(odd[[0, 3]], ONE, Normal(0, 0), (-1, 1))

@@ -1,0 +1,205 @@
+"""How kernels treat types, shapes, NaN, their domain and bad arguments."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mechproof.kernel_support import arrays
+from mechproof.kernels import elliptic_planetary, track_wheel
+from mechproof.kernels.forms.elliptic_planetary import position_principal
+
+OF_ANGLES = ("ratio", "position", "acceleration")
+ELLIPTIC = (0.3, 66.0, 16.0, 0.475)
+MOTION = ("position", "ratio", "acceleration")
+POINT, ANGLES, SHIFT = [1.0, 2.0, 3.0], [0.1, -0.2, 0.3], [0.01, 0.02, 0.03]
+SUM = ([0.016, 0.05], [1.0, -1.0], [1.0, 1.2], 1.1)
+CALLS: dict[tuple[str, str], tuple[tuple[Any, ...], tuple[int, ...]]] = {
+    **{("elliptic_planetary", name): (ELLIPTIC, ()) for name in OF_ANGLES},
+    ("elliptic_planetary", "largest_ratio"): (ELLIPTIC[1:], ()),
+    ("elliptic_planetary", "smallest_ratio"): (ELLIPTIC[1:], ()),
+    ("track_wheel", "rotation"): ((0.1, 0.2, 0.3), (3, 3)),
+    ("track_wheel", "displacement"): ((POINT, ANGLES, SHIFT), (3,)),
+    ("track_wheel", "radius"): ((0.3, 41.5, 3.75, 6), ()),
+    ("track_wheel", "track"): ((0.3, 41.5, 3.75, 6, 20.0), (3,)),
+    ("track_wheel", "largest_radius"): ((41.5, 3.75), ()),
+    ("track_wheel", "smallest_radius"): ((41.5, 3.75), ()),
+    ("track_wheel", "planar_error"): ((SHIFT,), ()),
+    ("track_wheel", "spatial_error"): ((SHIFT,), ()),
+    ("track_wheel", "error_sum"): (SUM, ()),
+    ("track_wheel", "error_sum_correlated"): ((*SUM[:3], np.eye(2), 1.1), ()),
+    ("track_wheel", "error_sum_thermal"): ((*SUM, 0.15, 1.0), ()),
+}
+
+
+@pytest.fixture(autouse=True)
+def _warnings_are_errors() -> Iterator[None]:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        yield
+
+
+def call(key: tuple[str, str], arguments: tuple[Any, ...]) -> Any:
+    return getattr(import_module(f"mechproof.kernels.{key[0]}"), key[1])(*arguments)
+
+
+def test_every_kernel_is_called() -> None:
+    for module in (elliptic_planetary, track_wheel):
+        system = module.__name__.rpartition(".")[2]
+        assert {n for s, n in CALLS if s == system} == set(module.__all__)
+
+
+@pytest.mark.parametrize("key", CALLS, ids=map("-".join, CALLS))
+def test_scalars_and_types(key: tuple[str, str]) -> None:
+    arguments, shape = CALLS[key]
+    result = call(key, arguments)
+    assert np.shape(result) == shape
+    assert result.dtype == np.float64
+    assert isinstance(result, np.float64 if shape == () else np.ndarray)
+    single = call(key, tuple(np.asarray(a, np.float32) for a in arguments))
+    assert single.dtype == np.float32
+    # A weak bound: float32 has 24 bits, and no kernel here loses more than 8 of them.
+    assert np.allclose(single, result, rtol=2**-16, atol=2**-16)
+    mixed = (np.asarray(arguments[0], np.float32), *arguments[1:])
+    strong = any(isinstance(a, list | np.ndarray) for a in arguments[1:])
+    assert call(key, mixed).dtype == (np.float64 if strong else np.float32)
+
+
+@pytest.mark.parametrize("key", CALLS, ids=map("-".join, CALLS))
+def test_broadcasting_equals_separate_calls(key: tuple[str, str]) -> None:
+    arguments, shape = CALLS[key]
+    first = np.stack([np.asarray(arguments[0]), 0.5 * np.asarray(arguments[0])])
+    together = call(key, (first, *arguments[1:]))
+    assert together.shape == (2, *shape)
+    for row, value in zip(together, first, strict=True):
+        np.testing.assert_array_max_ulp(row, np.asarray(call(key, (value, *arguments[1:]))), 4)
+    if len(arguments) > 1:
+        last = np.stack([np.asarray(arguments[-1])] * 3)[:, None]
+        assert call(key, (first, *arguments[1:-1], last)).shape == (3, 2, *shape)
+
+
+@pytest.mark.parametrize("key", CALLS, ids=map("-".join, CALLS))
+def test_nan_in_gives_nan_out(key: tuple[str, str]) -> None:
+    arguments, _ = CALLS[key]
+    for i, argument in enumerate(arguments):
+        poisoned = np.full_like(np.asarray(argument, float), np.nan)
+        result = call(key, (*arguments[:i], poisoned, *arguments[i + 1 :]))
+        assert np.isnan(result).any()
+
+
+@pytest.mark.parametrize("key", CALLS, ids=map("-".join, CALLS))
+def test_bad_types_are_named(key: tuple[str, str]) -> None:
+    arguments, _ = CALLS[key]
+    for bad in (1j, "1", None, np.longdouble(1)):
+        with pytest.raises(TypeError, match="expected real numbers"):
+            call(key, (*arguments[:-1], bad))
+
+
+NAN = float("nan")
+OUTSIDE = [
+    *(("elliptic_planetary", n, bad) for n in OF_ANGLES for bad in (
+        (0.3, 66.0, 16.0, 1.0), (0.3, 66.0, 16.0, -0.1), (0.3, 16.0, 16.0, 0.1),
+        (0.3, 16.0, 66.0, 0.1), (0.3, -1.0, -2.0, 0.1), (0.3, 66.0, 0.0, 0.1),
+        (0.3, np.inf, 16.0, 0.1), (0.3, 66.0, 16.0, NAN),
+    )),
+    *(("elliptic_planetary", n, bad) for n in ("largest_ratio", "smallest_ratio") for bad in (
+        (66.0, 16.0, 1.0), (66.0, 16.0, -0.1), (66.0, 0.0, 0.1), (66.0, 16.0, NAN),
+    )),
+    *(("track_wheel", "radius", (0.3, *bad)) for bad in (
+        (3.0, 3.1, 6), (3.0, -3.1, 6), (-3.0, 1.0, 6), (0.0, 0.0, 6), (3.0, 1.0, 0),
+        (3.0, 1.0, 2.5), (np.inf, 1.0, 6), (3.0, 1.0, np.inf), (3.0, -np.inf, 6),
+    )),
+    ("track_wheel", "track", (0.3, 3.0, 1.0, 6, -1.0)),
+    ("track_wheel", "track", (0.3, 3.0, 4.0, 6, 1.0)),
+    ("track_wheel", "track", (0.3, 3.0, -np.inf, 6, 1.0)),
+    ("track_wheel", "error_sum", ([-0.1, 0.1], 1.0, 1.0, 1.0)),
+    ("track_wheel", "error_sum", ([0.1, 0.1], 1.0, [1.0, 0.0], 1.0)),
+    ("track_wheel", "error_sum", ([0.1, 0.1], 1.0, 1.0, 0.0)),
+    ("track_wheel", "error_sum_thermal", ([0.1], 1.0, 1.0, 1.0, 1.0, 1.0)),
+    ("track_wheel", "error_sum_thermal", ([0.1], 1.0, 1.0, 1.0, 2.0, 0.6)),
+    *(("track_wheel", "error_sum_correlated", ([0.1, 0.2], 1.0, 1.0, bad, 1.0)) for bad in (
+        [[1, 0.5], [0.4, 1]], [[1, 2], [2, 1]], [[1, 0], [0, 0.9]],
+    )),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("system", "name", "arguments"), OUTSIDE)
+def test_outside_the_domain_is_nan(system: str, name: str, arguments: tuple[Any, ...]) -> None:
+    # Infinite or specimens' arguments may warn on the way; arguments inside the domain must not.
+    with np.errstate(divide="ignore", invalid="ignore"):
+        assert np.isnan(call((system, name), arguments)).all()
+
+
+def test_only_the_element_outside_is_nan() -> None:
+    result = elliptic_planetary.position(1.0, 66.0, 16.0, [0.1, 1.0, 0.2])
+    assert np.isnan(result).tolist() == [False, True, False]
+
+
+@pytest.mark.parametrize(
+    ("function", "arguments", "message"),
+    [
+        (track_wheel.displacement, (np.ones((3, 2)), ANGLES, SHIFT), r"points.*\(3, 2\)"),
+        (track_wheel.displacement, (POINT, 0.1, SHIFT), r"angles.*\(\)"),
+        (track_wheel.planar_error, (np.ones(4),), r"displacement.*\(4,\)"),
+        (track_wheel.error_sum, (np.ones(3), np.ones(2), 1.0, 1.0), r"sensitivities.*\(2,\)"),
+        (
+            track_wheel.error_sum_correlated,
+            (np.ones(3), 1.0, 1.0, np.eye(2), 1.0),
+            r"correlation.*\(3, 3\).*\(2, 2\)",
+        ),
+        (track_wheel.error_sum_correlated, (np.ones(3), 1.0, 1.0, 1.0, 1.0), r"correlation.*\(\)"),
+    ],
+)
+def test_wrong_axes_are_named(function: Any, arguments: tuple[Any, ...], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        function(*arguments)
+
+
+def test_position_is_odd_and_continuous_across_turns() -> None:
+    phi = np.linspace(-40, 40, 20001)
+    position = elliptic_planetary.position(phi, 66, 16, 0.475)
+    assert np.array_equal(position, -elliptic_planetary.position(-phi, 66, 16, 0.475))
+    # The steps are at most max ratio * step, and the rounding 17 eps of about 500.
+    assert np.diff(position).max() <= 12.59 * 0.004 * (1 + 1e-9)
+    assert np.diff(position).min() > 0
+    principal = position_principal(phi, 66, 16, 0.475)
+    assert np.diff(principal).min() < -1
+
+
+def test_circle_through_the_pole() -> None:
+    assert track_wheel.radius(0.0, 3.0, 3.0, 1) == 6.0
+    assert track_wheel.radius(np.pi, 3.0, 3.0, 1) == 0.0
+
+
+def test_thermal_share_solves_its_own_equation() -> None:
+    share, scatter, total = 0.15, 1.3, 1.2
+    tolerances = [0.016, 0.05, 0.042, 0.01, 0.021]
+    solved = track_wheel.error_sum_thermal(tolerances, 1.0, 1.1, total, share, scatter)
+    scatters = [1.1] * 5 + [scatter]
+    again = track_wheel.error_sum([*tolerances, share * solved], 1.0, scatters, total)
+    # Two sums of 7 eps each, the first amplified by K/(K - K_T*share) = 1.2.
+    assert abs(again - solved) <= 16 * np.finfo(float).eps * solved
+
+
+def test_uncorrelated_is_the_plain_sum() -> None:
+    plain = track_wheel.error_sum(*SUM)
+    correlated = track_wheel.error_sum_correlated(*SUM[:3], np.eye(2), SUM[3])
+    np.testing.assert_allclose(correlated, plain, rtol=15 * np.finfo(float).eps)
+    full = track_wheel.error_sum_correlated([1.0, 2.0], 1.0, 1.0, np.ones((2, 2)), 1.0)
+    assert full == 3.0
+
+
+def test_conversion_of_arguments() -> None:
+    (weak,) = arrays.as_floats(a=1)
+    assert weak.dtype == np.float64
+    single, mixed = arrays.as_floats(a=np.float32(1), b=True)
+    assert single.dtype == mixed.dtype == np.float32
+    single, integer = arrays.as_floats(a=np.float32(1), b=np.int64(2))
+    assert single.dtype == integer.dtype == np.float64
+    with pytest.raises(TypeError, match="b: expected real numbers"):
+        arrays.as_floats(a=1.0, b=[1j])

@@ -1,0 +1,79 @@
+"""Emitted kernels are run before they are written: wrong support code and wrong sources stop it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mechproof.codegen.forms import TranslationError
+from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.validation import validate
+
+
+@pytest.fixture
+def position() -> Subject:
+    (subject,) = find_subjects(("elliptic_planetary.position",))
+    return subject
+
+
+def changed(module: ModuleType, **names: Callable[..., Any]) -> ModuleType:
+    """Copy a module whose functions find other names in it."""
+    source = Path(str(module.__file__)).read_text(encoding="utf-8")
+    copy = ModuleType(module.__name__)
+    exec(compile(source, str(module.__file__), "exec"), copy.__dict__)
+    copy.__dict__.update(names)
+    return copy
+
+
+def with_modules(subject: Subject, kernels: Any = None, forms: Any = None) -> Subject:
+    return replace(subject, modules=(kernels or subject.modules[0], forms or subject.modules[1]))
+
+
+def test_the_shipped_kernels_pass(position: Subject) -> None:
+    validate(iter([position]))
+
+
+@pytest.mark.parametrize("name", ["product_rest", "quotient_rest", "small_tangent"])
+@pytest.mark.parametrize("factor", [0.0, 2.0, -1.0], ids=["dropped", "doubled", "turned"])
+def test_a_wrong_low_word_stops_it(position: Subject, name: str, factor: float) -> None:
+    module = position.modules[0]
+    right = getattr(module, name)
+    wrong = changed(module, **{name: lambda *arguments: factor * right(*arguments)})
+    with pytest.raises(TranslationError, match=r"position\(.*the oracle gives"):
+        validate(iter([with_modules(position, kernels=wrong)]))
+
+
+def test_a_wrong_rival_stops_it(position: Subject) -> None:
+    forms = position.modules[1]
+    right = forms.position_tan_half
+    wrong = SimpleNamespace(**vars(forms))
+    wrong.position_tan_half = lambda *arguments: right(*arguments) * (1 + 1e-13)
+    with pytest.raises(TranslationError, match=r"position_tan_half\(.*its program gives"):
+        validate(iter([with_modules(position, forms=wrong)]))
+
+
+def test_a_fault_in_long_arrays_only_stops_it(position: Subject) -> None:
+    """Blocks and polynomials are support code, and part of what is run."""
+    module = position.modules[0]
+    right = module.in_blocks
+
+    def wrong(evaluate: Any, running: Any, *others: Any, **options: Any) -> Any:
+        values = right(evaluate, running, *others, **options)
+        return values if np.size(values) < 10_000 else values * (1 + 1e-12)
+
+    with pytest.raises(TranslationError, match="position"):
+        validate(iter([with_modules(position, kernels=changed(module, in_blocks=wrong))]))
+
+
+def test_a_wrong_coefficient_of_a_polynomial_stops_it(position: Subject) -> None:
+    module = position.modules[0]
+    (first, *others), below = module.ARCTANGENT
+    wrong = ((first * (1 + 1e-10), *others), below)
+    with pytest.raises(TranslationError, match="position"):
+        validate(iter([with_modules(position, kernels=changed(module, ARCTANGENT=wrong))]))

@@ -1,0 +1,234 @@
+"""The linkage in the laboratory: its truth and scales, and where each rival fails."""
+
+from __future__ import annotations
+
+import mpmath as mp
+import numpy as np
+import pytest
+from ways import find_subject, find_way, run, truth_of
+
+from mechproof.kernels import wedge_linkage as kernels
+from mechproof.lab.error import Errors
+from mechproof.lab.method import Arguments
+
+CHAIN = ("position", "velocity", "sensitivities")
+NOMINAL = (6.25, 49.75, 38.0, 83.0, 2.0, 60.0, 145.0, 4.94, 1.13, 2.155)
+
+
+# A short guide, over which the lever turns past the right angle, and a rod that it leaves room.
+SHORT = (6.25, 19.75, 38.0, 20.0, 2.0, 60.0, 145.0, 4.94, 1.13, 2.155)
+OVER = np.concatenate([np.linspace(-120, -85, 30), np.linspace(-4, -0.5, 10)])
+
+
+def errors(quantity: str, way: str, arguments: Arguments) -> Errors:
+    return run(f"wedge_linkage.{quantity}", way, arguments)
+
+
+def working(count: int) -> Arguments:
+    """Return points of the working stroke in contact, sizes off by up to a percent."""
+    rng = np.random.default_rng(9)
+    sizes = np.array(NOMINAL) * (1 + 0.01 * rng.uniform(-1, 1, (count, len(NOMINAL))))
+    return rng.uniform(-38, -5, count), *sizes.T
+
+
+# The truth
+
+
+def position_by_vectors(
+    x1: mp.mpf,
+    l_ab: mp.mpf,
+    l_bc: mp.mpf,
+    l_cd: mp.mpf,
+    l_de: mp.mpf,
+    l_gh: mp.mpf,
+    l_kl: mp.mpf,
+    l_lm: mp.mpf,
+    alpha_de: mp.mpf,
+    alpha_kl: mp.mpf,
+    alpha_lm: mp.mpf,
+) -> mp.mpf:
+    """Turn complex numbers: AD from its parts along and across the guide, KL by its cosine."""
+    from_a_to_d = mp.mpc(-(l_ab + l_cd) - x1, -l_bc)
+    guide = mp.sqrt(abs(from_a_to_d) ** 2 - (l_ab + l_cd) ** 2)
+    turn = from_a_to_d / mp.mpc(-(l_ab + l_cd), -guide)
+    run = l_de * (mp.expj(alpha_de) * (turn / abs(turn) - 1)).real
+    roller = mp.acos(mp.cos(alpha_kl) - max(run - l_gh, 0) / l_kl) - alpha_kl
+    return l_lm * (mp.expj(alpha_lm) * (mp.expj(roller) - 1)).imag
+
+
+def slope(index: int, point: list[mp.mpf]) -> mp.mpf:
+    """Differentiate by one argument: the step of 1e-20 leaves 1e-40 of third derivatives."""
+    step = mp.mpf(10) ** -20
+    ends = ([*point[:index], point[index] + s, *point[index + 1 :]] for s in (step, -step))
+    high, low = (position_by_vectors(*end) for end in ends)
+    return (high - low) / (2 * step)
+
+
+def test_the_truth_is_that_of_turned_vectors() -> None:
+    arguments = working(12)
+    truth = {name: truth_of(f"wedge_linkage.{name}", arguments) for name in CHAIN}
+    with mp.workdps(70):
+        for i, row in enumerate(np.transpose(arguments)):
+            point = [mp.mpf(float(v)) for v in row]
+            expected = {
+                "position": [position_by_vectors(*point)],
+                "velocity": [slope(0, point)],
+                "sensitivities": [slope(j, point) for j in range(1, 11)],
+            }
+            for name, values in expected.items():
+                highs, lows = (np.ravel(part[i]) for part in (truth[name].high, truth[name].low))
+                for high, low, value in zip(highs, lows, values, strict=True):
+                    gap = abs(mp.mpf(float(high)) + mp.mpf(float(low)) - value)
+                    # Two doubles hold 2**-106; the differences are off by some 1e-38.
+                    assert gap <= 2.0**-100 * (1 + abs(value)), name
+
+
+def test_the_scales_are_the_conditioning() -> None:
+    arguments = working(4)
+    scales = {name: truth_of(f"wedge_linkage.{name}", arguments).scale for name in CHAIN}
+    with mp.workdps(70):
+        for i, row in enumerate(np.transpose(arguments)):
+            point = [mp.mpf(float(v)) for v in row]
+            value = position_by_vectors(*point)
+            expected = abs(value) + sum(abs(p * slope(j, point)) for j, p in enumerate(point))
+            assert scales["position"][i] == pytest.approx(float(expected), rel=1e-8)
+            each = [condition_of_slope(j, point) for j in range(11)]
+            assert scales["velocity"][i] == pytest.approx(float(each[0]), rel=1e-8)
+            norm = mp.norm(each[1:])
+            assert scales["sensitivities"][i] == pytest.approx(float(norm), rel=1e-8)
+
+
+def condition_of_slope(index: int, point: list[mp.mpf]) -> mp.mpf:
+    """|slope| + sum of |p * d slope/d p|, by differences of differences."""
+    step, total = mp.mpf(10) ** -12, abs(slope(index, point))
+    for j, p in enumerate(point):
+        ends = ([*point[:j], p + s, *point[j + 1 :]] for s in (step, -step))
+        high, low = (slope(index, end) for end in ends)
+        total += abs(p * (high - low) / (2 * step))
+    return total
+
+
+# Where rivals fail
+
+
+def test_the_printed_lever_is_off_by_pi_past_the_right_angle() -> None:
+    arguments = OVER, *map(np.array, SHORT[:3])
+    exact = truth_of("wedge_linkage.lever_angle", arguments).high
+    past = np.abs(exact) > np.pi / 2
+    assert 0 < past.sum() < past.size
+    off = errors("lever_angle", "printed (1)", arguments).absolute
+    assert np.allclose(off[past], np.pi, rtol=1e-9)
+    for name in ("(1) with atan2", "kernel"):
+        assert np.max(errors("lever_angle", name, arguments).absolute) < 1e-13
+
+
+@pytest.mark.parametrize(
+    ("quantity", "rest", "ways"),
+    [
+        ("lever_angle", (6.25, 49.75, 38.0), ("printed (1)", "(1) with atan2")),
+        ("roller_lever_angle", (60.0, 1.13), ("printed (7), (8)", "atan2", "arccosine")),
+    ],
+)
+def test_angles_lose_a_digit_for_each_decade_of_small_motion(
+    quantity: str, rest: tuple[float, ...], ways: tuple[str, ...]
+) -> None:
+    for name in (*ways, "kernel"):
+        lost = []
+        for exponent in (3, 6, 9, 12):
+            moved = np.linspace(1, 2, 20) * 10.0**-exponent
+            lost.append(float(np.max(errors(quantity, name, (moved, *map(np.array, rest))).bits)))
+        if name == "kernel":
+            assert max(lost) < 2
+        else:
+            # Three decades are 10 bits.
+            assert np.all(np.abs(np.diff(lost) - 9.97) < 3), (name, lost)
+
+
+def test_the_hole_at_r_zero() -> None:
+    alpha = np.linspace(0.3, 1.3, 40)
+    arguments = 60 * np.cos(alpha), np.full(40, 60.0), alpha
+    # R = 0 as computed, everywhere: what is printed has no value, a single condition takes (8).
+    printed = find_way("wedge_linkage.roller_lever_angle", "printed (7), (8)").compute
+    with np.errstate(all="ignore"):
+        assert np.isnan(printed(*arguments)).all()
+    off = errors("roller_lever_angle", "(7) or else (8)", arguments).absolute
+    assert np.allclose(off, np.pi, rtol=1e-12)
+    for name in ("atan2", "arccosine", "kernel"):
+        assert np.max(errors("roller_lever_angle", name, arguments).absolute) < 1e-15 * np.pi
+    beside = (np.nextafter(arguments[0], 0), *arguments[1:])
+    assert np.max(errors("roller_lever_angle", "printed (7), (8)", beside).absolute) < 1e-14
+
+
+def test_a_nearly_level_roller_lever_loses_two_digits_for_each_decade() -> None:
+    """cos(alpha_KL) keeps eps of one, of which alpha_KL**2/2 is left."""
+    for name in ("arccosine", "atan2", "kernel"):
+        lost = []
+        for exponent in (1, 3, 5):
+            alpha = np.linspace(1, 2, 20) * 10.0**-exponent
+            x5 = -60 * np.sin(alpha / 2) ** 2
+            found = errors("roller_lever_angle", name, (x5, np.full(20, 60.0), alpha))
+            lost.append(float(np.log2(1 + np.max(found.scaled))))
+        if name == "kernel":
+            assert max(lost) < 1
+        else:
+            # Two decades are 13.3 bits.
+            assert np.all(np.abs(np.diff(lost) - 13.3) < 4), (name, lost)
+
+
+def test_the_printed_chain_is_lost_where_the_lever_is() -> None:
+    arguments = OVER, *map(np.array, SHORT)
+    past = np.abs(kernels.lever_angle(*arguments[:4])) > np.pi / 2
+    far = errors("position", "printed chain", arguments).scaled > 1e6
+    # Where the rod stays free of the link 5' all is zero.
+    assert far[past].any()
+    assert not far[~past].any()
+    assert np.max(errors("position", "chain with atan2", arguments).scaled) < 100
+
+
+def test_small_motion_of_the_chain() -> None:
+    moved = -np.logspace(-12, -9, 30)
+    sizes = (*NOMINAL[:4], 1e-300, *NOMINAL[5:])
+    arguments = moved, *map(np.array, sizes)
+    for quantity, ways in (
+        ("position", ("printed chain", "chain with atan2", "sympy.lambdify, cse")),
+        ("velocity", ()),
+    ):
+        for way in ways:
+            assert np.max(errors(quantity, way, arguments).bits) > 25, way
+        assert np.max(errors(quantity, "kernel", arguments).bits) < 6
+
+
+def test_before_contact_only_ours_is_zero() -> None:
+    x1 = np.linspace(-0.5, -1e-6, 40)
+    arguments = x1, *map(np.array, NOMINAL)
+    assert not truth_of("wedge_linkage.position", arguments).high.any()
+    assert not find_subject("wedge_linkage.position").kernel(*arguments).any()
+    for way in ("printed chain", "chain with atan2"):
+        moved = find_way("wedge_linkage.position", way).compute(*arguments)
+        # An arctangent less a direction, both of some unit: not zero, but next to it.
+        assert np.max(np.abs(moved)) < 1e-12, way
+
+
+def test_where_the_definition_stays_wide_the_form_decides() -> None:
+    """Nothing moves: x5 = 0, before contact, and an arm that comes level again."""
+    standing = {
+        "roller_lever_angle": (0.0, 60.0, 1.13),
+        "rod_displacement": (0.75, 83.0, -0.375),
+        "position": (-0.5, *NOMINAL),
+    }
+    for name, row in standing.items():
+        truth = truth_of(f"wedge_linkage.{name}", tuple(np.array([v]) for v in row))
+        assert truth.decided.all(), name
+        assert truth.high.tolist() == truth.low.tolist() == [0.0]
+    # Out of reach the definition has no value, whatever the form would give.
+    far = tuple(np.array([v]) for v in (200.0, 60.0, 1.13))
+    assert truth_of("wedge_linkage.roller_lever_angle", far).undecided == 1
+
+
+def test_differences_keep_half_of_the_digits() -> None:
+    # eps/h of some 100 mm is 1e-10, h**2/6 of the third derivative less.
+    for quantity, way in (
+        ("velocity", "central difference"),
+        ("sensitivities", "central differences"),
+    ):
+        assert 1e-12 < np.max(errors(quantity, way, working(6)).absolute) < 1e-5

@@ -1,0 +1,69 @@
+"""Quantities, ways of computing them and their errors against the oracle, for the tests here."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+from mechproof.lab.error import Errors, Summary, find_errors, summarise
+from mechproof.lab.method import Arguments, Method
+from mechproof.lab.oracle import Truth, find_truth
+from mechproof.lab.points import REPORT, draw_points
+from mechproof.lab.sets import list_sets
+from mechproof.lab.subject import Subject, find_subjects
+
+EPS = float(np.finfo(float).eps)
+
+
+@cache
+def find_subject(name: str) -> Subject:
+    (found,) = find_subjects((name,))
+    return found
+
+
+def find_way(quantity: str, name: str) -> Method:
+    return next(m for m in find_subject(quantity).methods if m.name == name)
+
+
+def bound_of(quantity: str) -> float:
+    accuracy = find_subject(quantity).quantity.accuracy
+    assert accuracy is not None
+    return accuracy.ulp
+
+
+KNOWN: dict[tuple[object, ...], Truth] = {}
+
+
+def truth_of(quantity: str, arguments: Arguments) -> Truth:
+    """Return the truth, which several ways are held against."""
+    key = (quantity, *((np.shape(a), np.asarray(a).tobytes()) for a in arguments))
+    if key not in KNOWN:
+        KNOWN[key] = find_truth(find_subject(quantity), arguments)
+    return KNOWN[key]
+
+
+def compare(quantity: str, name: str, arguments: Arguments) -> Errors:
+    """Compare a way with the oracle; NaN where that is undecided."""
+    with np.errstate(all="ignore"):
+        result = find_way(quantity, name).compute(*arguments)
+    return find_errors(result, truth_of(quantity, arguments))
+
+
+def run(quantity: str, name: str, arguments: Arguments) -> Errors:
+    """Compare a way with the oracle, which decides every point."""
+    assert truth_of(quantity, arguments).undecided == 0
+    return compare(quantity, name, arguments)
+
+
+def sum_up(quantity: str, name: str, arguments: Arguments) -> Summary:
+    """Summarise the same, wrong branches included."""
+    errors = run(quantity, name, arguments)
+    return summarise(errors, truth_of(quantity, arguments), find_subject(quantity).period)
+
+
+@cache
+def draw_set(quantity: str, name: str, share: float = 1.0) -> Arguments:
+    """Draw the set whose name has this in it."""
+    sets = list_sets(find_subject(quantity), share)
+    return draw_points(next(s for s in sets if name in s.name), REPORT)

@@ -1,0 +1,253 @@
+"""The cache of verdicts: what is judged anew, and what is not."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from mechproof import verification
+from mechproof.proof import cache
+from mechproof.proof.cache import VARIABLE, VerdictCache, cache_folder
+from mechproof.proof.verdict import Verdict
+from mechproof.verification import VerificationError, judge_derivations
+
+HEAD = """
+import os, time
+from sympy import Interval, Lambda, S, Function, cos, sin, symbols
+from mechproof.record import *
+x, y = symbols("x y", real=True)
+class Own(Function):
+    pass
+def paper(*rows, **words):
+    variables = (Variable(x, "a number", **words), Variable(y, "another"))
+    return Paper("mine", "my notes", variables, rows)
+"""
+ROWS = (
+    'Equation("(1)", "1", Equality(sin(x)**2 + cos(x)**2, S.One))',
+    'Equation("(2)", "2", Equality((x + y)**2, x**2 + 2*x*y + y**2))',
+    'Equation("(3)", "3", Equality(x + y, x - y))',
+)
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv(VARIABLE, str(tmp_path / "cache"))
+    return tmp_path
+
+
+@pytest.fixture
+def judged(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[str]]:
+    """Judge a paper of rows; return the numbers of those that were judged anew."""
+
+    def run(*rows: str, words: str = "", use_cache: bool = True) -> list[str]:
+        numbers: list[str] = []
+        file = folder / "mine.py"
+        text = f"{HEAD}\nPAPER = paper({', '.join(rows)}, {words})\n"
+        file.write_text(text, encoding="utf-8")
+        ((_, judgements),) = judge_derivations(
+            [file], use_cache=use_cache, report=numbers.append, processes=1
+        )
+        run.judgements = judgements  # type: ignore[attr-defined]
+        return sorted(text.rpartition(": ")[2] for text in numbers if " rows, " in text)
+
+    return run
+
+
+def test_only_rows_that_changed_are_judged(judged: Callable[..., list[str]]) -> None:
+    assert judged(*ROWS) == ["(1)", "(2)", "(3)"]
+    first = judged.judgements  # type: ignore[attr-defined]
+    assert judged(*ROWS) == []
+    assert judged.judgements == first  # type: ignore[attr-defined]
+    edited = ROWS[1].replace("2*x*y", "3*x*y")
+    assert judged(ROWS[0], edited, ROWS[2]) == ["(2)"]
+    verdicts = [j.verdict for j in judged.judgements]  # type: ignore[attr-defined]
+    assert verdicts == [Verdict.PROVED, Verdict.REFUTED, Verdict.REFUTED]
+    assert judged(*ROWS, edited.replace("(2)", "(4)")) == ["(2)", "(4)"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('"(3)"', '"(3a)"'),
+        ('"3", ', '"three", '),
+        ("x - y)", "x - y), note='so'"),
+        ("x - y)", "x - y), holds_on=Part('y = 0', where=(y >= 0,))"),
+        ("x - y)", "x - y), on=Part('x > 0', within={x: Interval.open(0, 1)})"),
+        ("x - y)", "x - y), corrected=Correction('c', Equality(x, x))"),
+        ("x - y)", "x - y), readings=(Reading('r', Equality(x, x)),)"),
+        ("x - y)", "x - y), stays_open='why'"),
+    ],
+)
+def test_whatever_enters_a_row_counts(judged: Callable[..., list[str]], old: str, new: str) -> None:
+    judged(*ROWS)
+    edited = ROWS[2].replace(old, new)
+    assert edited != ROWS[2]
+    assert len(judged(*ROWS[:2], edited)) == 1
+
+
+@pytest.mark.parametrize(
+    "words", ["within=Interval(0, 1)", "given=2*y", "dimension=LENGTH", "within=S.Naturals"]
+)
+def test_the_domain_counts(judged: Callable[..., list[str]], words: str) -> None:
+    judged(*ROWS)
+    assert len(judged(*ROWS, words=words)) == 3
+
+
+def test_words_about_a_symbol_do_not(judged: Callable[..., list[str]]) -> None:
+    judged(*ROWS)
+    assert judged(*ROWS, words="sign='to the right'") == []
+
+
+def test_without_the_cache_all_rows_are_judged(
+    judged: Callable[..., list[str]], folder: Path
+) -> None:
+    assert judged(*ROWS, use_cache=False) == ["(1)", "(2)", "(3)"]
+    assert not (folder / "cache").exists()
+    judged(*ROWS)
+    assert judged(*ROWS, use_cache=False) == ["(1)", "(2)", "(3)"]
+
+
+def test_another_rung_judges_anew(
+    judged: Callable[..., list[str]], folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The prover is copied, one rung of the copy edited, and its sources are those that count."""
+    copies = folder / "proof"
+    shutil.copytree(Path(cache.__file__).parent, copies)
+    monkeypatch.setattr(cache, "prover_sources", lambda: sorted(copies.glob("*.py")))
+    judged(*ROWS)
+    assert judged(*ROWS) == []
+    rung = copies / "algebra.py"
+    rung.write_text(rung.read_text(encoding="utf-8") + "\n# edited\n", encoding="utf-8")
+    assert len(judged(*ROWS)) == 3
+    assert judged(*ROWS) == []
+
+
+def test_the_verdict_of_another_prover_replaces_the_old_one(
+    judged: Callable[..., list[str]], folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    judged(*ROWS)
+    source = folder / "rung.py"
+    source.write_text("# a rung that proves everything\n")
+    monkeypatch.setattr(cache, "prover_sources", lambda: [source])
+    rung = verification.judge
+    monkeypatch.setattr(
+        verification, "judge", lambda *row: replace(rung(*row), verdict=Verdict.PROVED)
+    )
+    judged(*ROWS)
+    verdicts = [j.verdict for j in judged.judgements]  # type: ignore[attr-defined]
+    assert verdicts == [Verdict.PROVED] * 3
+
+
+def test_the_sources_of_the_prover_are_all_it_imports() -> None:
+    """A module that a verdict depends on and that no key covers would go unnoticed."""
+    names = {path.name for path in cache.prover_sources()}
+    assert {"judge.py", "ladder.py", "algebra.py", "domain.py", "record.py"} <= names
+    for path in cache.prover_sources():
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if line.startswith(("from mechproof", "import mechproof")):
+                assert line.split()[1].startswith(("mechproof.proof", "mechproof.record")) or (
+                    line == "from mechproof import record"
+                ), f"{path}: {line}"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        b"",
+        b"{",
+        b"[]",
+        b"\xff",
+        b"null",
+        b'{"a": 1}',
+        b'{"a": {"verdict": "TRUE", "evidence": []}}',
+    ],
+)
+def test_a_corrupt_cache_is_ignored_and_rewritten(
+    judged: Callable[..., list[str]], folder: Path, text: bytes
+) -> None:
+    judged(*ROWS)
+    (file,) = (folder / "cache").iterdir()
+    good = json.loads(file.read_text())
+    file.write_bytes(text)
+    assert len(judged(*ROWS)) == 3
+    assert json.loads(file.read_text()) == good
+
+
+def test_a_corrupt_entry_is_judged_anew(judged: Callable[..., list[str]], folder: Path) -> None:
+    judged(*ROWS)
+    (file,) = (folder / "cache").iterdir()
+    entries = json.loads(file.read_text())
+    spoilt = next(key for key, entry in entries.items() if entry["number"] == "(2)")
+    del entries[spoilt]["rung"]
+    file.write_text(json.dumps(entries))
+    assert judged(*ROWS) == ["(2)"]
+    assert judged(*ROWS) == []
+
+
+def test_the_cache_holds_the_last_run_only(judged: Callable[..., list[str]], folder: Path) -> None:
+    judged(*ROWS)
+    judged(ROWS[0])
+    (file,) = (folder / "cache").iterdir()
+    assert len(json.loads(file.read_text())) == 1
+
+
+def test_a_folder_that_cannot_be_written_is_a_warning(
+    judged: Callable[..., list[str]], folder: Path
+) -> None:
+    (folder / "cache").write_text("a file")
+    with pytest.warns(RuntimeWarning, match="verdicts are not kept"):
+        assert len(judged(*ROWS)) == 3
+
+
+def test_what_no_key_covers_and_what_no_rung_read_is_judged_each_time(
+    judged: Callable[..., list[str]],
+) -> None:
+    own = 'Equation("(o)", "o", Equality(Own(x), Own(x)))'
+    unread = 'Equation("(u)", "u", Holds(S.true))'
+    judged(*ROWS, own, unread)
+    assert judged(*ROWS, own, unread) == ["(o)", "(u)"]
+
+
+@pytest.mark.parametrize(
+    ("act", "reason"),
+    [("os._exit(3)", "its process ended with status 3"), ("time.sleep(600)", "no answer within")],
+)
+def test_a_row_that_dies_or_hangs_is_an_error_and_the_others_are_kept(
+    folder: Path, act: str, reason: str
+) -> None:
+    file = folder / "mine.py"
+    row = 'Equation("(f)", "f", Equality(x, y), note=Fatal("n"))'
+    text = (
+        f"{HEAD}\nHERE = os.getpid()\nclass Fatal(str):\n    def __bool__(self):\n"
+        f"        {act} if os.getpid() != HERE else None\n        return True\n"
+        f"PAPER = paper({row}, {', '.join(ROWS)})\n"
+    )
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(VerificationError, match=rf"mine\.py: row \(f\): {reason}"):
+        judge_derivations([file], processes=1, limit=5.0)
+    assert len(VerdictCache(file).load()) == 3
+
+
+@pytest.mark.parametrize(
+    ("platform", "variables", "folder"),
+    [
+        ("linux", {"XDG_CACHE_HOME": "/c"}, "/c/mechproof"),
+        ("linux", {"HOME": "/h"}, "/h/.cache/mechproof"),
+        ("darwin", {"HOME": "/h"}, "/h/Library/Caches/mechproof"),
+        ("linux", {"XDG_CACHE_HOME": "/c", VARIABLE: "/m"}, "/m"),
+    ],
+)
+def test_the_folder_is_that_of_the_platform(
+    monkeypatch: pytest.MonkeyPatch, platform: str, variables: dict[str, str], folder: str
+) -> None:
+    for name in ("XDG_CACHE_HOME", VARIABLE):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setattr("sys.platform", platform)
+    assert cache_folder() == Path(folder)

@@ -1,0 +1,103 @@
+"""A paper of a user's own is one file: verdicts, kernels, measurements, charts and `choose`."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from mechproof import choose
+
+OWN = Path(__file__).parent / "own_paper" / "derivations"
+EPS = float(np.finfo(float).eps)
+
+
+def run(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run the command line standing in a folder."""
+    return subprocess.run(
+        [sys.executable, "-W", "ignore", "-m", "mechproof", *arguments],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.fixture(scope="module")
+def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the derivation, its kernels and a quick measurement."""
+    folder = tmp_path_factory.mktemp("workshop")
+    shutil.copytree(OWN, folder / "derivations")
+    for command in (["regenerate"], ["measure", "--quick"]):
+        done = run(folder, *command)
+        assert done.returncode == 0, done.stderr
+    return folder
+
+
+def load(file: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(file.stem, file)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.xdist_group("workshop")
+def test_the_misprint_is_found_standing_in_the_folder(workshop: Path) -> None:
+    done = run(workshop, "verify", "--json", "rows.json")
+    assert done.returncode == 0, done.stderr
+    verdicts = {
+        row["number"]: row["verdict"] for row in json.loads((workshop / "rows.json").read_text())
+    }
+    assert verdicts["(1)"] == verdicts["(3)"] == "PROVED"
+    assert verdicts["(2)"] == "REFUTED"
+    assert verdicts["kernel position"] == verdicts["kernel ratio"] == "PROVED"
+    assert verdicts["kernel ratio_printed"] == "REFUTED"
+
+
+@pytest.mark.xdist_group("workshop")
+def test_the_folder_is_as_regenerated_from_elsewhere(workshop: Path, tmp_path: Path) -> None:
+    done = run(tmp_path, "regenerate", "--check", "--derivations", str(workshop / "derivations"))
+    assert done.returncode == 0, done.stdout
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.xdist_group("workshop")
+def test_the_kernels_keep_their_digits(workshop: Path) -> None:
+    kernels = load(workshop / "generated" / "universal_joint.py")
+    rng = np.random.default_rng(5)
+    with mp.workdps(60):
+        for theta, beta in zip(rng.uniform(-500, 500, 60), rng.uniform(0, 1.57, 60), strict=True):
+            t, b = mp.mpf(float(theta)), mp.mpf(float(beta))
+            lead = mp.atan2(
+                (1 - mp.cos(b)) * mp.sin(t) * mp.cos(t),
+                mp.cos(b) * mp.cos(t) ** 2 + mp.sin(t) ** 2,
+            )
+            # The bound that the derivation states.
+            error = abs(mp.mpf(float(kernels.position(theta, beta))) - (t + lead))
+            assert error <= 8 * EPS * abs(t + lead)
+            ratio = mp.cos(b) / (1 - mp.sin(b) ** 2 * mp.cos(t) ** 2)
+            # Roundings of some ten operations; the argument is exact.
+            assert abs(mp.mpf(float(kernels.ratio(theta, beta))) - ratio) <= 16 * EPS * ratio
+
+
+@pytest.mark.xdist_group("workshop")
+def test_measured_quantities_are_offered_and_charted(workshop: Path) -> None:
+    measured = workshop / "generated" / "measured" / "quick"
+    choice = choose("universal_joint.ratio", error=1e-6, beta=(0, 0.5), measured=measured)
+    assert choice.error <= 1e-6
+    assert "misprinted" not in {choice.form, *(other.form for other in choice.others)}
+    position = choose("position", error=1e-9, beta=(0, 0.5), measured=measured)
+    assert position.quantity == "universal_joint.position"
+    done = run(workshop, "chart", "--measured", str(measured), "--out", "charts")
+    assert done.returncode == 0, done.stderr
+    assert list((workshop / "charts").glob("universal_joint.ratio*.svg"))
