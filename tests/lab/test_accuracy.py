@@ -1,7 +1,7 @@
 """Every accuracy bound: the worst inputs ever met stay within it, and a fresh search finds none.
 
-The bounds are proved worst cases, so a search that finds nothing beyond them raises no false
-alarm however many points it tries; what it finds beyond one is a fault.
+The bounds are no proofs: they are argued beside the forms and held by searches. Seeds are fixed, so
+that a run repeats itself; what a search finds beyond a bound is a fault of the kernel or the bound.
 """
 
 from __future__ import annotations

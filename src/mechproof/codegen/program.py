@@ -72,10 +72,6 @@ class Program:
         return sum(step.kind not in VIEWS for step in self.operations)
 
 
-def _rest_of_quotient(a: sp.Expr, b: sp.Expr, q: sp.Expr) -> sp.Expr:
-    return a / b - q
-
-
 # What each kind of operation is exactly.
 MEANINGS: Mapping[str, Callable[..., sp.Basic]] = MappingProxyType(
     {
@@ -110,7 +106,7 @@ MEANINGS: Mapping[str, Callable[..., sp.Basic]] = MappingProxyType(
         "both": sp.And,
         "product_rest": lambda a, b, p: a * b - p,
         "sum_rest": lambda a, b, s: a + b - s,
-        "quotient_rest": _rest_of_quotient,
+        "quotient_rest": lambda a, b, q: a / b - q,
         "small_tangent": sp.tan,
         "tangent_quotient": lambda y, a, b: sp.tan(y) / (a + b * sp.tan(y) ** 2),
         "small_arctan": sp.atan,

@@ -136,7 +136,7 @@ def _operate(step: Operation, find: Callable[[Operand], Any], single: bool) -> A
     if kind in ("along_first", "along_last", "transpose", "diagonal"):
         return _view(kind, find(operands[0]))
     if kind == "sum":
-        return _sum(find(operands[0]), int(operands[1]))
+        return _sum(find(operands[0]))
     if kind == "whole_turns_off":
         return np.frompyfunc(_take_turns_off, 1, 1)(find(operands[0]))
     values = tuple(map(find, operands))
@@ -202,9 +202,8 @@ def _view(kind: str, array: Any) -> Any:
     return views[kind](array)
 
 
-def _sum(array: Any, axes: int) -> Any:
+def _sum(array: Any) -> Any:
     terms = np.asarray(array, object).ravel()
-    del axes
     total = sum(terms, start=arb(0))
     size = sum((float(abs(t).upper()) for t in terms), start=0.0)
     return total + arb(0, size * UNIT * len(terms))
