@@ -1,4 +1,4 @@
-"""The proved bound of an approximation over a cell of sizes, from its value at the largest corner."""
+"""The proved bound of an approximation over a cell, from its value at the largest corner."""
 
 from __future__ import annotations
 
