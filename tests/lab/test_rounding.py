@@ -11,12 +11,11 @@ from flint import arb
 
 from mechproof.codegen.code import Stage
 from mechproof.codegen.lowering import lower_conditions, lower_steps
-from mechproof.codegen.program import MEANINGS, Program
+from mechproof.codegen.program import MEANINGS, NOTHING
 from mechproof.lab.rounding import EXACT, FUNCTIONS, ROUNDED, decide, enclose_stage
 
 a, b, x = sp.symbols("a b x", real=True)
 NAMES = ("a", "b", "x")
-NOTHING = Program((), (), ())
 EPS = float(np.finfo(float).eps)
 
 

@@ -72,6 +72,7 @@ class Program:
         return sum(step.kind not in VIEWS for step in self.operations)
 
 
+NOTHING = Program((), (), ())
 # What each kind of operation is exactly.
 MEANINGS: Mapping[str, Callable[..., sp.Basic]] = MappingProxyType(
     {
@@ -119,6 +120,5 @@ CONSTANTS: Mapping[str, sp.Basic] = MappingProxyType(
     {"#pi": sp.pi, "#e": sp.E, "#inf": sp.oo, "#nan": sp.nan}
 )
 # Views of an input with axes that are summed over: a vector along the first or the last of two, a
-# matrix transposed, its diagonal; and what reduces one or two axes.
+# matrix transposed, its diagonal.
 VIEWS = ("along_first", "along_last", "transpose", "diagonal")
-REDUCTIONS = ("sum", "every")

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
+from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program
 
 BINARY: Mapping[type[ast.operator], str] = MappingProxyType(
     {
@@ -261,9 +261,8 @@ class _KernelReader:
             raise ReadingError(f"line {statement.lineno}: {function} evaluates no kernel")
 
     def _read_inline(self, value: ast.expr) -> Stage:
-        nothing = Program((), (), ())
         program = read_program(self._scalars(), self._assigned, (value,))
-        return Stage(None, self._scalars(), (), nothing, program)
+        return Stage(None, self._scalars(), (), NOTHING, program)
 
     def _read_affine(self, call: ast.Call, when: Program | None) -> Stage:
         points, prepare, parameters = call.args
@@ -277,7 +276,7 @@ class _KernelReader:
         evaluate, running, *rest = call.args
         program = self._read_function(ast.unparse(evaluate))
         if not rest:
-            return Stage(when, _names(running), (), Program((), (), ()), program)
+            return Stage(when, _names(running), (), NOTHING, program)
         prepare, parameters = rest
         return Stage(
             when,

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.codegen.evaluation import count_axes, entries
-from mechproof.lab.method import Arguments, Array, result_shape
+from mechproof.codegen.evaluation import count_axes, entries, result_shape
+from mechproof.lab.method import Arguments, Array
 from mechproof.lab.subject import Subject
 from mechproof.proof.balls import evaluate, evaluate_until, working_precision
 

@@ -15,7 +15,7 @@ import numpy as np
 from flint import arb
 
 from mechproof.codegen.code import Stage
-from mechproof.codegen.program import Operand, Operation, Program
+from mechproof.codegen.program import VIEWS, Operand, Operation, Program
 from mechproof.lab.method import Array
 from mechproof.proof.balls import working_precision
 
@@ -133,7 +133,7 @@ def _run(program: Program, known: Mapping[str, Any]) -> list[Any]:
 
 def _operate(step: Operation, find: Callable[[Operand], Any], single: bool) -> Any:
     kind, operands = step.kind, step.operands
-    if kind in ("along_first", "along_last", "transpose", "diagonal"):
+    if kind in VIEWS:
         return _view(kind, find(operands[0]))
     if kind == "sum":
         return _sum(find(operands[0]))
