@@ -24,6 +24,7 @@ from mechproof.lab.facts import Facts
 from mechproof.lab.method import Arguments, Array, Compute, Method, list_methods
 from mechproof.lab.points import PointSet
 from mechproof.lab.sizes import Cell
+from mechproof.measured import goes_by
 from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Peer, Quantity, Row
 
@@ -171,14 +172,10 @@ def find_subjects(
     needed = [p for s, p in places.items() if not names or s in systems or systems - places.keys()]
     subjects = [s for place in needed for s in _subjects_at(place, generated)]
     for name in names:
-        if not any(_fits(subject, name) for subject in subjects):
+        if not any(goes_by(subject.name, name) for subject in subjects):
             known = ", ".join(subject.name for subject in subjects)
             raise ValueError(f"quantity {name!r} is not one of {known}")
-    return tuple(s for s in subjects if not names or any(_fits(s, name) for name in names))
-
-
-def _fits(subject: Subject, name: str) -> bool:
-    return name in (subject.name, subject.paper.system, subject.quantity.name)
+    return tuple(s for s in subjects if not names or any(goes_by(s.name, name) for name in names))
 
 
 @lru_cache(maxsize=16)
