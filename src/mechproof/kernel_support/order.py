@@ -13,7 +13,8 @@ LOWEST, LARGEST = np.iinfo(np.int64).min, np.iinfo(np.int64).max
 def to_order(values: ArrayLike) -> NDArray[np.int64]:
     """Return the place of each double in their order."""
     bits: Any = np.asarray(values, np.float64).view(np.int64)
-    return np.where(bits < 0, -(bits & LARGEST), bits)
+    places: NDArray[np.int64] = np.where(bits < 0, -(bits & LARGEST), bits)
+    return places
 
 
 def from_order(places: NDArray[np.int64]) -> NDArray[np.float64]:

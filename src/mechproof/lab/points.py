@@ -53,6 +53,13 @@ def draw_ladder(
     return signed
 
 
+def choose_evenly(count: int, wanted: int | None) -> Array:
+    """Choose places evenly spread over so many; all of them if none or more are wanted."""
+    if wanted is None or wanted >= count:
+        return np.arange(count)
+    return np.linspace(0, count - 1, wanted).astype(int)
+
+
 def join(*parts: Arguments) -> Arguments:
     """Put the points of several draws after one another."""
     whole = [np.broadcast_arrays(*part) if _is_flat(part) else part for part in parts]

@@ -15,14 +15,15 @@ from mechproof.lab.method import Arguments, Array
 from mechproof.lab.roots import Columns, call, solve_linear
 from mechproof.lab.singular_points import draw_about, list_targets
 
-Cell = Mapping[str, tuple[float, float]]
+# A cell by its arguments' sizes, from and to; those of other arguments are open.
+Sides = Mapping[str, tuple[float, float]]
 IN_CELL, MOST_TARGETS = 120, 6
 # A call that is timed goes through so many periods of a place that recurs.
 PERIODS = 16
 SEED = 8
 
 
-def draw_cell(facts: Facts, rng: Rng, cell: Cell) -> Arguments:
+def draw_cell(facts: Facts, rng: Rng, cell: Sides) -> Arguments:
     """Draw points of one cell, half of them about places; arguments without edges as published.
 
     Raises ValueError if hardly any lie in the domain.
@@ -43,7 +44,7 @@ def draw_cell(facts: Facts, rng: Rng, cell: Cell) -> Arguments:
     return facts.pack(joined)
 
 
-def _keep_sizes(facts: Facts, cell: Cell, columns: Columns) -> Mapping[sp.Symbol, Array]:
+def _keep_sizes(facts: Facts, cell: Sides, columns: Columns) -> Mapping[sp.Symbol, Array]:
     """Drop the points whose sizes, largest components of vectors, lie in another cell."""
     kept = np.ones(count_points(columns), bool)
     for argument in facts.arguments:

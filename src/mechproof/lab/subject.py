@@ -23,7 +23,7 @@ from mechproof.derivation import find_systems, load_paper, load_part, packaged_d
 from mechproof.lab.facts import Facts
 from mechproof.lab.method import Arguments, Array, Compute, Method, list_methods
 from mechproof.lab.points import PointSet
-from mechproof.lab.sizes import Cell
+from mechproof.lab.sizes import Sides
 from mechproof.measured import goes_by
 from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Peer, Quantity, Row
@@ -37,7 +37,7 @@ class ByHand:
     """
 
     sets: tuple[PointSet, ...] = ()
-    in_cell: Callable[[np.random.Generator, Cell], Arguments] | None = None
+    in_cell: Callable[[np.random.Generator, Sides], Arguments] | None = None
     workloads: Mapping[str, Callable[[int], Arguments]] = field(default_factory=dict)
 
     @classmethod

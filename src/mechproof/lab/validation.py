@@ -21,7 +21,7 @@ from mechproof.kernel_support import arrays, polynomials
 from mechproof.lab.error import find_errors
 from mechproof.lab.method import Arguments, Compute
 from mechproof.lab.oracle import count_points, find_truth
-from mechproof.lab.points import TUNE, PointSet, draw_points
+from mechproof.lab.points import TUNE, PointSet, choose_evenly, draw_points
 from mechproof.lab.rounding import decide, enclose_stage
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
@@ -134,7 +134,7 @@ def _take(subject: Subject, point_set: PointSet, count: int) -> Arguments:
     """Take a few points of a set, evenly spread over it."""
     arguments = draw_points(point_set, TUNE)
     total = count_points(subject, arguments)
-    chosen = np.unique(np.linspace(0, total - 1, count).astype(int))
+    chosen = choose_evenly(total, count)
     return tuple(
         a[chosen] if len(a) == total else np.repeat(a[None], len(chosen), 0) for a in arguments
     )
