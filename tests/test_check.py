@@ -22,6 +22,7 @@ CHECKED = [
     ([r"\cos 3x=4\cos^3 x-3\sin x"], ["REFUTED"]),
     ([r"\sin^2x+\cos^2x=1=\mathrm{tg}\,x\,\mathrm{ctg}\,x"], ["PROVED", "PROVED"]),
     ([r"\sqrt{x^2}=x"], ["REFUTED"]),
+    ([r"\sqrt[3]{-8}=-2"], ["PROVED"]),
     ([r"\sqrt{x^2}=x", "--where", "x>0"], ["PROVED"]),
     ([r"\frac{AC}{BD}\cdot BD=AC", "--name", "AC", "--name", "BD"], ["PROVED"]),
     (["a(1+x)=a+ax", "--factor", "a"], ["PROVED"]),
@@ -62,6 +63,8 @@ def test_what_a_letter_is_taken_for_is_told() -> None:
 REFUSED = [
     (["f(x)=1"], "--factor 'f'"),
     (["e^x=1"], "--name 'e'"),
+    ([r"\frac{d}{dx}x=1"], "--name 'd'"),
+    ([r"x\pm y=1"], "no meaning"),
     ([r"\int\cos x\,dx=\sin x"], "--from 0"),
     ([r"\int\cos x\,dx=\sin x+C", "--from", "0"], "--let 'C=0'"),
     (["9^{9^{9^9}}=1"], "not worked out"),

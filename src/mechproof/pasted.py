@@ -24,6 +24,7 @@ COMMAND = Remedies(
     function="Print a function that is the same everywhere (ln, lg, arctg).",
     scope="Print another letter for '{0}' where it is bound.",
     lower_limit="Say --from 0, or where else it starts.",
+    family="Leave --name '{0}' out.",
 )
 NUMBER = "(pasted)"
 

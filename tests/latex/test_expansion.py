@@ -201,6 +201,8 @@ def test_declarations_that_do_not_fit_the_print_are_errors() -> None:
         expand("2w=w+w", signs={2: Sign(note="!")})
     with pytest.raises(ValueError, match="no relation sign"):
         expand("2w")
+    with pytest.raises(ValueError, match="no relation sign"):
+        expand("2w=w+w, 5")
     with pytest.raises(ValueError, match="marks"):
         Equation("(1)", "w", signs={1: Sign(marks=("sure",))})
 

@@ -17,6 +17,7 @@ VARIABLES = (
     Variable(rho, "", latex=(r"\rho(x)", r"\rho")),
     Variable(k, "", latex=("k",)),
     Variable(q, "", latex=("q",)),
+    Variable(sp.Symbol("r_i"), "", latex=("r_i",)),
     Variable(sp.Symbol("d"), "", latex=("d_1",)),
 )
 READER = Reader(VARIABLES, Notation(factors=("a",)))
@@ -62,6 +63,11 @@ REFUSED = [
     (r"\int_0^1 dx\,x", "x", "behind the differential", "before the differential"),
     (r"\int_0^1\frac{dx}{x}a", "a", "behind the differential", "before the differential"),
     (r"\int_0^1\frac{dx}{x}\,dy", "dy", "behind the differential", ""),
+    (r"\int_0^1 dx/x", "/x", "behind the differential", "before the differential"),
+    (r"\int_0^1 x\,dx\cdot a", r"\cdot a", "behind the differential", "brackets"),
+    (r"\sum_{i=1}^2 r_i", "r_i", "its index runs here", "IndexedBase"),
+    (r"x\pm a", r"\pm", "no meaning", ""),
+    (r"\sin x/2", "/2", "belong to the argument", "brackets"),
     (r"\frac{1}{(x+1", "", "a } is missing", ""),
     ("(x+1", "", "expected )", ""),
     ("x+1)", ")", "not understood", ""),
@@ -134,6 +140,7 @@ READ = [
     (r"\cos\frac x2\sin x", sp.cos(x / 2) * sp.sin(x)),
     (r"\mathrm{tg}^2\frac x2", sp.tan(x / 2) ** 2),
     (r"\sqrt[3]{x^2+1}", sp.cbrt(x**2 + 1)),
+    (r"\sqrt[3]{-8}", sp.Integer(-2)),
     ("a(x+1)^2", a * (x + 1) ** 2),
     ("x[y+1]", x * (y + 1)),
     (r"a\,x^{1/2}", a * sp.sqrt(x)),

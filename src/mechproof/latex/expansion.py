@@ -35,8 +35,8 @@ def read_row(row: Row, reader: Reader) -> tuple[Row, ...]:
         return (_refuse_unread_correction(row),)
     read = reader.parse(row.printed_latex, row.number)
     places = list(_find_signs(read))
-    if not places:
-        raise ValueError(f"row {row.number!r}: its print has no relation sign and asserts nothing")
+    if any(not chain.relations for chain in read.chains):
+        raise ValueError(f"row {row.number!r}: a part of its print has no relation sign")
     if surplus := sorted(row.signs.keys() - set(range(1, len(places) + 1))):
         raise ValueError(f"row {row.number!r}: it has {len(places)} signs, not {surplus}")
     only_equal = all(place.sign == "=" for place in places)
