@@ -257,7 +257,10 @@ def lever_angle(
 
     NaN where guide_radicand is negative.
 
-    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p.
+    Guide_condition is of guide_square its conditioning |value| + sum of |p * d value/d p|.
+
+    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, where
+    guide_condition/2**48 < guide_square.
 
     Source: Bazuev et al. 2021, equation (1).
 
@@ -461,7 +464,10 @@ def roller_lever_angle(
 
     NaN where |roller_offset| > l_KL.
 
-    Accuracy: 16 eps of |value| + sum of |p * d value/d p| over the arguments p.
+    Height_condition is of height_square its conditioning |value| + sum of |p * d value/d p|.
+
+    Accuracy: 16 eps of |value| + sum of |p * d value/d p| over the arguments p, where
+    height_condition/2**48 < height_square.
 
     Source: Bazuev et al. 2021, equations (7) and (8).
 
@@ -613,7 +619,11 @@ def position(
 
     NaN where guide_radicand is negative or |roller_offset| > l_KL.
 
-    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact.
+    Roller_condition is of KL_x + l_KL in contact, guide_condition of guide_square its
+    conditioning |value| + sum of |p * d value/d p|.
+
+    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact,
+    where guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -727,9 +737,9 @@ def _position(
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
-# Expressions sha256: b9c07c9c80a9362a30f46a843b7cc6ef7e48ecb0195ae865ab0f9dbbe87b149c
+# Expressions sha256: 1922dcce4f5fd29a7a7e97544e46afcb0698324d16a7fcf8a800ed27eebe439b
 # Form: half-angle chain
-# Operations: 71
+# Operations: 73
 def velocity(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -796,10 +806,12 @@ def velocity(
 
     NaN where guide_radicand is negative or |roller_offset| > l_KL.
 
-    The rod's travel_condition is |travel_5| + sum of |p * d travel_5/d p| over the arguments p.
+    Run_condition is of travel_5, roller_condition is of KL_x + l_KL in contact, guide_condition
+    of guide_square its conditioning |value| + sum of |p * d value/d p|.
 
     Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact,
-    where travel_condition/2**48 < |l_GH - travel_5|.
+    where run_condition/2**48 < |l_GH - travel_5| and guide_condition/2**48 < guide_square and
+    roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -903,7 +915,7 @@ def _velocity(
     guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
     guide_sum = guide_length + l_BC
     lever_square = guide_sum**2 + x1**2
-    cos_lever = (guide_sum + x1) * (guide_sum - x1) / lever_square
+    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = np.maximum(0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
@@ -912,16 +924,16 @@ def _velocity(
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = choose_where(run < l_GH, 0, l_LM / rise * cos_wedge)
+    gain = cos_wedge * choose_where(run < l_GH, 0, l_LM) / rise
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
 
     return l_DE / guide_length * cos_lever * gain * sin_arm
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
-# Expressions sha256: 098eea19f5280918190d7786dba72782e3dc63a0c0ef79b928be58785805cdca
+# Expressions sha256: a89b4a9344c8eb7b4abba2baf383ffa8bce6ce44422654ab1223258302760cdf
 # Form: half-angle chain
-# Operations: 112
+# Operations: 114
 def sensitivities(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -1002,11 +1014,12 @@ def sensitivities(
 
     NaN where guide_radicand is negative or |roller_offset| > l_KL.
 
-    The rod's travel_condition is |travel_5| + sum of |p * d travel_5/d p| over the arguments p.
+    Run_condition is of travel_5, roller_condition is of KL_x + l_KL in contact, guide_condition
+    of guide_square its conditioning |value| + sum of |p * d value/d p|.
 
     Accuracy: 8 eps of norm over the entries (each keeps its own) of |value| + sum of |p * d
-    value/d p| over the arguments p, in contact, where travel_condition/2**48 < |l_GH -
-    travel_5|.
+    value/d p| over the arguments p, in contact, where run_condition/2**48 < |l_GH - travel_5|
+    and guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -1122,8 +1135,8 @@ def _sensitivities(
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = choose_where(run < l_GH, 0, l_LM / rise * cos_wedge)
-    cos_lever = (guide_sum + x1) * (guide_sum - x1) / lever_square
+    gain = cos_wedge * choose_where(run < l_GH, 0, l_LM) / rise
+    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
     term = -2 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared
 

@@ -80,15 +80,8 @@ def test_no_warning_outside_the_domain(name: str) -> None:
                         raise AssertionError(f"{name}{arguments}: {warning}") from warning
 
 
-STILL = pytest.mark.xfail(
-    strict=True, reason="alpha_LM = NaN is not seen before contact, where the velocity is 0"
-)
-
-
 @pytest.mark.usefixtures("_evaluation")
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=STILL) if n.endswith(".velocity") else n for n in SUBJECTS]
-)
+@pytest.mark.parametrize("name", SUBJECTS)
 def test_nan_in_gives_nan_out(name: str) -> None:
     """In some entry: those of a turn depend on some of its angles only."""
     for usual in call_usually(SUBJECTS[name]):
