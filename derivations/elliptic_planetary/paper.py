@@ -78,7 +78,7 @@ phi1 = Symbol("phi1", real=True)
 R1, R2 = symbols("R1 R2", positive=True)
 e = Symbol("e", real=True)
 a, rho = symbols("a rho", real=True)
-phi5, k, x, a1, b1 = symbols("phi5 k x a1 b1", real=True)
+phi5, k, x, a1, b1, nearest = symbols("phi5 k x a1 b1 nearest", real=True)
 omega1, omega3 = symbols("omega1 omega3", real=True)
 VC, VD, AC, BC, BD, CD, DE = symbols("V_C V_D AC BC BD CD DE", real=True)
 at_b, at_c, at_d = symbols("s_B s_C s_D", real=True)
@@ -101,6 +101,7 @@ VARIABLES = (
     Variable(x, "rotation of wheel 6 against the carrier, reversed", given=k * phi1),
     Variable(a1, "1 + e^2", given=1 + e**2),
     Variable(b1, "2 e", given=2 * e),
+    Variable(nearest, "least focal distance over a, a sum of its own", given=1 - e),
     Variable(rho, "radius CD", LENGTH, given=a * (1 - e**2) / (1 - e * cos(phi5))),
     Variable(omega1, "angular velocity of the carrier", FREQUENCY, Interval.open(0, oo)),
     Variable(omega3, "angular velocity of wheel 3", FREQUENCY),
