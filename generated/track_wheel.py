@@ -95,13 +95,7 @@ DOMAIN = (
         lambda z: (z >= 1) & is_finite(z) & (z == np.floor(z)),
         ("radius", "track"),
     ),
-    Condition(
-        "A",
-        "A <= R, |A| <= R",
-        ("R", "A"),
-        lambda R, A: (A <= R) & (np.abs(A) <= R),
-        ("radius", "track"),
-    ),
+    Condition("A", "|A| <= R", ("R", "A"), lambda R, A: np.abs(A) <= R, ("radius", "track")),
     Condition("H", "0 < H < oo", ("H",), lambda H: (H > 0) & is_finite(H), ("track",)),
     Condition(
         "total_scatter",
@@ -401,7 +395,7 @@ def radius(
 
     Notes
     -----
-    Domain: 0 < R < oo, 1 <= z < oo, z = floor(z), A <= R, |A| <= R (A of either sign).
+    Domain: 0 < R < oo, 1 <= z < oo, z = floor(z), |A| <= R (A of either sign).
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
@@ -413,13 +407,7 @@ def radius(
     """
     phi, R, A, z = as_floats(phi=phi, R=R, A=A, z=z)
     inside = (
-        (R > 0)
-        & is_finite(R)
-        & (z >= 1)
-        & is_finite(z)
-        & (z == np.floor(z))
-        & (A <= R)
-        & (np.abs(A) <= R)
+        (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == np.floor(z)) & (np.abs(A) <= R)
     )
     R, A, z = nan_outside(inside, R, A, z)
     return in_blocks(_radius, (phi,), _prepare_radius, (R, A, z), out=out)
@@ -479,8 +467,7 @@ def track(
 
     Notes
     -----
-    Domain: 0 < R < oo, 0 < H < oo, 1 <= z < oo, z = floor(z), A <= R, |A| <= R (A of either
-    sign).
+    Domain: 0 < R < oo, 0 < H < oo, 1 <= z < oo, z = floor(z), |A| <= R (A of either sign).
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
@@ -499,7 +486,6 @@ def track(
         & (z >= 1)
         & is_finite(z)
         & (z == np.floor(z))
-        & (A <= R)
         & (np.abs(A) <= R)
     )
     R, A, z, H = nan_outside(inside, R, A, z, H)
@@ -548,8 +534,7 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
 
     Notes
     -----
-    Domain: 0 < R < oo, A <= R, |A| <= R (A of either sign); 0 < R, R < oo, A <= R, |A| <= R is
-    not checked.
+    Domain: 0 < R < oo, |A| <= R (A of either sign); 0 < R, R < oo, |A| <= R is not checked.
 
     Accuracy: 0.5 eps of the value.
 
@@ -592,8 +577,7 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
 
     Notes
     -----
-    Domain: 0 < R < oo, A <= R, |A| <= R (A of either sign); 0 < R, R < oo, A <= R, |A| <= R is
-    not checked.
+    Domain: 0 < R < oo, |A| <= R (A of either sign); 0 < R, R < oo, |A| <= R is not checked.
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
