@@ -65,6 +65,7 @@ from mechproof.kernel_support.arrays import (
     in_blocks,
     is_finite,
     nan_outside,
+    quietly,
     split_components,
     store,
     sum_axes,
@@ -87,7 +88,13 @@ __all__ = [
 ]
 
 DOMAIN = (
-    Condition("R", "0 < R < oo", ("R",), lambda R: (R > 0) & is_finite(R), ("radius", "track")),
+    Condition(
+        "R",
+        "0 < R < oo",
+        ("R",),
+        lambda R: (R > 0) & is_finite(R),
+        ("radius", "track", "largest_radius", "smallest_radius"),
+    ),
     Condition(
         "z",
         "1 <= z < oo, z = floor(z)",
@@ -95,7 +102,13 @@ DOMAIN = (
         lambda z: (z >= 1) & is_finite(z) & (z == np.floor(z)),
         ("radius", "track"),
     ),
-    Condition("A", "|A| <= R", ("R", "A"), lambda R, A: np.abs(A) <= R, ("radius", "track")),
+    Condition(
+        "A",
+        "|A| <= R",
+        ("R", "A"),
+        lambda R, A: np.abs(A) <= R,
+        ("radius", "track", "largest_radius", "smallest_radius"),
+    ),
     Condition("H", "0 < H < oo", ("H",), lambda H: (H > 0) & is_finite(H), ("track",)),
     Condition(
         "total_scatter",
@@ -534,7 +547,7 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
 
     Notes
     -----
-    Domain: 0 < R < oo, |A| <= R (A of either sign); 0 < R, R < oo, |A| <= R is not checked.
+    Domain: 0 < R < oo, |A| <= R (A of either sign).
 
     Accuracy: 0.5 eps of the value.
 
@@ -542,7 +555,9 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
 
     """
     R, A = as_floats(R=R, A=A)
-    return in_blocks(_largest_radius, (R,), _prepare_largest_radius, (A,), out=out, quiet=True)
+    inside = (R > 0) & is_finite(R) & (np.abs(A) <= R)
+    R, A = nan_outside(inside, R, A)
+    return in_blocks(_largest_radius, (R,), _prepare_largest_radius, (A,), out=out)
 
 
 def _prepare_largest_radius(A: Any) -> tuple[Any, ...]:
@@ -577,7 +592,7 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
 
     Notes
     -----
-    Domain: 0 < R < oo, |A| <= R (A of either sign); 0 < R, R < oo, |A| <= R is not checked.
+    Domain: 0 < R < oo, |A| <= R (A of either sign).
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
@@ -587,7 +602,9 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
 
     """
     R, A = as_floats(R=R, A=A)
-    return in_blocks(_smallest_radius, (R,), _prepare_smallest_radius, (A,), out=out, quiet=True)
+    inside = (R > 0) & is_finite(R) & (np.abs(A) <= R)
+    R, A = nan_outside(inside, R, A)
+    return in_blocks(_smallest_radius, (R,), _prepare_smallest_radius, (A,), out=out)
 
 
 def _prepare_smallest_radius(A: Any) -> tuple[Any, ...]:
@@ -640,8 +657,10 @@ def error_sum_correlated(
     Notes
     -----
     Domain: 0 < total_scatter < oo, 0 < scatters[i] < oo, -1 <= correlation[i,j] <= 1, 0 <=
-    tolerances[i] < oo, correlation[i,i] = 1, correlation[i,j] = correlation[j,i] (a symmetric
-    matrix with ones on its diagonal).
+    tolerances[i] < oo, correlation[i,i] = 1, correlation[i,j] = correlation[j,i], 0 <=
+    Sum[i=1..n, j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*
+    sensitivities[j]*tolerances[i]*tolerances[j]) (a symmetric matrix with ones on its diagonal
+    that gives no negative square).
 
     Singular: Sum[i=1..n, j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*
     sensitivities[j]*tolerances[i]*tolerances[j]) = 0, rounding may leave the sum negative and
@@ -686,22 +705,23 @@ def error_sum_correlated(
     )
     (total_scatter,) = nan_outside(inside, total_scatter)
 
-    return store(
-        np.sqrt(
-            np.sum(
-                sensitivities[..., :, np.newaxis]
-                * sensitivities[..., np.newaxis, :]
-                * correlation
-                * scatters[..., :, np.newaxis]
-                * scatters[..., np.newaxis, :]
-                * tolerances[..., :, np.newaxis]
-                * tolerances[..., np.newaxis, :],
-                axis=(-2, -1),
+    with quietly():
+        return store(
+            np.sqrt(
+                np.sum(
+                    sensitivities[..., :, np.newaxis]
+                    * sensitivities[..., np.newaxis, :]
+                    * correlation
+                    * scatters[..., :, np.newaxis]
+                    * scatters[..., np.newaxis, :]
+                    * tolerances[..., :, np.newaxis]
+                    * tolerances[..., np.newaxis, :],
+                    axis=(-2, -1),
+                )
             )
+            / total_scatter,
+            out,
         )
-        / total_scatter,
-        out,
-    )
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (5) with sensitivities

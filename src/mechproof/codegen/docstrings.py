@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 import sympy as sp
 
-from mechproof.codegen.domain import domain_relations, parameter_relations
+from mechproof.codegen.domain import domain_relations
 from mechproof.codegen.formula_text import chain_relations, write_formula
 from mechproof.codegen.kernel import Kernel, input_names, shape_of
 from mechproof.record import Accuracy, Argument, Paper, Quantity, Scale
@@ -173,12 +173,10 @@ def _result(kernel: Kernel) -> list[str]:
 
 def _notes(kernel: Kernel, paper: Paper) -> list[str]:
     quantity, names = kernel.quantity, input_names(kernel.quantity)
-    domain, checked = domain_relations(quantity, paper), parameter_relations(quantity, paper)
+    domain = domain_relations(quantity, paper)
     part = f" ({quantity.on.text})" if quantity.on else ""
     limits = chain_relations([write_formula(r, names) for r in domain])
-    skipped = [write_formula(r, names) for r in domain if r not in checked]
-    tail = f"; {', '.join(skipped)} is not checked" if skipped else ""
-    notes = [f"Domain: {', '.join(limits) or 'all real arguments'}{part}{tail}."]
+    notes = [f"Domain: {', '.join(limits) or 'all real arguments'}{part}."]
     notes += [
         f"Singular: {write_formula(s.equation, names)}" + (f", {s.text}." if s.text else ".")
         for s in quantity.singular
