@@ -135,7 +135,7 @@ def ratio(
 
     Notes
     -----
-    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
+    Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy: 8 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (phi1 = 0 or
     1e-290 <= |phi1|).
@@ -207,7 +207,7 @@ def position(
 
     Notes
     -----
-    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
+    Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Where e <= 1/2 for all elements, half-angle atan is computed.
 
@@ -296,7 +296,7 @@ def acceleration(
 
     Notes
     -----
-    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
+    Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy: 8 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (phi1 = 0 or
     1e-290 <= |phi1|) and (e = 0 or 1e-200 <= e).
@@ -369,7 +369,7 @@ def largest_ratio(
 
     Notes
     -----
-    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
+    Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy: 3 eps of the value.
 
@@ -420,7 +420,7 @@ def smallest_ratio(
 
     Notes
     -----
-    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
+    Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy: 3 eps of the value.
 

@@ -480,7 +480,7 @@ def track(
 
     Notes
     -----
-    Domain: 0 < R < oo, 0 < H < oo, 1 <= z < oo, z = floor(z), |A| <= R (A of either sign).
+    Domain: 0 < R, H < oo, 1 <= z < oo, z = floor(z), |A| <= R (A of either sign).
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
@@ -656,11 +656,11 @@ def error_sum_correlated(
 
     Notes
     -----
-    Domain: 0 < total_scatter < oo, 0 < scatters[i] < oo, -1 <= correlation[i,j] <= 1, 0 <=
-    tolerances[i] < oo, correlation[i,i] = 1, correlation[i,j] = correlation[j,i], 0 <=
-    Sum[i=1..n, j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*
-    sensitivities[j]*tolerances[i]*tolerances[j]) (a symmetric matrix with ones on its diagonal
-    that gives no negative square).
+    Domain: 0 < total_scatter, scatters[i] < oo, -1 <= correlation[i,j] <= 1, 0 <= tolerances[i]
+    < oo, correlation[i,i] = 1, correlation[i,j] = correlation[j,i], 0 <= Sum[i=1..n,
+    j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*sensitivities[j]*
+    tolerances[i]*tolerances[j]) (a symmetric matrix with ones on its diagonal that gives no
+    negative square).
 
     Singular: Sum[i=1..n, j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*
     sensitivities[j]*tolerances[i]*tolerances[j]) = 0, rounding may leave the sum negative and
@@ -758,8 +758,8 @@ def error_sum(
 
     Notes
     -----
-    Domain: 0 < total_scatter < oo, 0 < scatters[i] < oo, 0 <= tolerances[i] < oo (tolerances
-    from zero on).
+    Domain: 0 < total_scatter, scatters[i] < oo, 0 <= tolerances[i] < oo (tolerances from zero
+    on).
 
     Squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to 1e50
     they may leave the range of doubles, and the result is infinite, NaN or too small.
@@ -839,9 +839,9 @@ def error_sum_thermal(
 
     Notes
     -----
-    Domain: 0 < total_scatter < oo, 0 < scatters[i] < oo, 0 < thermal_scatter < oo, 0 <=
-    tolerances[i] < oo, 0 <= thermal_share < oo, thermal_scatter*thermal_share < total_scatter
-    (the temperature error below the total).
+    Domain: 0 < total_scatter, scatters[i], thermal_scatter < oo, 0 <= tolerances[i],
+    thermal_share < oo, thermal_scatter*thermal_share < total_scatter (the temperature error
+    below the total).
 
     Squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to 1e50
     they may leave the range of doubles, and the result is infinite, NaN or too small.

@@ -16,6 +16,16 @@ ValueError: shapes do not broadcast or a last axis is wrong, or `out` has anothe
 
 Accuracy is the bound of the error that the tests hold; eps = 2**-52.
 
+Symbols of the formulas:
+
+    BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
+    turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
+    travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
+    driven_5 = Max(0, travel_5 - l_GH)
+    KL_x = l_KL*cos(alpha_KL) - driven_5
+    turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
+    engaged = Piecewise((0, travel_5 < l_GH), (1, True))
+
     |value| + sum of |p * d value/d p| over the arguments p (guide_radicand) = 2*l_BC**2 +
         2*l_AB*|x1| + 2*l_CD*|x1| + |x1*(2*l_AB + 2*l_CD + 2*x1)| + |l_BC**2 + x1*(2*l_AB +
         2*l_CD + x1)|
@@ -195,7 +205,7 @@ def guide_radicand(
 
     Notes
     -----
-    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo.
+    Domain: 0 < l_AB, l_BC, l_CD < oo.
 
     Accuracy: 2.5 eps of |value| + sum of |p * d value/d p| over the arguments p.
 
@@ -253,11 +263,12 @@ def lever_angle(
 
     Notes
     -----
-    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo (the guide follows the pusher).
+    Domain: 0 < l_AB, l_BC, l_CD < oo (the guide follows the pusher).
 
     NaN where guide_radicand is negative.
 
-    Guide_condition is of guide_square its conditioning |value| + sum of |p * d value/d p|.
+    The conditioning |value| + sum of |p * d value/d p|: guide_condition of guide_square =
+    guide_radicand.
 
     Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, where
     guide_condition/2**48 < guide_square.
@@ -464,7 +475,8 @@ def roller_lever_angle(
 
     NaN where |roller_offset| > l_KL.
 
-    Height_condition is of height_square its conditioning |value| + sum of |p * d value/d p|.
+    The conditioning |value| + sum of |p * d value/d p|: height_condition of height_square =
+    l_KL**2 - roller_offset**2.
 
     Accuracy: 16 eps of |value| + sum of |p * d value/d p| over the arguments p, where
     height_condition/2**48 < height_square.
@@ -577,11 +589,8 @@ def position(
     """Compute the displacement y9 of the wedge, the whole chain.
 
         position = l_LM*(sin(alpha_LM + turn_7) - sin(alpha_LM))
-        turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
-        travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
-        driven_5 = Max(0, travel_5 - l_GH)
-        KL_x = l_KL*cos(alpha_KL) - driven_5
-        turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
+
+    Symbols without an equation here: see the module.
 
     Parameters
     ----------
@@ -614,13 +623,13 @@ def position(
 
     Notes
     -----
-    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo, 0 < l_DE < oo, 0 < l_GH < oo, 0 < l_KL
-    < oo, 0 < l_LM < oo, 0 < alpha_KL < pi (the linkage closes).
+    Domain: 0 < l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM < oo, 0 < alpha_KL < pi (the linkage
+    closes).
 
     NaN where guide_radicand is negative or |roller_offset| > l_KL.
 
-    Roller_condition is of KL_x + l_KL in contact, guide_condition of guide_square its
-    conditioning |value| + sum of |p * d value/d p|.
+    The conditioning |value| + sum of |p * d value/d p|: guide_condition of guide_square =
+    guide_radicand, roller_condition of KL_x + l_KL in contact.
 
     Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact,
     where guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
@@ -759,13 +768,8 @@ def velocity(
 
         velocity = engaged*l_DE*l_LM*sin(alpha_DE + turn_3)*cos(turn_3)*cos(alpha_LM +
             turn_7)/(BC_length*l_KL*sin(alpha_KL + turn_7))
-        BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
-        turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
-        travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
-        driven_5 = Max(0, travel_5 - l_GH)
-        KL_x = l_KL*cos(alpha_KL) - driven_5
-        turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
-        engaged = Piecewise((0, travel_5 < l_GH), (1, True))
+
+    Symbols without an equation here: see the module.
 
     Parameters
     ----------
@@ -798,16 +802,17 @@ def velocity(
 
     Notes
     -----
-    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo, 0 < l_DE < oo, 0 < l_GH < oo, 0 < l_KL
-    < oo, 0 < l_LM < oo, 0 < alpha_KL < pi (the linkage closes and is at no dead centre).
+    Domain: 0 < l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM < oo, 0 < alpha_KL < pi (the linkage
+    closes and is at no dead centre).
 
     Singular: travel_5 = l_GH, the start of contact: derivatives jump, here they are those in
     contact.
 
     NaN where guide_radicand is negative or |roller_offset| > l_KL.
 
-    Run_condition is of travel_5, roller_condition is of KL_x + l_KL in contact, guide_condition
-    of guide_square its conditioning |value| + sum of |p * d value/d p|.
+    The conditioning |value| + sum of |p * d value/d p|: run_condition of travel_5,
+    guide_condition of guide_square = guide_radicand, roller_condition of KL_x + l_KL in
+    contact.
 
     Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact,
     where run_condition/2**48 < |l_GH - travel_5| and guide_condition/2**48 < guide_square and
@@ -967,13 +972,8 @@ def sensitivities(
             turn_7)/(l_KL*sin(alpha_KL + turn_7))]
         [engaged*l_LM*(sin(alpha_KL)/sin(alpha_KL + turn_7) - 1)*cos(alpha_LM + turn_7)]
         [engaged*l_LM*(cos(alpha_LM + turn_7) - cos(alpha_LM))]
-        BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
-        turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
-        travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
-        driven_5 = Max(0, travel_5 - l_GH)
-        KL_x = l_KL*cos(alpha_KL) - driven_5
-        turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
-        engaged = Piecewise((0, travel_5 < l_GH), (1, True))
+
+    Symbols without an equation here: see the module.
 
     Parameters
     ----------
@@ -1006,16 +1006,17 @@ def sensitivities(
 
     Notes
     -----
-    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo, 0 < l_DE < oo, 0 < l_GH < oo, 0 < l_KL
-    < oo, 0 < l_LM < oo, 0 < alpha_KL < pi (the linkage closes and is at no dead centre).
+    Domain: 0 < l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM < oo, 0 < alpha_KL < pi (the linkage
+    closes and is at no dead centre).
 
     Singular: travel_5 = l_GH, the start of contact: derivatives jump, here they are those in
     contact.
 
     NaN where guide_radicand is negative or |roller_offset| > l_KL.
 
-    Run_condition is of travel_5, roller_condition is of KL_x + l_KL in contact, guide_condition
-    of guide_square its conditioning |value| + sum of |p * d value/d p|.
+    The conditioning |value| + sum of |p * d value/d p|: run_condition of travel_5,
+    guide_condition of guide_square = guide_radicand, roller_condition of KL_x + l_KL in
+    contact.
 
     Accuracy: 8 eps of norm over the entries (each keeps its own) of |value| + sum of |p * d
     value/d p| over the arguments p, in contact, where run_condition/2**48 < |l_GH - travel_5|

@@ -238,13 +238,13 @@ GUIDED = (beside(guide_square, "guide_condition"),)
 LIFTED = (beside(height_square, "height_condition"),)
 LINKED = (*GUIDED, beside(l_KL + MEANT.offset, "roller_condition"))
 PUSHING = (beside(Abs(MEANT.travel - l_GH), "run_condition"), *LINKED)
-CONDITIONING = "its conditioning |value| + sum of |p * d value/d p|"
-OF_GUIDE = f"guide_condition is of guide_square {CONDITIONING}"
-OF_HEIGHT = f"height_condition is of height_square {CONDITIONING}"
-OF_ROLLER = (
-    f"roller_condition is of KL_x + l_KL in contact, guide_condition of guide_square {CONDITIONING}"
-)
-OF_EDGES = f"run_condition is of travel_5, {OF_ROLLER}"
+CONDITIONING = "the conditioning |value| + sum of |p * d value/d p|"
+OF_GUIDE = "guide_condition of guide_square = guide_radicand"
+OF_ROLLER = f"{OF_GUIDE}, roller_condition of KL_x + l_KL in contact"
+GUIDE_EDGE = f"{CONDITIONING}: {OF_GUIDE}"
+HEIGHT_EDGE = f"{CONDITIONING}: height_condition of height_square = l_KL**2 - roller_offset**2"
+LINK_EDGES = f"{CONDITIONING}: {OF_ROLLER}"
+ALL_EDGES = f"{CONDITIONING}: run_condition of travel_5, {OF_ROLLER}"
 
 # The quantities --------------------------------------------------------------------------------
 
@@ -309,7 +309,7 @@ QUANTITIES = (
         singular=(AT_REST, PIVOT),
         period=pi,
         workloads=LEVER_LOADS,
-        remarks=(SHORT_GUIDE, OF_GUIDE),
+        remarks=(SHORT_GUIDE, GUIDE_EDGE),
     ),
     Quantity(
         "rod_displacement",
@@ -396,7 +396,7 @@ QUANTITIES = (
         singular=(Singular(Eq(x5, 0)), Singular(Eq(PRINTED_R, 0))),
         period=pi,
         workloads=ROLLER_LOADS,
-        remarks=(f"NaN where {LOW_ROLLER}", OF_HEIGHT),
+        remarks=(f"NaN where {LOW_ROLLER}", HEIGHT_EDGE),
     ),
     Quantity(
         "wedge_displacement",
@@ -443,7 +443,7 @@ QUANTITIES = (
         on=CLOSED,
         singular=POSITION_ALONG_CHAIN,
         workloads=CHAIN_LOADS,
-        remarks=(RANGE, OF_ROLLER),
+        remarks=(RANGE, LINK_EDGES),
     ),
     Quantity(
         "velocity",
@@ -466,7 +466,7 @@ QUANTITIES = (
         on=MOVING,
         singular=ALONG_CHAIN,
         workloads=CHAIN_LOADS,
-        remarks=(RANGE, OF_EDGES),
+        remarks=(RANGE, ALL_EDGES),
     ),
     Quantity(
         "sensitivities",
@@ -495,6 +495,6 @@ QUANTITIES = (
         on=MOVING,
         singular=ALONG_CHAIN,
         workloads=CHAIN_LOADS,
-        remarks=(RANGE, OF_EDGES),
+        remarks=(RANGE, ALL_EDGES),
     ),
 )
