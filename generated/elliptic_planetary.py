@@ -377,7 +377,7 @@ def largest_ratio(
 
     """
     R1, R2, e = as_floats(R1=R1, R2=R2, e=e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside = (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
     R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_largest_ratio, (R1,), _prepare_largest_ratio, (R2, e), out=out)
 
@@ -428,7 +428,7 @@ def smallest_ratio(
 
     """
     R1, R2, e = as_floats(R1=R1, R2=R2, e=e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside = (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
     R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_smallest_ratio, (R1,), _prepare_smallest_ratio, (R2, e), out=out)
 

@@ -131,7 +131,7 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
 
     """
     m, alpha = as_floats(m=m, alpha=alpha)
-    inside = (m > 0) & is_finite(m) & (alpha > 0) & (alpha < np.pi / 4)
+    inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
     m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(_constant_chord, (m,), _prepare_constant_chord, (alpha,), out=out)
 
@@ -176,7 +176,7 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
 
     """
     m, alpha = as_floats(m=m, alpha=alpha)
-    inside = (m > 0) & is_finite(m) & (alpha > 0) & (alpha < np.pi / 4)
+    inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
     m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(_chord_height, (m,), _prepare_chord_height, (alpha,), out=out)
 

@@ -698,10 +698,10 @@ def error_sum_correlated(
         & np.all(is_finite(scatters), axis=-1)
         & np.all(correlation >= -1, axis=(-2, -1))
         & np.all(correlation <= 1, axis=(-2, -1))
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
         & np.all(np.diagonal(correlation, axis1=-2, axis2=-1) == 1, axis=-1)
         & np.all(correlation == np.swapaxes(correlation, -1, -2), axis=(-2, -1))
+        & np.all(tolerances >= 0, axis=-1)
+        & np.all(is_finite(tolerances), axis=-1)
     )
     (total_scatter,) = nan_outside(inside, total_scatter)
 
@@ -873,11 +873,11 @@ def error_sum_thermal(
         & np.all(is_finite(scatters), axis=-1)
         & (thermal_scatter > 0)
         & is_finite(thermal_scatter)
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
         & (thermal_share >= 0)
         & is_finite(thermal_share)
         & (thermal_share * thermal_scatter < total_scatter)
+        & np.all(tolerances >= 0, axis=-1)
+        & np.all(is_finite(tolerances), axis=-1)
     )
     total_scatter, thermal_share, thermal_scatter = nan_outside(
         inside, total_scatter, thermal_share, thermal_scatter

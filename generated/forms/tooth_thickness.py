@@ -61,7 +61,7 @@ def constant_chord_handbook(
 
     """
     m, alpha = as_floats(m=m, alpha=alpha)
-    inside = (m > 0) & is_finite(m) & (alpha > 0) & (alpha < np.pi / 4)
+    inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
     m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(
         _constant_chord_handbook, (m,), _prepare_constant_chord_handbook, (alpha,), out=out
@@ -95,7 +95,7 @@ def chord_height_handbook(
 
     """
     m, alpha = as_floats(m=m, alpha=alpha)
-    inside = (m > 0) & is_finite(m) & (alpha > 0) & (alpha < np.pi / 4)
+    inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
     m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(
         _chord_height_handbook, (m,), _prepare_chord_height_handbook, (alpha,), out=out

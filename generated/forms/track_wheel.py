@@ -326,11 +326,11 @@ def error_sum_thermal_direct(
         & np.all(is_finite(scatters), axis=-1)
         & (thermal_scatter > 0)
         & is_finite(thermal_scatter)
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
         & (thermal_share >= 0)
         & is_finite(thermal_share)
         & (thermal_share * thermal_scatter < total_scatter)
+        & np.all(tolerances >= 0, axis=-1)
+        & np.all(is_finite(tolerances), axis=-1)
     )
     total_scatter, thermal_share, thermal_scatter = nan_outside(
         inside, total_scatter, thermal_share, thermal_scatter
