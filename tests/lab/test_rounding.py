@@ -89,7 +89,7 @@ def test_float32_has_room_for_its_own_roundings() -> None:
 
 
 def test_every_operation_of_a_stage_has_a_ball() -> None:
-    conditions = {"choose", "less", "less_equal", "greater", "greater_equal", "equal", "both"}
-    special = {"whole_turns_off", *conditions}
+    relations = {"less", "less_equal", "greater", "greater_equal", "equal", "both", "either"}
+    special = {"whole_turns_off", "choose", *relations}
     assert set(FUNCTIONS) | special >= set(MEANINGS)
     assert set(EXACT) | set(ROUNDED) <= set(FUNCTIONS)

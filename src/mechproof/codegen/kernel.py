@@ -14,7 +14,7 @@ from keyword import iskeyword
 import sympy as sp
 
 from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.domain import can_be_left, parameter_relations
+from mechproof.codegen.domain import can_be_left, checked_relations
 from mechproof.codegen.evaluation import (
     Evaluation,
     count_axes,
@@ -89,7 +89,9 @@ def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: 
     """
     evaluations = [evaluate_form(quantity, form, paper) for form in forms]
     used = set().union(*map(_used_symbols, evaluations))
-    conditions = parameter_relations(quantity, paper)
+    running = quantity.arguments[0].symbols
+    # Of the parameters first: one number with one number, and with all points only once.
+    conditions = tuple(sorted(checked_relations(quantity, paper), key=lambda r: r.has(*running)))
     names = input_names(quantity)
     affine = len(forms) == 1 and _affine_coefficients(quantity, evaluations[0]) is not None
     vectors = _name_vectors(quantity, used, affine)

@@ -34,6 +34,7 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "in_blocks",
             "is_finite",
             "nan_outside",
+            "quietly",
             "split_components",
             "store",
             "sum_axes",

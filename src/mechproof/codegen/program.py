@@ -105,6 +105,7 @@ MEANINGS: Mapping[str, Callable[..., sp.Basic]] = MappingProxyType(
         "greater_equal": sp.Ge,
         "equal": sp.Eq,
         "both": sp.And,
+        "either": sp.Or,
         "product_rest": lambda a, b, p: a * b - p,
         "sum_rest": lambda a, b, s: a + b - s,
         "quotient_rest": lambda a, b, q: a / b - q,

@@ -21,6 +21,7 @@ BINARY: Mapping[type[ast.operator], str] = MappingProxyType(
         ast.Mult: "multiply",
         ast.Div: "divide",
         ast.BitAnd: "both",
+        ast.BitOr: "either",
     }
 )
 COMPARED: Mapping[type[ast.cmpop], str] = MappingProxyType(
@@ -206,6 +207,11 @@ class _KernelReader:
                 self._read_return(inner, read_program(self._scalars(), (), (when,)))
             case ast.Return():
                 self._read_return(statement, None)
+            case ast.With(items=[context], body=body):
+                self._require(context.context_expr, ast.unparse(context) == "quietly()")
+                self._quiet = True
+                for inner in body:
+                    self._read_statement(inner)
             case _:
                 raise ReadingError(f"line {statement.lineno}: no kernel has this statement")
 

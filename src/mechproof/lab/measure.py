@@ -23,6 +23,7 @@ from mechproof.lab.sets import draw_in_cell, list_cells, list_sets
 from mechproof.lab.sizes import Sides
 from mechproof.lab.subject import Subject
 from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs
+from mechproof.lab.within import mark_within
 from mechproof.measured import (
     Cell,
     CellErrors,
@@ -130,7 +131,7 @@ def _measure_set(subject: Subject, point_set: PointSet, depth: Depth) -> list[Se
     if not point_set.ordered:
         arguments = _thin(subject, arguments, depth.points)
     truth = find_truth(subject, arguments)
-    held = np.broadcast_to(subject.within(*arguments), truth.decided.shape)
+    held = mark_within(subject, arguments)
     return [
         _measure_way(subject, method, point_set, arguments, truth, held)
         for method in subject.methods

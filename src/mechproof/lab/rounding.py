@@ -144,6 +144,8 @@ def _operate(step: Operation, find: Callable[[Operand], Any], single: bool) -> A
         return np.frompyfunc(lambda a, b: _compare(kind, a, b), 2, 1)(*values)
     if kind == "both":
         return np.frompyfunc(lambda a, b: a and b, 2, 1)(*values)
+    if kind == "either":
+        return np.frompyfunc(lambda a, b: a or b, 2, 1)(*values)
     if kind == "choose":
         return np.frompyfunc(_choose, 3, 1)(*values)
     exact = np.frompyfunc(FUNCTIONS[kind], len(values), 1)(*values)

@@ -16,6 +16,7 @@ from mechproof.lab.oracle import find_truth
 from mechproof.lab.points import TUNE, choose_evenly, draw_points, join, step_ulps
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
+from mechproof.lab.within import mark_within
 
 SURVIVORS = 24
 # Moves: up to 2**k ulps, or by a factor 1 + u * 10**-k.
@@ -61,7 +62,7 @@ def scaled_errors(subject: Subject, compute: Compute, arguments: Arguments) -> A
     truth = find_truth(subject, arguments)
     with np.errstate(all="ignore"):
         errors = find_errors(compute(*arguments), truth).scaled
-    held = subject.within(*arguments) & truth.decided
+    held = mark_within(subject, arguments) & truth.decided
     return np.where(held, np.nan_to_num(errors, nan=-1.0, posinf=np.inf), -1.0)
 
 

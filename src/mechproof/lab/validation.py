@@ -25,6 +25,7 @@ from mechproof.lab.points import TUNE, PointSet, choose_evenly, draw_points
 from mechproof.lab.rounding import decide, enclose_stage
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
+from mechproof.lab.within import mark_within
 
 # Of the first set so many points are enclosed, of every set so many go to the oracle.
 ENCLOSED, DECIDED = 8, 6
@@ -116,7 +117,7 @@ def _check_accuracy(subject: Subject) -> None:
             continue
         arguments = _take(subject, point_set, DECIDED)
         truth = find_truth(subject, arguments)
-        held = np.broadcast_to(subject.within(*arguments), truth.decided.shape) & truth.decided
+        held = mark_within(subject, arguments) & truth.decided
         for polynomial in (True, False):
             with np.errstate(all="ignore"), _with_polynomials(polynomial):
                 result = subject.kernel(*arguments)
