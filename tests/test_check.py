@@ -63,6 +63,7 @@ def test_what_a_letter_is_taken_for_is_told() -> None:
 REFUSED = [
     (["f(x)=1"], "--factor 'f'"),
     (["e^x=1"], "--name 'e'"),
+    ([r"\int_0^1 e^x\,dx=1"], "--name 'e'"),
     ([r"\frac{d}{dx}x=1"], "--name 'd'"),
     ([r"x\pm y=1"], "no meaning"),
     ([r"\int\cos x\,dx=\sin x"], "--from 0"),

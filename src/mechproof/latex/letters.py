@@ -165,7 +165,7 @@ def _read_undeclared(parser: Parser) -> Node:
         raise parser.refuse(f"{text} has no meaning here")
     if parser.collects and text not in UNSURE:
         return _collect(parser)
-    if parser.integrals and text != "d":
+    if parser.integrals and text != "d" and not parser.collects:
         return _read_running(parser)
     printed = _printed_name(parser, parser.place)
     begun = [latex for latex in parser.names.beginning(text) if latex != printed]
