@@ -37,7 +37,8 @@ def file(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("start", STARTS)
 def test_processes_change_nothing(file: Path, start: str) -> None:
-    ((paper, judgements),) = judge_derivations([file], use_cache=False, processes=3, start=start)
+    (ledger,) = judge_derivations([file], use_cache=False, processes=3, start=start)
+    paper, judgements = ledger.paper, ledger.judgements
     alone = load_paper(file)
     assert judgements == [judge(row, alone) for row in alone.rows]
     assert paper.citation == "my notes"
@@ -65,3 +66,14 @@ def test_what_the_forms_refuse_is_charged_to_the_derivation(
     monkeypatch.setattr("mechproof.verification.form_rows", refuse)
     with pytest.raises(DerivationError, match=r"mine\.py: no such rewrite"):
         judge_derivations([file])
+
+
+def test_a_row_that_is_wrongly_stated_has_no_judgement_and_holds_nothing_up(file: Path) -> None:
+    text = TEXT.replace("int(n == 3)", 'symbols(f"z{n}") * int(n == 3)')
+    file.write_text(text, encoding="utf-8")
+    (ledger,) = judge_derivations([file], use_cache=False)
+    assert [j.verdict for j in ledger.judgements] == [Verdict.PROVED] * 4
+    (failure,) = ledger.failures
+    assert failure == (
+        f"{file}: row (3): RecordError: rebuilt: z3 is no declared symbol of the paper"
+    )

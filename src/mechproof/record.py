@@ -7,6 +7,7 @@ Nothing here decides anything: verdicts come from `mechproof.proof`, source code
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -15,12 +16,34 @@ from types import MappingProxyType
 from typing import Any, ClassVar, Literal, Protocol
 
 import sympy as sp
+from sympy.logic.boolalg import Boolean
 
 Power = int | Fraction
 
 # Names of the generated package that no system may take.
 RESERVED = ("compiled", "forms", "kernels", "measured")
 MARKS = ("rebuilt", "calibrated", "fitted", "uncertain", "inferred", "ours")
+_DECIMAL = re.compile(r"-?\d+(\.\d+)?")
+
+
+class RecordError(ValueError):
+    """A record that says something it cannot mean: a fault of the derivation, not of the paper."""
+
+
+def _make_exact(record: object, *names: str) -> None:
+    """Turn numbers and matrices of the named fields into SymPy's; refuse what is not exact."""
+    for name in names:
+        value = getattr(record, name)
+        where = f"{type(record).__name__}: {name} = {value!r}"
+        if isinstance(value, sp.MatrixBase):
+            value = sp.ImmutableMatrix(value)
+        elif isinstance(value, int | Fraction) and not isinstance(value, bool):
+            value = sp.Rational(value)
+        if not isinstance(value, sp.Expr | sp.MatrixBase):
+            raise RecordError(f"{where}: allowed are SymPy expressions, integers and fractions")
+        if value.has(sp.Float):
+            raise RecordError(f"{where}: it has a float; exact is Rational('0.1')")
+        object.__setattr__(record, name, value)
 
 
 @dataclass(frozen=True)
@@ -100,6 +123,9 @@ class Equality:
     printed: sp.Basic
     rebuilt: sp.Basic
 
+    def __post_init__(self) -> None:
+        _make_exact(self, "printed", "rebuilt")
+
 
 @dataclass(frozen=True)
 class Distinct:
@@ -108,12 +134,21 @@ class Distinct:
     left: sp.Basic
     right: sp.Basic
 
+    def __post_init__(self) -> None:
+        _make_exact(self, "left", "right")
+
 
 @dataclass(frozen=True)
 class Holds:
     """A relation (or several joined by And) is true on the whole domain."""
 
     relation: sp.Basic
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.relation, Boolean) or self.relation.is_Symbol:
+            raise RecordError(f"Holds: {self.relation!r} is no relation of SymPy")
+        if self.relation.has(sp.Float):
+            raise RecordError(f"Holds: {self.relation} has a float; exact is Rational('0.1')")
 
 
 @dataclass(frozen=True)
@@ -123,6 +158,13 @@ class PrintedNumber:
     printed: str
     value: sp.Expr
 
+    def __post_init__(self) -> None:
+        if not (isinstance(self.printed, str) and _DECIMAL.fullmatch(self.printed)):
+            raise RecordError(
+                f"PrintedNumber: printed {self.printed!r} is not a decimal number such as '-0.93'"
+            )
+        _make_exact(self, "value")
+
 
 @dataclass(frozen=True)
 class Definition:
@@ -131,12 +173,21 @@ class Definition:
     symbol: sp.Symbol
     printed: sp.Basic
 
+    def __post_init__(self) -> None:
+        _make_exact(self, "symbol", "printed")
+
 
 @dataclass(frozen=True)
 class Conjunction:
     """Every part is true."""
 
     parts: tuple[Statement, ...]
+
+    def __post_init__(self) -> None:
+        if not self.parts:
+            raise RecordError("a Conjunction needs at least one part")
+        for part in self.parts:
+            _check_statement(part)
 
 
 @dataclass(frozen=True)
@@ -145,6 +196,9 @@ class Completion:
 
     text: str
     says: Statement
+
+    def __post_init__(self) -> None:
+        _check_statement(self.says)
 
 
 @dataclass(frozen=True)
@@ -156,6 +210,11 @@ class Completions:
 
 
 Statement = Equality | Distinct | Holds | PrintedNumber | Definition | Conjunction | Completions
+
+
+def _check_statement(says: object) -> None:
+    if not isinstance(says, Statement):
+        raise RecordError(f"{says!r} is no statement: {type(says).__name__}")
 
 
 class IntegralWithoutDifferential(sp.Function):  # type: ignore[misc]
@@ -175,6 +234,9 @@ class Reading:
     text: str
     says: Statement
 
+    def __post_init__(self) -> None:
+        _check_statement(self.says)
+
 
 @dataclass(frozen=True)
 class Correction:
@@ -182,6 +244,9 @@ class Correction:
 
     latex: str
     says: Statement
+
+    def __post_init__(self) -> None:
+        _check_statement(self.says)
 
 
 @dataclass(frozen=True)
@@ -206,6 +271,7 @@ class Row:
         unknown = set(self.marks) - set(MARKS)
         if unknown:
             raise ValueError(f"row {self.number!r}: marks {sorted(unknown)} not in {MARKS}")
+        _check_statement(self.says)
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,16 @@ LIMIT = 600.0
 
 
 class VerificationError(RuntimeError):
-    """A row could not be judged: its process hung or died, or the prover contradicts itself."""
+    """What was judged is inconsistent: a derivation changed meanwhile."""
+
+
+@dataclass(frozen=True)
+class Ledger:
+    """A paper with the judgements of its rows in order, and why some rows have none."""
+
+    paper: Paper
+    judgements: list[Judgement]
+    failures: list[str]
 
 
 @dataclass(frozen=True)
@@ -59,30 +68,30 @@ def judge_derivations(
     processes: int | None = None,
     start: str = START,
     report: Callable[[str], None] = lambda text: None,
-) -> list[tuple[Paper, list[Judgement]]]:
+) -> list[Ledger]:
     """Judge every row of the papers, then the rows of their forms; papers and rows in order.
 
-    `report` is told what has been done. Raises `DerivationError`, and `VerificationError` naming
-    a row that takes longer than `limit` seconds or whose process dies; what was judged until then
-    is kept in the cache.
+    `report` is told what has been done. A row that takes longer than `limit` seconds, that is
+    wrongly stated or at which the prover fails has no judgement but a failure that names it; the
+    other rows are judged all the same. Raises `DerivationError`.
     """
-    ledgers: list[_Ledger] = []
+    ledgers: list[_Rows] = []
     places: dict[str, Path] = {}
     try:
         for location in locations:
             report(f"loading {location}")
             _opened[location] = opened = open_derivation(location)
             check_names(places, opened.paper, location)
-            ledgers.append(_Ledger(opened, use_cache))
+            ledgers.append(_Rows(opened, use_cache))
         _fill(ledgers, limit, processes, start, report)
     finally:
         _opened.clear()
         for ledger in ledgers if use_cache else ():
             ledger.save()
-    return [(ledger.opened.paper, ledger.judgements()) for ledger in ledgers]
+    return [ledger.finish() for ledger in ledgers]
 
 
-class _Ledger:
+class _Rows:
     """The judgements of a paper while they come in."""
 
     def __init__(self, opened: Opened, use_cache: bool) -> None:
@@ -91,16 +100,21 @@ class _Ledger:
         self.keys = row_keys(opened.domain, opened.rows) if use_cache else [""] * len(opened.rows)
         self.kept = self.cache.load() if use_cache else {}
         self.found = {n: self.kept[k] for n, k in enumerate(self.keys) if k in self.kept}
+        self.failed: dict[int, str] = {}
 
     def missing(self) -> Iterator[int]:
         """Yield the numbers of rows to judge, from the last: forms stand last and take longest."""
         return (n for n in reversed(range(len(self.keys))) if n not in self.found)
 
-    def add(self, number: int, judgement: Judgement) -> None:
-        """Take the judgement of a row; a process that read the file anew may have met another."""
-        if judgement.number != self.opened.rows[number].number:
+    def add(self, number: int, result: Judgement | WorkerError) -> None:
+        """Take the result of a row; a process that read the file anew may have met another."""
+        row = self.opened.rows[number]
+        if isinstance(result, WorkerError):
+            self.failed[number] = f"{self.opened.location}: row {row.number}: {result}"
+        elif result.number != row.number:
             raise VerificationError(f"{self.opened.location}: changed while it was judged")
-        self.found[number] = judgement
+        else:
+            self.found[number] = result
 
     def save(self) -> None:
         """Keep what is new."""
@@ -108,13 +122,15 @@ class _Ledger:
         if judged != self.kept:
             self.cache.save(judged)
 
-    def judgements(self) -> list[Judgement]:
-        """Return the judgements in the order of the rows."""
-        return [self.found[number] for number in range(len(self.keys))]
+    def finish(self) -> Ledger:
+        """Return judgements and failures in the order of the rows."""
+        judged = [self.found[number] for number in sorted(self.found)]
+        failed = [self.failed[number] for number in sorted(self.failed)]
+        return Ledger(self.opened.paper, judged, failed)
 
 
 def _fill(
-    ledgers: Sequence[_Ledger],
+    ledgers: Sequence[_Rows],
     limit: float,
     processes: int | None,
     start: str,
@@ -122,17 +138,12 @@ def _fill(
 ) -> None:
     tasks = [(ledger, number) for ledger in ledgers for number in ledger.missing()]
     sent = [(ledger.opened.location, number) for ledger, number in tasks]
-    try:
-        results = run_tasks(_judge, sent, limit=limit, processes=processes, start=start)
-        for done, (task, judgement) in enumerate(results, start=1):
-            ledger, number = tasks[task]
-            ledger.add(number, judgement)
-            report(f"{done} of {len(tasks)} rows, {judgement.system}: {judgement.number}")
-    except WorkerError as error:
-        ledger, number = tasks[error.number]
-        row = ledger.opened.rows[number]
-        where = f"{ledger.opened.location}: row {row.number}"
-        raise VerificationError(f"{where}: {error.reason}") from error
+    results = run_tasks(_judge, sent, limit=limit, processes=processes, start=start)
+    for done, (task, result) in enumerate(results, start=1):
+        ledger, number = tasks[task]
+        ledger.add(number, result)
+        row = ledger.opened.rows[number].number
+        report(f"{done} of {len(tasks)} rows, {ledger.opened.paper.system}: {row}")
 
 
 def _judge(task: tuple[Path, int]) -> Judgement:

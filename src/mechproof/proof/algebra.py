@@ -37,7 +37,7 @@ class Field:
     def vanishes(self, expression: sp.Basic) -> bool:
         """Decide whether the expression is identically zero; False means "not shown"."""
         self.used_sums = self.used_sums or expression.has(sp.Sum)
-        expression = canonicalise(self.domain.resolve(expression))
+        expression = canonicalise(self.domain.resolve(expression), self.domain)
         self._collect_angles(expression)
         numerator, denominator = sp.fraction(sp.together(self._translate(expression)))
         return bool(self._reduce(numerator) == 0 and self._reduce(denominator) != 0)

@@ -6,12 +6,13 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from mechproof.proof.declarations import check_statement
 from mechproof.proof.dimensions import dimensions_of
-from mechproof.proof.domain import Domain
+from mechproof.proof.domain import COUNTS, Domain
 from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.verdict import Decision, Evidence, Judgement, Verdict
 from mechproof.proof.wellformed import find_faults
-from mechproof.record import Paper, Part, Row, Statement
+from mechproof.record import Paper, Part, RecordError, Row, Statement
 
 
 @dataclass(frozen=True)
@@ -23,12 +24,12 @@ class _Outcome:
 def judge(row: Row, paper: Paper) -> Judgement:
     """Return the line of the ledger for one row.
 
-    A statement that no rung can read (an unknown function, a wrong record) is UNDECIDED and says
-    why; only a contradiction within the ladder itself is raised.
+    A statement that no rung can read (an unknown function) is UNDECIDED and says why. Raises
+    `RecordError` for what the paper is not to blame for, and `ContradictionError`.
     """
     try:
         outcome = _with_correction(row, paper, _decide_row(row, paper))
-    except ContradictionError:
+    except (ContradictionError, RecordError):
         raise
     except Exception as error:
         reason = f"{type(error).__name__}: {error}"
@@ -63,7 +64,9 @@ def _decide_row(row: Row, paper: Paper) -> Decision:
 
 
 def _decide_well_formed(says: Statement, paper: Paper, domain: Domain) -> Decision:
-    faults = find_faults(says, dimensions_of(paper), domain)
+    known = dimensions_of(paper)
+    check_statement(says, known, domain)
+    faults = find_faults(says, known, domain)
     if not faults:
         return decide(says, domain)
     rungs = dict.fromkeys(fault.rung for fault in faults)
@@ -72,10 +75,16 @@ def _decide_well_formed(says: Statement, paper: Paper, domain: Domain) -> Decisi
     return Decision(Verdict.ILL_FORMED, ", ".join(rungs), reason, evidence)
 
 
+def _decide_ours(says: Statement, paper: Paper, domain: Domain) -> Decision:
+    """Decide what we say in place of the print."""
+    check_statement(says, dimensions_of(paper), domain, printed=False)
+    return decide(says, domain)
+
+
 def _find_convention(row: Row, paper: Paper, domain: Domain, literal: Decision) -> Decision | None:
     """Return CONVENTION if another stated reading is proved."""
     for reading in row.readings:
-        other = _decide_well_formed(reading.says, paper, domain)
+        other = _decide_ours(reading.says, paper, domain)
         if other.verdict is Verdict.PROVED:
             shown = literal.evidence or (Evidence(literal.reason),)
             as_printed = tuple(replace(e, what=f"read literally: {e.what}") for e in shown)
@@ -87,9 +96,12 @@ def _find_convention(row: Row, paper: Paper, domain: Domain, literal: Decision) 
 
 def _find_part(row: Row, paper: Paper, refuted: Decision) -> Decision:
     """Return CONDITIONAL if the statement is proved on the stated part of the domain."""
-    if row.holds_on is None or not _has_interior(row.holds_on):
+    if row.holds_on is None:
         return refuted
-    inside = decide(row.says, Domain.of(paper, row.holds_on))
+    part = Domain.of(paper, row.on, row.holds_on)
+    if not _has_interior(row.holds_on, part):
+        return refuted
+    inside = decide(row.says, part)
     if inside.verdict is not Verdict.PROVED:
         return refuted
     where = Evidence(f"{row.holds_on.text}: PROVED ({inside.rung})")
@@ -98,16 +110,17 @@ def _find_part(row: Row, paper: Paper, refuted: Decision) -> Decision:
     return Decision(Verdict.CONDITIONAL, inside.rung, reason, (where, *outside))
 
 
-def _has_interior(part: Part) -> bool:
-    open_sets = all(not isinstance(s, sp.FiniteSet) for s in part.within.values())
-    return open_sets and not any(isinstance(r, sp.Equality) for r in part.where)
+def _has_interior(part: Part, domain: Domain) -> bool:
+    sets = [domain.set_of(symbol) for symbol in part.within]
+    is_open = all(s in COUNTS or (isinstance(s, sp.Interval) and s.measure > 0) for s in sets)
+    return is_open and not any(relation.has(sp.Equality) for relation in part.where)
 
 
 def _with_correction(row: Row, paper: Paper, decision: Decision) -> _Outcome:
     """Prove the corrected form; a correction that is not proved leaves the row open."""
     if row.corrected is None or decision.verdict is Verdict.PROVED:
         return _Outcome(decision)
-    proof = _decide_well_formed(row.corrected.says, paper, Domain.of(paper, row.on))
+    proof = _decide_ours(row.corrected.says, paper, Domain.of(paper, row.on))
     if proof.verdict is Verdict.PROVED:
         evidence = (*decision.evidence, Evidence(f"corrected form: PROVED ({proof.rung})"))
         return _Outcome(replace(decision, evidence=evidence), proof.rung)

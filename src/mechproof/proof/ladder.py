@@ -15,7 +15,7 @@ from mechproof.proof.arguments import decide_by_argument
 from mechproof.proof.bisection import holds_on_interval
 from mechproof.proof.domain import Domain
 from mechproof.proof.numbers import decide_number
-from mechproof.proof.refutation import POINTS, Comparison, compare, find_violation
+from mechproof.proof.refutation import POINTS, Comparison, compare, find_undefined, find_violation
 from mechproof.proof.signs import find_sign
 from mechproof.proof.verdict import Decision, Evidence, Verdict
 from mechproof.record import (
@@ -131,6 +131,9 @@ def _decide_relation(statement: Holds, domain: Domain) -> Decision:
     if rung:
         if found := find_violation(relation, domain, CROSS_EXAMINATION):
             raise ContradictionError(f"proved, yet {found}")
+        if undefined := find_undefined(relation, domain, CROSS_EXAMINATION):
+            reason = f"true wherever it is defined, which fails at {undefined}"
+            return Decision(Verdict.UNDECIDED, rung, reason)
         return Decision(Verdict.PROVED, rung, "true wherever it is defined")
     violation = find_violation(relation, domain)
     if violation:
@@ -157,7 +160,7 @@ def _describe_exact(relation: sp.Basic, holds: bool | None) -> Evidence:
     """Show both sides as balls: the exact numbers themselves may be pages long."""
     if not isinstance(relation, sp.core.relational.Relational):
         return Evidence(f"{relation} for exact numbers is {holds}")
-    left, right = (balls.show(balls.evaluate(side, {})) for side in relation.args)
+    left, right = balls.show_apart(*(balls.evaluate(side, {}, 512) for side in relation.args))
     return Evidence(f"{left} {relation.rel_op} {right} for exact numbers is {holds}")
 
 
@@ -173,8 +176,6 @@ def _holds_by_sign(relation: sp.Basic, domain: Domain) -> bool:
 
 
 def _decide_conjunction(statement: Conjunction, domain: Domain) -> Decision:
-    if not statement.parts:
-        raise ValueError("a Conjunction needs at least one part")
     decisions = [decide(part, domain) for part in statement.parts]
     failed = [d for d in decisions if d.verdict not in (Verdict.PROVED, Verdict.DEFINITION)]
     for decision in sorted(failed, key=lambda d: d.verdict is not Verdict.REFUTED):

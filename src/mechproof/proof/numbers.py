@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 import sympy as sp
 
 from mechproof.proof import balls
@@ -11,16 +9,10 @@ from mechproof.proof.verdict import Decision, Evidence, Verdict
 from mechproof.record import PrintedNumber
 
 RUNG = "recomputation"
-_DECIMAL = re.compile(r"-?\d+(\.\d+)?")
 
 
 def decide_number(statement: PrintedNumber, value: sp.Expr) -> Decision:
-    """Compare the exact value with the closed interval of half a last place around the print.
-
-    Raises `ValueError` for a print that is not a plain decimal number.
-    """
-    if not _DECIMAL.fullmatch(statement.printed):
-        raise ValueError(f"printed {statement.printed!r} is not a decimal number such as -0.93")
+    """Compare the exact value with the closed interval of half a last place around the print."""
     printed = sp.Rational(statement.printed)
     half_place = sp.Rational(1, 2) / 10 ** _decimals(statement.printed)
     ball = balls.evaluate_until(value, {}, 80)
