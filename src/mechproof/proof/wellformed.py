@@ -134,11 +134,11 @@ def _changes_of_units(
 ) -> Iterator[Evidence]:
     """Yield the printed values in one unit, and in another turned back, where they differ."""
     for unit in UNITS:
-        scaled = rescale(printed, known, unit, UNIT_CHANGE)
+        pairs = [(term, rescale(term, known, unit, UNIT_CHANGE)) for term in _terms(printed)]
         power = getattr(_dimension(other, known), unit)
         back = balls.to_ball(UNIT_CHANGE) ** balls.to_ball(power)
         with suppress(NotImplementedError):
-            for point, pair in product(_points(printed, domain), _pair_terms(printed, scaled)):
+            for point, pair in product(_points(printed, domain), pairs):
                 before, after = (balls.evaluate(expand_sums(e, point), point) for e in pair)
                 values = [before, after / back]
                 if all(v.is_finite() for v in values) and not values[0].overlaps(values[1]):
@@ -149,16 +149,14 @@ def _points(printed: sp.Basic, domain: Domain) -> Iterator[Point]:
     return points_for((printed,), domain, POINTS, thorough=True)
 
 
-def _pair_terms(printed: sp.Basic, scaled: sp.Basic) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-    """Pair what has a value: an expression, the entries of a matrix, the gaps of relations."""
+def _terms(printed: sp.Basic) -> list[sp.Expr]:
+    """List what has a value: an expression, the entries of a matrix, the gaps of relations."""
     if isinstance(printed, sp.MatrixBase):
-        yield from zip(printed.flat(), scaled.flat(), strict=True)
-    elif isinstance(printed, Boolean):
-        relations = (sorted(e.atoms(Relational), key=str) for e in (printed, scaled))
-        for one, other in zip(*relations, strict=False):
-            yield one.lhs - one.rhs, other.lhs - other.rhs
-    else:
-        yield printed, scaled
+        return list(printed.flat())
+    if isinstance(printed, Boolean):
+        relations = sorted(printed.atoms(Relational), key=str)
+        return [relation.lhs - relation.rhs for relation in relations]
+    return [printed]
 
 
 def _show_change(unit: str, point: Point, values: list[balls.Ball]) -> Evidence:
