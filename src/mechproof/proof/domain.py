@@ -135,6 +135,9 @@ class Domain:
             {**inside, **{s: values[k % len(values)] for s, values in found.items() if values}}
             for k in range(longest)
         ]
+        small = [[v for v in (sp.S.Zero, sp.S.One, -sp.S.One) if v in found[s]] for s in found]
+        if 1 < len(small) <= 3:
+            joint += [{**inside, **dict(zip(found, v, strict=True))} for v in product(*small)]
         relations = list(self.where)
         return [p for p in single + joint if _allowed(_relations_at(relations, p), p)]
 

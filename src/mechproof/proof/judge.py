@@ -35,7 +35,11 @@ def judge(row: Row, paper: Paper) -> Judgement:
         reason = f"{type(error).__name__}: {error}"
         outcome = _Outcome(Decision(Verdict.UNDECIDED, "none", reason))
     decision = outcome.decision
-    reason = f"{decision.reason}. {row.note}" if row.note else decision.reason
+    on = row.on.text if row.on else ""
+    where = [f"on {on}"] if on else []
+    where += [f"singular at {', '.join(row.singular)}"] if row.singular else []
+    reason = "; ".join([decision.reason, *where])
+    reason = f"{reason}. {row.note}" if row.note else reason
     return Judgement(
         system=paper.system,
         number=row.number,
@@ -44,6 +48,8 @@ def judge(row: Row, paper: Paper) -> Judgement:
         rung=decision.rung,
         marks=row.marks,
         printed_latex=row.printed_latex,
+        on=on,
+        singular=row.singular,
         reason=reason,
         evidence=decision.evidence,
         corrected_latex=row.corrected.latex if row.corrected else "",

@@ -15,7 +15,7 @@ from mechproof.proof.arguments import decide_by_argument
 from mechproof.proof.bisection import holds_on_interval
 from mechproof.proof.domain import Domain
 from mechproof.proof.numbers import decide_number
-from mechproof.proof.refutation import POINTS, Comparison, compare, find_undefined, find_violation
+from mechproof.proof.refutation import Comparison, compare, find_undefined, find_violation
 from mechproof.proof.signs import find_sign
 from mechproof.proof.verdict import Decision, Evidence, Verdict
 from mechproof.record import (
@@ -138,7 +138,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Decision:
     violation = find_violation(relation, domain)
     if violation:
         return Decision(Verdict.REFUTED, "separating balls", "a point violates it", (violation,))
-    reason = f"no violation at {POINTS} points, no proof"
+    reason = "no violation at any point tried, no proof"
     return Decision(Verdict.UNDECIDED, "enclosure", reason)
 
 

@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from itertools import chain, islice, permutations
 
 import sympy as sp
+from flint import arb
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanFunction
 
 from mechproof.proof import balls
 from mechproof.proof.domain import Domain, Point
@@ -15,11 +18,14 @@ from mechproof.proof.sums import write_out
 from mechproof.proof.verdict import Evidence
 
 POINTS = 40
-PRECISIONS = (64, 192)
+PRECISIONS = (64, 192, 512)
 # Counts in the order in which they are tried; how many choices of several counts.
 _FIRST_COUNTS = (2, 3, 5, 1, 4, 7, 6, 10, 12, 8, 9, 11, 0)
 _CHOICES = 3
-_MORE_CHOICES = 9
+_MORE_CHOICES = 14
+_MOST_TRIED = 2000
+# Balls wider than this say nothing of how close two sides are.
+_NARROW = arb(2) ** -32
 
 
 @dataclass(frozen=True)
@@ -62,9 +68,9 @@ def compare(
 def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> Evidence | None:
     """Return a point at which the relation is certainly false, if one is found."""
     for point in points_for((relation,), domain, count, thorough=count == POINTS):
-        if balls.truth(expand_sums(relation, point), point, 256) is False:
+        if balls.truth(put_exactly(relation, point), point, 256) is False:
             sides = [s for r in _relations(relation) for s in r.args]
-            values = [balls.evaluate(expand_sums(s, point), point, 256) for s in sides[:2]]
+            values = [balls.evaluate(put_exactly(s, point), point, 256) for s in sides[:2]]
             return Evidence(f"{relation} is false", _texts(point), *balls.show_apart(*values))
     return None
 
@@ -72,7 +78,7 @@ def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> E
 def find_undefined(relation: sp.Basic, domain: Domain, count: int) -> str:
     """Return an interior point at which a side of a relation has no value, empty if none is met."""
     for point in points_for((relation,), domain, count):
-        sides = (expand_sums(s, point) for r in _relations(relation) for s in r.args)
+        sides = (put_exactly(s, point) for r in _relations(relation) for s in r.args)
         if all(balls.evaluate(side, point).is_finite() for side in sides):
             continue
         if domain.is_interior(point):
@@ -94,7 +100,7 @@ def points_for(
     plain = sorted(symbols - set(counts), key=str)
     special: list[Point] = []
     for sizes in _choose_counts(counts, domain, _MORE_CHOICES if thorough else _CHOICES):
-        indexed = {i for e in expressions for i in expand_sums(e, sizes).atoms(sp.Indexed)}
+        indexed = {i for e in expressions for i in put_exactly(e, sizes).atoms(sp.Indexed)}
         names = plain + sorted(indexed, key=str)
         points = domain.points(names, count, sizes) if names else [sizes]
         yield from points
@@ -110,34 +116,40 @@ def _choose_counts(counts: list[sp.Basic], domain: Domain, number: int) -> list[
     """Return the first choices of counts, unlike before like, that the domain allows."""
     if not counts:
         return [{}]
-    unlike = (v for start in _FIRST_COUNTS for v in permutations(range(start, start + len(counts))))
+    unlike = (turned for v in permutations(_FIRST_COUNTS, len(counts)) for turned in (v, v[::-1]))
     like = [(start,) * len(counts) for start in _FIRST_COUNTS] if len(counts) > 1 else []
-    choices = (
-        dict(zip(counts, map(sp.Integer, values), strict=True))
-        for values in chain(islice(unlike, max(3, number // 2)), like, unlike)
-    )
+    values = chain(islice(unlike, max(3, number - 4)), like, islice(unlike, _MOST_TRIED))
+    choices = (dict(zip(counts, map(sp.Integer, v), strict=True)) for v in dict.fromkeys(values))
     return list(islice((sizes for sizes in choices if domain.allows(sizes)), number))
 
 
-def expand_sums(expression: sp.Basic, point: Point) -> sp.Basic:
-    """Write sums with a numeric count out, so that their indexed symbols appear."""
-    if not expression.has(sp.Sum):
-        return expression
-    counts = {s: v for s, v in point.items() if isinstance(s, sp.Symbol) and v.is_Integer}
-    return write_out(substitute(expression, counts))
+def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
+    """Put what no ball holds exactly, and counts, so that sums are written out."""
+    if isinstance(expression, Relational | BooleanFunction):
+        parts = [put_exactly(part, point) for part in expression.args]
+        unevaluated = {"evaluate": False} if expression.is_Relational else {}
+        return expression.func(*parts, **unevaluated)
+    has_sums = expression.has(sp.Sum)
+    exact = {
+        s: v
+        for s, v in point.items()
+        if not v.is_Rational or (has_sums and v.is_Integer and isinstance(s, sp.Symbol))
+    }
+    return write_out(substitute(expression, exact)) if exact else write_out(expression)
 
 
 def _enclose_both(
     printed: sp.Basic, rebuilt: sp.Basic, point: Point, precisions: tuple[int, ...]
 ) -> tuple[balls.Ball, balls.Ball, str]:
-    printed, rebuilt = (expand_sums(side, point) for side in (printed, rebuilt))
+    printed, rebuilt = (put_exactly(side, point) for side in (printed, rebuilt))
     decided = "open"
     for bits in precisions:
         left, right = (balls.evaluate(side, point, bits) for side in (printed, rebuilt))
         if left.is_finite() and right.is_finite():
             if not left.overlaps(right):
                 return left, right, "apart"
-            decided = "together"
+            is_narrow = (left - right).abs_upper() < _NARROW * left.abs_upper().max(arb(1))
+            decided = "together" if is_narrow else decided
     return left, right, decided
 
 

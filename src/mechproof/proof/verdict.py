@@ -48,7 +48,7 @@ class Decision:
 
 @dataclass(frozen=True)
 class Judgement:
-    """One line of the ledger."""
+    """One line of the ledger; `on` is the part of the paper's domain that it is said of."""
 
     system: str
     number: str
@@ -57,6 +57,8 @@ class Judgement:
     rung: str
     marks: tuple[str, ...]
     printed_latex: str
+    on: str
+    singular: tuple[str, ...]
     reason: str
     evidence: tuple[Evidence, ...]
     corrected_latex: str
@@ -73,6 +75,8 @@ class Judgement:
             "rung": self.rung,
             "marks": list(self.marks),
             "printed_latex": self.printed_latex,
+            "on": self.on,
+            "singular": list(self.singular),
             "reason": self.reason,
             "evidence": [item.as_dict() for item in self.evidence],
             "corrected_latex": self.corrected_latex,

@@ -9,7 +9,7 @@ from itertools import product
 
 import sympy as sp
 from sympy.core.relational import Relational
-from sympy.logic.boolalg import Boolean
+from sympy.logic.boolalg import BooleanFunction
 
 from mechproof.proof import balls
 from mechproof.proof.dimensions import (
@@ -20,7 +20,7 @@ from mechproof.proof.dimensions import (
     rescale,
 )
 from mechproof.proof.domain import Domain, Point
-from mechproof.proof.refutation import expand_sums, points_for
+from mechproof.proof.refutation import points_for, put_exactly
 from mechproof.proof.verdict import Evidence
 from mechproof.record import (
     NUMBER,
@@ -139,7 +139,7 @@ def _changes_of_units(
         back = balls.to_ball(UNIT_CHANGE) ** balls.to_ball(power)
         with suppress(NotImplementedError):
             for point, pair in product(_points(printed, domain), pairs):
-                before, after = (balls.evaluate(expand_sums(e, point), point) for e in pair)
+                before, after = (balls.evaluate(put_exactly(e, point), point) for e in pair)
                 values = [before, after / back]
                 if all(v.is_finite() for v in values) and not values[0].overlaps(values[1]):
                     yield _show_change(unit, point, values)
@@ -153,7 +153,7 @@ def _terms(printed: sp.Basic) -> list[sp.Expr]:
     """List what has a value: an expression, the entries of a matrix, the gaps of relations."""
     if isinstance(printed, sp.MatrixBase):
         return list(printed.flat())
-    if isinstance(printed, Boolean):
+    if isinstance(printed, Relational | BooleanFunction):
         relations = sorted(printed.atoms(Relational), key=str)
         return [relation.lhs - relation.rhs for relation in relations]
     return [printed]
