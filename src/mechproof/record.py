@@ -117,11 +117,14 @@ class Part:
 class Equality:
     """`printed` equals `rebuilt` everywhere on the domain (expressions or matrices).
 
-    The two sides come from different sources: one is the paper's, one is derived.
+    The two sides come from different sources: one is the paper's, one is derived. Where `rebuilt`
+    is built from the print itself, or from the declaration of the symbol that is printed,
+    `rebuilt_from` says so: equality proves nothing then.
     """
 
     printed: sp.Basic
     rebuilt: sp.Basic
+    rebuilt_from: Literal["mechanics", "print", "declaration"] = "mechanics"
 
     def __post_init__(self) -> None:
         _make_exact(self, "printed", "rebuilt")
@@ -192,10 +195,11 @@ class Conjunction:
 
 @dataclass(frozen=True)
 class Completion:
-    """The missing data completed in one stated way, and what the statement then becomes."""
+    """The missing datum completed in one stated way, and what the statement then becomes."""
 
     text: str
     says: Statement
+    value: sp.Expr | None = None
 
     def __post_init__(self) -> None:
         _check_statement(self.says)
@@ -203,10 +207,27 @@ class Completion:
 
 @dataclass(frozen=True)
 class Completions:
-    """The paper lacks data; two completions whose decisions are compared."""
+    """The paper lacks a datum, named here; two completions of it whose decisions are compared.
 
+    A symbol of the paper gets the `value` of each completion, which say the same of it; a datum
+    in words is completed by the words of each.
+    """
+
+    missing: str | sp.Symbol
     first: Completion
     second: Completion
+
+    def __post_init__(self) -> None:
+        sides = (self.first, self.second)
+        if isinstance(self.missing, sp.Symbol):
+            has_values = all(side.value is not None for side in sides)
+            is_one = self.first.says == self.second.says
+            if not (has_values and is_one and self.first.value != self.second.value):
+                raise RecordError(
+                    f"Completions: two values of {self.missing} are needed, and one statement"
+                )
+        elif not self.missing or self.first.text == self.second.text:
+            raise RecordError("Completions: name what is missing, and complete it in two ways")
 
 
 Statement = Equality | Distinct | Holds | PrintedNumber | Definition | Conjunction | Completions

@@ -73,7 +73,7 @@ CASES = {
     "definition": (row(Definition(x, y)), Verdict.DEFINITION),
     "ill-formed definition": (row(Definition(x, undeclared)), Verdict.ILL_FORMED),
     "two completions": (
-        row(Completions(Completion("one", TRUE), Completion("two", FALSE))),
+        row(Completions("a datum", Completion("one", TRUE), Completion("two", FALSE))),
         Verdict.UNDERDETERMINED,
     ),
     "open": (row(OPEN), Verdict.ENCLOSED),

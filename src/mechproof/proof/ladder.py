@@ -17,6 +17,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.numbers import decide_number
 from mechproof.proof.refutation import Comparison, compare, find_undefined, find_violation
 from mechproof.proof.signs import find_sign
+from mechproof.proof.substitution import substitute
 from mechproof.proof.verdict import Decision, Evidence, Verdict
 from mechproof.record import (
     Completion,
@@ -30,6 +31,7 @@ from mechproof.record import (
     Statement,
 )
 
+IDENTICAL = "identical"
 CROSS_EXAMINATION = 4
 CROSS_PRECISION = (64,)
 
@@ -44,7 +46,22 @@ def decide(statement: Statement, domain: Domain) -> Decision:
 
 
 def _decide_equality(statement: Equality, domain: Domain) -> Decision:
-    printed, rebuilt = (domain.resolve(side) for side in (statement.printed, statement.rebuilt))
+    source = "declaration" if _is_declaration(statement, domain) else statement.rebuilt_from
+    decision = _decide_sides(statement.printed, statement.rebuilt, domain)
+    if decision.verdict is not Verdict.PROVED or source == "mechanics":
+        return decision
+    reason = f"the other side is built from the {source}: nothing to prove"
+    return Decision(Verdict.DEFINITION, decision.rung, reason)
+
+
+def _is_declaration(statement: Equality, domain: Domain) -> bool:
+    """Tell whether a side is a symbol and the other what the symbol is declared to be."""
+    sides = (statement.printed, statement.rebuilt)
+    return any(domain.given.get(one) == other for one, other in (sides, sides[::-1]))
+
+
+def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Decision:
+    printed, rebuilt = domain.resolve(printed), domain.resolve(rebuilt)
     if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):
         return _decide_matrices(printed, rebuilt, domain)
     return _decide_scalars(printed, rebuilt, domain)
@@ -84,7 +101,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Decis
 
 def _prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
     if printed == rebuilt:
-        return "structural"
+        return IDENTICAL
     rungs = (decide_equal, decide_by_argument, decide_by_derivative)
     return next(filter(None, (rung(printed, rebuilt, domain) for rung in rungs)), None)
 
@@ -108,8 +125,7 @@ def _report_unproved(comparison: Comparison) -> Decision:
 
 
 def _decide_distinct(statement: Distinct, domain: Domain) -> Decision:
-    left, right = (domain.resolve(side) for side in (statement.left, statement.right))
-    equal = _decide_equality(Equality(left, right), domain)
+    equal = _decide_sides(statement.left, statement.right, domain)
     opposite = {Verdict.REFUTED: Verdict.PROVED, Verdict.PROVED: Verdict.REFUTED}
     verdict = opposite.get(equal.verdict, Verdict.UNDECIDED)
     return replace(equal, verdict=verdict)
@@ -126,7 +142,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Decision:
         parts = tuple(Holds(part) for part in sorted(relation.args, key=str))
         return _decide_conjunction(Conjunction(parts), domain)
     if isinstance(relation, sp.Equality):
-        return _decide_equality(Equality(*relation.args), domain)
+        return _decide_sides(*relation.args, domain)
     rung = _prove_relation(relation, domain)
     if rung:
         if found := find_violation(relation, domain, CROSS_EXAMINATION):
@@ -189,13 +205,24 @@ def _decide_conjunction(statement: Conjunction, domain: Domain) -> Decision:
 
 def _decide_completions(statement: Completions, domain: Domain) -> Decision:
     sides = (statement.first, statement.second)
-    decisions = [decide(side.says, domain) for side in sides]
+    decisions = [_decide_completion(side, statement.missing, domain) for side in sides]
     evidence = tuple(_describe(s, d) for s, d in zip(sides, decisions, strict=True))
     if {d.verdict for d in decisions} == {Verdict.PROVED, Verdict.REFUTED}:
-        reason = "two completions of the missing data give opposite answers"
+        reason = f"not stated: {statement.missing}; two completions give opposite answers"
         return Decision(Verdict.UNDERDETERMINED, "two completions", reason, evidence)
     reason = "the two completions do not give opposite answers"
     return Decision(Verdict.UNDECIDED, "two completions", reason, evidence)
+
+
+def _decide_completion(
+    completion: Completion, missing: str | sp.Symbol, domain: Domain
+) -> Decision:
+    if not isinstance(missing, sp.Symbol):
+        return decide(completion.says, domain)
+    given = {**domain.given, missing: completion.value}
+    within = {s: values for s, values in domain.within.items() if s != missing}
+    where = tuple(substitute(r, {missing: completion.value}) for r in domain.where)
+    return decide(completion.says, Domain(within, where, given))
 
 
 def _describe(completion: Completion, decision: Decision) -> Evidence:

@@ -6,6 +6,7 @@ import json
 from collections import Counter
 from collections.abc import Sequence
 
+from mechproof.proof.ladder import IDENTICAL
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
 from mechproof.record import Paper
 
@@ -27,7 +28,10 @@ def totals(judgements: Sequence[Judgement], ours: bool) -> Counter[Verdict]:
 def show_totals(judgements: Sequence[Judgement], ours: bool) -> str:
     """Return the totals as one line, in the order of the verdicts; no sum over verdicts."""
     counted = totals(judgements, ours)
-    return ", ".join(f"{counted[v]} {v}" for v in Verdict if counted[v]) or "none"
+    identical = sum(j.rung == IDENTICAL for j in judgements if ("ours" in j.marks) is ours)
+    apart = {Verdict.PROVED: f" ({identical} of them identical)"} if identical else {}
+    shown = (f"{counted[v]} {v}{apart.get(v, '')}" for v in Verdict if counted[v])
+    return ", ".join(shown) or "none"
 
 
 def to_json(judgements: Sequence[Judgement]) -> str:
