@@ -1,5 +1,6 @@
 """Hostile statements for every rung: no false one proved, no true one convicted, no typo judged."""
 
+import time
 from collections.abc import Callable
 
 import pytest
@@ -259,6 +260,43 @@ def test_what_is_false_is_not_proved(name: str) -> None:
 def test_what_is_true_is_not_convicted(name: str) -> None:
     judgement = judge(Claim("c", "print", NOT_CONVICTED[name]), PAPER)
     assert judgement.verdict not in (Verdict.REFUTED, Verdict.ILL_FORMED)
+
+
+HEAVY: dict[str, Statement] = {
+    "tower": Equality(sp.Pow(9, sp.Pow(9, sp.Pow(9, 9, **raw), **raw), **raw), sp.Pow(9, x, **raw)),
+    "high power": Equality((x + y) ** 5000, (x + y + z) ** 5000),
+    "large multiple": Equality(cos(10**6 * x), 2 * cos(5 * 10**5 * x) ** 2 - 1),
+    "sign of a high power": gt((x**2 + x + 1) ** 4000 + x**2, 0),
+    "many terms": Equality(Sum(1 / k**2, (k, 1, 10**9)), pi**2 / 6),
+    "high power in a sum": Equality(Sum((A[k] + 1) ** 3000, (k, 1, n)), 0),
+}
+
+
+@pytest.mark.parametrize("name", HEAVY)
+def test_what_is_too_much_work_is_left_open_at_once(name: str) -> None:
+    begun = time.process_time()
+    judgement = judge(Claim("c", "print", HEAVY[name]), PAPER)
+    assert judgement.verdict is not Verdict.PROVED
+    assert time.process_time() - begun < 30
+
+
+TAUGHT: dict[str, tuple[Statement, str]] = {
+    "sign under a root": (
+        Equality(sqrt((x**3 - y) ** 2), Abs(x**3 - y) + sp.erf(x) + sp.erfc(x) - 1),
+        "is zero is not shown",
+    ),
+    "break": (
+        Equality(Integral(sign(t), (t, 0, x)), x * sp.sign(x)),
+        "is not continuous in x over the domain",
+    ),
+    "inequality": (ge(p, sin(p)), "the sign of p - sin(p) is not shown"),
+}
+
+
+@pytest.mark.parametrize("name", TAUGHT)
+def test_what_is_left_open_says_what_is_not_shown(name: str) -> None:
+    statement, reason = TAUGHT[name]
+    assert reason in judge(Claim("c", "print", statement), PAPER).reason
 
 
 @pytest.mark.parametrize("name", OURS)

@@ -65,6 +65,14 @@ CASES = {
     "true on a part": (row(Equality(TURN, x), holds_on=NEAR_ZERO), Verdict.CONDITIONAL),
     "false on the part": (row(Equality(TURN, x), holds_on=FAR), Verdict.REFUTED),
     "part without interior": (row(Equality(x, 2 * x), holds_on=ONE_POINT), Verdict.REFUTED),
+    "part beyond where it is said of": (
+        row(Equality(sp.Abs(x), -x), on=FAR, holds_on=Part("x < 0", {x: sp.Interval(-sp.oo, 0)})),
+        Verdict.REFUTED,
+    ),
+    "part within where it is said of": (
+        row(Equality(TURN, x), on=Part("x > -2", {x: sp.Interval(-2, sp.oo)}), holds_on=NEAR_ZERO),
+        Verdict.CONDITIONAL,
+    ),
     "restricted row": (row(Equality(TURN, x), on=NEAR_ZERO), Verdict.PROVED),
     "inequality on a part": (row(Holds(x > 0), holds_on=FAR), Verdict.CONDITIONAL),
     "mixed units": (row(MIXED, corrected=corrected(TRUE)), Verdict.ILL_FORMED),
@@ -104,6 +112,21 @@ def test_a_condition_shows_where_it_fails():
     inside, outside = judge(CASES["true on a part"][0], PAPER).evidence
     assert inside.what.startswith("|x| < 1: PROVED")
     assert abs(sp.Rational(outside.at["x"])) > 1
+
+
+def test_where_a_row_is_proved_is_shown():
+    judgement = judge(row(Equality(TURN, x), on=NEAR_ZERO, singular=("x = pi/2",)), PAPER)
+    assert (judgement.on, judgement.singular) == ("|x| < 1", ("x = pi/2",))
+    assert judgement.reason.endswith("; on |x| < 1; singular at x = pi/2")
+    assert judgement.as_dict()["on"] == "|x| < 1"
+    assert judgement.as_dict()["singular"] == ["x = pi/2"]
+
+
+def test_what_is_rebuilt_from_the_print_is_a_definition_and_proves_no_correction():
+    same = Equality(TRUE.printed, TRUE.rebuilt, "print")
+    assert judge(row(same), PAPER).verdict is Verdict.DEFINITION
+    assert judge(row(FALSE, corrected=corrected(same)), PAPER).verdict is Verdict.UNDECIDED
+    assert judge(row(FALSE, readings=(Reading("r", same),)), PAPER).verdict is Verdict.REFUTED
 
 
 def test_marks_note_and_openness_are_handed_on():

@@ -13,7 +13,7 @@ from math import comb, lcm
 import sympy as sp
 
 from mechproof.proof.domain import Domain
-from mechproof.proof.signs import find_sign
+from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_workable
 from mechproof.proof.sums import canonicalise
 
 _HALF = sp.Rational(1, 2)
@@ -36,6 +36,8 @@ class Field:
 
     def vanishes(self, expression: sp.Basic) -> bool:
         """Decide whether the expression is identically zero; False means "not shown"."""
+        if not is_workable(expression):
+            raise NotImplementedError(f"a power above {MOST_MULTIPLIED} is not multiplied out")
         self.used_sums = self.used_sums or expression.has(sp.Sum)
         expression = canonicalise(self.domain.resolve(expression), self.domain)
         self._collect_angles(expression)
@@ -101,6 +103,8 @@ class Field:
         times = int(factor * self._denominators.setdefault(monomial, int(factor.q)))
         c, s = self._circle_point(monomial)
         n = abs(times)
+        if n > MOST_MULTIPLIED:
+            raise NotImplementedError(f"{n} times an angle is not multiplied out")
         even = sum((-1) ** (k // 2) * comb(n, k) * c ** (n - k) * s**k for k in range(0, n + 1, 2))
         odd = sum((-1) ** (k // 2) * comb(n, k) * c ** (n - k) * s**k for k in range(1, n + 1, 2))
         return sp.sympify(even), sp.sympify(odd) * (1 if times >= 0 else -1)
@@ -227,6 +231,17 @@ def decide_equal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
         return field.rung if field.vanishes(left - right) else None
     except (UnknownSignError, NotImplementedError, sp.PolynomialError):
         return None
+
+
+def explain_unequal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str:
+    """Name what keeps the rung from proving left = right: a sign, a function, the identity."""
+    try:
+        Field(domain).vanishes(left - right)
+    except (UnknownSignError, NotImplementedError) as error:
+        return str(error)
+    except sp.PolynomialError:
+        pass
+    return f"that {left - right} is zero is not shown"
 
 
 def _linear_terms(angle: sp.Expr) -> list[tuple[sp.Expr, sp.Rational]]:

@@ -28,7 +28,7 @@ PRECISIONS = (64, 128, 256, 512, 1024)
 NOT_FINITE = arb("nan")
 NOT_ANALYTIC = acb("nan")
 # A sum of more terms is not written out.
-MOST_TERMS = 10_000
+MOST_TERMS = 1000
 _ANALYTIC = sp.Dummy("analytic")
 
 

@@ -12,6 +12,7 @@ import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.function import AppliedUndef
 
+from mechproof.proof import balls
 from mechproof.proof.assumptions import Facts, describe_excess, facts_of, find_excess
 from mechproof.proof.dimensions import DimensionError, Dimensions, infer_common
 from mechproof.proof.domain import Domain
@@ -29,6 +30,7 @@ from mechproof.record import (
 )
 
 Side = tuple[str, sp.Basic]
+LARGEST_EXPONENT = 10**5
 
 
 def check_statement(
@@ -44,6 +46,7 @@ def check_statement(
         return
     prints, ours = _sides(statement, printed)
     for name, side in prints + ours:
+        _check_size(name, side)
         _check_functions(name, side)
         _check_bound(name, side, domain)
         _check_names(name, side, known, domain, may_be_unknown=(name, side) in prints)
@@ -78,6 +81,16 @@ def _sides(statement: Statement, printed: bool) -> tuple[list[Side], list[Side]]
     elif isinstance(statement, PrintedNumber):
         ours = [("value", statement.value)]
     return (prints, ours) if printed else ([], prints + ours)
+
+
+def _check_size(name: str, side: sp.Basic) -> None:
+    """Turn away towers of powers that no step could write down: a limit of the prover."""
+    for power in side.atoms(sp.Pow):
+        exponent = power.exp
+        if exponent.is_number and not abs(balls.evaluate(exponent, {})) < LARGEST_EXPONENT:
+            raise NotImplementedError(
+                f"{name}: an exponent is not below {LARGEST_EXPONENT} in amount"
+            )
 
 
 def _check_functions(name: str, side: sp.Basic) -> None:

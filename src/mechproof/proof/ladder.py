@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.proof import balls, bisection
-from mechproof.proof.algebra import decide_equal
+from mechproof.proof.algebra import decide_equal, explain_unequal
 from mechproof.proof.antiderivative import decide_by_derivative, explain_break
 from mechproof.proof.arguments import decide_by_argument
 from mechproof.proof.bisection import holds_on_interval
@@ -34,6 +34,8 @@ from mechproof.record import (
 IDENTICAL = "identical"
 CROSS_EXAMINATION = 4
 CROSS_PRECISION = (64,)
+# Characters of an expression that a reason names.
+_LONGEST = 240
 
 
 class ContradictionError(RuntimeError):
@@ -96,7 +98,8 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Decis
     if comparison.counterexample:
         reason = explain_break(printed, domain) or "the two sides differ"
         return Decision(Verdict.REFUTED, "separating balls", reason, (comparison.counterexample,))
-    return _report_unproved(comparison)
+    why = explain_break(printed - rebuilt, domain) or explain_unequal(printed, rebuilt, domain)
+    return _report_unproved(comparison, why)
 
 
 def _prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
@@ -114,10 +117,10 @@ def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:
     return comparison.undefined
 
 
-def _report_unproved(comparison: Comparison) -> Decision:
+def _report_unproved(comparison: Comparison, why: str) -> Decision:
     counted = (
-        f"both sides agree within {comparison.widest} at {comparison.agreeing} exact points, "
-        f"{comparison.undecided} points could not be decided"
+        f"{_clip(why)}; both sides agree within {comparison.widest} at {comparison.agreeing} "
+        f"exact points, {comparison.undecided} points could not be decided"
     )
     enclosed = comparison.agreeing > 0 and comparison.undecided == 0
     verdict = Verdict.ENCLOSED if enclosed else Verdict.UNDECIDED
@@ -154,8 +157,19 @@ def _decide_relation(statement: Holds, domain: Domain) -> Decision:
     violation = find_violation(relation, domain)
     if violation:
         return Decision(Verdict.REFUTED, "separating balls", "a point violates it", (violation,))
-    reason = "no violation at any point tried, no proof"
+    reason = f"{_explain_relation(relation)}; no violation at any point tried"
     return Decision(Verdict.UNDECIDED, "enclosure", reason)
+
+
+def _explain_relation(relation: sp.Basic) -> str:
+    """Name the sign that is not shown."""
+    if isinstance(relation, sp.core.relational._Inequality):
+        return _clip(f"the sign of {relation.gts - relation.lts} is not shown")
+    return _clip(f"{relation} is not shown")
+
+
+def _clip(text: str) -> str:
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 4]} ..."
 
 
 def _decide_exact(relation: sp.Basic) -> Decision:

@@ -16,6 +16,15 @@ import sympy as sp
 from mechproof.proof import balls
 from mechproof.proof.domain import Domain
 
+# Work limit: powers and multiples of angles beyond are not multiplied out.
+MOST_MULTIPLIED = 100
+
+
+def is_workable(expression: sp.Basic) -> bool:
+    """Tell whether no whole power is beyond the limit."""
+    powers = (p.exp for p in expression.atoms(sp.Pow) if p.exp.is_Integer)
+    return all(abs(power) <= MOST_MULTIPLIED for power in powers)
+
 
 @dataclass(frozen=True)
 class Sign:
@@ -43,7 +52,7 @@ def find_sign(expression: sp.Expr, domain: Domain) -> Sign | None:
 def _find_sign_with_ends(expression: sp.Expr, domain: Domain) -> Sign | None:
     if not expression.free_symbols:
         return _sign_of_number(expression)
-    if expression.has(sp.Sum, sp.Integral):
+    if expression.has(sp.Sum, sp.Integral) or not is_workable(expression):
         return None
     sign = _sign_in_coordinates(expression, domain)
     for symbol, end in _closed_right_ends(expression, domain) if sign else []:
