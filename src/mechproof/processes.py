@@ -44,6 +44,8 @@ class _Worker(Generic[Task, Result]):
 
     def take(self) -> Result | WorkerError:
         """Receive the result of the task at work, or why there is none."""
+        if self.is_lost:
+            return WorkerError("no answer within the time limit")
         try:
             succeeded, answer = self.pipe.recv()
         except (EOFError, OSError):
@@ -92,7 +94,7 @@ def run_tasks(
             _give_next(_start_worker(function, start), waiting, limit, busy)
         while busy:
             for worker in _wait(busy):
-                yield worker.number, _take(worker)
+                yield worker.number, worker.take()
                 del busy[worker.pipe]
                 if worker.is_lost and waiting:
                     worker.end()
@@ -127,12 +129,6 @@ def _wait(busy: dict[Connection, _Worker[Task, Result]]) -> list[_Worker[Task, R
     for worker in late:
         worker.is_lost = True
     return late
-
-
-def _take(worker: _Worker[Task, Result]) -> Result | WorkerError:
-    if worker.is_lost:
-        return WorkerError("no answer within the time limit")
-    return worker.take()
 
 
 def _start_worker(function: Callable[[Task], Result], start: str) -> _Worker[Task, Result]:

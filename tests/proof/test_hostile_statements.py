@@ -127,6 +127,8 @@ FALSE: dict[str, Statement] = {
     "double angle": Equality(sin(2 * x), 2 * sin(x)),
     "sign of the cosine": Equality(sqrt(1 - sin(x) ** 2), cos(x)),
     "arctangent of the tangent": Equality(atan(tan(x)), x),
+    "break at a quarter turn": Equality(atan(tan(x)) - x, 0),
+    "tangent at a quarter turn": Holds(sp.Lt(atan(tan(x)) ** 2, 2, **raw)),
     "arcsine of the sine": Equality(asin(sin(x)), x),
     "sum of arctangents": Equality(atan(x) + atan(y), atan((x + y) / (1 - x * y))),
     "arctangent of the reciprocal": Equality(atan(x) + atan(1 / x), pi / 2),

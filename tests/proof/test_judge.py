@@ -1,4 +1,4 @@
-"""How decisions become the verdict of a row: correction, reading, part, marks."""
+"""How answers become the verdict of a row: correction, reading, part, marks."""
 
 import pytest
 import sympy as sp

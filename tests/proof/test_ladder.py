@@ -88,8 +88,8 @@ DECISIONS = {
 @pytest.mark.parametrize("name", DECISIONS)
 def test_the_decision_and_its_rung(name):
     statement, verdict, rung = DECISIONS[name]
-    decision = decide(statement, ANYWHERE)
-    assert (decision.verdict, decision.rung) == (verdict, rung)
+    answer = decide(statement, ANYWHERE)
+    assert (answer.verdict, answer.rung) == (verdict, rung)
 
 
 def test_a_counterexample_shows_the_point_and_both_balls():
@@ -117,17 +117,17 @@ def test_a_violated_relation_shows_the_point():
 )
 def test_completions_need_opposite_answers(first, second, verdict):
     both = Completions("a datum", Completion("one", first), Completion("two", second))
-    decision = decide(both, ANYWHERE)
-    assert decision.verdict is verdict
-    assert [evidence.what[:3] for evidence in decision.evidence] == ["one", "two"]
+    answer = decide(both, ANYWHERE)
+    assert answer.verdict is verdict
+    assert [evidence.what[:3] for evidence in answer.evidence] == ["one", "two"]
 
 
 def test_completions_of_a_symbol_are_put_into_one_statement():
     says = Holds(x > 1)
     both = Completions(x, Completion("a half", says, sp.S.Half), Completion("two", says, sp.S(2)))
-    decision = decide(both, Domain({x: sp.S.Reals}, (), {}))
-    assert decision.verdict is Verdict.UNDERDETERMINED
-    assert decision.reason.startswith("not stated: x")
+    answer = decide(both, Domain({x: sp.S.Reals}, (), {}))
+    assert answer.verdict is Verdict.UNDERDETERMINED
+    assert answer.reason.startswith("not stated: x")
 
 
 @pytest.mark.parametrize(
@@ -147,8 +147,8 @@ def test_completions_name_what_is_missing_and_differ_in_it(missing, first, secon
 
 @pytest.mark.parametrize("source", ["print", "declaration"])
 def test_a_side_that_is_built_from_the_other_proves_nothing(source):
-    decision = decide(Equality(*vars(TRUE).values()), ANYWHERE)
-    assert decision.verdict is PROVED
+    answer = decide(Equality(*vars(TRUE).values()), ANYWHERE)
+    assert answer.verdict is PROVED
     same = Equality(TRUE.printed, TRUE.rebuilt, source)
     assert decide(same, ANYWHERE).verdict is Verdict.DEFINITION
     assert decide(Equality(FALSE.printed, FALSE.rebuilt, source), ANYWHERE).verdict is REFUTED

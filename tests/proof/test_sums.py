@@ -79,8 +79,8 @@ WRONG = {
 
 @pytest.mark.parametrize("name", TRUE)
 def test_an_identity_for_every_count_is_proved(name):
-    decision = decide(Equality(*TRUE[name]), COUNTS)
-    assert (decision.verdict, decision.rung) == (Verdict.PROVED, "symbolic sum")
+    answer = decide(Equality(*TRUE[name]), COUNTS)
+    assert (answer.verdict, answer.rung) == (Verdict.PROVED, "symbolic sum")
 
 
 @pytest.mark.parametrize("name", WRONG)

@@ -20,7 +20,7 @@ _HALF = sp.Rational(1, 2)
 
 
 class Field:
-    """The generators met in one decision, and the relations between them."""
+    """The generators met in one proof, and the relations between them."""
 
     def __init__(self, domain: Domain) -> None:
         """Start with no generator; `domain` proves the signs under square roots."""
@@ -46,7 +46,7 @@ class Field:
 
     @property
     def rung(self) -> str:
-        """Name what the decision needed."""
+        """Name what the proof needed."""
         kinds = (
             (self.used_sums, "symbolic sum"),
             (self.used_roots, "radicals"),

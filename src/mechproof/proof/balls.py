@@ -324,9 +324,12 @@ _CONSTANTS: dict[sp.Basic, Callable[[], Ball]] = {
     sp.I: lambda: NOT_FINITE,
     sp.nan: lambda: NOT_FINITE,
     sp.zoo: lambda: NOT_FINITE,
+    sp.oo: lambda: NOT_FINITE,
+    -sp.oo: lambda: NOT_FINITE,
 }
 
 _RULES: tuple[tuple[type[sp.Basic], Callable[[sp.Basic], Plan]], ...] = (
+    (sp.AccumBounds, lambda node: ((lambda values: NOT_FINITE), ())),
     (sp.Add, _add),
     (sp.Mul, _multiply),
     (sp.Pow, _power),

@@ -1,4 +1,4 @@
-"""What the ladder returns (a decision) and what the ledger prints (a judgement)."""
+"""What the ladder answers and what the ledger prints (a judgement)."""
 
 from __future__ import annotations
 
@@ -37,13 +37,14 @@ class Evidence:
 
 
 @dataclass(frozen=True)
-class Decision:
-    """The answer of the ladder to one statement."""
+class Answer:
+    """What the ladder says of one statement; `corrected_by` is the rung of a proved correction."""
 
     verdict: Verdict
     rung: str
     reason: str
     evidence: tuple[Evidence, ...] = ()
+    corrected_by: str = ""
 
 
 @dataclass(frozen=True)
