@@ -390,6 +390,7 @@ GEOMETRY_ROWS = (
         "smallest deviation, guaranteed side clearance",
         r"E_{cs}\text{ determines the guaranteed side clearance}",
         Completions(
+            "how much thinner the teeth of the mate are",
             Completion(
                 "the mate is thinned by 12 um, too: the clearance along the normal is over 15 um",
                 less(S(15), 2 * DECREASE_UM * cos(PROFILE_ANGLE)),
@@ -602,6 +603,7 @@ ALGORITHM_ROWS = (
         "step 1, law and expectation",
         r"\text{the law and the expectation of the deviation}",
         Completions(
+            "law and expectation of the thickness",
             Completion(
                 "normal, centred, K = 6: more than 99 % good",
                 less(Rational("0.99"), NORMAL_SHARE),
@@ -630,6 +632,7 @@ ALGORITHM_ROWS = (
         "step 3, spread of the tip diameter",
         r"e_{dau}\text{ for an IT grade}",
         Completions(
+            "how many standard deviations a tolerance spans",
             Completion(
                 "IT6 is six standard deviations: below 5 um",
                 less(Rational(GRADES[6][1], 6), S(5)),
@@ -667,6 +670,7 @@ ALGORITHM_ROWS = (
         "steps 4 and 7, spread of the gauge",
         r"\text{interval measure of the uncertainty }50~\mu\mathrm m",
         Completions(
+            "what the limit error of the gauge is",
             Completion(
                 "full width of a 3 sigma interval: the standard deviation is below 10 um",
                 less(Rational(GAUGE_UM, 6), S(10)),
@@ -819,6 +823,7 @@ EXAMPLE_ROWS = (
         "Table 1, uncertainty of the gauge",
         r"50~\mu\mathrm m\text{ against the tolerance of }45~\mu\mathrm m",
         Completions(
+            "what the limit error of the gauge is",
             Completion(
                 "full width: the largest error is below the tolerance",
                 less(Rational(GAUGE_UM, 2), S(TOLERANCE_UM)),
@@ -841,6 +846,7 @@ EXAMPLE_ROWS = (
         "Table 1, columns 4 to 6",
         r"(6)=(4)+(5)",
         Completions(
+            "what column 4 lists",
             Completion(
                 "column 4 lists the deviation of the diameter",
                 Equality(e_tip + dh_gauge, height_deviation),
@@ -904,6 +910,7 @@ CLAIM_ROWS = (
         "(a), curves of Figs. 4 and 5",
         r"\text{percentage of wrongly rejected at a limit error of }10~\mu\mathrm m",
         Completions(
+            "grade of the tip diameter and law of the gauge",
             Completion(
                 "IT6, normal laws, limit error 3 sigma: below 2 %",
                 less(rejected_by(6, 10), Rational("0.02")),
@@ -940,6 +947,7 @@ CLAIM_ROWS = (
         "(b)",
         r"\text{the gauge influences the shares more strongly than the tip diameter}",
         Completions(
+            "the gauge, its law and the grade of the tip diameter",
             Completion(
                 "the gauge of Table 1 (50 um in all, 3 sigma), IT6: its variance is the larger",
                 less(
@@ -974,6 +982,7 @@ CLAIM_ROWS = (
         "(c)",
         r"\text{for degrees 6, 7, 8 gauges with }U\le\pm2~\mu\mathrm m\text{ can be recommended}",
         Completions(
+            "the criterion of the recommendation",
             Completion(
                 "degree 6, IT6, U = 2 sigma, criterion: at most 1 % wrongly rejected",
                 less(rejected_by(6, RECOMMENDED_UM, 2), Rational("0.01")),
@@ -1004,6 +1013,7 @@ CLAIM_ROWS = (
         "(d)",
         r"\text{the grade of the tip diameter should be 6 and 7, not 8}",
         Completions(
+            "which formulas the figures were computed by",
             Completion(
                 "steps 5 and 6 as printed: a perfect gauge wrongly rejects over 2 % with IT8, "
                 "less with IT7",

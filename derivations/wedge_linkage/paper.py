@@ -273,6 +273,7 @@ ROWS = (
         "(4), argument",
         r"x_5(\varphi_2)",
         Completions(
+            "the damaged letter of the angle",
             Completion("the letter is varphi3", Equality(print_3, rod)),
             Completion("the letter is varphi2", Equality(print_3.subs(phi3, phi2), rod)),
         ),
@@ -416,6 +417,7 @@ ROWS = (
         "sizes, domain of Fig. 4",
         r"Q\text{ is real on }x_1\in[-40,0]",
         Completions(
+            "digits of l_BC and l_CD",
             Completion(
                 "the legible digits l_BC = 19.75, l_CD = 38, at x1 = -40 mm",
                 Holds(sp.Ge(radicand_of(-40, "19.75"), 0, evaluate=False)),
@@ -530,6 +532,7 @@ ROWS = (
         "third size without influence",
         r"l_{MN}\text{ (or }l_{LM}\text{) does not influence }y_9(x_1)",
         Completions(
+            "the damaged letter",
             Completion("the damaged letter is l_MN", no_influence(l_MN)),
             Completion("the damaged letter is l_LM", no_influence(l_LM)),
         ),
@@ -600,6 +603,7 @@ ROWS = (
         "more links, larger effect",
         r"\text{the accumulating effect is the larger, the more links the chain has}",
         Completions(
+            "the ratio of each further stage",
             Completion(
                 "each further stage has the ratio k = 2",
                 Holds(sp.Gt(sp.Integer(2) ** 5, sp.Integer(2) ** 4, evaluate=False)),
