@@ -9,9 +9,13 @@ from sympy import Ge
 
 from mechproof.record import Paper
 
-from .curve import CURVE_ROWS, CURVE_VARIABLES, amplitude, radius
-from .errors import ERROR_ROWS, ERROR_VARIABLES
-from .frame import FRAME_ROWS, FRAME_VARIABLES
+from .curve import CURVE_VARIABLES, amplitude, radius
+from .curve_rows import CURVE_ROWS
+from .error_rows import ERROR_ROWS
+from .errors import ERROR_VARIABLES
+from .figures import FIGURE_ROWS
+from .frame import FRAME_VARIABLES
+from .frame_rows import FRAME_ROWS
 from .kernels_of_poses import POSES
 from .kernels_of_sums import SUMS
 from .kernels_of_tracks import TRACKS
@@ -22,7 +26,7 @@ PAPER = Paper(
     citation="Kapitonov, Yakubovsky 2022, machining error of a wheel with a multi-period track, "
     "doi 10.24412/2079-7958-2022-1-43-52",
     variables=ERROR_VARIABLES + FRAME_VARIABLES + CURVE_VARIABLES,
-    rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + TABLE_ROWS,
+    rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + TABLE_ROWS + FIGURE_ROWS,
     quantities=POSES + TRACKS + SUMS,
     published=(TABLE_1,),
     where=(Ge(radius, amplitude),),

@@ -1,4 +1,4 @@
-"""Part three: Table 1 and the figures."""
+"""Part three: Table 1."""
 
 from __future__ import annotations
 
@@ -16,49 +16,11 @@ from mechproof.record import (
     Row,
 )
 
-from .curve import (
-    PRINTED_16,
-    PRINTED_17,
-    PRINTED_18,
-    amplitude,
-    ball_radius,
-    error_x,
-    error_y,
-    error_z,
-    millimetre,
-    periods,
-    phi,
-    radius,
-    thickness,
-)
-from .errors import (
-    CORRECTED_6,
-    FIVE_ERRORS,
-    SUM_OF_SQUARES,
-    elastic,
-    form,
-    kept,
-    level,
-    mounting,
-    place,
-    setting,
-    share,
-    spread,
-    thermal,
-    total,
-    wear,
-)
-from .frame import (
-    PRINTED_15,
-    SHIFT,
-    SURFACE_POINT,
-    ZERO_ANGLES,
-    alpha,
-    beta,
-    first_order_remainder,
-    gamma,
-)
-from .notation import less, not_above
+from .._relations import less, not_above
+from .curve import PRINTED_16, amplitude, ball_radius, millimetre, periods, phi, radius
+from .error_sums import FIVE_ERRORS, SUM_OF_SQUARES
+from .errors import elastic, form, mounting, setting, share, thermal, total, wear
+from .frame import alpha, beta, first_order_remainder, gamma
 
 PRINTED_VALUES = {
     symbol: sp.Rational(printed)
@@ -89,12 +51,6 @@ def crest_radius_of_curvature(count: int) -> sp.Expr:
     return sp.sqrt(dx**2 + dy**2) ** 3 / (dx * ddy - dy * ddx)
 
 
-def position_error_at_crest(values: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """Position error (15) along X_0, in mm, at varphi = 0 with the turns of Table 1."""
-    point = dict(zip(SURFACE_POINT, PRINTED_16.subs(phi, 0), strict=True))
-    return PRINTED_15[0].subs(point).subs({**PRINTED_VALUES, **values})
-
-
 def total_by_corrected_sum(coefficient: sp.Expr) -> sp.Expr:
     """Solve the corrected (6), Delta_T being a share of the total: K = 1, equal K_i, one each."""
     return sp.sqrt(coefficient**2 * SUM_OF_SQUARES / (1 - (coefficient * share) ** 2))
@@ -107,12 +63,6 @@ def total_by_printed_sum(unit_of_length: sp.Expr) -> sp.Expr:
 
 
 SOLVED_TOTAL = total_by_corrected_sum(sp.Integer(1))
-
-
-RADIAL_ERROR = error_x * sp.cos(phi) + error_y * sp.sin(phi)
-TANGENTIAL_ERROR = error_y * sp.cos(phi) - error_x * sp.sin(phi)
-ALONG_X_ONLY = {error_x: 1, error_y: 0}
-
 
 TABLE_ROWS: tuple[Row, ...] = (
     *(
@@ -273,155 +223,5 @@ TABLE_ROWS: tuple[Row, ...] = (
             ),
         ),
         note="No error after roughing is printed.",
-    ),
-    Claim(
-        "Fig. 3, shift only",
-        r"\alpha=\beta=\gamma=0:\ (\Delta x_0,\Delta y_0,\Delta z_0)=(a,b,c)",
-        Equality(PRINTED_15.subs(ZERO_ANGLES), SHIFT),
-        note="Without turns the error is the shift at every point, so the bars of the shift are "
-        "|a|, |b|, |c|; their values are lost.",
-        marks=("inferred",),
-    ),
-    Claim(
-        "Fig. 3, axes, plane and space",
-        r"|\Delta x_0|,|\Delta y_0|\le\Delta_\Sigma^{XY};\ "
-        r"\Delta_\Sigma^{XY},|\Delta z_0|\le\Delta_\Sigma^{XYZ}",
-        Conjunction(
-            (
-                not_above(error_x**2, PRINTED_17**2),
-                not_above(error_y**2, PRINTED_17**2),
-                not_above(PRINTED_17**2, PRINTED_18**2),
-                not_above(error_z**2, PRINTED_18**2),
-            )
-        ),
-        note="Stated by squares, as both sides are not negative. It holds point by point and "
-        "therefore for the largest values.",
-        marks=("ours",),
-    ),
-    Claim(
-        "Fig. 3, shift and turns",
-        r"\text{along }X_0\text{ the error from shift and turns exceeds that from the shift}",
-        Completions(
-            Completion(
-                "a = 0.05 mm, H_s = 20 mm, turns of Table 1, at varphi = 0",
-                less(
-                    sp.Rational("0.05") ** 2,
-                    position_error_at_crest(
-                        {SHIFT[0]: sp.Rational("0.05"), thickness: sp.Integer(20)}
-                    )
-                    ** 2,
-                ),
-            ),
-            Completion(
-                "a = -0.05 mm, the rest as before",
-                less(
-                    sp.Rational("-0.05") ** 2,
-                    position_error_at_crest(
-                        {SHIFT[0]: sp.Rational("-0.05"), thickness: sp.Integer(20)}
-                    )
-                    ** 2,
-                ),
-            ),
-        ),
-        note="Shift and turn can add or cancel; neither the shift nor the thickness is printed.",
-        marks=("ours",),
-    ),
-    Claim(
-        "Fig. 4, both together",
-        r"(\Delta x_0\cos\varphi+\Delta y_0\sin\varphi)^2"
-        r"+(\Delta y_0\cos\varphi-\Delta x_0\sin\varphi)^2=(\Delta_\Sigma^{XY})^2",
-        Conjunction(
-            (
-                Equality(RADIAL_ERROR**2 + TANGENTIAL_ERROR**2, PRINTED_17**2),
-                not_above(RADIAL_ERROR**2, PRINTED_17**2),
-                not_above(TANGENTIAL_ERROR**2, PRINTED_17**2),
-            )
-        ),
-        note="Curve 3 (both together) is the hypotenuse of 1 (tangential) and 2 (radial) and lies "
-        "above both.",
-        marks=("inferred",),
-    ),
-    Claim(
-        "Fig. 4, tangential and radial",
-        r"\text{the radial error exceeds the tangential error}",
-        Completions(
-            Completion(
-                "error along X_0 only, at varphi = 0",
-                less(
-                    (TANGENTIAL_ERROR**2).subs({phi: 0, **ALONG_X_ONLY}),
-                    (RADIAL_ERROR**2).subs({phi: 0, **ALONG_X_ONLY}),
-                ),
-            ),
-            Completion(
-                "error along X_0 only, at varphi = pi/2",
-                less(
-                    (TANGENTIAL_ERROR**2).subs({phi: sp.pi / 2, **ALONG_X_ONLY}),
-                    (RADIAL_ERROR**2).subs({phi: sp.pi / 2, **ALONG_X_ONLY}),
-                ),
-            ),
-        ),
-        note="The order of curves 1 and 2 depends on the place on the track, which is not given.",
-        marks=("ours",),
-    ),
-    Claim(
-        "Fig. 4, growth with the form error",
-        r"\frac{\partial}{\partial\Delta_\phi}\Delta_\Sigma^2>0",
-        less(sp.Integer(0), (CORRECTED_6**2).diff(form)),
-        note="By the corrected (6) the total grows with the form error. How the shift and the "
-        "turns depend on it is not printed, so the curves themselves cannot be recomputed.",
-        marks=("ours",),
-    ),
-    Claim(
-        "Fig. 5, elastic deformations",
-        r"\text{the elastic deformations change little, hence their error fell considerably}",
-        Completions(
-            Completion(
-                "change along the track: the range of the deformation falls with it",
-                less(2 * kept * spread * level, 2 * spread * level),
-            ),
-            Completion(
-                "change from the old cut to the new: the deformation itself becomes smaller",
-                less(level * (1 + spread * place), level),
-            ),
-        ),
-        note="What the deformation is compared with is not said; a small change from the old cut "
-        "to the new would leave the error about as it was, and it may even grow.",
-    ),
-    Claim(
-        "Fig. 5, total",
-        r"\text{the total error fell against Fig. 3}",
-        Completions(
-            Completion(
-                "only the elastic error falls",
-                less(
-                    SUM_OF_SQUARES.subs(elastic, kept * elastic) / (1 - share**2),
-                    SUM_OF_SQUARES / (1 - share**2),
-                ),
-            ),
-            Completion(
-                "the elastic error halves and the wear rises to 0.05 mm, the rest as in Table 1",
-                less(
-                    SUM_OF_SQUARES.subs(
-                        {elastic: PRINTED_VALUES[elastic] / 2, wear: sp.Rational("0.05")}
-                    ).subs(PRINTED_VALUES),
-                    SUM_OF_PRINTED_SQUARES,
-                ),
-            ),
-        ),
-        note="The values of both figures are lost, and what else the optimised cut changes is not "
-        "said.",
-    ),
-    Claim(
-        "Fig. 5, largest possible gain",
-        r"\sqrt{(q-\Delta_\delta^2)/q}>0.8",
-        less(
-            sp.Rational("0.8"),
-            sp.sqrt(
-                (SUM_OF_PRINTED_SQUARES - PRINTED_VALUES[elastic] ** 2) / SUM_OF_PRINTED_SQUARES
-            ),
-        ),
-        note="With the other errors of Table 1 unchanged and all coefficients 1, even a vanishing "
-        "elastic error lowers the total by less than 20 %.",
-        marks=("ours",),
     ),
 )

@@ -1,0 +1,235 @@
+"""Part one: what is printed of errors of machining, (1)-(7)."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.record import (
+    Claim,
+    Completion,
+    Completions,
+    Conjunction,
+    Correction,
+    Definition,
+    Equality,
+    Equation,
+    Holds,
+    Row,
+    sum_distinct,
+)
+
+from .error_sums import (
+    CORRECTED_3,
+    CORRECTED_5,
+    CORRECTED_6,
+    DEVIATIONS,
+    DEVIATIONS_T,
+    FULLY_CORRELATED,
+    PRINTED_3,
+    PRINTED_4,
+    PRINTED_5,
+    SINGLES,
+    SINGLES_T,
+    UNCORRELATED,
+    UNIT_INFLUENCE,
+    corrected_groups,
+    printed_groups,
+    propagate,
+    propagate_groups,
+)
+from .errors import (
+    actual,
+    correlations,
+    correlations_t,
+    dummy,
+    elastic,
+    elastic_t,
+    elastics,
+    elastics_t,
+    error,
+    form,
+    form_t,
+    function_value,
+    half_width,
+    i,
+    influences,
+    j,
+    mounting,
+    mounting_t,
+    mountings,
+    mountings_t,
+    nominal,
+    offset,
+    output,
+    scatter,
+    setting,
+    setting_t,
+    sigma,
+    thermal,
+    thermal_t,
+    total,
+    wear,
+    wear_t,
+)
+
+LATEX_SUM = (
+    r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_iS_iT_i)^2"
+    r"+\sum_{i=1}^n\sum_{%s=1,%s\ne i}^n(K_iK_jS_iS_jT_iT_jR_{ij})}"
+)
+LATEX_GROUPS = (
+    r"\Delta_\Sigma%(t)s=\frac1K\sqrt{(K_i\Delta_\phi%(t)s)^2+\sum_{i=1}^n(K_i\Delta_y%(t)s)^2"
+    r"+\sum_{i=1}^n(K_i\Delta_\delta%(t)s)^2+(K_i\Delta_n%(t)s)^2+(K_i\Delta_u%(t)s)^2"
+    r"+\Delta_T%(t)s}"
+)
+LATEX_CORRECTED_GROUPS = (
+    r"\Delta_\Sigma%(t)s=\frac1K\sqrt{(K_\phi\Delta_\phi%(t)s)^2"
+    r"+\sum_{i=1}^{n_y}(K_{y,i}\Delta_{y,i}%(t)s)^2"
+    r"+\sum_{i=1}^{n_\delta}(K_{\delta,i}\Delta_{\delta,i}%(t)s)^2"
+    r"+(K_n\Delta_n%(t)s)^2+(K_u\Delta_u%(t)s)^2+(K_T\Delta_T%(t)s)^2}"
+)
+
+ERROR_ROWS: tuple[Row, ...] = (
+    Equation(
+        "(1)",
+        r"Y=f(X_1,\dots,X_i,\dots,X_n)",
+        Definition(output, function_value),
+        note="Names the output and its parameters; everything after it uses f to first order.",
+    ),
+    Equation(
+        "(2)",
+        r"\Delta_i=(X_i-X_0)",
+        Definition(error, actual - nominal),
+        note="The nominal value X_0 should carry the index i, since each parameter has its own.",
+    ),
+    Claim(
+        "after (3), K",
+        r"K\text{: relative-scatter coefficient of the output; }K_i\text{: ratio of the scatter "
+        r"field under the normal law to the actual field}",
+        Definition(scatter, 6 * sigma / total),
+        note="The ratio is printed for the inputs and read for the output likewise; the field "
+        "under the normal law is taken as six standard deviations.",
+        marks=("inferred",),
+    ),
+    Claim(
+        "after (3), K of a uniform law",
+        r"K_i=\sqrt3",
+        Conjunction(
+            (
+                Equality(sp.Integral(dummy**2, (dummy, 0, offset)), offset**3 / 3),
+                Equality(
+                    6 * sp.sqrt((half_width**3 / 3 - (-half_width) ** 3 / 3) / (2 * half_width)),
+                    sp.sqrt(3) * (2 * half_width),
+                ),
+            )
+        ),
+        note="The coefficient of an error that is uniform over its tolerance, where the normal "
+        "law has 1: six standard deviations are sqrt(3) tolerances.",
+        marks=("ours",),
+    ),
+    Equation(
+        "(3)",
+        LATEX_SUM % ("k", "k"),
+        Equality(
+            PRINTED_3,
+            propagate(DEVIATIONS, correlations[i, j], influences[i]),
+        ),
+        corrected=Correction(
+            LATEX_SUM % ("j", "j"),
+            Equality(
+                CORRECTED_3,
+                propagate(DEVIATIONS, correlations[i, j], influences[i]),
+            ),
+        ),
+        note="The inner sum runs over k while its terms carry j; the list of symbols names i, j "
+        "as the pair and (4) sums over j, so j is meant.",
+    ),
+    Claim(
+        "(3), coefficients that fit together",
+        r"R_{ij}=-1\ (i\ne j,\ n=3)",
+        Holds(
+            sp.Lt(
+                sp.Sum(1, (i, 1, 3)) + sum_distinct(sp.Integer(-1), i, j, sp.Integer(3)),
+                0,
+                evaluate=False,
+            )
+        ),
+        note="Values between -1 and 1 are not enough: three unit errors with all R_ij = -1 make "
+        "the radicand negative. The matrix of the R_ij must be positive semidefinite.",
+        marks=("ours",),
+    ),
+    Equation(
+        "(4)",
+        r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_i(t)S_iT_i(t))^2"
+        r"+\sum_{i=1}^n\sum_{j=1,j\ne i}^n(K_i(t)K_j(t)S_iS_jT_i(t)T_j(t)R_{ij}(t))}",
+        Equality(
+            PRINTED_4,
+            propagate(DEVIATIONS_T, correlations_t[i, j], influences[i]),
+        ),
+        note="Holds at each instant t; the left side is then a function of t too.",
+    ),
+    Claim(
+        "after (4), S_i = 1",
+        r"\text{If the elementary errors are independent and do not change in time, then }"
+        r"S_i=1\text{ may be taken}",
+        Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
+        corrected=Correction(
+            r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_iS_iT_i)^2}",
+            Equality(CORRECTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
+        ),
+        note="Independence removes the correlation terms but says nothing about the "
+        "sensitivities: S_i = 1 is a second, separate assumption.",
+    ),
+    Equation(
+        "(5)",
+        r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_iT_i)^2}",
+        Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)),
+        note="True under both stated premises together: independent errors and S_i = 1.",
+    ),
+    Claim(
+        "after (5), usual conditions",
+        r"\text{(5) may be used for machining blanks on machine tools in usual production"
+        r" conditions}",
+        Completions(
+            Completion(
+                "usual conditions: uncorrelated errors, each with S_i = 1",
+                Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)),
+            ),
+            Completion(
+                "usual conditions: errors with one common cause, R_ij = 1, each with S_i = 1",
+                Equality(PRINTED_5, propagate(DEVIATIONS, FULLY_CORRELATED, UNIT_INFLUENCE)),
+            ),
+        ),
+        note="The paper gives neither the correlations nor the sensitivities of usual conditions.",
+    ),
+    Equation(
+        "(6)",
+        LATEX_GROUPS % {"t": ""},
+        Equality(
+            printed_groups(form, mounting, elastic, setting, wear, thermal),
+            propagate_groups(SINGLES, mountings, elastics),
+        ),
+        corrected=Correction(
+            LATEX_CORRECTED_GROUPS % {"t": ""},
+            Equality(CORRECTED_6, propagate_groups(SINGLES, mountings, elastics)),
+        ),
+        note="The index i is free outside the sums, and the length Delta_T is added to squares of "
+        "lengths. In the corrected form each group has its own index and each term is a square; "
+        "as in (5) every sensitivity is one.",
+    ),
+    Equation(
+        "(7)",
+        LATEX_GROUPS % {"t": "(t)"},
+        Equality(
+            printed_groups(form_t, mounting_t, elastic_t, setting_t, wear_t, thermal_t),
+            propagate_groups(SINGLES_T, mountings_t, elastics_t),
+        ),
+        corrected=Correction(
+            LATEX_CORRECTED_GROUPS % {"t": "(t)"},
+            Equality(
+                corrected_groups(form_t, mountings_t, elastics_t, setting_t, wear_t, thermal_t),
+                propagate_groups(SINGLES_T, mountings_t, elastics_t),
+            ),
+        ),
+        note="As (6), at each instant t; the K_i are printed without t and kept so.",
+    ),
+)
