@@ -11,7 +11,8 @@ import sympy as sp
 
 from mechproof.record import FREQUENCY, LENGTH, SPEED, Variable
 
-from .._metrology import ENCODER_VARIABLES, TYPE_A_VARIABLES
+from .._metrology import TYPE_A_VARIABLES
+from .._readings import ENCODER_VARIABLES
 
 phi1, mount = sp.symbols("phi1 mount", real=True)
 R4, R5 = sp.symbols("R4 R5", positive=True)
