@@ -53,14 +53,14 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         r"\varphi_3=\left(1-\tfrac{R_4}{R_5}\right)\varphi_1"
         r"-\mathrm{arctg}\frac{e_2\sin x}{1-e_2\cos x}",
         Equality(position_45, integrate(ratio_with_cylinders_45)),
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "position, cylindrical pair 3-6",
         r"\varphi_3=\left(1-\tfrac{R_6}{R_3}\right)\varphi_1"
         r"-\tfrac{R_6}{R_3}\mathrm{arctg}\frac{e_1\sin2\varphi_1}{1-e_1\cos2\varphi_1}",
         Equality(position_36, integrate(ratio_with_cylinders_36)),
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "drift, cylindrical pair 4-5",
@@ -68,7 +68,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         r"=\pi\left(\tfrac{R_5}{R_4}-1\right)",
         advances(position_45, sp.pi * R5 / R4, sp.pi * (R5 / R4 - 1)),
         note="The mean ratio is 1 - R4/R5, no drift only for R4 = R5.",
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "extremes, cylindrical pair 4-5",
@@ -76,28 +76,28 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         r"\le1-\tfrac{R_4}{R_5}\tfrac{1-e_2}{1+e_2}",
         Conjunction((Holds(1 - fastest <= ratio_45), Holds(1 - slowest >= ratio_45))),
         note="Reached at x = 0 and x = pi.",
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "one-way, against the carrier",
         r"\tfrac{R_4}{R_5}>\tfrac{1+e_2}{1-e_2}\Rightarrow\varphi_3'<0",
         Holds(ratio_45 < 0),
         on=FASTER,
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "one-way, with the carrier",
         r"\tfrac{R_4}{R_5}<\tfrac{1-e_2}{1+e_2}\Rightarrow\varphi_3'>0",
         Holds(ratio_45 > 0),
         on=SLOWER,
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "both ways, forward",
         r"\tfrac{R_4}{R_5}<\tfrac{1+e_2}{1-e_2}\Rightarrow\max\varphi_3'>0",
         Holds(1 - slowest > 0),
         on=BELOW_UPPER,
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "both ways, backward",
@@ -105,7 +105,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         Holds(1 - fastest < 0),
         note="Between both limits the output reverses: reciprocating for R4 = R5, else with drift.",
         on=ABOVE_LOWER,
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "intermittent, against the carrier",
@@ -124,7 +124,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         note="A double zero at x = pi. The ratio is analytic and vanishes on no interval: a dwell "
         "is a double zero.",
         on=PROPER_45,
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "intermittent, with the carrier",
@@ -141,7 +141,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         ),
         note="A double zero at x = 0.",
         on=PROPER_45,
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "width of a dwell",
@@ -156,6 +156,6 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         note="For R4/R5 = (1+e2)/(1-e2), where the ratio falls on both sides of x = pi; in the "
         "carrier's angle the dwell is 2 (R5/R4) arctan(T) wide.",
         on=REACHED,
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
 )

@@ -77,15 +77,15 @@ EQUATION_ROWS: tuple[Row, ...] = (
         r"\frac{\omega_3}{\omega_1}=\frac{v_D\cdot AC}{v_C\cdot DE}",
         Equality(VD * AC / (VC * DE), omega3 / omega1),
         note="v_C = omega1 AC and v_D = omega3 DE, all signed on the line A-C.",
-        marks=("rebuilt",),
+        marks=("rebuilt", "inferred"),
     ),
     Equation(
         "(1), third equals sign",
         r"\frac{v_D\cdot AC}{v_C\cdot DE}=\frac{BD\cdot AC}{BC\cdot DE}",
-        Equality(BD * AC / (BC * DE), (sD - sB) / (sC - sB) * sC / sD),
-        note="Velocities of the satellite are proportional to the distance from B, both BD and "
-        "BC taken from B.",
-        marks=("rebuilt",),
+        Equality(BD * AC / (BC * DE), -(sD - sB) / (sC - sB) * sC / sD),
+        note="Velocities of the satellite are proportional to the distance from B; that of D is "
+        "counted against the carrier.",
+        marks=("rebuilt", "inferred"),
     ),
     Equation(
         "(2)",
@@ -134,10 +134,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         Equality(print_5, integrate(sun_radius / (2 * a - sun_radius))),
         note="Seen from the carrier: wheel 5 turns by rho4/rho5, the sun's major axis on the line "
         "of centres at the lower limit 0.",
-        marks=(
-            "rebuilt",
-            "uncertain",
-        ),
+        marks=("rebuilt", "uncertain", "inferred"),
     ),
     Claim(
         "(5), constant",
@@ -192,21 +189,16 @@ EQUATION_ROWS: tuple[Row, ...] = (
     Equation(
         "(7)",
         r"BD=\rho_6-\rho_5",
-        Equality(print_7, point_d - point_b),
-        readings=(
-            Reading(
-                "the distance from D to B, BC from B to C", Equality(print_7, point_b - point_d)
-            ),
-        ),
-        note="The order is legible; it reverses the sign of (10).",
-        marks=("rebuilt",),
+        Equality(print_7, point_b - point_d),
+        note="From D to B, as the order is legible: the output's side counts against the carrier.",
+        marks=("rebuilt", "inferred"),
     ),
     Equation(
         "(8)",
         r"AC=EC=2a",
         Conjunction((Equality(2 * a, print_radius(e, phi) + mate), Equality(2 * a, point_c))),
         note="Two congruent ovals mesh at this distance in every position.",
-        marks=("rebuilt",),
+        marks=("rebuilt", "inferred"),
     ),
     Claim(
         "(8), rolling",
@@ -215,37 +207,53 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="The arcs are equal: congruent ovals roll without slip.",
         marks=("ours",),
     ),
-    Equation("(9)", r"DE=2a-\rho_6", Equality(print_9, point_d), marks=("rebuilt",)),
+    Equation("(9)", r"DE=2a-\rho_6", Equality(print_9, point_d), marks=("rebuilt", "inferred")),
     Claim(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
         Equality(ratio_by_plan, ratio_by_inversion),
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Equation(
         "(10)",
         r"\varphi_3'=\frac{(\rho_6-\rho_5)\,2a}{\rho_5\,(2a-\rho_6)}",
-        Equality(print_10, ratio_by_plan),
-        readings=(
-            Reading(
-                "the output's angle counted against the carrier's direction of rotation",
-                Equality(print_10, -ratio_by_plan),
-            ),
-        ),
-        marks=("rebuilt",),
+        Equality(print_10, -ratio_by_plan),
+        note="The output counted against the carrier.",
+        marks=("rebuilt", "inferred"),
     ),
     Equation(
         "(11)",
         r"\varphi_3(\varphi_1)=\int\varphi_3'\,d\varphi_1",
-        Equality(print_11, position_of_one(E_SERIES)),
+        Equality(print_11, -position_of_one(E_SERIES)),
+        note="From phi3(0) = 0, with (3)-(6), the output counted against the carrier; in closed "
+        "form phi3 = arctan(E sin(2 phi1)/(1 - E cos(2 phi1))), E = (e1 + e2)/(1 + e1 e2).",
+        marks=("rebuilt", "inferred"),
+    ),
+    Claim(
+        "(1)-(11), sense of the output",
+        r"BD=\rho_6-\rho_5,\ \varphi_3'=\frac{(\rho_6-\rho_5)\,2a}{\rho_5\,(2a-\rho_6)}",
+        Conjunction(
+            (
+                Equality(print_7, point_d - point_b),
+                Equality(print_10, ratio_by_plan),
+                Equality(print_11, position_of_one(E_SERIES)),
+            )
+        ),
         readings=(
             Reading(
-                "the output's angle counted against the carrier's direction of rotation",
-                Equality(print_11, -position_of_one(E_SERIES)),
+                "the output counted against the carrier's direction of rotation throughout: "
+                "omega3, v_D, BD from D to B, phi3",
+                Conjunction(
+                    (
+                        Equality(print_7, point_b - point_d),
+                        Equality(print_10, -ratio_by_plan),
+                        Equality(print_11, -position_of_one(E_SERIES)),
+                    )
+                ),
             ),
         ),
-        note="From phi3(0) = 0, with (3)-(6); in closed form phi3 = -arctan(E sin(2 phi1)/"
-        "(1 - E cos(2 phi1))), E = (e1 + e2)/(1 + e1 e2).",
-        marks=("rebuilt",),
+        note="No direction of phi3 survives in the text. One choice makes the whole chain true; "
+        "the other equations are judged with it.",
+        marks=("rebuilt", "inferred"),
     ),
 )

@@ -39,14 +39,14 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
             )
         ),
         note="Two oval pairs in series are one oval pair; eccentricities add like velocities.",
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "parallel wheels",
         r"\text{major axes of 5 and 6 parallel: }E=\frac{e_1-e_2}{1-e_1e_2}",
         Equality(1 - pair_ratio(E_ALIGNED, COS_4), 1 - wheel_3_rate.subs(mount, sp.pi / 2)),
         note="Equal ovals mounted so leave the output at rest: the right angle of (6) matters.",
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "mounted at any angle",
@@ -55,7 +55,7 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         Equality(1 / (1 - ratio_of_map(*COEFFICIENTS)), 1 / wheel_3_rate),
         note="lambda = (1+e1)(1-e2^2), mu = (1-e1)(1+e2^2-2 e2 cos 2m), nu = 2(1+e1) e2 sin 2m: "
         "the pairs compose as tan(chi) = lambda t/(mu + nu t), t = tan(phi1); the ratio is not 1.",
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "coefficients without cancellation",
@@ -91,7 +91,7 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         r"\varphi_3(\varphi_1+\pi)=\varphi_3(\varphi_1)",
         advances(position_of_map(lam, mu, nu, lam - mu), sp.pi, sp.S.Zero),
         note="For all eccentricities and mountings: no mean drift.",
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "amplitude",
@@ -116,6 +116,6 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         ),
         note="With no drift: two oval pairs always reciprocate unless E = 0, when they rest.",
         on=Part("0 < e < 1", {e: OVAL}),
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
 )

@@ -23,7 +23,7 @@ phi, phi5, phi6, start = sp.symbols("varphi varphi5 varphi6 c", real=True)
 omega1, omega3 = sp.symbols("omega1 omega3", real=True)
 VC, VD, AC, BC, BD, CD, DE = sp.symbols("v_C v_D AC BC BD CD DE", real=True)
 sB, sC, sD = sp.symbols("s_B s_C s_D", real=True)
-ratio_symbol = sp.Symbol("varphi3'", real=True)
+ratio_symbol, acceleration_symbol = sp.symbols("varphi3' varphi3''", real=True)
 k, x = sp.symbols("k x", real=True)
 alpha, beta, gamma, delta = sp.symbols("alpha beta gamma delta", real=True)
 alpha_double, beta_double, gamma_double = sp.symbols(
@@ -60,6 +60,9 @@ def count_branches(eccentricity: sp.Expr, driver: sp.Expr) -> sp.Expr:
     branch = sp.atan((1 + eccentricity) / (1 - eccentricity) * sp.tan(driver))
     return branch + sp.pi * sp.floor(driver / sp.pi + sp.S.Half)
 
+
+# What (1), (7) and (10) say together of the symbols of the output.
+AS_PRINTED = "positive against the carrier's direction of rotation"
 
 VARIABLES = (
     Variable(phi1, "angle of the carrier 1", sign="positive in its direction of rotation"),
@@ -132,18 +135,19 @@ VARIABLES = (
     Variable(rho6, "radius of wheel 6 at D", LENGTH, POSITIVE),
     Variable(span, "distance of two fixed axes", LENGTH, POSITIVE),
     Variable(omega1, "angular velocity of the carrier", FREQUENCY, POSITIVE),
-    Variable(omega3, "angular velocity of wheel 3", FREQUENCY),
+    Variable(omega3, "angular velocity of wheel 3", FREQUENCY, sign=AS_PRINTED),
     Variable(sB, "coordinate of B on the line A-C", LENGTH),
     Variable(sC, "coordinate of C", LENGTH, POSITIVE),
     Variable(sD, "coordinate of D", LENGTH),
     Variable(AC, "from A to C", LENGTH, given=sC),
     Variable(BC, "from B to C", LENGTH, given=sC - sB),
-    Variable(BD, "from B to D", LENGTH, given=sD - sB),
+    Variable(BD, "from D to B", LENGTH, given=sB - sD),
     Variable(CD, "from D to C", LENGTH, given=sC - sD),
     Variable(DE, "from E to D", LENGTH, given=sD),
     Variable(VC, "velocity of C, positive with the carrier", SPEED, given=omega1 * sC),
-    Variable(VD, "velocity of D, positive with the carrier", SPEED, given=omega3 * sD),
-    Variable(ratio_symbol, "analogue of the angular velocity"),
+    Variable(VD, "velocity of D", SPEED, given=omega3 * sD, sign=AS_PRINTED),
+    Variable(ratio_symbol, "analogue of the angular velocity", sign=AS_PRINTED),
+    Variable(acceleration_symbol, "analogue of the angular acceleration", sign=AS_PRINTED),
     Variable(theta, "x as a variable of its own"),
     Variable(width, "tangent of half the angle x from the double zero", within=POSITIVE),
     Variable(eta, "ratio up to which the output counts as at rest", within=POSITIVE),

@@ -9,6 +9,7 @@ from mechproof.record import (
     Completion,
     Completions,
     Conjunction,
+    Definition,
     Distinct,
     Equality,
     Holds,
@@ -18,7 +19,15 @@ from mechproof.record import (
 )
 
 from .._relations import less
-from .mechanics import COS_4, integrate, oval_radius, pair_ratio, ratio_by_plan, wheel_3_rate
+from .mechanics import (
+    COS_4,
+    integrate,
+    oval_radius,
+    pair_ratio,
+    ratio_by_plan,
+    satellite_against_carrier,
+    wheel_3_rate,
+)
 from .oval_pairs import advances
 from .positions import (
     ACCELERATION_CYLINDRICAL,
@@ -31,8 +40,22 @@ from .positions import (
     ratio_of_one,
     ratio_with_cylinders_45,
 )
-from .printed import print_10
-from .symbols import OVAL, R4, R5, e, e1, e2, mount, phi1, phi6, rho3, rho6, span
+from .printed import print_5, print_10
+from .symbols import (
+    OVAL,
+    R4,
+    R5,
+    acceleration_symbol,
+    e,
+    e1,
+    e2,
+    mount,
+    phi1,
+    phi6,
+    rho3,
+    rho6,
+    span,
+)
 
 VARIANTS = {
     1: {e1: sp.Rational("0.2"), e2: sp.Rational("0.2")},
@@ -87,6 +110,7 @@ VARIANT_ROWS: tuple[Row, ...] = (
             )
         ),
         note="E = 5/13: the output swings by 2 arcsin(5/13), twice for each turn of the carrier.",
+        marks=("inferred",),
     ),
     Claim(
         "variant 2, reciprocating",
@@ -98,6 +122,7 @@ VARIANT_ROWS: tuple[Row, ...] = (
             )
         ),
         note="R4 = R5: no drift; the amplitude is arcsin(0.2).",
+        marks=("inferred",),
     ),
     Claim(
         "variant 3, intermittent",
@@ -111,6 +136,7 @@ VARIANT_ROWS: tuple[Row, ...] = (
             )
         ),
         note="30/20 = (1 + 0.2)/(1 - 0.2) exactly: a double zero at every odd multiple of pi/3.",
+        marks=("inferred",),
     ),
     Claim(
         "variant 4, one-way",
@@ -122,30 +148,28 @@ VARIANT_ROWS: tuple[Row, ...] = (
             )
         ),
         note="32/18 > 3/2; the output turns against the carrier.",
+        marks=("inferred",),
     ),
     Claim(
         "special case, angle of wheel 6",
-        r"\text{the output of variant 3 rests three times in a turn of the carrier}",
-        Completions(
-            Completion(
-                "wheel 6 turned by (R4/R5) phi1: rest at phi1 = pi/3",
-                Equality(
-                    with_radii(3, R4 / R5 * phi1).subs({R4: 3, R5: 2, phi1: DWELL_3}), sp.S.Zero
-                ),
-            ),
-            Completion(
-                "wheel 6 turned as in (5) with e1 = 0, by phi1: rest at phi1 = pi/3",
-                Equality(with_radii(3, phi1).subs(phi1, DWELL_3), sp.S.Zero),
+        r"\text{the radius functions of the cylindrical wheels are replaced by numbers}",
+        Equality(print_5.subs(e1, 0), integrate(satellite_against_carrier.subs(AXES_45))),
+        readings=(
+            Reading(
+                "the numbers also stand for the radii rho4 and rho5 whose quotient (5) integrates",
+                Equality(R4 / R5 * phi1, integrate(satellite_against_carrier.subs(AXES_45))),
             ),
         ),
-        note="Nothing is said of (5) for cylindrical wheels.",
+        note="Nothing is said of (5). Left as printed, with e1 = 0, wheel 6 would turn by phi1; "
+        "wheels that do not slip turn it by (R4/R5) phi1.",
+        marks=("rebuilt", "inferred"),
     ),
     Claim(
         "special case, kinds of motion",
         r"\text{the kinds of variants 3 and 4 do not depend on how fast wheel 6 turns}",
         Conjunction((Holds(with_radii(3, phi6) <= 0), Holds(with_radii(4, phi6) < 0))),
         note="For every angle of wheel 6 the sign is that of rho5 - rho6.",
-        marks=("ours",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "position functions of Fig. 2",
@@ -156,23 +180,11 @@ VARIANT_ROWS: tuple[Row, ...] = (
                     rho6, oval_radius(e2, sp.cos(2 * R4 / R5 * phi1)).subs(AXES_45)
                 )
             ),
-            position_45,
+            -position_45,
         ),
-        readings=(
-            Reading(
-                "the output's angle counted against the carrier's direction of rotation",
-                Equality(
-                    integrate(
-                        print_10.subs(AXES_45).subs(
-                            rho6, oval_radius(e2, sp.cos(2 * R4 / R5 * phi1)).subs(AXES_45)
-                        )
-                    ),
-                    -position_45,
-                ),
-            ),
-        ),
-        note="Of the figure only the axes in rad survive; stated for a cylindrical pair 4-5.",
-        marks=("inferred",),
+        note="Of the figure only the axes in rad survive; stated for a cylindrical pair 4-5, the "
+        "output counted against the carrier.",
+        marks=("rebuilt", "inferred"),
     ),
     Claim(
         "Fig. 5, tick labels",
@@ -193,18 +205,36 @@ VARIANT_ROWS: tuple[Row, ...] = (
         "fixed axes",
         r"\text{mechanisms with non-circular wheels on fixed axes give only one-way rotation}",
         Holds(-rho3 / (span - rho3) < 0),
-        note="Any pitch curves with 0 < rho < L; a train of pairs is a product of such factors.",
+        note="External mesh, any pitch curves with 0 < rho < L; a train of pairs is a product of "
+        "factors of constant sign.",
         on=Part("the radius is shorter than the distance of the axes", where=(rho3 < span,)),
+    ),
+    Claim(
+        "fixed axes, internal mesh",
+        r"\text{mechanisms with non-circular wheels on fixed axes give only one-way rotation}",
+        Holds(rho3 / (rho3 - span) > 0),
+        note="The ring has the radius rho > L at the point of contact, its wheel rho - L; where "
+        "the wheel drives, the ratio is the inverse.",
+        on=Part("the radius exceeds the distance of the axes", where=(span < rho3,)),
     ),
     Claim(
         "fixed axes, non-uniform",
         r"\text{the rotation on fixed axes is non-uniform}",
         Holds(pair_ratio(e, sp.S.One) - pair_ratio(e, -sp.S.One) > 0),
+        note="One pair of ovals. Two equal pairs in series with parallel major axes turn "
+        "uniformly again: see the row on parallel wheels.",
         on=Part("0 < e < 1", {e: OVAL}),
     ),
     Claim(
         "conclusion 2, acceleration",
         r"\text{the model gave the analogue of acceleration}",
+        Definition(acceleration_symbol, -sp.diff(ratio_of_one(E_SERIES), phi1)),
+        note="Only named: no formula of it is printed. Introduced here as the derivative of (10).",
+        marks=("inferred",),
+    ),
+    Claim(
+        "acceleration by the model",
+        r"\varphi_3''=\frac{d\varphi_3'}{d\varphi_1}",
         Conjunction(
             (
                 Equality(
@@ -216,8 +246,8 @@ VARIANT_ROWS: tuple[Row, ...] = (
                 ),
             )
         ),
-        note="None is printed; the model determines it, here for two oval pairs (E written e) and "
-        "for a cylindrical pair 4-5.",
-        marks=("ours",),
+        note="For two oval pairs (E written e) and for a cylindrical pair 4-5, the output counted "
+        "with the carrier.",
+        marks=("ours", "inferred"),
     ),
 )
