@@ -22,6 +22,6 @@ PAPER = Paper(
     published=tuple(Published(f"variant {number}", sizes) for number, sizes in VARIANTS.items()),
     conventions=(
         "Angles in radians, positive in the direction of the carrier's rotation; lengths in mm. "
-        "The paper counts the output against the carrier."
+        "The paper's (10) has the opposite sign."
     ),
 )

@@ -19,14 +19,15 @@ from .frame_rows import FRAME_ROWS
 from .kernels_of_poses import POSES
 from .kernels_of_sums import SUMS
 from .kernels_of_tracks import TRACKS
-from .table import TABLE_1, TABLE_ROWS
+from .sizes import DATA_ROWS, TABLE_1
+from .table import TABLE_ROWS
 
 PAPER = Paper(
     system="track_wheel",
     citation="Kapitonov, Yakubovsky 2022, machining error of a wheel with a multi-period track, "
     "doi 10.24412/2079-7958-2022-1-43-52",
     variables=ERROR_VARIABLES + FRAME_VARIABLES + CURVE_VARIABLES,
-    rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + TABLE_ROWS + FIGURE_ROWS,
+    rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + DATA_ROWS + TABLE_ROWS + FIGURE_ROWS,
     quantities=POSES + TRACKS + SUMS,
     published=(TABLE_1,),
     where=(Ge(radius, amplitude),),

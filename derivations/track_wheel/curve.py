@@ -10,6 +10,7 @@ from .notation import coordinates, lengths, positive, real
 
 radius, ball_radius, thickness, millimetre = positive("R r_b H_s mm")
 (amplitude,) = real("A")
+(any_radius,), (any_shift,) = positive("R_any"), real("A_any")
 periods = sp.Symbol("z", integer=True, positive=True)
 (phi,) = real("phi")
 radius_vector, planar_error, spatial_error = positive("rho Delta_Sigma^XY Delta_Sigma^XYZ")
@@ -23,6 +24,7 @@ CURVE_VARIABLES = (
             ball_radius: "radius of the ball",
             thickness: "thickness of the part",
             millimetre: "the unit of length",
+            any_radius: "radius of any circle",
             radius_vector: "radius vector of a point of the curve",
             planar_error: "position error in the end plane",
             spatial_error: "position error in space",
@@ -30,6 +32,7 @@ CURVE_VARIABLES = (
     ),
     Variable(periods, "number of periods", within=sp.S.Naturals),
     Variable(phi, "polar angle", sign="counter-clockwise positive"),
+    *coordinates({any_shift: "shift of any circle"}),
     *coordinates(
         dict.fromkeys(POSITION_ERROR, "coordinate of the position error in the machine frame")
     ),

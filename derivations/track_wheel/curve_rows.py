@@ -4,7 +4,18 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Claim, Conjunction, Definition, Equality, Equation, Part, Reading, Row
+from mechproof.record import (
+    Claim,
+    Conjunction,
+    Definition,
+    Distinct,
+    Equality,
+    Equation,
+    Holds,
+    Part,
+    Reading,
+    Row,
+)
 
 from .._relations import less, not_above
 from .curve import (
@@ -13,6 +24,8 @@ from .curve import (
     PRINTED_18,
     THETA,
     amplitude,
+    any_radius,
+    any_shift,
     on_track,
     periods,
     phi,
@@ -25,6 +38,13 @@ from .curve import (
 )
 from .errors import dummy
 
+
+def squared_distance_from_centre(count: int) -> sp.Expr:
+    """Squared distance of a point of the track with `count` periods from the circle's centre."""
+    x, y = (coordinate.subs(periods, count) for coordinate in PRINTED_16[:2])
+    return (x - amplitude) ** 2 + y**2
+
+
 CURVE_ROWS: tuple[Row, ...] = (
     Equation(
         "(16)",
@@ -33,6 +53,14 @@ CURVE_ROWS: tuple[Row, ...] = (
         Equality(PRINTED_16, on_track(radius_by_sine_rule(THETA))),
         note="Rebuilt by the sine rule in the triangle of pole, centre and point.",
         singular=("A = R: the circle passes through the pole and the track has corners there",),
+    ),
+    Claim(
+        "(16), a radius at every angle",
+        r"R^2-A^2\sin^2(z\varphi)\ge0",
+        Holds(sp.Le(any_shift**2 * sp.sin(phi) ** 2, any_radius**2)),
+        holds_on=Part("|A| <= R", where=(sp.Abs(any_shift) <= any_radius,)),
+        note="Not printed, and needed for the root in (16): where this paper's rows are decided.",
+        marks=("ours",),
     ),
     Claim(
         "(16), radius vector",
@@ -51,19 +79,25 @@ CURVE_ROWS: tuple[Row, ...] = (
     Claim(
         "(16), shifted circle",
         r"\text{by the formulas of the shifted circle}",
-        Equality((PRINTED_16[0] - amplitude) ** 2 + PRINTED_16[1] ** 2, radius**2),
-        readings=(
-            Reading(
-                "the radius vector is that of the shifted circle at the angle z varphi, laid off "
-                "at the angle varphi",
-                Equality(
-                    (printed_radius(THETA) * sp.cos(THETA) - amplitude) ** 2
-                    + (printed_radius(THETA) * sp.sin(THETA)) ** 2,
-                    radius**2,
-                ),
-            ),
+        Equality(
+            (printed_radius(THETA) * sp.cos(THETA) - amplitude) ** 2
+            + (printed_radius(THETA) * sp.sin(THETA)) ** 2,
+            radius**2,
         ),
-        note="The track itself is a circle only for one period, z = 1.",
+        note="The formula is the shifted circle's, at the angle z varphi.",
+    ),
+    Claim(
+        "(16), the track and the circle",
+        r"(x_{13}-A)^2+y_{13}^2=R^2\text{ for }z=1",
+        Conjunction(
+            (
+                Equality(squared_distance_from_centre(1), radius**2),
+                Distinct(squared_distance_from_centre(2), radius**2),
+            )
+        ),
+        note="The radius vector is laid off at the angle varphi, so the track itself is that "
+        "circle for one period only; two periods do for the other case.",
+        marks=("ours",),
     ),
     Claim(
         "(16), sign of the root",

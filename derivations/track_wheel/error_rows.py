@@ -14,6 +14,7 @@ from mechproof.record import (
     Equality,
     Equation,
     Holds,
+    PrintedNumber,
     Row,
     sum_distinct,
 )
@@ -88,6 +89,17 @@ LATEX_CORRECTED_GROUPS = (
     r"+(K_n\Delta_n%(t)s)^2+(K_u\Delta_u%(t)s)^2+(K_T\Delta_T%(t)s)^2}"
 )
 
+LATEX_GROUPS_AND_THERMAL = (LATEX_GROUPS % {"t": ""}).replace(r"+\Delta_T}", r"}+\Delta_T")
+LATEX_CORRECTED_GROUPS_AND_THERMAL = (LATEX_CORRECTED_GROUPS % {"t": ""}).replace(
+    r"+(K_T\Delta_T)^2}", r"}+\Delta_T"
+)
+
+
+def kept_by_normal_law(coefficient: sp.Expr) -> sp.Expr:
+    """Percentage of a normal law within the field 6 sigma/K about its mean."""
+    return 100 * sp.erf(3 / (coefficient * sp.sqrt(2)))
+
+
 ERROR_ROWS: tuple[Row, ...] = (
     Equation(
         "(1)",
@@ -125,6 +137,22 @@ ERROR_ROWS: tuple[Row, ...] = (
         note="The coefficient of an error that is uniform over its tolerance, where the normal "
         "law has 1: six standard deviations are sqrt(3) tolerances.",
         marks=("ours",),
+    ),
+    Claim(
+        "after (3), K for a reliability",
+        r"K\text{ corrects for a given guaranteed reliability}",
+        Completions(
+            Completion(
+                "the guaranteed reliability: 99.73 %, for which the normal law needs K = 1",
+                PrintedNumber("99.73", kept_by_normal_law(sp.Integer(1))),
+            ),
+            Completion(
+                "the guaranteed reliability: 95 %, for which the normal law needs K = 1",
+                PrintedNumber("95", kept_by_normal_law(sp.Integer(1))),
+            ),
+        ),
+        note="The share that a field of 6 sigma/K keeps tells K from the reliability, which is not "
+        "printed: K = 1 for 99.73 %, K = 3/1.96 for 95 %.",
     ),
     Equation(
         "(3)",
@@ -215,6 +243,24 @@ ERROR_ROWS: tuple[Row, ...] = (
         note="The index i is free outside the sums, and the length Delta_T is added to squares of "
         "lengths. In the corrected form each group has its own index and each term is a square; "
         "as in (5) every sensitivity is one.",
+    ),
+    Claim(
+        "(6), Delta_T outside the root",
+        LATEX_GROUPS_AND_THERMAL,
+        Equality(
+            printed_groups(form, mounting, elastic, setting, wear, sp.Integer(0)) + thermal,
+            propagate_groups(SINGLES[:-1], mountings, elastics) + thermal,
+        ),
+        corrected=Correction(
+            LATEX_CORRECTED_GROUPS_AND_THERMAL,
+            Equality(
+                corrected_groups(form, mountings, elastics, setting, wear, sp.Integer(0)) + thermal,
+                propagate_groups(SINGLES[:-1], mountings, elastics) + thermal,
+            ),
+        ),
+        note="Another reading of (6), and of (7): the root ends before Delta_T, a systematic error "
+        "that adds as it is. The lengths then agree; the index i stays free.",
+        marks=("ours", "uncertain"),
     ),
     Equation(
         "(7)",

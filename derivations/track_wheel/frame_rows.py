@@ -78,6 +78,12 @@ def coordinate_row(number: str, name: str, row: int) -> Equation:
     )
 
 
+def displaced(point: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
+    """Place of a point of the part after the displacement, by (15)."""
+    error = PRINTED_15.subs(dict(zip(SURFACE_POINT, point, strict=True)), simultaneous=True)
+    return error + point
+
+
 FRAME_ROWS: tuple[Row, ...] = (
     Equation(
         "(8)",
@@ -224,5 +230,16 @@ FRAME_ROWS: tuple[Row, ...] = (
         Equality(PRINTED_15, SHIFT + compose(TURNED_PART, SURFACE_POINT) - SURFACE_POINT),
         note="Where the point is after the displacement minus where it should be: the same three "
         "numbers serve as coordinates in the part and as nominal place from O_1.",
+    ),
+    Claim(
+        "(15), rigid motion",
+        r"|p'-q'|=|p-q|,\ p'=K^Tp+(a,b,c)^T",
+        Equality(
+            sum(entry**2 for entry in displaced(SURFACE_POINT) - displaced(PART_POINT)),
+            sum(entry**2 for entry in SURFACE_POINT - PART_POINT),
+        ),
+        note="All distances between points of the part stay: (15), (17) and (18) are errors of "
+        "position. No deviation of form comes from them, in the plane or in space.",
+        marks=("ours",),
     ),
 )
