@@ -19,7 +19,6 @@ from sympy import (
 
 from mechproof.record import (
     Claim,
-    Definition,
     Equality,
     Equation,
     Variable,
@@ -37,12 +36,12 @@ mean = Sum(q[j], (j, 1, n)) / n
 variance = Sum((q[i] - qbar) ** 2, (i, 1, n)) / (n - 1)
 
 TYPE_A_VARIABLES = (
-    Variable(n, "number of observations", within=S.Naturals),
-    Variable(q, "measurement errors"),
-    Variable(qbar, "mean measurement error"),
-    Variable(s2, "sample variance"),
-    Variable(s2_mean, "estimate of the variance of the mean"),
-    Variable(u_mean, "type A standard uncertainty"),
+    Variable(n, "number of observations", within=S.Naturals, latex=("n",)),
+    Variable(q, "measurement errors", latex=("q",)),
+    Variable(qbar, "mean measurement error", latex=(r"\bar q",)),
+    Variable(s2, "sample variance", latex=("s^2(q_k)",)),
+    Variable(s2_mean, "estimate of the variance of the mean", latex=("s^2(q)", r"s^2(\bar q)")),
+    Variable(u_mean, "type A standard uncertainty", latex=("u(q)",)),
     Variable(sigma2, "variance of one observation", within=POSITIVE),
 )
 
@@ -52,8 +51,8 @@ def mean_row(number: str, note: str = "", marks: tuple[str, ...] = ()) -> Equati
     return Equation(
         number,
         r"\bar q=\frac1n\sum_{k=1}^n q_k",
-        Definition(qbar, mean),
         note=note,
+        defines=(qbar,),
         marks=marks,
     )
 
@@ -63,8 +62,8 @@ def variance_row(number: str, marks: tuple[str, ...] = ()) -> Equation:
     return Equation(
         number,
         r"s^2(q_k)=\frac1{n-1}\sum_{k=1}^n(q_k-\bar q)^2",
-        Definition(s2, variance),
         note="Needs n >= 2.",
+        defines=(s2,),
         marks=marks,
     )
 
@@ -89,7 +88,7 @@ def unbiased_row(number: str) -> Claim:
 
 def variance_of_mean_row(number: str, latex: str, marks: tuple[str, ...] = ()) -> Equation:
     """Introduce the estimate of the variance of the mean; `latex` is the equation as printed."""
-    return Equation(number, latex, Definition(s2_mean, s2 / n), marks=marks)
+    return Equation(number, latex, defines=(s2_mean,), marks=marks)
 
 
 def estimate_row(number: str, marks: tuple[str, ...] = ()) -> Claim:
@@ -111,8 +110,8 @@ def uncertainty_row(number: str, note: str, marks: tuple[str, ...] = ()) -> Equa
     return Equation(
         number,
         r"u(q)=\sqrt{s^2(q)}",
-        Definition(u_mean, sqrt(s2_mean)),
         note=note,
+        defines=(u_mean,),
         marks=marks,
     )
 

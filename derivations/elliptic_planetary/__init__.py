@@ -4,7 +4,7 @@ from mechproof.record import Paper, Published
 
 from .claims import POSITION_CLAIMS
 from .kernels import QUANTITIES
-from .paper import R1, R2, ROWS, TYPE_A_ROWS, VARIABLES, VARIANTS, e
+from .paper import NOTATION, R1, R2, ROWS, TYPE_A_ROWS, VARIABLES, VARIANTS, e
 from .readings import TABLE_CLAIMS
 
 PAPER = Paper(
@@ -14,6 +14,7 @@ PAPER = Paper(
         "doi 10.37313/1990-5378-2024-26-3-164-171"
     ),
     variables=VARIABLES,
+    notation=NOTATION,
     where=(R2 < R1,),
     rows=ROWS + POSITION_CLAIMS + TYPE_A_ROWS + TABLE_CLAIMS,
     quantities=QUANTITIES,

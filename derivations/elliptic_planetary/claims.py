@@ -6,7 +6,6 @@ from sympy import (
     Expr,
     Ge,
     Integral,
-    Le,
     atan,
     diff,
     limit,
@@ -35,7 +34,6 @@ from .paper import (
     U,
     e,
     k,
-    largest,
     phi1,
     phi5,
     position,
@@ -43,7 +41,7 @@ from .paper import (
     position_principal,
     print_8,
     print_12,
-    smallest,
+    ratio_symbol,
     tau,
     x,
 )
@@ -116,8 +114,9 @@ POSITION_CLAIMS = (
     ),
     Claim(
         "extremes of the ratio",
-        r"1+\frac{R_1}{R_2}\frac{1-e}{1+e}\le\varphi_3'\le1+\frac{R_1}{R_2}\frac{1+e}{1-e}",
-        Conjunction((Holds(Le(smallest, print_8)), Holds(Ge(largest, print_8)))),
+        r"1+\frac{R_1}{R_2}\cdot\frac{1-e}{1+e}\le\varphi_3'\le"
+        r"1+\frac{R_1}{R_2}\cdot\frac{1+e}{1-e}",
+        derived={ratio_symbol: print_8},
         note="Reached at x = pi and x = 0 modulo 2 pi.",
         marks=("ours",),
     ),

@@ -46,7 +46,9 @@ def open_derivation(location: Path) -> Opened:
         rows = (*paper.rows, *form_rows(paper))
     except (ValueError, NotImplementedError) as error:
         raise DerivationError(f"{location}: {error}") from error
-    variables = tuple(replace(variable, meaning="", sign="") for variable in paper.variables)
+    variables = tuple(
+        replace(variable, meaning="", sign="", latex=()) for variable in paper.variables
+    )
     domain = Paper(paper.system, "", variables, (), paper.where)
     return Opened(location, paper, rows, domain)
 
