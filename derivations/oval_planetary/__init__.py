@@ -7,7 +7,7 @@ from .equations import EQUATION_ROWS
 from .kernels import QUANTITIES
 from .oval_pairs import OVAL_PAIR_ROWS
 from .readings import MEASUREMENT_ROWS
-from .symbols import VARIABLES
+from .symbols import NOTATION, VARIABLES
 from .variants import VARIANT_ROWS, VARIANTS
 
 PAPER = Paper(
@@ -17,6 +17,7 @@ PAPER = Paper(
         "wheels, EDN HZWKZJ"
     ),
     variables=VARIABLES,
+    notation=NOTATION,
     rows=EQUATION_ROWS + OVAL_PAIR_ROWS + CYLINDRICAL_PAIR_ROWS + VARIANT_ROWS + MEASUREMENT_ROWS,
     quantities=QUANTITIES,
     published=tuple(Published(f"variant {number}", sizes) for number, sizes in VARIANTS.items()),

@@ -7,21 +7,23 @@ import sympy as sp
 from mechproof.record import (
     Claim,
     Conjunction,
-    Definition,
     Equality,
     Equation,
     Holds,
     Part,
     Reading,
     Row,
+    Sign,
 )
 
 from .mechanics import (
+    PLACES,
     cos_6,
     focal_radius,
     integrate,
+    omega_satellite,
+    oval_radius,
     point_b,
-    point_c,
     point_d,
     ratio_by_inversion,
     ratio_by_plan,
@@ -30,12 +32,20 @@ from .mechanics import (
     sun_radius,
 )
 from .positions import E_SERIES, position_of_one
-from .printed import print_5, print_7, print_9, print_10, print_11, print_radius
+from .printed import (
+    EQUATION_2,
+    EQUATION_5,
+    EQUATION_7,
+    EQUATION_10,
+    RATIO_OF_10,
+    print_3_by_6,
+    print_5,
+    print_7,
+    print_10,
+    print_radius,
+)
 from .symbols import (
-    AC,
-    BC,
-    BD,
-    DE,
+    EC,
     VC,
     VD,
     a,
@@ -43,13 +53,14 @@ from .symbols import (
     e,
     e1,
     e2,
-    omega1,
-    omega3,
     phi,
     phi1,
+    phi3,
     phi5,
     phi6,
     ratio_symbol,
+    rho5,
+    rho6,
     sB,
     sC,
     sD,
@@ -63,37 +74,32 @@ slope = sp.diff(oval, phi)
 # Positive where the curve bends towards its centre.
 bend = sp.factor(oval**2 + 2 * slope**2 - oval * sp.diff(oval, phi, 2))
 mate_cosine, _ = roll(e, phi)
-mate = a * (1 - e**2) / (1 + e * mate_cosine)
+mate = oval_radius(e, -mate_cosine)
 
 EQUATION_ROWS: tuple[Row, ...] = (
     Equation(
-        "(1), first equals sign",
-        r"\varphi_3'=\frac{\omega_3}{\omega_1}",
-        Definition(ratio_symbol, omega3 / omega1),
+        "(1)",
+        r"\varphi_3'=\frac{\omega_3}{\omega_1}=\frac{v_D\cdot AC}{v_C\cdot DE}"
+        r"=\frac{BD\cdot AC}{BC\cdot DE}",
+        defines=(ratio_symbol,),
         marks=("rebuilt",),
+        signs={
+            2: Sign(
+                note="v_C = omega1 AC and v_D = omega3 DE, all signed on the line A-C.",
+                marks=("rebuilt", "inferred"),
+            ),
+            3: Sign(
+                derived={
+                    VC: omega_satellite * (sC - sB),
+                    VD: -omega_satellite * (sD - sB),
+                },
+                note="Velocities of the satellite are proportional to the distance from B; that of "
+                "D is counted against the carrier.",
+                marks=("rebuilt", "inferred"),
+            ),
+        },
     ),
-    Equation(
-        "(1), second equals sign",
-        r"\frac{\omega_3}{\omega_1}=\frac{v_D\cdot AC}{v_C\cdot DE}",
-        Equality(VD * AC / (VC * DE), omega3 / omega1),
-        note="v_C = omega1 AC and v_D = omega3 DE, all signed on the line A-C.",
-        marks=("rebuilt", "inferred"),
-    ),
-    Equation(
-        "(1), third equals sign",
-        r"\frac{v_D\cdot AC}{v_C\cdot DE}=\frac{BD\cdot AC}{BC\cdot DE}",
-        Equality(BD * AC / (BC * DE), -(sD - sB) / (sC - sB) * sC / sD),
-        note="Velocities of the satellite are proportional to the distance from B; that of D is "
-        "counted against the carrier.",
-        marks=("rebuilt", "inferred"),
-    ),
-    Equation(
-        "(2)",
-        r"\rho(\varphi)=\frac{a(1-e^2)}{1-e\cos2\varphi}",
-        Equality(print_radius(e, phi), focal_radius.subs(theta, 2 * phi)),
-        note="The oval has at half the polar angle the focal radius of its ellipse.",
-        marks=("rebuilt", "uncertain"),
-    ),
+    EQUATION_2,
     Claim(
         "(2), semi-axes",
         r"a(1-e)\le\rho\le a(1+e)",
@@ -119,23 +125,18 @@ EQUATION_ROWS: tuple[Row, ...] = (
     Equation(
         "(3)",
         r"BC=\rho_5=\frac{a(1-e_1^2)}{1-e_1\cos2\varphi_5}",
-        Equality(print_radius(e1, phi5), focal_radius.subs({e: e1, theta: 2 * phi5})),
+        defines=(rho5,),
+        signs={2: Sign(derived={rho5: focal_radius.subs({e: e1, theta: 2 * phi5})})},
         marks=("rebuilt",),
     ),
     Equation(
         "(4)",
         r"CD=\rho_6=\frac{a(1-e_2^2)}{1-e_2\cos2\varphi_6}",
-        Equality(print_radius(e2, phi6), focal_radius.subs({e: e2, theta: 2 * phi6})),
+        defines=(rho6,),
+        signs={2: Sign(derived={rho6: focal_radius.subs({e: e2, theta: 2 * phi6})})},
         marks=("rebuilt",),
     ),
-    Equation(
-        "(5)",
-        r"\varphi_6=\int\frac{1-e_1^2}{1+e_1^2-2e_1\cos2\varphi_1}\,d\varphi_1",
-        Equality(print_5, integrate(sun_radius / (2 * a - sun_radius))),
-        note="Seen from the carrier: wheel 5 turns by rho4/rho5, the sun's major axis on the line "
-        "of centres at the lower limit 0.",
-        marks=("rebuilt", "uncertain", "inferred"),
-    ),
+    EQUATION_5,
     Claim(
         "(5), constant",
         r"\rho_4(0)+\rho_5\left(\tfrac\pi2-c\right)-2a"
@@ -169,13 +170,17 @@ EQUATION_ROWS: tuple[Row, ...] = (
     ),
     Equation(
         "(6)",
-        r"\varphi_5=\frac\pi2-\varphi_6",
-        Equality(a * (1 - e1**2) / (1 + e1 * cos_6), 2 * a - sun_radius),
-        note="With it (3) is the radius that meshes with the sun: cos(2 phi5) = -cos(2 phi6).",
-        marks=(
-            "rebuilt",
-            "uncertain",
-        ),
+        r"\varphi_5=\frac{\pi}{2}-\varphi_6",
+        defines=(phi5,),
+        note="How wheels 5 and 6 are mounted on their shaft.",
+        marks=("rebuilt", "uncertain"),
+    ),
+    Claim(
+        "(6), mesh with the sun",
+        r"\rho_5\left(\tfrac\pi2-\varphi_6\right)=2a-\rho_4(\varphi_1)",
+        Equality(print_3_by_6(cos_6), 2 * a - sun_radius),
+        note="With (6), (3) is the radius that meshes with the sun: cos(2 phi5) = -cos(2 phi6).",
+        marks=("rebuilt", "uncertain"),
     ),
     Claim(
         "(6), sign",
@@ -186,18 +191,16 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="Nothing depends on the sign that may be the bar of a fraction.",
         marks=("ours",),
     ),
-    Equation(
-        "(7)",
-        r"BD=\rho_6-\rho_5",
-        Equality(print_7, point_b - point_d),
-        note="From D to B, as the order is legible: the output's side counts against the carrier.",
-        marks=("rebuilt", "inferred"),
-    ),
+    EQUATION_7,
     Equation(
         "(8)",
         r"AC=EC=2a",
-        Conjunction((Equality(2 * a, print_radius(e, phi) + mate), Equality(2 * a, point_c))),
-        note="Two congruent ovals mesh at this distance in every position.",
+        signs={
+            2: Sign(
+                derived={EC: focal_radius.subs(theta, 2 * phi) + mate},
+                note="Two congruent ovals mesh at this distance in every position.",
+            )
+        },
         marks=("rebuilt", "inferred"),
     ),
     Claim(
@@ -207,26 +210,21 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="The arcs are equal: congruent ovals roll without slip.",
         marks=("ours",),
     ),
-    Equation("(9)", r"DE=2a-\rho_6", Equality(print_9, point_d), marks=("rebuilt", "inferred")),
+    Equation("(9)", r"DE=2a-\rho_6", derived=PLACES, marks=("rebuilt", "inferred")),
     Claim(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
         Equality(ratio_by_plan, ratio_by_inversion),
         marks=("ours", "inferred"),
     ),
-    Equation(
-        "(10)",
-        r"\varphi_3'=\frac{(\rho_6-\rho_5)\,2a}{\rho_5\,(2a-\rho_6)}",
-        Equality(print_10, -ratio_by_plan),
-        note="The output counted against the carrier.",
-        marks=("rebuilt", "inferred"),
-    ),
+    EQUATION_10,
     Equation(
         "(11)",
         r"\varphi_3(\varphi_1)=\int\varphi_3'\,d\varphi_1",
-        Equality(print_11, -position_of_one(E_SERIES)),
-        note="From phi3(0) = 0, with (3)-(6), the output counted against the carrier; in closed "
-        "form phi3 = arctan(E sin(2 phi1)/(1 - E cos(2 phi1))), E = (e1 + e2)/(1 + e1 e2).",
+        derived={phi3: -position_of_one(E_SERIES), ratio_symbol: RATIO_OF_10},
+        note="From phi3(0) = 0, with (10) and (3)-(6), the output counted against the carrier; in "
+        "closed form phi3 = arctan(E sin(2 phi1)/(1 - E cos(2 phi1))), "
+        "E = (e1 + e2)/(1 + e1 e2).",
         marks=("rebuilt", "inferred"),
     ),
     Claim(
@@ -236,7 +234,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
             (
                 Equality(print_7, point_d - point_b),
                 Equality(print_10, ratio_by_plan),
-                Equality(print_11, position_of_one(E_SERIES)),
+                Equality(integrate(RATIO_OF_10), position_of_one(E_SERIES)),
             )
         ),
         readings=(
@@ -247,7 +245,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
                     (
                         Equality(print_7, point_b - point_d),
                         Equality(print_10, -ratio_by_plan),
-                        Equality(print_11, -position_of_one(E_SERIES)),
+                        Equality(integrate(RATIO_OF_10), -position_of_one(E_SERIES)),
                     )
                 ),
             ),

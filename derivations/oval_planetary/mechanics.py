@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from .symbols import a, e, e1, e2, mount, omega1, phi1, r, rho5, rho6, tau, theta
+from .symbols import a, e, e1, e2, mount, omega1, phi1, r, rho5, rho6, sB, sC, sD, tau, theta
 
 # Velocity plan on the line A-C at one instant, the sun 4 at rest: the satellite turns about B.
 s, omega_satellite, omega_out = sp.symbols("s omega_5 omega_3", real=True)
@@ -15,6 +15,8 @@ satellite_velocity = omega1 * point_c + omega_satellite * (s - point_c)
 rolling = sp.solve(satellite_velocity.subs(s, point_b), omega_satellite)[0]
 driven = sp.Eq(omega_out * point_d, satellite_velocity.subs({s: point_d, omega_satellite: rolling}))
 ratio_by_plan = sp.solve(driven, omega_out)[0] / omega1
+
+PLACES = {sB: point_b, sC: point_c, sD: point_d}
 
 # Inversion (Willis), in units of omega1: seen from the carrier the sun turns with -1, and each
 # external mesh reverses the sense of rotation.
