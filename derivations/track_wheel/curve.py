@@ -19,29 +19,42 @@ POSITION_ERROR = error_x, error_y, error_z = real("Delta_x0 Delta_y0 Delta_z0")
 CURVE_VARIABLES = (
     *lengths(
         {
-            radius: "radius of the circle in (16)",
-            amplitude: "shift of the circle, amplitude of the multi-period curve",
-            ball_radius: "radius of the ball",
-            thickness: "thickness of the part",
-            millimetre: "the unit of length",
-            any_radius: "radius of any circle",
-            radius_vector: "radius vector of a point of the curve",
-            planar_error: "position error in the end plane",
-            spatial_error: "position error in space",
+            radius: (
+                "radius of the circle in (16)",
+                "R",
+            ),
+            amplitude: (
+                "shift of the circle, amplitude of the multi-period curve",
+                "A",
+            ),
+            ball_radius: ("radius of the ball",),
+            thickness: (
+                "thickness of the part",
+                "H_s",
+            ),
+            millimetre: ("the unit of length",),
+            any_radius: ("radius of any circle",),
+            radius_vector: ("radius vector of a point of the curve",),
+            planar_error: (
+                "position error in the end plane",
+                r"\Delta_\Sigma^{XY}",
+            ),
+            spatial_error: (
+                "position error in space",
+                r"\Delta_\Sigma^{XYZ}",
+            ),
         }
     ),
-    Variable(periods, "number of periods", within=sp.S.Naturals),
-    Variable(phi, "polar angle", sign="counter-clockwise positive"),
-    *coordinates({any_shift: "shift of any circle"}),
+    Variable(periods, "number of periods", within=sp.S.Naturals, latex=("z",)),
+    Variable(phi, "polar angle", sign="counter-clockwise positive", latex=(r"\varphi",)),
+    *coordinates({any_shift: ("shift of any circle",)}),
     *coordinates(
-        dict.fromkeys(POSITION_ERROR, "coordinate of the position error in the machine frame")
+        {
+            symbol: (f"position error along {axis.upper()}_0", rf"\Delta {axis}_0")
+            for symbol, axis in zip(POSITION_ERROR, "xyz", strict=True)
+        }
     ),
 )
-
-
-def printed_radius(theta: sp.Expr) -> sp.Expr:
-    """Bracket printed in (16), at theta = z varphi."""
-    return sp.sqrt(radius**2 - amplitude**2 * sp.sin(theta) ** 2) + amplitude * sp.cos(theta)
 
 
 def radius_by_sine_rule(theta: sp.Expr) -> sp.Expr:
@@ -60,6 +73,3 @@ def on_track(distance: sp.Expr) -> sp.ImmutableMatrix:
 
 
 THETA = periods * phi
-PRINTED_16 = on_track(printed_radius(THETA))
-PRINTED_17 = sp.sqrt(error_x**2 + error_y**2)
-PRINTED_18 = sp.sqrt(error_x**2 + error_y**2 + error_z**2)

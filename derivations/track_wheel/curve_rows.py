@@ -10,7 +10,6 @@ from mechproof.record import (
     Definition,
     Distinct,
     Equality,
-    Equation,
     Holds,
     Part,
     Reading,
@@ -19,24 +18,18 @@ from mechproof.record import (
 
 from .._relations import less, not_above
 from .curve import (
-    PRINTED_16,
-    PRINTED_17,
-    PRINTED_18,
     THETA,
     amplitude,
     any_radius,
     any_shift,
-    on_track,
     periods,
     phi,
-    planar_error,
-    printed_radius,
     radius,
     radius_by_sine_rule,
     radius_vector,
-    spatial_error,
 )
 from .errors import dummy
+from .prints import EQUATION_16, EQUATION_17, EQUATION_18, PRINTED_16, printed_radius
 
 
 def squared_distance_from_centre(count: int) -> sp.Expr:
@@ -46,14 +39,7 @@ def squared_distance_from_centre(count: int) -> sp.Expr:
 
 
 CURVE_ROWS: tuple[Row, ...] = (
-    Equation(
-        "(16)",
-        r"x_{13}=\left(\sqrt{R^2-A^2\sin^2(z\varphi)}+A\cos(z\varphi)\right)\cos\varphi,\ "
-        r"y_{13}=(\dots)\sin\varphi,\ z_{13}=H_s",
-        Equality(PRINTED_16, on_track(radius_by_sine_rule(THETA))),
-        note="Rebuilt by the sine rule in the triangle of pole, centre and point.",
-        singular=("A = R: the circle passes through the pole and the track has corners there",),
-    ),
+    EQUATION_16,
     Claim(
         "(16), a radius at every angle",
         r"R^2-A^2\sin^2(z\varphi)\ge0",
@@ -189,17 +175,6 @@ CURVE_ROWS: tuple[Row, ...] = (
         "the circle, and R is also the quadratic mean of the radius vector.",
         marks=("ours",),
     ),
-    Equation(
-        "(17)",
-        r"\Delta_\Sigma^{XY}=\sqrt{\Delta x_0^2+\Delta y_0^2}",
-        Definition(planar_error, PRINTED_17),
-        note="The position error of one point; not the scatter field that (3)-(7) call "
-        "Delta_Sigma.",
-    ),
-    Equation(
-        "(18)",
-        r"\Delta_\Sigma^{XYZ}=\sqrt{\Delta x_0^2+\Delta y_0^2+\Delta z_0^2}",
-        Definition(spatial_error, PRINTED_18),
-        note="As (17), in space.",
-    ),
+    EQUATION_17,
+    EQUATION_18,
 )

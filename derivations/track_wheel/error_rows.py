@@ -20,58 +20,39 @@ from mechproof.record import (
 )
 
 from .error_sums import (
-    CORRECTED_3,
     CORRECTED_5,
-    CORRECTED_6,
     DEVIATIONS,
     DEVIATIONS_T,
     FULLY_CORRELATED,
-    PRINTED_3,
-    PRINTED_4,
-    PRINTED_5,
     SINGLES,
     SINGLES_T,
     UNCORRELATED,
     UNIT_INFLUENCE,
-    corrected_groups,
-    printed_groups,
     propagate,
     propagate_groups,
 )
 from .errors import (
-    actual,
     correlations,
     correlations_t,
     dummy,
-    elastic,
-    elastic_t,
     elastics,
     elastics_t,
     error,
-    form,
-    form_t,
-    function_value,
     half_width,
     i,
     influences,
     j,
-    mounting,
-    mounting_t,
     mountings,
     mountings_t,
-    nominal,
     offset,
     output,
     scatter,
-    setting,
-    setting_t,
     sigma,
     thermal,
-    thermal_t,
     total,
-    wear,
-    wear_t,
+    total_t,
 )
+from .prints import EQUATION_5, PRINTED_5
 
 LATEX_SUM = (
     r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_iS_iT_i)^2"
@@ -88,7 +69,6 @@ LATEX_CORRECTED_GROUPS = (
     r"+\sum_{i=1}^{n_\delta}(K_{\delta,i}\Delta_{\delta,i}%(t)s)^2"
     r"+(K_n\Delta_n%(t)s)^2+(K_u\Delta_u%(t)s)^2+(K_T\Delta_T%(t)s)^2}"
 )
-
 LATEX_GROUPS_AND_THERMAL = (LATEX_GROUPS % {"t": ""}).replace(r"+\Delta_T}", r"}+\Delta_T")
 LATEX_CORRECTED_GROUPS_AND_THERMAL = (LATEX_CORRECTED_GROUPS % {"t": ""}).replace(
     r"+(K_T\Delta_T)^2}", r"}+\Delta_T"
@@ -104,13 +84,13 @@ ERROR_ROWS: tuple[Row, ...] = (
     Equation(
         "(1)",
         r"Y=f(X_1,\dots,X_i,\dots,X_n)",
-        Definition(output, function_value),
+        defines=(output,),
         note="Names the output and its parameters; everything after it uses f to first order.",
     ),
     Equation(
         "(2)",
         r"\Delta_i=(X_i-X_0)",
-        Definition(error, actual - nominal),
+        defines=(error,),
         note="The nominal value X_0 should carry the index i, since each parameter has its own.",
     ),
     Claim(
@@ -157,17 +137,8 @@ ERROR_ROWS: tuple[Row, ...] = (
     Equation(
         "(3)",
         LATEX_SUM % ("k", "k"),
-        Equality(
-            PRINTED_3,
-            propagate(DEVIATIONS, correlations[i, j], influences[i]),
-        ),
-        corrected=Correction(
-            LATEX_SUM % ("j", "j"),
-            Equality(
-                CORRECTED_3,
-                propagate(DEVIATIONS, correlations[i, j], influences[i]),
-            ),
-        ),
+        derived={total: propagate(DEVIATIONS, correlations[i, j], influences[i])},
+        corrected=Correction(LATEX_SUM % ("j", "j")),
         note="The inner sum runs over k while its terms carry j; the list of symbols names i, j "
         "as the pair and (4) sums over j, so j is meant.",
     ),
@@ -189,10 +160,7 @@ ERROR_ROWS: tuple[Row, ...] = (
         "(4)",
         r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_i(t)S_iT_i(t))^2"
         r"+\sum_{i=1}^n\sum_{j=1,j\ne i}^n(K_i(t)K_j(t)S_iS_jT_i(t)T_j(t)R_{ij}(t))}",
-        Equality(
-            PRINTED_4,
-            propagate(DEVIATIONS_T, correlations_t[i, j], influences[i]),
-        ),
+        derived={total: propagate(DEVIATIONS_T, correlations_t[i, j], influences[i])},
         note="Holds at each instant t; the left side is then a function of t too.",
     ),
     Claim(
@@ -207,12 +175,7 @@ ERROR_ROWS: tuple[Row, ...] = (
         note="Independence removes the correlation terms but says nothing about the "
         "sensitivities: S_i = 1 is a second, separate assumption.",
     ),
-    Equation(
-        "(5)",
-        r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_iT_i)^2}",
-        Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)),
-        note="True under both stated premises together: independent errors and S_i = 1.",
-    ),
+    EQUATION_5,
     Claim(
         "after (5), usual conditions",
         r"\text{(5) may be used for machining blanks on machine tools in usual production"
@@ -232,14 +195,8 @@ ERROR_ROWS: tuple[Row, ...] = (
     Equation(
         "(6)",
         LATEX_GROUPS % {"t": ""},
-        Equality(
-            printed_groups(form, mounting, elastic, setting, wear, thermal),
-            propagate_groups(SINGLES, mountings, elastics),
-        ),
-        corrected=Correction(
-            LATEX_CORRECTED_GROUPS % {"t": ""},
-            Equality(CORRECTED_6, propagate_groups(SINGLES, mountings, elastics)),
-        ),
+        derived={total: propagate_groups(SINGLES, mountings, elastics)},
+        corrected=Correction(LATEX_CORRECTED_GROUPS % {"t": ""}),
         note="The index i is free outside the sums, and the length Delta_T is added to squares of "
         "lengths. In the corrected form each group has its own index and each term is a square; "
         "as in (5) every sensitivity is one.",
@@ -247,17 +204,8 @@ ERROR_ROWS: tuple[Row, ...] = (
     Claim(
         "(6), Delta_T outside the root",
         LATEX_GROUPS_AND_THERMAL,
-        Equality(
-            printed_groups(form, mounting, elastic, setting, wear, sp.Integer(0)) + thermal,
-            propagate_groups(SINGLES[:-1], mountings, elastics) + thermal,
-        ),
-        corrected=Correction(
-            LATEX_CORRECTED_GROUPS_AND_THERMAL,
-            Equality(
-                corrected_groups(form, mountings, elastics, setting, wear, sp.Integer(0)) + thermal,
-                propagate_groups(SINGLES[:-1], mountings, elastics) + thermal,
-            ),
-        ),
+        derived={total: propagate_groups(SINGLES[:-1], mountings, elastics) + thermal},
+        corrected=Correction(LATEX_CORRECTED_GROUPS_AND_THERMAL),
         note="Another reading of (6), and of (7): the root ends before Delta_T, a systematic error "
         "that adds as it is. The lengths then agree; the index i stays free.",
         marks=("ours", "uncertain"),
@@ -265,17 +213,8 @@ ERROR_ROWS: tuple[Row, ...] = (
     Equation(
         "(7)",
         LATEX_GROUPS % {"t": "(t)"},
-        Equality(
-            printed_groups(form_t, mounting_t, elastic_t, setting_t, wear_t, thermal_t),
-            propagate_groups(SINGLES_T, mountings_t, elastics_t),
-        ),
-        corrected=Correction(
-            LATEX_CORRECTED_GROUPS % {"t": "(t)"},
-            Equality(
-                corrected_groups(form_t, mountings_t, elastics_t, setting_t, wear_t, thermal_t),
-                propagate_groups(SINGLES_T, mountings_t, elastics_t),
-            ),
-        ),
+        derived={total_t: propagate_groups(SINGLES_T, mountings_t, elastics_t)},
+        corrected=Correction(LATEX_CORRECTED_GROUPS % {"t": "(t)"}),
         note="As (6), at each instant t; the K_i are printed without t and kept so.",
     ),
 )

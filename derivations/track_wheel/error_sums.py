@@ -6,11 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from mechproof.record import sum_distinct
-
 from .errors import (
-    correlations,
-    correlations_t,
     elastic,
     elastics,
     form,
@@ -18,7 +14,6 @@ from .errors import (
     i,
     influences,
     j,
-    k,
     k_elastic,
     k_form,
     k_mounting,
@@ -77,28 +72,6 @@ def propagate_groups(
     return 6 * sp.sqrt(of_singles + of_mounting + of_elastic) / scatter
 
 
-def printed_groups(
-    form: sp.Symbol,
-    mounting: sp.Symbol,
-    elastic: sp.Symbol,
-    setting: sp.Symbol,
-    wear: sp.Symbol,
-    thermal: sp.Symbol,
-) -> sp.Expr:
-    """Transcribe the right side of (6) and (7)."""
-    return (
-        sp.sqrt(
-            (scatters[i] * form) ** 2
-            + sp.Sum((scatters[i] * mounting) ** 2, (i, 1, n))
-            + sp.Sum((scatters[i] * elastic) ** 2, (i, 1, n))
-            + (scatters[i] * setting) ** 2
-            + (scatters[i] * wear) ** 2
-            + thermal
-        )
-        / scatter
-    )
-
-
 def corrected_groups(
     form: sp.Symbol,
     mountings: sp.IndexedBase,
@@ -127,21 +100,7 @@ DEVIATIONS_T = deviation(scatters_t[i], tolerances_t[i])
 
 SQUARES = sp.Sum((scatters[i] * influences[i] * tolerances[i]) ** 2, (i, 1, n))
 CROSS = scatters[i] * scatters[j] * influences[i] * influences[j] * tolerances[i] * tolerances[j]
-PRINTED_3 = sp.sqrt(SQUARES + sum_distinct(CROSS * correlations[i, j], i, k, n)) / scatter
-CORRECTED_3 = sp.sqrt(SQUARES + sum_distinct(CROSS * correlations[i, j], i, j, n)) / scatter
 
-SQUARES_4 = sp.Sum((scatters_t[i] * influences[i] * tolerances_t[i]) ** 2, (i, 1, n))
-CROSS_4 = (
-    scatters_t[i]
-    * scatters_t[j]
-    * influences[i]
-    * influences[j]
-    * tolerances_t[i]
-    * tolerances_t[j]
-    * correlations_t[i, j]
-)
-PRINTED_4 = sp.sqrt(SQUARES_4 + sum_distinct(CROSS_4, i, j, n)) / scatter
-PRINTED_5 = sp.sqrt(sp.Sum((scatters[i] * tolerances[i]) ** 2, (i, 1, n))) / scatter
 CORRECTED_5 = sp.sqrt(SQUARES) / scatter
 
 CORRECTED_6 = corrected_groups(form, mountings, elastics, setting, wear, thermal)

@@ -19,7 +19,7 @@ from .notation import (
 i, j, k = sp.symbols("i j k", integer=True, positive=True)
 n, n_y, n_delta = sp.symbols("n n_y n_delta", integer=True, positive=True)
 output, function_value, actual, nominal, error = real("Y f_X X_i X_0 Delta_i")
-scatter, total, sigma = positive("K Delta_Sigma sigma")
+scatter, total, total_t, sigma = positive("K Delta_Sigma Delta_Sigma(t) sigma")
 half_width, level = positive("h m")
 offset, dummy = real("x u")
 influences = sp.IndexedBase("S_i", real=True)
@@ -46,59 +46,166 @@ kept, spread = real("lambda eta")
 place, other_place = real("v_1 v_2")
 
 ERROR_VARIABLES = (
-    Variable(n, "number of parameters", within=sp.S.Naturals),
-    Variable(n_y, "number of mounting errors", within=sp.S.Naturals),
-    Variable(n_delta, "number of elastic deformations", within=sp.S.Naturals),
+    Variable(n, "number of parameters", within=sp.S.Naturals, latex=("n",)),
+    Variable(n_y, "number of mounting errors", within=sp.S.Naturals, latex=("n_y",)),
+    Variable(n_delta, "number of elastic deformations", within=sp.S.Naturals, latex=(r"n_\delta",)),
     *coordinates(
         {
-            output: "output parameter",
-            function_value: "value of the function f at (X_1, ..., X_n)",
-            actual: "real value of the i-th parameter",
-            nominal: "nominal value of the i-th parameter",
-            error: "absolute error of the i-th parameter",
-            offset: "deviation from the middle of a tolerance",
+            output: (
+                "output parameter",
+                "Y",
+            ),
+            function_value: (
+                "value of the function f at (X_1, ..., X_n)",
+                r"f(X_1,\dots,X_i,\dots,X_n)",
+            ),
+            actual: (
+                "real value of the i-th parameter",
+                "X_i",
+            ),
+            nominal: (
+                "nominal value of the i-th parameter",
+                "X_0",
+            ),
+            error: (
+                "absolute error of the i-th parameter",
+                r"\Delta_i",
+            ),
+            offset: ("deviation from the middle of a tolerance",),
         }
     ),
     *coefficients(
         {
-            scatter: "relative-scatter coefficient of the output",
-            scatters: "relative-scatter coefficients of the inputs",
-            scatters_t: "relative-scatter coefficients of the inputs at time t",
-            k_form: "relative-scatter coefficient of the form error",
-            k_mounting: "relative-scatter coefficients of the mounting errors",
-            k_elastic: "relative-scatter coefficients of the elastic deformations",
-            k_setting: "relative-scatter coefficient of the machine setting",
-            k_wear: "relative-scatter coefficient of the tool wear",
-            k_thermal: "relative-scatter coefficient of the temperature deformation",
+            scatter: (
+                "relative-scatter coefficient of the output",
+                "K",
+            ),
+            scatters: (
+                "relative-scatter coefficients of the inputs",
+                "K",
+            ),
+            scatters_t: (
+                "relative-scatter coefficients of the inputs at time t",
+                "K_#(t)",
+            ),
+            k_form: (
+                "relative-scatter coefficient of the form error",
+                r"K_\phi",
+            ),
+            k_mounting: (
+                "relative-scatter coefficients of the mounting errors",
+                "K_{y,#}",
+            ),
+            k_elastic: (
+                "relative-scatter coefficients of the elastic deformations",
+                r"K_{\delta,#}",
+            ),
+            k_setting: (
+                "relative-scatter coefficient of the machine setting",
+                "K_n",
+            ),
+            k_wear: (
+                "relative-scatter coefficient of the tool wear",
+                "K_u",
+            ),
+            k_thermal: (
+                "relative-scatter coefficient of the temperature deformation",
+                "K_T",
+            ),
         }
     ),
-    Variable(influences, "absolute sensitivities; all inputs and the output are lengths"),
-    Variable(correlations, "correlation coefficients", within=UNIT_INTERVAL),
-    Variable(correlations_t, "correlation coefficients at time t", within=UNIT_INTERVAL),
+    Variable(
+        influences, "absolute sensitivities; all inputs and the output are lengths", latex=("S",)
+    ),
+    Variable(correlations, "correlation coefficients", within=UNIT_INTERVAL, latex=("R",)),
+    Variable(
+        correlations_t,
+        "correlation coefficients at time t",
+        within=UNIT_INTERVAL,
+        latex=("R_#(t)",),
+    ),
     *lengths(
         {
-            total: "total machining error",
-            sigma: "standard deviation of the output",
-            tolerances: "tolerances",
-            tolerances_t: "tolerances at time t",
-            form: "form error of the mounting surface",
-            mounting: "mounting error",
-            elastic: "error from elastic deformations",
-            setting: "error of the machine setting",
-            wear: "error from tool wear",
-            thermal: "error from temperature deformation",
-            form_t: "form error of the mounting surface at time t",
-            mounting_t: "mounting error at time t",
-            elastic_t: "error from elastic deformations at time t",
-            setting_t: "error of the machine setting at time t",
-            wear_t: "error from tool wear at time t",
-            thermal_t: "error from temperature deformation at time t",
-            mountings: "mounting errors",
-            elastics: "errors from elastic deformations",
-            mountings_t: "mounting errors at time t",
-            elastics_t: "errors from elastic deformations at time t",
-            half_width: "half width of a uniform law",
-            level: "level of the elastic deformation",
+            total_t: ("total machining error at time t", r"\Delta_\Sigma(t)"),
+            total: (
+                "total machining error",
+                r"\Delta_\Sigma",
+            ),
+            sigma: ("standard deviation of the output",),
+            tolerances: (
+                "tolerances",
+                "T",
+            ),
+            tolerances_t: (
+                "tolerances at time t",
+                "T_#(t)",
+            ),
+            form: (
+                "form error of the mounting surface",
+                r"\Delta_\phi",
+            ),
+            mounting: (
+                "mounting error",
+                r"\Delta_y",
+            ),
+            elastic: (
+                "error from elastic deformations",
+                r"\Delta_\delta",
+            ),
+            setting: (
+                "error of the machine setting",
+                r"\Delta_n",
+            ),
+            wear: (
+                "error from tool wear",
+                r"\Delta_u",
+            ),
+            thermal: (
+                "error from temperature deformation",
+                r"\Delta_T",
+            ),
+            form_t: (
+                "form error of the mounting surface at time t",
+                r"\Delta_\phi(t)",
+            ),
+            mounting_t: (
+                "mounting error at time t",
+                r"\Delta_y(t)",
+            ),
+            elastic_t: (
+                "error from elastic deformations at time t",
+                r"\Delta_\delta(t)",
+            ),
+            setting_t: (
+                "error of the machine setting at time t",
+                r"\Delta_n(t)",
+            ),
+            wear_t: (
+                "error from tool wear at time t",
+                r"\Delta_u(t)",
+            ),
+            thermal_t: (
+                "error from temperature deformation at time t",
+                r"\Delta_T(t)",
+            ),
+            mountings: (
+                "mounting errors",
+                r"\Delta_{y,#}",
+            ),
+            elastics: (
+                "errors from elastic deformations",
+                r"\Delta_{\delta,#}",
+            ),
+            mountings_t: (
+                "mounting errors at time t",
+                r"\Delta_{y,#}(t)",
+            ),
+            elastics_t: (
+                "errors from elastic deformations at time t",
+                r"\Delta_{\delta,#}(t)",
+            ),
+            half_width: ("half width of a uniform law",),
+            level: ("level of the elastic deformation",),
         }
     ),
     Variable(share, "temperature error / total error", within=sp.Interval.open(0, 1)),

@@ -7,10 +7,11 @@ import sympy as sp
 from mechproof.record import Claim, Completion, Completions, Conjunction, Equality, Row
 
 from .._relations import less, not_above
-from .curve import PRINTED_16, PRINTED_17, PRINTED_18, error_x, error_y, error_z, phi, thickness
+from .curve import error_x, error_y, error_z, phi, thickness
 from .error_sums import CORRECTED_6, SUM_OF_SQUARES
 from .errors import elastic, form, kept, level, mounting, place, share, spread, wear
-from .frame import PRINTED_15, SHIFT, SURFACE_POINT, ZERO_ANGLES
+from .frame import SHIFT, SURFACE_POINT, ZERO_ANGLES
+from .prints import PRINTED_15, PRINTED_16, PRINTED_17, PRINTED_18
 from .sizes import PRINTED_VALUES, SUM_OF_PRINTED_SQUARES
 
 

@@ -68,48 +68,13 @@ def cross_product_matrix(vector: sp.Matrix) -> sp.ImmutableMatrix:
     return sp.ImmutableMatrix.hstack(*(vector.cross(unit_vector) for unit_vector in UNIT_VECTORS))
 
 
-PRINTED_A = sp.ImmutableMatrix(
-    [
-        [1, 0, 0],
-        [0, sp.cos(alpha), sp.sin(alpha)],
-        [0, -sp.sin(alpha), sp.cos(alpha)],
-    ]
-)
-PRINTED_K = sp.ImmutableMatrix(
-    [
-        [
-            sp.cos(beta) * sp.cos(gamma),
-            sp.sin(alpha) * sp.sin(beta) * sp.cos(gamma) + sp.cos(alpha) * sp.sin(gamma),
-            -sp.cos(alpha) * sp.sin(beta) * sp.cos(gamma) + sp.sin(alpha) * sp.sin(gamma),
-        ],
-        [
-            -sp.cos(beta) * sp.sin(gamma),
-            -sp.sin(alpha) * sp.sin(beta) * sp.sin(gamma) + sp.cos(alpha) * sp.cos(gamma),
-            sp.cos(alpha) * sp.sin(beta) * sp.sin(gamma) + sp.sin(alpha) * sp.cos(gamma),
-        ],
-        [
-            sp.sin(beta),
-            -sp.sin(alpha) * sp.cos(beta),
-            sp.cos(alpha) * sp.cos(beta),
-        ],
-    ]
-)
+MATRIX_A, MATRIX_K = sp.MatrixSymbol("matrix_A", 3, 3), sp.MatrixSymbol("matrix_K", 3, 3)
+TURNED_BY_A = see_from_turned_frame(0, alpha)
 MATRIX_B, MATRIX_C = see_from_turned_frame(1, beta), see_from_turned_frame(2, gamma)
-FACTORS = {"A": PRINTED_A, "B": MATRIX_B, "C": MATRIX_C}
 IN_ORDER = tuple(enumerate(ANGLES))
 TURNED_BY_ALPHA = turn_about_own_axes(IN_ORDER[:1])
 TURNED_PART = turn_about_own_axes(IN_ORDER)
 FROM_ORIGIN = MACHINE_POINT - SHIFT
-PRINTED_12 = PRINTED_A * FROM_ORIGIN
-PRINTED_13 = PRINTED_A.T * PART_POINT + SHIFT
-PRINTED_15 = PRINTED_K.T * SURFACE_POINT - (SURFACE_POINT - SHIFT)
-ALONG_LINE = PRINTED_K.subs({angle: parameter * angle for angle in ANGLES}, simultaneous=True)
-
-
-def product_of(order: Sequence[str]) -> sp.ImmutableMatrix:
-    """Multiply the factors in the order written, from left to right."""
-    left, middle, right = (FACTORS[name] for name in order)
-    return left * middle * right
 
 
 def first_order_remainder(distance: sp.Expr) -> sp.Expr:
@@ -136,17 +101,28 @@ QUATERNION = (
 )
 
 FRAME_VARIABLES = (
-    Variable(alpha, "turn about x", sign="counter-clockwise positive"),
-    Variable(beta, "turn about y", sign="counter-clockwise positive"),
-    Variable(gamma, "turn about z", sign="counter-clockwise positive"),
-    *coordinates({s: f"coordinate {s} of the shift vector r" for s in SHIFT}),
-    *coordinates(dict.fromkeys(MACHINE_POINT, "coordinate of the point N in the machine frame")),
-    *coordinates(dict.fromkeys(PART_POINT, "coordinate of the point N in the part's frame")),
-    *coordinates(dict.fromkeys(SURFACE_POINT, "coordinate of a point of the machined surface")),
     *(
-        Variable(symbol, f"element {symbol} of A, by (8)", given=value)
-        for symbol, value in zip(ELEMENTS, PRINTED_A, strict=True)
+        Variable(angle, f"turn about {axis}", sign="counter-clockwise positive", latex=(latex,))
+        for angle, axis, latex in zip(ANGLES, "xyz", (r"\alpha", r"\beta", r"\gamma"), strict=True)
     ),
+    *coordinates({s: (f"coordinate {s} of the shift vector r", str(s)) for s in SHIFT}),
+    *coordinates(
+        {
+            symbol: (f"{meaning}, {axis}", f"{axis}_{{{index}}}")
+            for point, index, meaning in (
+                (MACHINE_POINT, "0N", "coordinate of the point N in the machine frame"),
+                (PART_POINT, "1N", "coordinate of the point N in the part's frame"),
+                (SURFACE_POINT, "13", "coordinate of a point of the machined surface"),
+            )
+            for symbol, axis in zip(point, "xyz", strict=True)
+        }
+    ),
+    *(
+        Variable(symbol, "element of A", given=value, latex=(f"a_{{{str(symbol)[2:]}}}",))
+        for symbol, value in zip(ELEMENTS, TURNED_BY_A, strict=True)
+    ),
+    Variable(MATRIX_A, "matrix of the turn by alpha"),
+    Variable(MATRIX_K, "matrix of the three turns"),
     Variable(parameter, "parameter of the line (s alpha, s beta, s gamma)"),
     *(
         Variable(symbol, f"tangent of {angle}/2", given=sp.tan(angle / 2))

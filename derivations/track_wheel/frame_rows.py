@@ -18,21 +18,15 @@ from mechproof.record import (
 )
 
 from .frame import (
-    ALONG_LINE,
     ANGLES,
-    ELEMENTS,
     FROM_ORIGIN,
     IDENTITY,
     IN_ORDER,
     MACHINE_POINT,
+    MATRIX_A,
     MATRIX_B,
     MATRIX_C,
     PART_POINT,
-    PRINTED_12,
-    PRINTED_13,
-    PRINTED_15,
-    PRINTED_A,
-    PRINTED_K,
     SHIFT,
     SURFACE_POINT,
     TURNED_BY_ALPHA,
@@ -44,21 +38,21 @@ from .frame import (
     cross_product_matrix,
     gamma,
     parameter,
-    product_of,
     project,
     see_from_turned_frame,
     turn,
     turn_about_fixed_axes,
     turn_by_vector,
 )
-
-LATEX_A = r"\begin{pmatrix}1&0&0\\0&\cos\alpha&\sin\alpha\\0&-\sin\alpha&\cos\alpha\end{pmatrix}"
-LATEX_K = (
-    r"\begin{pmatrix}\cos\beta\cos\gamma&\sin\alpha\sin\beta\cos\gamma+\cos\alpha\sin\gamma"
-    r"&-\cos\alpha\sin\beta\cos\gamma+\sin\alpha\sin\gamma\\"
-    r"-\cos\beta\sin\gamma&-\sin\alpha\sin\beta\sin\gamma+\cos\alpha\cos\gamma"
-    r"&\cos\alpha\sin\beta\sin\gamma+\sin\alpha\cos\gamma\\"
-    r"\sin\beta&-\sin\alpha\cos\beta&\cos\alpha\cos\beta\end{pmatrix}"
+from .prints import (
+    ALONG_LINE,
+    EQUATION_8,
+    EQUATION_14,
+    EQUATION_15,
+    PRINTED_15,
+    PRINTED_A,
+    PRINTED_K,
+    product_of,
 )
 
 
@@ -69,10 +63,7 @@ def coordinate_row(number: str, name: str, row: int) -> Equation:
         number,
         rf"{name}_{{1N}}=(x_{{0N}}-a){elements[0]}+(y_{{0N}}-b){elements[1]}"
         rf"+(z_{{0N}}-c){elements[2]}",
-        Equality(
-            sum(FROM_ORIGIN[column] * ELEMENTS[row, column] for column in range(3)),
-            TURNED_BY_ALPHA[row].dot(FROM_ORIGIN),
-        ),
+        derived={PART_POINT[row]: TURNED_BY_ALPHA[row].dot(FROM_ORIGIN)},
         note="The elements are those of (8); the other side is the dot product with the turned "
         "unit vector.",
     )
@@ -85,13 +76,7 @@ def displaced(point: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
 
 
 FRAME_ROWS: tuple[Row, ...] = (
-    Equation(
-        "(8)",
-        r"A=\begin{pmatrix}a_{11}&a_{12}&a_{13}\\a_{21}&a_{22}&a_{23}\\a_{31}&a_{32}&a_{33}"
-        r"\end{pmatrix}=" + LATEX_A,
-        Equality(PRINTED_A, see_from_turned_frame(0, alpha)),
-        note="Rebuilt from the turn of space backwards that an observer in the turned frame sees.",
-    ),
+    EQUATION_8,
     Claim(
         "before (8), direction",
         r"\text{turning by }\alpha\text{ in the positive direction (counter-clockwise)}",
@@ -116,22 +101,25 @@ FRAME_ROWS: tuple[Row, ...] = (
     Equation(
         "(12)",
         r"(x_{1N},y_{1N},z_{1N})^T=A\,(x_{0N}-a,\;y_{0N}-b,\;z_{0N}-c)^T",
-        Equality(PRINTED_12, turn(FROM_ORIGIN, UNIT_VECTORS[0], -alpha)),
+        derived={
+            MATRIX_A: PRINTED_A,
+            **dict(zip(PART_POINT, turn(FROM_ORIGIN, UNIT_VECTORS[0], -alpha), strict=True)),
+        },
         note="Rebuilt by turning the vector from O_1 to N backwards.",
     ),
     Equation(
         "(13)",
         r"(x_{0N},y_{0N},z_{0N})^T=A^T(x_{1N},y_{1N},z_{1N})^T+(a,b,c)^T",
-        Equality(PRINTED_13, SHIFT + compose(TURNED_BY_ALPHA, PART_POINT)),
+        derived={
+            MATRIX_A: PRINTED_A,
+            **dict(zip(MACHINE_POINT, SHIFT + compose(TURNED_BY_ALPHA, PART_POINT), strict=True)),
+        },
         note="Rebuilt as the shift plus the components along the turned unit vectors.",
     ),
     Claim(
         "(13), inverse of (12)",
         r"A^TA\,(x_{0N}-a,\;y_{0N}-b,\;z_{0N}-c)^T+(a,b,c)^T=(x_{0N},y_{0N},z_{0N})^T",
-        Equality(
-            PRINTED_13.subs(dict(zip(PART_POINT, PRINTED_12, strict=True)), simultaneous=True),
-            MACHINE_POINT,
-        ),
+        Equality(PRINTED_A.T * (PRINTED_A * FROM_ORIGIN) + SHIFT, MACHINE_POINT),
         marks=("ours",),
     ),
     Claim(
@@ -190,12 +178,7 @@ FRAME_ROWS: tuple[Row, ...] = (
         ),
         marks=("ours",),
     ),
-    Equation(
-        "(14)",
-        "K=" + LATEX_K,
-        Equality(PRINTED_K, project(TURNED_PART)),
-        note="Rebuilt by turning a triad about its own axes x10, y11, z12 and projecting.",
-    ),
+    EQUATION_14,
     Claim(
         "(14), rotation",
         r"KK^T=I,\ \det K=1",
@@ -223,14 +206,7 @@ FRAME_ROWS: tuple[Row, ...] = (
         note="They are the angles of three successive turns; as a rotation vector they serve to "
         "first order only.",
     ),
-    Equation(
-        "(15)",
-        r"(\Delta x_0,\Delta y_0,\Delta z_0)^T=K^T(x_{13},y_{13},z_{13})^T"
-        r"-(x_{13}-a,\;y_{13}-b,\;z_{13}-c)^T",
-        Equality(PRINTED_15, SHIFT + compose(TURNED_PART, SURFACE_POINT) - SURFACE_POINT),
-        note="Where the point is after the displacement minus where it should be: the same three "
-        "numbers serve as coordinates in the part and as nominal place from O_1.",
-    ),
+    EQUATION_15,
     Claim(
         "(15), rigid motion",
         r"|p'-q'|=|p-q|,\ p'=K^Tp+(a,b,c)^T",

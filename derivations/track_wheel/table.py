@@ -16,11 +16,10 @@ from mechproof.record import (
 )
 
 from .._relations import less, not_above
-from .curve import PRINTED_16, amplitude, ball_radius, periods, phi, radius
+from .curve import amplitude, ball_radius, periods, phi, radius
 from .error_sums import FIVE_ERRORS, SUM_OF_SQUARES
 from .errors import form, mounting, setting, share, total
 from .frame import (
-    PRINTED_K,
     alpha,
     beta,
     first_order_remainder,
@@ -29,6 +28,7 @@ from .frame import (
     turn_about_fixed_axes,
     turn_about_own_axes,
 )
+from .prints import PRINTED_16, PRINTED_K
 from .sizes import PRINTED_VALUES, THERMAL_SHARE
 
 
