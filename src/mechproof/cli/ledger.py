@@ -82,7 +82,9 @@ def _print_table(title: str, judgements: Sequence[Judgement]) -> None:
 
 def _print_details(row: Judgement) -> None:
     say(Text(f"{row.number}: ").append(row.verdict, style=STYLES[row.verdict]))
-    lines = [("printed", _plain(row.printed_latex)), ("reason", row.reason)]
+    lines = [("printed", _plain(row.printed_latex))]
+    lines += [("read as", row.read_as)] if row.read_as else []
+    lines.append(("reason", row.reason))
     for item in row.evidence:
         at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
         sides = [f"at {at}"] if at else []
