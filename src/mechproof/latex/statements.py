@@ -92,7 +92,7 @@ def _as_decimal(number: sp.Rational) -> str:
 def _find_definition(row: Row, members: Members, reader: Reader) -> Definition | None:
     """Return the definition that a sign is: of a symbol it introduces or is declared by."""
     for symbol, other in ((members.left, members.right), (members.right, members.left)):
-        if symbol in row.defines:
+        if symbol in row.defines and symbol not in other.free_symbols:
             return Definition(symbol, other)
     printed = members.left.free_symbols | members.right.free_symbols
     for symbol in sorted(printed & reader.values.keys(), key=str):
