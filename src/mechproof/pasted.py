@@ -16,7 +16,7 @@ from mechproof.latex.tree import Chain, Integration, Letter, Node, Repeated
 from mechproof.processes import run_tasks
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement
-from mechproof.record import Equation, Notation, Paper, Variable
+from mechproof.record import Equation, Notation, Paper, Row, Variable
 
 COMMAND = Remedies(
     name="Say --name '{0}'.",
@@ -51,9 +51,8 @@ class Pasted:
 
 @dataclass(frozen=True)
 class Answer:
-    """The letters as a paper, the judgements of the signs, what each letter was taken for."""
+    """The judgements of the signs, and what each letter was taken for."""
 
-    paper: Paper
     judgements: tuple[Judgement, ...]
     taken: Mapping[str, str] = field(default_factory=dict)
 
@@ -92,10 +91,10 @@ def judge_pasted(pasted: Pasted) -> Answer:
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free), reader)
     paper = Paper("pasted", "", variables, (), where)
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
-    return Answer(paper, read, {v.latex[0]: _describe(v) for v in variables})
+    return Answer(read, {v.latex[0]: _describe(v) for v in variables})
 
 
-def _rename(row: Equation, count: int) -> Equation:
+def _rename(row: Row, count: int) -> Row:
     number = row.number.removeprefix(f"{NUMBER}, ") if count > 1 else "equation"
     return replace(row, number=number)
 

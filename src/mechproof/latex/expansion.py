@@ -11,7 +11,7 @@ from mechproof.latex.meaning import Meaning
 from mechproof.latex.reader import Print, Reader
 from mechproof.latex.statements import Members, state
 from mechproof.latex.text import write, write_sign
-from mechproof.latex.tree import Chain
+from mechproof.latex.tree import Chain, Node
 from mechproof.record import Correction, Paper, Part, Row, Sign, Statement
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
@@ -65,13 +65,18 @@ class _Place:
     def sign(self) -> str:
         return self.chain.relations[self.left]
 
-    def members(self, meaning: Meaning) -> tuple[Any, Any]:
+    @property
+    def nodes(self) -> tuple[Node, Node]:
         one, other = self.chain.members[self.left : self.left + 2]
+        return one, other
+
+    def members(self, meaning: Meaning) -> tuple[Any, Any]:
+        one, other = self.nodes
         return meaning.of(one), meaning.of(other)
 
     @property
     def text(self) -> str:
-        one, other = self.chain.members[self.left : self.left + 2]
+        one, other = self.nodes
         condition = f" if {write(self.chain.condition)}" if self.chain.condition else ""
         return f"{write(one)} {write_sign(self.sign)} {write(other)}{condition}"
 
@@ -125,7 +130,7 @@ def _state(row: Row, place: _Place) -> Statement:
     reader = place.read.reader
     as_printed = place.members(place.read.meaning())
     rebuilt = place.members(place.read.meaning(row.derived))
-    return state(row, place.sign, Members(*as_printed, *rebuilt), reader)
+    return state(row, place.sign, Members(place.nodes, *as_printed, *rebuilt), reader)
 
 
 def _describe(row: Row, place: _Place) -> str:
@@ -159,5 +164,6 @@ def _read_correction(correction: Correction, row: Row, place: _Place) -> Correct
     other, other_derived = (
         read.meaning(values).of(chain.members[0]) for values in ({}, row.derived)
     )
-    members = Members(one, other, one_derived, other_derived)
+    nodes = (place.nodes[0], chain.members[0])
+    members = Members(nodes, one, other, one_derived, other_derived)
     return replace(correction, says=state(row, place.sign, members, place.read.reader))
