@@ -12,7 +12,7 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.expansion import read_row
 from mechproof.latex.names import INDEX
-from mechproof.latex.tree import Chain, Integration, Letter, Node, Repeated
+from mechproof.latex.tree import Chain, Integration, Letter, Repeated, walk
 from mechproof.processes import run_tasks
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement
@@ -132,19 +132,9 @@ def _count(variable: Variable) -> Variable:
 
 def _find_counts(chains: tuple[Chain, ...]) -> Iterator[sp.Basic]:
     """Yield the letters up to which sums go."""
-    for part in _walk(chains):
+    for part in walk(chains):
         if isinstance(part, Repeated) and isinstance(part.high, Letter):
             yield part.high.symbol
-
-
-def _walk(part: object) -> Iterator[Node]:
-    """Yield all nodes of a print."""
-    if isinstance(part, Node):
-        yield part
-        part = tuple(vars(part).values())
-    if isinstance(part, tuple):
-        for inner in part:
-            yield from _walk(inner)
 
 
 # What is said -----------------------------------------------------------------------------------
@@ -161,7 +151,7 @@ def _read_limit(pasted: Pasted) -> sp.Expr | None:
 def _refuse_constant(variables: Sequence[Variable], pasted: Pasted, reader: Reader) -> None:
     """Refuse a C beside an integral without limits: it depends on where the integral starts."""
     has_constant = any(v.symbol.name == "C" and v.given is None for v in variables)
-    parts = list(_walk(reader.parse(pasted.latex).chains))
+    parts = list(walk(reader.parse(pasted.latex).chains))
     if has_constant and any(isinstance(p, Integration) and p.low is None for p in parts):
         raise ValueError(
             "C beside an integral without limits: what is it? Say --let 'C=0', or its value where "

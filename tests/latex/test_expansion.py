@@ -155,6 +155,8 @@ def test_matrices_are_compared_by_their_entries() -> None:
     declared = (*VARIABLES[:-2], Variable(K, "", given=TURN, latex=("K",)))
     (row,) = read_row(Equation("(1)", f"K={LATEX_TURN}"), Reader(declared))
     assert row.says == Definition(K, TURN)
+    (row,) = read_row(Equation("(1)", f"K={LATEX_TURN}", derived={K: TURN}), Reader(declared))
+    assert row.says == Equality(TURN, TURN)
 
 
 def test_a_printed_condition_narrows_where_it_is_meant() -> None:
@@ -219,6 +221,13 @@ def test_what_reading_finds_is_the_witness(latex: str, reason: str) -> None:
     (judgement,) = verdicts(latex)
     assert judgement.verdict is Verdict.ILL_FORMED
     assert reason in judgement.reason
+
+
+def test_an_index_that_its_sum_does_not_use_is_told() -> None:
+    (judgement,) = verdicts(r"\sum_{i=1}^3\sum_{k=1}^3 q_iq_j=w+1")
+    assert "The index k of a sum is not in its term." in judgement.reason
+    (row,) = expand(r"\sum_{i=1}^3 q_i=w+1")
+    assert row.note == ""
 
 
 def test_members_of_a_row_can_be_read_for_claims_and_forms() -> None:

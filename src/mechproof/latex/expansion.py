@@ -11,7 +11,7 @@ from mechproof.latex.meaning import Meaning
 from mechproof.latex.reader import Print, Reader
 from mechproof.latex.statements import Members, state
 from mechproof.latex.text import write, write_sign
-from mechproof.latex.tree import Chain, Node
+from mechproof.latex.tree import Chain, Letter, Node, Repeated, walk
 from mechproof.record import Correction, Paper, Part, Row, Sign, Statement
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
@@ -108,9 +108,10 @@ def _specialise(row: Row, number: int) -> Row:
 def _expand(row: Row, place: _Place, number: str) -> Row:
     """Make the row of one sign."""
     latex = place.read.cut(place.chain, place.left, place.left + 1)
-    says, text = row.says, ""
+    says, text, note = row.says, "", row.note
     if says is None:
         says, text = _state(row, place), _describe(row, place)
+        note = " ".join(filter(None, (*_find_unused(place), note)))
     corrected = row.corrected and _read_correction(row.corrected, row, place)
     empty: dict[str, Any] = {"derived": {}, "substituted": {}, "residual": None, "defines": ()}
     on = _narrow(row, place)
@@ -120,6 +121,7 @@ def _expand(row: Row, place: _Place, number: str) -> Row:
         printed_latex=latex,
         says=says,
         read_as=text,
+        note=note,
         corrected=corrected,
         on=on,
         **empty,
@@ -138,6 +140,15 @@ def _describe(row: Row, place: _Place) -> str:
     start = place.read.reader.notation.lower_limit
     from_start = f", integrals from {start}" if "integral(" in place.text else ""
     return place.text + from_start + (f", with {changes}" if changes else "")
+
+
+def _find_unused(place: _Place) -> Iterator[str]:
+    """Say of which sums the index does not stand in the term: it may be meant for another."""
+    for part in walk(place.nodes):
+        if isinstance(part, Repeated):
+            letters = {p.symbol for p in walk(part.term) if isinstance(p, Letter)}
+            if part.index.symbol not in letters:
+                yield f"The index {part.index.symbol} of a {part.name} is not in its term."
 
 
 def _narrow(row: Row, place: _Place) -> Part | None:

@@ -9,8 +9,8 @@ import sympy as sp
 
 from mechproof.latex.meaning import RELATIONS
 from mechproof.latex.reader import Reader
-from mechproof.latex.tree import Add, Degrees, Letter, Node, Number
-from mechproof.latex.values import settle
+from mechproof.latex.tree import Add, Degrees, Letter, Node, Number, walk
+from mechproof.latex.values import depends, settle
 from mechproof.record import (
     Definition,
     Distinct,
@@ -45,7 +45,11 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
         return Equality(members.left - members.right, row.residual)
     left = _derive(row, members.left, members.left_derived, reader)
     right = _derive(row, members.right, members.right_derived, reader)
-    changed = (left != members.left, right != members.right)
+    printed = (members.left, members.right)
+    changed = tuple(
+        _is_derived(row, node, member, reader)
+        for node, member in zip(members.nodes, printed, strict=True)
+    )
     if not any(changed):
         defined = _find_definition(row, members, reader)
         if defined:
@@ -56,6 +60,13 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     if changed == (False, True) or (not any(changed) and _is_faulty(left, reader)):
         return Equality(left, right)
     return Equality(right, left)
+
+
+def _is_derived(row: Row, node: Node, member: Any, reader: Reader) -> bool:
+    """Return whether our mechanics give something for a member."""
+    letters = {part.symbol for part in walk(node) if isinstance(part, Letter)}
+    keys = row.derived.keys()
+    return member in row.derived or any(depends(s, keys, reader.values) for s in letters)
 
 
 def _derive(row: Row, member: Any, derived_member: Any, reader: Reader) -> Any:
