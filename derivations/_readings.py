@@ -13,6 +13,7 @@ from mechproof.record import (
     Completion,
     Completions,
     Conjunction,
+    Datum,
     Definition,
     Holds,
     PrintedNumber,
@@ -53,9 +54,9 @@ def two_encoders(gain: Expr) -> Expr:
     return FULL_SCALE_LINEARITY * (1 + gain)
 
 
-def resolution_row(table: str, note: str = "", marks: tuple[str, ...] = ()) -> Claim:
+def resolution_row(table: str, note: str = "", marks: tuple[str, ...] = ()) -> Datum:
     """State the step of a 12-bit encoder."""
-    return Claim(
+    return Datum(
         f"{table}, resolution",
         r"360^\circ/4096\approx0.088^\circ",
         PrintedNumber("0.088", RESOLUTION),
@@ -64,7 +65,7 @@ def resolution_row(table: str, note: str = "", marks: tuple[str, ...] = ()) -> C
     )
 
 
-def encoder_rows(table: str) -> tuple[Claim, ...]:
+def encoder_rows(table: str) -> tuple[Datum, ...]:
     """List what else is printed of the encoder; no formula uses it."""
     unused = "A datum; no formula of the paper uses it."
     open_base = (
@@ -76,7 +77,7 @@ def encoder_rows(table: str) -> tuple[Claim, ...]:
         ("output", r"0\dots5\text{ V}", Definition(output, Rational(5)), unused),
         ("diameter", r"22\text{ mm}", Definition(diameter, 22 * millimetre), unused),
     )
-    return tuple(Claim(f"{table}, {what}", latex, says, note) for what, latex, says, note in data)
+    return tuple(Datum(f"{table}, {what}", latex, says, note) for what, latex, says, note in data)
 
 
 # The readings -----------------------------------------------------------------------------------
@@ -116,9 +117,9 @@ def means_within(readings: Mapping[int, Readings], limits: Mapping[int, Expr]) -
     )
 
 
-def coverage_row(variant: int, count: int, note: str, marks: tuple[str, ...] = ()) -> Claim:
+def coverage_row(variant: int, count: int, note: str, marks: tuple[str, ...] = ()) -> Datum:
     """Recompute the level of the factor 2 for the mean of `count` readings of one variant."""
-    return Claim(
+    return Datum(
         f"95 %, variant {variant}",
         rf"\text{{the 95 \% interval is }}\bar q\pm 2u,\ n={count}",
         PrintedNumber("95", student_coverage(count, Rational(2))),
@@ -127,10 +128,10 @@ def coverage_row(variant: int, count: int, note: str, marks: tuple[str, ...] = (
     )
 
 
-def coverage_of_errors_row(variant: int, count: int, marks: tuple[str, ...] = ()) -> Claim:
+def coverage_of_errors_row(variant: int, count: int, marks: tuple[str, ...] = ()) -> Datum:
     """Recompute the level for one more error, and, as another reading, for the mean error."""
     of_mean = coverage_row(variant, count, "", marks)
-    return Claim(
+    return Datum(
         of_mean.number,
         of_mean.printed_latex,
         PrintedNumber("95", student_coverage(count, 2 / sqrt(count + 1))),

@@ -31,7 +31,7 @@ def test_the_excerpt_of_the_ledger_is_the_ledger() -> None:
     ledger = json.loads((ROOT / "generated" / "ledger.json").read_text("utf-8"))
     known = {
         (row["number"], row["verdict"], row["rung"])
-        for row in ledger
+        for row in ledger["rows"]
         if row["system"] == "elliptic_planetary"
     }
     table = README.split("| row of paper 1")[1].split("\n\n")[0]
@@ -50,7 +50,7 @@ def test_the_example_module_is_verified(tmp_path: Path) -> None:
     file.write_text(module, encoding="utf-8")
     result = CliRunner().invoke(app, ["verify", str(file), "--json", str(tmp_path / "rows.json")])
     assert result.exit_code == 0, result.output
-    rows = json.loads((tmp_path / "rows.json").read_text(encoding="utf-8"))
+    rows = json.loads((tmp_path / "rows.json").read_text(encoding="utf-8"))["rows"]
     assert [row["verdict"] for row in rows] == ["PROVED", "REFUTED"]
     assert "corrected form: PROVED" in str(rows[1]["evidence"])
 

@@ -3,6 +3,7 @@
 from mechproof.record import Paper, Published
 
 from .claims import POSITION_CLAIMS
+from .findings import FINDINGS
 from .kernels import QUANTITIES
 from .paper import NOTATION, R1, R2, ROWS, TYPE_A_ROWS, VARIABLES, VARIANTS, e
 from .readings import TABLE_CLAIMS
@@ -22,6 +23,7 @@ PAPER = Paper(
         Published(f"Table 1, variant {number}", dict(zip((R1, R2, e), sizes, strict=True)))
         for number, sizes in VARIANTS.items()
     ),
+    findings=FINDINGS,
     conventions=(
         "Angles are positive in the direction of the carrier's rotation; distances on the line "
         "A-C are positive from A towards C and B. Lengths in mm, angles in rad."

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.record import (
-    Claim,
+    Datum,
     Definition,
     Published,
     Row,
@@ -44,7 +44,7 @@ SUM_OF_PRINTED_SQUARES = SUM_OF_SQUARES.subs(PRINTED_VALUES)
 
 DATA_ROWS: tuple[Row, ...] = (
     *(
-        Claim(
+        Datum(
             f"Table 1, {what}",
             latex,
             Definition(symbol, PRINTED_VALUES[symbol] * unit_of_value),
@@ -80,7 +80,7 @@ DATA_ROWS: tuple[Row, ...] = (
             ("turn about Z", r"\gamma=0", gamma, sp.Integer(1), "", ()),
         )
     ),
-    Claim(
+    Datum(
         "Table 1, temperature error",
         r"\Delta_T=0.15\,\Delta_\Sigma",
         Definition(thermal, THERMAL_SHARE * total),

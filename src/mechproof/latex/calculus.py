@@ -5,9 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-import sympy as sp
-
-from mechproof.latex import atoms
+from mechproof.latex import letters
 from mechproof.latex.tree import Add, Integration, Letter, Node, Number, Repeated
 
 if TYPE_CHECKING:
@@ -50,7 +48,7 @@ def _read_below(parser: Parser) -> tuple[Letter, Node, tuple[Node, ...]]:
     parser.take("{")
     token = parser.take()
     index = Letter(
-        atoms.index_symbol(parser, token.text), token.text, start=token.start, end=token.end
+        letters.index_symbol(parser, token.text), token.text, start=token.start, end=token.end
     )
     if parser.text != "=":
         raise parser.refuse("an index needs its first value", r"Print \sum_{k=1}^n.")
@@ -141,7 +139,7 @@ def is_differential(parser: Parser) -> bool:
     if match and match.end == parser.place + 1:
         raise parser.refuse(
             f"d within an integral: a differential, or {match.name.symbol}?",
-            r"Print \mathrm{d} is no help here: declare Scope(names={'d': None}) for this row.",
+            parser.remedies.scope.format("d"),
         )
     return match is None
 
@@ -170,35 +168,18 @@ def _read_numerator(parser: Parser) -> Node:
     return inside
 
 
-def is_plain_letter(parser: Parser) -> bool:
-    """Return whether a letter may be a variable of integration; d may not."""
-    return parser.text != "d"
-
-
-def read_running_letter(parser: Parser) -> Letter:
-    """Read an undeclared letter that the differential of an integral around it may bind."""
-    start = parser.start
-    text = parser.take().text
-    while parser.text in ("_", "'"):
-        text += parser.take().text
-        while text[-1] == "_" or text.count("{") > text.count("}"):
-            text += parser.take().text
-    symbol = sp.Symbol(text.strip("\\"), real=True)
-    letter = Letter(symbol, text, start=start, end=parser.end)
-    parser.integrals[-1].running.append(letter)
-    return letter
-
-
 def _bind(parser: Parser, opened: Open) -> None:
     """Hand letters that this integral does not bind to the one around it, or refuse them."""
-    bound = opened.differential.text if isinstance(opened.differential, Letter) else ""
-    free = [letter for letter in opened.running if letter.text != bound]
+    bound = opened.differential.symbol if isinstance(opened.differential, Letter) else None
+    free = [letter for letter in opened.running if letter.symbol != bound]
     if parser.integrals:
         parser.integrals[-1].running += free
+    elif parser.collects:
+        parser.collected += [letter.text for letter in free]
     elif free:
         printed = parser.source.latex[free[0].start : free[0].end]
         raise parser.refuse(
             f"{printed} is neither declared nor bound by the differential",
-            atoms.DECLARE.format(printed),
+            parser.remedies.name.format(printed),
             free[0].start,
         )

@@ -23,6 +23,29 @@ class ReadingError(ValueError):
 
 
 @dataclass(frozen=True)
+class Remedies:
+    """How that can be declared which a print does not say; {0} is what is printed."""
+
+    name: str
+    bracket: str
+    function: str
+    scope: str
+    lower_limit: str
+
+
+MODULE = Remedies(
+    name="Declare Variable(…, latex=(r'{0}',)) in the paper.",
+    bracket=(
+        "Declare Notation(factors=(r'{0}',)) for the product, Notation(functions={{…}}) for the "
+        "function, or the whole print as a name, Variable(…, latex=(r'{0}(…)',))."
+    ),
+    function="Declare Notation(functions={{'{0}': …}}).",
+    scope="Declare Scope(rows=(…), names={{r'{0}': None}}) in Notation.scopes.",
+    lower_limit="Declare Notation(lower_limit=…), and what a constant of integration is.",
+)
+
+
+@dataclass(frozen=True)
 class Source:
     """A print, to be pointed into."""
 

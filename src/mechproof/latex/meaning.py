@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.latex.errors import Source
+from mechproof.latex.errors import Remedies, Source
 from mechproof.latex.tree import (
     Add,
     Bracket,
@@ -35,6 +35,7 @@ from mechproof.latex.tree import (
 from mechproof.latex.values import depends, settle
 from mechproof.record import FunctionWithoutArgument, IntegralWithoutDifferential
 
+LARGEST_EXPONENT = 1000
 RELATIONS: Mapping[str, Callable[..., sp.Basic]] = {
     "=": sp.Eq,
     r"\equiv": sp.Eq,
@@ -54,11 +55,16 @@ class Meaning:
     """
 
     def __init__(
-        self, source: Source, values: Mapping[sp.Basic, sp.Basic], lower_limit: sp.Expr | None
+        self,
+        source: Source,
+        values: Mapping[sp.Basic, sp.Basic],
+        lower_limit: sp.Expr | None,
+        remedies: Remedies,
     ) -> None:
         self.source = source
         self.values = values
         self.lower_limit = lower_limit
+        self.remedies = remedies
 
     def of(self, node: Node) -> Any:
         """Return the expression of a node; `ReadingError` for a division by zero and the like."""
@@ -94,6 +100,14 @@ class Meaning:
         if below == 0:
             raise self.source.refuse(node.below.start, "this divides by zero")
         return self.of(node.above) / below
+
+    def _power(self, node: Power) -> Any:
+        base, exponent = self.of(node.base), self.of(node.exponent)
+        if isinstance(exponent, sp.Rational) and abs(exponent) > LARGEST_EXPONENT:
+            raise self.source.refuse(
+                node.exponent.start, f"an exponent beyond {LARGEST_EXPONENT} is not worked out"
+            )
+        return base**exponent
 
     def _root(self, node: Root) -> sp.Expr:
         degree = self.of(node.degree) if node.degree else sp.Integer(2)
@@ -137,7 +151,7 @@ class Meaning:
             raise self.source.refuse(
                 node.start,
                 "an integral without limits: where does it start?",
-                "Declare Notation(lower_limit=…) and what a constant of integration is.",
+                self.remedies.lower_limit,
             )
         return sp.Integral(inside, (running, self.lower_limit, variable))
 
@@ -182,7 +196,7 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Add: Meaning._add,
     Product: Meaning._product,
     Quotient: Meaning._quotient,
-    Power: lambda meaning, node: meaning.of(node.base) ** meaning.of(node.exponent),
+    Power: Meaning._power,
     Root: Meaning._root,
     Call: Meaning._call,
     Repeated: Meaning._repeated,

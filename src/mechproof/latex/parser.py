@@ -11,8 +11,8 @@ from typing import TypeVar
 
 import sympy as sp
 
-from mechproof.latex import atoms, calculus, calls
-from mechproof.latex.errors import ReadingError, Source
+from mechproof.latex import atoms, calculus, calls, letters
+from mechproof.latex.errors import MODULE, ReadingError, Remedies, Source
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.names import Names, to_signs
 from mechproof.latex.tokens import Token, tokenize
@@ -25,9 +25,19 @@ ENDING = (*RELATIONS, "+", "-", ")", "]", "}", ",", ";", "&", r"\\", "")
 
 
 class Parser:
-    """Reads one print with the names of its row."""
+    """Reads one print with the names of its row.
 
-    def __init__(self, latex: str, names: Names, notation: Notation) -> None:
+    `collected` gathers letters that are not declared, where that is allowed.
+    """
+
+    def __init__(
+        self,
+        latex: str,
+        names: Names,
+        notation: Notation,
+        remedies: Remedies = MODULE,
+        collected: list[str] | None = None,
+    ) -> None:
         self.source = Source(latex)
         self.tokens: Sequence[Token] = tokenize(latex)
         self.names = names
@@ -35,6 +45,9 @@ class Parser:
         self.factors = {"".join(to_signs(latex)) for latex in notation.factors}
         makes: Mapping[str, Callable[..., sp.Expr]] = {**FUNCTIONS, **notation.functions}
         self.functions = {rf"\{name}": Function(name, make) for name, make in makes.items()}
+        self.remedies = remedies
+        self.collects = collected is not None
+        self.collected = [] if collected is None else collected
         self.place = 0
         self.bars = 0
         self.depth = 0
@@ -144,7 +157,7 @@ class Parser:
                 "a number before a fraction of numbers: a product or a mixed number?",
                 r"Print \cdot between them.",
             )
-        atoms.check_bracket_after(self, left)
+        letters.check_bracket_after(self, left)
 
     def _is_number_fraction(self) -> bool:
         texts = [token.text for token in self.tokens[self.place + 1 :]]

@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.latex.chains import read_print
-from mechproof.latex.errors import ReadingError, Source
+from mechproof.latex.errors import MODULE, ReadingError, Remedies, Source
 from mechproof.latex.meaning import Meaning
 from mechproof.latex.names import Names, build_names
 from mechproof.latex.parser import Parser
@@ -30,7 +30,8 @@ class Print:
     def meaning(self, derived: Mapping[sp.Basic, sp.Basic] | None = None) -> Meaning:
         """Return what turns its trees into expressions, with these values of symbols changed."""
         values = {**self.reader.values, **(derived or {})}
-        return Meaning(self.source, values, self.reader.notation.lower_limit)
+        reader = self.reader
+        return Meaning(self.source, values, reader.notation.lower_limit, reader.remedies)
 
     def cut(self, chain: Chain, first: int, last: int) -> str:
         """Return the source of some members of a chain, with the signs between them."""
@@ -40,7 +41,13 @@ class Print:
 class Reader:
     """Reads the prints of one paper."""
 
-    def __init__(self, variables: Sequence[Variable], notation: Notation | None = None) -> None:
+    def __init__(
+        self,
+        variables: Sequence[Variable],
+        notation: Notation | None = None,
+        remedies: Remedies = MODULE,
+    ) -> None:
+        self.remedies = remedies
         self.variables = tuple(variables)
         self.notation = notation or Notation()
         self.values = {v.symbol: v.given for v in variables if v.given is not None}
@@ -52,8 +59,17 @@ class Reader:
     def parse(self, latex: str, row: str = "") -> Print:
         """Read a print with the names of a row; `ReadingError` says what is ambiguous in it."""
         with _naming(row):
-            parser = Parser(latex, self._names(row), self.notation)
+            parser = Parser(latex, self._names(row), self.notation, self.remedies)
             return Print(parser.source, read_print(parser), self)
+
+    def collect(self, latex: str) -> list[str]:
+        """Return the letters of a print that are not declared; `#` stands for bound indices.
+
+        Raises `ReadingError`.
+        """
+        collected: list[str] = []
+        read_print(Parser(latex, self._names(""), self.notation, self.remedies, collected))
+        return list(dict.fromkeys(collected))
 
     def members(self, row: Row) -> tuple[Any, ...]:
         """Return the members of the chains of a row as printed, for claims and forms.
