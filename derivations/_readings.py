@@ -135,7 +135,7 @@ def coverage_of_errors_row(variant: int, count: int, marks: tuple[str, ...] = ()
         of_mean.number,
         of_mean.printed_latex,
         PrintedNumber("95", student_coverage(count, 2 / sqrt(count + 1))),
-        readings=(Reading("an interval of the mean error", of_mean.says),),
+        readings=(Reading("an interval of the mean error", of_mean.statement),),
         note="Read as an interval of errors it would hold about a tenth of them, as u is that of "
         "the mean. By Student's t for normal, independent observations.",
         marks=marks,

@@ -59,6 +59,7 @@ from .symbols import (
     phi5,
     phi6,
     ratio_symbol,
+    rho,
     rho5,
     rho6,
     sB,
@@ -103,7 +104,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
     Claim(
         "(2), semi-axes",
         r"a(1-e)\le\rho\le a(1+e)",
-        Conjunction((Holds(oval >= a * (1 - e)), Holds(oval <= a * (1 + e)))),
+        derived={rho: print_radius(e, phi)},
         marks=("ours",),
     ),
     Claim(
@@ -152,7 +153,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
     Claim(
         "(5), closed form",
         r"\varphi_6=\varphi_1+\mathrm{arctg}\frac{e_1\sin2\varphi_1}{1-e_1\cos2\varphi_1}",
-        Equality(driven_angle(e1, phi1), print_5),
+        derived={phi6: print_5},
         note="Over any number of turns; tan(phi6) = (1 + e1)/(1 - e1) tan(phi1).",
         marks=("ours",),
     ),
