@@ -2,9 +2,11 @@
 
 from mechproof.record import Paper, Published
 
+from .claims import POSITION_CLAIMS
 from .findings import FINDINGS
 from .kernels import QUANTITIES
-from .paper import NOTATION, R1, R2, ROWS, VARIABLES, VARIANTS, e
+from .paper import NOTATION, R1, R2, ROWS, TYPE_A_ROWS, VARIABLES, VARIANTS, e
+from .readings import TABLE_CLAIMS
 
 PAPER = Paper(
     system="elliptic_planetary",
@@ -15,7 +17,7 @@ PAPER = Paper(
     variables=VARIABLES,
     notation=NOTATION,
     where=(R2 < R1,),
-    rows=ROWS,
+    rows=ROWS + POSITION_CLAIMS + TYPE_A_ROWS + TABLE_CLAIMS,
     quantities=QUANTITIES,
     published=tuple(
         Published(f"Table 1, variant {number}", dict(zip((R1, R2, e), sizes, strict=True)))

@@ -8,16 +8,12 @@ line A-C are positive from A towards C and B; lengths in mm, angles in rad.
 """
 
 from sympy import (
-    And,
     Eq,
     Expr,
-    Ge,
     Gt,
     Integral,
     Interval,
-    Le,
     Matrix,
-    Ne,
     Rational,
     S,
     Symbol,
@@ -29,7 +25,6 @@ from sympy import (
     pi,
     sin,
     solve,
-    sqrt,
     symbols,
     tan,
 )
@@ -40,38 +35,27 @@ from mechproof.record import (
     LENGTH,
     SPEED,
     Claim,
-    Completion,
-    Completions,
-    Conjunction,
     Correction,
     Equality,
     Equation,
     Holds,
     Notation,
     Part,
-    PrintedNumber,
     Reading,
     Sign,
     Variable,
 )
 
 from .._metrology import (
-    ENCODER_VARIABLES,
-    FULL_SCALE_LINEARITY,
-    READING_LINEARITY,
-    RESOLUTION,
     TYPE_A_VARIABLES,
-    coverage_row,
-    encoder_rows,
-    linearity_row,
+    estimate_row,
     mean_row,
-    resolution_row,
     unbiased_row,
     uncertainty_row,
     variance_of_mean_row,
     variance_row,
 )
-from .._relations import less
+from .._readings import ENCODER_VARIABLES
 
 # Symbols --------------------------------------------------------------------------------------
 
@@ -263,55 +247,13 @@ EQUATION_12 = Equation(
 _, print_8 = READER.members(EQUATION_8)
 _, print_12 = READER.members(EQUATION_12)
 
-# Table 1 (R1, R2, e) and table 3 (n, mean error, u), degrees.
+# Table 1: R1, R2, e.
 VARIANTS = {
     1: (66, 16, Rational("0.28")),
     2: (66, 16, Rational("0.475")),
     3: (80, 30, Rational("0.28")),
     4: (80, 30, Rational("0.475")),
 }
-READINGS = {
-    1: (198, Rational("-0.93"), Rational("0.82"), "1.64"),
-    2: (194, Rational("-0.98"), Rational("1.36"), "2.72"),
-    3: (192, Rational("0.68"), Rational("0.28"), "0.28"),
-    4: (171, Rational("-0.89"), Rational("1.01"), "2.02"),
-}
-
-
-def of_variant(expression: Expr, number: int) -> Expr:
-    """Put the sizes of table 1 into an expression."""
-    return expression.subs(k, R1 / R2).subs(dict(zip((R1, R2, e), VARIANTS[number], strict=True)))
-
-
-def implied_scatter(number: int) -> tuple[Expr, Expr]:
-    """Return s = u sqrt(n) and its largest possible value for errors within +-180 degrees."""
-    count, _, uncertainty, _ = READINGS[number]
-    return uncertainty * sqrt(count), 180 * sqrt(Rational(count, count - 1))
-
-
-def interval_row(number: int) -> Claim:
-    """Recompute the 95 % interval of one variant: its half-width is twice the printed u."""
-    _, mean, uncertainty, printed = READINGS[number]
-    right = f"{float(2 * uncertainty):.2f}"
-    return Claim(
-        f"table 3, interval {number}",
-        rf"{float(mean):.2f} \pm {printed}^\circ",
-        PrintedNumber(printed, 2 * uncertainty),
-        note="The half-width is to be 2u with the u of table 3; if right, u is half of it.",
-        corrected=Correction(
-            rf"{float(mean):.2f} \pm {right}^\circ", PrintedNumber(right, 2 * uncertainty)
-        ),
-    )
-
-
-def mean_errors_below(limit: Expr) -> Holds:
-    """State that no mean error exceeds a limit."""
-    means = (mean for _, mean, _, _ in READINGS.values())
-    return Holds(And(*(Le(abs(mean), limit, evaluate=False) for mean in means)))
-
-
-largest_mean_error = max(abs(mean) for _, mean, _, _ in READINGS.values())
-
 ROWS = (
     Claim(
         "velocity plan, V_C",
@@ -510,163 +452,13 @@ ROWS = (
         note="The right-hand side goes on beyond the branch.",
         marks=("ours",),
     ),
-    Claim(
-        "(12) gives the position function",
-        r"\text{equation (12) gives the calculated position function}",
-        Equality(print_12, position),
-        note="Follows from (12); not a second error.",
-        corrected=Correction(CORRECT_12, Equality(position_closed, position)),
-    ),
-    Claim(
-        "Fig. 3, formula used",
-        r"\text{using formula (8) we build the position functions}",
-        Equality(print_8, position),
-        note=(
-            "Read literally, phi3 = (8). (8) is the ratio; the position functions are its "
-            "integral, (9)."
-        ),
-        corrected=Correction(
-            r"\varphi_3=\int_0^{\varphi_1}\left[1+\frac{R_1}{R_2}\cdot"
-            r"\frac{1-e^2}{1+e^2-2e\cos\varphi_5}\right]d\varphi_1",
-            Equality(Integral(print_8.subs(phi5, -R1 / R2 * tau), (tau, 0, phi1)), position),
-        ),
-    ),
-    Claim(
-        "extremes of the ratio",
-        r"1+\frac{R_1}{R_2}\cdot\frac{1-e}{1+e}\le\varphi_3'\le"
-        r"1+\frac{R_1}{R_2}\cdot\frac{1+e}{1-e}",
-        derived={ratio_symbol: print_8},
-        note="Reached at x = pi and x = 0 modulo 2 pi.",
-        marks=("ours",),
-    ),
+)
+
+TYPE_A_ROWS = (
     mean_row("(13)", "The mean of the readings; a definition."),
     variance_row("(14)"),
     unbiased_row("(14)"),
     variance_of_mean_row("(15)", r"s^2(q)=\frac{s^2(q_k)}{n}"),
+    estimate_row("(15)"),
     uncertainty_row("(16)", "The GUM's type A standard uncertainty of the mean."),
-    Claim(
-        "table 1, centre distances",
-        r"R_1-R_2\text{ is the same in all four variants}",
-        Conjunction(
-            tuple(
-                Holds(Eq(of_variant(R1 - R2, 1), of_variant(R1 - R2, number), evaluate=False))
-                for number in (2, 3, 4)
-            )
-        ),
-        note="2a = 50 mm, so one pair of ellipses with a = 25 mm fits every variant of its e.",
-        marks=("ours",),
-    ),
-    Claim(
-        "table 1, domain",
-        r"0<R_2<R_1,\ 0\le e<1\text{ in all four variants}",
-        Conjunction(
-            tuple(
-                Holds(
-                    And(
-                        Gt(of_variant(R1 - R2, number), 0, evaluate=False),
-                        Ge(of_variant(e, number), 0, evaluate=False),
-                        Gt(1 - of_variant(e, number), 0, evaluate=False),
-                    )
-                )
-                for number in VARIANTS
-            )
-        ),
-        marks=("ours",),
-    ),
-    resolution_row("table 2"),
-    linearity_row("table 2", "every mean error of table 3", mean_errors_below),
-    *encoder_rows("table 2"),
-    *(interval_row(number) for number in READINGS),
-    Claim(
-        "table 3, scatter of single readings",
-        r"s(q_k)=u\sqrt n",
-        Conjunction(
-            tuple(
-                less(small, large)
-                for scatter, limit in map(implied_scatter, READINGS)
-                for small, large in ((40 * RESOLUTION, scatter), (scatter, limit))
-            )
-        ),
-        note=(
-            "If u is that of the mean, single errors scatter by "
-            + ", ".join(f"{float(implied_scatter(number)[0]):.1f}" for number in READINGS)
-            + " deg: more than 40 steps of the encoder each, but possible for errors within half "
-            "a turn."
-        ),
-        marks=("ours",),
-    ),
-    *(
-        coverage_row(
-            number,
-            count,
-            "Coverage of the factor 2 by Student's t; normal, independent observations assumed.",
-            ("inferred",),
-        )
-        for number, (count, *_) in READINGS.items()
-    ),
-    Claim(
-        "different non-uniformity",
-        r"\text{varying the parameters gives position functions of different non-uniformity}",
-        Conjunction(
-            (
-                Holds(Gt(diff(non_uniformity, e), 0)),
-                Holds(Ge(diff(non_uniformity, k), 0)),
-                *(
-                    Holds(
-                        Ne(
-                            of_variant(non_uniformity, one),
-                            of_variant(non_uniformity, two),
-                            evaluate=False,
-                        )
-                    )
-                    for one in VARIANTS
-                    for two in VARIANTS
-                    if one < two
-                ),
-            )
-        ),
-        note=(
-            "(largest - smallest)/mean of the ratio grows with e and with R1/R2 and differs "
-            "between any two of the four variants."
-        ),
-    ),
-    Claim(
-        "measured functions adequate",
-        r"\text{the measured functions of all variants are adequate to the model}",
-        Completions(
-            "the criterion of adequacy and the readings",
-            Completion(
-                "adequate: the 95 % interval of the mean error contains 0, all variants",
-                Holds(
-                    And(
-                        *(
-                            Le(abs(mean), 2 * uncertainty, evaluate=False)
-                            for _, mean, uncertainty, _ in READINGS.values()
-                        )
-                    )
-                ),
-            ),
-            Completion(
-                "adequate: the mean error stays inside 0.3 % of 360 deg, all variants",
-                mean_errors_below(FULL_SCALE_LINEARITY),
-            ),
-        ),
-        note="No criterion and no readings are printed; variant 3 fails the first criterion.",
-    ),
-    Claim(
-        "inaccurate manufacture",
-        r"\text{a large mean error may point to inaccurate manufacture}",
-        Completions(
-            "what the linearity of 0.3 % refers to",
-            Completion(
-                "linearity of the full scale: the largest mean error exceeds it",
-                less(FULL_SCALE_LINEARITY, largest_mean_error),
-            ),
-            Completion(
-                "linearity of a reading of 90 deg: the largest mean error exceeds it",
-                less(READING_LINEARITY, largest_mean_error),
-            ),
-        ),
-        note="The encoder alone may explain the mean errors, or may not.",
-    ),
 )

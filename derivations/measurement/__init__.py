@@ -13,6 +13,7 @@ from mechproof.record import (
 
 from .._metrology import (
     TYPE_A_VARIABLES,
+    estimate_row,
     i,
     m,
     mean,
@@ -37,6 +38,7 @@ ROWS = (
     variance_row("4.2.2, equation (4)"),
     unbiased_row("4.2.2, equation (4)"),
     variance_of_mean_row("4.2.3, equation (5)", r"s^2(\bar q)=\frac{s^2(q_k)}{n}"),
+    estimate_row("4.2.3, equation (5)"),
     uncertainty_row("4.2.3", "The type A standard uncertainty of the mean."),
     Claim(
         "4.2.2, one pass",

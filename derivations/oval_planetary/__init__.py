@@ -2,9 +2,13 @@
 
 from mechproof.record import Paper, Published
 
+from .cylindrical_pairs import CYLINDRICAL_PAIR_ROWS
+from .equations import EQUATION_ROWS
 from .kernels import QUANTITIES
-from .paper import VARIABLES, VARIANTS
-from .rows import ROWS
+from .oval_pairs import OVAL_PAIR_ROWS
+from .readings import MEASUREMENT_ROWS
+from .symbols import NOTATION, VARIABLES
+from .variants import VARIANT_ROWS, VARIANTS
 
 PAPER = Paper(
     system="oval_planetary",
@@ -13,7 +17,8 @@ PAPER = Paper(
         "wheels, EDN HZWKZJ"
     ),
     variables=VARIABLES,
-    rows=ROWS,
+    notation=NOTATION,
+    rows=EQUATION_ROWS + OVAL_PAIR_ROWS + CYLINDRICAL_PAIR_ROWS + VARIANT_ROWS + MEASUREMENT_ROWS,
     quantities=QUANTITIES,
     published=tuple(Published(f"variant {number}", sizes) for number, sizes in VARIANTS.items()),
     conventions=(

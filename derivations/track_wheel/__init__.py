@@ -9,20 +9,25 @@ from sympy import Abs, Le
 
 from mechproof.record import Paper
 
-from .curve import CURVE_ROWS, CURVE_VARIABLES, amplitude, radius
-from .errors import ERROR_ROWS, ERROR_VARIABLES
-from .frame import FRAME_ROWS, FRAME_VARIABLES
+from .curve import amplitude, radius
+from .curve_rows import CURVE_ROWS
+from .error_rows import ERROR_ROWS
+from .figures import FIGURE_ROWS
+from .frame_rows import FRAME_ROWS
 from .kernels_of_poses import POSES
 from .kernels_of_sums import SUMS
 from .kernels_of_tracks import TRACKS
-from .table import TABLE_1, TABLE_ROWS
+from .prints import NOTATION, VARIABLES
+from .sizes import DATA_ROWS, TABLE_1
+from .table import TABLE_ROWS
 
 PAPER = Paper(
     system="track_wheel",
     citation="Kapitonov, Yakubovsky 2022, machining error of a wheel with a multi-period track, "
     "doi 10.24412/2079-7958-2022-1-43-52",
-    variables=ERROR_VARIABLES + FRAME_VARIABLES + CURVE_VARIABLES,
-    rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + TABLE_ROWS,
+    variables=VARIABLES,
+    notation=NOTATION,
+    rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + DATA_ROWS + TABLE_ROWS + FIGURE_ROWS,
     quantities=POSES + TRACKS + SUMS,
     published=(TABLE_1,),
     where=(Le(Abs(amplitude), radius),),

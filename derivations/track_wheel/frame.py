@@ -1,23 +1,12 @@
-"""Part two: the frame of the part, its turns and its shift, (8)-(15)."""
+"""Part two: the frame of the part, its turns and its shift."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import permutations
 
 import sympy as sp
 
-from mechproof.record import (
-    Claim,
-    Conjunction,
-    Correction,
-    Distinct,
-    Equality,
-    Equation,
-    Reading,
-    Row,
-    Variable,
-)
+from mechproof.record import Variable
 
 from .notation import coordinates, real
 
@@ -79,48 +68,13 @@ def cross_product_matrix(vector: sp.Matrix) -> sp.ImmutableMatrix:
     return sp.ImmutableMatrix.hstack(*(vector.cross(unit_vector) for unit_vector in UNIT_VECTORS))
 
 
-PRINTED_A = sp.ImmutableMatrix(
-    [
-        [1, 0, 0],
-        [0, sp.cos(alpha), sp.sin(alpha)],
-        [0, -sp.sin(alpha), sp.cos(alpha)],
-    ]
-)
-PRINTED_K = sp.ImmutableMatrix(
-    [
-        [
-            sp.cos(beta) * sp.cos(gamma),
-            sp.sin(alpha) * sp.sin(beta) * sp.cos(gamma) + sp.cos(alpha) * sp.sin(gamma),
-            -sp.cos(alpha) * sp.sin(beta) * sp.cos(gamma) + sp.sin(alpha) * sp.sin(gamma),
-        ],
-        [
-            -sp.cos(beta) * sp.sin(gamma),
-            -sp.sin(alpha) * sp.sin(beta) * sp.sin(gamma) + sp.cos(alpha) * sp.cos(gamma),
-            sp.cos(alpha) * sp.sin(beta) * sp.sin(gamma) + sp.sin(alpha) * sp.cos(gamma),
-        ],
-        [
-            sp.sin(beta),
-            -sp.sin(alpha) * sp.cos(beta),
-            sp.cos(alpha) * sp.cos(beta),
-        ],
-    ]
-)
+MATRIX_A, MATRIX_K = sp.MatrixSymbol("matrix_A", 3, 3), sp.MatrixSymbol("matrix_K", 3, 3)
+TURNED_BY_A = see_from_turned_frame(0, alpha)
 MATRIX_B, MATRIX_C = see_from_turned_frame(1, beta), see_from_turned_frame(2, gamma)
-FACTORS = {"A": PRINTED_A, "B": MATRIX_B, "C": MATRIX_C}
 IN_ORDER = tuple(enumerate(ANGLES))
 TURNED_BY_ALPHA = turn_about_own_axes(IN_ORDER[:1])
 TURNED_PART = turn_about_own_axes(IN_ORDER)
 FROM_ORIGIN = MACHINE_POINT - SHIFT
-PRINTED_12 = PRINTED_A * FROM_ORIGIN
-PRINTED_13 = PRINTED_A.T * PART_POINT + SHIFT
-PRINTED_15 = PRINTED_K.T * SURFACE_POINT - (SURFACE_POINT - SHIFT)
-ALONG_LINE = PRINTED_K.subs({angle: parameter * angle for angle in ANGLES}, simultaneous=True)
-
-
-def product_of(order: Sequence[str]) -> sp.ImmutableMatrix:
-    """Multiply the factors in the order written, from left to right."""
-    left, middle, right = (FACTORS[name] for name in order)
-    return left * middle * right
 
 
 def first_order_remainder(distance: sp.Expr) -> sp.Expr:
@@ -147,17 +101,28 @@ QUATERNION = (
 )
 
 FRAME_VARIABLES = (
-    Variable(alpha, "turn about x", sign="counter-clockwise positive"),
-    Variable(beta, "turn about y", sign="counter-clockwise positive"),
-    Variable(gamma, "turn about z", sign="counter-clockwise positive"),
-    *coordinates({s: f"coordinate {s} of the shift vector r" for s in SHIFT}),
-    *coordinates(dict.fromkeys(MACHINE_POINT, "coordinate of the point N in the machine frame")),
-    *coordinates(dict.fromkeys(PART_POINT, "coordinate of the point N in the part's frame")),
-    *coordinates(dict.fromkeys(SURFACE_POINT, "coordinate of a point of the machined surface")),
     *(
-        Variable(symbol, f"element {symbol} of A, by (8)", given=value)
-        for symbol, value in zip(ELEMENTS, PRINTED_A, strict=True)
+        Variable(angle, f"turn about {axis}", sign="counter-clockwise positive", latex=(latex,))
+        for angle, axis, latex in zip(ANGLES, "xyz", (r"\alpha", r"\beta", r"\gamma"), strict=True)
     ),
+    *coordinates({s: (f"coordinate {s} of the shift vector r", str(s)) for s in SHIFT}),
+    *coordinates(
+        {
+            symbol: (f"{meaning}, {axis}", f"{axis}_{{{index}}}")
+            for point, index, meaning in (
+                (MACHINE_POINT, "0N", "coordinate of the point N in the machine frame"),
+                (PART_POINT, "1N", "coordinate of the point N in the part's frame"),
+                (SURFACE_POINT, "13", "coordinate of a point of the machined surface"),
+            )
+            for symbol, axis in zip(point, "xyz", strict=True)
+        }
+    ),
+    *(
+        Variable(symbol, "element of A", given=value, latex=(f"a_{{{str(symbol)[2:]}}}",))
+        for symbol, value in zip(ELEMENTS, TURNED_BY_A, strict=True)
+    ),
+    Variable(MATRIX_A, "matrix of the turn by alpha"),
+    Variable(MATRIX_K, "matrix of the three turns"),
     Variable(parameter, "parameter of the line (s alpha, s beta, s gamma)"),
     *(
         Variable(symbol, f"tangent of {angle}/2", given=sp.tan(angle / 2))
@@ -168,179 +133,4 @@ FRAME_VARIABLES = (
         for symbol, value in zip((w, *AXIS), QUATERNION.args, strict=True)
     ),
     Variable(scale, "2/|quaternion|^2", given=2 / sp.prod(1 + t**2 for t in HALF_TANGENTS)),
-)
-
-LATEX_A = r"\begin{pmatrix}1&0&0\\0&\cos\alpha&\sin\alpha\\0&-\sin\alpha&\cos\alpha\end{pmatrix}"
-LATEX_K = (
-    r"\begin{pmatrix}\cos\beta\cos\gamma&\sin\alpha\sin\beta\cos\gamma+\cos\alpha\sin\gamma"
-    r"&-\cos\alpha\sin\beta\cos\gamma+\sin\alpha\sin\gamma\\"
-    r"-\cos\beta\sin\gamma&-\sin\alpha\sin\beta\sin\gamma+\cos\alpha\cos\gamma"
-    r"&\cos\alpha\sin\beta\sin\gamma+\sin\alpha\cos\gamma\\"
-    r"\sin\beta&-\sin\alpha\cos\beta&\cos\alpha\cos\beta\end{pmatrix}"
-)
-
-
-def coordinate_row(number: str, name: str, row: int) -> Equation:
-    """One of (9)-(11): the vector from O_1 to N along one turned axis."""
-    elements = [f"a_{{{row + 1}{column}}}" for column in (1, 2, 3)]
-    return Equation(
-        number,
-        rf"{name}_{{1N}}=(x_{{0N}}-a){elements[0]}+(y_{{0N}}-b){elements[1]}"
-        rf"+(z_{{0N}}-c){elements[2]}",
-        Equality(
-            sum(FROM_ORIGIN[column] * ELEMENTS[row, column] for column in range(3)),
-            TURNED_BY_ALPHA[row].dot(FROM_ORIGIN),
-        ),
-        note="The elements are those of (8); the other side is the dot product with the turned "
-        "unit vector.",
-    )
-
-
-FRAME_ROWS: tuple[Row, ...] = (
-    Equation(
-        "(8)",
-        r"A=\begin{pmatrix}a_{11}&a_{12}&a_{13}\\a_{21}&a_{22}&a_{23}\\a_{31}&a_{32}&a_{33}"
-        r"\end{pmatrix}=" + LATEX_A,
-        Equality(PRINTED_A, see_from_turned_frame(0, alpha)),
-        note="Rebuilt from the turn of space backwards that an observer in the turned frame sees.",
-    ),
-    Claim(
-        "before (8), direction",
-        r"\text{turning by }\alpha\text{ in the positive direction (counter-clockwise)}",
-        Conjunction(
-            (
-                Equality(PRINTED_A, project(turn_about_fixed_axes([(0, alpha)]))),
-                Distinct(PRINTED_A, project(turn_about_fixed_axes([(0, -alpha)]))),
-            )
-        ),
-        note="The clockwise turn gives another matrix, so the printed direction is the right one.",
-    ),
-    Claim(
-        "after (8), elements",
-        r"\text{elements: the projections of the unit vectors of the axes of }x_{10}y_{10}z_{10}"
-        r"\text{ on the axes of }x_{1i}y_{1i}z_{1i}",
-        Equality(PRINTED_A, project(TURNED_BY_ALPHA)),
-        note="Row: axis of the turned frame; column: unit vector of the frame that stays.",
-    ),
-    coordinate_row("(9)", "x", 0),
-    coordinate_row("(10)", "y", 1),
-    coordinate_row("(11)", "z", 2),
-    Equation(
-        "(12)",
-        r"(x_{1N},y_{1N},z_{1N})^T=A\,(x_{0N}-a,\;y_{0N}-b,\;z_{0N}-c)^T",
-        Equality(PRINTED_12, turn(FROM_ORIGIN, UNIT_VECTORS[0], -alpha)),
-        note="Rebuilt by turning the vector from O_1 to N backwards.",
-    ),
-    Equation(
-        "(13)",
-        r"(x_{0N},y_{0N},z_{0N})^T=A^T(x_{1N},y_{1N},z_{1N})^T+(a,b,c)^T",
-        Equality(PRINTED_13, SHIFT + compose(TURNED_BY_ALPHA, PART_POINT)),
-        note="Rebuilt as the shift plus the components along the turned unit vectors.",
-    ),
-    Claim(
-        "(13), inverse of (12)",
-        r"A^TA\,(x_{0N}-a,\;y_{0N}-b,\;z_{0N}-c)^T+(a,b,c)^T=(x_{0N},y_{0N},z_{0N})^T",
-        Equality(
-            PRINTED_13.subs(dict(zip(PART_POINT, PRINTED_12, strict=True)), simultaneous=True),
-            MACHINE_POINT,
-        ),
-        marks=("ours",),
-    ),
-    Claim(
-        "before (14), B and C",
-        r"\text{B and C can be obtained if the system is turned by }\beta\text{ about }y_{10}"
-        r"\text{ and by }\gamma\text{ about }z_{10}\text{ in the positive direction}",
-        Conjunction(
-            (
-                Equality(PRINTED_K.subs({beta: 0, gamma: 0}), see_from_turned_frame(0, alpha)),
-                Equality(PRINTED_K.subs({alpha: 0, gamma: 0}), MATRIX_B),
-                Equality(PRINTED_K.subs({alpha: 0, beta: 0}), MATRIX_C),
-            )
-        ),
-        note="B and C are not printed; K with the two other angles zero shows that they are the "
-        "matrices of these turns.",
-    ),
-    Claim(
-        "before (14), axes",
-        r"\text{if the system }x_{10}y_{10}z_{10}\text{ is turned by }\alpha,\beta,\gamma",
-        Equality(PRINTED_K, project(turn_about_fixed_axes(IN_ORDER))),
-        readings=(
-            Reading(
-                "each turn about an axis of the frame that the turn before has left: "
-                "x10, then y11, then z12",
-                Equality(PRINTED_K, project(TURNED_PART)),
-            ),
-            Reading(
-                "about the fixed axes, but in the order z10, y10, x10",
-                Equality(PRINTED_K, project(turn_about_fixed_axes(IN_ORDER[::-1]))),
-            ),
-        ),
-        note="In the order as written, turns about the fixed axes x10, y10, z10 give A B C. The "
-        "names of the frames x11..., x12..., x13... say that successive axes are meant.",
-    ),
-    Claim(
-        "before (14), product",
-        r"K\text{ may be represented by the product of the matrices }A,B,C",
-        Equality(PRINTED_K, product_of("ABC")),
-        readings=(
-            Reading(
-                "the first turn stands on the right: K = C B A",
-                Equality(PRINTED_K, product_of("CBA")),
-            ),
-        ),
-        note="Only the order C B A gives the printed K.",
-    ),
-    Claim(
-        "before (14), other orders",
-        r"K\ne ABC,\;ACB,\;BAC,\;BCA,\;CAB",
-        Conjunction(
-            tuple(
-                Distinct(PRINTED_K, product_of(order))
-                for order in permutations("ABC")
-                if order != ("C", "B", "A")
-            )
-        ),
-        marks=("ours",),
-    ),
-    Equation(
-        "(14)",
-        "K=" + LATEX_K,
-        Equality(PRINTED_K, project(TURNED_PART)),
-        note="Rebuilt by turning a triad about its own axes x10, y11, z12 and projecting.",
-    ),
-    Claim(
-        "(14), rotation",
-        r"KK^T=I,\ \det K=1",
-        Conjunction(
-            (
-                Equality(PRINTED_K * PRINTED_K.T, IDENTITY),
-                Equality(PRINTED_K[0, :].cross(PRINTED_K[1, :]), PRINTED_K[2, :]),
-                Equality(PRINTED_K.det(), sp.Integer(1)),
-            )
-        ),
-        note="The rows form a right-handed triad of unit vectors.",
-        marks=("ours",),
-    ),
-    Claim(
-        "frames, rotation vector",
-        r"\alpha,\beta,\gamma\text{ are the coordinates of the rotation vector }\vec\varphi",
-        Equality(PRINTED_K, turn_by_vector()),
-        corrected=Correction(
-            r"\left.\frac{d}{ds}K(s\alpha,s\beta,s\gamma)\right|_{s=0}p=-\vec\varphi\times p",
-            Equality(
-                ALONG_LINE.diff(parameter).subs(parameter, 0),
-                -cross_product_matrix(sp.ImmutableMatrix(ANGLES)),
-            ),
-        ),
-        note="They are the angles of three successive turns; as a rotation vector they serve to "
-        "first order only.",
-    ),
-    Equation(
-        "(15)",
-        r"(\Delta x_0,\Delta y_0,\Delta z_0)^T=K^T(x_{13},y_{13},z_{13})^T"
-        r"-(x_{13}-a,\;y_{13}-b,\;z_{13}-c)^T",
-        Equality(PRINTED_15, SHIFT + compose(TURNED_PART, SURFACE_POINT) - SURFACE_POINT),
-        note="Where the point is after the displacement minus where it should be: the same three "
-        "numbers serve as coordinates in the part and as nominal place from O_1.",
-    ),
 )

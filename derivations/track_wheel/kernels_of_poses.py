@@ -21,10 +21,7 @@ from .curve import POSITION_ERROR, error_x, error_y, error_z
 from .frame import (
     ANGLES,
     AXIS,
-    FACTORS,
     IDENTITY,
-    PRINTED_15,
-    PRINTED_K,
     SHIFT,
     SURFACE_POINT,
     UNIT_VECTORS,
@@ -38,6 +35,7 @@ from .frame import (
     see_from_turned_frame,
     w,
 )
+from .prints import FACTORS, PRINTED_15, PRINTED_K
 
 a, b, c = SHIFT
 turns = sp.Symbol("turns", integer=True)

@@ -17,10 +17,8 @@ from mechproof.record import (
     Written,
 )
 
+from .error_sums import CORRECTED_5, CROSS, SQUARES
 from .errors import (
-    CORRECTED_5,
-    CROSS,
-    SQUARES,
     correlations,
     i,
     influences,

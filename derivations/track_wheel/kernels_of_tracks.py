@@ -7,15 +7,14 @@ import sympy as sp
 from mechproof.record import Accuracy, Argument, Form, Part, Quantity, Scale, Singular
 
 from .curve import (
-    PRINTED_16,
     THETA,
     amplitude,
     periods,
     phi,
-    printed_radius,
     radius,
     thickness,
 )
+from .prints import PRINTED_16, printed_radius
 
 RADIUS = printed_radius(THETA)
 # Seen from the pole the points of the circle lie between these, whatever the sign of A.

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import sympy as sp
 
 from mechproof.record import LENGTH, Variable
@@ -25,16 +27,19 @@ def positive_families(names: str) -> tuple[sp.IndexedBase, ...]:
     return tuple(sp.IndexedBase(name, positive=True) for name in names.split())
 
 
-def lengths(meanings: dict[sp.Symbol | sp.IndexedBase, str]) -> tuple[Variable, ...]:
-    """Positive lengths (errors, tolerances, radii)."""
-    return tuple(Variable(s, meaning, LENGTH, POSITIVE) for s, meaning in meanings.items())
+Symbols = Mapping[sp.Symbol | sp.IndexedBase, tuple[str, ...]]
 
 
-def coefficients(meanings: dict[sp.Symbol | sp.IndexedBase, str]) -> tuple[Variable, ...]:
-    """Positive pure numbers."""
-    return tuple(Variable(s, meaning, within=POSITIVE) for s, meaning in meanings.items())
+def lengths(symbols: Symbols) -> tuple[Variable, ...]:
+    """Positive lengths (errors, tolerances, radii): the meaning of each, and how it is printed."""
+    return tuple(Variable(s, m, LENGTH, POSITIVE, latex=tuple(p)) for s, (m, *p) in symbols.items())
 
 
-def coordinates(meanings: dict[sp.Symbol, str]) -> tuple[Variable, ...]:
-    """Lengths of either sign."""
-    return tuple(Variable(s, meaning, LENGTH) for s, meaning in meanings.items())
+def coefficients(symbols: Symbols) -> tuple[Variable, ...]:
+    """Positive pure numbers, in the same way."""
+    return tuple(Variable(s, m, within=POSITIVE, latex=tuple(p)) for s, (m, *p) in symbols.items())
+
+
+def coordinates(symbols: Symbols) -> tuple[Variable, ...]:
+    """Lengths of either sign, in the same way."""
+    return tuple(Variable(s, m, LENGTH, latex=tuple(p)) for s, (m, *p) in symbols.items())

@@ -48,9 +48,9 @@ def __dir__() -> list[str]:
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), equation (10)
-# Expressions sha256: e6656bd5bdcc598018e3233880c7afaa590e39b548156fcd8f5ab45e6f7e2312
+# Expressions sha256: ca4a74ae06f540dc0d5f8800c02025bbed107a98e8592c71215daf2eaf0e4183
 # Form: printed (3)-(6), (10)
-# Operations: 35
+# Operations: 33
 def ratio_printed(
     phi1: ArrayLike,
     e1: ArrayLike,
@@ -61,9 +61,9 @@ def ratio_printed(
 ) -> Any:
     """Compute `ratio` by another form: printed (3)-(6), (10).
 
-        ratio_printed = -(1 + e1*cos(2*phi6))*(2*(1 - e2**2)/(1 - e2*cos(2*mount + 2*phi6)) -
-            2*(1 - e1**2)/(1 + e1*cos(2*phi6)))/((1 - e1**2)*(2 - (1 - e2**2)/(1 -
-            e2*cos(2*mount + 2*phi6))))
+        ratio_printed = -2*(1 + e1*cos(2*phi6))*((1 - e2**2)/(1 - e2*cos(2*mount + 2*phi6)) - (1
+            - e1**2)/(1 + e1*cos(2*phi6)))/((1 - e1**2)*(2 - (1 - e2**2)/(1 - e2*cos(2*mount +
+            2*phi6))))
         phi6 = phi1 + atan2(e1*sin(2*phi1), 1 - e1*cos(2*phi1))
 
     The print with its sign reversed, wheel 6 at its mounted angle; proved to be the speed of
@@ -95,9 +95,10 @@ def _ratio_printed(
     term = 1 / (1 - e2 * np.cos(2 * mount + 2 * phi6))
 
     return (
-        -one_plus_e1_cos_two_phi6
-        * (2 * one_minus_e2_squared * term - 2 * one_minus_e1_squared / one_plus_e1_cos_two_phi6)
+        -2
         / (one_minus_e1_squared * (2 - one_minus_e2_squared * term))
+        * one_plus_e1_cos_two_phi6
+        * (one_minus_e2_squared * term - one_minus_e1_squared / one_plus_e1_cos_two_phi6)
     )
 
 
@@ -379,16 +380,16 @@ def _acceleration_direct(
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), equation (10), pair 4-5 cylindrical
-# Expressions sha256: 067f8502f781f004422689e6e1852e011362c5f6872182ddd2c098986fa4f65a
+# Expressions sha256: 4f7a0e61441a09251b29401211777028c98b6afe9cde12514027a872347afeea
 # Form: printed (4), (10)
-# Operations: 25
+# Operations: 23
 def ratio_cylindrical_printed(
     phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
 ) -> Any:
     """Compute `ratio_cylindrical` by another form: printed (4), (10).
 
-        ratio_cylindrical_printed = -(R4/2 + R5/2)*(2*(1 - e2**2)*(R4/2 + R5/2)/(1 - e2*cos(x))
-            - 2*R5)/(R5*(R4 + R5 - (1 - e2**2)*(R4/2 + R5/2)/(1 - e2*cos(x))))
+        ratio_cylindrical_printed = -2*(R4/2 + R5/2)*((1 - e2**2)*(R4/2 + R5/2)/(1 - e2*cos(x))
+            - R5)/(R5*(R4 + R5 - (1 - e2**2)*(R4/2 + R5/2)/(1 - e2*cos(x))))
         k = R4/R5
         x = 2*k*phi1
 
@@ -426,9 +427,10 @@ def _ratio_cylindrical_printed(
     term = 1 / (1 - e2 * np.cos(x))
 
     return (
-        -term_2
+        -2
+        * term_2
         / (R5 * (R4 + R5 - one_minus_e2_squared * term_2 * term))
-        * (2 * one_minus_e2_squared * term_2 * term - 2 * R5)
+        * (one_minus_e2_squared * term_2 * term - R5)
     )
 
 

@@ -152,12 +152,13 @@ class Equality:
 
     The two sides come from different sources: one is the paper's, one is derived. Where `rebuilt`
     is built from the print itself, or from the declaration of the symbol that is printed,
-    `rebuilt_from` says so: equality proves nothing then.
+    `rebuilt_from` says so: equality proves nothing then. Two members of one print are both the
+    paper's: their faults are its own.
     """
 
     printed: sp.Basic
     rebuilt: sp.Basic
-    rebuilt_from: Literal["mechanics", "print", "declaration"] = "mechanics"
+    rebuilt_from: Literal["mechanics", "member", "print", "declaration"] = "mechanics"
 
     def __post_init__(self) -> None:
         _make_exact(self, "printed", "rebuilt")

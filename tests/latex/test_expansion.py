@@ -81,7 +81,7 @@ def test_chains_with_commas_count_their_signs_through() -> None:
 
 
 def test_members_without_derived_values_are_compared_as_read() -> None:
-    assert says("2w=w+w") == Equality(2 * w, 2 * w)
+    assert says("2w=w+w") == Equality(2 * w, 2 * w, "member")
     assert says(r"\int_0^x\cos t\,dt=\sin x").printed == sp.sin(x)
 
 
@@ -129,7 +129,7 @@ def test_a_symbol_of_which_nothing_is_known_is_an_error_of_the_module() -> None:
 
 def test_a_substitution_is_made_on_both_sides_and_shown() -> None:
     (row,) = expand(r"2\cos x=\cos x+\cos x", substituted={sp.cos(x): w})
-    assert row.says == Equality(2 * w, 2 * w)
+    assert row.says == Equality(2 * w, 2 * w, "member")
     assert row.read_as == "2*cos(x) = cos(x) + cos(x), with cos(x) -> w"
 
 

@@ -87,4 +87,4 @@ def _judge(pasted: Pasted, limit: float) -> Checked:
     except PastedError as error:
         refuse(str(error))
     except WorkerError as error:
-        fail(f"the equation: {error.reason}")
+        fail(f"the equation: {error}")

@@ -57,7 +57,9 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
         if not any(_is_faulty(side, reader) for side in (left, right)):
             _refuse_unknown(row, members, reader)
     left, right = (_substitute(row, side) for side in (left, right))
-    if changed == (False, True) or (not any(changed) and _is_faulty(left, reader)):
+    if not any(changed):
+        return Equality(left, right, "member")
+    if changed == (False, True):
         return Equality(left, right)
     return Equality(right, left)
 

@@ -54,7 +54,7 @@ def check_statement(
         return
     for name, side in ours:
         _check_dimension(name, side, known)
-    if isinstance(statement, Equality | Distinct):
+    if isinstance(statement, Equality | Distinct) and ours:
         _check_likeness(prints + ours, known)
     if isinstance(statement, PrintedNumber) and domain.resolve(statement.value).free_symbols:
         raise RecordError(f"PrintedNumber {statement.printed}: {statement.value} is no number")
@@ -72,6 +72,8 @@ def _sides(statement: Statement, printed: bool) -> tuple[list[Side], list[Side]]
     prints, ours = [], []
     if isinstance(statement, Equality):
         prints, ours = [("printed", statement.printed)], [("rebuilt", statement.rebuilt)]
+        if statement.rebuilt_from == "member":
+            prints, ours = prints + ours, []
     elif isinstance(statement, Distinct):
         prints, ours = [("left", statement.left)], [("right", statement.right)]
     elif isinstance(statement, Definition):

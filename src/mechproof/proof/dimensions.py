@@ -7,6 +7,7 @@ witness is a change of a unit after which the two sides no longer scale alike.
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import repeat
 
 import sympy as sp
 from sympy.logic.boolalg import Boolean
@@ -34,7 +35,7 @@ def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
         return None if expression == 0 else NUMBER
     if isinstance(expression, sp.Indexed):
         return known.get(expression.base, NUMBER)
-    if expression.is_Symbol:
+    if expression.is_Symbol or isinstance(expression, sp.MatrixSymbol):
         return known.get(expression, NUMBER)
     if isinstance(expression, sp.Add):
         return _common(expression.args, known)
@@ -64,8 +65,9 @@ def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
 
 def infer_common(sides: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:
     """Return the dimension of the sides of a statement, of matrices entry by entry."""
-    if any(getattr(side, "is_Matrix", False) for side in sides):
-        entries = zip(*(side.flat() if side.is_Matrix else [side] for side in sides), strict=False)
+    if any(isinstance(side, sp.MatrixBase) for side in sides):
+        lists = [side.flat() if isinstance(side, sp.MatrixBase) else repeat(side) for side in sides]
+        entries = zip(*lists, strict=False)
         first, *_ = [_common(pair, known) for pair in entries]
         return first
     return _common(sides, known)

@@ -50,7 +50,7 @@ def decide(statement: Statement, domain: Domain) -> Answer:
 def _decide_equality(statement: Equality, domain: Domain) -> Answer:
     source = "declaration" if _is_declaration(statement, domain) else statement.rebuilt_from
     answer = _decide_sides(statement.printed, statement.rebuilt, domain)
-    if answer.verdict is not Verdict.PROVED or source == "mechanics":
+    if answer.verdict is not Verdict.PROVED or source in ("mechanics", "member"):
         return answer
     reason = f"the other side is built from the {source}: nothing to prove"
     return Answer(Verdict.DEFINITION, answer.rung, reason)

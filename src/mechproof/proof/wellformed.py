@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from itertools import product
 
 import sympy as sp
@@ -58,6 +58,16 @@ def find_faults(statement: Statement, known: Dimensions, domain: Domain) -> list
         return [fault] if fault else []
     if not isinstance(statement, Equality | Distinct | Definition):
         return []
+    if isinstance(statement, Equality) and _has_two_prints(statement):
+        swapped = replace(statement, printed=statement.rebuilt, rebuilt=statement.printed)
+        sides = (statement, swapped)
+        return next(filter(None, (_find_in_side(side, known, domain) for side in sides)), [])
+    return _find_in_side(statement, known, domain)
+
+
+def _find_in_side(
+    statement: Equality | Distinct | Definition, known: Dimensions, domain: Domain
+) -> list[Fault]:
     printed = statement.left if isinstance(statement, Distinct) else statement.printed
     found = (
         _find_missing_differential(printed),
@@ -115,14 +125,18 @@ def _find_mixture(
     """Find terms of unlike dimension; without a change of units that matters, it is no fault."""
     if printed.has(IntegralWithoutDifferential, FunctionWithoutArgument):
         return None
-    compared = (printed, statement.symbol) if isinstance(statement, Definition) else (printed,)
+    other = _other_side(statement)
+    compared = isinstance(statement, Definition) or _has_two_prints(statement)
     try:
-        infer_common(compared, known)
+        infer_common((printed, other) if compared else (printed,), known)
     except DimensionError as error:
-        other = _other_side(statement)
         witness = next(_changes_of_units(domain.resolve(printed), other, known, domain), None)
         return Fault("dimensions", str(error), witness) if witness else None
     return None
+
+
+def _has_two_prints(statement: Statement) -> bool:
+    return isinstance(statement, Equality) and statement.rebuilt_from == "member"
 
 
 def _other_side(statement: Statement) -> sp.Basic:

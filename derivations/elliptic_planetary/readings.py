@@ -1,0 +1,240 @@
+"""Tables 1 to 3 of paper 1: its variants, its encoders, and what its readings say."""
+
+from __future__ import annotations
+
+from sympy import (
+    And,
+    Eq,
+    Expr,
+    Ge,
+    Gt,
+    Ne,
+    Rational,
+    diff,
+    sqrt,
+)
+
+from mechproof.record import (
+    Claim,
+    Completion,
+    Completions,
+    Conjunction,
+    Correction,
+    Holds,
+    PrintedNumber,
+)
+
+from .._readings import (
+    FULL_SCALE_LINEARITY,
+    READING_LINEARITY,
+    RESOLUTION,
+    Readings,
+    adequacy_row,
+    beyond_encoders,
+    coverage_of_errors_row,
+    encoder_rows,
+    resolution_row,
+    two_encoders,
+)
+from .._relations import less
+from .claims import of_variant
+from .paper import (
+    R1,
+    R2,
+    VARIANTS,
+    e,
+    k,
+    largest,
+    non_uniformity,
+)
+
+# Table 3: n, mean error and u in degrees; and the half-width of the printed interval.
+READINGS = {
+    1: Readings(198, Rational("-0.93"), Rational("0.82"), Rational("0.01")),
+    2: Readings(194, Rational("-0.98"), Rational("1.36"), Rational("0.01")),
+    3: Readings(192, Rational("0.68"), Rational("0.28"), Rational("0.01")),
+    4: Readings(171, Rational("-0.89"), Rational("1.01"), Rational("0.01")),
+}
+HALF_WIDTHS = {1: "1.64", 2: "2.72", 3: "0.28", 4: "2.02"}
+
+
+GAINS = {number: of_variant(largest, number) for number in VARIANTS}
+LIMITS = {number: two_encoders(gain) for number, gain in GAINS.items()}
+LARGEST_MEAN_ERROR = max(abs(line.mean) for line in READINGS.values())
+
+
+def implied_scatter(number: int) -> tuple[Expr, Expr]:
+    """Return s = u sqrt(n) and its largest possible value for errors within +-180 degrees."""
+    line = READINGS[number]
+    return line.uncertainty * sqrt(line.count), 180 * sqrt(Rational(line.count, line.count - 1))
+
+
+def interval_row(number: int) -> Claim:
+    """Recompute the 95 % interval of one variant: its half-width is twice the printed u."""
+    line, printed = READINGS[number], HALF_WIDTHS[number]
+    mean, right = f"{float(line.mean):.2f}", f"{float(2 * line.uncertainty):.2f}"
+    return Claim(
+        f"table 3, interval {number}",
+        rf"{mean} \pm {printed}^\circ",
+        PrintedNumber(printed, 2 * line.uncertainty),
+        note="The half-width is to be 2u with the u of table 3; if right, u is half of it.",
+        corrected=Correction(
+            rf"{mean} \pm {right}^\circ", PrintedNumber(right, 2 * line.uncertainty)
+        ),
+    )
+
+
+def u_of_pairs(part: Rational) -> Conjunction:
+    """State that (13)-(16) give the printed u for certain readings.
+
+    Pairs, an odd reading left at the mean, at `part` of the distance from it that gives u.
+    """
+    return Conjunction(
+        tuple(
+            PrintedNumber(f"{float(line.uncertainty):.2f}", part * line.uncertainty)
+            for line in READINGS.values()
+        )
+    )
+
+
+TABLE_CLAIMS = (
+    Claim(
+        "table 1, centre distances",
+        r"R_1-R_2\text{ is the same in all four variants}",
+        Conjunction(
+            tuple(
+                Holds(Eq(of_variant(R1 - R2, 1), of_variant(R1 - R2, number), evaluate=False))
+                for number in (2, 3, 4)
+            )
+        ),
+        note="2a = 50 mm, so one pair of ellipses with a = 25 mm fits every variant of its e.",
+        marks=("ours",),
+    ),
+    Claim(
+        "table 1, domain",
+        r"0<R_2<R_1,\ 0\le e<1\text{ in all four variants}",
+        Conjunction(
+            tuple(
+                Holds(
+                    And(
+                        Gt(of_variant(R1 - R2, number), 0, evaluate=False),
+                        Ge(of_variant(e, number), 0, evaluate=False),
+                        Gt(1 - of_variant(e, number), 0, evaluate=False),
+                    )
+                )
+                for number in VARIANTS
+            )
+        ),
+        marks=("ours",),
+    ),
+    resolution_row("table 2"),
+    *encoder_rows("table 2"),
+    *(interval_row(number) for number in READINGS),
+    Claim(
+        "table 3, u of variant 3 by its interval",
+        r"u=\tfrac12\cdot0.28^\circ=0.14^\circ",
+        PrintedNumber("0.14", Rational(HALF_WIDTHS[3]) / 2),
+        note="One of the two is wrong: the half-width, or the u of table 3, equal to it.",
+        marks=("ours",),
+    ),
+    Claim(
+        "table 3 by (13)-(16)",
+        r"\text{applying (13)-(16) we obtain table 3}",
+        Completions(
+            "the readings q_k",
+            Completion(
+                "the readings q_k: pairs at equal distances from the printed mean that give u",
+                u_of_pairs(Rational(1)),
+            ),
+            Completion(
+                "the readings q_k: the same pairs at half that distance", u_of_pairs(Rational(1, 2))
+            ),
+        ),
+        note="The readings are not printed, so neither the mean errors nor u can be recomputed.",
+    ),
+    Claim(
+        "table 3, scatter of single readings",
+        r"s(q_k)=u\sqrt n",
+        Conjunction(
+            tuple(
+                less(small, large)
+                for scatter, limit in map(implied_scatter, READINGS)
+                for small, large in ((40 * RESOLUTION, scatter), (scatter, limit))
+            )
+        ),
+        note=(
+            "If u is that of the mean, single errors scatter by "
+            + ", ".join(f"{float(implied_scatter(number)[0]):.1f}" for number in READINGS)
+            + " deg: more than 40 steps of the encoder each, but possible for errors within half "
+            "a turn."
+        ),
+        marks=("ours",),
+    ),
+    Claim(
+        "table 3, scatter and two encoders",
+        r"u\sqrt n>\sqrt{\tfrac n{n-1}\left(M^2-\bar q^2\right)},\ "
+        r"M=1.08^\circ\,(1+\max\varphi_3')",
+        beyond_encoders(READINGS, {number: LIMITS[number] for number in (1, 2, 4)}),
+        note=(
+            "An encoder at each shaft that keeps 0.3 % of 360 deg allows errors of at most M = "
+            + ", ".join(f"{float(limit):.1f}" for limit in LIMITS.values())
+            + " deg. Single readings of variants 1, 2 and 4 scatter by more: either the mechanism "
+            "or its model is off, or u is no uncertainty of the mean."
+        ),
+        marks=("ours", "inferred"),
+    ),
+    Claim(
+        "table 3, scatter of variant 3",
+        r"u\sqrt n<M",
+        less(implied_scatter(3)[0], LIMITS[3]),
+        note="Two encoders may explain variant 3.",
+        marks=("ours", "inferred"),
+    ),
+    *(
+        coverage_of_errors_row(number, line.count, ("inferred",))
+        for number, line in READINGS.items()
+    ),
+    Claim(
+        "different non-uniformity",
+        r"\text{varying the parameters gives position functions of different non-uniformity}",
+        Conjunction(
+            (
+                Holds(Gt(diff(non_uniformity, e), 0)),
+                Holds(Ge(diff(non_uniformity, k), 0)),
+                *(
+                    Holds(
+                        Ne(
+                            of_variant(non_uniformity, one),
+                            of_variant(non_uniformity, two),
+                            evaluate=False,
+                        )
+                    )
+                    for one in VARIANTS
+                    for two in VARIANTS
+                    if one < two
+                ),
+            )
+        ),
+        note=(
+            "(largest - smallest)/mean of the ratio grows with e and with R1/R2 and differs "
+            "between any two of the four variants."
+        ),
+    ),
+    adequacy_row(READINGS, GAINS, "variant 3 fails"),
+    Claim(
+        "inaccurate manufacture",
+        r"\text{a large mean error may point to inaccurate manufacture}",
+        Completions(
+            "what the linearity of 0.3 % refers to",
+            Completion(
+                "linearity taken of the full scale of 360 deg: the largest mean error exceeds it",
+                less(FULL_SCALE_LINEARITY, LARGEST_MEAN_ERROR),
+            ),
+            Completion(
+                "linearity taken of a reading of 90 deg: the largest mean error exceeds it",
+                less(READING_LINEARITY, LARGEST_MEAN_ERROR),
+            ),
+        ),
+        note="The encoder alone may explain the mean errors, or may not.",
+    ),
+)

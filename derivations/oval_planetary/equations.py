@@ -1,0 +1,258 @@
+"""The equations (1)-(11) of paper 2, and what is found beside each."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.record import (
+    Claim,
+    Conjunction,
+    Equality,
+    Equation,
+    Holds,
+    Part,
+    Reading,
+    Row,
+    Sign,
+)
+
+from .mechanics import (
+    PLACES,
+    cos_6,
+    focal_radius,
+    integrate,
+    omega_satellite,
+    oval_radius,
+    point_b,
+    point_d,
+    ratio_by_inversion,
+    ratio_by_plan,
+    roll,
+    roll_reduced,
+    sun_radius,
+)
+from .positions import E_SERIES, position_of_one
+from .printed import (
+    EQUATION_2,
+    EQUATION_5,
+    EQUATION_7,
+    EQUATION_10,
+    RATIO_OF_10,
+    print_3_by_6,
+    print_5,
+    print_7,
+    print_10,
+    print_radius,
+)
+from .symbols import (
+    EC,
+    VC,
+    VD,
+    a,
+    driven_angle,
+    e,
+    e1,
+    e2,
+    phi,
+    phi1,
+    phi3,
+    phi5,
+    phi6,
+    ratio_symbol,
+    rho,
+    rho5,
+    rho6,
+    sB,
+    sC,
+    sD,
+    start,
+    theta,
+)
+
+oval = print_radius(e, phi)
+slope = sp.diff(oval, phi)
+
+# Positive where the curve bends towards its centre.
+bend = sp.factor(oval**2 + 2 * slope**2 - oval * sp.diff(oval, phi, 2))
+mate_cosine, _ = roll(e, phi)
+mate = oval_radius(e, -mate_cosine)
+
+EQUATION_ROWS: tuple[Row, ...] = (
+    Equation(
+        "(1)",
+        r"\varphi_3'=\frac{\omega_3}{\omega_1}=\frac{v_D\cdot AC}{v_C\cdot DE}"
+        r"=\frac{BD\cdot AC}{BC\cdot DE}",
+        defines=(ratio_symbol,),
+        marks=("rebuilt",),
+        signs={
+            2: Sign(
+                note="v_C = omega1 AC and v_D = omega3 DE, all signed on the line A-C.",
+                marks=("rebuilt", "inferred"),
+            ),
+            3: Sign(
+                derived={
+                    VC: omega_satellite * (sC - sB),
+                    VD: -omega_satellite * (sD - sB),
+                },
+                note="Velocities of the satellite are proportional to the distance from B; that of "
+                "D is counted against the carrier.",
+                marks=("rebuilt", "inferred"),
+            ),
+        },
+    ),
+    EQUATION_2,
+    Claim(
+        "(2), semi-axes",
+        r"a(1-e)\le\rho\le a(1+e)",
+        derived={rho: print_radius(e, phi)},
+        marks=("ours",),
+    ),
+    Claim(
+        "(2), convex",
+        r"\rho^2+2\rho'^2-\rho\rho''\ge0",
+        Holds(bend >= 0),
+        note="The sign is that of 1 + 3 e cos(2 phi): beyond e = 1/3 the pitch curve has hollow "
+        "flanks. The paper's e = 0.2 is convex.",
+        holds_on=Part("e <= 1/3", {e: sp.Interval(0, sp.Rational(1, 3))}),
+        marks=("ours",),
+    ),
+    Claim(
+        "(2), convex up to 1/3",
+        r"\rho^2+2\rho'^2-\rho\rho''<0\text{ at }\varphi=\tfrac\pi2,\ e>\tfrac13",
+        Holds(bend.subs(phi, sp.pi / 2) < 0),
+        on=Part("e > 1/3", {e: sp.Interval.open(sp.Rational(1, 3), 1)}),
+        marks=("ours",),
+    ),
+    Equation(
+        "(3)",
+        r"BC=\rho_5=\frac{a(1-e_1^2)}{1-e_1\cos2\varphi_5}",
+        defines=(rho5,),
+        signs={2: Sign(derived={rho5: focal_radius.subs({e: e1, theta: 2 * phi5})})},
+        marks=("rebuilt",),
+    ),
+    Equation(
+        "(4)",
+        r"CD=\rho_6=\frac{a(1-e_2^2)}{1-e_2\cos2\varphi_6}",
+        defines=(rho6,),
+        signs={2: Sign(derived={rho6: focal_radius.subs({e: e2, theta: 2 * phi6})})},
+        marks=("rebuilt",),
+    ),
+    EQUATION_5,
+    Claim(
+        "(5), constant",
+        r"\rho_4(0)+\rho_5\left(\tfrac\pi2-c\right)-2a"
+        r"=\frac{2ae_1(1-e_1)\sin^2c}{1+e_1\cos2c}",
+        Equality(
+            print_radius(e1, sp.S.Zero) + print_radius(e1, sp.pi / 2 - start) - 2 * a,
+            2 * a * e1 * (1 - e1) * sp.sin(start) ** 2 / (1 + e1 * sp.cos(2 * start)),
+        ),
+        note="With (3), (6) and the axes 2a apart the lost constant of (5) is 0 (or half turns, "
+        "which change no radius).",
+        marks=("ours",),
+    ),
+    Claim(
+        "(5), closed form",
+        r"\varphi_6=\varphi_1+\mathrm{arctg}\frac{e_1\sin2\varphi_1}{1-e_1\cos2\varphi_1}",
+        derived={phi6: print_5},
+        note="Over any number of turns; tan(phi6) = (1 + e1)/(1 - e1) tan(phi1).",
+        marks=("ours",),
+    ),
+    Claim(
+        "(5), double angle",
+        r"\cos2\varphi_6=\frac{(1+e^2)\cos2\varphi_1-2e}{1+e^2-2e\cos2\varphi_1},\ "
+        r"\sin2\varphi_6=\frac{(1-e^2)\sin2\varphi_1}{1+e^2-2e\cos2\varphi_1}",
+        Conjunction(
+            tuple(
+                Equality(one, two)
+                for one, two in zip(roll_reduced(e, phi1), roll(e, phi1), strict=True)
+            )
+        ),
+        marks=("ours",),
+    ),
+    Equation(
+        "(6)",
+        r"\varphi_5=\frac{\pi}{2}-\varphi_6",
+        defines=(phi5,),
+        note="How wheels 5 and 6 are mounted on their shaft.",
+        marks=("rebuilt", "uncertain"),
+    ),
+    Claim(
+        "(6), mesh with the sun",
+        r"\rho_5\left(\tfrac\pi2-\varphi_6\right)=2a-\rho_4(\varphi_1)",
+        Equality(print_3_by_6(cos_6), 2 * a - sun_radius),
+        note="With (6), (3) is the radius that meshes with the sun: cos(2 phi5) = -cos(2 phi6).",
+        marks=("rebuilt", "uncertain"),
+    ),
+    Claim(
+        "(6), sign",
+        r"\rho_5\left(\tfrac\pi2-\varphi_6\right)=\rho_5\left(\tfrac\pi2+\varphi_6\right)",
+        Equality(
+            print_radius(e1, sp.pi / 2 - phi6), focal_radius.subs({e: e1, theta: sp.pi + 2 * phi6})
+        ),
+        note="Nothing depends on the sign that may be the bar of a fraction.",
+        marks=("ours",),
+    ),
+    EQUATION_7,
+    Equation(
+        "(8)",
+        r"AC=EC=2a",
+        signs={
+            2: Sign(
+                derived={EC: focal_radius.subs(theta, 2 * phi) + mate},
+                note="Two congruent ovals mesh at this distance in every position.",
+            )
+        },
+        marks=("rebuilt", "inferred"),
+    ),
+    Claim(
+        "(8), rolling",
+        r"\rho\,d\varphi=\rho_{mate}\,d\chi",
+        Equality(print_radius(e, phi), mate * sp.diff(driven_angle(e, phi), phi)),
+        note="The arcs are equal: congruent ovals roll without slip.",
+        marks=("ours",),
+    ),
+    Equation("(9)", r"DE=2a-\rho_6", derived=PLACES, marks=("rebuilt", "inferred")),
+    Claim(
+        "two routes",
+        r"\text{velocity plan}=\text{method of inversion}",
+        Equality(ratio_by_plan, ratio_by_inversion),
+        marks=("ours", "inferred"),
+    ),
+    EQUATION_10,
+    Equation(
+        "(11)",
+        r"\varphi_3(\varphi_1)=\int\varphi_3'\,d\varphi_1",
+        derived={phi3: -position_of_one(E_SERIES), ratio_symbol: RATIO_OF_10},
+        note="From phi3(0) = 0, with (10) and (3)-(6), the output counted against the carrier; in "
+        "closed form phi3 = arctan(E sin(2 phi1)/(1 - E cos(2 phi1))), "
+        "E = (e1 + e2)/(1 + e1 e2).",
+        marks=("rebuilt", "inferred"),
+    ),
+    Claim(
+        "(1)-(11), sense of the output",
+        r"BD=\rho_6-\rho_5,\ \varphi_3'=\frac{(\rho_6-\rho_5)\,2a}{\rho_5\,(2a-\rho_6)}",
+        Conjunction(
+            (
+                Equality(print_7, point_d - point_b),
+                Equality(print_10, ratio_by_plan),
+                Equality(integrate(RATIO_OF_10), position_of_one(E_SERIES)),
+            )
+        ),
+        readings=(
+            Reading(
+                "the output counted against the carrier's direction of rotation throughout: "
+                "omega3, v_D, BD from D to B, phi3",
+                Conjunction(
+                    (
+                        Equality(print_7, point_b - point_d),
+                        Equality(print_10, -ratio_by_plan),
+                        Equality(integrate(RATIO_OF_10), -position_of_one(E_SERIES)),
+                    )
+                ),
+            ),
+        ),
+        note="No direction of phi3 survives in the text. One choice makes the whole chain true; "
+        "the other equations are judged with it.",
+        marks=("rebuilt", "inferred"),
+    ),
+)

@@ -1,0 +1,222 @@
+"""Part one: what is printed of errors of machining, (1)-(7)."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.record import (
+    Claim,
+    Completion,
+    Completions,
+    Conjunction,
+    Correction,
+    Definition,
+    Equality,
+    Equation,
+    Holds,
+    PrintedNumber,
+    Row,
+    sum_distinct,
+)
+
+from .error_sums import (
+    CORRECTED_5,
+    DEVIATIONS,
+    DEVIATIONS_T,
+    FULLY_CORRELATED,
+    SINGLES,
+    SINGLES_T,
+    UNCORRELATED,
+    UNIT_INFLUENCE,
+    propagate,
+    propagate_groups,
+)
+from .errors import (
+    correlations,
+    correlations_t,
+    dummy,
+    elastics,
+    elastics_t,
+    error,
+    half_width,
+    i,
+    influences,
+    j,
+    mountings,
+    mountings_t,
+    offset,
+    output,
+    scatter,
+    sigma,
+    thermal,
+    total,
+    total_t,
+)
+from .prints import EQUATION_5, PRINTED_5
+
+LATEX_SUM = (
+    r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_iS_iT_i)^2"
+    r"+\sum_{i=1}^n\sum_{%s=1,%s\ne i}^n(K_iK_jS_iS_jT_iT_jR_{ij})}"
+)
+LATEX_GROUPS = (
+    r"\Delta_\Sigma%(t)s=\frac1K\sqrt{(K_i\Delta_\phi%(t)s)^2+\sum_{i=1}^n(K_i\Delta_y%(t)s)^2"
+    r"+\sum_{i=1}^n(K_i\Delta_\delta%(t)s)^2+(K_i\Delta_n%(t)s)^2+(K_i\Delta_u%(t)s)^2"
+    r"+\Delta_T%(t)s}"
+)
+LATEX_CORRECTED_GROUPS = (
+    r"\Delta_\Sigma%(t)s=\frac1K\sqrt{(K_\phi\Delta_\phi%(t)s)^2"
+    r"+\sum_{i=1}^{n_y}(K_{y,i}\Delta_{y,i}%(t)s)^2"
+    r"+\sum_{i=1}^{n_\delta}(K_{\delta,i}\Delta_{\delta,i}%(t)s)^2"
+    r"+(K_n\Delta_n%(t)s)^2+(K_u\Delta_u%(t)s)^2+(K_T\Delta_T%(t)s)^2}"
+)
+LATEX_GROUPS_AND_THERMAL = (LATEX_GROUPS % {"t": ""}).replace(r"+\Delta_T}", r"}+\Delta_T")
+LATEX_CORRECTED_GROUPS_AND_THERMAL = (LATEX_CORRECTED_GROUPS % {"t": ""}).replace(
+    r"+(K_T\Delta_T)^2}", r"}+\Delta_T"
+)
+
+
+def kept_by_normal_law(coefficient: sp.Expr) -> sp.Expr:
+    """Percentage of a normal law within the field 6 sigma/K about its mean."""
+    return 100 * sp.erf(3 / (coefficient * sp.sqrt(2)))
+
+
+ERROR_ROWS: tuple[Row, ...] = (
+    Equation(
+        "(1)",
+        r"Y=f(X_1,\dots,X_i,\dots,X_n)",
+        defines=(output,),
+        note="Names the output and its parameters; everything after it uses f to first order.",
+    ),
+    Equation(
+        "(2)",
+        r"\Delta_i=(X_i-X_0)",
+        defines=(error,),
+        note="The nominal value X_0 should carry the index i, since each parameter has its own.",
+    ),
+    Claim(
+        "after (3), K",
+        r"K\text{: relative-scatter coefficient of the output; }K_i\text{: ratio of the scatter "
+        r"field under the normal law to the actual field}",
+        Definition(scatter, 6 * sigma / total),
+        note="The ratio is printed for the inputs and read for the output likewise; the field "
+        "under the normal law is taken as six standard deviations.",
+        marks=("inferred",),
+    ),
+    Claim(
+        "after (3), K of a uniform law",
+        r"K_i=\sqrt3",
+        Conjunction(
+            (
+                Equality(sp.Integral(dummy**2, (dummy, 0, offset)), offset**3 / 3),
+                Equality(
+                    6 * sp.sqrt((half_width**3 / 3 - (-half_width) ** 3 / 3) / (2 * half_width)),
+                    sp.sqrt(3) * (2 * half_width),
+                ),
+            )
+        ),
+        note="The coefficient of an error that is uniform over its tolerance, where the normal "
+        "law has 1: six standard deviations are sqrt(3) tolerances.",
+        marks=("ours",),
+    ),
+    Claim(
+        "after (3), K for a reliability",
+        r"K\text{ corrects for a given guaranteed reliability}",
+        Completions(
+            "the guaranteed reliability",
+            Completion(
+                "the guaranteed reliability: 99.73 %, for which the normal law needs K = 1",
+                PrintedNumber("99.73", kept_by_normal_law(sp.Integer(1))),
+            ),
+            Completion(
+                "the guaranteed reliability: 95 %, for which the normal law needs K = 1",
+                PrintedNumber("95", kept_by_normal_law(sp.Integer(1))),
+            ),
+        ),
+        note="The share that a field of 6 sigma/K keeps tells K from the reliability, which is not "
+        "printed: K = 1 for 99.73 %, K = 3/1.96 for 95 %.",
+    ),
+    Equation(
+        "(3)",
+        LATEX_SUM % ("k", "k"),
+        derived={total: propagate(DEVIATIONS, correlations[i, j], influences[i])},
+        corrected=Correction(LATEX_SUM % ("j", "j")),
+        note="The inner sum runs over k while its terms carry j; the list of symbols names i, j "
+        "as the pair and (4) sums over j, so j is meant.",
+    ),
+    Claim(
+        "(3), coefficients that fit together",
+        r"R_{ij}=-1\ (i\ne j,\ n=3)",
+        Holds(
+            sp.Lt(
+                sp.Sum(1, (i, 1, 3)) + sum_distinct(sp.Integer(-1), i, j, sp.Integer(3)),
+                0,
+                evaluate=False,
+            )
+        ),
+        note="Values between -1 and 1 are not enough: three unit errors with all R_ij = -1 make "
+        "the radicand negative. The matrix of the R_ij must be positive semidefinite.",
+        marks=("ours",),
+    ),
+    Equation(
+        "(4)",
+        r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_i(t)S_iT_i(t))^2"
+        r"+\sum_{i=1}^n\sum_{j=1,j\ne i}^n(K_i(t)K_j(t)S_iS_jT_i(t)T_j(t)R_{ij}(t))}",
+        derived={total: propagate(DEVIATIONS_T, correlations_t[i, j], influences[i])},
+        note="Holds at each instant t; the left side is then a function of t too.",
+    ),
+    Claim(
+        "after (4), S_i = 1",
+        r"\text{If the elementary errors are independent and do not change in time, then }"
+        r"S_i=1\text{ may be taken}",
+        Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
+        corrected=Correction(
+            r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_iS_iT_i)^2}",
+            Equality(CORRECTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
+        ),
+        note="Independence removes the correlation terms but says nothing about the "
+        "sensitivities: S_i = 1 is a second, separate assumption.",
+    ),
+    EQUATION_5,
+    Claim(
+        "after (5), usual conditions",
+        r"\text{(5) may be used for machining blanks on machine tools in usual production"
+        r" conditions}",
+        Completions(
+            "the correlations under usual conditions",
+            Completion(
+                "usual conditions: uncorrelated errors, each with S_i = 1",
+                Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)),
+            ),
+            Completion(
+                "usual conditions: errors with one common cause, R_ij = 1, each with S_i = 1",
+                Equality(PRINTED_5, propagate(DEVIATIONS, FULLY_CORRELATED, UNIT_INFLUENCE)),
+            ),
+        ),
+        note="The paper gives neither the correlations nor the sensitivities of usual conditions.",
+    ),
+    Equation(
+        "(6)",
+        LATEX_GROUPS % {"t": ""},
+        derived={total: propagate_groups(SINGLES, mountings, elastics)},
+        corrected=Correction(LATEX_CORRECTED_GROUPS % {"t": ""}),
+        note="The index i is free outside the sums, and the length Delta_T is added to squares of "
+        "lengths. In the corrected form each group has its own index and each term is a square; "
+        "as in (5) every sensitivity is one.",
+    ),
+    Claim(
+        "(6), Delta_T outside the root",
+        LATEX_GROUPS_AND_THERMAL,
+        derived={total: propagate_groups(SINGLES[:-1], mountings, elastics) + thermal},
+        corrected=Correction(LATEX_CORRECTED_GROUPS_AND_THERMAL),
+        note="Another reading of (6), and of (7): the root ends before Delta_T, a systematic error "
+        "that adds as it is. The lengths then agree; the index i stays free.",
+        marks=("ours", "uncertain"),
+    ),
+    Equation(
+        "(7)",
+        LATEX_GROUPS % {"t": "(t)"},
+        derived={total_t: propagate_groups(SINGLES_T, mountings_t, elastics_t)},
+        corrected=Correction(LATEX_CORRECTED_GROUPS % {"t": "(t)"}),
+        note="As (6), at each instant t; the K_i are printed without t and kept so.",
+    ),
+)
