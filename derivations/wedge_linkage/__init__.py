@@ -2,10 +2,13 @@
 
 from mechproof.record import Paper
 
-from . import chain, kernels, proofs, steps
+from . import chain, conditioning, proofs, steps, symbols
+from .equations import EQUATION_ROWS
 from .kernels import QUANTITIES
-from .paper import ROWS, VARIABLES
 from .sizes import FIRST_SET, SECOND_SET
+from .table import SIZE_ROWS
+from .tolerances import RANGE_ROWS
+from .transfer import TRANSFER_ROWS
 
 PAPER = Paper(
     system="wedge_linkage",
@@ -14,13 +17,13 @@ PAPER = Paper(
         "doi 10.15593/2224-9982/2021.64.07"
     ),
     variables=(
-        *VARIABLES,
+        *symbols.VARIABLES,
         *steps.VARIABLES,
         *chain.VARIABLES,
-        *kernels.VARIABLES,
+        *conditioning.VARIABLES,
         *proofs.VARIABLES,
     ),
-    rows=ROWS,
+    rows=(*EQUATION_ROWS, *TRANSFER_ROWS, *SIZE_ROWS, *RANGE_ROWS),
     quantities=QUANTITIES,
     published=(FIRST_SET, SECOND_SET),
     conventions=(

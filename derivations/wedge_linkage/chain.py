@@ -7,13 +7,15 @@ from sympy import sqrt
 
 from mechproof.record import LENGTH, Variable
 
-from .mechanics import (
+from .half_angles import half_3
+from .prints import print_1, print_1_bottom, print_1_top, print_3, print_7, print_8, print_10
+from .slopes import lever_slopes, roller_slopes
+from .symbols import (
     PRINTED_R,
     R,
     alpha_DE,
     alpha_KL,
     alpha_LM,
-    half_3,
     l_AB,
     l_BC,
     l_CD,
@@ -21,19 +23,10 @@ from .mechanics import (
     l_GH,
     l_KL,
     l_LM,
-    lever_slopes,
     phi3,
     phi7,
-    print_1,
-    print_1_bottom,
-    print_1_top,
-    print_3,
-    print_7,
-    print_8,
-    print_10,
     radicand,
     reach,
-    roller_slopes,
     x1,
     x5,
 )

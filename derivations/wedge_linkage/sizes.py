@@ -16,14 +16,15 @@ from mechproof.record import (
     Toleranced,
 )
 
-from .mechanics import (
+from .mechanics import driven
+from .prints import print_1, print_3, print_10
+from .symbols import (
     PRINTED_Q,
     PRINTED_R,
     Q,
     alpha_DE,
     alpha_KL,
     alpha_LM,
-    driven,
     l_AB,
     l_BC,
     l_CD,
@@ -37,9 +38,6 @@ from .mechanics import (
     overlap,
     phi3,
     phi7,
-    print_1,
-    print_3,
-    print_10,
     radicand,
     x1,
     x5,

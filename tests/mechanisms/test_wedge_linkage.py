@@ -13,8 +13,8 @@ import sympy as sp
 
 from mechproof import WedgeLinkage
 from mechproof.derivations.wedge_linkage import PAPER, chain, sizes
-from mechproof.derivations.wedge_linkage.kernels import condition
-from mechproof.derivations.wedge_linkage.mechanics import x1 as pusher
+from mechproof.derivations.wedge_linkage.conditioning import condition
+from mechproof.derivations.wedge_linkage.symbols import x1 as pusher
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.mechanisms.wedge_linkage import PusherReachError, RollerLeverReachError
 from mechproof.proof import balls

@@ -1,0 +1,125 @@
+"""Rows of paper 3 on the example of Table 1."""
+
+from __future__ import annotations
+
+from sympy import Rational, S
+
+from mechproof.record import (
+    Claim,
+    Completion,
+    Completions,
+    Conjunction,
+    Correction,
+    Definition,
+    Equality,
+    PrintedNumber,
+)
+
+from .._relations import less
+from .geometry import height_deviation, reading
+from .shares import NORMAL_SHARE
+from .symbols import E_cs, E_true, K_m, T_c, degree, dh, dh_gauge, ds_gauge, e_tip, millimetre
+from .wheel import DECREASE_UM, GAUGE_UM, TEETH, TOLERANCE_UM
+
+EXAMPLE_ROWS = (
+    Claim(
+        "Table 1, smallest deviation",
+        r"E_{cs}=12~\mu\mathrm m",
+        Definition(E_cs, Rational(DECREASE_UM, 1000) * millimetre),
+        note="A datum; its sign is a matter of 'smallest deviation'.",
+    ),
+    Claim(
+        "Table 1, tolerance",
+        r"T_c=45~\mu\mathrm m",
+        Definition(T_c, Rational(TOLERANCE_UM, 1000) * millimetre),
+        note="A datum.",
+    ),
+    Claim(
+        "Table 1, accuracy degree",
+        r"6\mathrm H",
+        Definition(degree, S(6)),
+        note="A datum; no formula of the paper uses it.",
+    ),
+    Claim(
+        "Table 1, uncertainty of the gauge",
+        r"50~\mu\mathrm m\text{ against the tolerance of }45~\mu\mathrm m",
+        Completions(
+            Completion(
+                "full width: the largest error is below the tolerance",
+                less(Rational(GAUGE_UM, 2), S(TOLERANCE_UM)),
+            ),
+            Completion(
+                "half the width: the same",
+                less(S(GAUGE_UM), S(TOLERANCE_UM)),
+            ),
+        ),
+        note="In both readings far above the usual tenth of the tolerance.",
+        marks=("ours",),
+    ),
+    Claim(
+        "Table 1, column 9",
+        r"(9)=(2)+(7)+(8)",
+        Equality(E_true + K_m * dh + ds_gauge, reading),
+        note="True deviation, thickness error from the shift, gauge; as in step 8.",
+    ),
+    Claim(
+        "Table 1, columns 4 to 6",
+        r"(6)=(4)+(5)",
+        Completions(
+            Completion(
+                "column 4 lists the deviation of the diameter",
+                Equality(e_tip + dh_gauge, height_deviation),
+            ),
+            Completion(
+                "column 4 lists half of it, counted towards the centre",
+                Equality(e_tip + dh_gauge, height_deviation.subs(e_tip, -2 * e_tip)),
+            ),
+        ),
+        note="Total shift from tip diameter and gauge, as in step 5; the rule is read from there.",
+        marks=("inferred",),
+    ),
+    Claim(
+        "Table 1, number of teeth",
+        r"50\text{ deviations: as many as the wheel has teeth}",
+        PrintedNumber("50", S(TEETH)),
+        marks=("ours",),
+    ),
+    Claim(
+        "Table 1, 50 of 50",
+        r"50\text{ of }50\text{, i.e. }100~\%",
+        PrintedNumber("100", 100 * Rational(50, 50)),
+        note="Right as the share in the sample.",
+    ),
+    Claim(
+        "Table 1, 50 of 50, share of all teeth",
+        r"100~\%\text{ good at }K=6",
+        Equality(S.One, NORMAL_SHARE),
+        corrected=Correction(r"99.73~\%", PrintedNumber("99.73", 100 * NORMAL_SHARE)),
+        note="Of the process, if the sample's share is taken for it; normal law, centred.",
+        marks=("ours",),
+    ),
+    Claim(
+        "Table 1, 50 of 50, what it is compatible with",
+        r"p^{50}\ge0.05\text{ down to }p=94.2~\%",
+        Conjunction(
+            (
+                less(Rational(1, 20), Rational("0.942") ** 50),
+                less(Rational("0.941") ** 50, Rational(1, 20)),
+            )
+        ),
+        note="Clopper and Pearson: the one-sided 95 % bound lies between 94.1 and 94.2 % good.",
+        marks=("ours",),
+    ),
+    Claim(
+        "Table 1, 50 of 50, how often",
+        r"0.87<\mathrm{erf}(3/\sqrt2)^{50}<0.88",
+        Conjunction(
+            (
+                less(Rational("0.87"), NORMAL_SHARE**50),
+                less(NORMAL_SHARE**50, Rational("0.88")),
+            )
+        ),
+        note="The chance of 50 good teeth in 50 at K = 6, centred.",
+        marks=("ours",),
+    ),
+)

@@ -1,0 +1,191 @@
+"""Rows of paper 3 on the influence of the height on the thickness: (1) and step 6."""
+
+from __future__ import annotations
+
+from sympy import Interval, Rational, S, atan, cos, diff, pi, sin, tan
+
+from mechproof.record import Claim, Conjunction, Correction, Equality, Equation, Part, PrintedNumber
+
+from .._relations import less, not_above
+from .geometry import (
+    across,
+    chord_distance,
+    chord_half,
+    curvature_of_thickness,
+    distance,
+    half_tooth,
+    height_change,
+    influence,
+    involute_chord,
+    involute_distance,
+    linearisation_bound,
+    linearisation_root,
+    roll,
+    slope_of_thickness,
+    thickness,
+    thickness_change,
+)
+from .symbols import K_m, alpha, delta, dh, m, r_b, s_c, t_c, tilt, y_c, z
+from .wheel import GRADES, PRINTED_INFLUENCE, excess_of_wheel, of_wheel
+
+INFLUENCE_ROWS = (
+    Equation(
+        "(1), influence 0.7284",
+        r"\Delta S_c=0.7284\,\Delta h",
+        PrintedNumber("0.7284", of_wheel(K_m)),
+        corrected=Correction(
+            r"\Delta S_c=2\,\mathrm{tg}\,20^\circ\,\Delta h=0.7279\,\Delta h",
+            PrintedNumber("0.7279", of_wheel(K_m)),
+        ),
+        note="At the constant chord the flank's tangent has exactly the rack's angle.",
+        marks=("calibrated", "inferred"),
+    ),
+    Claim(
+        "(1), exact derivative",
+        r"\frac{dS}{dh}=2\,\mathrm{tg}\,\delta,\quad\delta=\alpha\text{ at the constant chord}",
+        Conjunction(
+            (
+                Equality(slope_of_thickness, 2 * tan(delta)),
+                Equality(K_m, influence),
+            )
+        ),
+        note=(
+            "On the involute itself; delta is the angle of the flank's tangent with the tooth's "
+            "axis. On the rack the derivative is 2 tan(alpha) at every height."
+        ),
+        marks=("ours",),
+    ),
+    Claim(
+        "(1), where the flank has the slope 0.7284",
+        r"2\,\mathrm{tg}\,\delta=0.7284\text{ 5 to 6 }\mu\mathrm m\text{ nearer the tip}",
+        Conjunction(
+            (
+                less(
+                    Rational("0.005"),
+                    of_wheel(
+                        chord_distance(atan(PRINTED_INFLUENCE / 2), half_tooth) - involute_distance
+                    ),
+                ),
+                less(
+                    of_wheel(
+                        chord_distance(atan(PRINTED_INFLUENCE / 2), half_tooth) - involute_distance
+                    ),
+                    Rational("0.006"),
+                ),
+            )
+        ),
+        note="The graphic construction was off by as little as that.",
+        marks=("ours", "calibrated"),
+    ),
+    Claim(
+        "(1), cost of 0.7284",
+        r"|0.7284-2\,\mathrm{tg}\,20^\circ|\cdot 0.1~\mathrm{mm}<0.05~\mu\mathrm m",
+        less((PRINTED_INFLUENCE - of_wheel(K_m)) * 100, Rational("0.05")),
+        note="For heights that are off by up to 0.1 mm; the third digit does no harm.",
+        marks=("ours", "calibrated"),
+    ),
+    Equation(
+        "step 6, influence of the involute",
+        r"\Delta S_{ca}=K_m\cdot\Delta h",
+        Equality(K_m * height_change, thickness_change),
+        on=Part("up to an eighth of a turn about the constant chord", {tilt: Interval(0, pi / 4)}),
+        corrected=Correction(
+            r"\Delta S_{ca}=K_m\,\Delta h-mz\left[t_c(1-\cos\varepsilon)+\sin\varepsilon"
+            r"-\varepsilon\cos\varepsilon\right],\ t_c=\mathrm{tg}\,\alpha+\frac\pi{2z}",
+            Equality(K_m * height_change - m * z * across, thickness_change),
+        ),
+        note=(
+            "Right to first order only; epsilon is the angle between the tangents of the flank at "
+            "the chord measured and at the constant chord."
+        ),
+    ),
+    Claim(
+        "step 6, tilt as parameter",
+        r"\Delta h(\varepsilon)=y(\alpha)-y(\alpha+\varepsilon),\ "
+        r"\Delta S(\varepsilon)=S(\alpha+\varepsilon)-S(\alpha)",
+        Conjunction(
+            (
+                Equality(
+                    height_change,
+                    involute_distance - chord_distance(alpha + tilt, half_tooth),
+                ),
+                Equality(
+                    thickness_change,
+                    2 * chord_half(alpha + tilt, half_tooth) - involute_chord,
+                ),
+            )
+        ),
+        note="The closed forms of the kernels against the involute.",
+        marks=("ours",),
+    ),
+    Claim(
+        "step 6, curvature",
+        r"\frac{d^2S}{dh^2}=-\frac{2}{r_b t\cos^3\delta}",
+        Equality(curvature_of_thickness, -2 / (r_b * roll * cos(delta) ** 3)),
+        note="r_b t is the radius of curvature of the flank; the linear model is never too small.",
+        marks=("ours",),
+    ),
+    Claim(
+        "step 6, distance of the tangent",
+        r"y\cos\delta-\tfrac S2\sin\delta=r_b",
+        Equality(distance * cos(delta) - thickness / 2 * sin(delta), r_b),
+        note="Hence cos(delta) >= r_b/y wherever S >= 0 and 0 <= delta < pi/2.",
+        marks=("ours",),
+    ),
+    Claim(
+        "step 6, radius of curvature",
+        r"(r_bt)^2=y^2+\tfrac{S^2}4-r_b^2",
+        Equality((r_b * roll) ** 2, distance**2 + thickness**2 / 4 - r_b**2),
+        note="Deeper chords are thicker, so it falls by no more than y^2 does.",
+        marks=("ours",),
+    ),
+    Claim(
+        "step 6, excess of the linear model",
+        r"K_m\Delta h-\Delta S=mz\,N,\ N(0)=0,\ \frac{dN}{d\varepsilon}="
+        r"(t_c+\varepsilon)\sin\varepsilon",
+        Conjunction(
+            (
+                Equality(m * z * across, K_m * height_change - thickness_change),
+                Equality(across.subs(tilt, 0), S.Zero),
+                Equality(diff(across, tilt), (t_c + tilt) * sin(tilt)),
+                Equality(s_c, involute_chord),
+                Equality(y_c, involute_distance),
+                Equality(linearisation_root, (y_c - dh) ** 2 + s_c**2 / 4 - r_b**2),
+            )
+        ),
+        note=(
+            "N is the bracket of step 6. With 'curvature', 'distance of the tangent' and 'radius "
+            "of curvature', Taylor's remainder gives the bound of the kernel: dh^2 (y_c + |dh|)^3/"
+            "(r_b^3 R), R^2 the last part with |dh| for dh, for |dh| <= y_c - r_b, up to the tip."
+        ),
+        marks=("ours",),
+    ),
+    Claim(
+        "step 6, excess of the linear model, this wheel",
+        r"|\varepsilon|\le\tfrac1{20}\text{ (over 1 mm either way): }"
+        r"0\le K_m\Delta h-\Delta S\le\frac{\Delta h^2}{20~\mathrm{mm}}",
+        Conjunction(
+            (
+                not_above(S.Zero, excess_of_wheel),
+                not_above(excess_of_wheel, of_wheel(height_change) ** 2 / 20),
+                less(of_wheel(height_change).subs(tilt, Rational(1, 20)), S.NegativeOne),
+                less(S.One, of_wheel(height_change).subs(tilt, Rational(-1, 20))),
+            )
+        ),
+        on=Part(
+            "a twentieth of a radian either way",
+            {tilt: Interval(-Rational(1, 20), Rational(1, 20))},
+        ),
+        marks=("ours", "calibrated"),
+    ),
+    Claim(
+        "step 6, excess of the linear model, IT8",
+        r"|\Delta h|\le0.063~\mathrm{mm}:\ \text{bound}<0.2~\mu\mathrm m",
+        less(
+            of_wheel(linearisation_bound.subs(dh, Rational(GRADES[8][1], 1000))),
+            Rational("0.0002"),
+        ),
+        note="For tip diameters of IT8 the linear model is good to a two-hundredth of T_c.",
+        marks=("ours", "calibrated"),
+    ),
+)

@@ -1,0 +1,65 @@
+"""Shares of parts, accepted and rejected, good and bad, by normal laws."""
+
+from __future__ import annotations
+
+from sympy import Expr, Integral, Rational, S, Symbol, exp, pi, sqrt, tan
+
+from mechproof.record import Part
+
+from .._metrology import normal_between, normal_outside
+from .symbols import (
+    POSITIVE,
+    above,
+    below,
+    e_tip,
+    incline,
+    sigma_height,
+    sigma_thickness,
+    sigma_tip,
+    width,
+)
+from .wheel import GRADES, K_PRINTED, PRINTED_INFLUENCE, PROFILE_ANGLE, TOLERANCE_UM
+
+GEOMETRIES = {
+    "printed": (PRINTED_INFLUENCE, PRINTED_INFLUENCE),
+    "involute": (tan(PROFILE_ANGLE), 2 * tan(PROFILE_ANGLE)),
+}
+
+
+# Share of good teeth, normal law centred on its field of K = 6 standard deviations.
+THREE_SIGMA = Rational(K_PRINTED, 2)
+NORMAL_SHARE = normal_between(S.Zero, S.One, -THREE_SIGMA, THREE_SIGMA)
+
+
+def measurement_spread(
+    grade: int, limit_error: int | Rational, multiple: int, geometry: str
+) -> Expr:
+    """Give the standard deviation (um) of the whole error: tip with IT/sigma = K, and gauge."""
+    tip, height = GEOMETRIES[geometry]
+    gauge = Rational(limit_error) / multiple
+    return sqrt((tip * Rational(GRADES[grade][1], K_PRINTED)) ** 2 + (1 + height**2) * gauge**2)
+
+
+def wrongly_rejected(spread: Expr, ratio: int = K_PRINTED) -> Expr:
+    """Share of good teeth rejected; normal laws, centred, T/sigma = ratio."""
+    y = Symbol("y", real=True)
+    half, spread_true = Rational(TOLERANCE_UM, 2), Rational(TOLERANCE_UM, ratio)
+    density = exp(-(y**2) / (2 * spread_true**2)) / (spread_true * sqrt(2 * pi))
+    return Integral(density * normal_outside(y, spread**2, -half, half), (y, -half, half))
+
+
+def rejected_by(
+    grade: int, limit_error: int | Rational, multiple: int = 3, geometry: str = "printed"
+) -> Expr:
+    """Share of good teeth rejected with a tip of a grade and a gauge."""
+    return wrongly_rejected(measurement_spread(grade, limit_error, multiple, geometry))
+
+
+def error_variance(tip: Expr, height: Expr) -> Expr:
+    """Variance of the measured thickness about the true one."""
+    return (tip * sigma_tip) ** 2 + (height * sigma_height) ** 2 + sigma_thickness**2
+
+
+VARIANCE_BY_SLOPE = error_variance(2 * incline, 2 * incline)
+chance_to_accept = normal_between(S.Zero, width**2 / 2, -below, above)
+UPWARD = Part("the tip diameter is too large", {e_tip: POSITIVE})
