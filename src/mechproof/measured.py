@@ -120,7 +120,7 @@ class SetErrors:
 
 @dataclass(frozen=True)
 class Cell:
-    """A box of argument sizes, from and to; other arguments have any size measured."""
+    """A cell of argument sizes, from and to; other arguments have any size measured."""
 
     sides: Mapping[str, Span]
     points: int

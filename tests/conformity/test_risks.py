@@ -135,7 +135,7 @@ def _enclose(case: Case, radii: list[arb]) -> list[arb]:
 
 
 def relative_errors(got: list[Any], case: Case) -> list[float]:
-    """Errors beside balls whose relative radius is below a thousandth of the bar."""
+    """Errors beside balls whose relative radius is below a thousandth of the bound."""
     for precision in (160, 480, 1500):
         balls = enclose(case, precision, four(case.shares()))
         if all(float(abs(b.mid())) * BAR / 1000 >= float(b.rad()) for b in balls):

@@ -295,7 +295,7 @@ def test_the_whole_range_of_doubles(name: str, e: float) -> None:
 
 
 def test_what_the_plain_product_costs() -> None:
-    """About half the bar of `position`, in eps of the value, where e <= 1/2, whatever R1/R2."""
+    """About half the bound of `position`, in eps of the value, where e <= 1/2, whatever R1/R2."""
     e = np.linspace(0, 0.5, 26)[:, np.newaxis]
     x = np.linspace(1e-6, 40 * np.pi, 20_001)
     turn = x + 2 * np.arctan2(e * np.sin(x), 1 - e * np.cos(x))

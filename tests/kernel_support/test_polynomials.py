@@ -1,4 +1,4 @@
-"""Polynomials in place of tan and arctan: proved approximations, the same bar, the same arrays."""
+"""Polynomials in place of tan and arctan: proved approximations, one bound, the same arrays."""
 
 from __future__ import annotations
 

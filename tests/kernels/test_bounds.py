@@ -234,12 +234,6 @@ def measure(system: str, name: str, function: Callable[..., Any], eps: float = E
         return max(oracle.worst(function, point, eps) for point in points())
 
 
-def test_every_bound_has_points() -> None:
-    quantities = {(s, q.name): q for s, paper in PAPERS.items() for q in paper.quantities}
-    assert set(POINTS) == set(quantities)
-    assert all(q.accuracy is not None for q in quantities.values())
-
-
 @pytest.mark.parametrize(("system", "name"), POINTS, ids=map("-".join, POINTS))
 def test_bound(system: str, name: str) -> None:
     accuracy = accuracy_of(find_quantity(system, name))

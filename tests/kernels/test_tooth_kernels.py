@@ -1,6 +1,6 @@
 """Kernels of the tooth thickness against their definitions, at points chosen to hurt.
 
-The bars are worst-case bounds (derived beside the quantities), so there is no false alarm to
+The bounds are worst-case bounds (derived beside the quantities), so there is no false alarm to
 allow for; the random points have fixed seeds.
 """
 
@@ -134,7 +134,7 @@ def test_flank_is_the_polar_involute(z: int) -> None:
         for tilt in (-0.3, -0.01, 0.0, 0.02, 0.2):
             point = tilt, 3.0, z, math.pi / 9
             height, thickness = on_involute(*point)
-            # The bars, 15 and 29 eps of r_b*|tilt|*(1 + t_c + |tilt|) <= 71*0.3*2.1.
+            # The bounds, 15 and 29 eps of r_b*|tilt|*(1 + t_c + |tilt|) <= 71*0.3*2.1.
             assert abs(height - float(kernels.height_change(*point))) < 15 * EPS * 45
             assert abs(thickness - float(kernels.thickness_change(*point))) < 29 * EPS * 45
 

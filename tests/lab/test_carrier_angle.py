@@ -165,7 +165,7 @@ def test_it_converges_beyond_the_bar(name: str) -> None:
 def test_the_bracket_holds_the_angle(
     kind: type[Mechanism], sign: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A position as wrong as its bar allows stays inside the bracket: no failure to converge."""
+    """A position as wrong as its bound allows stays inside the bracket: no failure to converge."""
     exact, factor = kind.position, 1 + sign * BAR * EPS
     chosen = [name for name, mechanism in MECHANISMS.items() if isinstance(mechanism, kind)]
     targets = {name: draw_targets(name, 5) for name in chosen}

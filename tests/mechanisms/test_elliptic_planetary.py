@@ -71,7 +71,7 @@ def test_extremes_are_attained_and_not_passed(e: float) -> None:
     mechanism = EllipticPlanetary(66, 16, e)
     extremes = mechanism.extremes()
     sampled = mechanism.ratio(np.linspace(0, 3 * extremes.period, 20001))
-    # The bar of the ratio is 16 eps of it; where its slope vanishes nothing is added.
+    # The bound of the ratio is 16 eps of it; where its slope vanishes nothing is added.
     margin = 20 * EPS
     assert sampled.max() <= extremes.maximum * (1 + margin)
     assert sampled.min() >= extremes.minimum * (1 - margin)
@@ -92,11 +92,11 @@ def angles() -> np.ndarray:
 @pytest.mark.parametrize("e", ECCENTRICITIES)
 def test_round_trips(e: float) -> None:
     mechanism = EllipticPlanetary(66, 16, e)
-    # The bars hold where eps*x <= (1 - e)/4; targets are the larger angles.
+    # The bounds hold where eps*x <= (1 - e)/4; targets are the larger angles.
     far = (1 - e) / (4 * EPS) * 16 / 66
     phi1 = angles()[np.abs(angles()) <= far]
     phi3 = mechanism.position(phi1)
-    # 40 eps: twice the bar of the position, 17 on |value| and on |phi1*ratio|, and 4 for the
+    # 40 eps: twice the bound of the position, 17 on |value| and on |phi1*ratio|, and 4 for the
     # last bracket; |phi3/ratio| is the condition number of the inverse.
     allowed = 40 * EPS * (np.abs(phi1) + np.abs(phi3 / mechanism.ratio(phi1)))
     assert np.all(np.abs(mechanism.carrier_angle(phi3) - phi1) <= allowed)
@@ -119,8 +119,8 @@ def test_inverse_against_high_precision() -> None:
         for target in (1e-8, 0.5, 3.0, 25.0, 1000.0):
             found = mechanism.carrier_angle(target)
             exact = mp.findroot(lambda phi, t=target: position(phi) - mp.mpf(t), mp.mpf(found))
-            bar = 40 * EPS * (abs(found) + target / mechanism.ratio(found))
-            assert abs(exact - mp.mpf(float(found))) <= bar
+            bound = 40 * EPS * (abs(found) + target / mechanism.ratio(found))
+            assert abs(exact - mp.mpf(float(found))) <= bound
 
 
 def test_inverse_of_special_values_shapes_and_types() -> None:

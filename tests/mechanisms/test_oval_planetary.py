@@ -197,7 +197,7 @@ def test_round_trips(name: str) -> None:
     found = mechanism.carrier_angle(targets)
     pair: Any = mechanism.pair
     k = float(pair.R4 / pair.R5)
-    # Twice the bar of the position, 12 eps of its terms and of |phi1|*(k + 1 - ratio), and the
+    # Twice the bound of the position, 12 eps of its terms and of |phi1|*(k + 1 - ratio), and the
     # last bracket of 4 eps.
     ratio = np.abs(mechanism.ratio(found))
     scale = np.abs(targets) + np.abs(found) * (2 * abs(1 - k) + k + np.abs(1 - ratio))

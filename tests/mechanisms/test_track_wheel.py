@@ -59,7 +59,7 @@ def test_extremes_of_the_radius(amplitude: float) -> None:
     wheel = dataclasses.replace(WHEEL, A=amplitude)
     extremes = wheel.radius_extremes()
     radius = wheel.radius(PHI)
-    # The bar of the radius is 6 eps of it, and its slope vanishes at the extremes.
+    # The bound of the radius is 6 eps of it, and its slope vanishes at the extremes.
     margin = 10 * EPS * wheel.R
     assert radius.max() <= extremes.maximum + margin
     assert radius.min() >= extremes.minimum - margin

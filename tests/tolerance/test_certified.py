@@ -45,7 +45,7 @@ def test_the_linkage_is_bounded_and_the_gap_is_closed() -> None:
     assert (result.upper_gap >= 0).all()
     assert max(result.lower_gap.max(), result.upper_gap.max()) <= 1e-9
     corners = corner_range(kernels.position, X1, SIZES)
-    # The bar of the kernel, 22 eps on conditioned sums below 1e4 mm.
+    # The bound of the kernel, 22 eps on conditioned sums below 1e4 mm.
     rounding = 22 * 2.0**-52 * 1e4
     assert (corners.lower >= result.lower - rounding).all()
     assert (corners.upper <= result.upper + rounding).all()

@@ -84,7 +84,7 @@ def test_root_sum_square() -> None:
 
 
 # Monte Carlo. With normal output of deviation s, the sample quantile q scatters with
-# s √(q(1-q)/n)/φ(z). All such bars below are 6 standard errors: false alarms 2e-9 each (the seed
+# s √(q(1-q)/n)/φ(z). All such bounds below are 6 standard errors: false alarms 2e-9 each (the seed
 # is fixed, so a pass stays a pass).
 
 
@@ -101,9 +101,9 @@ def test_normal_sizes_agree_with_root_sum_square() -> None:
     )
     ends = root_sum_square(contributions(lambda x, a, b: x + a + b, [1.0, -4.0], sizes))
     s, q = 10 / 6, 0.00135
-    bar = 6 * s * math.sqrt(q / count) / (math.exp(-4.5) / math.sqrt(2 * math.pi))
-    np.testing.assert_allclose(result.lower, ends.lower, rtol=0, atol=bar)
-    np.testing.assert_allclose(result.upper, ends.upper, rtol=0, atol=bar)
+    bound = 6 * s * math.sqrt(q / count) / (math.exp(-4.5) / math.sqrt(2 * math.pi))
+    np.testing.assert_allclose(result.lower, ends.lower, rtol=0, atol=bound)
+    np.testing.assert_allclose(result.upper, ends.upper, rtol=0, atol=bound)
     np.testing.assert_allclose(result.mean, [3, -2], rtol=0, atol=6 * s / math.sqrt(count))
     np.testing.assert_allclose(result.standard_deviation, s, rtol=6 / math.sqrt(2 * count))
     assert result.undefined.tolist() == [0, 0]
@@ -163,9 +163,9 @@ def test_sizes_lie_about_the_middle_of_their_limits() -> None:
         probability=0.5,
     )
     # The quartiles of [10.25, 10.5]; standard error 0.25 √(3/16 / 1e5).
-    bar = 6 * 0.25 * math.sqrt(3 / 16 / 1e5)
-    assert abs(result.lower - 10.3125) <= bar
-    assert abs(result.upper - 10.4375) <= bar
+    bound = 6 * 0.25 * math.sqrt(3 / 16 / 1e5)
+    assert abs(result.lower - 10.3125) <= bound
+    assert abs(result.upper - 10.4375) <= bound
 
 
 @pytest.mark.parametrize("chunk", [1, 100, 1000, 2**16])

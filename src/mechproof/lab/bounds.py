@@ -1,4 +1,4 @@
-"""The proved bound of an approximation over a box, from its value at the largest corner."""
+"""The proved bound of an approximation over a cell, from its value at the largest corner."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
 
 
-def bound_over(subject: Subject, method: Method, box: Cell) -> float | None:
-    """Return what the error stays below on a box of sizes.
+def bound_over(subject: Subject, method: Method, cell: Cell) -> float | None:
+    """Return what the error stays below on a cell of sizes.
 
     None without a bound, or for a bound that does not provably rise with every size.
     """
@@ -24,9 +24,9 @@ def bound_over(subject: Subject, method: Method, box: Cell) -> float | None:
         return None
     bound = subject.domain.resolve(method.bound)
     sizes = {s: sp.Symbol(f"size_{s}", positive=True) for s in _needed(bound)}
-    if not sizes.keys() <= _corner(subject, box).keys() or not _rises(bound, subject, sizes):
+    if not sizes.keys() <= _corner(subject, cell).keys() or not _rises(bound, subject, sizes):
         return None
-    ball = evaluate(bound, {s: _corner(subject, box)[s] for s in sizes}, 128)
+    ball = evaluate(bound, {s: _corner(subject, cell)[s] for s in sizes}, 128)
     return float(np.nextafter(float(ball.upper()), np.inf)) if ball.is_finite() else None
 
 
@@ -34,12 +34,12 @@ def _needed(bound: sp.Expr) -> list[sp.Symbol]:
     return sorted(bound.free_symbols, key=str)
 
 
-def _corner(subject: Subject, box: Cell) -> dict[sp.Symbol, float]:
-    """Give every symbol the largest size its argument has in the box."""
+def _corner(subject: Subject, cell: Cell) -> dict[sp.Symbol, float]:
+    """Give every symbol the largest size its argument has in the cell."""
     return {
-        symbol: box[argument.name][1]
+        symbol: cell[argument.name][1]
         for argument in subject.quantity.arguments
-        if argument.name in box
+        if argument.name in cell
         for symbol in argument.symbols
     }
 

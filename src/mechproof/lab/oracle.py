@@ -32,7 +32,7 @@ SCALE_BITS = 30
 class Truth:
     """Exact values as two doubles, high + low; shape (points, *trailing axes).
 
-    `scale` is the size the bar refers to, (points,); NaN where it or the value is undecided, None
+    `scale` is the size the bound refers to, (points,); NaN where it or the value is undecided, None
     for a quantity without an accuracy bound.
     """
 

@@ -37,7 +37,7 @@ def list_sets(subject: Subject, share: float = 1.0) -> tuple[PointSet, ...]:
 
 
 def list_cells(subject: Subject) -> list[Cell]:
-    """List the boxes between the usual sizes of the arguments; none without any."""
+    """List the cells between the usual sizes of the arguments; none without any."""
     edges = {a.name: a.usual for a in subject.quantity.arguments if len(a.usual) > 1}
     if not edges:
         return []

@@ -26,7 +26,7 @@ from mechproof.mechanisms.validation import check_domain, check_real, choose_pub
 
 __all__ = ["EllipticPlanetary", "RatioExtremes"]
 
-# The bracket of the inverse is widened by this relative amount: the accuracy bar of the position
+# The bracket of the inverse is widened by this relative amount: the accuracy bound of the position
 # kernel, 4 eps, and the rounding of the bounds, some ten operations of half an eps.
 WIDENING = 16 * np.finfo(float).eps
 # A carrier angle may be subnormal where phi3 is not; there the widening is absolute.

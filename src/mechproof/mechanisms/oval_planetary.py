@@ -41,7 +41,7 @@ __all__ = ["CylindricalPair", "Motion", "OvalPair", "OvalPlanetary"]
 # Decimal strings are exact, too; every parameter is kept as a Fraction or a float.
 Given = float | Fraction | Decimal | str
 
-# The bracket of the inverse is widened by this relative amount: twice the accuracy bar of the
+# The bracket of the inverse is widened by this relative amount: twice the accuracy bound of the
 # position kernel, 4 eps of the larger term, which is at most twice the position at the lower end,
 # and the rounding of the bounds, some ten operations of half an eps.
 WIDENING = 16 * np.finfo(float).eps
