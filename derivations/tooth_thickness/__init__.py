@@ -8,6 +8,7 @@ from .design import DESIGN_ROWS
 from .example import EXAMPLE_ROWS
 from .influence import INFLUENCE_ROWS
 from .kernels import QUANTITIES
+from .parameters import PARAMETER_ROWS
 from .symbols import VARIABLES
 from .wheel import WHEEL
 
@@ -15,7 +16,14 @@ PAPER = Paper(
     system="tooth_thickness",
     citation="Paper 3: stochastic simulation of tooth thickness and of its measurement",
     variables=VARIABLES,
-    rows=(*DESIGN_ROWS, *INFLUENCE_ROWS, *ALGORITHM_ROWS, *EXAMPLE_ROWS, *CLAIM_ROWS),
+    rows=(
+        *DESIGN_ROWS,
+        *INFLUENCE_ROWS,
+        *PARAMETER_ROWS,
+        *ALGORITHM_ROWS,
+        *EXAMPLE_ROWS,
+        *CLAIM_ROWS,
+    ),
     quantities=QUANTITIES,
     published=(Published("paper on tooth thickness, design data", WHEEL, ("fitted",)),),
     conventions="Lengths in mm, angles in rad. Heights grow from the tip towards the centre; "

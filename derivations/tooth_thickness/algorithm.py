@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Heaviside, Rational, S, sqrt, tan
+from sympy import Expr, Heaviside, KroneckerDelta, Rational, S, Sum, sqrt, symbols, tan
 
 from mechproof.record import (
     Claim,
@@ -15,6 +15,7 @@ from mechproof.record import (
     Equality,
     Equation,
     PrintedNumber,
+    Reading,
 )
 
 from .._metrology import normal_between
@@ -37,8 +38,17 @@ from .symbols import (
     f_true,
     sigma,
     sigma_tip,
+    z,
 )
 from .wheel import GAUGE_UM, GRADES, RANGE, TIP_DIAMETER, TOLERANCE_UNIT
+
+i, j = symbols("i j", integer=True, positive=True)
+
+
+def variance_of_wheel_mean(covariance: Expr) -> Expr:
+    """Variance of the mean over a wheel's teeth, from the covariance of teeth i and j."""
+    return Sum(covariance / z**2, (i, 1, z), (j, 1, z))
+
 
 ALGORITHM_ROWS = (
     Equation(
@@ -96,6 +106,22 @@ ALGORITHM_ROWS = (
             ),
         ),
         note="How a standard deviation follows from an IT grade is not printed.",
+    ),
+    Claim(
+        "step 3, a new tip deviation for each tooth",
+        r"\text{per tooth: simulate }e_{dau}\text{; the teeth are those of one wheel}",
+        Equality(variance_of_wheel_mean(sigma_tip**2 * KroneckerDelta(i, j)), sigma_tip**2),
+        readings=(
+            Reading(
+                "each row is a tooth of another wheel",
+                Equality(
+                    variance_of_wheel_mean(sigma_tip**2 * KroneckerDelta(i, j)), sigma_tip**2 / z
+                ),
+            ),
+        ),
+        note="The variance of the tip's mean deviation over z teeth. A wheel has one tip circle, "
+        "so that its deviation is common to all of its teeth and does not average out; Table 1 "
+        "has as many rows as the wheel has teeth. Shares over many wheels are the same in both.",
     ),
     Claim(
         "step 3, range of ISO 286-1",
@@ -190,24 +216,6 @@ ALGORITHM_ROWS = (
         marks=("ours",),
     ),
     Claim(
-        "controlled parameters, expectation of the error",
-        r"\text{steps 5 to 8: the mean error is }K_m(\mu_d+\mu_h)+\mu_S",
-        Equality(
-            K_m * (e_tip + dh_gauge) + ds_gauge,
-            (reading - E_true).subs(dh, height_deviation),
-        ),
-        corrected=Correction(
-            r"\mathrm{tg}\,\alpha\,(2\mu_h-\mu_d)+\mu_S",
-            Equality(
-                tan(alpha) * (2 * dh_gauge - e_tip) + ds_gauge,
-                (reading - E_true).subs(dh, height_deviation),
-            ),
-        ),
-        note="With the expectations for the errors, as the mean is linear. Where an expectation "
-        "is not zero the sign of step 5 matters.",
-        marks=("ours",),
-    ),
-    Claim(
         "letter Delta h_c",
         r"\Delta h_c\text{ (from the tip circle, text)}\ne\Delta h_c\text{ (gauge, chart)}",
         Distinct((e_tip + dh_gauge).subs(dh_gauge, height_deviation), height_deviation),
@@ -236,6 +244,7 @@ ALGORITHM_ROWS = (
             Heaviside((E_cs - E_measured) / T_c, 0) * Heaviside((E_measured - E_cs + T_c) / T_c, 0),
         ),
         note="Acceptance limits equal to the tolerance limits: no guard band.",
+        marks=("rebuilt",),
     ),
     Claim(
         "step 10",

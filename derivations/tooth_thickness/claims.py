@@ -2,22 +2,54 @@
 
 from __future__ import annotations
 
-from sympy import Rational, S, diff, pi, sqrt
+from sympy import Interval, Rational, S, diff, oo, pi, sqrt
 
-from mechproof.record import Claim, Completion, Completions, Conjunction, Equality, Reading
+from mechproof.record import (
+    Claim,
+    Completion,
+    Completions,
+    Conjunction,
+    Equality,
+    Part,
+    PrintedNumber,
+    Reading,
+)
 
 from .._relations import less
 from .geometry import influence
 from .shares import (
     VARIANCE_BY_SLOPE,
     chance_to_accept,
+    crossover,
     error_variance,
-    measurement_spread,
+    gauge_spread,
     rejected_by,
+    tip_spread,
     wrongly_rejected,
 )
-from .symbols import K_m, sigma, sigma_height, sigma_thickness, sigma_tip, width
+from .symbols import (
+    POSITIVE,
+    K_m,
+    above,
+    below,
+    gauge_um,
+    sigma,
+    sigma_height,
+    sigma_thickness,
+    sigma_tip,
+    width,
+)
 from .wheel import GAUGE_UM, GRADES, RECOMMENDED_UM, TOLERANCE_UM
+
+# Grade, multiple of sigma, limit error (um) at the crossover: as printed, by the geometry.
+CROSSOVERS = (
+    (6, 2, "4.9", "2.5"),
+    (6, 3, "7.4", "3.7"),
+    (7, 2, "7.9", "3.9"),
+    (7, 3, "11.8", "5.9"),
+    (8, 2, "12.4", "6.2"),
+    (8, 3, "18.5", "9.3"),
+)
 
 CLAIM_ROWS = (
     Claim(
@@ -40,9 +72,16 @@ CLAIM_ROWS = (
         r"\frac{\partial}{\partial w}\tfrac12\left[\mathrm{erf}\frac{q_1}w"
         r"+\mathrm{erf}\frac{q_2}w\right]<0",
         less((sqrt(pi) * diff(chance_to_accept, width)).expand(), S.Zero),
+        on=Part("the limits are apart", where=(above + below > 0,)),
+        holds_on=Part(
+            "teeth whose expected reading lies inside the limits",
+            {above: POSITIVE, below: POSITIVE},
+        ),
         note=(
-            "The chance that a good tooth, q_1 and q_2 inside its limits, is accepted falls as the "
-            "normal error grows: for every law of the true deviation Fig. 4 rises and Fig. 5 falls."
+            "The chance to accept a tooth, whose expected reading is q_1 and q_2 from the limits, "
+            "falls as the normal error grows. With a centred gauge that is so of every good tooth, "
+            "so that for every law of the true deviation Fig. 4 rises and Fig. 5 falls; a gauge "
+            "with a bias, a parameter of the flow chart, accepts some the more often it errs more."
         ),
         marks=("ours",),
     ),
@@ -59,25 +98,33 @@ CLAIM_ROWS = (
     Claim(
         "(b)",
         r"\text{the gauge influences the shares more strongly than the tip diameter}",
-        Completions(
-            Completion(
-                "the gauge of Table 1 (50 um in all, 3 sigma), IT6: its variance is the larger",
-                less(
-                    measurement_spread(6, 0, 3, "printed") ** 2,
-                    measurement_spread(6, 25, 3, "printed") ** 2
-                    - measurement_spread(6, 0, 3, "printed") ** 2,
-                ),
-            ),
-            Completion(
-                "the gauge recommended in (c) (2 um, 3 sigma), IT6: the same",
-                less(
-                    measurement_spread(6, 0, 3, "printed") ** 2,
-                    measurement_spread(6, RECOMMENDED_UM, 3, "printed") ** 2
-                    - measurement_spread(6, 0, 3, "printed") ** 2,
-                ),
-            ),
+        less(tip_spread(6), gauge_spread(gauge_um)),
+        holds_on=Part(
+            "a gauge of IT6's crossover on, a standard deviation over 2.46 um: a limit error over "
+            "4.92 um (2 sigma) or 7.38 um (3 sigma)",
+            {gauge_um: Interval.open(Rational("2.46"), oo)},
         ),
-        note="Steps 5 and 6 as printed. Over which range the two are compared is not said.",
+        note="Steps 5 and 6 as printed, IT6 for the tip, tip of IT/sigma = K; by standard "
+        "deviations, with which the shares rise. Over which gauges the two are compared is not "
+        "said. The gauge of Table 1, 50 um, is above the crossover, the gauge recommended in (c), "
+        "2 um, below it.",
+        marks=("inferred",),
+    ),
+    *(
+        Claim(
+            f"(b), crossover, IT{grade}, {multiple} sigma",
+            rf"\text{{tip of IT{grade} and gauge disturb alike at a limit error of }}"
+            rf"{printed}~\mu\mathrm m,\text{{ by the geometry }}{involute}~\mu\mathrm m",
+            Conjunction(
+                (
+                    PrintedNumber(printed, multiple * crossover(grade)),
+                    PrintedNumber(involute, multiple * crossover(grade, "involute")),
+                )
+            ),
+            note=f"Limit error {multiple} sigma. Printed: steps 5 and 6.",
+            marks=("ours", "calibrated"),
+        )
+        for grade, multiple, printed, involute in CROSSOVERS
     ),
     Claim(
         "(b), at equal standard deviations",
@@ -125,8 +172,7 @@ CLAIM_ROWS = (
         r"\text{the grade of the tip diameter should be 6 and 7, not 8}",
         Completions(
             Completion(
-                "steps 5 and 6 as printed: a perfect gauge wrongly rejects over 2 % with IT8, "
-                "less with IT7",
+                "missing, criterion: at most 2 % wrongly rejected with a perfect gauge",
                 Conjunction(
                     (
                         less(Rational("0.02"), rejected_by(8, 0)),
@@ -135,33 +181,36 @@ CLAIM_ROWS = (
                 ),
             ),
             Completion(
-                "steps 5 and 6 by the geometry: the same",
+                "missing, criterion: at most 4 %",
                 Conjunction(
                     (
-                        less(Rational("0.02"), rejected_by(8, 0, geometry="involute")),
-                        less(rejected_by(7, 0, geometry="involute"), Rational("0.02")),
+                        less(Rational("0.04"), rejected_by(8, 0)),
+                        less(rejected_by(7, 0), Rational("0.04")),
                     )
                 ),
             ),
         ),
-        note="No criterion is printed. K = 6 for tooth and tip, normal laws, centred.",
+        note="Stated: IT8 fails where IT7 passes. No criterion is printed; steps 5 and 6 as "
+        "printed, K = 6 for tooth and tip, normal laws, centred. From which gauge on the tip "
+        "matters more than the gauge say the crossovers at (b).",
     ),
     Claim(
         "(d), IT8 by the geometry against IT7 as printed",
         r"\text{IT8 with }\tfrac12K_m\text{ disturbs less than IT7 with }K_m",
         less(
-            measurement_spread(8, 0, 3, "involute"),
-            measurement_spread(7, 0, 3, "printed"),
+            tip_spread(8, "involute"),
+            tip_spread(7),
         ),
-        note="The recommendation against grade 8 rests on the lost factor 1/2.",
+        note="So that every limit of the wrongly rejected that admits IT7 by the printed steps "
+        "admits IT8 by the geometry. What the recommendation itself rests on is not printed.",
         marks=("ours", "calibrated"),
     ),
     Claim(
         "(e)",
         r"\text{with a zero limit error of the gauge the shares depend only on the tip's grade}",
         Equality(
-            wrongly_rejected(measurement_spread(6, 0, 3, "printed"), 6),
-            wrongly_rejected(measurement_spread(6, 0, 3, "printed"), 4),
+            wrongly_rejected(tip_spread(6), 6),
+            wrongly_rejected(tip_spread(6), 4),
         ),
         readings=(
             Reading(

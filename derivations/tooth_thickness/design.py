@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Ne, Rational, S, acos, atan, cos, diff, pi, sqrt
+from sympy import Expr, Interval, Rational, S, acos, atan, cos, diff, oo, pi, sqrt
 
 from mechproof.record import (
     Claim,
@@ -10,8 +10,9 @@ from mechproof.record import (
     Completions,
     Conjunction,
     Correction,
+    Definition,
     Equality,
-    Holds,
+    Part,
     PrintedNumber,
     Reading,
 )
@@ -22,13 +23,37 @@ from .geometry import (
     height_deviation,
     influence,
     involute_chord,
+    involute_distance,
+    line_actual,
     nominal_height,
     rack_chord,
     rack_height,
+    side_clearance,
+    tip_radius,
 )
-from .shares import UPWARD
-from .symbols import E_cs, T_c, alpha, chord_height, dh_gauge, incline, m, place, thinning
+from .symbols import (
+    E_cs,
+    T_c,
+    alpha,
+    centre_change,
+    chord_height,
+    dh_gauge,
+    e_tip,
+    incline,
+    m,
+    mate,
+    millimetre,
+    place,
+    thinning,
+)
 from .wheel import DECREASE_UM, MODULE, PROFILE_ANGLE, TEETH, TOLERANCE_UM, at_angle
+
+
+def of_pair(too_long: int) -> Expr:
+    """Give the clearance (um) of this wheel with a nominal mate, `too_long` um off the centre."""
+    deviations = {E_cs: S(DECREASE_UM), mate: S.Zero, centre_change: S(too_long)}
+    return side_clearance.subs({**deviations, alpha: PROFILE_ANGLE})
+
 
 DESIGN_ROWS = (
     Claim(
@@ -101,6 +126,18 @@ DESIGN_ROWS = (
         marks=("ours",),
     ),
     Claim(
+        "data, smallest deviation",
+        r"E_{cs}=12~\mu\mathrm m",
+        Definition(E_cs, Rational(DECREASE_UM, 1000) * millimetre),
+        note="A datum; its sign is a matter of 'smallest deviation'.",
+    ),
+    Claim(
+        "data, tolerance",
+        r"T_c=45~\mu\mathrm m",
+        Definition(T_c, Rational(TOLERANCE_UM, 1000) * millimetre),
+        note="A datum.",
+    ),
+    Claim(
         "smallest deviation, smallest prescribed decrease",
         r"E_{cs}\text{ is the smallest prescribed decrease; good: }"
         r"E_{cs}-T_c<E_{csu}<E_{cs}",
@@ -144,24 +181,52 @@ DESIGN_ROWS = (
     Claim(
         "smallest deviation, guaranteed side clearance",
         r"E_{cs}\text{ determines the guaranteed side clearance}",
-        Completions(
-            Completion(
-                "the mate is thinned by 12 um, too: the clearance along the normal is over 15 um",
-                less(S(15), 2 * DECREASE_UM * cos(PROFILE_ANGLE)),
-            ),
-            Completion(
-                "the mate is not thinned: the same",
-                less(S(15), DECREASE_UM * cos(PROFILE_ANGLE)),
-            ),
+        not_above(E_cs, (side_clearance / cos(alpha)).expand().subs(alpha, atan(incline))),
+        holds_on=Part(
+            "a mate with no thicker teeth and a centre distance that is not too short",
+            {mate: Interval(0, oo), centre_change: Interval(0, oo)},
         ),
-        note="The mate and the centre distance have their share, and neither is printed.",
+        note="E_cs as a decrease, alone, guarantees E_cs cos(alpha) along the normal (decided with "
+        "both over the cosine); the mate and the centre distance, for which nothing is printed, "
+        "can take it away.",
     ),
     Claim(
-        "measuring base",
+        "smallest deviation, kind of mating",
+        r"\text{the clearance that }E_{cs}\text{ leaves is none, as for the mating H}",
+        Completions(
+            Completion(
+                "missing, deviation of the centre distance: none",
+                not_above(of_pair(0), S.Zero),
+            ),
+            Completion(
+                "missing, deviation of the centre distance: 20 um too short",
+                not_above(of_pair(-20), S.Zero),
+            ),
+        ),
+        note="E_cs determines the kind of mating only together with what the errors of the pair "
+        "take of the clearance, which is not printed. H asks for no guaranteed clearance in GOST "
+        "1643; the paper names no standard.",
+        marks=("inferred",),
+    ),
+    Claim(
+        "measuring base, nominal tip diameter",
+        r"\text{the measuring base for the height is the nominal tip diameter}",
+        Equality(tip_radius - (rack_height + dh_gauge), line_actual),
+        readings=(
+            Reading(
+                "the height is counted from the nominal tip diameter when it is set",
+                Equality(tip_radius - rack_height, involute_distance),
+            ),
+        ),
+        note="The gauge stands on the actual tip circle; from the nominal one the height to the "
+        "constant chord is reckoned.",
+    ),
+    Claim(
+        "measuring base, tip diameter not nominal",
         r"\text{if the tip diameter differs from nominal, the height gets an error}",
-        Holds(Ne(height_deviation.subs(dh_gauge, 0), 0, evaluate=False)),
-        on=UPWARD,
-        note="Half the deviation, and negative: the gauge stands higher, its line nearer the tip.",
+        Equality(height_deviation.subs(dh_gauge, 0), -e_tip / 2),
+        note="Half the deviation, against its sign: on a larger tip circle the gauge stands "
+        "higher, its line nearer the tip.",
     ),
     Claim(
         "measuring base, thickness",

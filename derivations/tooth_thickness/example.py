@@ -18,27 +18,54 @@ from mechproof.record import (
 from .._relations import less
 from .geometry import height_deviation, reading
 from .shares import NORMAL_SHARE
-from .symbols import E_cs, E_true, K_m, T_c, degree, dh, dh_gauge, ds_gauge, e_tip, millimetre
-from .wheel import DECREASE_UM, GAUGE_UM, TEETH, TOLERANCE_UM
+from .symbols import (
+    E_true,
+    K,
+    K_m,
+    clearance,
+    degree,
+    dh,
+    dh_gauge,
+    ds_gauge,
+    e_tip,
+    interval,
+    millimetre,
+    tip_tolerance,
+)
+from .wheel import GAUGE_UM, GRADES, K_PRINTED, TEETH, TOLERANCE_UM
 
 EXAMPLE_ROWS = (
     Claim(
-        "Table 1, smallest deviation",
-        r"E_{cs}=12~\mu\mathrm m",
-        Definition(E_cs, Rational(DECREASE_UM, 1000) * millimetre),
-        note="A datum; its sign is a matter of 'smallest deviation'.",
-    ),
-    Claim(
-        "Table 1, tolerance",
-        r"T_c=45~\mu\mathrm m",
-        Definition(T_c, Rational(TOLERANCE_UM, 1000) * millimetre),
-        note="A datum.",
-    ),
-    Claim(
         "Table 1, accuracy degree",
-        r"6\mathrm H",
+        r"6\text{ of }6\mathrm H",
         Definition(degree, S(6)),
         note="A datum; no formula of the paper uses it.",
+    ),
+    Claim(
+        "Table 1, kind of mating",
+        r"\mathrm H\text{ of }6\mathrm H",
+        Definition(clearance, S.Zero),
+        note="A datum; no formula of the paper uses it. That H asks for no guaranteed clearance is "
+        "from GOST 1643; the paper names no standard.",
+        marks=("inferred",),
+    ),
+    Claim(
+        "Table 1, ratio of tolerance and standard deviation",
+        r"K=6",
+        Definition(K, S(K_PRINTED)),
+        note="A datum, called the normal accuracy of the technology in step 1.",
+    ),
+    Claim(
+        "Table 1, grade of the tip diameter",
+        r"\text{tip diameter of IT6}",
+        Definition(tip_tolerance, Rational(GRADES[6][1], 1000) * millimetre),
+        note="A datum; 25 um of ISO 286-1 is no print of the paper (see 'step 3, IT6').",
+    ),
+    Claim(
+        "Table 1, interval of the gauge",
+        r"\text{interval measure of the uncertainty }50~\mu\mathrm m",
+        Definition(interval, Rational(GAUGE_UM, 1000) * millimetre),
+        note="A datum; which interval is meant, 'steps 4 and 7, spread of the gauge' asks.",
     ),
     Claim(
         "Table 1, uncertainty of the gauge",

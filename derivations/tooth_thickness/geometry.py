@@ -5,15 +5,18 @@ from __future__ import annotations
 from sympy import Abs, Eq, Expr, Matrix, Symbol, cos, diff, pi, sin, solve, sqrt, tan
 
 from .symbols import (
+    E_cs,
     E_true,
     K_m,
     alpha,
+    centre_change,
     delta,
     dh,
     dh_gauge,
     ds_gauge,
     e_tip,
     m,
+    mate,
     psi,
     r_b,
     t_c,
@@ -31,6 +34,11 @@ flank_normal = Matrix([cos(alpha), sin(alpha)])
 contact = flank_normal * flank_point.dot(flank_normal)
 rack_chord = 2 * contact[0]
 rack_height = m - contact[1]
+
+# Clearance along both normals, the mate being such a rack: the tooth is thinner by E_cs, the mate
+# by its own decrease, and the mate is withdrawn by the deviation of the centre distance.
+withdrawal = Matrix([mate / 2, centre_change]) - Matrix([-E_cs / 2, 0])
+side_clearance = 2 * flank_normal.dot(withdrawal)
 
 # Involute of the base circle: in the frame of the tangent the chord's end has the coordinates
 # r_b (radius to the tangency point) and r_b t (along the generating line, t the roll angle).

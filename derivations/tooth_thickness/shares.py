@@ -4,14 +4,10 @@ from __future__ import annotations
 
 from sympy import Expr, Integral, Rational, S, Symbol, exp, pi, sqrt, tan
 
-from mechproof.record import Part
-
 from .._metrology import normal_between, normal_outside
 from .symbols import (
-    POSITIVE,
     above,
     below,
-    e_tip,
     incline,
     sigma_height,
     sigma_thickness,
@@ -31,19 +27,30 @@ THREE_SIGMA = Rational(K_PRINTED, 2)
 NORMAL_SHARE = normal_between(S.Zero, S.One, -THREE_SIGMA, THREE_SIGMA)
 
 
-def measurement_spread(
-    grade: int, limit_error: int | Rational, multiple: int, geometry: str
-) -> Expr:
-    """Give the standard deviation (um) of the whole error: tip with IT/sigma = K, and gauge."""
-    tip, height = GEOMETRIES[geometry]
-    gauge = Rational(limit_error) / multiple
-    return sqrt((tip * Rational(GRADES[grade][1], K_PRINTED)) ** 2 + (1 + height**2) * gauge**2)
+def tip_spread(grade: int, geometry: str = "printed") -> Expr:
+    """Give the standard deviation (um) of thickness from the tip diameter, IT/sigma = K."""
+    return GEOMETRIES[geometry][0] * Rational(GRADES[grade][1], K_PRINTED)
 
 
-def wrongly_rejected(spread: Expr, ratio: int = K_PRINTED) -> Expr:
+def gauge_spread(gauge: Expr, geometry: str = "printed") -> Expr:
+    """Give the standard deviation of thickness from that of the gauge, in height and thickness."""
+    return sqrt(1 + GEOMETRIES[geometry][1] ** 2) * gauge
+
+
+def measurement_spread(grade: int, gauge: Expr, geometry: str = "printed") -> Expr:
+    """Give the standard deviation (um) of the whole error, from tip and gauge."""
+    return sqrt(tip_spread(grade, geometry) ** 2 + gauge_spread(gauge, geometry) ** 2)
+
+
+def crossover(grade: int, geometry: str = "printed") -> Expr:
+    """Give the standard deviation of the gauge (um) that disturbs as much as the tip."""
+    return tip_spread(grade, geometry) / gauge_spread(S.One, geometry)
+
+
+def wrongly_rejected(spread: Expr, ratio: int = K_PRINTED, tolerance: int = TOLERANCE_UM) -> Expr:
     """Share of good teeth rejected; normal laws, centred, T/sigma = ratio."""
     y = Symbol("y", real=True)
-    half, spread_true = Rational(TOLERANCE_UM, 2), Rational(TOLERANCE_UM, ratio)
+    half, spread_true = Rational(tolerance, 2), Rational(tolerance, ratio)
     density = exp(-(y**2) / (2 * spread_true**2)) / (spread_true * sqrt(2 * pi))
     return Integral(density * normal_outside(y, spread**2, -half, half), (y, -half, half))
 
@@ -52,7 +59,7 @@ def rejected_by(
     grade: int, limit_error: int | Rational, multiple: int = 3, geometry: str = "printed"
 ) -> Expr:
     """Share of good teeth rejected with a tip of a grade and a gauge."""
-    return wrongly_rejected(measurement_spread(grade, limit_error, multiple, geometry))
+    return wrongly_rejected(measurement_spread(grade, Rational(limit_error) / multiple, geometry))
 
 
 def error_variance(tip: Expr, height: Expr) -> Expr:
@@ -62,4 +69,3 @@ def error_variance(tip: Expr, height: Expr) -> Expr:
 
 VARIANCE_BY_SLOPE = error_variance(2 * incline, 2 * incline)
 chance_to_accept = normal_between(S.Zero, width**2 / 2, -below, above)
-UPWARD = Part("the tip diameter is too large", {e_tip: POSITIVE})

@@ -28,8 +28,13 @@ K = symbols("K", positive=True)
 f_true, f_measured = symbols("f_u f_0", real=True)
 place = Symbol("p", positive=True)
 sigma_tip, sigma_height, sigma_thickness = symbols("sigma_d sigma_h sigma_S", positive=True)
-above, below, width = symbols("q_1 q_2 w", positive=True)
+above, below = symbols("q_1 q_2", real=True)
+width = Symbol("w", positive=True)
 degree = Symbol("degree", positive=True)
+mate, centre_change = symbols("E_mate Delta_a", real=True)
+clearance = Symbol("j_n", nonnegative=True)
+gauge_um = Symbol("sigma_gauge", positive=True)
+tip_tolerance, interval = symbols("IT_d U", positive=True)
 
 POSITIVE = Interval.open(0, oo)
 
@@ -75,8 +80,14 @@ VARIABLES = (
     Variable(sigma_tip, "standard deviation of the tip diameter", LENGTH, POSITIVE),
     Variable(sigma_height, "standard deviation of the gauge in height", LENGTH, POSITIVE),
     Variable(sigma_thickness, "standard deviation of the gauge in thickness", LENGTH, POSITIVE),
-    Variable(above, "from a true deviation to the upper limit", LENGTH, POSITIVE),
-    Variable(below, "from the lower limit to a true deviation", LENGTH, POSITIVE),
+    Variable(above, "from the expected reading of a tooth to the upper limit", LENGTH),
+    Variable(below, "from the lower limit to the expected reading of a tooth", LENGTH),
     Variable(width, "standard deviation of the measurement error times sqrt(2)", LENGTH, POSITIVE),
     Variable(degree, "accuracy degree", within=POSITIVE),
+    Variable(mate, "decrease of the mate's tooth thickness", LENGTH),
+    Variable(centre_change, "deviation of the centre distance", LENGTH, sign="positive: too long"),
+    Variable(clearance, "guaranteed side clearance", LENGTH, Interval(0, oo)),
+    Variable(tip_tolerance, "tolerance of the tip diameter", LENGTH, POSITIVE),
+    Variable(interval, "interval measure of the gauge's uncertainty", LENGTH, POSITIVE),
+    Variable(gauge_um, "standard deviation of the gauge in um", within=POSITIVE),
 )
