@@ -11,6 +11,7 @@ import sympy as sp
 from mechproof.codegen.forms import form_rows
 from mechproof.derivations.wedge_linkage import (
     PAPER,
+    boundaries,
     mechanics,
     prints,
     sizes,
@@ -62,9 +63,24 @@ def test_a_slightly_wrong_formula_is_refuted(number: str) -> None:
 
 
 def test_the_other_signs_of_iv_are_not_lowest() -> None:
-    wrong = {**sizes.BOUNDARY_IV, symbols.alpha_DE: 1}
+    wrong = {**boundaries.BOUNDARY_IV, symbols.alpha_DE: 1}
     for table in PAPER.published:
-        says = sizes.above(table, sizes.BOUNDARY_IV, wrong, -40)
+        says = boundaries.above(table, boundaries.BOUNDARY_IV, wrong, -40)
+        assert decide(says, Domain.of(PAPER)).verdict is Verdict.REFUTED
+
+
+OTHER_CURVES = {
+    "III beyond its end": (boundaries.BOUNDARY_III, "-29.45"),
+    "IV beyond its end": (boundaries.BOUNDARY_IV, "-29.35"),
+    "III with the wrong l_KL": ({**boundaries.BOUNDARY_III, symbols.l_KL: 1}, "-29.35"),
+}
+
+
+@pytest.mark.parametrize("curve", OTHER_CURVES)
+def test_another_curve_is_no_boundary(curve: str) -> None:
+    signs, place = OTHER_CURVES[curve]
+    for table in PAPER.published:
+        says = boundaries.extreme(table, signs, place, (-29,))
         assert decide(says, Domain.of(PAPER)).verdict is Verdict.REFUTED
 
 
@@ -87,7 +103,7 @@ def test_balls_of_an_undefined_arctangent_are_not_finite() -> None:
 
 
 def test_evidence_of_exact_numbers_shows_both_sides() -> None:
-    says = sizes.above(sizes.FIRST_SET, sizes.BOUNDARY_II, sizes.BOUNDARY_IV, -40)
+    says = boundaries.above(sizes.FIRST_SET, boundaries.BOUNDARY_II, boundaries.BOUNDARY_IV, -40)
     (evidence,) = decide(says, Domain.of(PAPER)).evidence
     assert "-110.1" in evidence.what
     assert "-134.9" in evidence.what

@@ -2,10 +2,11 @@
 
 from mechproof.record import Paper
 
-from . import chain, conditioning, proofs, steps, symbols
+from . import chain, conditioning, proofs, sizes, steps, symbols
 from .equations import EQUATION_ROWS
 from .kernels import QUANTITIES
 from .sizes import FIRST_SET, SECOND_SET
+from .structure import STRUCTURE_ROWS
 from .table import SIZE_ROWS
 from .tolerances import RANGE_ROWS
 from .transfer import TRANSFER_ROWS
@@ -22,8 +23,9 @@ PAPER = Paper(
         *chain.VARIABLES,
         *conditioning.VARIABLES,
         *proofs.VARIABLES,
+        *sizes.VARIABLES,
     ),
-    rows=(*EQUATION_ROWS, *TRANSFER_ROWS, *SIZE_ROWS, *RANGE_ROWS),
+    rows=(*STRUCTURE_ROWS, *EQUATION_ROWS, *TRANSFER_ROWS, *SIZE_ROWS, *RANGE_ROWS),
     quantities=QUANTITIES,
     published=(FIRST_SET, SECOND_SET),
     conventions=(

@@ -10,12 +10,14 @@ from mechproof.record import (
     Completion,
     Completions,
     Conjunction,
+    Definition,
     Equality,
     Equation,
     Part,
     Reading,
 )
 
+from .chain import PUSHED_IN_PRINT
 from .half_angles import (
     BEFORE_PIVOT,
     FIRST_QUADRANT,
@@ -26,15 +28,16 @@ from .half_angles import (
     upright,
 )
 from .mechanics import (
-    RIGHT,
-    UP,
     cosine_of_sigma,
     cosine_of_tau,
     direction_sigma,
     direction_tau,
     displacement,
     driven,
+    from_a_to_d,
+    from_d_to_g,
     from_h_to_l,
+    from_l_to_p,
     group_1,
     group_2,
     group_3,
@@ -45,7 +48,6 @@ from .mechanics import (
     lever_sine,
     rod,
     sine_of_tau,
-    towards,
     wedge,
 )
 from .prints import (
@@ -63,7 +65,12 @@ from .prints import (
     print_ox1,
     print_oy1,
 )
+from .proofs import push_by
 from .symbols import (
+    AD,
+    DG,
+    HL,
+    LP,
     POSITIVE,
     PRINTED_Q,
     PRINTED_R,
@@ -74,8 +81,6 @@ from .symbols import (
     l_BC,
     l_CD,
     l_GH,
-    l_HI,
-    l_IK,
     l_KL,
     overlap,
     phi2,
@@ -87,7 +92,20 @@ from .symbols import (
     x5_driven,
 )
 
+
+def introduce(vector: tuple[sp.Symbol, ...], closing: sp.Matrix) -> Conjunction:
+    """Introduce the projections of the vector that closes a polygon."""
+    return Conjunction(tuple(map(Definition, vector, closing)))
+
+
 EQUATION_ROWS = (
+    Equation(
+        "group 1",
+        r"\vec{AB}+\vec{BC}+\vec{CD}=\vec{AD}",
+        introduce(AD, from_a_to_d),
+        note="A polygon of any four points closes; AD, from A on the pusher to the fixed D, is "
+        "what closes it. Judged are its projections.",
+    ),
     Equation(
         "group 1, Ox",
         r"l_{AB}\cos(\pi+\varphi_3)+(l_{BC}+\delta_{BC})\cos(\varphi_3+\tfrac{3\pi}2)"
@@ -115,18 +133,12 @@ EQUATION_ROWS = (
         r"\varphi_3(x_1)=\arctan\frac{-(x_1+l_{AB})Q+l_{CD}(l_{BC}^2-Q)+l_{BC}^2l_{AB}}"
         r"{l_{BC}\left[(l_{AB}+l_{CD})(l_{AB}+l_{CD}+x_1)+Q\right]}",
         Equality(print_1, lever_angle),
-        note="Against the two-argument arctangent of the solved projections.",
-        on=BEFORE_PIVOT,
-        marks=("rebuilt",),
-    ),
-    Claim(
-        "(1), wherever the linkage can move",
-        r"\arctan\text{ of (1)}=\text{direction of the lever wherever the radicand is positive}",
-        Equality(print_1, lever_angle),
-        note="Beyond a right angle of the lever the arctangent is off by pi.",
+        note="Against the two-argument arctangent of the solved projections. Beyond a right angle "
+        "of the lever, which no size within its limits reaches, it is off by pi; the next row says "
+        "exactly where.",
         on=MOVABLE,
         holds_on=BEFORE_PIVOT,
-        marks=("rebuilt", "ours"),
+        marks=("rebuilt",),
     ),
     Claim(
         "(1), where the arctangent is right",
@@ -150,6 +162,12 @@ EQUATION_ROWS = (
         note="Sine and cosine of the form are those of the solution; twice an arctangent keeps "
         "inside (-pi, pi), so no turn is lost, wherever the radicand is not negative.",
         marks=("ours",),
+    ),
+    Equation(
+        "group 2",
+        r"\vec{DE}+\vec{EF}+\vec{FG}=\vec{DG}",
+        introduce(DG, from_d_to_g),
+        note="See group 1; DG, from the fixed D to the guide of the rod.",
     ),
     Equation(
         "(2), Ox",
@@ -202,24 +220,22 @@ EQUATION_ROWS = (
     Equation(
         "(5)",
         r"\vec{HI}+\vec{IK}+\vec{KL}=\vec{HL}",
-        Equality(
-            l_HI * UP + l_IK * RIGHT + l_KL * towards(alpha_KL),
-            from_h_to_l.subs(x5_driven, 0),
-        ),
-        note="At x1 = 0; displaced, its projections are (6).",
+        introduce(HL, from_h_to_l),
+        note="See group 1; HL, from H on the link 5' to the fixed L. Its projections are (6).",
     ),
     Equation(
         "(6), Ox",
         r"l_{KL}\cos(\alpha_{KL}+\varphi_7)=l_{KL}\cos\alpha_{KL}-x_5",
         Equality(print_6_ox, group_3[0].subs(x5_driven, x5 - l_GH)),
-        note="In contact, the link 5' lags behind the rod by the clearance.",
+        note="In contact, the link 5' lags behind the rod by the clearance. The print may have "
+        "lost a prime.",
         readings=(
             Reading(
                 "x5 is the displacement of the link 5' after the clearance",
                 Equality(print_6_ox.subs(x5, x5_driven), group_3[0]),
             ),
         ),
-        marks=("inferred",),
+        marks=("inferred", "uncertain"),
     ),
     Equation(
         "(6), Oy",
@@ -268,6 +284,12 @@ EQUATION_ROWS = (
         marks=("ours",),
     ),
     Equation(
+        "group 4",
+        r"\vec{LM}+\vec{MN}+\vec{NP}=\vec{LP}",
+        introduce(LP, from_l_to_p),
+        note="See group 1; LP, from the fixed L to the guide of the wedge.",
+    ),
+    Equation(
         "(9), Ox",
         r"l_{LM}\cos(\alpha_{LM}+\varphi_7)+\delta_{PN}=l_{LM}\cos\alpha_{LM}",
         Equality(print_9_ox, group_4[0]),
@@ -282,5 +304,35 @@ EQUATION_ROWS = (
         r"y_9(\varphi_7)=l_{LM}\left[\sin(\varphi_7+\alpha_{LM})-\sin\alpha_{LM}\right]",
         Equality(print_10, wedge),
         marks=("rebuilt",),
+    ),
+    Claim(
+        "(1), (3), (4), (7), (8), (10), substituted",
+        r"\text{substituting (1), (3), (4), (7), (8), (10) successively gives }y_9(x_1)",
+        Equality(PRINTED_R, PRINTED_R.subs(x5, driven)),
+        readings=(
+            Reading(
+                "(7) and (8) take x5' of (4) for their x5",
+                Conjunction(
+                    (
+                        Equality(print_1, lever_angle),
+                        Equality(print_3, rod),
+                        *push_by(PUSHED_IN_PRINT),
+                        Equality(print_7.subs(R, l_KL * cosine_of_tau), direction_tau - alpha_KL),
+                        Equality(
+                            print_8.subs(R, l_KL * cosine_of_sigma), direction_sigma - alpha_KL
+                        ),
+                        Equality(print_10, wedge),
+                    )
+                ),
+            ),
+        ),
+        note="Each stage against its group; with the letter x5 as printed (4) would be left out. "
+        "R = 0 is in neither case.",
+        on=Part(
+            f"{BEFORE_PIVOT.text}; R > 0 for (7), R < 0 for (8)",
+            {**FIRST_QUADRANT.within, **SECOND_QUADRANT.within},
+            BEFORE_PIVOT.where,
+        ),
+        marks=("rebuilt", "inferred", "uncertain"),
     ),
 )

@@ -8,7 +8,24 @@ import sympy as sp
 from sympy import cos, sin
 
 from .mechanics import group_1, group_3
-from .symbols import alpha_KL, dBC, l_AB, l_BC, l_CD, l_KL, phi3, phi7, reach, x1, x5, x5_driven
+from .symbols import (
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+    dBC,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_KL,
+    l_LM,
+    phi3,
+    phi7,
+    reach,
+    x1,
+    x5,
+    x5_driven,
+)
 
 lever_slopes = {
     x1: -cos(phi3) / reach,
@@ -20,6 +37,17 @@ roller_slopes = {
     x5: 1 / (l_KL * sin(alpha_KL + phi7)),
     l_KL: (cos(alpha_KL + phi7) - cos(alpha_KL)) / (l_KL * sin(alpha_KL + phi7)),
     alpha_KL: sin(alpha_KL) / sin(alpha_KL + phi7) - 1,
+}
+
+
+rod_slopes = {
+    phi3: -l_DE * sin(alpha_DE + phi3),
+    l_DE: cos(alpha_DE + phi3) - cos(alpha_DE),
+    alpha_DE: l_DE * (sin(alpha_DE) - sin(alpha_DE + phi3)),
+}
+wedge_slopes = {
+    phi7: l_LM * cos(alpha_LM + phi7),
+    l_LM: sin(alpha_LM + phi7) - sin(alpha_LM),
 }
 
 

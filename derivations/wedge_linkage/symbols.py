@@ -27,6 +27,12 @@ guide_square, height_square = sp.symbols("guide_square height_square", real=True
 
 reach, h3, height, h7 = sp.symbols("reach h3 height h7", positive=True)
 
+error, stage_ratio = sp.symbols("Delta k", positive=True)
+own_error = sp.Symbol("delta", nonnegative=True)
+alpha_1, alpha_2 = sp.symbols("alpha_1 alpha_2", real=True)
+AD, DG, HL, LP = (sp.symbols(f"{v}_x {v}_y", real=True) for v in ("AD", "DG", "HL", "LP"))
+beyond = sp.Symbol("beyond", real=True)
+
 POSITIVE = sp.Interval.open(0, sp.oo)
 LENGTHS = {
     l_AB: "length of AB, pusher to foot of the guide",
@@ -82,4 +88,10 @@ VARIABLES = (
     Variable(guide_square, "square of the present length of BC", LENGTH**2, given=radicand),
     Variable(height_square, "square of the height", LENGTH**2, given=l_KL**2 - PRINTED_R**2),
     Variable(R, "projection of KL on Ox", LENGTH),
+    Variable(error, "error that a stage takes in, in amount", LENGTH, POSITIVE),
+    Variable(stage_ratio, "ratio of a stage, in amount", within=POSITIVE),
+    Variable(own_error, "error that a stage adds, in amount", LENGTH, sp.Interval(0, sp.oo)),
+    *(Variable(a, "a direction of KL at x1 = 0") for a in (alpha_1, alpha_2)),
+    *(Variable(v, "projection of a vector", LENGTH) for v in (*AD, *DG, *HL, *LP)),
+    Variable(beyond, "half of what varphi7 exceeds pi - 2 alpha_KL by"),
 )

@@ -7,17 +7,28 @@ from sympy import Rational
 
 from mechproof.record import Claim, Completion, Completions, Conjunction, Definition, Holds
 
-from .sizes import ANGLES, LEGIBLE, LEGIBLE_ANGLES, LOST, radicand_of, unit
+from .boundaries import radicand_of
+from .sizes import ANGLES, DEVIATION_SYMBOLS, DEVIATIONS, LEGIBLE, LEGIBLE_ANGLES, LOST, unit
 from .symbols import millimetre
+
+
+def measured(size: sp.Symbol, text: str) -> sp.Expr:
+    """Return a number of the table with its unit."""
+    return Rational(text) * (unit(size) if size in ANGLES else millimetre)
+
+
+def define_deviations(size: sp.Symbol) -> tuple[Definition, ...]:
+    """Introduce the limit deviations of a size, as far as they are legible."""
+    texts = zip(DEVIATION_SYMBOLS.get(size, ()), DEVIATIONS.get(size, ()), strict=True)
+    return tuple(Definition(symbol, measured(size, text)) for symbol, text in texts if text)
 
 
 def datum_row(symbol: sp.Symbol, latex: str, value: str, note: str, uncertain: bool) -> Claim:
     """Record a size of the table, as far as it is legible."""
-    scale = unit(symbol) if symbol in ANGLES else millimetre
     return Claim(
         f"sizes, {symbol}",
         latex,
-        Definition(symbol, Rational(value) * scale),
+        Conjunction((Definition(symbol, measured(symbol, value)), *define_deviations(symbol))),
         note=note or "A datum.",
         marks=("uncertain",) if uncertain else (),
     )
@@ -28,7 +39,11 @@ SIZE_ROWS = (
     *(datum_row(*row, "", False) for row in LEGIBLE_ANGLES),
     *(
         Claim(
-            f"sizes, {symbol}", latex, Definition(symbol, symbol), note=note, marks=("uncertain",)
+            f"sizes, {symbol}",
+            latex,
+            Conjunction(define_deviations(symbol)),
+            note=note,
+            marks=("uncertain",),
         )
         for symbol, latex, note in LOST
     ),

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import sympy as sp
-from sympy import cos, sin, sqrt
+from sympy import cos, pi, sin, sqrt
 
 from mechproof.record import Claim, Conjunction, Equality, Part
 
 from .half_angles import MOVABLE, by_half_angle, half_3, half_7, root_7
-from .mechanics import lever_cosine, rod, wedge
-from .slopes import lever_slope, lever_slopes, roller_slope, roller_slopes
+from .mechanics import group_3, lever_cosine, rod, wedge
+from .slopes import lever_slope, lever_slopes, rod_slopes, roller_slope, roller_slopes, wedge_slopes
 from .symbols import (
     POSITIVE,
     PRINTED_R,
+    alpha_1,
+    alpha_2,
     alpha_DE,
+    alpha_KL,
     alpha_LM,
+    beyond,
     h3,
     h7,
     height,
@@ -27,7 +31,14 @@ from .symbols import (
     reach,
     x1,
     x5,
+    x5_driven,
 )
+
+
+def displacement_by(direction: sp.Symbol) -> sp.Expr:
+    """Return the displacement of the link 5' that turns KL by varphi7 from a direction."""
+    return sp.solve(group_3[0], x5_driven)[0].subs(alpha_KL, direction)
+
 
 TRANSFER_ROWS = (
     Claim(
@@ -70,6 +81,61 @@ TRANSFER_ROWS = (
             marks=("ours",),
         )
         for size, slope in roller_slopes.items()
+    ),
+    *(
+        Claim(
+            f"sensitivity of x5 to {size}",
+            rf"\partial x_5/\partial {size}={sp.latex(slope)}",
+            Equality(slope, sp.diff(rod, size)),
+            note="From the projection of group 2 on Ox; l_GH is taken off, see (4).",
+            marks=("ours",),
+        )
+        for size, slope in rod_slopes.items()
+    ),
+    *(
+        Claim(
+            f"sensitivity of y9 to {size}",
+            rf"\partial y_9/\partial {size}={sp.latex(slope)}",
+            Equality(slope, sp.diff(wedge, size)),
+            note="From the projection of group 4 on Oy.",
+            marks=("ours",),
+        )
+        for size, slope in wedge_slopes.items()
+    ),
+    Claim(
+        "sensitivity of varphi7 to alpha_KL, sign",
+        r"\frac{\partial\varphi_7}{\partial\alpha_{KL}}=-\frac{2\cos(\alpha_{KL}+\varphi_7/2)"
+        r"\sin(\varphi_7/2)}{\sin(\alpha_{KL}+\varphi_7)}\text{ changes sign at }"
+        r"\varphi_7=\pi-2\alpha_{KL}",
+        Conjunction(
+            (
+                Equality(
+                    -2 * cos(alpha_KL + phi7 / 2) * sin(phi7 / 2) / sin(alpha_KL + phi7),
+                    roller_slope(alpha_KL),
+                ),
+                Equality(
+                    cos(alpha_KL + phi7 / 2).subs(phi7, pi - 2 * alpha_KL + 2 * beyond),
+                    -sin(beyond),
+                ),
+            )
+        ),
+        note="At 50 deg for alpha_KL = 65 deg; negative before. Beyond it, by twice `beyond`, the "
+        "cosine is negative.",
+        marks=("ours",),
+    ),
+    Claim(
+        "two directions of KL",
+        r"[\cos\alpha_1-\cos(\alpha_1+\varphi_7)]-[\cos\alpha_2-\cos(\alpha_2+\varphi_7)]="
+        r"4\sin\tfrac{\varphi_7}2\sin\tfrac{\alpha_1-\alpha_2}2\cos\tfrac{\alpha_1+\alpha_2+"
+        r"\varphi_7}2",
+        Equality(
+            4 * sin(phi7 / 2) * sin((alpha_1 - alpha_2) / 2) * cos((alpha_1 + alpha_2 + phi7) / 2),
+            (displacement_by(alpha_1) - displacement_by(alpha_2)) / l_KL,
+        ),
+        note="Displacements of the link 5' over l_KL, from group 3, for one turn: the smaller "
+        "alpha_KL turns farther for the same displacement as long as varphi7 < pi - alpha_1 - "
+        "alpha_2, then the larger one. They meet at x5' = l_KL (cos alpha_1 + cos alpha_2).",
+        marks=("ours",),
     ),
     Claim(
         "chain, velocity of the rod",
