@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from mechproof.codegen.forms import form_rows
 from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, Verdict
+from mechproof.verification import open_derivation
 
 EXPECTED = Path(__file__).parent / "expected"
 SYSTEMS = find_systems(packaged_directory())
@@ -27,8 +27,8 @@ for_each_system = pytest.mark.parametrize(
 
 @lru_cache
 def judge_all(system: str) -> tuple[Judgement, ...]:
-    paper = load_paper(SYSTEMS[system])
-    return tuple(judge(row, paper) for row in (*paper.rows, *form_rows(paper)))
+    opened = open_derivation(SYSTEMS[system])
+    return tuple(judge(row, opened.paper) for row in opened.rows)
 
 
 def with_verdict(system: str, *verdicts: Verdict) -> list[Judgement]:

@@ -37,11 +37,11 @@ def file(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("start", STARTS)
 def test_processes_change_nothing(file: Path, start: str) -> None:
-    ((paper, judgements),) = judge_derivations([file], use_cache=False, processes=3, start=start)
+    (ledger,) = judge_derivations([file], use_cache=False, processes=3, start=start)
     alone = load_paper(file)
-    assert judgements == [judge(row, alone) for row in alone.rows]
-    assert paper.citation == "my notes"
-    verdicts = [j.verdict for j in judgements]
+    assert list(ledger.judgements) == [judge(row, alone) for row in alone.rows]
+    assert ledger.paper.citation == "my notes"
+    verdicts = [j.verdict for j in ledger.judgements]
     assert verdicts == [Verdict.REFUTED if n == 3 else Verdict.PROVED for n in range(1, 6)]
 
 

@@ -2,6 +2,7 @@
 
 from mechproof.record import Paper, Published
 
+from .findings import FINDINGS
 from .kernels import QUANTITIES
 from .paper import R1, R2, ROWS, VARIABLES, VARIANTS, e
 
@@ -19,6 +20,7 @@ PAPER = Paper(
         Published(f"Table 1, variant {number}", dict(zip((R1, R2, e), sizes, strict=True)))
         for number, sizes in VARIANTS.items()
     ),
+    findings=FINDINGS,
     conventions=(
         "Angles are positive in the direction of the carrier's rotation; distances on the line "
         "A-C are positive from A towards C and B. Lengths in mm, angles in rad."

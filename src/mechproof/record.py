@@ -188,7 +188,7 @@ class Correction:
 class Row:
     """One line of the ledger: what is printed and what it asserts."""
 
-    kind: ClassVar[Literal["equation", "claim"]]
+    kind: ClassVar[Literal["equation", "claim", "datum"]]
 
     number: str
     printed_latex: str
@@ -220,6 +220,43 @@ class Claim(Row):
     """Any other checkable statement: a number, an interval, a sentence."""
 
     kind = "claim"
+
+
+@dataclass(frozen=True)
+class Datum(Row):
+    """A printed datum: a size, a property of an instrument, a coverage factor."""
+
+    kind = "datum"
+
+
+@dataclass(frozen=True)
+class Cost:
+    """What a fault makes at one place: the printed value, the right one, and their difference.
+
+    `at` gives the symbols exact values (30 degrees are pi/6). Without `printed` and `right` the
+    values are those of the two sides of the row. Units are those of `mechproof.proof.findings`.
+    """
+
+    where: str
+    at: Mapping[sp.Basic, sp.Expr]
+    unit: str = ""
+    decimals: int = 1
+    printed: sp.Expr | None = None
+    right: sp.Expr | None = None
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A root cause: the row that shows it, what is wrong in a plain sentence, and what it costs.
+
+    `follows` are the rows that are wrong for this reason alone: with the correction of the root in
+    the place of its print each of them is proved, which is a row of the ledger.
+    """
+
+    row: str
+    wrong: str
+    costs: tuple[Cost, ...] = ()
+    follows: tuple[str, ...] = ()
 
 
 # Quantities: what can be computed, and every way of computing it.
@@ -413,6 +450,7 @@ class Paper:
     where: tuple[sp.Basic, ...] = ()
     quantities: tuple[Quantity, ...] = ()
     published: tuple[Published, ...] = ()
+    findings: tuple[Finding, ...] = ()
     conventions: str = ""
 
     def __post_init__(self) -> None:

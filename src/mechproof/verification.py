@@ -10,7 +10,9 @@ from mechproof.codegen.forms import form_rows
 from mechproof.derivation import DerivationError, check_names, load_paper
 from mechproof.processes import START, WorkerError, run_tasks
 from mechproof.proof.cache import VerdictCache, row_keys
+from mechproof.proof.findings import follower_rows, list_findings
 from mechproof.proof.judge import judge
+from mechproof.proof.ledger import Ledger
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper, Row
 
@@ -43,7 +45,7 @@ def open_derivation(location: Path) -> Opened:
     """
     paper = load_paper(location)
     try:
-        rows = (*paper.rows, *form_rows(paper))
+        rows = (*paper.rows, *follower_rows(paper), *form_rows(paper))
     except (ValueError, NotImplementedError) as error:
         raise DerivationError(f"{location}: {error}") from error
     variables = tuple(replace(variable, meaning="", sign="") for variable in paper.variables)
@@ -59,30 +61,30 @@ def judge_derivations(
     processes: int | None = None,
     start: str = START,
     report: Callable[[str], None] = lambda text: None,
-) -> list[tuple[Paper, list[Judgement]]]:
-    """Judge every row of the papers, then the rows of their forms; papers and rows in order.
+) -> list[Ledger]:
+    """Judge every row of the papers, then what follows from findings and the rows of their forms.
 
     `report` is told what has been done. Raises `DerivationError`, and `VerificationError` naming
     a row that takes longer than `limit` seconds or whose process dies; what was judged until then
     is kept in the cache.
     """
-    ledgers: list[_Ledger] = []
+    progress: list[_Progress] = []
     places: dict[str, Path] = {}
     try:
         for location in locations:
             report(f"loading {location}")
             _opened[location] = opened = open_derivation(location)
             check_names(places, opened.paper, location)
-            ledgers.append(_Ledger(opened, use_cache))
-        _fill(ledgers, limit, processes, start, report)
+            progress.append(_Progress(opened, use_cache))
+        _fill(progress, limit, processes, start, report)
     finally:
         _opened.clear()
-        for ledger in ledgers if use_cache else ():
-            ledger.save()
-    return [(ledger.opened.paper, ledger.judgements()) for ledger in ledgers]
+        for paper in progress if use_cache else ():
+            paper.save()
+    return [paper.finish() for paper in progress]
 
 
-class _Ledger:
+class _Progress:
     """The judgements of a paper while they come in."""
 
     def __init__(self, opened: Opened, use_cache: bool) -> None:
@@ -108,30 +110,35 @@ class _Ledger:
         if judged != self.kept:
             self.cache.save(judged)
 
-    def judgements(self) -> list[Judgement]:
-        """Return the judgements in the order of the rows."""
-        return [self.found[number] for number in range(len(self.keys))]
+    def finish(self) -> Ledger:
+        """Return the ledger, its rows in their order; `DerivationError` for a wrong finding."""
+        judgements = tuple(self.found[number] for number in range(len(self.keys)))
+        try:
+            findings = list_findings(self.opened.paper, judgements)
+        except ValueError as error:
+            raise DerivationError(f"{self.opened.location}: {error}") from error
+        return Ledger(self.opened.paper, judgements, findings)
 
 
 def _fill(
-    ledgers: Sequence[_Ledger],
+    papers: Sequence[_Progress],
     limit: float,
     processes: int | None,
     start: str,
     report: Callable[[str], None],
 ) -> None:
-    tasks = [(ledger, number) for ledger in ledgers for number in ledger.missing()]
-    sent = [(ledger.opened.location, number) for ledger, number in tasks]
+    tasks = [(paper, number) for paper in papers for number in paper.missing()]
+    sent = [(paper.opened.location, number) for paper, number in tasks]
     try:
         results = run_tasks(_judge, sent, limit=limit, processes=processes, start=start)
         for done, (task, judgement) in enumerate(results, start=1):
-            ledger, number = tasks[task]
-            ledger.add(number, judgement)
+            paper, number = tasks[task]
+            paper.add(number, judgement)
             report(f"{done} of {len(tasks)} rows, {judgement.system}: {judgement.number}")
     except WorkerError as error:
-        ledger, number = tasks[error.number]
-        row = ledger.opened.rows[number]
-        where = f"{ledger.opened.location}: row {row.number}"
+        paper, number = tasks[error.number]
+        row = paper.opened.rows[number]
+        where = f"{paper.opened.location}: row {row.number}"
         raise VerificationError(f"{where}: {error.reason}") from error
 
 

@@ -49,10 +49,10 @@ def judged(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[
         file = folder / "mine.py"
         text = f"{HEAD}\nPAPER = paper({', '.join(rows)}, {words})\n"
         file.write_text(text, encoding="utf-8")
-        ((_, judgements),) = judge_derivations(
+        (ledger,) = judge_derivations(
             [file], use_cache=use_cache, report=numbers.append, processes=1
         )
-        run.judgements = judgements  # type: ignore[attr-defined]
+        run.judgements = ledger.judgements  # type: ignore[attr-defined]
         return sorted(text.rpartition(": ")[2] for text in numbers if " rows, " in text)
 
     return run

@@ -21,8 +21,8 @@ from mechproof.codegen.regenerate import (
 )
 from mechproof.derivation import DerivationError, find_systems
 from mechproof.lab import commands
-from mechproof.proof.ledger import to_json, to_markdown
-from mechproof.proof.verdict import Judgement, Verdict
+from mechproof.proof.ledger import Ledger, to_json, to_markdown
+from mechproof.proof.verdict import Verdict
 from mechproof.record import Paper
 from mechproof.validation import ValidationError, validate_derivations
 from mechproof.verification import LIMIT, VerificationError, judge_derivations
@@ -101,12 +101,12 @@ def verify(
         refuse(f"--json {json_file}: is a folder, a file is needed")
     if json_file and not json_file.absolute().parent.is_dir():
         refuse(f"--json {json_file}: the folder {json_file.absolute().parent} does not exist")
-    judged = _judge(locations, use_cache=not no_cache, limit=limit)
-    rows = [row for _, judgements in judged for row in judgements]
+    ledgers = _judge(locations, use_cache=not no_cache, limit=limit)
     if json_file:
-        _write(json_file, to_json(rows))
-    for paper, judgements in judged:
-        print_ledger(paper, judgements)
+        _write(json_file, to_json(ledgers))
+    for ledger in ledgers:
+        print_ledger(ledger)
+    rows = (row for ledger in ledgers for row in ledger.judgements)
     if any(row.verdict is Verdict.UNDECIDED and not row.may_stay_open for row in rows):
         raise typer.Exit(1)
 
@@ -134,9 +134,10 @@ def regenerate(
     if not (derivations or root) and not Path("derivations").is_dir():
         refuse("there is no folder derivations: run it where it lies, or give --derivations DIR")
     locations = _find_locations((), places)
-    judged = _judge(locations, use_cache=not no_cache, limit=limit)
-    files = _render(judged, places)
-    _validate(locations, [paper for paper, _ in judged], files, use_cache=not no_cache, limit=limit)
+    ledgers = _judge(locations, use_cache=not no_cache, limit=limit)
+    files = _render(ledgers, places)
+    papers = [ledger.paper for ledger in ledgers]
+    _validate(locations, papers, files, use_cache=not no_cache, limit=limit)
     changes = _compare_or_update(places.generated, files, check)
     for change in changes:
         say(change.describe() if check else _describe_step(change))
@@ -201,9 +202,7 @@ def _find_locations(names: Iterable[str], places: Places) -> list[Path]:
     return locations
 
 
-def _judge(
-    locations: Sequence[Path], *, use_cache: bool, limit: float
-) -> list[tuple[Paper, list[Judgement]]]:
+def _judge(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[Ledger]:
     title = f"judging {', '.join(location.stem for location in locations)}"
     try:
         with show_progress(title) as report:
@@ -212,13 +211,13 @@ def _judge(
         fail(str(error))
 
 
-def _render(judged: Sequence[tuple[Paper, Sequence[Judgement]]], places: Places) -> dict[str, str]:
+def _render(ledgers: Sequence[Ledger], places: Places) -> dict[str, str]:
     try:
-        files = render_package([paper for paper, _ in judged])
+        files = render_package([ledger.paper for ledger in ledgers])
     except (ValueError, NotImplementedError) as error:
         fail(f"{places.derivations}: {error}")
-    files["ledger.json"] = to_json([row for _, judgements in judged for row in judgements])
-    files["LEDGER.md"] = to_markdown(judged)
+    files["ledger.json"] = to_json(ledgers)
+    files["LEDGER.md"] = to_markdown(ledgers)
     return files
 
 

@@ -9,9 +9,9 @@ from rich.table import Table
 from rich.text import Text
 
 from mechproof.cli.console import console, say
-from mechproof.proof.ledger import PLAIN, show_totals
+from mechproof.proof.findings import Found
+from mechproof.proof.ledger import PLAIN, Ledger, show_totals
 from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.record import Paper
 
 COLUMNS = ("number", "verdict", "rung", "reason")
 STYLES = {
@@ -27,16 +27,29 @@ STYLES = {
 }
 
 
-def print_ledger(paper: Paper, judgements: Sequence[Judgement]) -> None:
-    """Print the rows of a paper, the details of those that are not plain, and the totals."""
-    title = f"{paper.system}: {paper.citation}"
+def print_ledger(ledger: Ledger) -> None:
+    """Print the findings, the rows, the details of those that are not plain, and the totals."""
+    title = f"{ledger.paper.system}: {ledger.paper.citation}"
+    for found in ledger.findings:
+        _print_finding(found)
     print_rows = _print_table if console.is_terminal else _print_lines
-    print_rows(title, judgements)
-    for row in judgements:
+    print_rows(title, ledger.judgements)
+    for row in ledger.judgements:
         if row.verdict not in PLAIN:
             _print_details(row)
-    for label, ours in (("printed", False), ("ours", True)):
-        say(f"{paper.system}, {label}: {show_totals(judgements, ours)}")
+    for name, line in show_totals(ledger.judgements).items():
+        say(f"{ledger.paper.system}, {name}: {line}")
+    say("")
+
+
+def _print_finding(found: Found) -> None:
+    say(Text(f"Finding in {found.system}: {found.number}", style="bold"))
+    lines = [("printed", _plain(found.printed_latex)), ("wrong", found.wrong)]
+    lines += [("costs", cost) for cost in found.costs]
+    if found.corrected_latex:
+        lines.append(("right", f"{found.corrected_latex}   (proved: {found.corrected_by})"))
+    lines += [("follows", number) for number in found.follows]
+    _print_fields(lines)
     say("")
 
 
@@ -79,6 +92,10 @@ def _print_details(row: Judgement) -> None:
     if row.corrected_latex:
         proof = f"   (proved: {row.corrected_by})" if row.corrected_by else ""
         lines.append(("corrected", row.corrected_latex + proof))
+    _print_fields(lines)
+
+
+def _print_fields(lines: Sequence[tuple[str, str]]) -> None:
     for label, text in lines:
         say(Text(f"  {label:9} ", style="dim").append(Text(text, style="default")))
 

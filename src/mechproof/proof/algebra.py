@@ -13,6 +13,7 @@ from math import comb, lcm
 import sympy as sp
 
 from mechproof.proof.domain import Domain
+from mechproof.proof.normal_form import reduce_polynomial
 from mechproof.proof.signs import find_sign
 from mechproof.proof.sums import canonicalise
 
@@ -208,12 +209,7 @@ class Field:
 
     def _reduce(self, polynomial: sp.Expr) -> sp.Expr:
         """Return the normal form: every related generator to at most its first power."""
-        result = sp.expand(polynomial)
-        for generator in reversed(list(self._relations)):
-            if result.has(generator):
-                square = self._relations[generator]
-                result = sp.expand(sp.rem(result, generator**2 - square, generator))
-        return result
+        return reduce_polynomial(polynomial, self._relations)
 
 
 class UnknownSignError(ArithmeticError):

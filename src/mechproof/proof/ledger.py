@@ -5,52 +5,82 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import dataclass
 
+from mechproof.proof.findings import Found
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
 from mechproof.record import Paper
 
 PLAIN = (Verdict.PROVED, Verdict.DEFINITION)
+# Rows are counted by what they are, never added up.
+CLASSES = {"equation": "printed equations", "claim": "printed claims", "datum": "printed data"}
+OURS = "our own rows"
 INTRODUCTION = """# Ledger
 
-Every printed equation and every checkable claim of the papers, with the verdict that
-`mechproof verify` computes. This page is generated; the same rows are in `ledger.json`.
-Rows marked *ours* are not printed in the paper: they are results that other rows or the
-kernels rest on, and they are counted apart.
+What is wrong in print comes first, each cause once: the findings. Then every printed equation and
+every checkable claim of the papers, with the verdict that `mechproof verify` computes. This page
+is generated; the same findings and rows are in `ledger.json`. Rows marked *ours* are not printed
+in the paper: they are results that other rows or the kernels rest on, and they are counted apart.
 """
 
 
-def totals(judgements: Sequence[Judgement], ours: bool) -> Counter[Verdict]:
-    """Count the verdicts of the printed rows, or of our own."""
-    return Counter(j.verdict for j in judgements if ("ours" in j.marks) is ours)
+@dataclass(frozen=True)
+class Ledger:
+    """A paper with the judgements of its rows and the findings among them."""
+
+    paper: Paper
+    judgements: tuple[Judgement, ...]
+    findings: tuple[Found, ...]
 
 
-def show_totals(judgements: Sequence[Judgement], ours: bool) -> str:
-    """Return the totals as one line, in the order of the verdicts; no sum over verdicts."""
-    counted = totals(judgements, ours)
-    return ", ".join(f"{counted[v]} {v}" for v in Verdict if counted[v]) or "none"
+def classify(judgement: Judgement) -> str:
+    """Return what a row is counted as."""
+    return OURS if "ours" in judgement.marks else CLASSES[judgement.kind]
 
 
-def to_json(judgements: Sequence[Judgement]) -> str:
-    """Return the ledger as a JSON list of rows."""
-    rows = [judgement.as_dict() for judgement in judgements]
-    return json.dumps(rows, indent=1, ensure_ascii=False) + "\n"
+def show_totals(judgements: Sequence[Judgement]) -> dict[str, str]:
+    """Return a line for each class of rows: its verdicts in their order; no sum over them."""
+    lines = {}
+    for name in (*CLASSES.values(), OURS):
+        counted = Counter(j.verdict for j in judgements if classify(j) == name)
+        if counted:
+            lines[name] = ", ".join(f"{counted[v]} {v}" for v in Verdict if counted[v])
+    return lines
 
 
-def to_markdown(papers: Sequence[tuple[Paper, Sequence[Judgement]]]) -> str:
+def to_json(ledgers: Sequence[Ledger]) -> str:
+    """Return the findings and rows of ledgers as JSON."""
+    content = {
+        "findings": [finding.as_dict() for ledger in ledgers for finding in ledger.findings],
+        "rows": [judgement.as_dict() for ledger in ledgers for judgement in ledger.judgements],
+    }
+    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+
+
+def to_markdown(ledgers: Sequence[Ledger]) -> str:
     """Return the ledger as a page; formulas are LaTeX between dollar signs."""
-    parts = [INTRODUCTION]
-    for paper, judgements in papers:
-        parts += [_heading(paper, judgements), _table(judgements)]
-        parts += [_details(j) for j in judgements if j.verdict not in PLAIN]
+    parts = [INTRODUCTION, "\n## Findings\n"]
+    parts += [_finding(found) for ledger in ledgers for found in ledger.findings]
+    for ledger in ledgers:
+        parts += [_heading(ledger), _table(ledger.judgements)]
+        parts += [_details(j) for j in ledger.judgements if j.verdict not in PLAIN]
     return "\n".join(parts)
 
 
-def _heading(paper: Paper, judgements: Sequence[Judgement]) -> str:
-    return (
-        f"\n## {paper.system}\n\n{paper.citation}\n\n"
-        f"Printed rows: {show_totals(judgements, ours=False)}.\n\n"
-        f"Our own rows: {show_totals(judgements, ours=True)}.\n"
-    )
+def _finding(found: Found) -> str:
+    lines = [f"### {found.system} {found.number}\n", f"$$ {found.printed_latex} $$\n"]
+    lines += [f"{_escape(found.wrong)}\n", *(f"- {_escape(cost)}" for cost in found.costs)]
+    if found.corrected_latex:
+        lines.append(f"\nRight (proved: {found.corrected_by}):\n\n$$ {found.corrected_latex} $$\n")
+    if found.follows:
+        lines.append(f"Follows from it: {_escape('; '.join(found.follows))}.\n")
+    return "\n".join(lines)
+
+
+def _heading(ledger: Ledger) -> str:
+    totals = (f"- {name}: {line}" for name, line in show_totals(ledger.judgements).items())
+    lines = [f"\n## {ledger.paper.system}", f"{ledger.paper.citation}", "\n".join(totals)]
+    return "\n\n".join(lines) + "\n"
 
 
 def _table(judgements: Sequence[Judgement]) -> str:

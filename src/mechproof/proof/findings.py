@@ -1,0 +1,207 @@
+"""Findings: the root causes of what is wrong in print, what each costs, and what follows from it.
+
+A derivation may name the causes; a printed row that is wrong and belongs to none is a finding of
+its own. That a row follows from another is a row of the ledger: with the correction of the cause
+in the place of its print the statement is proved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass, replace
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from mechproof.proof import balls
+from mechproof.proof.domain import Domain
+from mechproof.proof.verdict import Judgement, Verdict
+from mechproof.record import Cost, Equality, Finding, Paper, PrintedNumber, Row
+
+WRONG = (Verdict.REFUTED, Verdict.ILL_FORMED)
+# What a value in radians, millimetres or parts of one is multiplied with.
+UNITS: Mapping[str, sp.Expr] = {
+    "": sp.S.One,
+    "°": 180 / sp.pi,
+    "rad": sp.S.One,
+    "mm": sp.S.One,
+    "µm": sp.Integer(1000),
+    "%": sp.Integer(100),
+}
+_BITS = 60
+
+
+@dataclass(frozen=True)
+class Found:
+    """One finding of the ledger."""
+
+    system: str
+    number: str
+    verdict: Verdict
+    printed_latex: str
+    wrong: str
+    costs: tuple[str, ...]
+    corrected_latex: str
+    corrected_by: str
+    follows: tuple[str, ...]
+
+    def as_dict(self) -> dict[str, object]:
+        """Return the JSON record."""
+        written = {field.name: getattr(self, field.name) for field in fields(self)}
+        lists = {"costs": list(self.costs), "follows": list(self.follows)}
+        return {**written, "verdict": self.verdict.value, **lists}
+
+
+def follower_rows(paper: Paper) -> tuple[Row, ...]:
+    """State every follower of every finding with the correction of its cause inserted.
+
+    Raises `ValueError` for a row that is not in the paper, a cause without a correction and a
+    follower that does not hold the print of its cause.
+    """
+    rows = {row.number: row for row in paper.rows}
+    return tuple(
+        _insert_correction(_find(rows, number), _find(rows, finding.row))
+        for finding in paper.findings
+        for number in finding.follows
+    )
+
+
+def list_findings(paper: Paper, judgements: Sequence[Judgement]) -> tuple[Found, ...]:
+    """List the findings of a paper in the order of its rows.
+
+    Raises `ValueError` for a cause that is not wrong and a follower that does not follow.
+    """
+    judged = {j.number: j for j in judgements}
+    named = {finding.row: finding for finding in paper.findings}
+    following = {number for finding in paper.findings for number in finding.follows}
+    rows = [row for row in paper.rows if "ours" not in row.marks or row.number in named]
+    return tuple(
+        _describe(paper, row, named.get(row.number), judged)
+        for row in rows
+        if row.number in named
+        or (judged[row.number].verdict in WRONG and row.number not in following)
+    )
+
+
+def _describe(
+    paper: Paper, row: Row, finding: Finding | None, judged: Mapping[str, Judgement]
+) -> Found:
+    about = judged[row.number]
+    finding = finding or Finding(row.number, about.reason)
+    if about.verdict in (Verdict.PROVED, Verdict.DEFINITION):
+        raise ValueError(f"paper {paper.system!r}: finding {row.number!r}: it is {about.verdict}")
+    for number in finding.follows:
+        again = judged[_corrected_number(number, row.number)]
+        if again.verdict is not Verdict.PROVED:
+            raise ValueError(
+                f"paper {paper.system!r}: {number!r} does not follow from {row.number!r}: with its "
+                f"correction it is {again.verdict}: {again.reason}"
+            )
+    return Found(
+        system=paper.system,
+        number=row.number,
+        verdict=about.verdict,
+        printed_latex=about.printed_latex,
+        wrong=finding.wrong,
+        costs=tuple(_compare(cost, row, paper) for cost in finding.costs),
+        corrected_latex=about.corrected_latex,
+        corrected_by=about.corrected_by,
+        follows=finding.follows,
+    )
+
+
+def _compare(cost: Cost, row: Row, paper: Paper) -> str:
+    """Write the printed and the right value at a place, and their difference."""
+    domain = Domain.of(paper)
+    sides = (
+        _sides(row) if cost.printed is None or cost.right is None else (cost.printed, cost.right)
+    )
+    values = [_value(side, cost, domain) for side in sides]
+    texts = [f"{_round(value, cost)}{cost.unit}" for value in (*values, abs(values[0] - values[1]))]
+    return f"{cost.where}: printed {texts[0]}, right {texts[1]}, off by {texts[2]}"
+
+
+def _sides(row: Row) -> tuple[sp.Expr, sp.Expr]:
+    if isinstance(row.says, Equality):
+        return row.says.printed, row.says.rebuilt
+    if isinstance(row.says, PrintedNumber):
+        return sp.Rational(row.says.printed), row.says.value
+    raise ValueError(f"row {row.number!r}: a cost of it has to state both of its values")
+
+
+def _value(side: sp.Expr, cost: Cost, domain: Domain) -> balls.Ball:
+    if cost.unit not in UNITS:
+        raise ValueError(f"{cost.where}: unit = {cost.unit!r}: allowed are {', '.join(UNITS)}")
+    placed = domain.resolve(side).subs(cost.at, simultaneous=True)
+    if placed.free_symbols:
+        raise ValueError(
+            f"{cost.where}: no size is given for {sorted(map(str, placed.free_symbols))}"
+        )
+    value = balls.evaluate_until(UNITS[cost.unit] * placed, {}, _BITS)
+    if not value.is_finite():
+        raise ValueError(f"{cost.where}: {side} has no value there")
+    return value
+
+
+def _round(value: balls.Ball, cost: Cost) -> Decimal:
+    """Round the middle of a ball that is far smaller than the last place."""
+    middle = Decimal(value.mid().str(40, radius=False))
+    return middle.quantize(Decimal(1).scaleb(-cost.decimals))
+
+
+def _find(rows: Mapping[str, Row], number: str) -> Row:
+    if number not in rows:
+        raise ValueError(f"finding: there is no row {number!r}")
+    return rows[number]
+
+
+def _corrected_number(number: str, root: str) -> str:
+    return f"{number}, with {root} corrected"
+
+
+def _insert_correction(row: Row, root: Row) -> Row:
+    says = _replace_in(row.says, _corrections(root))
+    if says == row.says:
+        raise ValueError(f"row {row.number!r} does not hold what {root.number!r} corrects")
+    return replace(
+        row,
+        number=_corrected_number(row.number, root.number),
+        says=says,
+        note="",
+        corrected=None,
+        readings=(),
+        holds_on=None,
+        marks=tuple(dict.fromkeys((*row.marks, "ours"))),
+    )
+
+
+def _corrections(root: Row) -> dict[sp.Basic, sp.Basic]:
+    """Pair what the print of a cause has with what its correction has in the same place."""
+    if root.corrected is None:
+        raise ValueError(f"finding {root.number!r}: rows follow from it, so it needs a correction")
+    return _pairs(root.says, root.corrected.says)
+
+
+def _pairs(printed: Any, corrected: Any) -> dict[sp.Basic, sp.Basic]:
+    if isinstance(printed, sp.Basic) and printed != corrected:
+        return {printed: corrected}
+    if is_dataclass(printed) and type(printed) is type(corrected):
+        both = ((getattr(printed, f.name), getattr(corrected, f.name)) for f in fields(printed))
+        return {k: v for p, c in both for k, v in _pairs(p, c).items()}
+    if isinstance(printed, tuple) and len(printed) == len(corrected):
+        both = zip(printed, corrected, strict=True)
+        return {k: v for p, c in both for k, v in _pairs(p, c).items()}
+    return {}
+
+
+def _replace_in(part: Any, pairs: Mapping[sp.Basic, sp.Basic]) -> Any:
+    if isinstance(part, sp.Basic):
+        # Not the same node: a product within a product is one with its factors.
+        return part.subs(pairs, simultaneous=True)
+    if isinstance(part, tuple):
+        return tuple(_replace_in(item, pairs) for item in part)
+    if is_dataclass(part) and not isinstance(part, type):
+        values = {f.name: _replace_in(getattr(part, f.name), pairs) for f in fields(part)}
+        return replace(part, **values)
+    return part
