@@ -44,12 +44,12 @@ mean = Sum(q[j], (j, 1, n)) / n
 variance = Sum((q[i] - qbar) ** 2, (i, 1, n)) / (n - 1)
 
 TYPE_A_VARIABLES = (
-    Variable(n, "number of observations", within=S.Naturals),
-    Variable(q, "measurement errors"),
-    Variable(qbar, "mean measurement error"),
-    Variable(s2, "sample variance"),
-    Variable(s2_mean, "estimate of the variance of the mean"),
-    Variable(u_mean, "type A standard uncertainty"),
+    Variable(n, "number of observations", within=S.Naturals, latex=("n",)),
+    Variable(q, "measurement errors", latex=("q",)),
+    Variable(qbar, "mean measurement error", latex=(r"\bar q",)),
+    Variable(s2, "sample variance", latex=("s^2(q_k)",)),
+    Variable(s2_mean, "estimate of the variance of the mean", latex=("s^2(q)", r"s^2(\bar q)")),
+    Variable(u_mean, "type A standard uncertainty", latex=("u(q)",)),
     Variable(sigma2, "variance of one observation", within=POSITIVE),
 )
 
@@ -59,8 +59,8 @@ def mean_row(number: str, note: str = "", marks: tuple[str, ...] = ()) -> Equati
     return Equation(
         number,
         r"\bar q=\frac1n\sum_{k=1}^n q_k",
-        Definition(qbar, mean),
         note=note,
+        defines=(qbar,),
         marks=marks,
     )
 
@@ -70,8 +70,8 @@ def variance_row(number: str, marks: tuple[str, ...] = ()) -> Equation:
     return Equation(
         number,
         r"s^2(q_k)=\frac1{n-1}\sum_{k=1}^n(q_k-\bar q)^2",
-        Definition(s2, variance),
         note="Needs n >= 2.",
+        defines=(s2,),
         marks=marks,
     )
 
@@ -97,11 +97,9 @@ def variance_of_mean_row(number: str, latex: str, marks: tuple[str, ...] = ()) -
     return Equation(
         number,
         latex,
-        Equality(
-            sigma2 / n,
-            Sum(sigma2 * KroneckerDelta(i, j) / n**2, (i, 1, n), (j, 1, n)),
-        ),
-        note="The variance of the mean of n independent observations.",
+        note="The variance of the mean of n independent observations of the variance sigma^2.",
+        derived={s2_mean: Sum(sigma2 * KroneckerDelta(i, j) / n**2, (i, 1, n), (j, 1, n))},
+        substituted={s2: sigma2},
         marks=marks,
     )
 
@@ -111,8 +109,8 @@ def uncertainty_row(number: str, note: str, marks: tuple[str, ...] = ()) -> Equa
     return Equation(
         number,
         r"u(q)=\sqrt{s^2(q)}",
-        Definition(u_mean, sqrt(s2_mean)),
         note=note,
+        defines=(u_mean,),
         marks=marks,
     )
 

@@ -18,7 +18,7 @@ from mechproof.cli import app
 
 FIELDS = {
     "system", "number", "kind", "verdict", "rung", "marks",
-    "printed_latex", "reason", "evidence", "corrected_latex",
+    "printed_latex", "read_as", "reason", "evidence", "corrected_latex",
 }  # fmt: skip
 HEAD = """
 from sympy import Function, Integral, Interval, S, Symbol, cos, gamma, oo, pi, sin, symbols
@@ -49,7 +49,7 @@ def test_rows_have_the_stated_fields(tmp_path: Path) -> None:
     (row,) = json.loads(target.read_text(encoding="utf-8"))
     assert row.keys() == FIELDS
     assert (row["system"], row["number"], row["kind"]) == ("mine", "(1)", "equation")
-    assert row["verdict"] == "PROVED"
+    assert (row["verdict"], row["read_as"], row["marks"]) == ("PROVED", "", ["as typed"])
     assert "mine, printed: 1 PROVED" in result.output
 
 
@@ -157,10 +157,10 @@ def test_verify_takes_the_folder_that_is_named_then_the_one_here_then_the_packag
         (tmp_path / name).mkdir()
         write(tmp_path / name, row)
     monkeypatch.chdir(tmp_path)
-    assert re.search(r"^\(1\) +PROVED", run("verify").output, re.MULTILINE)
-    assert re.search(r"^\(1\) +PROVED", run("verify", "mine").output, re.MULTILINE)
+    assert re.search(r"^\(1\) \(as typed\) +PROVED", run("verify").output, re.MULTILINE)
+    assert re.search(r"^\(1\) \(as typed\) +PROVED", run("verify", "mine").output, re.MULTILINE)
     named = run("verify", "--derivations", "others")
-    assert re.search(r"^\(9\) +PROVED", named.output, re.MULTILINE)
+    assert re.search(r"^\(9\) \(as typed\) +PROVED", named.output, re.MULTILINE)
     monkeypatch.chdir(tmp_path / "others")
     refused = run("verify", "no_such_system")
     assert refused.exit_code == 2
@@ -223,7 +223,7 @@ def test_piped_text_is_full(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert "\u2026" not in done.stdout
     (line,) = [line for line in done.stdout.splitlines() if line.startswith("(1)")]
-    assert line.split()[:2] == ["(1)", "PROVED"]
+    assert line.startswith("(1) (as typed)  PROVED")
     assert line.endswith(note.rstrip())
 
 

@@ -45,6 +45,7 @@ LOADED = {
         "mechproof.kernels",
         "mechproof.mechanisms",
     },
+    "latex": {"sympy", "mechproof.latex", "mechproof.record"},
     "proof": {"sympy", "flint", "mechproof.proof", "mechproof.record"},
     "codegen": {
         *("sympy", "jinja2", "mpmath"),
@@ -177,13 +178,13 @@ def test_the_checker_lets_pass_what_is_allowed() -> None:
     assert breaches(source, "conformity") == set()
 
 
-def test_derivations_import_sympy_and_the_records_alone() -> None:
+def test_derivations_import_sympy_the_records_and_the_reader_alone() -> None:
     for path in Path(derivations.__path__[0]).rglob("*.py"):
         if path.stem in ("peers", "points"):
             continue
         tree = ast.parse(path.read_text(encoding="utf-8"))
         found = imported(ast.walk(tree)) - {""}  # relative ones have no first name
-        assert found <= {"sympy", "mechproof.record"}, path
+        assert found <= {"sympy", "mechproof.record", "mechproof.latex"}, path
 
 
 def test_kernels_import_numpy_and_their_support_alone() -> None:

@@ -4,7 +4,7 @@ from mechproof.record import Paper, Published
 
 from .findings import FINDINGS
 from .kernels import QUANTITIES
-from .paper import R1, R2, ROWS, VARIABLES, VARIANTS, e
+from .paper import NOTATION, R1, R2, ROWS, VARIABLES, VARIANTS, e
 
 PAPER = Paper(
     system="elliptic_planetary",
@@ -13,6 +13,7 @@ PAPER = Paper(
         "doi 10.37313/1990-5378-2024-26-3-164-171"
     ),
     variables=VARIABLES,
+    notation=NOTATION,
     where=(R2 < R1,),
     rows=ROWS,
     quantities=QUANTITIES,

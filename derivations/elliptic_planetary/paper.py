@@ -1,7 +1,7 @@
 """What paper 1 prints and what is rebuilt: symbols, mechanics, rows.
 
-Order of the file: symbols; the mechanics (velocity plan, inversion, ellipse, position); what
-the paper prints, row by row.
+Order of the file: symbols and how they are printed; the mechanics (velocity plan, inversion,
+ellipse, position); what the paper prints, row by row.
 
 Conventions: angles are positive in the direction of the carrier's rotation; distances on the
 line A-C are positive from A towards C and B; lengths in mm, angles in rad.
@@ -34,6 +34,7 @@ from sympy import (
     tan,
 )
 
+from mechproof.latex import Reader
 from mechproof.record import (
     FREQUENCY,
     LENGTH,
@@ -43,14 +44,14 @@ from mechproof.record import (
     Completions,
     Conjunction,
     Correction,
-    Definition,
     Equality,
     Equation,
     Holds,
-    IntegralWithoutDifferential,
+    Notation,
     Part,
     PrintedNumber,
     Reading,
+    Sign,
     Variable,
 )
 
@@ -83,46 +84,94 @@ omega1, omega3 = symbols("omega1 omega3", real=True)
 VC, VD, AC, BC, BD, CD, DE = symbols("V_C V_D AC BC BD CD DE", real=True)
 at_b, at_c, at_d = symbols("s_B s_C s_D", real=True)
 U = Symbol("U", real=True)
-ratio_symbol = Symbol("phi3'", real=True)
-tau, u, v = symbols("tau u v", real=True)
+tau = Symbol("tau", real=True)
 turns = Symbol("m_turns", integer=True)
 nu, E = symbols("nu E", positive=True)
 T = Symbol("T", real=True)
 
 
+phi3 = Symbol("phi3", real=True)
+ratio_symbol = Symbol("phi3'", real=True)
+slope = Symbol("dphi3/dphi1", real=True)
+C = Symbol("C", real=True)
+
+# Ellipse seen from a focus: the distances to both foci (2 a e apart) add up to 2 a.
+r, theta = symbols("r theta", real=True)
+second_focus_squared = r**2 - 4 * a * e * r * cos(theta) + 4 * a**2 * e**2
+focal_radius = solve(Eq((2 * a - r) ** 2, second_focus_squared), r)[0]
+
 VARIABLES = (
-    Variable(phi1, "angle of the carrier 1", sign="positive in its direction of rotation"),
-    Variable(R1, "radius of the epicycle 4", LENGTH, Interval.open(0, oo)),
-    Variable(R2, "radius of the satellite wheel 5", LENGTH, Interval.open(0, oo)),
-    Variable(e, "eccentricity of the ellipse", within=Interval.Ropen(0, 1)),
-    Variable(a, "major semi-axis of the ellipse", LENGTH, given=(R1 - R2) / 2),
-    Variable(phi5, "rotation of wheel 6 against the carrier", given=-R1 / R2 * phi1),
+    Variable(
+        phi1,
+        "angle of the carrier 1",
+        sign="positive in its direction of rotation",
+        latex=(r"\varphi_1",),
+    ),
+    Variable(phi3, "angle of wheel 3", latex=(r"\varphi_3",)),
+    Variable(R1, "radius of the epicycle 4", LENGTH, Interval.open(0, oo), latex=("R_1",)),
+    Variable(R2, "radius of the satellite wheel 5", LENGTH, Interval.open(0, oo), latex=("R_2",)),
+    Variable(e, "eccentricity of the ellipse", within=Interval.Ropen(0, 1), latex=("e",)),
+    Variable(a, "major semi-axis of the ellipse", LENGTH, given=(R1 - R2) / 2, latex=("a",)),
+    Variable(
+        phi5,
+        "rotation of wheel 6 against the carrier",
+        given=-R1 / R2 * phi1,
+        latex=(r"\varphi_5",),
+    ),
     Variable(k, "ratio of the cylindrical radii", given=R1 / R2),
-    Variable(x, "rotation of wheel 6 against the carrier, reversed", given=k * phi1),
-    Variable(a1, "1 + e^2", given=1 + e**2),
-    Variable(b1, "2 e", given=2 * e),
-    Variable(rho, "radius CD", LENGTH, given=a * (1 - e**2) / (1 - e * cos(phi5))),
-    Variable(omega1, "angular velocity of the carrier", FREQUENCY, Interval.open(0, oo)),
-    Variable(omega3, "angular velocity of wheel 3", FREQUENCY),
+    Variable(
+        x,
+        "rotation of wheel 6 against the carrier, reversed",
+        given=k * phi1,
+        latex=("x", r"\frac{R_1}{R_2}\varphi_1"),
+    ),
+    Variable(a1, "1 + e^2", given=1 + e**2, latex=("a_1",)),
+    Variable(b1, "2 e", given=2 * e, latex=("b_1",)),
+    Variable(
+        rho,
+        "radius CD",
+        LENGTH,
+        given=focal_radius.subs(theta, phi5),
+        latex=(r"\rho(\varphi_5)", r"\rho"),
+    ),
+    Variable(
+        omega1,
+        "angular velocity of the carrier",
+        FREQUENCY,
+        Interval.open(0, oo),
+        latex=(r"\omega_1",),
+    ),
+    Variable(omega3, "angular velocity of wheel 3", FREQUENCY, latex=(r"\omega_3",)),
     Variable(at_b, "coordinate of B on the line A-C", LENGTH),
     Variable(at_c, "coordinate of C", LENGTH, Interval.open(0, oo)),
     Variable(at_d, "coordinate of D", LENGTH),
-    Variable(AC, "from A to C", LENGTH, given=at_c),
-    Variable(BC, "from C to B", LENGTH, given=at_b - at_c),
-    Variable(CD, "from D to C", LENGTH, given=at_c - at_d),
-    Variable(BD, "from D to B", LENGTH, given=at_b - at_d),
-    Variable(DE, "from E to D", LENGTH, given=at_d),
-    Variable(VC, "velocity of C, positive with the carrier", SPEED, given=omega1 * at_c),
-    Variable(VD, "velocity of D, positive with the carrier", SPEED, given=omega3 * at_d),
+    Variable(AC, "from A to C", LENGTH, given=at_c, latex=("AC",)),
+    Variable(BC, "from C to B", LENGTH, given=at_b - at_c, latex=("BC",)),
+    Variable(CD, "from D to C", LENGTH, given=at_c - at_d, latex=("CD",)),
+    Variable(BD, "from D to B", LENGTH, given=at_b - at_d, latex=("BD",)),
+    Variable(DE, "from E to D", LENGTH, given=at_d, latex=("DE",)),
+    Variable(
+        VC, "velocity of C, positive with the carrier", SPEED, given=omega1 * at_c, latex=("V_C",)
+    ),
+    Variable(
+        VD, "velocity of D, positive with the carrier", SPEED, given=omega3 * at_d, latex=("V_D",)
+    ),
     Variable(U, "tg(x/2) as a variable of integration's limit"),
+    Variable(C, "constant of integrals that start at 0", given=S.Zero, latex=("C",)),
     *TYPE_A_VARIABLES,
-    Variable(ratio_symbol, "analogue of the angular velocity"),
+    Variable(ratio_symbol, "analogue of the angular velocity", latex=(r"\varphi_3'",)),
+    Variable(
+        slope, "derivative of the position function", latex=(r"\frac{d\varphi_3}{d\varphi_1}",)
+    ),
     *ENCODER_VARIABLES,
     Variable(turns, "whole turns of x", within=S.Naturals0),
     Variable(nu, "number of terms of a series", within=Interval.open(0, oo)),
     Variable(E, "e**nu", within=Interval.open(0, oo)),
     Variable(T, "nu*x"),
 )
+# Integrals without limits start at 0, where phi10 = phi30 = 0.
+NOTATION = Notation(factors=("a",), lower_limit=S.Zero)
+READER = Reader(VARIABLES, NOTATION)
 
 BRANCH = Part("|x| < pi, the first branch of the half-angle", {x: Interval.open(-pi, pi)})
 UP_TO_ONE = Part("0 <= e <= 1", {e: Interval(0, 1)})
@@ -137,6 +186,7 @@ centre_c = solve(Eq(at_c + R2, R1), at_c)[0]
 satellite_velocity = omega1 * centre_c + omega_satellite * (s - centre_c)
 rolling = solve(satellite_velocity.subs(s, R1), omega_satellite)[0]
 point_d = centre_c - rho
+PLACES = {at_b: R1, at_c: centre_c, at_d: point_d}
 driven = Eq(omega_out * point_d, satellite_velocity.subs({s: point_d, omega_satellite: rolling}))
 ratio_by_plan = solve(driven, omega_out)[0] / omega1
 
@@ -145,11 +195,6 @@ ratio_by_plan = solve(driven, omega_out)[0] / omega1
 satellite_against_carrier = -k
 wheel_3_against_carrier = -satellite_against_carrier * rho / (2 * a - rho)
 ratio_by_inversion = 1 + wheel_3_against_carrier
-
-# Ellipse seen from a focus: the distances to both foci (2 a e apart) add up to 2 a.
-r, theta = symbols("r theta", real=True)
-second_focus_squared = r**2 - 4 * a * e * r * cos(theta) + 4 * a**2 * e**2
-focal_radius = solve(Eq((2 * a - r) ** 2, second_focus_squared), r)[0]
 
 
 def radius_of_mate(angle: Expr) -> Expr:
@@ -184,44 +229,38 @@ non_uniformity = (largest - smallest) / (1 + k)
 
 # What the paper prints ------------------------------------------------------------------------
 
-print_rho = a * (1 - e**2) / (1 - e * cos(phi5))
-print_7 = (R2 + rho) * 2 * a / (R2 * (2 * a - rho))
-print_8 = 1 + R1 / R2 * ((1 - e**2) / (1 + e**2 - 2 * e * cos(phi5)))
-print_9 = phi1 + (1 - e**2) * Integral(1 / (1 + e**2 - 2 * e * cos(u)), (u, 0, R1 / R2 * phi1))
-
-half = u / 2
-print_10_first = Integral(1 / (a1 - b1 * cos(u)), (u, 0, x))
-print_10_second = Integral(
-    1 / (a1 * sin(half) ** 2 + a1 * cos(half) ** 2 - b1 * cos(half) ** 2 + b1 * sin(half) ** 2),
-    (u, 0, x),
-)
-print_10_third = Integral(1 / ((a1 + b1) * sin(half) ** 2 + (a1 - b1) * cos(half) ** 2), (u, 0, x))
-integrand_10_fourth = cos(half) ** 2 / ((a1 + b1) * tan(half) ** 2 + (a1 - b1))
-print_10_fourth = IntegralWithoutDifferential(integrand_10_fourth.subs(u, x))
-print_10_fifth = 2 / (a1 + b1) * Integral(1 / (v**2 + (a1 - b1) / (a1 + b1)), (v, 0, tan(x / 2)))
-corrected_10_fourth = Integral(
-    1 / (cos(half) ** 2 * ((a1 + b1) * tan(half) ** 2 + (a1 - b1))), (u, 0, x)
+EQUATION_8 = Equation(
+    "(8)",
+    r"\frac{d\varphi_3}{d\varphi_1}=1+\frac{R_1}{R_2}\cdot"
+    r"\left(\frac{1-e^2}{1+e^2-2e\cos\varphi_5}\right)",
+    derived={slope: ratio_by_plan},
 )
 CORRECT_FOURTH = (
-    r"\int\frac{dx}{\cos^2\frac x2\left[(a_1+b_1)\mathrm{tg}^2\frac x2+(a_1-b_1)\right]}"
+    r"\int\frac{dx}{\cos^2\frac x2\cdot\left[(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)\right]}"
 )
-
-
-def print_11(tangent: Expr) -> Expr:
-    """Right-hand side of (11) without the constant, at tg(x/2) = `tangent`."""
-    shrink = (a1 - b1) / (a1 + b1)
-    return 2 / (a1 + b1) * sqrt((a1 + b1) / (a1 - b1)) * atan(tangent / sqrt(shrink))
-
-
-print_12 = phi1 + 2 * sqrt((1 - e) / (1 + e)) * atan(
-    tan(R1 / (2 * R2) * phi1) * sqrt((1 + e) / (1 - e))
+LAST_OF_10 = (
+    r"\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
+    r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}"
 )
 CORRECT_12 = (
     r"\varphi_3=\left(1+\frac{R_1}{R_2}\right)\varphi_1+2\,\mathrm{arctg}"
-    r"\frac{e\sin x}{1-e\cos x},\ x=\frac{R_1}{R_2}\varphi_1"
-    r"\quad\left(\text{for }|x|<\pi:\ \varphi_3=\varphi_1+2\,\mathrm{arctg}"
-    r"\left(\frac{1+e}{1-e}\,\mathrm{tg}\frac x2\right)\right)"
+    r"\frac{e\sin x}{1-e\cos x}"
 )
+EQUATION_12 = Equation(
+    "(12)",
+    r"\varphi_3=\varphi_1+2\cdot\sqrt{\frac{1-e}{1+e}}\;\mathrm{arctg}\left(\mathrm{tg}"
+    r"\left(\frac{R_1}{2R_2}\varphi_1\right)\cdot\sqrt{\frac{1+e}{1-e}}\right)",
+    note=(
+        "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1+e)/(1-e) itself, but (12) still has "
+        "the root of that. Without it the factor before the arctangent is 2 and the quotient "
+        "inside is (1+e)/(1-e). Besides, the arctangent falls back after each turn."
+    ),
+    corrected=Correction(CORRECT_12),
+    singular=("R1 phi1/R2 = (2m+1) pi",),
+    derived={phi3: position},
+)
+_, print_8 = READER.members(EQUATION_8)
+_, print_12 = READER.members(EQUATION_12)
 
 # Table 1 (R1, R2, e) and table 3 (n, mean error, u), degrees.
 VARIANTS = {
@@ -285,44 +324,58 @@ ROWS = (
         note="V_A and V_E are zero because A and E lie on the fixed axis.",
     ),
     Equation(
-        "(1), first and second equals sign",
-        r"\varphi_3'=\frac{\omega_3}{\omega_1}=\frac{d\varphi_3}{d\varphi_1}",
-        Definition(ratio_symbol, omega3 / omega1),
-        note="Introduces the analogue of the velocity; its two readings differ by the chain rule.",
+        "(1)",
+        r"\varphi_3'=\frac{\omega_3}{\omega_1}=\frac{d\varphi_3}{d\varphi_1}"
+        r"=\frac{V_D\cdot AC}{V_C\cdot DE}=\frac{BD\cdot AC}{BC\cdot DE}",
+        defines=(ratio_symbol,),
+        signs={
+            1: Sign(note="Introduces the analogue of the velocity."),
+            2: Sign(
+                derived={omega3: slope * omega1},
+                note="The chain rule: wheel 3 turns as the carrier does, times the slope.",
+            ),
+            3: Sign(
+                derived={slope: omega3 / omega1},
+                note="V_C = omega1 AC and V_D = omega3 DE, all signed on the line A-C.",
+            ),
+            4: Sign(
+                derived={
+                    VC: omega_satellite * (at_c - at_b),
+                    VD: omega_satellite * (at_d - at_b),
+                },
+                note="Velocities of the satellite are proportional to the distance from B.",
+            ),
+        },
     ),
     Equation(
-        "(1), third equals sign",
-        r"\frac{d\varphi_3}{d\varphi_1}=\frac{V_D\cdot AC}{V_C\cdot DE}",
-        Equality(VD * AC / (VC * DE), omega3 / omega1),
-        note="V_C = omega1 AC and V_D = omega3 DE, all signed on the line A-C.",
+        "(2)",
+        r"AC=R_1-R_2=2a",
+        signs={
+            1: Sign(
+                derived={AC: centre_c},
+                note="Circle 5 touches circle 4 from inside: AC + R2 = R1.",
+            ),
+            2: Sign(
+                derived={R1 - R2: rho + radius_of_mate(phi5)},
+                note=(
+                    "The centre distance at which two congruent ellipses roll about their foci; "
+                    "with it, R1, R2 and a are no longer independent."
+                ),
+            ),
+        },
     ),
-    Equation(
-        "(1), fourth equals sign",
-        r"\frac{V_D\cdot AC}{V_C\cdot DE}=\frac{BD\cdot AC}{BC\cdot DE}",
-        Equality(BD * AC / (BC * DE), (at_d - at_b) / (at_c - at_b) * at_c / at_d),
-        note="Velocities of the satellite are proportional to the distance from B.",
-    ),
-    Equation(
-        "(2), first equals sign",
-        r"AC=R_1-R_2",
-        Equality(R1 - R2, centre_c),
-        note="Circle 5 touches circle 4 from inside: AC + R2 = R1.",
-    ),
-    Equation(
-        "(2), second equals sign",
-        r"R_1-R_2=2a",
-        Equality(2 * a, print_rho + radius_of_mate(phi5)),
-        note=(
-            "The centre distance at which two congruent ellipses roll about their foci; "
-            "with it, R1, R2 and a are no longer independent."
-        ),
-    ),
-    Equation("(3)", r"BC=R_2", Equality(R2, R1 - centre_c)),
+    Equation("(3)", r"BC=R_2", derived=PLACES),
     Equation(
         "(4)",
         r"CD=\rho(\varphi_5)=\frac{a(1-e^2)}{1-e\cos\varphi_5}",
-        Equality(print_rho, focal_radius.subs(theta, phi5)),
-        note="At phi1 = 0 the second focus lies towards A: read from the sign in (4).",
+        defines=(rho,),
+        signs={
+            1: Sign(note="Introduces the radius of wheel 6 in the direction of D."),
+            2: Sign(
+                derived={rho: focal_radius.subs(theta, phi5)},
+                note="At phi1 = 0 the second focus lies towards A: read from the sign in (4).",
+            ),
+        },
     ),
     Claim(
         "(4), phi5",
@@ -335,8 +388,8 @@ ROWS = (
             ),
         ),
     ),
-    Equation("(5)", r"BD=BC+CD=R_2+\rho", Equality(R2 + rho, R1 - point_d)),
-    Equation("(6)", r"DE=AC-CD=2a-\rho", Equality(2 * a - rho, point_d)),
+    Equation("(5)", r"BD=BC+CD=R_2+\rho", signs={2: Sign(derived=PLACES)}),
+    Equation("(6)", r"DE=AC-CD=2a-\rho", signs={2: Sign(derived=PLACES)}),
     Claim(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
@@ -346,69 +399,49 @@ ROWS = (
     Equation(
         "(7)",
         r"\varphi_3'=\frac{(R_2+\rho)\cdot 2a}{R_2\cdot(2a-\rho)}",
-        Equality(print_7, ratio_by_plan),
+        derived={ratio_symbol: ratio_by_plan},
     ),
-    Equation(
-        "(8)",
-        r"\frac{d\varphi_3}{d\varphi_1}=1+\frac{R_1}{R_2}\cdot"
-        r"\left(\frac{1-e^2}{1+e^2-2e\cos\varphi_5}\right)",
-        Equality(print_8, ratio_by_plan),
-    ),
+    EQUATION_8,
     Equation(
         "(9)",
         r"\varphi_3=\varphi_1+(1-e^2)\cdot\int\frac{1}{1+e^2-2e\cos\frac{R_1}{R_2}\varphi_1}"
         r"\,d\frac{R_1}{R_2}\varphi_1",
-        Equality(print_9, position),
+        derived={phi3: position},
         note="Read from the initial conditions phi10 = phi30 = 0; holds over all turns.",
     ),
     Equation(
-        "(10), first equals sign",
-        r"\int\frac{dx}{a_1-b_1\cos x}=\int\frac{dx}{a_1\sin^2\frac x2+a_1\cos^2\frac x2"
-        r"-b_1\cos^2\frac x2+b_1\sin^2\frac x2}",
-        Equality(print_10_second, print_10_first),
-    ),
-    Equation(
-        "(10), second equals sign",
-        r"\dots=\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}",
-        Equality(print_10_third, print_10_second),
-    ),
-    Equation(
-        "(10), third equals sign",
-        r"\dots=\int\frac{\cos^2\frac x2}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}",
-        Equality(print_10_fourth, print_10_third),
-        note="The factor 1/cos^2(x/2) has moved into the numerator and dx is missing.",
-        corrected=Correction(CORRECT_FOURTH, Equality(corrected_10_fourth, print_10_third)),
-        on=BRANCH,
+        "(10)",
+        r"\int\frac{dx}{a_1-b_1\cos x}"
+        r"=\int\frac{dx}{a_1\sin^2\frac x2+a_1\cos^2\frac x2-b_1\cos^2\frac x2+b_1\sin^2\frac x2}"
+        r"=\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}"
+        r"=\int\frac{\cos^2\frac x2}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}"
+        r"=\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
+        r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}",
+        signs={
+            3: Sign(
+                note="The factor 1/cos^2(x/2) has moved into the numerator and dx is missing.",
+                corrected=Correction(CORRECT_FOURTH),
+                on=BRANCH,
+            ),
+            4: Sign(
+                note="Its left-hand side is the ill-formed integral; the right-hand side is sound.",
+                corrected=Correction(f"{CORRECT_FOURTH}={LAST_OF_10}"),
+                on=BRANCH,
+            ),
+        },
     ),
     Claim(
         "(10), third equals sign, dx supplied",
         r"\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}="
         r"\int\frac{\cos^2\frac x2\,dx}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}",
-        Equality(Integral(integrand_10_fourth, (u, 0, x)), print_10_third),
         note="With the missing differential supplied the numerator is still wrong.",
-        corrected=Correction(CORRECT_FOURTH, Equality(corrected_10_fourth, print_10_third)),
+        corrected=Correction(CORRECT_FOURTH),
         on=BRANCH,
         marks=("ours",),
     ),
-    Equation(
-        "(10), fourth equals sign",
-        r"\int\frac{\cos^2\frac x2}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}="
-        r"\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
-        r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}",
-        Equality(print_10_fourth, print_10_fifth),
-        note="Its left-hand side is the ill-formed integral; the right-hand side is sound.",
-        corrected=Correction(
-            CORRECT_FOURTH + r"=\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
-            r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}",
-            Equality(corrected_10_fourth, print_10_fifth),
-        ),
-        on=BRANCH,
-    ),
     Claim(
         "(10), first and last expression",
-        r"\int\frac{dx}{a_1-b_1\cos x}=\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
-        r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}",
-        Equality(print_10_fifth, print_10_first),
+        rf"\int\frac{{dx}}{{a_1-b_1\cos x}}={LAST_OF_10}",
         note=(
             "Read as integrals from 0. The chain's end is right although its fourth "
             "expression is not."
@@ -418,8 +451,7 @@ ROWS = (
     ),
     Claim(
         "since e <= 1",
-        r"e\le1\Rightarrow\frac{a_1-b_1}{a_1+b_1}\ge0",
-        Holds(Ge((a1 - b1) / (a1 + b1), 0)),
+        r"\frac{a_1-b_1}{a_1+b_1}\ge0\text{ since }e\le1",
         on=UP_TO_ONE,
     ),
     Claim(
@@ -433,41 +465,24 @@ ROWS = (
     ),
     Equation(
         "(11)",
-        r"\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}{\mathrm{tg}^2\frac x2+"
-        r"\frac{a_1-b_1}{a_1+b_1}}=\frac{2}{a_1+b_1}\cdot\sqrt{\frac{a_1+b_1}{a_1-b_1}}\cdot"
+        rf"{LAST_OF_10}=\frac{{2}}{{a_1+b_1}}\cdot\sqrt{{\frac{{a_1+b_1}}{{a_1-b_1}}}}\cdot"
         r"\mathrm{arctg}\frac{\mathrm{tg}\frac x2}{\sqrt{\frac{a_1-b_1}{a_1+b_1}}}+C",
-        Equality(
-            print_11(U), 2 / (a1 + b1) * Integral(1 / (v**2 + (a1 - b1) / (a1 + b1)), (v, 0, U))
-        ),
+        substituted={tan(x / 2): U},
         note="As an integral over tg(x/2) = U; C = 0 for the lower limit 0.",
     ),
     Claim(
         "(11) over all turns",
         r"\int_0^x\frac{dx}{a_1-b_1\cos x}=\frac{2}{a_1+b_1}\sqrt{\frac{a_1+b_1}{a_1-b_1}}\,"
         r"\mathrm{arctg}\frac{\mathrm{tg}\frac x2}{\sqrt{\frac{a_1-b_1}{a_1+b_1}}}",
-        Equality(print_11(tan(x / 2)), print_10_first),
         note="With one constant C the right-hand side falls back at every odd multiple of pi.",
         holds_on=BRANCH,
         singular=("x = (2m+1) pi",),
         corrected=Correction(
-            r"\frac{1}{1-e^2}\left(x+2\,\mathrm{arctg}\frac{e\sin x}{1-e\cos x}\right)",
-            Equality((x + 2 * atan2(e * sin(x), 1 - e * cos(x))) / (1 - e**2), print_10_first),
+            r"\frac{1}{1-e^2}\left(x+2\,\mathrm{arctg}\frac{e\sin x}{1-e\cos x}\right)"
         ),
         marks=("inferred",),
     ),
-    Equation(
-        "(12)",
-        r"\varphi_3=\varphi_1+2\cdot\sqrt{\frac{1-e}{1+e}}\;\mathrm{arctg}\left(\mathrm{tg}"
-        r"\left(\frac{R_1}{2R_2}\varphi_1\right)\cdot\sqrt{\frac{1+e}{1-e}}\right)",
-        Equality(print_12, position),
-        note=(
-            "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1+e)/(1-e) itself, but (12) still has "
-            "the root of that. Without it the factor before the arctangent is 2 and the quotient "
-            "inside is (1+e)/(1-e). Besides, the arctangent falls back after each turn."
-        ),
-        corrected=Correction(CORRECT_12, Equality(position_closed, position)),
-        singular=("R1 phi1/R2 = (2m+1) pi",),
-    ),
+    EQUATION_12,
     Claim(
         "(12), first branch",
         r"\text{(12) for }|x|<\pi",
@@ -490,7 +505,6 @@ ROWS = (
         "half-angle arctangent without branches",
         r"2\,\mathrm{arctg}\left(\tfrac{1+e}{1-e}\mathrm{tg}\tfrac x2\right)="
         r"x+2\,\mathrm{arctg}\frac{e\sin x}{1-e\cos x}",
-        Equality(position_principal, position_closed),
         on=BRANCH,
         note="The right-hand side goes on beyond the branch.",
         marks=("ours",),
@@ -518,8 +532,9 @@ ROWS = (
     ),
     Claim(
         "extremes of the ratio",
-        r"1+\frac{R_1}{R_2}\frac{1-e}{1+e}\le\varphi_3'\le1+\frac{R_1}{R_2}\frac{1+e}{1-e}",
-        Conjunction((Holds(Le(smallest, print_8)), Holds(Ge(largest, print_8)))),
+        r"1+\frac{R_1}{R_2}\cdot\frac{1-e}{1+e}\le\varphi_3'\le"
+        r"1+\frac{R_1}{R_2}\cdot\frac{1+e}{1-e}",
+        derived={ratio_symbol: print_8},
         note="Reached at x = pi and x = 0 modulo 2 pi.",
         marks=("ours",),
     ),

@@ -19,6 +19,7 @@ from pathlib import Path
 from types import CodeType, ModuleType
 from typing import Literal
 
+from mechproof.latex import read_paper
 from mechproof.record import Paper
 
 PACKAGE = "mechproof.derivations"
@@ -89,7 +90,7 @@ def find_systems(directory: Path) -> dict[str, Path]:
 
 
 def load_paper(location: Path) -> Paper:
-    """Run a derivation, a file or a folder, and return its paper.
+    """Run a derivation, a file or a folder, and return its paper, its prints read.
 
     It is read anew each time, with what it imports relatively: its folder serves as a package
     (whose own `__init__.py` is not run, but for the derivations that come with mechproof).
@@ -106,7 +107,10 @@ def load_paper(location: Path) -> Paper:
         raise DerivationError(
             f"{module.__file__}: binds no mechproof.record.Paper to the name PAPER"
         )
-    return paper
+    try:
+        return read_paper(paper)
+    except ValueError as error:
+        raise DerivationError(f"{module.__file__}: {error}") from error
 
 
 def load_part(location: Path, part: Literal["peers", "points"]) -> ModuleType | None:

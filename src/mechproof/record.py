@@ -17,6 +17,7 @@ from typing import Any, ClassVar, Literal, Protocol
 import sympy as sp
 
 Power = int | Fraction
+Derived = Mapping[sp.Basic, sp.Basic]
 
 # Names of the generated package that no system may take.
 RESERVED = ("compiled", "forms", "kernels", "measured")
@@ -64,18 +65,49 @@ FREQUENCY = Dimension(time=-1)
 
 @dataclass(frozen=True)
 class Variable:
-    """A symbol of the paper: what it means, its dimension, its values, its sign convention.
+    r"""A symbol of the paper: what it means, its dimension, its values, its sign convention.
 
     `within` is an interval (or `S.Naturals` for a count). `given` defines the symbol by
     others (a = (R1 - R2)/2) and is substituted before anything is decided.
+    `latex` are the ways it is printed, whole idioms included (`\varphi_3'`, `\rho(\varphi_5)`,
+    `\frac{d\varphi_3}{d\varphi_1}`); without one it cannot be printed. A family (`IndexedBase`)
+    is printed with its indices, which `#` stands for (`K_#(t)`; left out: at the end, `_#`).
     """
 
-    symbol: sp.Symbol | sp.IndexedBase
+    symbol: sp.Symbol | sp.IndexedBase | sp.MatrixSymbol
     meaning: str
     dimension: Dimension = NUMBER
     within: sp.Set = sp.S.Reals
     given: sp.Expr | None = None
     sign: str = ""
+    latex: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Scope:
+    """Letters that mean something else in the named rows; None: nothing, a bound index."""
+
+    rows: tuple[str, ...]
+    names: Mapping[str, sp.Symbol | sp.IndexedBase | sp.MatrixSymbol | None]
+
+
+@dataclass(frozen=True)
+class Notation:
+    r"""How a paper prints what is no symbol, as far as a reader has to be told.
+
+    `factors` are names that a bracket after them multiplies (`a(1-e^2)`). `functions` adds to or
+    replaces the names of functions in the table of `mechproof.latex`. `lower_limit` is where an
+    integral printed without limits starts. `indices` are the symbols of index letters (left out:
+    an integer symbol of that name). `scopes` are letters used twice.
+    """
+
+    factors: tuple[str, ...] = ()
+    functions: Mapping[str, Callable[..., sp.Expr]] = field(
+        default_factory=lambda: MappingProxyType({})
+    )
+    lower_limit: sp.Expr | None = None
+    indices: tuple[sp.Symbol, ...] = ()
+    scopes: tuple[Scope, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -162,6 +194,10 @@ class IntegralWithoutDifferential(sp.Function):  # type: ignore[misc]
     """An integral sign whose differential is missing in print; it has no value."""
 
 
+class FunctionWithoutArgument(sp.Function):  # type: ignore[misc]
+    """A function, named by its argument, that is printed without one; it has no value."""
+
+
 def sum_distinct(term: sp.Expr, outer: sp.Symbol, inner: sp.Symbol, count: sp.Expr) -> sp.Expr:
     """Sum of `term` over outer = 1..count and inner = 1..count, inner != outer."""
     off_diagonal = term * (1 - sp.KroneckerDelta(outer, inner))
@@ -178,21 +214,27 @@ class Reading:
 
 @dataclass(frozen=True)
 class Correction:
-    """What should be printed, and the statement whose proof makes it right."""
+    """What should be printed, and the statement whose proof makes it right.
+
+    Without `says` the LaTeX is read like the sign of the row that it corrects.
+    """
 
     latex: str
-    says: Statement
+    says: Statement | None = None
+
+    @property
+    def statement(self) -> Statement:
+        """Return what the correction asserts; `ValueError` for LaTeX that has not been read."""
+        if self.says is None:
+            raise ValueError(f"correction {self.latex}: it has not been read")
+        return self.says
 
 
 @dataclass(frozen=True)
-class Row:
-    """One line of the ledger: what is printed and what it asserts."""
+class Sign:
+    """What is special about one relation sign of a row; its words are those of `Row`."""
 
-    kind: ClassVar[Literal["equation", "claim", "datum"]]
-
-    number: str
-    printed_latex: str
-    says: Statement
+    says: Statement | None = None
     note: str = ""
     corrected: Correction | None = None
     readings: tuple[Reading, ...] = ()
@@ -201,11 +243,56 @@ class Row:
     singular: tuple[str, ...] = ()
     marks: tuple[str, ...] = ()
     stays_open: str = ""
+    derived: Derived = field(default_factory=lambda: MappingProxyType({}))
+    residual: sp.Expr | None = None
+    substituted: Mapping[sp.Expr, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of the ledger: what is printed and what it asserts.
+
+    `printed_latex` is the whole print, chains a = b = c included. Without `says` it is read: each
+    relation sign becomes a line of its own and asserts the relation of its two members.
+
+    `derived` is what our mechanics give for symbols of this print, or for a whole member; it takes
+    the place of the declared value. `residual` is what they give for left - right of an equation
+    between independent symbols. `substituted` is put into both members before they are compared
+    (tg(x/2) -> U). `defines` are symbols that the print introduces. `signs` has by number, from
+    1 on, what one sign has instead. `read_as` is filled in by the reader.
+    """
+
+    kind: ClassVar[Literal["equation", "claim", "datum"]]
+
+    number: str
+    printed_latex: str
+    says: Statement | None = None
+    note: str = ""
+    corrected: Correction | None = None
+    readings: tuple[Reading, ...] = ()
+    holds_on: Part | None = None
+    on: Part | None = None
+    singular: tuple[str, ...] = ()
+    marks: tuple[str, ...] = ()
+    stays_open: str = ""
+    derived: Derived = field(default_factory=lambda: MappingProxyType({}))
+    residual: sp.Expr | None = None
+    substituted: Mapping[sp.Expr, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
+    defines: tuple[sp.Basic, ...] = ()
+    signs: Mapping[int, Sign] = field(default_factory=lambda: MappingProxyType({}))
+    read_as: str = ""
 
     def __post_init__(self) -> None:
-        unknown = set(self.marks) - set(MARKS)
-        if unknown:
+        marks = {*self.marks, *(mark for sign in self.signs.values() for mark in sign.marks)}
+        if unknown := marks - set(MARKS):
             raise ValueError(f"row {self.number!r}: marks {sorted(unknown)} not in {MARKS}")
+
+    @property
+    def statement(self) -> Statement:
+        """Return what the row asserts; `ValueError` for a print that has not been read."""
+        if self.says is None:
+            raise ValueError(f"row {self.number!r}: its print has not been read")
+        return self.says
 
 
 @dataclass(frozen=True)
@@ -452,6 +539,7 @@ class Paper:
     published: tuple[Published, ...] = ()
     findings: tuple[Finding, ...] = ()
     conventions: str = ""
+    notation: Notation = Notation()
 
     def __post_init__(self) -> None:
         if not _names_module(self.system):

@@ -122,7 +122,7 @@ def test_marks_note_and_openness_are_handed_on():
     judgement = judge(
         Claim("c", "p", OPEN, note="Said why.", marks=("inferred",), stays_open="no rung"), PAPER
     )
-    assert judgement.marks == ("inferred",)
+    assert judgement.marks == ("inferred", "as typed")
     assert judgement.reason.endswith(". Said why.")
     assert (judgement.kind, judgement.may_stay_open) == ("claim", True)
 

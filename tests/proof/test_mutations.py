@@ -19,6 +19,7 @@ from mechproof.derivations import (
     wedge_linkage,
 )
 from mechproof.derivations.track_wheel.errors import i, j
+from mechproof.latex import read_paper
 from mechproof.proof.continuity import find_break
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
@@ -33,8 +34,8 @@ LEAST, LEAST_ROWS = 600, 120
 MOST_OPERATIONS = 120
 # In a batch of some forty: a swap of what occurs symmetrically, a change of what cancels.
 MOST_EQUIVALENT = 4
-SHORT = (elliptic_planetary.PAPER, track_wheel.PAPER)
-LONG = (oval_planetary.PAPER, tooth_thickness.PAPER, wedge_linkage.PAPER)
+SHORT = tuple(map(read_paper, (elliptic_planetary.PAPER, track_wheel.PAPER)))
+LONG = tuple(map(read_paper, (oval_planetary.PAPER, tooth_thickness.PAPER, wedge_linkage.PAPER)))
 SWAPPED = {sp.sin: sp.cos, sp.cos: sp.sin, sp.tan: sp.cot, sp.atan: sp.tan}
 # Rows whose cross-examination integrates over many turns: seconds for each mutant.
 SLOW = (

@@ -9,6 +9,7 @@ from typing import Annotated
 
 import typer
 
+from mechproof.cli.check import check
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.ledger import print_ledger
 from mechproof.cli.places import RULE, Places, find_location, find_places
@@ -34,6 +35,7 @@ app = typer.Typer(
     pretty_exceptions_show_locals=False,
 )
 app.command()(commands.chart)
+app.command()(check)
 
 DerivationsOption = Annotated[
     Path | None,

@@ -36,7 +36,7 @@ def print_ledger(ledger: Ledger) -> None:
     print_rows(title, ledger.judgements)
     for row in ledger.judgements:
         if row.verdict not in PLAIN:
-            _print_details(row)
+            print_details(row)
     for name, line in show_totals(ledger.judgements).items():
         say(f"{ledger.paper.system}, {name}: {line}")
     say("")
@@ -80,14 +80,17 @@ def _print_table(title: str, judgements: Sequence[Judgement]) -> None:
     console.print(table)
 
 
-def _print_details(row: Judgement) -> None:
+def print_details(row: Judgement, names: tuple[str, str] = ("printed", "rebuilt")) -> None:
+    """Print all that the ledger has of a row; `names` are those of its two sides."""
     say(Text(f"{row.number}: ").append(row.verdict, style=STYLES[row.verdict]))
-    lines = [("printed", _plain(row.printed_latex)), ("reason", row.reason)]
+    lines = [("printed", _plain(row.printed_latex))]
+    lines += [("read as", row.read_as)] if row.read_as else []
+    lines += [("rung", row.rung), ("reason", row.reason)]
     for item in row.evidence:
         at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
         sides = [f"at {at}"] if at else []
-        sides += [f"printed {item.printed}"] if item.printed else []
-        sides += [f"rebuilt {item.rebuilt}"] if item.rebuilt else []
+        values = zip(names, (item.printed, item.rebuilt), strict=True)
+        sides += [f"{name} {value}" for name, value in values if value]
         lines.append(("evidence", "; ".join([item.what, *sides])))
     if row.corrected_latex:
         proof = f"   (proved: {row.corrected_by})" if row.corrected_by else ""

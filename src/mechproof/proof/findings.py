@@ -161,8 +161,8 @@ def _corrected_number(number: str, root: str) -> str:
 
 
 def _insert_correction(row: Row, root: Row) -> Row:
-    says = _replace_in(row.says, _corrections(root))
-    if says == row.says:
+    says = _replace_in(row.statement, _corrections(root))
+    if says == row.statement:
         raise ValueError(f"row {row.number!r} does not hold what {root.number!r} corrects")
     return replace(
         row,
@@ -172,6 +172,7 @@ def _insert_correction(row: Row, root: Row) -> Row:
         corrected=None,
         readings=(),
         holds_on=None,
+        read_as="",
         marks=tuple(dict.fromkeys((*row.marks, "ours"))),
     )
 
@@ -180,7 +181,7 @@ def _corrections(root: Row) -> dict[sp.Basic, sp.Basic]:
     """Pair what the print of a cause has with what its correction has in the same place."""
     if root.corrected is None:
         raise ValueError(f"finding {root.number!r}: rows follow from it, so it needs a correction")
-    return _pairs(root.says, root.corrected.says)
+    return _pairs(root.statement, root.corrected.statement)
 
 
 def _pairs(printed: Any, corrected: Any) -> dict[sp.Basic, sp.Basic]:

@@ -13,6 +13,8 @@ from mechproof.proof.verdict import Decision, Evidence, Judgement, Verdict
 from mechproof.proof.wellformed import find_faults
 from mechproof.record import Paper, Part, Row, Statement
 
+AS_TYPED = "as typed"
+
 
 @dataclass(frozen=True)
 class _Outcome:
@@ -41,8 +43,9 @@ def judge(row: Row, paper: Paper) -> Judgement:
         kind=row.kind,
         verdict=decision.verdict,
         rung=decision.rung,
-        marks=row.marks,
+        marks=_marks(row),
         printed_latex=row.printed_latex,
+        read_as=row.read_as,
         reason=reason,
         evidence=decision.evidence,
         corrected_latex=row.corrected.latex if row.corrected else "",
@@ -51,9 +54,14 @@ def judge(row: Row, paper: Paper) -> Judgement:
     )
 
 
+def _marks(row: Row) -> tuple[str, ...]:
+    """Add to the marks that a printed row was not read from its print."""
+    return row.marks if row.read_as or "ours" in row.marks else (*row.marks, AS_TYPED)
+
+
 def _decide_row(row: Row, paper: Paper) -> Decision:
     domain = Domain.of(paper, row.on)
-    decision = _decide_well_formed(row.says, paper, domain)
+    decision = _decide_well_formed(row.statement, paper, domain)
     if decision.verdict is Verdict.REFUTED:
         convention = _find_convention(row, paper, domain, decision)
         return convention or _find_part(row, paper, decision)
@@ -89,7 +97,7 @@ def _find_part(row: Row, paper: Paper, refuted: Decision) -> Decision:
     """Return CONDITIONAL if the statement is proved on the stated part of the domain."""
     if row.holds_on is None or not _has_interior(row.holds_on):
         return refuted
-    inside = decide(row.says, Domain.of(paper, row.holds_on))
+    inside = decide(row.statement, Domain.of(paper, row.holds_on))
     if inside.verdict is not Verdict.PROVED:
         return refuted
     where = Evidence(f"{row.holds_on.text}: PROVED ({inside.rung})")
@@ -107,7 +115,7 @@ def _with_correction(row: Row, paper: Paper, decision: Decision) -> _Outcome:
     """Prove the corrected form; a correction that is not proved leaves the row open."""
     if row.corrected is None or decision.verdict is Verdict.PROVED:
         return _Outcome(decision)
-    proof = _decide_well_formed(row.corrected.says, paper, Domain.of(paper, row.on))
+    proof = _decide_well_formed(row.corrected.statement, paper, Domain.of(paper, row.on))
     if proof.verdict is Verdict.PROVED:
         evidence = (*decision.evidence, Evidence(f"corrected form: PROVED ({proof.rung})"))
         return _Outcome(replace(decision, evidence=evidence), proof.rung)

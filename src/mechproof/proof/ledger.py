@@ -21,6 +21,7 @@ What is wrong in print comes first, each cause once: the findings. Then every pr
 every checkable claim of the papers, with the verdict that `mechproof verify` computes. This page
 is generated; the same findings and rows are in `ledger.json`. Rows marked *ours* are not printed
 in the paper: they are results that other rows or the kernels rest on, and they are counted apart.
+"Read as" is what was read from the print and judged; rows marked *as typed* were typed by hand.
 """
 
 
@@ -84,10 +85,10 @@ def _heading(ledger: Ledger) -> str:
 
 
 def _table(judgements: Sequence[Judgement]) -> str:
-    lines = ["| number | verdict | rung | reason |", "|---|---|---|---|"]
+    lines = ["| number | read as | verdict | rung | reason |", "|---|---|---|---|---|"]
     for j in judgements:
         marks = f" *{', '.join(j.marks)}*" if j.marks else ""
-        cells = (f"{j.number}{marks}", j.verdict.value, j.rung, j.reason)
+        cells = (f"{j.number}{marks}", j.read_as, j.verdict.value, j.rung, j.reason)
         lines.append("| " + " | ".join(_escape(cell) for cell in cells) + " |")
     return "\n".join(lines) + "\n"
 
@@ -98,6 +99,7 @@ def _escape(cell: str) -> str:
 
 def _details(j: Judgement) -> str:
     lines = [f"### {j.system} {j.number}: {j.verdict}\n", f"$$ {j.printed_latex} $$\n"]
+    lines += [f"Read as: `{j.read_as}`\n"] if j.read_as else []
     lines += [f"{_escape(j.reason)}\n"]
     lines += [f"- {_describe(item)}" for item in j.evidence]
     if j.corrected_latex:

@@ -57,6 +57,7 @@ class Judgement:
     rung: str
     marks: tuple[str, ...]
     printed_latex: str
+    read_as: str
     reason: str
     evidence: tuple[Evidence, ...]
     corrected_latex: str
@@ -73,6 +74,7 @@ class Judgement:
             "rung": self.rung,
             "marks": list(self.marks),
             "printed_latex": self.printed_latex,
+            "read_as": self.read_as,
             "reason": self.reason,
             "evidence": [item.as_dict() for item in self.evidence],
             "corrected_latex": self.corrected_latex,

@@ -15,6 +15,7 @@ from mechproof.record import (
     Conjunction,
     Definition,
     Equality,
+    FunctionWithoutArgument,
     IntegralWithoutDifferential,
     Power,
     Statement,
@@ -40,6 +41,7 @@ def find_faults(statement: Statement, known: Dimensions, domain: Domain) -> list
         return []
     found = (
         _find_missing_differential(statement.printed),
+        _find_missing_argument(statement.printed),
         _find_unbound_symbol(statement.printed, known),
         _find_mixture(statement, known, domain),
     )
@@ -58,9 +60,19 @@ def _find_missing_differential(printed: sp.Basic) -> Fault | None:
     return Fault("well-formedness", "an integral has no differential", witness)
 
 
+def _find_missing_argument(printed: sp.Basic) -> Fault | None:
+    functions = printed.atoms(FunctionWithoutArgument)
+    if not functions:
+        return None
+    names = ", ".join(sorted(str(function.args[0]) for function in functions))
+    reason = f"{names} has no argument"
+    return Fault("well-formedness", reason, Evidence(f"nothing stands behind {names}"))
+
+
 def _find_unbound_symbol(printed: sp.Basic, known: Dimensions) -> Fault | None:
     declared = {getattr(s, "label", s) for s in known} | known.keys()
-    unbound = sorted(map(str, printed.free_symbols - _indexed(printed) - declared))
+    functions = {node.args[0] for node in printed.atoms(FunctionWithoutArgument)}
+    unbound = sorted(map(str, printed.free_symbols - _indexed(printed) - declared - functions))
     if not unbound:
         return None
     names = ", ".join(unbound)
@@ -79,7 +91,7 @@ def _indexed(printed: sp.Basic) -> set[sp.Basic]:
 def _find_mixture(
     statement: Equality | Definition, known: Dimensions, domain: Domain
 ) -> Fault | None:
-    if statement.printed.has(IntegralWithoutDifferential):
+    if statement.printed.has(IntegralWithoutDifferential, FunctionWithoutArgument):
         return None
     try:
         check(statement, known)

@@ -1,0 +1,80 @@
+"""The command that judges one pasted equation."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.cli.ledger import print_details
+from mechproof.pasted import Answer, Pasted, PastedError, check_pasted
+from mechproof.processes import WorkerError
+from mechproof.proof.ledger import Ledger, to_json
+from mechproof.proof.verdict import Verdict
+
+LIMIT = 60.0
+Texts = list[str] | None
+DEFAULTS = (
+    "What is not said is taken so: letters are real numbers, the letter up to which a sum goes is "
+    "a natural number, d within an integral is its differential. Nothing else is guessed."
+)
+
+
+def check(
+    equation: Annotated[str, typer.Argument(help="LaTeX: one equation, a chain, or a relation.")],
+    names: Annotated[
+        Texts, typer.Option("--name", help="A print that is one quantity: AC.")
+    ] = None,
+    factors: Annotated[
+        Texts, typer.Option("--factor", help="A name that a bracket after it multiplies: a(1+e).")
+    ] = None,
+    where: Annotated[
+        Texts, typer.Option("--where", help="A relation in which it is meant: 0<x<1.")
+    ] = None,
+    values: Annotated[
+        Texts, typer.Option("--let", help="The value of a letter: k=a/b, C=0.")
+    ] = None,
+    natural: Annotated[Texts, typer.Option("--natural", help="A letter that counts: n.")] = None,
+    start: Annotated[
+        str, typer.Option("--from", help="Where integrals without limits start: 0.")
+    ] = "",
+    json_file: Annotated[
+        Path | None, typer.Option("--json", help="Also write the rows to this file.")
+    ] = None,
+    limit: Annotated[
+        float, typer.Option("--limit", metavar="SECONDS", min=0, help="What takes longer fails.")
+    ] = LIMIT,
+) -> None:
+    """Judge one pasted equation: whether it is true for all values of its letters.
+
+    Exit status 0: every sign has a verdict; 1: one is UNDECIDED, or it takes too long or crashes;
+    2: bad usage, or the equation cannot be read without a guess.
+    """
+    said = (tuple(texts or ()) for texts in (names, factors, where, values, natural))
+    answer = _judge(Pasted(equation, *said, start), limit)
+    if json_file:
+        try:
+            json_file.write_text(
+                to_json([Ledger(answer.paper, answer.judgements, ())]), encoding="utf-8"
+            )
+        except OSError as error:
+            refuse(f"--json {json_file}: {error}")
+    for row in answer.judgements:
+        print_details(row, ("one side", "other side"))
+    for letter, kind in answer.taken.items():
+        say(f"  taken as  {letter}: {kind}")
+    say(DEFAULTS)
+    if any(row.verdict is Verdict.UNDECIDED for row in answer.judgements):
+        raise typer.Exit(1)
+
+
+def _judge(pasted: Pasted, limit: float) -> Answer:
+    try:
+        with show_progress("judging the equation"):
+            return check_pasted(pasted, limit)
+    except PastedError as error:
+        refuse(str(error))
+    except WorkerError as error:
+        fail(f"the equation: {error.reason}")

@@ -1,0 +1,163 @@
+"""Atoms: numbers, brackets, fractions, roots, matrices."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from mechproof.latex import calculus, letters
+from mechproof.latex.tree import (
+    Bracket,
+    Degrees,
+    Entries,
+    Letter,
+    Magnitude,
+    Node,
+    Number,
+    Quotient,
+    Root,
+    Table,
+    Transposed,
+)
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
+
+MATRICES = ("pmatrix", "bmatrix", "matrix")
+_CLOSED_BY = {"(": ")", "[": "]"}
+
+
+def read_atom(parser: Parser) -> Node:
+    """Read what stands between two operators."""
+    start = parser.start
+    text = parser.text
+    if text.isdigit():
+        return read_number(parser)
+    if match := parser.names.match(parser.tokens, parser.place):
+        return letters.read_letter(parser, match)
+    if text == r"\frac":
+        return _read_fraction(parser, start)
+    if text == r"\sqrt":
+        return _read_root(parser, start)
+    if text in _CLOSED_BY:
+        return _read_bracket(parser, start)
+    if text == "|":
+        return _read_magnitude(parser, start)
+    if text.startswith(r"\begin{"):
+        return _read_table(parser, start)
+    if text in (r"\sum", r"\prod"):
+        return calculus.read_repeated(parser)
+    if text == r"\int":
+        return calculus.read_integral(parser)
+    return letters.read_letter(parser, None)
+
+
+def read_number(parser: Parser) -> Number:
+    """Read digits that stand close together, and a decimal point."""
+    start = parser.start
+    text = parser.take().text
+    while parser.text.isdigit() or (parser.text == "." and "." not in text):
+        if parser.start != parser.end and "." not in (parser.text, text[-1]):
+            raise parser.refuse("a blank within a number: one number or two?", "Close the gap.")
+        text += parser.take().text
+    if text[-1] == ".":
+        raise parser.refuse("a number ends with a point")
+    follows = parser.tokens[parser.place + 1 : parser.place + 2]
+    if parser.text == "," and follows and follows[0].text.isdigit():
+        close = follows[0].start == parser.end + 1 and parser.start == parser.end
+        if close:
+            raise parser.refuse(
+                "a comma between digits: a decimal comma or a list?",
+                "Print 0.5 or 0{,}5 for the number, a blank after the comma for a list.",
+            )
+    return Number(text, start=start, end=parser.end)
+
+
+def _read_fraction(parser: Parser, start: int) -> Node:
+    parser.take()
+    above = calculus.read_numerator(parser)
+    below = parser.read_group()
+    return Quotient(above, below, start=start, end=parser.end)
+
+
+def _read_root(parser: Parser, start: int) -> Node:
+    parser.take()
+    degree = None
+    if parser.text == "[":
+        degree = parser.read_inside("[", parser.read_sum, "]")
+    return Root(parser.read_group(), degree, start=start, end=parser.end)
+
+
+def _read_bracket(parser: Parser, start: int) -> Node:
+    closing = _CLOSED_BY[parser.text]
+    following = [token.text for token in parser.tokens[parser.place + 1 : parser.place + 3]]
+    if following == [r"\dots", closing]:
+        return _repeat_bracket(parser, start)
+    parts = parser.read_inside(parser.text, lambda: _read_list(parser), closing)
+    if len(parts) == 1:
+        return Bracket(parts[0], start=start, end=parser.end)
+    return Entries(tuple(parts), start=start, end=parser.end)
+
+
+def _read_list(parser: Parser) -> list[Node]:
+    parts = [parser.read_sum()]
+    while parser.skip(","):
+        parts.append(parser.read_sum())
+    return parts
+
+
+def _repeat_bracket(parser: Parser, start: int) -> Node:
+    """(…) is the bracket of the print before, if that has exactly one among its factors."""
+    parser.place += 3
+    if len(parser.brackets) != 1:
+        raise parser.refuse(
+            f"(…) repeats a bracket, but the print before it has {len(parser.brackets)}",
+            "Print the bracket.",
+            start,
+        )
+    return Bracket(parser.brackets[0].inside, start=start, end=parser.end)
+
+
+def _read_magnitude(parser: Parser, start: int) -> Node:
+    parser.take("|")
+    parser.bars += 1
+    inside = parser.read_sum()
+    parser.bars -= 1
+    parser.take("|")
+    return Magnitude(inside, start=start, end=parser.end)
+
+
+def _read_table(parser: Parser, start: int) -> Node:
+    opening = parser.take()
+    kind = opening.text[len(r"\begin{") : -1]
+    if kind not in MATRICES:
+        raise parser.refuse(f"{kind} is none of {', '.join(MATRICES)}", place=start)
+    parser.depth += 1
+    rows: list[tuple[Node, ...]] = []
+    while not parser.skip(rf"\end{{{kind}}}"):
+        entries = [parser.read_sum()]
+        while parser.skip("&"):
+            entries.append(parser.read_sum())
+        rows.append(tuple(entries))
+        if not parser.skip(r"\\") and parser.text != rf"\end{{{kind}}}":
+            raise parser.refuse("a matrix goes on in an unknown way")
+    parser.depth -= 1
+    if len({len(row) for row in rows}) != 1:
+        raise parser.refuse("the rows of a matrix are not equally long", place=start)
+    return Table(tuple(rows), start=start, end=parser.end)
+
+
+def read_special_power(parser: Parser, base: Node, start: int) -> Node | None:
+    """Read a power that is none: transposition, degrees."""
+    texts = [token.text for token in parser.tokens[parser.place + 1 : parser.place + 4]]
+    is_matrix = isinstance(base, Entries | Table) or (
+        isinstance(base, Letter) and isinstance(base.symbol, sp.MatrixSymbol)
+    )
+    if texts == ["{", "T", "}"] and is_matrix:
+        parser.place += 4
+        return Transposed(base, start=start, end=parser.end)
+    if texts == ["{", r"\circ", "}"]:
+        parser.place += 4
+        return Degrees(base, start=start, end=parser.end)
+    return None

@@ -1,0 +1,185 @@
+"""Sums, products and integrals: what they bind, and how far they reach."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from mechproof.latex import letters
+from mechproof.latex.tree import Add, Integration, Letter, Node, Number, Repeated
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
+
+
+@dataclass
+class Open:
+    """An integral being read: its differential, and letters that it may bind."""
+
+    depth: int
+    differential: Node | None = None
+    running: list[Letter] = field(default_factory=list)
+
+
+# Sums -------------------------------------------------------------------------------------------
+
+
+def read_repeated(parser: Parser) -> Node:
+    r"""Read \sum_{k=1}^n and the product behind it; \sum_{k=1,k\ne i} leaves one term out."""
+    start = parser.start
+    name = parser.take().text.strip("\\")
+    if parser.text != "_":
+        raise parser.refuse(
+            f"a {name} without limits: which index, from where to where?",
+            rf"Print \{name}_{{k=1}}^n.",
+        )
+    index, low, apart = _read_below(parser)
+    if parser.text != "^":
+        raise parser.refuse(f"a {name} without upper limit", rf"Print \{name}_{{k=1}}^n.")
+    high = parser.read_script("^")
+    parser.bound.append(index.text)
+    term = parser.read_product()
+    parser.bound.pop()
+    return Repeated(name, term, index, low, high, apart, start=start, end=parser.end)
+
+
+def _read_below(parser: Parser) -> tuple[Letter, Node, tuple[Node, ...]]:
+    parser.take("_")
+    parser.take("{")
+    token = parser.take()
+    index = Letter(
+        letters.index_symbol(parser, token.text), token.text, start=token.start, end=token.end
+    )
+    if parser.text != "=":
+        raise parser.refuse("an index needs its first value", r"Print \sum_{k=1}^n.")
+    parser.take("=")
+    low = parser.read_sum()
+    apart = []
+    parser.bound.append(index.text)
+    while parser.skip(","):
+        parser.take(index.text)
+        parser.take(r"\ne")
+        apart.append(parser.read_sum())
+    parser.bound.pop()
+    parser.take("}")
+    return index, low, tuple(apart)
+
+
+# Integrals --------------------------------------------------------------------------------------
+
+
+def read_integral(parser: Parser) -> Node:
+    """Read an integral up to its differential; without one up to the end of the product."""
+    start = parser.start
+    parser.take()
+    low = parser.read_script("_") if parser.text == "_" else None
+    high = parser.read_script("^") if parser.text == "^" else None
+    if (low is None) != (high is None):
+        raise parser.refuse("an integral with one limit only", place=start)
+    opened = Open(parser.depth)
+    parser.integrals.append(opened)
+    integrand = _read_integrand(parser, opened)
+    parser.integrals.pop()
+    _bind(parser, opened)
+    return Integration(integrand, opened.differential, low, high, start=start, end=parser.end)
+
+
+def _read_integrand(parser: Parser, opened: Open) -> Node:
+    """Read one product, or a sum that ends with the differential."""
+    start = parser.start
+    if is_differential(parser):
+        read_differential(parser)
+        _refuse_factor_behind(parser)
+        return Number("1", start=start, end=start)
+    terms = [(parser.read_sign(), parser.read_product())]
+    _end_with_differential(parser, opened)
+    place, bound = parser.place, len(opened.running)
+    while opened.differential is None and parser.text in ("+", "-"):
+        terms.append((1 if parser.take().text == "+" else -1, parser.read_product()))
+        _end_with_differential(parser, opened)
+    if opened.differential is None:
+        parser.place, terms = place, terms[:1]
+        del opened.running[bound:]
+    if len(terms) == 1 and terms[0][0] == 1:
+        return terms[0][1]
+    return Add(tuple(terms), start=start, end=parser.end)
+
+
+def _end_with_differential(parser: Parser, opened: Open) -> None:
+    if opened.differential is None and is_differential(parser):
+        read_differential(parser)
+    elif opened.differential is not None:
+        _refuse_factor_behind(parser)
+
+
+def _refuse_factor_behind(parser: Parser) -> None:
+    opened = parser.integrals.pop()
+    if not parser.ends_product() and parser.text not in (r"\cdot", "/"):
+        raise parser.refuse(
+            "does this factor behind the differential belong to the integrand?",
+            "Print it before the differential, or a dot before it.",
+        )
+    parser.integrals.append(opened)
+
+
+def is_over(parser: Parser) -> bool:
+    """Return whether the product ends because its integral does."""
+    if not parser.integrals:
+        return False
+    opened = parser.integrals[-1]
+    ended = opened.differential is not None and opened.depth == parser.depth
+    return ended or is_differential(parser)
+
+
+def is_differential(parser: Parser) -> bool:
+    """Return whether a d stands here, within an integral, that begins no declared name."""
+    if parser.text != "d" or not parser.integrals:
+        return False
+    match = parser.names.match(parser.tokens, parser.place)
+    if match and match.end == parser.place + 1:
+        raise parser.refuse(
+            f"d within an integral: a differential, or {match.name.symbol}?",
+            parser.remedies.scope.format("d"),
+        )
+    return match is None
+
+
+def read_differential(parser: Parser) -> None:
+    """Read d and the one name or function behind it."""
+    opened = parser.integrals[-1]
+    start = parser.take("d").start
+    operand = parser.read_factor()
+    if opened.differential is not None:
+        raise parser.refuse("a second differential", place=start)
+    opened.differential = operand
+
+
+def read_numerator(parser: Parser) -> Node:
+    """Read the upper part of a fraction; the differential of an integral may stand in it."""
+    return parser.read_inside("{", lambda: _read_numerator(parser), "}")
+
+
+def _read_numerator(parser: Parser) -> Node:
+    start = parser.start
+    alone = is_differential(parser)
+    inside = Number("1", start=start, end=start) if alone else parser.read_sum()
+    if is_differential(parser):
+        read_differential(parser)
+    return inside
+
+
+def _bind(parser: Parser, opened: Open) -> None:
+    """Hand letters that this integral does not bind to the one around it, or refuse them."""
+    bound = opened.differential.symbol if isinstance(opened.differential, Letter) else None
+    free = [letter for letter in opened.running if letter.symbol != bound]
+    if parser.integrals:
+        parser.integrals[-1].running += free
+    elif parser.collects:
+        parser.collected += [letter.text for letter in free]
+    elif free:
+        printed = parser.source.latex[free[0].start : free[0].end]
+        raise parser.refuse(
+            f"{printed} is neither declared nor bound by the differential",
+            parser.remedies.name.format(printed),
+            free[0].start,
+        )

@@ -1,0 +1,97 @@
+"""Functions and the reach of their arguments."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from mechproof.latex import atoms, calculus
+from mechproof.latex.tree import Call, Constant, Entries, Letter, Node, Number, Product
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
+
+_BRACKETS = ("(", "[")
+
+
+def is_function(parser: Parser) -> bool:
+    """Return whether a function stands here and not a longer declared name."""
+    declared = parser.names.match(parser.tokens, parser.place)
+    return declared is None and _function_sign(parser) in parser.functions
+
+
+def _function_sign(parser: Parser) -> str:
+    r"""Return the sign of a function: a letter may be declared as one."""
+    return parser.text if parser.text.startswith("\\") else rf"\{parser.text}"
+
+
+def read_call(parser: Parser) -> Node:
+    """Read a function, the power it is raised to, and its arguments."""
+    start = parser.start
+    function = parser.functions[_function_sign(parser)]
+    parser.take()
+    exponent = _read_exponent(parser)
+    arguments = _read_arguments(parser)
+    return Call(function, arguments, exponent, start=start, end=parser.end)
+
+
+def _read_exponent(parser: Parser) -> Node | None:
+    if parser.text != "^":
+        return None
+    start = parser.start
+    exponent = parser.read_script("^")
+    if parser.source.latex[start:].replace(" ", "").startswith(("^{-1}", "^-1")):
+        raise parser.refuse(
+            "the power -1 of a function: its inverse or its reciprocal?",
+            r"Print the inverse function (\arctan) or a fraction.",
+            start,
+        )
+    return exponent
+
+
+def _read_arguments(parser: Parser) -> tuple[Node, ...]:
+    if parser.text in _BRACKETS:
+        return _read_bracketed(parser)
+    if parser.ends_product() or parser.text in ("/", r"\cdot"):
+        return ()
+    if is_function(parser):
+        return (read_call(parser),)
+    argument = _read_short(parser)
+    _check_reach(parser)
+    return (argument,)
+
+
+def _read_bracketed(parser: Parser) -> tuple[Node, ...]:
+    bracket = atoms.read_atom(parser)
+    if parser.text == "^":
+        raise parser.refuse(
+            "a power after the argument: of the function or of the argument?",
+            r"Print \cos^2(x), or (x^2).",
+        )
+    return bracket.parts if isinstance(bracket, Entries) else (bracket,)
+
+
+def _read_short(parser: Parser) -> Node:
+    """Read a number times one name, fraction or root."""
+    start = parser.start
+    number = parser.read_factor()
+    if not isinstance(number, Number) or parser.ends_product() or is_function(parser):
+        return number
+    if parser.text in ("/", r"\cdot"):
+        return number
+    factor = parser.read_factor()
+    if not isinstance(factor, Letter | Constant) and parser.text not in ("",):
+        _check_reach(parser)
+    return Product((number, factor), start=start, end=parser.end)
+
+
+def _check_reach(parser: Parser) -> None:
+    """Refuse what stands close behind an argument without brackets."""
+    if parser.ends_product() or parser.text == r"\cdot" or is_function(parser):
+        return
+    if calculus.is_differential(parser):
+        return
+    raise parser.refuse(
+        "does this belong to the argument of the function before it?",
+        "Print brackets, or a dot before it; a product that is always meant as one can be "
+        "declared as a name of a variable.",
+    )

@@ -1,0 +1,56 @@
+"""What the reader says where a print cannot be read, or could be read in two ways."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+class ReadingError(ValueError):
+    """A print that is ambiguous or not understood: the place in it, and what can be done.
+
+    `row` is filled in where the row is known.
+    """
+
+    def __init__(self, latex: str, place: int, reason: str, remedy: str = "") -> None:
+        self.latex, self.place, self.reason, self.remedy = latex, place, reason, remedy
+        self.row = ""
+        super().__init__(reason)
+
+    def __str__(self) -> str:
+        head = f"row {self.row!r}: {self.reason}" if self.row else self.reason
+        lines = [head, f"  {self.latex}", f"  {' ' * self.place}^"]
+        return "\n".join([*lines, f"  {self.remedy}"] if self.remedy else lines)
+
+
+@dataclass(frozen=True)
+class Remedies:
+    """How that can be declared which a print does not say; {0} is what is printed."""
+
+    name: str
+    bracket: str
+    function: str
+    scope: str
+    lower_limit: str
+
+
+MODULE = Remedies(
+    name="Declare Variable(…, latex=(r'{0}',)) in the paper.",
+    bracket=(
+        "Declare Notation(factors=(r'{0}',)) for the product, Notation(functions={{…}}) for the "
+        "function, or the whole print as a name, Variable(…, latex=(r'{0}(…)',))."
+    ),
+    function="Declare Notation(functions={{'{0}': …}}).",
+    scope="Declare Scope(rows=(…), names={{r'{0}': None}}) in Notation.scopes.",
+    lower_limit="Declare Notation(lower_limit=…), and what a constant of integration is.",
+)
+
+
+@dataclass(frozen=True)
+class Source:
+    """A print, to be pointed into."""
+
+    latex: str
+
+    def refuse(self, place: int, reason: str, remedy: str = "") -> ReadingError:
+        """Return the error that points at a place; past the end it points behind the last sign."""
+        return ReadingError(self.latex, min(place, len(self.latex)), reason, remedy)

@@ -1,0 +1,163 @@
+"""A paper with prints -> the same paper with a row for each relation sign."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields, replace
+from itertools import pairwise
+from typing import Any
+
+from mechproof.latex.meaning import Meaning
+from mechproof.latex.reader import Print, Reader
+from mechproof.latex.statements import Members, state
+from mechproof.latex.text import write, write_sign
+from mechproof.latex.tree import Chain
+from mechproof.record import Correction, Paper, Part, Row, Sign, Statement
+
+ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
+
+
+def read_paper(paper: Paper) -> Paper:
+    """Return the paper with every print read: each relation sign is a row of its own.
+
+    A paper without prints to be read comes back as it is.
+    Raises `ReadingError` with the row and the place in its print, `ValueError` for a row whose
+    declarations do not fit its print.
+    """
+    reader = Reader(paper.variables, paper.notation)
+    rows = tuple(new for row in paper.rows for new in read_row(row, reader))
+    return paper if rows == paper.rows else replace(paper, rows=rows)
+
+
+def read_row(row: Row, reader: Reader) -> tuple[Row, ...]:
+    """Return the rows of a print, one for each relation sign; a typed row as it stands."""
+    if row.says is not None:
+        return (_refuse_unread_correction(row),)
+    read = reader.parse(row.printed_latex, row.number)
+    places = list(_find_signs(read))
+    if not places:
+        raise ValueError(f"row {row.number!r}: its print has no relation sign and asserts nothing")
+    if surplus := sorted(row.signs.keys() - set(range(1, len(places) + 1))):
+        raise ValueError(f"row {row.number!r}: it has {len(places)} signs, not {surplus}")
+    only_equal = all(place.sign == "=" for place in places)
+    return tuple(
+        _expand(_specialise(row, number), place, _number(row, number, len(places), only_equal))
+        for number, place in enumerate(places, start=1)
+    )
+
+
+def _refuse_unread_correction(row: Row) -> Row:
+    """Refuse a correction without statement: it is read like its print, which this row is not."""
+    if row.corrected and row.corrected.says is None:
+        raise ValueError(f"row {row.number!r}: it is typed, so its correction needs its `says`")
+    return row
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A relation sign of a print: its chain and the place of its left member."""
+
+    read: Print
+    chain: Chain
+    left: int
+
+    @property
+    def sign(self) -> str:
+        return self.chain.relations[self.left]
+
+    def members(self, meaning: Meaning) -> tuple[Any, Any]:
+        one, other = self.chain.members[self.left : self.left + 2]
+        return meaning.of(one), meaning.of(other)
+
+    @property
+    def text(self) -> str:
+        one, other = self.chain.members[self.left : self.left + 2]
+        condition = f" if {write(self.chain.condition)}" if self.chain.condition else ""
+        return f"{write(one)} {write_sign(self.sign)} {write(other)}{condition}"
+
+
+def _find_signs(read: Print) -> Iterator[_Place]:
+    for chain in read.chains:
+        for left, _ in pairwise(range(len(chain.members))):
+            yield _Place(read, chain, left)
+
+
+def _number(row: Row, number: int, count: int, only_equal: bool) -> str:
+    if count == 1:
+        return row.number
+    kind = "equals sign" if only_equal else "sign"
+    return f"{row.number}, {ORDINALS[number - 1]} {kind}"
+
+
+def _specialise(row: Row, number: int) -> Row:
+    """Put what one sign has instead into its row; values and substitutions are added."""
+    sign = row.signs.get(number, Sign())
+    own = {f.name: getattr(sign, f.name) for f in fields(Sign)}
+    merged = {name: {**getattr(row, name), **own[name]} for name in ("derived", "substituted")}
+    given = {name: value for name, value in own.items() if value}
+    if sign.residual is not None:
+        given["residual"] = sign.residual
+    return replace(row, **{**given, **merged, "signs": {}})
+
+
+def _expand(row: Row, place: _Place, number: str) -> Row:
+    """Make the row of one sign."""
+    latex = place.read.cut(place.chain, place.left, place.left + 1)
+    says, text = row.says, ""
+    if says is None:
+        says, text = _state(row, place), _describe(row, place)
+    corrected = row.corrected and _read_correction(row.corrected, row, place)
+    empty: dict[str, Any] = {"derived": {}, "substituted": {}, "residual": None, "defines": ()}
+    on = _narrow(row, place)
+    return replace(
+        row,
+        number=number,
+        printed_latex=latex,
+        says=says,
+        read_as=text,
+        corrected=corrected,
+        on=on,
+        **empty,
+    )
+
+
+def _state(row: Row, place: _Place) -> Statement:
+    reader = place.read.reader
+    as_printed = place.members(place.read.meaning())
+    rebuilt = place.members(place.read.meaning(row.derived))
+    return state(row, place.sign, Members(*as_printed, *rebuilt), reader)
+
+
+def _describe(row: Row, place: _Place) -> str:
+    changes = ", ".join(f"{old} -> {new}" for old, new in row.substituted.items())
+    start = place.read.reader.notation.lower_limit
+    from_start = f", integrals from {start}" if "integral(" in place.text else ""
+    return place.text + from_start + (f", with {changes}" if changes else "")
+
+
+def _narrow(row: Row, place: _Place) -> Part | None:
+    """Return where the sign is meant: a printed condition narrows it, if the row does not."""
+    condition = place.chain.condition
+    if row.on is not None or condition is None:
+        return row.on
+    relations = place.read.meaning().relate(condition)
+    return Part(write(condition), where=relations)
+
+
+def _read_correction(correction: Correction, row: Row, place: _Place) -> Correction:
+    """Read a correction: of the right member, or of both."""
+    if correction.says is not None:
+        return correction
+    read = place.read.reader.parse(correction.latex, row.number)
+    (chain,) = read.chains
+    right = replace(place, read=read, chain=chain, left=max(len(chain.members) - 2, 0))
+    if len(chain.members) > 1:
+        return replace(correction, says=_state(row, right))
+    (one, _), (one_derived, _) = (
+        place.members(place.read.meaning(values)) for values in ({}, row.derived)
+    )
+    other, other_derived = (
+        read.meaning(values).of(chain.members[0]) for values in ({}, row.derived)
+    )
+    members = Members(one, other, one_derived, other_derived)
+    return replace(correction, says=state(row, place.sign, members, place.read.reader))

@@ -1,0 +1,196 @@
+"""Letters: declared names, bound letters, constants, and what is neither."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from mechproof.latex import atoms
+from mechproof.latex.functions import AMBIGUOUS, CONSTANTS
+from mechproof.latex.names import INDEX, Match
+from mechproof.latex.tokens import ACCENTS
+from mechproof.latex.tree import Constant, Letter, Node, Power
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
+
+_WORD = re.compile(r"[a-z]{2,}")
+
+
+# Letters that everybody reads, but not alike: Euler's number, the imaginary unit.
+UNSURE = ("e", "i")
+
+
+def check_bracket_after(parser: Parser, left: Node) -> None:
+    """Refuse a round bracket after a letter, unless the letter is declared to be a factor."""
+    letter = left.base if isinstance(left, Power) else left
+    if parser.text != "(" or not isinstance(letter, Letter) or letter.text in parser.bound:
+        return
+    if isinstance(letter.symbol, sp.MatrixSymbol):
+        return
+    if letter.text not in parser.factors:
+        printed = parser.source.latex[letter.start : letter.end]
+        raise parser.refuse(
+            f"a bracket after {printed}: a factor, or the argument of a function?",
+            parser.remedies.bracket.format(printed),
+        )
+
+
+def read_letter(parser: Parser, match: Match | None) -> Node:
+    """Read the longest declared name, a bound letter, or a constant."""
+    start, place = parser.start, parser.place
+    if parser.text in parser.bound and (match is None or match.end == place + 1):
+        return _read_bound(parser, match)
+    if match:
+        return _read_name(parser, match)
+    if parser.text in CONSTANTS:
+        token = parser.take()
+        return Constant(CONSTANTS[token.text], token.text.strip("\\"), start=start, end=token.end)
+    return _read_undeclared(parser)
+
+
+def _read_bound(parser: Parser, match: Match | None) -> Node:
+    start, place = parser.start, parser.place
+    token = parser.take()
+    if match:
+        raise parser.refuse(
+            f"{token.text} is bound here and declared as {match.name.symbol}",
+            parser.remedies.scope.format(token.text),
+            start,
+        )
+    _refuse_continuation(parser, token.text, place)
+    return Letter(index_symbol(parser, token.text), token.text, start=start, end=token.end)
+
+
+def index_symbol(parser: Parser, letter: str) -> sp.Symbol:
+    """Return the symbol of an index letter."""
+    declared = (s for s in parser.notation.indices if s.name == letter)
+    return next(declared, sp.Symbol(letter.strip("\\"), integer=True))
+
+
+def _read_name(parser: Parser, match: Match) -> Node:
+    start, place = parser.start, parser.place
+    indices = tuple(i for span in match.indices for i in _read_indices(parser, *span))
+    parser.place = match.end
+    latex = parser.source.latex[start : parser.end]
+    _refuse_continuation(parser, latex, place)
+    if parser.text == "(" and (other := parser.names.longer(match.name, "(")):
+        raise parser.refuse(
+            f"{other.latex} is a declared name, this is another: an argument or a factor?",
+            parser.remedies.name.format(f"{latex}(…)"),
+        )
+    text = "".join(token.text for token in parser.tokens[place : match.end])
+    return Letter(match.name.symbol, text, indices, start=start, end=parser.end)
+
+
+def _refuse_continuation(parser: Parser, latex: str, place: int) -> None:
+    if parser.text in ("_", "'"):
+        part = "an index" if parser.text == "_" else "a prime"
+        raise parser.refuse(
+            f"{latex} is declared, but not with {part}",
+            parser.remedies.name.format(_printed_name(parser, place)),
+        )
+
+
+def _read_indices(parser: Parser, start: int, end: int) -> list[Node]:
+    """Read the indices of a family: letters one by one, or one expression."""
+    parser.place = start
+    if any(token.text in ("+", "-") for token in parser.tokens[start:end]):
+        return [_read_index_sum(parser, end)]
+    found: list[Node] = []
+    while parser.place < end:
+        found.append(atoms.read_number(parser) if parser.text.isdigit() else _read_index(parser))
+    return found
+
+
+def _read_index(parser: Parser) -> Node:
+    token = parser.take()
+    name = parser.names.find(token.text)
+    bound = token.text in parser.bound
+    symbol = name.symbol if name and not bound else index_symbol(parser, token.text)
+    return Letter(symbol, token.text, start=token.start, end=token.end)
+
+
+def _read_index_sum(parser: Parser, end: int) -> Node:
+    letters = {t.text for t in parser.tokens[parser.place : end] if t.text.isalpha()}
+    before = len(parser.bound)
+    parser.bound += [x for x in letters if not parser.names.find(x)]
+    node = parser.read_sum()
+    del parser.bound[before:]
+    return node
+
+
+def _read_undeclared(parser: Parser) -> Node:
+    start, text = parser.start, parser.text
+    if not text:
+        raise parser.refuse("the print ends, but something must follow")
+    word = _WORD.match(parser.source.latex, start)
+    if word and rf"\{word[0]}" in parser.functions:
+        raise parser.refuse(
+            f"{word[0]} in italics: a function or a product?", rf"Print \{word[0]}."
+        )
+    if text == r"\dots":
+        raise parser.refuse("dots for what was printed before", "Enter the chain as a whole.")
+    if text[1:] in AMBIGUOUS:
+        raise parser.refuse(
+            f"{text[1:]} is not the same everywhere: {AMBIGUOUS[text[1:]]} must be said",
+            parser.remedies.function.format(text[1:]),
+        )
+    if not (text.isalpha() or (text[0] == "\\" and text[1:2].isalpha())):
+        raise parser.refuse(f"{text} has no meaning here")
+    if parser.collects and text not in UNSURE:
+        return _collect(parser)
+    if parser.integrals and text != "d":
+        return _read_running(parser)
+    printed = _printed_name(parser, parser.place)
+    begun = [latex for latex in parser.names.beginning(text) if latex != printed]
+    near = f" (declared are {', '.join(begun[:4])})" if begun else ""
+    raise parser.refuse(f"{printed} is not declared{near}", parser.remedies.name.format(printed))
+
+
+def _read_running(parser: Parser) -> Letter:
+    """Read an undeclared letter that the differential of an integral around it may bind."""
+    letter = _read_plain(parser)
+    parser.integrals[-1].running.append(letter)
+    return letter
+
+
+def _read_plain(parser: Parser) -> Letter:
+    """Read a letter with its index and primes as a real symbol."""
+    start = parser.start
+    latex = _printed_name(parser, parser.place)
+    parser.place = _find_end(parser, parser.place)
+    name = re.sub(r"[\\{}\s]", "", latex)
+    return Letter(sp.Symbol(name, real=True), latex, start=start, end=parser.end)
+
+
+def _collect(parser: Parser) -> Letter:
+    """Note a letter that nobody declared; with a bound index it is one of a family."""
+    place = parser.place
+    letter = _read_plain(parser)
+    base, _, index = letter.text.partition("_")
+    signs = {token.text for token in parser.tokens[place : parser.place]}
+    if index and signs & set(parser.bound):
+        parser.collected.append(f"{base}_{INDEX}")
+    elif parser.integrals:
+        parser.integrals[-1].running.append(letter)
+    else:
+        parser.collected.append(letter.text)
+    return letter
+
+
+def _find_end(parser: Parser, place: int) -> int:
+    """Return the place behind a letter with its accent, index and primes."""
+    texts = [token.text for token in parser.tokens]
+    end = texts.index("}", place) + 1 if texts[place] in ACCENTS else place + 1
+    while end < len(texts) and texts[end] in ("_", "'"):
+        end = texts.index("}", end) + 1 if texts[end] == "_" else end + 1
+    return end
+
+
+def _printed_name(parser: Parser, place: int) -> str:
+    """Return how the letter at a place is printed, with its index and primes."""
+    last = parser.tokens[_find_end(parser, place) - 1]
+    return parser.source.latex[parser.tokens[place].start : last.end]

@@ -1,0 +1,210 @@
+"""Tree -> SymPy: what a print says in the symbols of its paper."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import reduce
+from operator import add, mul
+from typing import Any
+
+import sympy as sp
+
+from mechproof.latex.errors import Remedies, Source
+from mechproof.latex.tree import (
+    Add,
+    Bracket,
+    Call,
+    Cases,
+    Chain,
+    Constant,
+    Degrees,
+    Entries,
+    Integration,
+    Letter,
+    Magnitude,
+    Node,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Repeated,
+    Root,
+    Table,
+    Transposed,
+)
+from mechproof.latex.values import depends, settle
+from mechproof.record import FunctionWithoutArgument, IntegralWithoutDifferential
+
+LARGEST_EXPONENT = 1000
+RELATIONS: Mapping[str, Callable[..., sp.Basic]] = {
+    "=": sp.Eq,
+    r"\equiv": sp.Eq,
+    r"\ne": sp.Ne,
+    "<": sp.Lt,
+    ">": sp.Gt,
+    r"\le": sp.Le,
+    r"\ge": sp.Ge,
+}
+
+
+class Meaning:
+    """Turns trees of one row into expressions.
+
+    `values` are the values of symbols that are given by others, as this row has them: what is
+    integrated has to show its variable, and a matrix its entries.
+    """
+
+    def __init__(
+        self,
+        source: Source,
+        values: Mapping[sp.Basic, sp.Basic],
+        lower_limit: sp.Expr | None,
+        remedies: Remedies,
+    ) -> None:
+        self.source = source
+        self.values = values
+        self.lower_limit = lower_limit
+        self.remedies = remedies
+
+    def of(self, node: Node) -> Any:
+        """Return the expression of a node; `ReadingError` for a division by zero and the like."""
+        found = _RULES[type(node)](self, node)
+        if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
+            raise self.source.refuse(node.start, "this divides by zero")
+        return found
+
+    def relate(self, chain: Chain) -> tuple[sp.Basic, ...]:
+        """Return the relations of a chain, left as they stand."""
+        members = [self.of(member) for member in chain.members]
+        return tuple(
+            RELATIONS[sign](left, right, evaluate=False)
+            for left, sign, right in zip(members, chain.relations, members[1:], strict=False)
+        )
+
+    def _letter(self, node: Letter) -> Any:
+        if isinstance(node.symbol, sp.IndexedBase):
+            return node.symbol[tuple(self.of(index) for index in node.indices)]
+        value = self.values.get(node.symbol)
+        return value if isinstance(value, sp.MatrixBase) else node.symbol
+
+    def _add(self, node: Add) -> Any:
+        terms = [sign * self.of(term) for sign, term in node.terms]
+        return reduce(add, terms) if _any_matrix(terms) else sp.Add(*terms)
+
+    def _product(self, node: Product) -> Any:
+        factors = [self.of(factor) for factor in node.factors]
+        return reduce(mul, factors) if _any_matrix(factors) else sp.Mul(*factors)
+
+    def _quotient(self, node: Quotient) -> Any:
+        below = self.of(node.below)
+        if below == 0:
+            raise self.source.refuse(node.below.start, "this divides by zero")
+        return self.of(node.above) / below
+
+    def _power(self, node: Power) -> Any:
+        base, exponent = self.of(node.base), self.of(node.exponent)
+        if isinstance(exponent, sp.Rational) and abs(exponent) > LARGEST_EXPONENT:
+            raise self.source.refuse(
+                node.exponent.start, f"an exponent beyond {LARGEST_EXPONENT} is not worked out"
+            )
+        return base**exponent
+
+    def _root(self, node: Root) -> sp.Expr:
+        degree = self.of(node.degree) if node.degree else sp.Integer(2)
+        return self.of(node.radicand) ** (1 / degree)
+
+    def _call(self, node: Call) -> sp.Expr:
+        if not node.arguments:
+            return FunctionWithoutArgument(sp.Symbol(node.function.name))
+        value = node.function.make(*map(self.of, node.arguments))
+        return value ** self.of(node.exponent) if node.exponent else value
+
+    def _table(self, node: Table) -> sp.Basic:
+        return sp.ImmutableMatrix([[self.of(entry) for entry in row] for row in node.rows])
+
+    def _entries(self, node: Entries) -> sp.Basic:
+        return sp.ImmutableMatrix([[self.of(part) for part in node.parts]])
+
+    def _cases(self, node: Cases) -> sp.Basic:
+        pieces = [(self.of(v), sp.And(*self.relate(c), evaluate=False)) for v, c in node.pieces]
+        if node.otherwise:
+            pieces.append((self.of(node.otherwise), sp.true))
+        return sp.Piecewise(*pieces, evaluate=False)
+
+    def _repeated(self, node: Repeated) -> sp.Basic:
+        index = node.index.symbol
+        term = self.of(node.term)
+        for other in node.apart:
+            term = term * (1 - sp.KroneckerDelta(self.of(other), index))
+        kind = sp.Sum if node.name == "sum" else sp.Product
+        return kind(term, (index, self.of(node.low), self.of(node.high)))
+
+    def _integration(self, node: Integration) -> sp.Basic:
+        integrand = self.of(node.integrand)
+        if node.differential is None:
+            return IntegralWithoutDifferential(integrand)
+        variable = self.of(node.differential)
+        running, inside = self._bind(node, integrand, variable)
+        if node.low and node.high:
+            return sp.Integral(inside, (running, self.of(node.low), self.of(node.high)))
+        if self.lower_limit is None:
+            raise self.source.refuse(
+                node.start,
+                "an integral without limits: where does it start?",
+                self.remedies.lower_limit,
+            )
+        return sp.Integral(inside, (running, self.lower_limit, variable))
+
+    def _bind(
+        self, node: Integration, integrand: sp.Expr, variable: sp.Expr
+    ) -> tuple[sp.Symbol, sp.Expr]:
+        """Return a variable of integration and the integrand in it, nothing else moving."""
+        place = node.differential.start if node.differential else node.start
+        if variable.is_Symbol:
+            running = sp.Symbol(f"{variable.name}_", real=True)
+            inside = settle(integrand, self.values, {variable: running})
+            moving = self.values.get(variable, sp.S.Zero).free_symbols
+        else:
+            running = sp.Symbol("u_", real=True)
+            inside = integrand.xreplace({variable: running})
+            moving = variable.free_symbols
+        caught = [
+            str(s)
+            for s in sorted(inside.free_symbols, key=str)
+            if s != running and (s in self.values or s in variable.free_symbols)
+            if depends(s, moving, self.values)
+        ]
+        if caught:
+            raise self.source.refuse(
+                place,
+                f"{', '.join(caught)} in the integrand may move with {variable}",
+                "Declare the value of one by the other, or the printed product as a name of "
+                "a variable.",
+            )
+        return running, inside
+
+
+def _any_matrix(parts: list[Any]) -> bool:
+    return any(isinstance(part, sp.MatrixBase) for part in parts)
+
+
+_RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
+    Number: lambda meaning, node: sp.Rational(node.text),
+    Constant: lambda meaning, node: node.value,
+    Letter: Meaning._letter,
+    Bracket: lambda meaning, node: meaning.of(node.inside),
+    Add: Meaning._add,
+    Product: Meaning._product,
+    Quotient: Meaning._quotient,
+    Power: Meaning._power,
+    Root: Meaning._root,
+    Call: Meaning._call,
+    Repeated: Meaning._repeated,
+    Integration: Meaning._integration,
+    Table: Meaning._table,
+    Entries: Meaning._entries,
+    Transposed: lambda meaning, node: meaning.of(node.of).T,
+    Magnitude: lambda meaning, node: sp.Abs(meaning.of(node.inside)),
+    Degrees: lambda meaning, node: meaning.of(node.number) * sp.pi / 180,
+    Cases: Meaning._cases,
+}

@@ -1,0 +1,203 @@
+r"""Signs -> tree, by precedence; what could be read in two ways is refused with its remedies.
+
+Sums contain products, products powers, powers atoms. A function without brackets takes a number
+times one name, a fraction or a root: `\cos 2\varphi`, `\cos\frac x2`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TypeVar
+
+import sympy as sp
+
+from mechproof.latex import atoms, calculus, calls, letters
+from mechproof.latex.errors import MODULE, ReadingError, Remedies, Source
+from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.names import Names, to_signs
+from mechproof.latex.tokens import Token, tokenize
+from mechproof.latex.tree import Add, Bracket, Function, Node, Number, Power, Product, Quotient
+from mechproof.record import Notation
+
+T = TypeVar("T")
+RELATIONS = ("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv")
+ENDING = (*RELATIONS, "+", "-", ")", "]", "}", ",", ";", "&", r"\\", "")
+
+
+class Parser:
+    """Reads one print with the names of its row.
+
+    `collected` gathers letters that are not declared, where that is allowed.
+    """
+
+    def __init__(
+        self,
+        latex: str,
+        names: Names,
+        notation: Notation,
+        remedies: Remedies = MODULE,
+        collected: list[str] | None = None,
+    ) -> None:
+        self.source = Source(latex)
+        self.tokens: Sequence[Token] = tokenize(latex)
+        self.names = names
+        self.notation = notation
+        self.factors = {"".join(to_signs(latex)) for latex in notation.factors}
+        makes: Mapping[str, Callable[..., sp.Expr]] = {**FUNCTIONS, **notation.functions}
+        self.functions = {rf"\{name}": Function(name, make) for name, make in makes.items()}
+        self.remedies = remedies
+        self.collects = collected is not None
+        self.collected = [] if collected is None else collected
+        self.place = 0
+        self.bars = 0
+        self.depth = 0
+        self.bound: list[str] = []
+        self.integrals: list[calculus.Open] = []
+        self.brackets: tuple[Bracket, ...] = ()
+
+    # Walking --------------------------------------------------------------------------------
+
+    @property
+    def text(self) -> str:
+        """Return the sign that is next, empty at the end."""
+        return self.tokens[self.place].text if self.place < len(self.tokens) else ""
+
+    @property
+    def start(self) -> int:
+        """Return where the next sign stands in the source."""
+        at_end = self.place >= len(self.tokens)
+        return len(self.source.latex) if at_end else self.tokens[self.place].start
+
+    @property
+    def end(self) -> int:
+        """Return where the last sign that was read ends."""
+        return self.tokens[self.place - 1].end if self.place else 0
+
+    def take(self, text: str = "") -> Token:
+        """Return the next sign and go on; it must be the one that is named."""
+        if self.place >= len(self.tokens) or (text and self.text != text):
+            raise self.refuse(f"expected {text}" if text else "the print ends too early")
+        self.place += 1
+        return self.tokens[self.place - 1]
+
+    def skip(self, *texts: str) -> bool:
+        """Go on behind the next sign if it is one of these."""
+        if self.text in texts and self.text:
+            self.place += 1
+            return True
+        return False
+
+    def refuse(self, reason: str, remedy: str = "", place: int | None = None) -> ReadingError:
+        """Return the error that points at the next sign, or at a place of the source."""
+        return self.source.refuse(self.start if place is None else place, reason, remedy)
+
+    # Expressions ----------------------------------------------------------------------------
+
+    def read_sum(self) -> Node:
+        """Read terms with their signs."""
+        start = self.start
+        terms = [(self.read_sign(), self.read_product())]
+        while self.text in ("+", "-"):
+            terms.append((1 if self.take().text == "+" else -1, self.read_product()))
+        if len(terms) == 1 and terms[0][0] == 1:
+            return terms[0][1]
+        return Add(tuple(terms), start=start, end=self.end)
+
+    def read_sign(self) -> int:
+        """Read the sign before the first term; a plus means nothing."""
+        if self.skip("-"):
+            return -1
+        self.skip("+")
+        return 1
+
+    def read_product(self) -> Node:
+        """Read factors side by side, with dots, or divided by a slash."""
+        start = self.start
+        factors = [self.read_factor()]
+        while not self.ends_product():
+            if self.text == "/":
+                factors = [self._divide(factors, start)]
+            elif self.skip(r"\cdot"):
+                factors.append(self.read_factor())
+            else:
+                self._check_neighbours(factors[-1])
+                factors.append(self.read_factor())
+        if len(factors) == 1:
+            return factors[0]
+        return Product(tuple(factors), start=start, end=self.end)
+
+    def ends_product(self) -> bool:
+        """Return whether no factor follows."""
+        if self.text == "|":
+            return self.bars > 0
+        is_word = self.text.startswith((r"\text", r"\end"))
+        return is_word or self.text in ENDING or calculus.is_over(self)
+
+    def _divide(self, factors: list[Node], start: int) -> Node:
+        slash = self.take("/")
+        below = self.read_factor()
+        if not self.ends_product() and self.text != r"\cdot":
+            raise self.refuse(
+                "a slash is followed by several factors: are all of them below it?",
+                r"Print \frac{…}{…}, or brackets.",
+                slash.start,
+            )
+        above = factors[0] if len(factors) == 1 else Product(tuple(factors), start=start)
+        return Quotient(above, below, upright=False, start=start, end=self.end)
+
+    def _check_neighbours(self, left: Node) -> None:
+        """Refuse factors side by side that could be something else."""
+        if self.text.isdigit() and not isinstance(left, Bracket):
+            raise self.refuse(
+                "a number follows without a sign between: a factor, an index or a decimal place?",
+                r"Print \cdot, or the number first.",
+            )
+        if isinstance(left, Number) and self.text == r"\frac" and self._is_number_fraction():
+            raise self.refuse(
+                "a number before a fraction of numbers: a product or a mixed number?",
+                r"Print \cdot between them.",
+            )
+        letters.check_bracket_after(self, left)
+
+    def _is_number_fraction(self) -> bool:
+        texts = [token.text for token in self.tokens[self.place + 1 :]]
+        inside = texts[: texts.index("}", texts.index("}") + 1)]
+        return all(text.isdigit() or text in "{}." for text in inside)
+
+    def read_factor(self) -> Node:
+        """Read an atom and the power it is raised to."""
+        if calls.is_function(self):
+            return calls.read_call(self)
+        start = self.start
+        atom = atoms.read_atom(self)
+        if self.text != "^":
+            return atom
+        if isinstance(atom, Quotient):
+            raise self.refuse("a power of a fraction without brackets", r"Print \left(…\right)^n.")
+        return self._raise(atom, start)
+
+    def _raise(self, base: Node, start: int) -> Node:
+        special = atoms.read_special_power(self, base, start)
+        if special:
+            return special
+        return Power(base, self.read_script("^"), start=start, end=self.end)
+
+    def read_script(self, mark: str) -> Node:
+        """Read the expression in a script."""
+        self.take(mark)
+        return self.read_group()
+
+    def read_group(self) -> Node:
+        """Read an expression in braces."""
+        return self.read_inside("{", self.read_sum, "}")
+
+    def read_inside(self, opening: str, read: Callable[[], T], closing: str) -> T:
+        """Read what stands between two signs, a level deeper."""
+        self.take(opening)
+        self.depth += 1
+        bars, self.bars = self.bars, 0
+        inside = read()
+        self.bars = bars
+        self.depth -= 1
+        self.take(closing)
+        return inside

@@ -1,0 +1,92 @@
+"""The reader of a paper: its symbols and its notation -> expressions from prints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import sympy as sp
+
+from mechproof.latex.chains import read_print
+from mechproof.latex.errors import MODULE, ReadingError, Remedies, Source
+from mechproof.latex.meaning import Meaning
+from mechproof.latex.names import Names, build_names
+from mechproof.latex.parser import Parser
+from mechproof.latex.tree import Chain
+from mechproof.record import Notation, Row, Variable
+
+
+@dataclass(frozen=True)
+class Print:
+    """A print that has been parsed: its chains and how to turn them into expressions."""
+
+    source: Source
+    chains: tuple[Chain, ...]
+    reader: Reader
+
+    def meaning(self, derived: Mapping[sp.Basic, sp.Basic] | None = None) -> Meaning:
+        """Return what turns its trees into expressions, with these values of symbols changed."""
+        values = {**self.reader.values, **(derived or {})}
+        reader = self.reader
+        return Meaning(self.source, values, reader.notation.lower_limit, reader.remedies)
+
+    def cut(self, chain: Chain, first: int, last: int) -> str:
+        """Return the source of some members of a chain, with the signs between them."""
+        return self.source.latex[chain.members[first].start : chain.members[last].end].strip()
+
+
+class Reader:
+    """Reads the prints of one paper."""
+
+    def __init__(
+        self,
+        variables: Sequence[Variable],
+        notation: Notation | None = None,
+        remedies: Remedies = MODULE,
+    ) -> None:
+        self.remedies = remedies
+        self.variables = tuple(variables)
+        self.notation = notation or Notation()
+        self.values = {v.symbol: v.given for v in variables if v.given is not None}
+        self._names = lru_cache(self._build_names)
+
+    def _build_names(self, row: str) -> Names:
+        return build_names(self.variables, self.notation, row)
+
+    def parse(self, latex: str, row: str = "") -> Print:
+        """Read a print with the names of a row; `ReadingError` says what is ambiguous in it."""
+        with _naming(row):
+            parser = Parser(latex, self._names(row), self.notation, self.remedies)
+            return Print(parser.source, read_print(parser), self)
+
+    def collect(self, latex: str) -> list[str]:
+        """Return the letters of a print that are not declared; `#` stands for bound indices.
+
+        Raises `ReadingError`.
+        """
+        collected: list[str] = []
+        read_print(Parser(latex, self._names(""), self.notation, self.remedies, collected))
+        return list(dict.fromkeys(collected))
+
+    def members(self, row: Row) -> tuple[Any, ...]:
+        """Return the members of the chains of a row as printed, for claims and forms.
+
+        Raises `ReadingError`.
+        """
+        read = self.parse(row.printed_latex, row.number)
+        with _naming(row.number):
+            meaning = read.meaning()
+            return tuple(meaning.of(member) for chain in read.chains for member in chain.members)
+
+
+@contextmanager
+def _naming(row: str) -> Iterator[None]:
+    """Tell an error which row it is about."""
+    try:
+        yield
+    except ReadingError as error:
+        error.row = error.row or row
+        raise

@@ -1,0 +1,131 @@
+"""Two members and the sign between them -> what the sign asserts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from mechproof.latex.meaning import RELATIONS
+from mechproof.latex.reader import Reader
+from mechproof.latex.values import settle
+from mechproof.record import (
+    Definition,
+    Distinct,
+    Equality,
+    FunctionWithoutArgument,
+    Holds,
+    IntegralWithoutDifferential,
+    PrintedNumber,
+    Row,
+    Statement,
+)
+
+
+@dataclass(frozen=True)
+class Members:
+    """Both members as printed, and read with the derived values at hand."""
+
+    left: Any
+    right: Any
+    left_derived: Any
+    right_derived: Any
+
+
+def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
+    """Return what a sign of a row asserts; `ValueError` where that is not declared."""
+    if sign == r"\approx":
+        return _round(row, members, reader)
+    if sign not in ("=", r"\equiv"):
+        return _relate(row, sign, members, reader)
+    if row.residual is not None:
+        return Equality(members.left - members.right, row.residual)
+    left = _derive(row, members.left, members.left_derived, reader)
+    right = _derive(row, members.right, members.right_derived, reader)
+    changed = (left != members.left, right != members.right)
+    if not any(changed):
+        defined = _find_definition(row, members, reader)
+        if defined:
+            return defined
+        _refuse_unknown(row, members, reader)
+    left, right = (_substitute(row, side) for side in (left, right))
+    if changed == (False, True) or (not any(changed) and _is_faulty(left, reader)):
+        return Equality(left, right)
+    return Equality(right, left)
+
+
+def _derive(row: Row, member: Any, derived_member: Any, reader: Reader) -> Any:
+    if member in row.derived:
+        return row.derived[member]
+    return settle(derived_member, reader.values, row.derived)
+
+
+def _substitute(row: Row, member: Any) -> Any:
+    return member.xreplace(dict(row.substituted))
+
+
+def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
+    left = _substitute(row, _derive(row, members.left, members.left_derived, reader))
+    right = _substitute(row, _derive(row, members.right, members.right_derived, reader))
+    if sign == r"\ne" and isinstance(left, sp.MatrixBase):
+        return Distinct(left, right)
+    return Holds(RELATIONS[sign](left, right, evaluate=False))
+
+
+def _round(row: Row, members: Members, reader: Reader) -> Statement:
+    """State that the left member rounds to the number that is printed right."""
+    value = _substitute(row, _derive(row, members.left, members.left_derived, reader))
+    number, unit = members.right.as_coeff_Mul() if members.right.has(sp.pi) else (members.right, 1)
+    if unit != 1:
+        number, unit = members.right * 180 / sp.pi, sp.pi / 180
+    if not number.is_Rational:
+        raise ValueError(f"row {row.number!r}: an approximation by no number; give its `says`")
+    return PrintedNumber(_as_decimal(number), value / unit)
+
+
+def _as_decimal(number: sp.Rational) -> str:
+    places = max(len(str(number.q)) - 1, 0)
+    return f"{float(number):.{places}f}"
+
+
+def _find_definition(row: Row, members: Members, reader: Reader) -> Definition | None:
+    """Return the definition that a sign is: of a symbol it introduces or is declared by."""
+    for symbol, other in ((members.left, members.right), (members.right, members.left)):
+        if symbol in row.defines and symbol not in other.free_symbols:
+            return Definition(symbol, other)
+    printed = members.left.free_symbols | members.right.free_symbols
+    for symbol in sorted(printed & reader.values.keys(), key=str):
+        value = reader.values[symbol]
+        if value.free_symbols <= printed and _is_declared_by(symbol, value, members):
+            return Definition(symbol, value)
+    return None
+
+
+def _is_declared_by(symbol: sp.Basic, value: sp.Basic, members: Members) -> bool:
+    left, right = (m.xreplace({symbol: value}) for m in (members.left, members.right))
+    if left == right:
+        return bool(members.left != members.right)
+    if any(isinstance(side, sp.MatrixBase) for side in (left, right)):
+        return False
+    return bool(sp.expand(sp.together(left - right)) == 0)
+
+
+def _refuse_unknown(row: Row, members: Members, reader: Reader) -> None:
+    """Refuse a member that is a symbol of which nothing is known: it can agree with nothing."""
+    for member, other in ((members.left, members.right), (members.right, members.left)):
+        is_bare = isinstance(member, sp.Symbol | sp.Indexed | sp.MatrixSymbol)
+        if is_bare and member not in reader.values and member not in other.free_symbols:
+            raise ValueError(
+                f"row {row.number!r}: nothing is known of {member}: say what our mechanics give "
+                "for it (`derived`), or that the print introduces it (`defines`)"
+            )
+
+
+def _is_faulty(member: Any, reader: Reader) -> bool:
+    """Return whether a member cannot be evaluated, as far as its reading shows it."""
+    if member.has(IntegralWithoutDifferential, FunctionWithoutArgument):
+        return True
+    known = {getattr(v.symbol, "label", v.symbol) for v in reader.variables}
+    known |= {v.symbol for v in reader.variables}
+    return bool(member.free_symbols - member.atoms(sp.Indexed) - known)

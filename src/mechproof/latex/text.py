@@ -1,0 +1,145 @@
+"""Tree -> "read as": one line in which nothing is left to the reader's eye."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import sympy as sp
+
+from mechproof.latex.tree import (
+    Add,
+    Bracket,
+    Call,
+    Cases,
+    Chain,
+    Constant,
+    Degrees,
+    Entries,
+    Integration,
+    Letter,
+    Magnitude,
+    Node,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Repeated,
+    Root,
+    Table,
+    Transposed,
+)
+
+_SIGNS = {r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~", r"\equiv": "=="}
+# Written as they are wherever they stand; all else gets brackets within powers and products.
+_CLOSED = (Number, Constant, Letter, Call, Root, Repeated, Integration, Magnitude, Entries, Table)
+
+
+def write(node: Node) -> str:
+    """Return the unambiguous text of a node."""
+    return _RULES[type(node)](node)
+
+
+def write_sign(sign: str) -> str:
+    """Return a relation sign."""
+    return _SIGNS.get(sign, sign)
+
+
+def _closed(node: Node) -> str:
+    """Write what may stand beside `^` and below `/`."""
+    node = _strip(node)
+    is_plain = isinstance(node, _CLOSED) and not (isinstance(node, Call) and node.exponent)
+    return write(node) if is_plain else f"({write(node)})"
+
+
+def _factor(node: Node) -> str:
+    node = _strip(node)
+    is_sum = isinstance(node, Add | Cases | Chain | Product | Quotient)
+    return f"({write(node)})" if is_sum else write(node)
+
+
+def _strip(node: Node) -> Node:
+    return _strip(node.inside) if isinstance(node, Bracket) else node
+
+
+def _letter(node: Letter) -> str:
+    name = str(node.symbol)
+    return f"{name}[{', '.join(map(write, node.indices))}]" if node.indices else name
+
+
+def _add(node: Add) -> str:
+    terms = [(sign, _strip(term)) for sign, term in node.terms]
+    texts = [f"({write(t)})" if isinstance(t, Add | Cases) else write(t) for _, t in terms]
+    signs = [" + " if sign > 0 else " - " for sign, _ in terms]
+    text = "".join(sign + part for sign, part in zip(signs, texts, strict=True))
+    return text[3:] if text.startswith(" + ") else f"-{text[3:]}"
+
+
+def _quotient(node: Quotient) -> str:
+    above = _strip(node.above)
+    is_sum = isinstance(above, Add | Cases | Product | Quotient)
+    return (f"({write(above)})" if is_sum else write(above)) + f"/{_closed(node.below)}"
+
+
+def _call(node: Call) -> str:
+    inside = ", ".join(write(_strip(a)) for a in node.arguments) if node.arguments else "nothing"
+    power = f"^{_closed(node.exponent)}" if node.exponent else ""
+    return f"{node.function.name}({inside}){power}"
+
+
+def _repeated(node: Repeated) -> str:
+    index = node.index.symbol
+    apart = "".join(f", {index} != {write(other)}" for other in node.apart)
+    limits = f"{index} = {write(node.low)}..{write(node.high)}{apart}"
+    return f"{node.name}[{limits}]({write(_strip(node.term))})"
+
+
+def _integration(node: Integration) -> str:
+    limits = f"[{write(node.low)}..{write(node.high)}]" if node.low and node.high else ""
+    d = f" d({write(_strip(node.differential))})" if node.differential else " without differential"
+    return f"integral{limits}({_factor(node.integrand)}{d})"
+
+
+def _root(node: Root) -> str:
+    inside = write(_strip(node.radicand))
+    return f"root({inside}, {write(node.degree)})" if node.degree else f"sqrt({inside})"
+
+
+def _table(node: Table) -> str:
+    return "[" + "; ".join(", ".join(map(write, row)) for row in node.rows) + "]"
+
+
+def _cases(node: Cases) -> str:
+    pieces = [f"{write(value)} if {write(condition)}" for value, condition in node.pieces]
+    pieces += [f"else {write(node.otherwise)}"] if node.otherwise else []
+    return "{" + "; ".join(pieces) + "}"
+
+
+def _chain(node: Chain) -> str:
+    text = write(node.members[0])
+    for sign, member in zip(node.relations, node.members[1:], strict=True):
+        text += f" {write_sign(sign)} {write(member)}"
+    return text + (f" if {write(node.condition)}" if node.condition else "")
+
+
+_RULES: Mapping[type, Callable[[Any], str]] = {
+    Number: lambda node: str(node.text),
+    Constant: lambda node: "oo" if node.value is sp.oo else str(node.text),
+    Letter: _letter,
+    Bracket: lambda node: write(node.inside),
+    Add: _add,
+    Product: lambda node: "*".join(map(_factor, node.factors)),
+    Quotient: _quotient,
+    Power: lambda node: f"{_closed(node.base)}^{_closed(node.exponent)}",
+    Root: _root,
+    Call: _call,
+    Repeated: _repeated,
+    Integration: _integration,
+    Table: _table,
+    Entries: lambda node: f"({', '.join(map(write, node.parts))})",
+    Transposed: lambda node: f"{_closed(node.of)}^T",
+    Magnitude: lambda node: f"|{write(node.inside)}|",
+    Degrees: lambda node: f"{_closed(node.number)} deg",
+    Cases: _cases,
+    Chain: _chain,
+}

@@ -1,0 +1,180 @@
+r"""LaTeX -> signs in one order: what prints alike becomes the same signs.
+
+Blanks and sizes are dropped, arguments of `\frac`, `_`, `^` stand in braces, other braces go,
+scripts come in the order index, primes, power.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from mechproof.latex.errors import Source
+
+_SIGN = re.compile(r"\\[A-Za-z]+\*?|\\.|\s+|.", re.DOTALL)
+_BLANK = (
+    *(r"\,", r"\;", r"\:", r"\!", "\\ ", r"\quad", r"\qquad", "~", r"\displaystyle"),
+    *(r"\textstyle", r"\limits", r"\nolimits", r"\left", r"\right", r"\big", r"\Big"),
+    *(r"\bigl", r"\bigr", r"\Bigl", r"\Bigr", r"\bigg", r"\Bigg", r"\mathstrut"),
+)
+_SAME = {
+    **dict.fromkeys((r"\dfrac", r"\tfrac", r"\cfrac"), r"\frac"),
+    **dict.fromkeys((r"\leq", r"\leqslant"), r"\le"),
+    **dict.fromkeys((r"\geq", r"\geqslant"), r"\ge"),
+    **dict.fromkeys((r"\ldots", r"\cdots", r"\dotsc"), r"\dots"),
+    **dict.fromkeys((r"\times", "*"), r"\cdot"),
+    **dict.fromkeys((r"\lvert", r"\rvert", r"\vert"), "|"),
+    **dict.fromkeys((r"\lbrack",), "["),
+    **dict.fromkeys((r"\rbrack",), "]"),
+    r"\neq": r"\ne",
+    r"\lt": "<",
+    r"\gt": ">",
+    r"\{": "[",
+    r"\}": "]",
+    r"\log": r"\log",
+}
+_ARGUMENTS = {r"\frac": 2, r"\sqrt": 1}
+ACCENTS = (r"\bar", r"\overline", r"\vec", r"\hat", r"\tilde", r"\dot", r"\ddot")
+_UPRIGHT = (r"\mathrm", r"\operatorname", r"\operatorname*", r"\mathop", r"\mathit", r"\mathbf")
+_PRIME = r"\prime"
+
+
+@dataclass(frozen=True)
+class Token:
+    """A sign and where it stands in the source."""
+
+    text: str
+    start: int
+    end: int
+
+
+def tokenize(latex: str) -> tuple[Token, ...]:
+    """Return the signs of a print; `ReadingError` for braces that do not match."""
+    return tuple(_Normaliser(latex).read_all())
+
+
+def _split(latex: str) -> list[Token]:
+    found = (Token(m[0], m.start(), m.end()) for m in _SIGN.finditer(latex))
+    return [t for t in found if not t.text.isspace() and t.text not in _BLANK]
+
+
+class _Normaliser:
+    def __init__(self, latex: str) -> None:
+        self.source = Source(latex)
+        self.raw = _split(latex)
+        self.place = 0
+
+    def read_all(self) -> list[Token]:
+        signs = self._read_until("")
+        if self.place < len(self.raw):
+            raise self._refuse("a brace is closed that was not opened")
+        return signs
+
+    def _refuse(self, reason: str) -> Exception:
+        end = len(self.source.latex)
+        start = self.raw[self.place].start if self.place < len(self.raw) else end
+        return self.source.refuse(start, reason)
+
+    def _peek(self) -> str:
+        return self.raw[self.place].text if self.place < len(self.raw) else ""
+
+    def _take(self) -> Token:
+        if self.place >= len(self.raw):
+            raise self._refuse("the print ends here, but something must follow")
+        self.place += 1
+        return self.raw[self.place - 1]
+
+    def _read_until(self, closing: str) -> list[Token]:
+        signs: list[Token] = []
+        while self.place < len(self.raw) and self._peek() not in ("}", closing):
+            signs += self._read_item()
+            signs += self._read_scripts()
+        return signs
+
+    def _read_item(self) -> list[Token]:
+        first = self._take()
+        if first.text == "{":
+            inner = self._read_until("}")
+            self._close("}")
+            if [t.text for t in inner] == [","]:
+                return [Token(".", first.start, first.end)]
+            return inner
+        if first.text in ("_", "^"):
+            raise self.source.refuse(first.start, f"nothing stands before this {first.text}")
+        if first.text in _UPRIGHT:
+            return [self._read_upright(first)]
+        if first.text == r"\text":
+            words, end = self._read_words()
+            return [Token(rf"\text{{{words.strip(' ,;')}}}", first.start, end)]
+        if first.text in (r"\begin", r"\end"):
+            words, end = self._read_words()
+            return [Token(f"{first.text}{{{words}}}", first.start, end)]
+        text = _SAME.get(first.text, first.text)
+        return self._read_arguments(Token(text, first.start, first.end))
+
+    def _read_arguments(self, command: Token) -> list[Token]:
+        signs = [command]
+        if command.text == r"\sqrt" and self._peek() == "[":
+            opening = self._take()
+            degree = self._read_until("]")
+            signs += self._brace(degree, opening, self._close("]"), "[", "]")
+        count = 1 if command.text in ACCENTS else _ARGUMENTS.get(command.text, 0)
+        for _ in range(count):
+            signs += self._read_argument()
+        return signs
+
+    def _read_argument(self) -> list[Token]:
+        """Read what TeX takes as an argument: a group or one sign; it comes in braces."""
+        first = self.place
+        inner = self._read_item()
+        opening, closing = self.raw[first], self.raw[self.place - 1]
+        if opening.text == "{":
+            return self._brace(inner, opening, closing)
+        start, end = Token("", opening.start, opening.start), Token("", closing.end, closing.end)
+        return self._brace(inner, start, end)
+
+    def _brace(
+        self, inner: list[Token], first: Token, last: Token, opening: str = "{", closing: str = "}"
+    ) -> list[Token]:
+        start, end = Token(opening, first.start, first.end), Token(closing, last.start, last.end)
+        return [start, *inner, end]
+
+    def _close(self, closing: str) -> Token:
+        if self._peek() != closing:
+            raise self._refuse(f"a {closing} is missing here")
+        return self._take()
+
+    def _read_words(self) -> tuple[str, int]:
+        """Return the text in the braces that follow, as it stands."""
+        opening = self._close("{")
+        depth = 1
+        while depth:
+            sign = self._take()
+            depth += {"{": 1, "}": -1}.get(sign.text, 0)
+        return self.source.latex[opening.end : sign.start], sign.end
+
+    def _read_upright(self, command: Token) -> Token:
+        r"""`\mathrm{tg}` is the function `\tg`, `\mathrm{d}x` the differential."""
+        if self._peek() != "{":
+            raise self._refuse(f"{command.text} needs braces here")
+        words, end = self._read_words()
+        name = re.sub(r"\\[,;:! ]|\s|\\mathrm|[{}]", "", words)
+        text = rf"\{name}" if name.isalpha() and len(name) > 1 else rf"\mathrm{{{name}}}"
+        return Token("d" if name == "d" else text, command.start, end)
+
+    def _read_scripts(self) -> list[Token]:
+        found: dict[str, list[Token]] = {}
+        primes: list[Token] = []
+        while self._peek() in ("_", "^", "'"):
+            mark = self._take()
+            if mark.text == "'":
+                primes.append(mark)
+                continue
+            inner = self._read_argument()
+            if mark.text == "^" and all(t.text == _PRIME for t in inner[1:-1]) and inner[1:-1]:
+                primes += [Token("'", t.start, t.end) for t in inner[1:-1]]
+            elif mark.text in found:
+                raise self.source.refuse(mark.start, f"a second {mark.text} at the same sign")
+            else:
+                found[mark.text] = [mark, *inner]
+        return [*found.get("_", []), *primes, *found.get("^", [])]

@@ -1,0 +1,177 @@
+"""What a print is, before it is mathematics: its nodes, with all its brackets and its order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Node:
+    """A part of a print and where it stands in the source."""
+
+    start: int = field(default=0, kw_only=True, compare=False)
+    end: int = field(default=0, kw_only=True, compare=False)
+
+
+@dataclass(frozen=True)
+class Number(Node):
+    """Digits, with a decimal point or without."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Constant(Node):
+    """A number with a name: pi, infinity."""
+
+    value: sp.Expr
+    text: str
+
+
+@dataclass(frozen=True)
+class Letter(Node):
+    """A declared symbol, a bound one (an index, a variable of integration) or a family's member."""
+
+    symbol: sp.Basic
+    text: str
+    indices: tuple[Node, ...] = ()
+
+
+@dataclass(frozen=True)
+class Bracket(Node):
+    """A bracketed expression."""
+
+    inside: Node
+
+
+@dataclass(frozen=True)
+class Add(Node):
+    """Terms with their signs, 1 or -1."""
+
+    terms: tuple[tuple[int, Node], ...]
+
+
+@dataclass(frozen=True)
+class Product(Node):
+    """Factors, in the printed order."""
+
+    factors: tuple[Node, ...]
+
+
+@dataclass(frozen=True)
+class Quotient(Node):
+    """A fraction, upright or with a slash."""
+
+    above: Node
+    below: Node
+    upright: bool = True
+
+
+@dataclass(frozen=True)
+class Power(Node):
+    """A base and its exponent."""
+
+    base: Node
+    exponent: Node
+
+
+@dataclass(frozen=True)
+class Root(Node):
+    """A root; without degree the square root."""
+
+    radicand: Node
+    degree: Node | None = None
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function by the name that is printed, and how its value is made."""
+
+    name: str
+    make: Callable[..., sp.Expr]
+
+
+@dataclass(frozen=True)
+class Call(Node):
+    """A function of arguments, raised to a power where one is printed; no argument: missing."""
+
+    function: Function
+    arguments: tuple[Node, ...]
+    exponent: Node | None = None
+
+
+@dataclass(frozen=True)
+class Repeated(Node):
+    """A sum or product of a term over an index; `apart` is the index it must differ from."""
+
+    name: str
+    term: Node
+    index: Letter
+    low: Node
+    high: Node
+    apart: tuple[Node, ...] = ()
+
+
+@dataclass(frozen=True)
+class Integration(Node):
+    """An integral; no differential: it is missing in print."""
+
+    integrand: Node
+    differential: Node | None
+    low: Node | None = None
+    high: Node | None = None
+
+
+@dataclass(frozen=True)
+class Table(Node):
+    """A matrix."""
+
+    rows: tuple[tuple[Node, ...], ...]
+
+
+@dataclass(frozen=True)
+class Entries(Node):
+    """Several expressions in one bracket: components, or arguments."""
+
+    parts: tuple[Node, ...]
+
+
+@dataclass(frozen=True)
+class Transposed(Node):
+    """A matrix or components with a T."""
+
+    of: Node
+
+
+@dataclass(frozen=True)
+class Magnitude(Node):
+    """An expression between upright bars."""
+
+    inside: Node
+
+
+@dataclass(frozen=True)
+class Degrees(Node):
+    """A number of degrees."""
+
+    number: Node
+
+
+@dataclass(frozen=True)
+class Cases(Node):
+    """Values and the conditions under which they are taken, and the value elsewhere."""
+
+    pieces: tuple[tuple[Node, Chain], ...]
+    otherwise: Node | None = None
+
+
+@dataclass(frozen=True)
+class Chain(Node):
+    """Members and the relation signs between them; a condition narrows where they are meant."""
+
+    members: tuple[Node, ...]
+    relations: tuple[str, ...]
+    condition: Chain | None = None

@@ -1,0 +1,32 @@
+"""Values of symbols that are given by others: what depends on what, and putting them in."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from typing import Any
+
+import sympy as sp
+
+Values = Mapping[sp.Basic, sp.Basic]
+
+
+def depends(symbol: sp.Basic, on: Collection[sp.Basic], values: Values) -> bool:
+    """Return whether a symbol is one of these, or is given by them."""
+    if symbol in on:
+        return True
+    value = values.get(symbol)
+    return value is not None and any(depends(s, on, values) for s in value.free_symbols)
+
+
+def settle(expression: Any, values: Values, changed: Values) -> Any:
+    """Put in new values, also where the symbol is hidden in one that is given by it."""
+    for _ in range(len(values) + 1):
+        hidden = {
+            symbol: values[symbol]
+            for symbol in expression.free_symbols - changed.keys()
+            if symbol in values and depends(symbol, changed.keys(), values)
+        }
+        if not hidden:
+            return expression.xreplace(dict(changed))
+        expression = expression.xreplace(hidden)
+    raise ValueError(f"symbols are given in a circle: {sorted(map(str, hidden))}")
