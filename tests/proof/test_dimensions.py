@@ -27,6 +27,7 @@ RIGHT = {
     "product without unit": (sp.sin(w * t) + a / b, NUMBER),
     "zero fits all": (sp.Integer(0), None),
     "largest": (sp.Max(a, b), LENGTH),
+    "cases": (sp.Piecewise((a, v < w * b), (b, True)), LENGTH),
     "matrix of one kind": (sp.ImmutableMatrix([a, b]), LENGTH),
     "dimensionless power": (p**p, NUMBER),
 }
@@ -35,6 +36,8 @@ MIXED = {
     "length and number": a + p,
     "length and speed": a + v,
     "sine of a length": sp.sin(a),
+    "cases of unlike kinds": sp.Piecewise((a, p < 1), (p, True)),
+    "case of unlike sides": sp.Piecewise((a, a < v), (b, True)),
     "exponent with a unit": p**a,
     "length to a symbol": a**p,
     "angle of unlike sides": sp.atan2(a, v),

@@ -43,6 +43,8 @@ def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
         return _power(expression, known)
     if isinstance(expression, sp.Sum | sp.Integral):
         return _of_sum_or_integral(expression, known)
+    if isinstance(expression, sp.Piecewise):
+        return _of_cases(expression, known)
     if isinstance(expression, sp.Abs | sp.Max | sp.Min | sp.atan2 | sp.MatrixBase):
         common = _common(tuple(expression) if expression.is_Matrix else expression.args, known)
         return NUMBER if isinstance(expression, sp.atan2) else common
@@ -122,6 +124,12 @@ def _with_bound(node: sp.Basic, known: Dimensions) -> Dimensions:
         return known
     bound = {v: _common(tuple(limits), known) or NUMBER for v, *limits in node.limits}
     return {**known, **bound}
+
+
+def _of_cases(node: sp.Piecewise, known: Dimensions) -> Dimension | None:
+    for relation in node.atoms(sp.core.relational.Relational):
+        _common(relation.args, known)
+    return _common(tuple(value for value, _ in node.args), known)
 
 
 def _of_function(node: sp.Basic, known: Dimensions) -> Dimension:
