@@ -9,13 +9,14 @@ from .example import EXAMPLE_ROWS
 from .influence import INFLUENCE_ROWS
 from .kernels import QUANTITIES
 from .parameters import PARAMETER_ROWS
-from .symbols import VARIABLES
+from .symbols import NOTATION, VARIABLES
 from .wheel import WHEEL
 
 PAPER = Paper(
     system="tooth_thickness",
     citation="Paper 3: stochastic simulation of tooth thickness and of its measurement",
     variables=VARIABLES,
+    notation=NOTATION,
     rows=(
         *DESIGN_ROWS,
         *INFLUENCE_ROWS,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Expr, Heaviside, KroneckerDelta, Rational, S, Sum, sqrt, symbols, tan
+from sympy import Expr, KroneckerDelta, Rational, S, Sum, sqrt, symbols, tan
 
 from mechproof.record import (
     Claim,
@@ -10,7 +10,6 @@ from mechproof.record import (
     Completions,
     Conjunction,
     Correction,
-    Definition,
     Distinct,
     Equality,
     Equation,
@@ -23,20 +22,18 @@ from .._relations import less, not_above
 from .geometry import height_deviation, influence, measured_change, reading
 from .shares import NORMAL_SHARE, THREE_SIGMA, error_variance
 from .symbols import (
-    E_cs,
     E_measured,
     E_true,
     K,
     K_m,
-    T_c,
     alpha,
     dh,
     dh_gauge,
     ds_gauge,
+    ds_height,
     e_tip,
     f_measured,
     f_true,
-    sigma,
     sigma_tip,
     z,
 )
@@ -51,11 +48,11 @@ def variance_of_wheel_mean(covariance: Expr) -> Expr:
 
 
 ALGORITHM_ROWS = (
-    Equation(
+    Claim(
         "step 1",
         r"K=T_c/\sigma",
-        Definition(K, T_c / sigma),
-        note="The tolerance field over the standard deviation.",
+        defines=(K,),
+        note="The ratio of the tolerance field to the standard deviation, in words.",
     ),
     Claim(
         "step 1, normal accuracy",
@@ -84,11 +81,8 @@ ALGORITHM_ROWS = (
     ),
     Equation(
         "step 2",
-        r"f_u=1\text{ if }E_{cs}-T_c<E_{csu}<E_{cs},\text{ else }0",
-        Definition(
-            f_true,
-            Heaviside((E_cs - E_true) / T_c, 0) * Heaviside((E_true - E_cs + T_c) / T_c, 0),
-        ),
+        r"f_u=1\text{ if }E_{csu}<E_{cs}\text{ and }E_{csu}>(E_{cs}-T_c),\text{ else }0",
+        defines=(f_true,),
         note="For the sign of E_cs see 'smallest deviation'.",
         marks=("rebuilt",),
     ),
@@ -138,7 +132,7 @@ ALGORITHM_ROWS = (
     *(
         Claim(
             f"step 3, IT{grade}",
-            rf"\mathrm{{IT}}{grade}={value}~\mu\mathrm m",
+            rf"\mathrm{{IT}}{grade}={value}~\mu\mathrm{{m}}",
             PrintedNumber(str(value), factor * TOLERANCE_UNIT),
             note=f"{factor} i, i = 0.45 D^(1/3) + 0.001 D, D = sqrt(120*180) mm.",
             marks=("ours",),
@@ -147,7 +141,7 @@ ALGORITHM_ROWS = (
     ),
     Claim(
         "steps 4 and 7, spread of the gauge",
-        r"\text{interval measure of the uncertainty }50~\mu\mathrm m",
+        r"\text{interval measure of the uncertainty }50~\mu\mathrm{m}",
         Completions(
             Completion(
                 "full width of a 3 sigma interval: the standard deviation is below 10 um",
@@ -163,11 +157,8 @@ ALGORITHM_ROWS = (
     Equation(
         "step 5",
         r"\Delta h=e_{dau}+\Delta h_c",
-        Equality(e_tip + dh_gauge, height_deviation),
-        corrected=Correction(
-            r"\Delta h=\Delta h_c-\tfrac12e_{dau}",
-            Equality(dh_gauge - e_tip / 2, height_deviation),
-        ),
+        derived={dh: height_deviation},
+        corrected=Correction(r"\Delta h=\Delta h_c-\tfrac12e_{dau}"),
         note=(
             "The gauge stands on the tip circle, so half the deviation of the diameter "
             "counts, whichever way heights are counted. The sign of Delta h is not printed: "
@@ -177,19 +168,16 @@ ALGORITHM_ROWS = (
         ),
         marks=("rebuilt",),
     ),
-    Equation(
+    Claim(
         "steps 5 and 6, tip diameter alone",
-        r"\Delta S_{ca}=K_m\,e_{dau}",
-        Equality(K_m * e_tip, measured_change.subs(dh_gauge, 0)),
-        corrected=Correction(
-            r"\Delta S_{ca}=-e_{dau}\,\mathrm{tg}\,\alpha",
-            Equality(-e_tip * tan(alpha), measured_change.subs(dh_gauge, 0)),
-        ),
+        r"\Delta S_{ca}=K_me_{dau}",
+        derived={ds_height: measured_change.subs(dh_gauge, 0)},
+        corrected=Correction(r"\Delta S_{ca}=-e_{dau}\,\mathrm{tg}\,\alpha"),
         note=(
             "Twice too much; the sign is wrong as well if deviations are positive for a "
             "thicker tooth (see the next row)."
         ),
-        marks=("rebuilt",),
+        marks=("rebuilt", "ours"),
     ),
     Claim(
         "steps 5 and 6, tip diameter, counted as a decrease",
@@ -232,17 +220,16 @@ ALGORITHM_ROWS = (
     Equation(
         "step 8",
         r"E_{cs0}=E_{csu}+\Delta S_{ca}+\Delta S_c",
-        Equality(E_true + K_m * dh + ds_gauge, reading),
-        note="The indication less the nominal chord, to first order in the height.",
+        derived={E_measured: reading},
+        substituted={ds_height: K_m * dh},
+        note="The indication less the nominal chord, to first order in the height; step 6 is put "
+        "in.",
         marks=("rebuilt",),
     ),
     Equation(
         "step 9",
-        r"f_0=1\text{ if }E_{cs}-T_c<E_{cs0}<E_{cs},\text{ else }0",
-        Definition(
-            f_measured,
-            Heaviside((E_cs - E_measured) / T_c, 0) * Heaviside((E_measured - E_cs + T_c) / T_c, 0),
-        ),
+        r"f_0=1\text{ if }E_{cs0}<E_{cs}\text{ and }E_{cs0}>(E_{cs}-T_c),\text{ else }0",
+        defines=(f_measured,),
         note="Acceptance limits equal to the tolerance limits: no guard band.",
         marks=("rebuilt",),
     ),

@@ -54,7 +54,7 @@ CROSSOVERS = (
 CLAIM_ROWS = (
     Claim(
         "(a), curves of Figs. 4 and 5",
-        r"\text{percentage of wrongly rejected at a limit error of }10~\mu\mathrm m",
+        r"\text{percentage of wrongly rejected at a limit error of }10~\mu\mathrm{m}",
         Completions(
             Completion(
                 "IT6, normal laws, limit error 3 sigma: below 2 %",
@@ -114,7 +114,7 @@ CLAIM_ROWS = (
         Claim(
             f"(b), crossover, IT{grade}, {multiple} sigma",
             rf"\text{{tip of IT{grade} and gauge disturb alike at a limit error of }}"
-            rf"{printed}~\mu\mathrm m,\text{{ by the geometry }}{involute}~\mu\mathrm m",
+            rf"{printed}~\mu\mathrm{{m}},\text{{ by the geometry }}{involute}~\mu\mathrm{{m}}",
             Conjunction(
                 (
                     PrintedNumber(printed, multiple * crossover(grade)),
@@ -139,7 +139,8 @@ CLAIM_ROWS = (
     ),
     Claim(
         "(c)",
-        r"\text{for degrees 6, 7, 8 gauges with }U\le\pm2~\mu\mathrm m\text{ can be recommended}",
+        r"\text{for degrees 6, 7, 8 gauges with }U\le\pm2~\mu\mathrm{m}"
+        r"\text{ can be recommended}",
         Completions(
             Completion(
                 "degree 6, IT6, U = 2 sigma, criterion: at most 1 % wrongly rejected",
@@ -161,8 +162,8 @@ CLAIM_ROWS = (
     ),
     Claim(
         "(c), what 2 um buy",
-        r"\text{from }\pm25\text{ to }\pm2~\mu\mathrm m\text{: wrongly rejected more than 20 times "
-        r"rarer}",
+        r"\text{from }\pm25\text{ to }\pm2~\mu\mathrm{m}\text{: wrongly rejected more than 20 "
+        r"times rarer}",
         less(20 * rejected_by(6, RECOMMENDED_UM), rejected_by(6, Rational(GAUGE_UM, 2))),
         note="IT6, normal laws, centred, limit errors of 3 sigma, steps 5 and 6 as printed.",
         marks=("ours",),

@@ -10,7 +10,7 @@ from mechproof.record import (
     Completions,
     Conjunction,
     Correction,
-    Definition,
+    Datum,
     Equality,
     Part,
     PrintedNumber,
@@ -42,7 +42,6 @@ from .symbols import (
     incline,
     m,
     mate,
-    millimetre,
     place,
     thinning,
 )
@@ -125,16 +124,16 @@ DESIGN_ROWS = (
         note="From the rack and from the involute, addendum of one module.",
         marks=("ours",),
     ),
-    Claim(
+    Datum(
         "data, smallest deviation",
-        r"E_{cs}=12~\mu\mathrm m",
-        Definition(E_cs, Rational(DECREASE_UM, 1000) * millimetre),
+        rf"E_{{cs}}={DECREASE_UM}~\mu\mathrm{{m}}",
+        defines=(E_cs,),
         note="A datum; its sign is a matter of 'smallest deviation'.",
     ),
-    Claim(
+    Datum(
         "data, tolerance",
-        r"T_c=45~\mu\mathrm m",
-        Definition(T_c, Rational(TOLERANCE_UM, 1000) * millimetre),
+        rf"T_c={TOLERANCE_UM}~\mu\mathrm{{m}}",
+        defines=(T_c,),
         note="A datum.",
     ),
     Claim(
@@ -163,7 +162,7 @@ DESIGN_ROWS = (
     ),
     Claim(
         "smallest deviation, nominal tooth",
-        r"E_{csu}=0\text{ is good by step 2 with }E_{cs}=12,\ T_c=45~\mu\mathrm m",
+        r"E_{csu}=0\text{ is good by step 2 with }E_{cs}=12,\ T_c=45~\mu\mathrm{m}",
         Conjunction((less(S.Zero, S(DECREASE_UM)), less(S(DECREASE_UM - TOLERANCE_UM), S.Zero))),
         note="A tooth with no decrease at all passes, though 12 um is the smallest prescribed one.",
         marks=("ours",),

@@ -10,6 +10,7 @@ from mechproof.record import (
     Completions,
     Conjunction,
     Correction,
+    Datum,
     Definition,
     Equality,
     PrintedNumber,
@@ -35,13 +36,13 @@ from .symbols import (
 from .wheel import GAUGE_UM, GRADES, K_PRINTED, TEETH, TOLERANCE_UM
 
 EXAMPLE_ROWS = (
-    Claim(
+    Datum(
         "Table 1, accuracy degree",
         r"6\text{ of }6\mathrm H",
         Definition(degree, S(6)),
         note="A datum; no formula of the paper uses it.",
     ),
-    Claim(
+    Datum(
         "Table 1, kind of mating",
         r"\mathrm H\text{ of }6\mathrm H",
         Definition(clearance, S.Zero),
@@ -49,27 +50,27 @@ EXAMPLE_ROWS = (
         "from GOST 1643; the paper names no standard.",
         marks=("inferred",),
     ),
-    Claim(
+    Datum(
         "Table 1, ratio of tolerance and standard deviation",
-        r"K=6",
-        Definition(K, S(K_PRINTED)),
+        rf"K={K_PRINTED}",
+        defines=(K,),
         note="A datum, called the normal accuracy of the technology in step 1.",
     ),
-    Claim(
+    Datum(
         "Table 1, grade of the tip diameter",
         r"\text{tip diameter of IT6}",
         Definition(tip_tolerance, Rational(GRADES[6][1], 1000) * millimetre),
         note="A datum; 25 um of ISO 286-1 is no print of the paper (see 'step 3, IT6').",
     ),
-    Claim(
+    Datum(
         "Table 1, interval of the gauge",
-        r"\text{interval measure of the uncertainty }50~\mu\mathrm m",
+        r"\text{interval measure of the uncertainty }50~\mu\mathrm{m}",
         Definition(interval, Rational(GAUGE_UM, 1000) * millimetre),
         note="A datum; which interval is meant, 'steps 4 and 7, spread of the gauge' asks.",
     ),
     Claim(
         "Table 1, uncertainty of the gauge",
-        r"50~\mu\mathrm m\text{ against the tolerance of }45~\mu\mathrm m",
+        r"50~\mu\mathrm{m}\text{ against the tolerance of }45~\mu\mathrm{m}",
         Completions(
             Completion(
                 "full width: the largest error is below the tolerance",

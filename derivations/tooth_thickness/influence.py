@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from sympy import Expr, Interval, Rational, S, atan, cos, diff, sin, tan
 
 from mechproof.record import (
@@ -36,9 +38,12 @@ from .geometry import (
     thickness,
     thickness_change,
 )
-from .symbols import K_m, alpha, delta, dh, incline, m, r_b, s_c, t_c, tilt, y_c, z
-from .wheel import GRADES, MODULE, PRINTED_INFLUENCE, excess_of_wheel, of_wheel
+from .symbols import READER, K_m, alpha, delta, dh, incline, m, r_b, s_c, t_c, tilt, y_c, z
+from .wheel import EQUATION_1, GRADES, MODULE, PRINTED_INFLUENCE, excess_of_wheel, of_wheel
 
+STEP_6 = Equation("step 6, influence of the involute", r"\Delta S_{ca}=K_m\cdot\Delta h")
+in_print = READER.members(STEP_6)[1].subs(dh, height_change)
+excess_in_print = of_wheel(in_print - thickness_change)
 # Tilts (rad) that turn the tangent over 1 mm and over 0.1 mm of height; mm.
 WIDE, NARROW = Rational(1, 20), Rational(1, 260)
 rack_chord_by_slope, rack_height_by_slope = (
@@ -64,10 +69,9 @@ def rounds_at(size: Expr, end: Rational, influence_there: Rational) -> tuple[Hol
 
 
 INFLUENCE_ROWS = (
-    Equation(
-        "(1), influence 0.7284",
-        r"\Delta S_c=0.7284\,\Delta h",
-        PrintedNumber("0.7284", of_wheel(K_m)),
+    replace(
+        EQUATION_1,
+        says=PrintedNumber(str(float(PRINTED_INFLUENCE)), of_wheel(K_m)),
         corrected=Correction(
             r"\Delta S_c=2\,\mathrm{tg}\,20^\circ\,\Delta h=0.7279\,\Delta h",
             PrintedNumber("0.7279", of_wheel(K_m)),
@@ -109,7 +113,7 @@ INFLUENCE_ROWS = (
     ),
     Claim(
         "(1), where the flank has the slope 0.7284",
-        r"2\,\mathrm{tg}\,\delta=0.7284\text{ 5 to 6 }\mu\mathrm m\text{ nearer the tip}",
+        r"2\,\mathrm{tg}\,\delta=0.7284\text{ 5 to 6 }\mu\mathrm{m}\text{ nearer the tip}",
         Conjunction(
             (
                 less(
@@ -131,21 +135,20 @@ INFLUENCE_ROWS = (
     ),
     Claim(
         "(1), cost of 0.7284",
-        r"|0.7284-2\,\mathrm{tg}\,20^\circ|\cdot 0.1~\mathrm{mm}<0.05~\mu\mathrm m",
+        r"|0.7284-2\,\mathrm{tg}\,20^\circ|\cdot 0.1~\mathrm{mm}<0.05~\mu\mathrm{m}",
         less((PRINTED_INFLUENCE - of_wheel(K_m)) * 100, Rational("0.05")),
         note="For heights that are off by up to 0.1 mm; the third digit does no harm.",
         marks=("ours", "calibrated"),
     ),
-    Equation(
-        "step 6, influence of the involute",
-        r"\Delta S_{ca}=K_m\cdot\Delta h",
-        Conjunction(
+    replace(
+        STEP_6,
+        says=Conjunction(
             (
-                not_above(excess_of_wheel, -of_wheel(height_change) / 100),
+                not_above(excess_in_print, -of_wheel(height_change) / 100),
                 not_above(
                     *(
                         side.subs(tilt, -tilt)
-                        for side in (excess_of_wheel, of_wheel(height_change) / 100)
+                        for side in (excess_in_print, of_wheel(height_change) / 100)
                     )
                 ),
             )
@@ -244,7 +247,7 @@ INFLUENCE_ROWS = (
     ),
     Claim(
         "step 6, excess of the linear model, IT8",
-        r"|\Delta h|\le0.063~\mathrm{mm}:\ \text{bound}<0.2~\mu\mathrm m",
+        r"|\Delta h|\le0.063~\mathrm{mm}:\ \text{bound}<0.2~\mu\mathrm{m}",
         less(
             of_wheel(linearisation_bound.subs(dh, Rational(GRADES[8][1], 1000))),
             Rational("0.0002"),

@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from sympy import Interval, S, Symbol, cos, oo, pi, sin, symbols, tan
 
-from mechproof.record import LENGTH, Variable
+from mechproof.latex import Reader
+from mechproof.record import LENGTH, Notation, Scope, Variable
 
 m = Symbol("m", positive=True)
 z = Symbol("z", integer=True, positive=True)
@@ -34,6 +35,7 @@ degree = Symbol("degree", positive=True)
 mate, centre_change = symbols("E_mate Delta_a", real=True)
 clearance = Symbol("j_n", nonnegative=True)
 gauge_um = Symbol("sigma_gauge", positive=True)
+micrometre = Symbol("um", real=True)
 tip_tolerance, interval = symbols("IT_d U", positive=True)
 
 POSITIVE = Interval.open(0, oo)
@@ -43,41 +45,76 @@ chord = pi * m * cos(alpha) ** 2 / 2
 chord_height = m * (1 - pi * sin(2 * alpha) / 8)
 
 VARIABLES = (
-    Variable(m, "module", LENGTH, POSITIVE),
-    Variable(z, "number of teeth", within=S.Naturals),
-    Variable(alpha, "profile angle of the basic rack", within=Interval.open(0, pi / 4)),
+    Variable(m, "module", LENGTH, POSITIVE, latex=("m",)),
+    Variable(z, "number of teeth", within=S.Naturals, latex=("z",)),
+    Variable(
+        alpha,
+        "profile angle of the basic rack",
+        within=Interval.open(0, pi / 4),
+        latex=(r"\alpha",),
+    ),
     Variable(incline, "tangent of the profile angle", within=Interval.open(0, 1)),
-    Variable(delta, "angle of the flank's tangent with the tooth's axis"),
-    Variable(tilt, "angle between the tangents at a chord's end and at the constant chord's"),
+    Variable(delta, "angle of the flank's tangent with the tooth's axis", latex=(r"\delta",)),
+    Variable(
+        tilt,
+        "angle between the tangents at a chord's end and at the constant chord's",
+        latex=(r"\varepsilon",),
+    ),
     Variable(start, "angle of the flank's tangent with the tooth's axis at a first chord"),
-    Variable(r_b, "base radius", LENGTH, POSITIVE, given=m * z * cos(alpha) / 2),
-    Variable(t_c, "roll angle at the constant chord", given=tan(alpha) + pi / (2 * z)),
+    Variable(r_b, "base radius", LENGTH, POSITIVE, given=m * z * cos(alpha) / 2, latex=("r_b",)),
+    Variable(
+        t_c, "roll angle at the constant chord", given=tan(alpha) + pi / (2 * z), latex=("t_c",)
+    ),
     Variable(
         y_c,
         "from the wheel's centre to the constant chord",
         LENGTH,
         given=m * (z / 2 + pi * sin(2 * alpha) / 8),
     ),
-    Variable(s_c, "constant chord", LENGTH, given=chord),
+    Variable(s_c, "constant chord", LENGTH, given=chord, latex=(r"\bar S_c",)),
     Variable(psi, "half the tooth's angle at the base circle", within=POSITIVE),
     Variable(thinning, "change of thickness on the pitch circle", LENGTH),
-    Variable(dh, "deviation of the measured height: how much deeper the chord lies", LENGTH),
-    Variable(dh_gauge, "error of the gauge's height", LENGTH, sign="positive: set too deep"),
-    Variable(ds_gauge, "indication error of the gauge in thickness", LENGTH),
-    Variable(e_tip, "deviation of the tip diameter", LENGTH),
-    Variable(E_true, "true deviation of the tooth thickness", LENGTH),
-    Variable(E_measured, "measured deviation of the tooth thickness", LENGTH),
-    Variable(ds_height, "change of the measured thickness with the height", LENGTH),
-    Variable(E_cs, "smallest deviation of the tooth thickness", LENGTH, POSITIVE),
-    Variable(T_c, "tolerance of the tooth thickness", LENGTH, POSITIVE),
-    Variable(sigma, "standard deviation of the true thickness", LENGTH, POSITIVE),
-    Variable(millimetre, "the unit of length", LENGTH, POSITIVE),
-    Variable(K, "tolerance over standard deviation", within=POSITIVE),
-    Variable(K_m, "influence of the height on the thickness", given=2 * tan(alpha)),
-    Variable(f_true, "1 for a good tooth, else 0", within=Interval(0, 1)),
-    Variable(f_measured, "1 for an accepted tooth, else 0", within=Interval(0, 1)),
+    Variable(
+        dh,
+        "deviation of the measured height: how much deeper the chord lies",
+        LENGTH,
+        latex=(r"\Delta h",),
+    ),
+    Variable(
+        dh_gauge,
+        "error of the gauge's height",
+        LENGTH,
+        sign="positive: set too deep",
+        latex=(r"\Delta h_c",),
+    ),
+    Variable(
+        ds_gauge, "indication error of the gauge in thickness", LENGTH, latex=(r"\Delta S_c",)
+    ),
+    Variable(e_tip, "deviation of the tip diameter", LENGTH, latex=("e_{dau}",)),
+    Variable(E_true, "true deviation of the tooth thickness", LENGTH, latex=("E_{csu}",)),
+    Variable(E_measured, "measured deviation of the tooth thickness", LENGTH, latex=("E_{cs0}",)),
+    Variable(
+        ds_height,
+        "change of the measured thickness with the height",
+        LENGTH,
+        latex=(r"\Delta S_{ca}",),
+    ),
+    Variable(
+        E_cs, "smallest deviation of the tooth thickness", LENGTH, POSITIVE, latex=("E_{cs}",)
+    ),
+    Variable(T_c, "tolerance of the tooth thickness", LENGTH, POSITIVE, latex=("T_c",)),
+    Variable(
+        sigma, "standard deviation of the true thickness", LENGTH, POSITIVE, latex=(r"\sigma",)
+    ),
+    Variable(millimetre, "the unit of length", LENGTH, POSITIVE, latex=(r"\mathrm{mm}",)),
+    Variable(K, "tolerance over standard deviation", within=POSITIVE, latex=("K",)),
+    Variable(K_m, "influence of the height on the thickness", given=2 * tan(alpha), latex=("K_m",)),
+    Variable(f_true, "1 for a good tooth, else 0", within=Interval(0, 1), latex=("f_u",)),
+    Variable(f_measured, "1 for an accepted tooth, else 0", within=Interval(0, 1), latex=("f_0",)),
     Variable(place, "place in the tolerance field, from its upper end", within=Interval.open(0, 1)),
-    Variable(sigma_tip, "standard deviation of the tip diameter", LENGTH, POSITIVE),
+    Variable(
+        sigma_tip, "standard deviation of the tip diameter", LENGTH, POSITIVE, latex=(r"\sigma_d",)
+    ),
     Variable(sigma_height, "standard deviation of the gauge in height", LENGTH, POSITIVE),
     Variable(sigma_thickness, "standard deviation of the gauge in thickness", LENGTH, POSITIVE),
     Variable(above, "from the expected reading of a tooth to the upper limit", LENGTH),
@@ -89,5 +126,14 @@ VARIABLES = (
     Variable(clearance, "guaranteed side clearance", LENGTH, Interval(0, oo)),
     Variable(tip_tolerance, "tolerance of the tip diameter", LENGTH, POSITIVE),
     Variable(interval, "interval measure of the gauge's uncertainty", LENGTH, POSITIVE),
+    Variable(
+        micrometre, "a thousandth of it", LENGTH, given=millimetre / 1000, latex=(r"\mu\mathrm{m}",)
+    ),
     Variable(gauge_um, "standard deviation of the gauge in um", within=POSITIVE),
 )
+# Letters printed twice: Delta S_c of (1) is the thickness that follows from the height.
+NOTATION = Notation(
+    factors=("m", "mz", "t_c"),
+    scopes=(Scope(rows=("(1)",), names={r"\Delta S_c": ds_height}),),
+)
+READER = Reader(VARIABLES, NOTATION)

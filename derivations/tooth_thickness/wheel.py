@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from sympy import Expr, Rational, S, pi, sqrt
 
+from mechproof.record import Equation
+
 from .geometry import across
-from .symbols import VARIABLES, alpha, m, z
+from .symbols import READER, VARIABLES, alpha, dh, m, z
 
 PROFILE_ANGLE = pi / 9
 MODULE, TEETH = 3, 50
 WHEEL = {m: S(MODULE), z: S(TEETH), alpha: PROFILE_ANGLE}
-PRINTED_INFLUENCE = Rational("0.7284")
+EQUATION_1 = Equation("(1), influence 0.7284", r"\Delta S_c=0.7284\,\Delta h")
+PRINTED_INFLUENCE = READER.members(EQUATION_1)[1].coeff(dh)
 DECREASE_UM, TOLERANCE_UM, GAUGE_UM, K_PRINTED = 12, 45, 50, 6
 RECOMMENDED_UM = 2
 
