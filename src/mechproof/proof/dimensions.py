@@ -9,6 +9,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import sympy as sp
+from sympy.matrices.expressions.matexpr import MatrixElement
 
 from mechproof.record import NUMBER, Definition, Dimension, Equality, Paper, Statement
 
@@ -35,6 +36,8 @@ def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
         return known.get(expression.base, NUMBER)
     if expression.is_Symbol:
         return known.get(expression, NUMBER)
+    if isinstance(expression, MatrixElement):
+        return known.get(expression.parent, NUMBER)
     if isinstance(expression, sp.Add):
         return _common(expression.args, known)
     if isinstance(expression, sp.Mul):
