@@ -7,12 +7,15 @@ import dataclasses
 import pytest
 from sympy import Interval, Rational, oo
 
-from mechproof.derivations.tooth_thickness import PAPER, influence, shares, symbols
+from mechproof.derivation import find_systems, load_paper, packaged_directory
+from mechproof.derivations.tooth_thickness import influence, shares, symbols
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Part, PrintedNumber, Row
+
+PAPER = load_paper(find_systems(packaged_directory())["tooth_thickness"])
 
 
 def row(number: str) -> Row:

@@ -9,8 +9,8 @@ import pytest
 import sympy as sp
 
 from mechproof.codegen.forms import form_rows
+from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.derivations.wedge_linkage import (
-    PAPER,
     boundaries,
     mechanics,
     prints,
@@ -25,6 +25,8 @@ from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, Form, Paper, Toleranced
+
+PAPER = load_paper(find_systems(packaged_directory())["wedge_linkage"])
 
 
 @cache
@@ -182,6 +184,6 @@ OTHER_CASES = {
 def test_a_wrong_case_is_refuted(cases: str) -> None:
     quantity = next(q for q in PAPER.quantities if q.name == "roller_lever_angle")
     form = next(f for f in quantity.forms if f.key == "printed")
-    expression = sp.Piecewise(*OTHER_CASES[cases], (sp.nan, True)).subs(R, symbols.PRINTED_R)
+    expression = sp.Piecewise(*OTHER_CASES[cases], (sp.nan, True)).subs(R, prints.PRINTED_R)
     wrong = dataclasses.replace(form, expression=expression)
     assert judge_form(with_form("roller_lever_angle", wrong)) is Verdict.REFUTED

@@ -2,11 +2,12 @@
 
 from mechproof.record import Paper
 
-from . import chain, conditioning, proofs, sizes, steps, symbols
+from . import chain, conditioning, proofs, sizes, steps, variables
 from .equations import EQUATION_ROWS
 from .kernels import QUANTITIES
 from .sizes import FIRST_SET, SECOND_SET
 from .structure import STRUCTURE_ROWS
+from .symbols import NOTATION
 from .table import SIZE_ROWS
 from .tolerances import RANGE_ROWS
 from .transfer import TRANSFER_ROWS
@@ -18,13 +19,14 @@ PAPER = Paper(
         "doi 10.15593/2224-9982/2021.64.07"
     ),
     variables=(
-        *symbols.VARIABLES,
+        *variables.VARIABLES,
         *steps.VARIABLES,
         *chain.VARIABLES,
         *conditioning.VARIABLES,
         *proofs.VARIABLES,
         *sizes.VARIABLES,
     ),
+    notation=NOTATION,
     rows=(*STRUCTURE_ROWS, *EQUATION_ROWS, *TRANSFER_ROWS, *SIZE_ROWS, *RANGE_ROWS),
     quantities=QUANTITIES,
     published=(FIRST_SET, SECOND_SET),

@@ -18,11 +18,9 @@ from mechproof.record import (
 
 from .._relations import less, not_above
 from .mechanics import driven
-from .prints import print_1, print_3, print_10
+from .prints import PRINTED_Q, PRINTED_R, print_1, print_3, print_10
 from .sizes import FIRST_SET, SECOND_SET
 from .symbols import (
-    PRINTED_Q,
-    PRINTED_R,
     Q,
     alpha_DE,
     alpha_KL,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 from sympy import sqrt
 
@@ -10,9 +12,7 @@ from mechproof.record import (
     Completion,
     Completions,
     Conjunction,
-    Definition,
     Equality,
-    Equation,
     Part,
     Reading,
 )
@@ -34,10 +34,6 @@ from .mechanics import (
     direction_tau,
     displacement,
     driven,
-    from_a_to_d,
-    from_d_to_g,
-    from_h_to_l,
-    from_l_to_p,
     group_1,
     group_2,
     group_3,
@@ -47,23 +43,37 @@ from .mechanics import (
     lever_cosine,
     lever_sine,
     rod,
-    sine_of_tau,
     wedge,
 )
 from .prints import (
+    EQUATION_1,
+    EQUATION_2_OX,
+    EQUATION_2_OY,
+    EQUATION_3,
+    EQUATION_4,
+    EQUATION_5,
+    EQUATION_6_OX,
+    EQUATION_6_OY,
+    EQUATION_7,
+    EQUATION_8,
+    EQUATION_9_OX,
+    EQUATION_9_OY,
+    EQUATION_10,
+    EQUATION_Q,
+    EQUATION_R,
+    GROUP_1,
+    GROUP_1_OX,
+    GROUP_1_OY,
+    GROUP_2,
+    GROUP_4,
+    PRINTED_Q,
+    PRINTED_R,
     print_1,
-    print_2_ox,
-    print_2_oy,
     print_3,
     print_6_ox,
-    print_6_oy,
     print_7,
     print_8,
-    print_9_ox,
-    print_9_oy,
     print_10,
-    print_ox1,
-    print_oy1,
 )
 from .proofs import push_by
 from .symbols import (
@@ -72,10 +82,10 @@ from .symbols import (
     HL,
     LP,
     POSITIVE,
-    PRINTED_Q,
-    PRINTED_R,
+    Q,
     R,
     alpha_KL,
+    apart,
     kappa,
     l_AB,
     l_BC,
@@ -85,54 +95,43 @@ from .symbols import (
     overlap,
     phi2,
     phi3,
-    sigma,
+    phi7,
     tau,
     x1,
     x5,
     x5_driven,
+    y9,
 )
 
-
-def introduce(vector: tuple[sp.Symbol, ...], closing: sp.Matrix) -> Conjunction:
-    """Introduce the projections of the vector that closes a polygon."""
-    return Conjunction(tuple(map(Definition, vector, closing)))
-
+PUSHED = {x5_driven: driven.subs(overlap, x5 - l_GH)}
 
 EQUATION_ROWS = (
-    Equation(
-        "group 1",
-        r"\vec{AB}+\vec{BC}+\vec{CD}=\vec{AD}",
-        introduce(AD, from_a_to_d),
+    replace(
+        GROUP_1,
+        defines=(AD,),
         note="A polygon of any four points closes; AD, from A on the pusher to the fixed D, is "
         "what closes it. Judged are its projections.",
     ),
-    Equation(
-        "group 1, Ox",
-        r"l_{AB}\cos(\pi+\varphi_3)+(l_{BC}+\delta_{BC})\cos(\varphi_3+\tfrac{3\pi}2)"
-        r"+l_{CD}\cos(\pi+\varphi_3)=-(l_{CD}+l_{AB}+x_1)",
-        Equality(print_ox1, group_1[0]),
+    replace(
+        GROUP_1_OX,
+        residual=group_1[0],
         note="Left minus right against the turned vectors minus AD.",
     ),
-    Equation(
-        "group 1, Oy",
-        r"l_{AB}\sin(\pi+\varphi_3)+(l_{BC}+\delta_{BC})\sin(\varphi_3+\tfrac{3\pi}2)"
-        r"+l_{CD}\sin(\pi+\varphi_3)=-l_{BC}",
-        Equality(print_oy1, group_1[1]),
+    replace(
+        GROUP_1_OY,
+        residual=group_1[1],
         note="The last pi of the left side is lost in print.",
         marks=("rebuilt",),
     ),
-    Equation(
-        "(1), Q",
-        r"Q=\left[l_{BC}^4+x_1l_{BC}^2(2l_{CD}+2l_{AB}+x_1)\right]^{1/2}",
-        Equality(PRINTED_Q, l_BC * sqrt(guide_squared)),
+    replace(
+        EQUATION_Q,
+        derived={Q: l_BC * sqrt(guide_squared)},
         note="Q is l_BC (l_BC + delta_BC); the exponents are rebuilt.",
         marks=("rebuilt",),
     ),
-    Equation(
-        "(1)",
-        r"\varphi_3(x_1)=\arctan\frac{-(x_1+l_{AB})Q+l_{CD}(l_{BC}^2-Q)+l_{BC}^2l_{AB}}"
-        r"{l_{BC}\left[(l_{AB}+l_{CD})(l_{AB}+l_{CD}+x_1)+Q\right]}",
-        Equality(print_1, lever_angle),
+    replace(
+        EQUATION_1,
+        derived={phi3: lever_angle},
         note="Against the two-argument arctangent of the solved projections. Beyond a right angle "
         "of the lever, which no size within its limits reaches, it is off by pi; the next row says "
         "exactly where.",
@@ -163,49 +162,40 @@ EQUATION_ROWS = (
         "inside (-pi, pi), so no turn is lost, wherever the radicand is not negative.",
         marks=("ours",),
     ),
-    Equation(
-        "group 2",
-        r"\vec{DE}+\vec{EF}+\vec{FG}=\vec{DG}",
-        introduce(DG, from_d_to_g),
+    replace(
+        GROUP_2,
+        defines=(DG,),
         note="See group 1; DG, from the fixed D to the guide of the rod.",
     ),
-    Equation(
-        "(2), Ox",
-        r"l_{DE}\cos(\alpha_{DE}+\varphi_3)+l_{EF}=l_{DE}\cos\alpha_{DE}+l_{EF}+x_5",
-        Equality(print_2_ox, group_2[0]),
+    replace(
+        EQUATION_2_OX,
+        residual=group_2[0],
     ),
-    Equation(
-        "(2), Oy",
-        r"l_{DE}\sin(\alpha_{DE}+\varphi_3)+\delta_{FG}=l_{DE}\sin\alpha_{DE}",
-        Equality(print_2_oy, group_2[1]),
+    replace(
+        EQUATION_2_OY,
+        residual=group_2[1],
     ),
-    Equation(
-        "(3)",
-        r"x_5(\varphi_3)=l_{DE}\left[\cos(\alpha_{DE}+\varphi_3)-\cos\alpha_{DE}\right]",
-        Equality(print_3, rod),
+    replace(
+        EQUATION_3,
+        derived={x5: rod},
         marks=("rebuilt",),
     ),
-    Equation(
-        "(4), before contact",
-        r"x_{5'}=0\text{ if }x_5<l_{G'H''}",
-        Equality(sp.S.Zero, driven),
-        on=Part("x5 < l_G'H''", {overlap: sp.Interval.open(-sp.oo, 0)}),
-        note="A link that is only pushed.",
+    replace(
+        EQUATION_4,
+        number="(4), before contact",
+        derived=PUSHED,
+        substituted={x5: l_GH - apart},
+        note="A link that is only pushed; x5 is short of the clearance by apart > 0.",
         marks=("rebuilt",),
     ),
-    Equation(
-        "(4), in contact",
-        r"x_{5'}=x_5-l_{G'H''}\text{ if }x_5>l_{G'H''}",
-        Equality(x5 - l_GH, driven),
-        on=Part("x5 > l_G'H''", {overlap: POSITIVE}),
-        marks=("rebuilt",),
-    ),
-    Claim(
-        "(4), start of contact",
-        r"x_5=l_{G'H''}",
-        Equality((x5 - l_GH).subs(x5, l_GH), sp.S.Zero),
-        note="Both branches give 0 there, so that < and <= say the same.",
-        marks=("uncertain", "ours"),
+    replace(
+        EQUATION_4,
+        number="(4), in contact",
+        derived=PUSHED,
+        substituted={x5: l_GH + apart},
+        note="x5 exceeds the clearance. At the start of contact, which is in neither case, both "
+        "give 0, so that < and <= would say the same.",
+        marks=("rebuilt", "uncertain"),
     ),
     Claim(
         "(4), argument",
@@ -217,16 +207,14 @@ EQUATION_ROWS = (
         note="Printed three times, where all else has the lever's angle.",
         marks=("rebuilt", "uncertain"),
     ),
-    Equation(
-        "(5)",
-        r"\vec{HI}+\vec{IK}+\vec{KL}=\vec{HL}",
-        introduce(HL, from_h_to_l),
+    replace(
+        EQUATION_5,
+        defines=(HL,),
         note="See group 1; HL, from H on the link 5' to the fixed L. Its projections are (6).",
     ),
-    Equation(
-        "(6), Ox",
-        r"l_{KL}\cos(\alpha_{KL}+\varphi_7)=l_{KL}\cos\alpha_{KL}-x_5",
-        Equality(print_6_ox, group_3[0].subs(x5_driven, x5 - l_GH)),
+    replace(
+        EQUATION_6_OX,
+        residual=group_3[0].subs(x5_driven, x5 - l_GH),
         note="In contact, the link 5' lags behind the rod by the clearance. The print may have "
         "lost a prime.",
         readings=(
@@ -237,39 +225,33 @@ EQUATION_ROWS = (
         ),
         marks=("inferred", "uncertain"),
     ),
-    Equation(
-        "(6), Oy",
-        r"\delta_{HI}+l_{KL}\sin(\alpha_{KL}+\varphi_7)=l_{KL}\sin\alpha_{KL}",
-        Equality(print_6_oy, group_3[1]),
+    replace(
+        EQUATION_6_OY,
+        residual=group_3[1],
     ),
-    Equation(
-        "(7)",
-        r"\varphi_7(x_5)=-\alpha_{KL}+\arctan\frac{(l_{KL}^2-R^2)^{1/2}}{R},\ R>0",
-        Equality(print_7.subs(R, l_KL * cosine_of_tau), direction_tau - alpha_KL),
+    replace(
+        EQUATION_7,
+        derived={phi7: direction_tau - alpha_KL},
+        substituted={R: l_KL * cosine_of_tau},
         on=FIRST_QUADRANT,
         note="R, the projection of KL, by the direction 2 arctan(tau) of KL.",
         marks=("rebuilt", "inferred"),
     ),
-    Equation(
-        "(8)",
-        r"\varphi_7(x_5)=\pi-\alpha_{KL}+\arctan\frac{(l_{KL}^2-R^2)^{1/2}}{R},\ R<0",
-        Equality(print_8.subs(R, l_KL * cosine_of_sigma), direction_sigma - alpha_KL),
+    replace(
+        EQUATION_8,
+        derived={phi7: direction_sigma - alpha_KL},
+        substituted={R: l_KL * cosine_of_sigma},
         on=SECOND_QUADRANT,
         note="R, the projection of KL, by the direction pi - 2 arctan(sigma) of KL.",
         marks=("rebuilt", "inferred"),
     ),
-    Claim(
-        "(7) and (8), R",
-        r"R=l_{KL}\cos\alpha_{KL}-x_5",
-        Conjunction(
-            (
-                Equality(PRINTED_R.subs(x5, displacement[tau]), l_KL * cosine_of_tau),
-                Equality(PRINTED_R.subs(x5, displacement[sigma]), l_KL * cosine_of_sigma),
-                Equality(sqrt(l_KL**2 - (l_KL * cosine_of_tau) ** 2), l_KL * sine_of_tau),
-            )
-        ),
-        note="R is the projection of KL on Ox, the root that on Oy, so |R| <= l_KL; R = 0 lies "
-        "in neither formula. x5 is that of the link 5'.",
+    replace(
+        EQUATION_R,
+        derived={R: l_KL * cosine_of_tau},
+        substituted={x5: displacement[tau]},
+        note="R is the projection of KL on Ox, so |R| <= l_KL; R = 0 lies in neither formula. x5 "
+        "is that of the link 5'.",
+        marks=("inferred",),
     ),
     Claim(
         "(7) and (8), one form",
@@ -283,26 +265,22 @@ EQUATION_ROWS = (
         ),
         marks=("ours",),
     ),
-    Equation(
-        "group 4",
-        r"\vec{LM}+\vec{MN}+\vec{NP}=\vec{LP}",
-        introduce(LP, from_l_to_p),
+    replace(
+        GROUP_4,
+        defines=(LP,),
         note="See group 1; LP, from the fixed L to the guide of the wedge.",
     ),
-    Equation(
-        "(9), Ox",
-        r"l_{LM}\cos(\alpha_{LM}+\varphi_7)+\delta_{PN}=l_{LM}\cos\alpha_{LM}",
-        Equality(print_9_ox, group_4[0]),
+    replace(
+        EQUATION_9_OX,
+        residual=group_4[0],
     ),
-    Equation(
-        "(9), Oy",
-        r"l_{LM}\sin(\alpha_{LM}+\varphi_7)=l_{LM}\sin\alpha_{LM}+y_9",
-        Equality(print_9_oy, group_4[1]),
+    replace(
+        EQUATION_9_OY,
+        residual=group_4[1],
     ),
-    Equation(
-        "(10)",
-        r"y_9(\varphi_7)=l_{LM}\left[\sin(\varphi_7+\alpha_{LM})-\sin\alpha_{LM}\right]",
-        Equality(print_10, wedge),
+    replace(
+        EQUATION_10,
+        derived={y9: wedge},
         marks=("rebuilt",),
     ),
     Claim(

@@ -8,21 +8,8 @@ from sympy import cos, sin, sqrt
 from mechproof.record import Part
 
 from .mechanics import displacement, sine_of_tau
-from .symbols import (
-    PRINTED_R,
-    alpha_KL,
-    height,
-    kappa,
-    l_AB,
-    l_BC,
-    l_CD,
-    l_KL,
-    radicand,
-    sigma,
-    tau,
-    x1,
-    x5,
-)
+from .prints import PRINTED_R
+from .symbols import alpha_KL, height, kappa, l_AB, l_BC, l_CD, l_KL, radicand, sigma, tau, x1, x5
 
 half_3 = -x1 / (l_BC + sqrt(radicand))
 half_7 = x5 / (l_KL * sin(alpha_KL) + height)

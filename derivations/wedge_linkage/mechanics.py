@@ -6,6 +6,18 @@ import sympy as sp
 from sympy import cos, pi, sin, sqrt
 
 from .symbols import (
+    AB,
+    BC,
+    CD,
+    DE,
+    EF,
+    FG,
+    HI,
+    IK,
+    KL,
+    LM,
+    MN,
+    NP,
     alpha_DE,
     alpha_KL,
     alpha_LM,
@@ -100,3 +112,22 @@ displacement = {
 from_l_to_p = l_LM * towards(alpha_LM) + l_MN * -UP + l_NP * RIGHT + y9 * UP
 group_4 = l_LM * towards(alpha_LM + phi7) + l_MN * -UP + (l_NP + dPN) * RIGHT - from_l_to_p
 wedge = sp.solve(group_4[1], y9)[0]
+
+# The sides of the polygons, displaced.
+SIDES = {
+    side: sp.ImmutableDenseMatrix(value)
+    for side, value in {
+        AB: turn(phi3) * (l_AB * -RIGHT),
+        BC: turn(phi3) * (guide * -UP),
+        CD: turn(phi3) * (l_CD * -RIGHT),
+        DE: l_DE * towards(alpha_DE + phi3),
+        EF: l_EF * RIGHT,
+        FG: (l_FG + dFG) * UP,
+        HI: (l_HI + dHI) * UP,
+        IK: l_IK * RIGHT,
+        KL: l_KL * towards(alpha_KL + phi7),
+        LM: l_LM * towards(alpha_LM + phi7),
+        MN: l_MN * -UP,
+        NP: (l_NP + dPN) * RIGHT,
+    }.items()
+}

@@ -32,13 +32,11 @@ from .mechanics import (
     rod,
     sine_of_tau,
 )
-from .prints import print_10
+from .prints import PRINTED_Q, PRINTED_R, print_10
 from .slopes import roller_slopes
 from .steps import gain, guide_length, push, run
 from .symbols import (
     POSITIVE,
-    PRINTED_Q,
-    PRINTED_R,
     Q,
     R,
     alpha_KL,

@@ -29,7 +29,7 @@ from .conditioning import (
     singular_arm,
 )
 from .half_angles import BEFORE_PIVOT, MOVABLE
-from .prints import print_1, print_1_bottom, print_1_top, print_3, print_10
+from .prints import PRINTED_R, print_1, print_1_bottom, print_1_top, print_3, print_10
 from .proofs import (
     NOT_UPRIGHT,
     UPWARD,
@@ -41,7 +41,6 @@ from .proofs import (
 )
 from .steps import guide_sum
 from .symbols import (
-    PRINTED_R,
     R,
     alpha_DE,
     alpha_KL,

@@ -7,9 +7,9 @@ varphi_i are displacements and rotations from the position x1 = 0; lengths in mm
 from __future__ import annotations
 
 import sympy as sp
-from sympy import cos, pi, sqrt
+from sympy import pi
 
-from mechproof.record import LENGTH, Variable
+from mechproof.record import LENGTH, Notation, Variable
 
 x1, x5, y9 = sp.symbols("x1 x5 y9", real=True)
 x5_driven = sp.Symbol("x5'", real=True)
@@ -30,8 +30,29 @@ reach, h3, height, h7 = sp.symbols("reach h3 height h7", positive=True)
 error, stage_ratio = sp.symbols("Delta k", positive=True)
 own_error = sp.Symbol("delta", nonnegative=True)
 alpha_1, alpha_2 = sp.symbols("alpha_1 alpha_2", real=True)
-AD, DG, HL, LP = (sp.symbols(f"{v}_x {v}_y", real=True) for v in ("AD", "DG", "HL", "LP"))
+AB, BC, CD, AD, DE, EF, FG, DG, HI, IK, KL, HL, LM, MN, NP, LP = (
+    sp.MatrixSymbol(name, 2, 1)
+    for name in [
+        "AB",
+        "BC",
+        "CD",
+        "AD",
+        "DE",
+        "EF",
+        "FG",
+        "DG",
+        "HI",
+        "IK",
+        "KL",
+        "HL",
+        "LM",
+        "MN",
+        "NP",
+        "LP",
+    ]
+)
 beyond = sp.Symbol("beyond", real=True)
+apart = sp.Symbol("apart", positive=True)
 
 POSITIVE = sp.Interval.open(0, sp.oo)
 LENGTHS = {
@@ -67,31 +88,34 @@ ROTATIONS = {
     alpha_DE: "direction of DE at x1 = 0",
     alpha_LM: "direction of LM at x1 = 0",
 }
-PRINTED_Q = sqrt(l_BC**4 + x1 * l_BC**2 * (2 * l_CD + 2 * l_AB + x1))
-PRINTED_R = l_KL * cos(alpha_KL) - x5
 radicand = l_BC**2 + x1 * (2 * (l_AB + l_CD) + x1)
 
-VARIABLES = (
-    *(Variable(s, meaning, LENGTH, POSITIVE) for s, meaning in LENGTHS.items()),
-    *(Variable(s, meaning, LENGTH) for s, meaning in DISPLACEMENTS.items()),
-    *(Variable(s, meaning) for s, meaning in ROTATIONS.items()),
-    Variable(alpha_KL, "direction of KL at x1 = 0", within=sp.Interval.open(0, pi)),
-    Variable(tau, "tangent of half the direction of KL", within=sp.Interval(0, sp.oo)),
-    Variable(sigma, "cotangent of half the direction of KL", within=sp.Interval(0, sp.oo)),
-    Variable(kappa, "tangent of half of alpha_KL", within=sp.Interval(0, sp.oo)),
-    Variable(Q, "l_BC times the present length of BC", LENGTH**2, given=PRINTED_Q),
-    Variable(overlap, "x5 less the clearance", LENGTH, given=x5 - l_GH),
-    Variable(reach, "present length of BC", LENGTH, POSITIVE),
-    Variable(h3, "sum of both lengths of BC", LENGTH, POSITIVE),
-    Variable(h7, "sum of both heights of K over L", LENGTH, POSITIVE),
-    Variable(height, "height of K over L", LENGTH, POSITIVE),
-    Variable(guide_square, "square of the present length of BC", LENGTH**2, given=radicand),
-    Variable(height_square, "square of the height", LENGTH**2, given=l_KL**2 - PRINTED_R**2),
-    Variable(R, "projection of KL on Ox", LENGTH),
-    Variable(error, "error that a stage takes in, in amount", LENGTH, POSITIVE),
-    Variable(stage_ratio, "ratio of a stage, in amount", within=POSITIVE),
-    Variable(own_error, "error that a stage adds, in amount", LENGTH, sp.Interval(0, sp.oo)),
-    *(Variable(a, "a direction of KL at x1 = 0") for a in (alpha_1, alpha_2)),
-    *(Variable(v, "projection of a vector", LENGTH) for v in (*AD, *DG, *HL, *LP)),
-    Variable(beyond, "half of what varphi7 exceeds pi - 2 alpha_KL by"),
+# How they are printed. The lengths are printed as they are called here.
+LATEX = {
+    **{s: (f"l_{{{str(s)[2:]}}}",) for s in LENGTHS if str(s).startswith("l_")},
+    **{s: (rf"\delta_{{{str(s)[6:]}}}",) for s in (dBC, dFG, dHI, dPN)},
+    **{s: (rf"\alpha_{{{str(s)[6:]}}}",) for s in (alpha_DE, alpha_KL, alpha_LM)},
+    l_GH: ("l_{G'H''}", "l_{G'H'}", "l_{GH'}"),
+    x1: ("x_1",),
+    x5: ("x_5", r"x_5(\varphi_3)", r"x_5(\varphi_2)"),
+    x5_driven: ("x_{5'}", "x_{5'}(x_5)"),
+    y9: ("y_9", r"y_9(\varphi_7)"),
+    phi3: (r"\varphi_3", r"\varphi_3(x_1)"),
+    phi7: (r"\varphi_7", r"\varphi_7(x_5)"),
+    Q: ("Q",),
+    R: ("R",),
+}
+PRINTED_VARIABLES = (
+    *(Variable(s, text, LENGTH, POSITIVE, latex=LATEX.get(s, ())) for s, text in LENGTHS.items()),
+    *(Variable(s, text, LENGTH, latex=LATEX[s]) for s, text in DISPLACEMENTS.items()),
+    *(Variable(s, text, latex=LATEX.get(s, ())) for s, text in ROTATIONS.items()),
+    Variable(
+        alpha_KL,
+        "direction of KL at x1 = 0",
+        within=sp.Interval.open(0, pi),
+        latex=LATEX[alpha_KL],
+    ),
+    Variable(R, "projection of KL on Ox", LENGTH, latex=LATEX[R]),
 )
+LENGTH_OF_Q = Variable(Q, "l_BC times the present length of BC", LENGTH**2, latex=LATEX[Q])
+NOTATION = Notation(factors=tuple(name for s in LENGTHS for name in LATEX.get(s, ())))

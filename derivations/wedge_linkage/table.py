@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from sympy import Rational
 
-from mechproof.record import Claim, Completion, Completions, Conjunction, Definition, Holds
+from mechproof.record import Claim, Completion, Completions, Conjunction, Datum, Definition, Holds
 
 from .boundaries import radicand_of
 from .sizes import ANGLES, DEVIATION_SYMBOLS, DEVIATIONS, LEGIBLE, LEGIBLE_ANGLES, LOST, unit
@@ -23,9 +23,9 @@ def define_deviations(size: sp.Symbol) -> tuple[Definition, ...]:
     return tuple(Definition(symbol, measured(size, text)) for symbol, text in texts if text)
 
 
-def datum_row(symbol: sp.Symbol, latex: str, value: str, note: str, uncertain: bool) -> Claim:
+def datum_row(symbol: sp.Symbol, latex: str, value: str, note: str, uncertain: bool) -> Datum:
     """Record a size of the table, as far as it is legible."""
-    return Claim(
+    return Datum(
         f"sizes, {symbol}",
         latex,
         Conjunction((Definition(symbol, measured(symbol, value)), *define_deviations(symbol))),
@@ -38,7 +38,7 @@ SIZE_ROWS = (
     *(datum_row(*row) for row in LEGIBLE),
     *(datum_row(*row, "", False) for row in LEGIBLE_ANGLES),
     *(
-        Claim(
+        Datum(
             f"sizes, {symbol}",
             latex,
             Conjunction(define_deviations(symbol)),
