@@ -68,7 +68,7 @@ DOMAIN = (
         "0 < R1 < oo",
         ("R1",),
         lambda R1: (R1 > 0) & is_finite(R1),
-        ("ratio", "position", "acceleration"),
+        ("ratio", "position", "acceleration", "largest_ratio", "smallest_ratio"),
     ),
     Condition(
         "R2",
@@ -85,7 +85,11 @@ DOMAIN = (
         ("ratio", "position", "acceleration", "largest_ratio", "smallest_ratio"),
     ),
     Condition(
-        "R2", "R2 < R1", ("R1", "R2"), lambda R1, R2: R2 < R1, ("ratio", "position", "acceleration")
+        "R2",
+        "R2 < R1",
+        ("R1", "R2"),
+        lambda R1, R2: R2 < R1,
+        ("ratio", "position", "acceleration", "largest_ratio", "smallest_ratio"),
     ),
 )
 PUBLISHED = (
@@ -131,7 +135,7 @@ def ratio(
 
     Notes
     -----
-    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
+    Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy: 8 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (phi1 = 0 or
     1e-290 <= |phi1|).
@@ -203,7 +207,7 @@ def position(
 
     Notes
     -----
-    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
+    Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Where e <= 1/2 for all elements, half-angle atan is computed.
 
@@ -292,7 +296,7 @@ def acceleration(
 
     Notes
     -----
-    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1.
+    Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy: 8 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (phi1 = 0 or
     1e-290 <= |phi1|) and (e = 0 or 1e-200 <= e).
@@ -365,8 +369,7 @@ def largest_ratio(
 
     Notes
     -----
-    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1; 0 < R1, R1 < oo, R2 < R1 is not
-    checked.
+    Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy: 3 eps of the value.
 
@@ -374,9 +377,9 @@ def largest_ratio(
 
     """
     R1, R2, e = as_floats(R1=R1, R2=R2, e=e)
-    inside = (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1)
-    R2, e = nan_outside(inside, R2, e)
-    return in_blocks(_largest_ratio, (R1,), _prepare_largest_ratio, (R2, e), out=out, quiet=True)
+    inside = (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
+    R1, R2, e = nan_outside(inside, R1, R2, e)
+    return in_blocks(_largest_ratio, (R1,), _prepare_largest_ratio, (R2, e), out=out)
 
 
 def _prepare_largest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -417,8 +420,7 @@ def smallest_ratio(
 
     Notes
     -----
-    Domain: 0 < R1 < oo, 0 < R2 < oo, 0 <= e < 1, R2 < R1; 0 < R1, R1 < oo, R2 < R1 is not
-    checked.
+    Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy: 3 eps of the value.
 
@@ -426,9 +428,9 @@ def smallest_ratio(
 
     """
     R1, R2, e = as_floats(R1=R1, R2=R2, e=e)
-    inside = (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1)
-    R2, e = nan_outside(inside, R2, e)
-    return in_blocks(_smallest_ratio, (R1,), _prepare_smallest_ratio, (R2, e), out=out, quiet=True)
+    inside = (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
+    R1, R2, e = nan_outside(inside, R1, R2, e)
+    return in_blocks(_smallest_ratio, (R1,), _prepare_smallest_ratio, (R2, e), out=out)
 
 
 def _prepare_smallest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:

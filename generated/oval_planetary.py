@@ -145,7 +145,7 @@ def ratio(
 
     Notes
     -----
-    Domain: 0 <= e1 < 1, 0 <= e2 < 1.
+    Domain: 0 <= e1, e2 < 1.
 
     Accuracy: 8 eps of the larger of 1 and W, and what the roundings of y make of it.
 
@@ -220,7 +220,7 @@ def position(
 
     Notes
     -----
-    Domain: 0 <= e1 < 1, 0 <= e2 < 1.
+    Domain: 0 <= e1, e2 < 1.
 
     Accuracy: 4 eps of the value or its largest term, and what the roundings of y make of it,
     where (phi1 = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or
@@ -296,7 +296,7 @@ def acceleration(
 
     Notes
     -----
-    Domain: 0 <= e1 < 1, 0 <= e2 < 1.
+    Domain: 0 <= e1, e2 < 1.
 
     Accuracy: 10 eps of the value or its largest term, and what the roundings of y make of it,
     where (phi1 = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or
@@ -393,7 +393,7 @@ def ratio_cylindrical(
 
     Notes
     -----
-    Domain: 0 < R4 < oo, 0 < R5 < oo, 0 <= e2 < 1.
+    Domain: 0 < R4, R5 < oo, 0 <= e2 < 1.
 
     Accuracy: 8 eps of the larger of 1 and 1 - value, and what eps*x makes of it, where |x| <=
     2**26.
@@ -465,7 +465,7 @@ def position_cylindrical(
 
     Notes
     -----
-    Domain: 0 < R4 < oo, 0 < R5 < oo, 0 <= e2 < 1.
+    Domain: 0 < R4, R5 < oo, 0 <= e2 < 1.
 
     Where R4*e2 <= (1 - e2)*|R4 - R5| for all elements, half-angle atan is computed.
 
@@ -559,7 +559,7 @@ def acceleration_cylindrical(
 
     Notes
     -----
-    Domain: 0 < R4 < oo, 0 < R5 < oo, 0 <= e2 < 1.
+    Domain: 0 < R4, R5 < oo, 0 <= e2 < 1.
 
     Accuracy: 8 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (e2 = 0 or
     phi1 = 0 or 1/2**960 <= e2*|phi1|) and (e2 = 0 or 1/2**660 <= e2).

@@ -53,6 +53,19 @@ __all__ = [
 
 DOMAIN = (
     Condition(
+        "m",
+        "0 < m < oo",
+        ("m",),
+        lambda m: (m > 0) & is_finite(m),
+        (
+            "constant_chord",
+            "chord_height",
+            "height_change",
+            "thickness_change",
+            "linearisation_bound",
+        ),
+    ),
+    Condition(
         "alpha",
         "0 < alpha < pi/4",
         ("alpha",),
@@ -66,13 +79,6 @@ DOMAIN = (
             "linearisation_bound",
             "thickness_error",
         ),
-    ),
-    Condition(
-        "m",
-        "0 < m < oo",
-        ("m",),
-        lambda m: (m > 0) & is_finite(m),
-        ("height_change", "thickness_change", "linearisation_bound"),
     ),
     Condition(
         "z",
@@ -117,7 +123,7 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
 
     Notes
     -----
-    Domain: 0 < m < oo, 0 < alpha < pi/4; 0 < m, m < oo is not checked.
+    Domain: 0 < m < oo, 0 < alpha < pi/4.
 
     Accuracy: 4 eps of the value.
 
@@ -125,9 +131,9 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
 
     """
     m, alpha = as_floats(m=m, alpha=alpha)
-    inside = (alpha > 0) & (alpha < np.pi / 4)
-    (alpha,) = nan_outside(inside, alpha)
-    return in_blocks(_constant_chord, (m,), _prepare_constant_chord, (alpha,), out=out, quiet=True)
+    inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+    m, alpha = nan_outside(inside, m, alpha)
+    return in_blocks(_constant_chord, (m,), _prepare_constant_chord, (alpha,), out=out)
 
 
 def _prepare_constant_chord(alpha: Any) -> tuple[Any, ...]:
@@ -162,7 +168,7 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
 
     Notes
     -----
-    Domain: 0 < m < oo, 0 < alpha < pi/4; 0 < m, m < oo is not checked.
+    Domain: 0 < m < oo, 0 < alpha < pi/4.
 
     Accuracy: 3 eps of the value.
 
@@ -170,9 +176,9 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
 
     """
     m, alpha = as_floats(m=m, alpha=alpha)
-    inside = (alpha > 0) & (alpha < np.pi / 4)
-    (alpha,) = nan_outside(inside, alpha)
-    return in_blocks(_chord_height, (m,), _prepare_chord_height, (alpha,), out=out, quiet=True)
+    inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+    m, alpha = nan_outside(inside, m, alpha)
+    return in_blocks(_chord_height, (m,), _prepare_chord_height, (alpha,), out=out)
 
 
 def _prepare_chord_height(alpha: Any) -> tuple[Any, ...]:

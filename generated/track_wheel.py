@@ -65,6 +65,7 @@ from mechproof.kernel_support.arrays import (
     in_blocks,
     is_finite,
     nan_outside,
+    quietly,
     split_components,
     store,
     sum_axes,
@@ -87,7 +88,13 @@ __all__ = [
 ]
 
 DOMAIN = (
-    Condition("R", "0 < R < oo", ("R",), lambda R: (R > 0) & is_finite(R), ("radius", "track")),
+    Condition(
+        "R",
+        "0 < R < oo",
+        ("R",),
+        lambda R: (R > 0) & is_finite(R),
+        ("radius", "track", "largest_radius", "smallest_radius"),
+    ),
     Condition(
         "z",
         "1 <= z < oo, z = floor(z)",
@@ -97,10 +104,10 @@ DOMAIN = (
     ),
     Condition(
         "A",
-        "A <= R, |A| <= R",
+        "|A| <= R",
         ("R", "A"),
-        lambda R, A: (A <= R) & (np.abs(A) <= R),
-        ("radius", "track"),
+        lambda R, A: np.abs(A) <= R,
+        ("radius", "track", "largest_radius", "smallest_radius"),
     ),
     Condition("H", "0 < H < oo", ("H",), lambda H: (H > 0) & is_finite(H), ("track",)),
     Condition(
@@ -401,7 +408,7 @@ def radius(
 
     Notes
     -----
-    Domain: 0 < R < oo, 1 <= z < oo, z = floor(z), A <= R, |A| <= R (A of either sign).
+    Domain: 0 < R < oo, 1 <= z < oo, z = floor(z), |A| <= R (A of either sign).
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
@@ -413,13 +420,7 @@ def radius(
     """
     phi, R, A, z = as_floats(phi=phi, R=R, A=A, z=z)
     inside = (
-        (R > 0)
-        & is_finite(R)
-        & (z >= 1)
-        & is_finite(z)
-        & (z == np.floor(z))
-        & (A <= R)
-        & (np.abs(A) <= R)
+        (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == np.floor(z)) & (np.abs(A) <= R)
     )
     R, A, z = nan_outside(inside, R, A, z)
     return in_blocks(_radius, (phi,), _prepare_radius, (R, A, z), out=out)
@@ -479,8 +480,7 @@ def track(
 
     Notes
     -----
-    Domain: 0 < R < oo, 0 < H < oo, 1 <= z < oo, z = floor(z), A <= R, |A| <= R (A of either
-    sign).
+    Domain: 0 < R, H < oo, 1 <= z < oo, z = floor(z), |A| <= R (A of either sign).
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
@@ -499,7 +499,6 @@ def track(
         & (z >= 1)
         & is_finite(z)
         & (z == np.floor(z))
-        & (A <= R)
         & (np.abs(A) <= R)
     )
     R, A, z, H = nan_outside(inside, R, A, z, H)
@@ -548,8 +547,7 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
 
     Notes
     -----
-    Domain: 0 < R < oo, A <= R, |A| <= R (A of either sign); 0 < R, R < oo, A <= R, |A| <= R is
-    not checked.
+    Domain: 0 < R < oo, |A| <= R (A of either sign).
 
     Accuracy: 0.5 eps of the value.
 
@@ -557,7 +555,9 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
 
     """
     R, A = as_floats(R=R, A=A)
-    return in_blocks(_largest_radius, (R,), _prepare_largest_radius, (A,), out=out, quiet=True)
+    inside = (R > 0) & is_finite(R) & (np.abs(A) <= R)
+    R, A = nan_outside(inside, R, A)
+    return in_blocks(_largest_radius, (R,), _prepare_largest_radius, (A,), out=out)
 
 
 def _prepare_largest_radius(A: Any) -> tuple[Any, ...]:
@@ -592,8 +592,7 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
 
     Notes
     -----
-    Domain: 0 < R < oo, A <= R, |A| <= R (A of either sign); 0 < R, R < oo, A <= R, |A| <= R is
-    not checked.
+    Domain: 0 < R < oo, |A| <= R (A of either sign).
 
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
@@ -603,7 +602,9 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
 
     """
     R, A = as_floats(R=R, A=A)
-    return in_blocks(_smallest_radius, (R,), _prepare_smallest_radius, (A,), out=out, quiet=True)
+    inside = (R > 0) & is_finite(R) & (np.abs(A) <= R)
+    R, A = nan_outside(inside, R, A)
+    return in_blocks(_smallest_radius, (R,), _prepare_smallest_radius, (A,), out=out)
 
 
 def _prepare_smallest_radius(A: Any) -> tuple[Any, ...]:
@@ -655,9 +656,11 @@ def error_sum_correlated(
 
     Notes
     -----
-    Domain: 0 < total_scatter < oo, 0 < scatters[i] < oo, -1 <= correlation[i,j] <= 1, 0 <=
-    tolerances[i] < oo, correlation[i,i] = 1, correlation[i,j] = correlation[j,i] (a symmetric
-    matrix with ones on its diagonal).
+    Domain: 0 < total_scatter, scatters[i] < oo, -1 <= correlation[i,j] <= 1, 0 <= tolerances[i]
+    < oo, correlation[i,i] = 1, correlation[i,j] = correlation[j,i], 0 <= Sum[i=1..n,
+    j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*sensitivities[j]*
+    tolerances[i]*tolerances[j]) (a symmetric matrix with ones on its diagonal that gives no
+    negative square).
 
     Singular: Sum[i=1..n, j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*
     sensitivities[j]*tolerances[i]*tolerances[j]) = 0, rounding may leave the sum negative and
@@ -695,29 +698,30 @@ def error_sum_correlated(
         & np.all(is_finite(scatters), axis=-1)
         & np.all(correlation >= -1, axis=(-2, -1))
         & np.all(correlation <= 1, axis=(-2, -1))
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
         & np.all(np.diagonal(correlation, axis1=-2, axis2=-1) == 1, axis=-1)
         & np.all(correlation == np.swapaxes(correlation, -1, -2), axis=(-2, -1))
+        & np.all(tolerances >= 0, axis=-1)
+        & np.all(is_finite(tolerances), axis=-1)
     )
     (total_scatter,) = nan_outside(inside, total_scatter)
 
-    return store(
-        np.sqrt(
-            np.sum(
-                sensitivities[..., :, np.newaxis]
-                * sensitivities[..., np.newaxis, :]
-                * correlation
-                * scatters[..., :, np.newaxis]
-                * scatters[..., np.newaxis, :]
-                * tolerances[..., :, np.newaxis]
-                * tolerances[..., np.newaxis, :],
-                axis=(-2, -1),
+    with quietly():
+        return store(
+            np.sqrt(
+                np.sum(
+                    sensitivities[..., :, np.newaxis]
+                    * sensitivities[..., np.newaxis, :]
+                    * correlation
+                    * scatters[..., :, np.newaxis]
+                    * scatters[..., np.newaxis, :]
+                    * tolerances[..., :, np.newaxis]
+                    * tolerances[..., np.newaxis, :],
+                    axis=(-2, -1),
+                )
             )
+            / total_scatter,
+            out,
         )
-        / total_scatter,
-        out,
-    )
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (5) with sensitivities
@@ -754,8 +758,8 @@ def error_sum(
 
     Notes
     -----
-    Domain: 0 < total_scatter < oo, 0 < scatters[i] < oo, 0 <= tolerances[i] < oo (tolerances
-    from zero on).
+    Domain: 0 < total_scatter, scatters[i] < oo, 0 <= tolerances[i] < oo (tolerances from zero
+    on).
 
     Squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to 1e50
     they may leave the range of doubles, and the result is infinite, NaN or too small.
@@ -835,9 +839,9 @@ def error_sum_thermal(
 
     Notes
     -----
-    Domain: 0 < total_scatter < oo, 0 < scatters[i] < oo, 0 < thermal_scatter < oo, 0 <=
-    tolerances[i] < oo, 0 <= thermal_share < oo, thermal_scatter*thermal_share < total_scatter
-    (the temperature error below the total).
+    Domain: 0 < total_scatter, scatters[i], thermal_scatter < oo, 0 <= tolerances[i],
+    thermal_share < oo, thermal_scatter*thermal_share < total_scatter (the temperature error
+    below the total).
 
     Squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to 1e50
     they may leave the range of doubles, and the result is infinite, NaN or too small.
@@ -869,11 +873,11 @@ def error_sum_thermal(
         & np.all(is_finite(scatters), axis=-1)
         & (thermal_scatter > 0)
         & is_finite(thermal_scatter)
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
         & (thermal_share >= 0)
         & is_finite(thermal_share)
         & (thermal_share * thermal_scatter < total_scatter)
+        & np.all(tolerances >= 0, axis=-1)
+        & np.all(is_finite(tolerances), axis=-1)
     )
     total_scatter, thermal_share, thermal_scatter = nan_outside(
         inside, total_scatter, thermal_share, thermal_scatter

@@ -16,6 +16,16 @@ ValueError: shapes do not broadcast or a last axis is wrong, or `out` has anothe
 
 Accuracy is the bound of the error that the tests hold; eps = 2**-52.
 
+Symbols of the formulas:
+
+    BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
+    turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
+    travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
+    driven_5 = Max(0, travel_5 - l_GH)
+    KL_x = l_KL*cos(alpha_KL) - driven_5
+    turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
+    engaged = Piecewise((0, travel_5 < l_GH), (1, True))
+
     |value| + sum of |p * d value/d p| over the arguments p (guide_radicand) = 2*l_BC**2 +
         2*l_AB*|x1| + 2*l_CD*|x1| + |x1*(2*l_AB + 2*l_CD + 2*x1)| + |l_BC**2 + x1*(2*l_AB +
         2*l_CD + x1)|
@@ -195,7 +205,7 @@ def guide_radicand(
 
     Notes
     -----
-    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo.
+    Domain: 0 < l_AB, l_BC, l_CD < oo.
 
     Accuracy: 2.5 eps of |value| + sum of |p * d value/d p| over the arguments p.
 
@@ -253,11 +263,15 @@ def lever_angle(
 
     Notes
     -----
-    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo (the guide follows the pusher).
+    Domain: 0 < l_AB, l_BC, l_CD < oo (the guide follows the pusher).
 
     NaN where guide_radicand is negative.
 
-    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p.
+    The conditioning |value| + sum of |p * d value/d p|: guide_condition of guide_square =
+    guide_radicand.
+
+    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, where
+    guide_condition/2**48 < guide_square.
 
     Source: Bazuev et al. 2021, equation (1).
 
@@ -461,7 +475,11 @@ def roller_lever_angle(
 
     NaN where |roller_offset| > l_KL.
 
-    Accuracy: 16 eps of |value| + sum of |p * d value/d p| over the arguments p.
+    The conditioning |value| + sum of |p * d value/d p|: height_condition of height_square =
+    l_KL**2 - roller_offset**2.
+
+    Accuracy: 16 eps of |value| + sum of |p * d value/d p| over the arguments p, where
+    height_condition/2**48 < height_square.
 
     Source: Bazuev et al. 2021, equations (7) and (8).
 
@@ -571,11 +589,8 @@ def position(
     """Compute the displacement y9 of the wedge, the whole chain.
 
         position = l_LM*(sin(alpha_LM + turn_7) - sin(alpha_LM))
-        turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
-        travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
-        driven_5 = Max(0, travel_5 - l_GH)
-        KL_x = l_KL*cos(alpha_KL) - driven_5
-        turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
+
+    Symbols without an equation here: see the module.
 
     Parameters
     ----------
@@ -608,12 +623,16 @@ def position(
 
     Notes
     -----
-    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo, 0 < l_DE < oo, 0 < l_GH < oo, 0 < l_KL
-    < oo, 0 < l_LM < oo, 0 < alpha_KL < pi (the linkage closes).
+    Domain: 0 < l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM < oo, 0 < alpha_KL < pi (the linkage
+    closes).
 
     NaN where guide_radicand is negative or |roller_offset| > l_KL.
 
-    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact.
+    The conditioning |value| + sum of |p * d value/d p|: guide_condition of guide_square =
+    guide_radicand, roller_condition of KL_x + l_KL in contact.
+
+    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact,
+    where guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -727,9 +746,9 @@ def _position(
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
-# Expressions sha256: b9c07c9c80a9362a30f46a843b7cc6ef7e48ecb0195ae865ab0f9dbbe87b149c
+# Expressions sha256: 1922dcce4f5fd29a7a7e97544e46afcb0698324d16a7fcf8a800ed27eebe439b
 # Form: half-angle chain
-# Operations: 71
+# Operations: 73
 def velocity(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -749,13 +768,8 @@ def velocity(
 
         velocity = engaged*l_DE*l_LM*sin(alpha_DE + turn_3)*cos(turn_3)*cos(alpha_LM +
             turn_7)/(BC_length*l_KL*sin(alpha_KL + turn_7))
-        BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
-        turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
-        travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
-        driven_5 = Max(0, travel_5 - l_GH)
-        KL_x = l_KL*cos(alpha_KL) - driven_5
-        turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
-        engaged = Piecewise((0, travel_5 < l_GH), (1, True))
+
+    Symbols without an equation here: see the module.
 
     Parameters
     ----------
@@ -788,18 +802,21 @@ def velocity(
 
     Notes
     -----
-    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo, 0 < l_DE < oo, 0 < l_GH < oo, 0 < l_KL
-    < oo, 0 < l_LM < oo, 0 < alpha_KL < pi (the linkage closes and is at no dead centre).
+    Domain: 0 < l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM < oo, 0 < alpha_KL < pi (the linkage
+    closes and is at no dead centre).
 
     Singular: travel_5 = l_GH, the start of contact: derivatives jump, here they are those in
     contact.
 
     NaN where guide_radicand is negative or |roller_offset| > l_KL.
 
-    The rod's travel_condition is |travel_5| + sum of |p * d travel_5/d p| over the arguments p.
+    The conditioning |value| + sum of |p * d value/d p|: run_condition of travel_5,
+    guide_condition of guide_square = guide_radicand, roller_condition of KL_x + l_KL in
+    contact.
 
     Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact,
-    where travel_condition/2**48 < |l_GH - travel_5|.
+    where run_condition/2**48 < |l_GH - travel_5| and guide_condition/2**48 < guide_square and
+    roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -903,7 +920,7 @@ def _velocity(
     guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
     guide_sum = guide_length + l_BC
     lever_square = guide_sum**2 + x1**2
-    cos_lever = (guide_sum + x1) * (guide_sum - x1) / lever_square
+    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = np.maximum(0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
@@ -912,16 +929,16 @@ def _velocity(
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = choose_where(run < l_GH, 0, l_LM / rise * cos_wedge)
+    gain = cos_wedge * choose_where(run < l_GH, 0, l_LM) / rise
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
 
     return l_DE / guide_length * cos_lever * gain * sin_arm
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
-# Expressions sha256: 098eea19f5280918190d7786dba72782e3dc63a0c0ef79b928be58785805cdca
+# Expressions sha256: a89b4a9344c8eb7b4abba2baf383ffa8bce6ce44422654ab1223258302760cdf
 # Form: half-angle chain
-# Operations: 112
+# Operations: 114
 def sensitivities(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -955,13 +972,8 @@ def sensitivities(
             turn_7)/(l_KL*sin(alpha_KL + turn_7))]
         [engaged*l_LM*(sin(alpha_KL)/sin(alpha_KL + turn_7) - 1)*cos(alpha_LM + turn_7)]
         [engaged*l_LM*(cos(alpha_LM + turn_7) - cos(alpha_LM))]
-        BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
-        turn_3 = -2*atan(x1/(l_BC + sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))))
-        travel_5 = l_DE*(cos(alpha_DE + turn_3) - cos(alpha_DE))
-        driven_5 = Max(0, travel_5 - l_GH)
-        KL_x = l_KL*cos(alpha_KL) - driven_5
-        turn_7 = atan2(sqrt(l_KL**2 - KL_x**2), KL_x) - alpha_KL
-        engaged = Piecewise((0, travel_5 < l_GH), (1, True))
+
+    Symbols without an equation here: see the module.
 
     Parameters
     ----------
@@ -994,19 +1006,21 @@ def sensitivities(
 
     Notes
     -----
-    Domain: 0 < l_AB < oo, 0 < l_BC < oo, 0 < l_CD < oo, 0 < l_DE < oo, 0 < l_GH < oo, 0 < l_KL
-    < oo, 0 < l_LM < oo, 0 < alpha_KL < pi (the linkage closes and is at no dead centre).
+    Domain: 0 < l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM < oo, 0 < alpha_KL < pi (the linkage
+    closes and is at no dead centre).
 
     Singular: travel_5 = l_GH, the start of contact: derivatives jump, here they are those in
     contact.
 
     NaN where guide_radicand is negative or |roller_offset| > l_KL.
 
-    The rod's travel_condition is |travel_5| + sum of |p * d travel_5/d p| over the arguments p.
+    The conditioning |value| + sum of |p * d value/d p|: run_condition of travel_5,
+    guide_condition of guide_square = guide_radicand, roller_condition of KL_x + l_KL in
+    contact.
 
     Accuracy: 8 eps of norm over the entries (each keeps its own) of |value| + sum of |p * d
-    value/d p| over the arguments p, in contact, where travel_condition/2**48 < |l_GH -
-    travel_5|.
+    value/d p| over the arguments p, in contact, where run_condition/2**48 < |l_GH - travel_5|
+    and guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -1122,8 +1136,8 @@ def _sensitivities(
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = choose_where(run < l_GH, 0, l_LM / rise * cos_wedge)
-    cos_lever = (guide_sum + x1) * (guide_sum - x1) / lever_square
+    gain = cos_wedge * choose_where(run < l_GH, 0, l_LM) / rise
+    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
     term = -2 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared
 

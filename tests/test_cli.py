@@ -46,11 +46,11 @@ def test_rows_have_the_stated_fields(tmp_path: Path) -> None:
     target = tmp_path / "rows.json"
     result = run("verify", str(write(tmp_path, PROVED)), "--json", str(target))
     assert result.exit_code == 0, result.output
-    (row,) = json.loads(target.read_text(encoding="utf-8"))
+    (row,) = json.loads(target.read_text(encoding="utf-8"))["rows"]
     assert row.keys() == FIELDS
     assert (row["system"], row["number"], row["kind"]) == ("mine", "(1)", "equation")
     assert (row["verdict"], row["read_as"], row["marks"]) == ("PROVED", "", ["as typed"])
-    assert "mine, printed: 1 PROVED" in result.output
+    assert "mine, printed equations: 1 PROVED" in result.output
 
 
 @pytest.mark.parametrize(("reason", "status"), [("", 1), (', stays_open="no gamma rung"', 0)])
@@ -238,7 +238,7 @@ def test_what_the_encoding_cannot_hold_is_replaced(
     done = in_process("verify", str(file), "--json", str(target), **variables)
     assert done.returncode == 0, done.stderr
     assert "Traceback" not in done.stderr
-    assert [row["number"] for row in json.loads(target.read_bytes())] == ["(1)", "(\u03c6)"]
+    assert [row["number"] for row in json.loads(target.read_bytes())["rows"]] == ["(1)", "(\u03c6)"]
 
 
 def test_json_is_written_before_anything_is_printed(
@@ -250,7 +250,7 @@ def test_json_is_written_before_anything_is_printed(
     monkeypatch.setattr("mechproof.cli.commands.print_ledger", fail)
     target = tmp_path / "rows.json"
     run("verify", str(write(tmp_path, PROVED)), "--json", str(target))
-    assert len(json.loads(target.read_bytes())) == 1
+    assert len(json.loads(target.read_bytes())["rows"]) == 1
 
 
 def test_a_plain_install_is_told_what_it_lacks(tmp_path: Path) -> None:

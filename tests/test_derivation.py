@@ -10,12 +10,12 @@ import pytest
 from mechproof.derivation import (
     DerivationError,
     find_systems,
-    load_directory,
     load_paper,
     load_part,
     packaged_directory,
 )
 from mechproof.record import RESERVED, Paper
+from mechproof.verification import judge_derivations
 
 SHARED = 'CITATION = "my notes"\n'
 PAPER = "from mechproof.record import Paper\n"
@@ -57,7 +57,7 @@ def test_a_system_has_one_home(tmp_path: Path) -> None:
 
 
 def test_relative_imports_work_in_any_folder(tmp_path: Path) -> None:
-    papers = list(load_directory(write_folder(tmp_path)))
+    papers = [load_paper(place) for place in find_systems(write_folder(tmp_path)).values()]
     assert [(p.system, p.citation) for p in papers] == [(s, "my notes") for s in ("large", "small")]
 
 
@@ -164,7 +164,7 @@ def test_what_does_not_exist_is_said(tmp_path: Path) -> None:
 def test_two_papers_of_one_name_are_refused(tmp_path: Path) -> None:
     text = f'{PAPER}PAPER = Paper("same", "", (), ())\n'
     with pytest.raises(DerivationError, match=r"other\.py: its paper has the name 'same'"):
-        list(load_directory(write(tmp_path, mine=text, other=text)))
+        judge_derivations(list(find_systems(write(tmp_path, mine=text, other=text)).values()))
 
 
 @pytest.mark.parametrize(

@@ -52,7 +52,7 @@ LOADED = {
         *("mechproof.codegen", "mechproof.proof", "mechproof.record"),
     },
     "lab": {
-        *("numpy", "sympy", "flint", "matplotlib", "typer", "rich"),
+        *("numpy", "sympy", "flint", "matplotlib"),
         *("mechproof.lab", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
         *("mechproof.kernel_support", "mechproof.derivation", "mechproof.measured"),
     },

@@ -55,9 +55,8 @@ def load(file: Path) -> ModuleType:
 def test_the_misprint_is_found_standing_in_the_folder(workshop: Path) -> None:
     done = run(workshop, "verify", "--json", "rows.json")
     assert done.returncode == 0, done.stderr
-    verdicts = {
-        row["number"]: row["verdict"] for row in json.loads((workshop / "rows.json").read_text())
-    }
+    rows = json.loads((workshop / "rows.json").read_text())["rows"]
+    verdicts = {row["number"]: row["verdict"] for row in rows}
     assert verdicts["(1)"] == verdicts["(3)"] == "PROVED"
     assert verdicts["(2)"] == "REFUTED"
     assert verdicts["kernel position"] == verdicts["kernel ratio"] == "PROVED"

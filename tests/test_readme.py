@@ -50,7 +50,7 @@ def test_the_example_module_is_verified(tmp_path: Path) -> None:
     file.write_text(module, encoding="utf-8")
     result = CliRunner().invoke(app, ["verify", str(file), "--json", str(tmp_path / "rows.json")])
     assert result.exit_code == 0, result.output
-    rows = json.loads((tmp_path / "rows.json").read_text(encoding="utf-8"))
+    rows = json.loads((tmp_path / "rows.json").read_text(encoding="utf-8"))["rows"]
     assert [row["verdict"] for row in rows] == ["PROVED", "REFUTED"]
     assert "corrected form: PROVED" in str(rows[1]["evidence"])
 

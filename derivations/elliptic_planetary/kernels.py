@@ -43,6 +43,7 @@ from .paper import (
     e,
     k,
     largest,
+    nearest,
     nu,
     phi1,
     phi5,
@@ -249,13 +250,13 @@ QUANTITIES = (
             Form("x + 2 atan2, 1 - e cos x", position_closed, key="atan2"),
             Form(
                 "x + 2 atan2, no cancellation",
-                (1 + k) * phi1 + 2 * atan2(e * sin(x), (1 - e) + 2 * e * sin(x / 2) ** 2),
+                (1 + k) * phi1 + 2 * atan2(e * sin(x), nearest + 2 * e * sin(x / 2) ** 2),
                 key="atan2_stable",
             ),
             Form(
                 "tan-half, by hand",
                 (1 + k) * phi1
-                + 2 * atan(2 * e * HALF_TANGENT / ((1 - e) + (1 + e) * HALF_TANGENT**2)),
+                + 2 * atan(2 * e * HALF_TANGENT / (nearest + (1 + e) * HALF_TANGENT**2)),
                 key="tan_half",
             ),
             *map(fourier, (2, 4, 8)),

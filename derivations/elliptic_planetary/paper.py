@@ -79,7 +79,7 @@ phi1 = Symbol("phi1", real=True)
 R1, R2 = symbols("R1 R2", positive=True)
 e = Symbol("e", real=True)
 a, rho = symbols("a rho", real=True)
-phi5, k, x, a1, b1 = symbols("phi5 k x a1 b1", real=True)
+phi5, k, x, a1, b1, nearest = symbols("phi5 k x a1 b1 nearest", real=True)
 omega1, omega3 = symbols("omega1 omega3", real=True)
 VC, VD, AC, BC, BD, CD, DE = symbols("V_C V_D AC BC BD CD DE", real=True)
 at_b, at_c, at_d = symbols("s_B s_C s_D", real=True)
@@ -127,6 +127,7 @@ VARIABLES = (
     ),
     Variable(a1, "1 + e^2", given=1 + e**2, latex=("a_1",)),
     Variable(b1, "2 e", given=2 * e, latex=("b_1",)),
+    Variable(nearest, "least focal distance over a, a sum of its own", given=1 - e),
     Variable(
         rho,
         "radius CD",

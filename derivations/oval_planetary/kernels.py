@@ -52,6 +52,7 @@ from .paper import (
     mount,
     mount_counted,
     mu,
+    nearest,
     nu,
     pair_ratio,
     phi1,
@@ -540,7 +541,7 @@ QUANTITIES = (
             Form("atan2, 1 - e cos x", (1 - k) * phi1 - LEAD, key="atan2"),
             Form(
                 "atan2, no cancellation",
-                (1 - k) * phi1 - sp.atan2(e2 * sp.sin(x), (1 - e2) + 2 * e2 * sp.sin(x / 2) ** 2),
+                (1 - k) * phi1 - sp.atan2(e2 * sp.sin(x), nearest + 2 * e2 * sp.sin(x / 2) ** 2),
                 key="atan2_stable",
             ),
             Form(

@@ -36,8 +36,8 @@ alpha, beta, gamma, delta = sp.symbols("alpha beta gamma delta", real=True)
 alpha_double, beta_double, gamma_double = sp.symbols(
     "alpha_double beta_double gamma_double", real=True
 )
-both, less, swing, lever, shift, rise, y = sp.symbols(
-    "both less swing lever shift rise y", real=True
+both, less, swing, lever, shift, rise, y, nearest = sp.symbols(
+    "both less swing lever shift rise y nearest", real=True
 )
 phi6_closed, phi6_counted, mount_counted = sp.symbols("phi6 phi6_counted mount_counted", real=True)
 lam, mu = sp.symbols("lambda mu", positive=True)
@@ -115,6 +115,7 @@ VARIABLES = (
     Variable(rise, "gamma/(1 - e2)", given=lever * (1 + e1) * sp.cos(mount)),
     Variable(swing, "both - less", given=2 * (e1 + e2)),
     Variable(y, "what the turn of wheel 6 adds", given=shift + rise * sp.tan(phi1)),
+    Variable(nearest, "least focal distance over a, a sum of its own", given=1 - e2),
     Variable(lam, "alpha, any positive number", within=POSITIVE),
     Variable(mu, "beta, any positive number", within=POSITIVE),
     Variable(nu, "gamma, any real number"),

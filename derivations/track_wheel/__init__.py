@@ -5,7 +5,7 @@ the part, (8)-(15); part three is the track and what the displacement does to it
 Table 1 and the figures. Rows marked `ours` are not printed in the paper.
 """
 
-from sympy import Ge
+from sympy import Abs, Le
 
 from mechproof.record import Paper
 
@@ -25,7 +25,7 @@ PAPER = Paper(
     rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + TABLE_ROWS,
     quantities=POSES + TRACKS + SUMS,
     published=(TABLE_1,),
-    where=(Ge(radius, amplitude),),
+    where=(Le(Abs(amplitude), radius),),
     conventions="Lengths in mm, angles in radians, turns counter-clockwise positive. The matrices "
     "give coordinates in the turned frame. Letters that the paper uses twice are kept apart: K "
     "(scatter coefficient) and the matrix K, A (amplitude) and the matrix A, z (number of "

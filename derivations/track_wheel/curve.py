@@ -16,8 +16,9 @@ from mechproof.record import (
     Variable,
 )
 
+from .._relations import less, not_above
 from .errors import dummy
-from .notation import coordinates, lengths, less, not_above, positive, real
+from .notation import coordinates, lengths, positive, real
 
 radius, ball_radius, thickness, millimetre = positive("R r_b H_s mm")
 (amplitude,) = real("A")

@@ -41,9 +41,13 @@ SOLVED = sp.sqrt(SQUARES) / sp.sqrt(scatter**2 - (k_thermal * share) ** 2)
 NONNEGATIVE = sp.Interval(0, sp.oo)
 ANY_TOLERANCES = Part("tolerances from zero on", {tolerances: NONNEGATIVE})
 CORRELATION_MATRIX = Part(
-    "a symmetric matrix with ones on its diagonal",
+    "a symmetric matrix with ones on its diagonal that gives no negative square",
     {tolerances: NONNEGATIVE},
-    (sp.Eq(correlations[i, i], 1), sp.Eq(correlations[i, j], correlations[j, i])),
+    (
+        sp.Eq(correlations[i, i], 1),
+        sp.Eq(correlations[i, j], correlations[j, i]),
+        sp.Ge(DOUBLE_SUM, 0),
+    ),
 )
 SOLVABLE = Part(
     "the temperature error below the total",

@@ -21,7 +21,7 @@ RADIUS = printed_radius(THETA)
 # Seen from the pole the points of the circle lie between these, whatever the sign of A.
 LARGEST, SMALLEST = radius + sp.Abs(amplitude), radius - sp.Abs(amplitude)
 TRACK = sp.ImmutableDenseMatrix([RADIUS * sp.cos(phi), RADIUS * sp.sin(phi), thickness])
-SHIFTED_INSIDE = Part("A of either sign", {amplitude: sp.S.Reals}, (sp.Abs(amplitude) <= radius,))
+SHIFTED_INSIDE = Part("A of either sign", {amplitude: sp.S.Reals})
 turns = sp.Symbol("turns", integer=True)
 root, rho = sp.symbols("root rho", real=True)
 

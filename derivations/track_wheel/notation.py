@@ -1,10 +1,10 @@
-"""How the modules of the paper write symbols, variables and relations."""
+"""How the modules of the paper write symbols and variables."""
 
 from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import LENGTH, Holds, Variable
+from mechproof.record import LENGTH, Variable
 
 POSITIVE = sp.Interval.open(0, sp.oo)
 UNIT_INTERVAL = sp.Interval(-1, 1)
@@ -38,13 +38,3 @@ def coefficients(meanings: dict[sp.Symbol | sp.IndexedBase, str]) -> tuple[Varia
 def coordinates(meanings: dict[sp.Symbol, str]) -> tuple[Variable, ...]:
     """Lengths of either sign."""
     return tuple(Variable(s, meaning, LENGTH) for s, meaning in meanings.items())
-
-
-def less(small: sp.Expr, large: sp.Expr) -> Holds:
-    """`small` < `large`, left for the ladder to decide."""
-    return Holds(sp.Lt(small, large, evaluate=False))
-
-
-def not_above(small: sp.Expr, large: sp.Expr) -> Holds:
-    """`small` <= `large`, left for the ladder to decide."""
-    return Holds(sp.Le(small, large, evaluate=False))

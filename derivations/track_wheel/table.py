@@ -16,6 +16,7 @@ from mechproof.record import (
     Row,
 )
 
+from .._relations import less, not_above
 from .curve import (
     PRINTED_16,
     PRINTED_17,
@@ -58,7 +59,6 @@ from .frame import (
     first_order_remainder,
     gamma,
 )
-from .notation import less, not_above
 
 PRINTED_VALUES = {
     symbol: sp.Rational(printed)

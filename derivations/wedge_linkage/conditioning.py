@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import sympy as sp
-from sympy import Abs, Eq, Rational, pi, sqrt
+from sympy import Abs, Eq, Rational, cos, pi, sqrt
 
 from mechproof.record import LENGTH, Accuracy, Argument, Part, Scale, Singular, Variable
 
 from .chain import MEANT, SIZES, chain_slope
 from .half_angles import BEFORE_PIVOT, MOVABLE
+from .prints import PRINTED_R
 from .proofs import NOT_UPRIGHT, UPWARD
 from .symbols import (
     DISPLACEMENTS,
@@ -29,6 +30,7 @@ from .symbols import (
     l_KL,
     phi3,
     phi7,
+    radicand,
     x1,
     x5,
 )
@@ -114,9 +116,14 @@ def condition(value: sp.Expr, inputs: Iterable[sp.Symbol]) -> sp.Expr:
     return Abs(value) + sp.Add(*(Abs(s * chain_slope(value, s)) for s in inputs))
 
 
-def conditioned(ulp: float, value: sp.Expr, inputs: Iterable[sp.Symbol]) -> Accuracy:
+def conditioned(
+    ulp: float,
+    value: sp.Expr,
+    inputs: Iterable[sp.Symbol],
+    within: tuple[sp.Basic, ...] = (),
+) -> Accuracy:
     """Bound the error by the conditioning of a value."""
-    return Accuracy(ulp, Scale(CONDITION, condition(value, inputs)))
+    return Accuracy(ulp, Scale(CONDITION, condition(value, inputs)), within)
 
 
 def conditioned_in_contact(
@@ -149,19 +156,42 @@ ROLLER_ULP = 16
 # last quotient 5: 22 if every step counted in full. Each has only its own share of the scale, and
 # searches find less than 1 here; 8 leaves room for a sine that is 4 off. The same for derivatives.
 CHAIN_ULP = 8
-# At the clearance's edge a derivative jumps, so that its conditioning is infinite: the rounded run
-# of the rod, off by at most ROD_ULP eps of its own conditioning, tells whether there is contact.
-ROD_ULP = 16
-travel_condition = sp.Symbol("travel_condition", real=True)
-VARIABLES = (
-    Variable(
-        travel_condition,
-        "conditioning of the rod's displacement",
+# At the clearance's edge a derivative jumps; where the guide or the roller lever can just follow
+# it has a pole, and beyond there is NaN. On which side the inputs are is known from EDGE_ULP eps
+# on: the run of the rod, both squares and l_KL + KL_x are computed with less than a third of that,
+# of which a pole like 1/sqrt makes no more than 1.4 times the first order.
+EDGE_ULP = 16
+OF_RUN = (x1, l_AB, l_BC, l_CD, l_DE, alpha_DE)
+EDGES = {
+    "run_condition": (MEANT.travel, OF_RUN, LENGTH),
+    "guide_condition": (radicand, (x1, l_AB, l_BC, l_CD), LENGTH**2),
+    "height_condition": (l_KL**2 - PRINTED_R**2, (x5, l_KL, alpha_KL), LENGTH**2),
+    "roller_condition": (
+        l_KL * (1 + cos(alpha_KL)) - (MEANT.travel - l_GH),
+        (*OF_RUN, l_GH, l_KL, alpha_KL),
         LENGTH,
-        given=condition(MEANT.travel, (x1, l_AB, l_BC, l_CD, l_DE, alpha_DE)),
     ),
+}
+SIDES = {name: sp.Symbol(name, real=True) for name in EDGES}
+VARIABLES = tuple(
+    Variable(SIDES[name], "conditioning of an edge", dimension, given=condition(value, inputs))
+    for name, (value, inputs, dimension) in EDGES.items()
 )
-OFF_THE_EDGE = Abs(MEANT.travel - l_GH) > ROD_ULP * EPS * travel_condition
-TRAVEL_CONDITION = (
-    "the rod's travel_condition is |travel_5| + sum of |p * d travel_5/d p| over the arguments p"
-)
+
+
+def beside(gap: sp.Expr, name: str) -> sp.Basic:
+    """State that a gap from an edge is wider than what the kernels make of the inputs."""
+    return gap > EDGE_ULP * EPS * SIDES[name]
+
+
+GUIDED = (beside(guide_square, "guide_condition"),)
+LIFTED = (beside(height_square, "height_condition"),)
+LINKED = (*GUIDED, beside(l_KL + MEANT.offset, "roller_condition"))
+PUSHING = (beside(Abs(MEANT.travel - l_GH), "run_condition"), *LINKED)
+CONDITIONING = "the conditioning |value| + sum of |p * d value/d p|"
+OF_GUIDE = "guide_condition of guide_square = guide_radicand"
+OF_ROLLER = f"{OF_GUIDE}, roller_condition of KL_x + l_KL in contact"
+GUIDE_EDGE = f"{CONDITIONING}: {OF_GUIDE}"
+HEIGHT_EDGE = f"{CONDITIONING}: height_condition of height_square = l_KL**2 - roller_offset**2"
+LINK_EDGES = f"{CONDITIONING}: {OF_ROLLER}"
+ALL_EDGES = f"{CONDITIONING}: run_condition of travel_5, {OF_ROLLER}"

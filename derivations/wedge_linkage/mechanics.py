@@ -114,7 +114,7 @@ group_4 = l_LM * towards(alpha_LM + phi7) + l_MN * -UP + (l_NP + dPN) * RIGHT - 
 wedge = sp.solve(group_4[1], y9)[0]
 
 # The sides of the polygons, displaced.
-SIDES = {
+POLYGON_SIDES = {
     side: sp.ImmutableDenseMatrix(value)
     for side, value in {
         AB: turn(phi3) * (l_AB * -RIGHT),

@@ -34,7 +34,7 @@ from .mechanics import (
 )
 from .prints import PRINTED_Q, PRINTED_R, print_10
 from .slopes import roller_slopes
-from .steps import gain, guide_length, push, run
+from .steps import cos_lever, gain, guide_length, push, run
 from .symbols import (
     POSITIVE,
     Q,
@@ -49,6 +49,7 @@ from .symbols import (
     phi7,
     reach,
     tau,
+    x1,
     x5,
 )
 
@@ -62,6 +63,8 @@ ANGLES = {
     MEANT.engaged: sp.S.One,
     extended: reach,
 }
+# cos(turn_3) by its half-angle, in x1 and the present length of BC.
+COS_LEVER = ((l_BC + reach) ** 2 - x1**2) / ((l_BC + reach) ** 2 + x1**2)
 SLOPE = (sp.diff(print_10, phi7) * roller_slopes[x5]).subs(phi7, MEANT.roller)
 VARIABLES = (
     Variable(excess, "run of the rod beyond the clearance", LENGTH, sp.Interval(0, sp.oo)),
@@ -221,10 +224,13 @@ def slopes_in_contact(definition: sp.Basic) -> Callable[[Written], Statement]:
     def states(code: Written) -> Statement:
         before = code.output(run).subs(run, l_GH - lack)
         slope = code.step(gain, run, push).subs(run, l_GH + excess).subs(push, x5)
-        form = code.output(push, gain, guide_length).subs({push: x5, guide_length: reach})
+        form = code.output(push, gain, guide_length, cos_lever).subs(
+            {push: x5, guide_length: reach, cos_lever: COS_LEVER}
+        )
         return Conjunction(
             (
                 *up_to_push(code),
+                Equality(code.step(cos_lever), COS_LEVER.subs(reach, LINKS[extended])),
                 Equality(before, definition * 0),
                 Equality(slope, of_link(SLOPE)),
                 # Equal entries, those of l_AB and l_CD, are stated once.

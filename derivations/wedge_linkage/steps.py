@@ -37,11 +37,13 @@ STEPS = {
     rise: sqrt((to_right + push) * (to_left - push)),
     rise_sum: start_height + rise,
     roller_square: rise_sum**2 + push**2,
-    cos_lever: (guide_sum - x1) * (guide_sum + x1) / lever_square,
+    # guide_sum**2 - x1**2 without the difference of near values far to the left.
+    cos_lever: 2 * (l_BC * guide_sum + arm * x1) / lever_square,
     sin_arm: cos_lever * sin_DE - 2 * guide_sum * x1 * cos_DE / lever_square,
     cos_wedge: ((rise_sum - push) * (rise_sum + push) * cos_LM - 2 * rise_sum * push * sin_LM)
     / roller_square,
-    gain: Piecewise((0, run < l_GH), (l_LM * cos_wedge / rise, True)),
+    # A product, so that NaN of an angle stays NaN before contact.
+    gain: Piecewise((0, run < l_GH), (l_LM, True)) * cos_wedge / rise,
 }
 LENGTH_STEPS = {
     **dict.fromkeys((arm, guide_length, guide_sum, run, push, rise, rise_sum), 1),

@@ -8,7 +8,7 @@ import sympy as sp
 
 from mechproof.record import LENGTH, Variable
 
-from .mechanics import SIDES
+from .mechanics import POLYGON_SIDES
 from .prints import PRINTED_Q, PRINTED_R
 from .symbols import (
     AD,
@@ -60,7 +60,7 @@ VARIABLES = (
     *(Variable(a, "a direction of KL at x1 = 0") for a in (alpha_1, alpha_2)),
     *(
         Variable(v, f"vector {v}", LENGTH, given=value, latex=(rf"\vec{{{v}}}",))
-        for v, value in SIDES.items()
+        for v, value in POLYGON_SIDES.items()
     ),
     *(Variable(v, f"vector {v}", LENGTH, latex=(rf"\vec{{{v}}}",)) for v in (AD, DG, HL, LP)),
     Variable(apart, "distance of x5 from the start of contact, in amount", LENGTH, POSITIVE),

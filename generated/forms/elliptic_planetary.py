@@ -279,7 +279,7 @@ def _position_atan2(phi1: Any, e: Any, k: Any) -> Any:
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
-# Expressions sha256: 6bfe1d549d77705fac5127bf066eb8d370423160aebfd7e22c662e631cbff58d
+# Expressions sha256: 84a7f376cbc2f3dbb05f6b7d852e108960f2a578c5bebc5f4b79a02b4870cbe0
 # Form: x + 2 atan2, no cancellation
 # Operations: 16
 def position_atan2_stable(
@@ -287,9 +287,10 @@ def position_atan2_stable(
 ) -> Any:
     """Compute `position` by another form: x + 2 atan2, no cancellation.
 
-        position_atan2_stable = phi1*(1 + k) + 2*atan2(e*sin(x), 1 + 2*e*sin(x/2)**2 - e)
+        position_atan2_stable = phi1*(1 + k) + 2*atan2(e*sin(x), nearest + 2*e*sin(x/2)**2)
         k = R1/R2
         x = k*phi1
+        nearest = 1 - e
 
     Domain as that of `position`.
 
@@ -304,18 +305,19 @@ def position_atan2_stable(
 
 def _prepare_position_atan2_stable(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
+    nearest = 1 - e
 
-    return (e, k)
+    return (e, k, nearest)
 
 
-def _position_atan2_stable(phi1: Any, e: Any, k: Any) -> Any:
+def _position_atan2_stable(phi1: Any, e: Any, k: Any, nearest: Any) -> Any:
     x = k * phi1
 
-    return (1 + k) * phi1 + 2 * np.arctan2(e * np.sin(x), 1 + 2 * e * np.sin(x / 2) ** 2 - e)
+    return (1 + k) * phi1 + 2 * np.arctan2(e * np.sin(x), nearest + 2 * e * np.sin(x / 2) ** 2)
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
-# Expressions sha256: f4118ae56458efe085abaebacc42a71b0e3207361db6124f804b588a35edad17
+# Expressions sha256: a817654089fb5c4bdddeca17e75ff568b2f75b5aeecd3c2fd67f456cee4e11eb
 # Form: tan-half, by hand
 # Operations: 17
 def position_tan_half(
@@ -323,9 +325,10 @@ def position_tan_half(
 ) -> Any:
     """Compute `position` by another form: tan-half, by hand.
 
-        position_tan_half = phi1*(1 + k) + 2*atan(2*e*tan(x/2)/(1 + (1 + e)*tan(x/2)**2 - e))
+        position_tan_half = phi1*(1 + k) + 2*atan(2*e*tan(x/2)/(nearest + (1 + e)*tan(x/2)**2))
         k = R1/R2
         x = k*phi1
+        nearest = 1 - e
 
     Domain as that of `position`.
 
@@ -338,15 +341,16 @@ def position_tan_half(
 
 def _prepare_position_tan_half(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
+    nearest = 1 - e
 
-    return (e, k)
+    return (e, k, nearest)
 
 
-def _position_tan_half(phi1: Any, e: Any, k: Any) -> Any:
+def _position_tan_half(phi1: Any, e: Any, k: Any, nearest: Any) -> Any:
     x = k * phi1
     tan__x = np.tan(x / 2)
 
-    return (1 + k) * phi1 + 2 * np.arctan(2 * e / (1 + (1 + e) * tan__x**2 - e) * tan__x)
+    return (1 + k) * phi1 + 2 * np.arctan(2 * e / (nearest + (1 + e) * tan__x**2) * tan__x)
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)

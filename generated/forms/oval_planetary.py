@@ -514,7 +514,7 @@ def _position_cylindrical_atan2(phi1: Any, e2: Any, k: Any) -> Any:
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
-# Expressions sha256: 976c397b32a434f0972daeac6c92e5f2e00cabfd9a79d8e1e9b247ea632e1dd7
+# Expressions sha256: de1be2a005030f0ab8e3d5995ec13a8f50579db96825daf5786686f69b2cd531
 # Form: atan2, no cancellation
 # Operations: 16
 def position_cylindrical_atan2_stable(
@@ -522,10 +522,11 @@ def position_cylindrical_atan2_stable(
 ) -> Any:
     """Compute `position_cylindrical` by another form: atan2, no cancellation.
 
-        position_cylindrical_atan2_stable = phi1*(1 - k) - atan2(e2*sin(x), 1 + 2*e2*sin(x/2)**2
-            - e2)
+        position_cylindrical_atan2_stable = phi1*(1 - k) - atan2(e2*sin(x), nearest +
+            2*e2*sin(x/2)**2)
         k = R4/R5
         x = 2*k*phi1
+        nearest = 1 - e2
 
     Domain as that of `position_cylindrical`.
 
@@ -544,14 +545,15 @@ def position_cylindrical_atan2_stable(
 
 def _prepare_position_cylindrical_atan2_stable(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
+    nearest = 1 - e2
 
-    return (e2, k)
+    return (e2, k, nearest)
 
 
-def _position_cylindrical_atan2_stable(phi1: Any, e2: Any, k: Any) -> Any:
+def _position_cylindrical_atan2_stable(phi1: Any, e2: Any, k: Any, nearest: Any) -> Any:
     x = 2 * k * phi1
 
-    return (1 - k) * phi1 - np.arctan2(e2 * np.sin(x), 1 + 2 * e2 * np.sin(x / 2) ** 2 - e2)
+    return (1 - k) * phi1 - np.arctan2(e2 * np.sin(x), nearest + 2 * e2 * np.sin(x / 2) ** 2)
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical

@@ -61,15 +61,10 @@ def constant_chord_handbook(
 
     """
     m, alpha = as_floats(m=m, alpha=alpha)
-    inside = (alpha > 0) & (alpha < np.pi / 4)
-    (alpha,) = nan_outside(inside, alpha)
+    inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+    m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(
-        _constant_chord_handbook,
-        (m,),
-        _prepare_constant_chord_handbook,
-        (alpha,),
-        out=out,
-        quiet=True,
+        _constant_chord_handbook, (m,), _prepare_constant_chord_handbook, (alpha,), out=out
     )
 
 
@@ -100,10 +95,10 @@ def chord_height_handbook(
 
     """
     m, alpha = as_floats(m=m, alpha=alpha)
-    inside = (alpha > 0) & (alpha < np.pi / 4)
-    (alpha,) = nan_outside(inside, alpha)
+    inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+    m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(
-        _chord_height_handbook, (m,), _prepare_chord_height_handbook, (alpha,), out=out, quiet=True
+        _chord_height_handbook, (m,), _prepare_chord_height_handbook, (alpha,), out=out
     )
 
 

@@ -212,13 +212,7 @@ def radius_printed(
     """
     phi, R, A, z = as_floats(phi=phi, R=R, A=A, z=z)
     inside = (
-        (R > 0)
-        & is_finite(R)
-        & (z >= 1)
-        & is_finite(z)
-        & (z == np.floor(z))
-        & (A <= R)
-        & (np.abs(A) <= R)
+        (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == np.floor(z)) & (np.abs(A) <= R)
     )
     R, A, z = nan_outside(inside, R, A, z)
     return in_blocks(_radius_printed, (phi,), _prepare_radius_printed, (R, A, z), out=out)
@@ -268,7 +262,6 @@ def track_printed(
         & (z >= 1)
         & is_finite(z)
         & (z == np.floor(z))
-        & (A <= R)
         & (np.abs(A) <= R)
     )
     R, A, z, H = nan_outside(inside, R, A, z, H)
@@ -333,11 +326,11 @@ def error_sum_thermal_direct(
         & np.all(is_finite(scatters), axis=-1)
         & (thermal_scatter > 0)
         & is_finite(thermal_scatter)
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
         & (thermal_share >= 0)
         & is_finite(thermal_share)
         & (thermal_share * thermal_scatter < total_scatter)
+        & np.all(tolerances >= 0, axis=-1)
+        & np.all(is_finite(tolerances), axis=-1)
     )
     total_scatter, thermal_share, thermal_scatter = nan_outside(
         inside, total_scatter, thermal_share, thermal_scatter

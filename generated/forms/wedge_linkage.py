@@ -14,6 +14,18 @@ domain and where an argument is NaN the result is NaN.
 TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
 ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
 
+Symbols of the formulas:
+
+    Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
+    BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
+    turn_3_atan2 = atan2(l_AB*l_BC**2 + l_CD*(l_BC**2 - Q) - Q*(l_AB + x1), l_BC*(Q + (l_AB
+        + l_CD)*(l_AB + l_CD + x1)))
+    travel_5_atan2 = l_DE*(cos(alpha_DE + turn_3_atan2) - cos(alpha_DE))
+    driven_5_atan2 = Max(0, travel_5_atan2 - l_GH)
+    KL_x_atan2 = l_KL*cos(alpha_KL) - driven_5_atan2
+    turn_7_atan2 = atan2(sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
+    engaged_atan2 = Piecewise((0, travel_5_atan2 < l_GH), (1, True))
+
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
@@ -456,7 +468,6 @@ def position_printed(
     """Compute `position` by another form: printed chain.
 
         position_printed = l_LM*(sin(alpha_LM + turn_7_printed) - sin(alpha_LM))
-        Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
         turn_3_printed = atan((l_AB*l_BC**2 + l_CD*(l_BC**2 - Q) - Q*(l_AB + x1))/(l_BC*(Q +
             (l_AB + l_CD)*(l_AB + l_CD + x1))))
         travel_5_printed = l_DE*(cos(alpha_DE + turn_3_printed) - cos(alpha_DE))
@@ -466,6 +477,8 @@ def position_printed(
         turn_7_printed = Piecewise((atan(sqrt(l_KL**2 - KL_x_printed**2)/KL_x_printed) -
             alpha_KL, 0 < KL_x_printed), (pi + atan(sqrt(l_KL**2 -
             KL_x_printed**2)/KL_x_printed) - alpha_KL, KL_x_printed < 0), (nan, True))
+
+    Symbols without an equation here: see the module.
 
     Stage by stage; R = 0 is in neither case: NaN.
 
@@ -590,13 +603,8 @@ def position_atan2(
     """Compute `position` by another form: chain with atan2.
 
         position_atan2 = l_LM*(sin(alpha_LM + turn_7_atan2) - sin(alpha_LM))
-        Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
-        turn_3_atan2 = atan2(l_AB*l_BC**2 + l_CD*(l_BC**2 - Q) - Q*(l_AB + x1), l_BC*(Q + (l_AB
-            + l_CD)*(l_AB + l_CD + x1)))
-        travel_5_atan2 = l_DE*(cos(alpha_DE + turn_3_atan2) - cos(alpha_DE))
-        driven_5_atan2 = Max(0, travel_5_atan2 - l_GH)
-        KL_x_atan2 = l_KL*cos(alpha_KL) - driven_5_atan2
-        turn_7_atan2 = atan2(sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
+
+    Symbols without an equation here: see the module.
 
     Stage by stage.
 
@@ -716,15 +724,8 @@ def velocity_slopes(
         velocity_slopes = engaged_atan2*l_DE*l_LM*sin(alpha_DE +
             turn_3_atan2)*cos(turn_3_atan2)*cos(alpha_LM +
             turn_7_atan2)/(BC_length*l_KL*sin(alpha_KL + turn_7_atan2))
-        Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
-        BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
-        turn_3_atan2 = atan2(l_AB*l_BC**2 + l_CD*(l_BC**2 - Q) - Q*(l_AB + x1), l_BC*(Q + (l_AB
-            + l_CD)*(l_AB + l_CD + x1)))
-        travel_5_atan2 = l_DE*(cos(alpha_DE + turn_3_atan2) - cos(alpha_DE))
-        driven_5_atan2 = Max(0, travel_5_atan2 - l_GH)
-        KL_x_atan2 = l_KL*cos(alpha_KL) - driven_5_atan2
-        turn_7_atan2 = atan2(sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
-        engaged_atan2 = Piecewise((0, travel_5_atan2 < l_GH), (1, True))
+
+    Symbols without an equation here: see the module.
 
     Stage by stage, at the angles of the chain with atan2.
 
@@ -872,15 +873,8 @@ def sensitivities_slopes(
         [engaged_atan2*l_LM*(sin(alpha_KL)/sin(alpha_KL + turn_7_atan2) - 1)*cos(alpha_LM +
             turn_7_atan2)]
         [engaged_atan2*l_LM*(cos(alpha_LM + turn_7_atan2) - cos(alpha_LM))]
-        Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
-        BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
-        turn_3_atan2 = atan2(l_AB*l_BC**2 + l_CD*(l_BC**2 - Q) - Q*(l_AB + x1), l_BC*(Q + (l_AB
-            + l_CD)*(l_AB + l_CD + x1)))
-        travel_5_atan2 = l_DE*(cos(alpha_DE + turn_3_atan2) - cos(alpha_DE))
-        driven_5_atan2 = Max(0, travel_5_atan2 - l_GH)
-        KL_x_atan2 = l_KL*cos(alpha_KL) - driven_5_atan2
-        turn_7_atan2 = atan2(sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
-        engaged_atan2 = Piecewise((0, travel_5_atan2 < l_GH), (1, True))
+
+    Symbols without an equation here: see the module.
 
     Stage by stage, at the angles of the chain with atan2.
 

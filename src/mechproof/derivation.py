@@ -11,7 +11,7 @@ import importlib.util
 import re
 import sys
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from importlib.abc import MetaPathFinder
 from importlib.machinery import FileFinder, ModuleSpec, SourceFileLoader
 from itertools import count
@@ -125,18 +125,6 @@ def load_part(location: Path, part: Literal["peers", "points"]) -> ModuleType | 
     if place not in _modules:
         load_paper(place)
     return _import(f"{_modules[place]}.{part}", place)
-
-
-def load_directory(directory: Path) -> Iterator[Paper]:
-    """Load every derivation of a folder.
-
-    Raises `DerivationError` as `load_paper` does, and for two papers of one name.
-    """
-    places: dict[str, Path] = {}
-    for place in find_systems(directory).values():
-        paper = load_paper(place)
-        check_names(places, paper, place)
-        yield paper
 
 
 def check_names(places: dict[str, Path], paper: Paper, place: Path) -> None:

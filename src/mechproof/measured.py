@@ -37,6 +37,7 @@ __all__ = [
     "Timing",
     "Way",
     "find_files",
+    "goes_by",
     "read_record",
     "read_records",
     "round_off",
@@ -239,6 +240,11 @@ def round_up(value: float, digits: int = ERROR_DIGITS) -> float:
 def round_off(value: float, digits: int = TIME_DIGITS) -> float:
     """Return the nearest number of so many digits."""
     return float(f"{value:.{digits}g}")
+
+
+def goes_by(quantity: str, name: str) -> bool:
+    """Return whether system.quantity is meant by a name: all of it, the system, or the quantity."""
+    return name in (quantity, *quantity.split(".", 1))
 
 
 def find_files(folder: Traversable | None = None) -> dict[str, Traversable]:

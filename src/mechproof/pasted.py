@@ -12,11 +12,11 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.expansion import read_row
 from mechproof.latex.names import INDEX
-from mechproof.latex.tree import Chain, Integration, Letter, Node, Repeated
+from mechproof.latex.tree import Chain, Integration, Letter, Repeated, walk
 from mechproof.processes import run_tasks
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement
-from mechproof.record import Equation, Notation, Paper, Variable
+from mechproof.record import Equation, Notation, Paper, Row, Variable
 
 COMMAND = Remedies(
     name="Say --name '{0}'.",
@@ -24,6 +24,7 @@ COMMAND = Remedies(
     function="Print a function that is the same everywhere (ln, lg, arctg).",
     scope="Print another letter for '{0}' where it is bound.",
     lower_limit="Say --from 0, or where else it starts.",
+    family="Leave --name '{0}' out.",
 )
 NUMBER = "(pasted)"
 
@@ -51,9 +52,8 @@ class Pasted:
 
 @dataclass(frozen=True)
 class Answer:
-    """The letters as a paper, the judgements of the signs, what each letter was taken for."""
+    """The judgements of the signs, and what each letter was taken for."""
 
-    paper: Paper
     judgements: tuple[Judgement, ...]
     taken: Mapping[str, str] = field(default_factory=dict)
 
@@ -92,10 +92,10 @@ def judge_pasted(pasted: Pasted) -> Answer:
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free), reader)
     paper = Paper("pasted", "", variables, (), where)
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
-    return Answer(paper, read, {v.latex[0]: _describe(v) for v in variables})
+    return Answer(read, {v.latex[0]: _describe(v) for v in variables})
 
 
-def _rename(row: Equation, count: int) -> Equation:
+def _rename(row: Row, count: int) -> Row:
     number = row.number.removeprefix(f"{NUMBER}, ") if count > 1 else "equation"
     return replace(row, number=number)
 
@@ -133,19 +133,9 @@ def _count(variable: Variable) -> Variable:
 
 def _find_counts(chains: tuple[Chain, ...]) -> Iterator[sp.Basic]:
     """Yield the letters up to which sums go."""
-    for part in _walk(chains):
+    for part in walk(chains):
         if isinstance(part, Repeated) and isinstance(part.high, Letter):
             yield part.high.symbol
-
-
-def _walk(part: object) -> Iterator[Node]:
-    """Yield all nodes of a print."""
-    if isinstance(part, Node):
-        yield part
-        part = tuple(vars(part).values())
-    if isinstance(part, tuple):
-        for inner in part:
-            yield from _walk(inner)
 
 
 # What is said -----------------------------------------------------------------------------------
@@ -162,7 +152,7 @@ def _read_limit(pasted: Pasted) -> sp.Expr | None:
 def _refuse_constant(variables: Sequence[Variable], pasted: Pasted, reader: Reader) -> None:
     """Refuse a C beside an integral without limits: it depends on where the integral starts."""
     has_constant = any(v.symbol.name == "C" and v.given is None for v in variables)
-    parts = list(_walk(reader.parse(pasted.latex).chains))
+    parts = list(walk(reader.parse(pasted.latex).chains))
     if has_constant and any(isinstance(p, Integration) and p.low is None for p in parts):
         raise ValueError(
             "C beside an integral without limits: what is it? Say --let 'C=0', or its value where "

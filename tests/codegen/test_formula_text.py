@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from mechproof.codegen.docstrings import WIDTH, describe_kernel
-from mechproof.codegen.formula_text import write_formula
+from mechproof.codegen.formula_text import join_equal_limits, write_formula
 from mechproof.codegen.kernel import list_functions
 from mechproof.derivations.track_wheel import PAPER
 
@@ -27,6 +27,12 @@ SMALL = sp.Rational(1, 10**50)
 )
 def test_formulas(formula: sp.Basic, text: str) -> None:
     assert write_formula(formula, {a: "length", m: "matrix"}) == text
+
+
+def test_equal_limits_are_joined_and_no_others() -> None:
+    limits = ["0 < a < oo", "0 <= b < oo", "0 < c < oo", "a < b", "a <= (1 - b)", "a <= (2 - b)"]
+    joined = ["0 < a, c < oo", "0 <= b < oo", *limits[3:]]
+    assert join_equal_limits(limits) == joined
 
 
 def test_products_longer_than_a_line_are_broken() -> None:

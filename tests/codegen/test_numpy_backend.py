@@ -9,21 +9,24 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 import sympy as sp
 from trial import load_paper, paper_of, quantity_of
 
 import mechproof.kernels.elliptic_planetary as shipped
 from mechproof.codegen.domain import set_relations
+from mechproof.codegen.kernel import list_functions
 from mechproof.codegen.numpy_backend import (
     TEMPLATES,
     format_source,
     render_modules,
     render_template,
 )
+from mechproof.codegen.reading import read_module
 from mechproof.derivations import elliptic_planetary
 from mechproof.derivations.elliptic_planetary.paper import k
-from mechproof.record import Accuracy, Quantity, Variable
+from mechproof.record import Accuracy, Part, Quantity, Variable
 
 a, b, x = sp.symbols("a b x", real=True)
 
@@ -145,3 +148,14 @@ def test_alternatives_among_the_conditions_of_the_accuracy_stand_in_brackets() -
         quantity = dataclasses.replace(quantity_of(a + b, a, b), accuracy=Accuracy(1, None, within))
         (source,) = render_modules(paper_of(quantity)).values()
         assert f"Accuracy: 1 eps of the value, {text}" in source
+
+
+def test_alternatives_among_the_conditions_of_the_domain_are_checked(tmp_path: Path) -> None:
+    outside_or_between = sp.Or(a < -1, sp.And(a > 1, a < b))
+    part = Part("two pieces", where=(outside_or_between, b < 9))
+    paper = paper_of(dataclasses.replace(quantity_of(a + b, a, b), on=part))
+    (source,) = render_modules(paper).values()
+    assert read_module(source)["f"] == list_functions(paper)[0].code
+    found = load_paper(paper, tmp_path).f([-2.0, 0.0, 2.0, 6.0, np.nan], [5.0, 5.0, 5.0, 5.0, 5.0])
+    assert np.isnan(found).tolist() == [False, True, False, True, True]
+    assert np.isnan(load_paper(paper, tmp_path).f(-2.0, 9.0))

@@ -112,10 +112,17 @@ OUTSIDE = [
     )),
     *(("elliptic_planetary", n, bad) for n in ("largest_ratio", "smallest_ratio") for bad in (
         (66.0, 16.0, 1.0), (66.0, 16.0, -0.1), (66.0, 0.0, 0.1), (66.0, 16.0, NAN),
+        (16.0, 66.0, 0.1), (-66.0, 16.0, 0.1), (np.inf, 16.0, 0.1),
     )),
     *(("track_wheel", "radius", (0.3, *bad)) for bad in (
         (3.0, 3.1, 6), (3.0, -3.1, 6), (-3.0, 1.0, 6), (0.0, 0.0, 6), (3.0, 1.0, 0),
         (3.0, 1.0, 2.5), (np.inf, 1.0, 6), (3.0, 1.0, np.inf), (3.0, -np.inf, 6),
+    )),
+    *(("track_wheel", n, bad) for n in ("largest_radius", "smallest_radius") for bad in (
+        (3.0, 3.1), (3.0, -3.1), (-3.0, 1.0), (np.inf, 1.0), (3.0, NAN),
+    )),
+    *(("tooth_thickness", n, bad) for n in ("constant_chord", "chord_height") for bad in (
+        (-3.0, 0.3), (0.0, 0.3), (np.inf, 0.3), (3.0, 0.8), (NAN, 0.3),
     )),
     ("track_wheel", "track", (0.3, 3.0, 1.0, 6, -1.0)),
     ("track_wheel", "track", (0.3, 3.0, 4.0, 6, 1.0)),

@@ -56,17 +56,8 @@ def call_usually(subject: Subject) -> Iterator[Arguments]:
         yield tuple(a[0] if np.ndim(a) and len(a) == 8 else a for a in many)
 
 
-INDEFINITE = pytest.mark.xfail(
-    strict=True, reason="the root of a sum over an axis is taken where the domain is left"
-)
-NAMES = [
-    pytest.param(name, marks=INDEFINITE) if name.endswith("_correlated") else name
-    for name in SUBJECTS
-]
-
-
 @pytest.mark.usefixtures("_evaluation")
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", SUBJECTS)
 def test_no_warning_outside_the_domain(name: str) -> None:
     subject = SUBJECTS[name]
     with warnings.catch_warnings():
@@ -80,15 +71,8 @@ def test_no_warning_outside_the_domain(name: str) -> None:
                         raise AssertionError(f"{name}{arguments}: {warning}") from warning
 
 
-STILL = pytest.mark.xfail(
-    strict=True, reason="alpha_LM = NaN is not seen before contact, where the velocity is 0"
-)
-
-
 @pytest.mark.usefixtures("_evaluation")
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=STILL) if n.endswith(".velocity") else n for n in SUBJECTS]
-)
+@pytest.mark.parametrize("name", SUBJECTS)
 def test_nan_in_gives_nan_out(name: str) -> None:
     """In some entry: those of a turn depend on some of its angles only."""
     for usual in call_usually(SUBJECTS[name]):

@@ -79,20 +79,7 @@ def one_mechanism(subject: Subject) -> Compute:
     return lambda running, *sizes: subject.kernel(running, *(size[0] for size in sizes))
 
 
-BEYOND_FIRST_ORDER = pytest.mark.xfail(
-    strict=True,
-    reason="24.66 of 8: the run's rounding reaches the dead centre, alpha_KL = 4e-11, and the "
-    "scale is of first order",
-)
-SEARCHED = [
-    pytest.param(name, marks=BEYOND_FIRST_ORDER)
-    if name in ("wedge_linkage.velocity", "wedge_linkage.sensitivities")
-    else name
-    for name in BOUNDED
-]
-
-
-@pytest.mark.parametrize("name", SEARCHED)
+@pytest.mark.parametrize("name", BOUNDED)
 def test_a_fresh_search_stays_within_the_bound(name: str) -> None:
     subject = SUBJECTS[name]
     rounds, most = (1, MOST_INTEGRALS) if subject.exact.has(sp.Integral) else (1, MOST)

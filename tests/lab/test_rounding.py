@@ -11,12 +11,11 @@ from flint import arb
 
 from mechproof.codegen.code import Stage
 from mechproof.codegen.lowering import lower_conditions, lower_steps
-from mechproof.codegen.program import MEANINGS, Program
+from mechproof.codegen.program import MEANINGS, NOTHING
 from mechproof.lab.rounding import EXACT, FUNCTIONS, ROUNDED, decide, enclose_stage
 
 a, b, x = sp.symbols("a b x", real=True)
 NAMES = ("a", "b", "x")
-NOTHING = Program((), (), ())
 EPS = float(np.finfo(float).eps)
 
 
@@ -90,7 +89,7 @@ def test_float32_has_room_for_its_own_roundings() -> None:
 
 
 def test_every_operation_of_a_stage_has_a_ball() -> None:
-    conditions = {"choose", "less", "less_equal", "greater", "greater_equal", "equal", "both"}
-    special = {"whole_turns_off", *conditions}
+    relations = {"less", "less_equal", "greater", "greater_equal", "equal", "both", "either"}
+    special = {"whole_turns_off", "choose", *relations}
     assert set(FUNCTIONS) | special >= set(MEANINGS)
     assert set(EXACT) | set(ROUNDED) <= set(FUNCTIONS)

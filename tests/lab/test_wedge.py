@@ -10,6 +10,7 @@ from ways import find_subject, find_way, run, truth_of
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.lab.error import Errors
 from mechproof.lab.method import Arguments
+from mechproof.lab.within import mark_within
 
 CHAIN = ("position", "velocity", "sensitivities")
 NOMINAL = (6.25, 49.75, 38.0, 83.0, 2.0, 60.0, 145.0, 4.94, 1.13, 2.155)
@@ -232,3 +233,29 @@ def test_differences_keep_half_of_the_digits() -> None:
         ("sensitivities", "central differences"),
     ):
         assert 1e-12 < np.max(errors(quantity, way, working(6)).absolute) < 1e-5
+
+
+def test_no_bound_where_the_roller_lever_hardly_follows() -> None:
+    """KL is level but for less than the rod's run is rounded by: the slope may be NaN."""
+    level = (
+        -0.26784079663289784, 1.5279026231293567, 1092.3953956259627, 0.2136745810544649,
+        3525.241417347131, 0.003523544605475815, 0.4827637386971511, 10.63721859660619,
+        30.03142910895876, 0.7195765535058716, 0.016612580970271865,
+    )  # fmt: skip
+    arguments = tuple(np.array([v]) for v in level)
+    for name in CHAIN:
+        assert truth_of(f"wedge_linkage.{name}", arguments).decided.all()
+        assert not mark_within(find_subject(f"wedge_linkage.{name}"), arguments).any()
+
+
+def test_the_edge_of_contact_is_no_matter_of_rounding() -> None:
+    """The run is 9e-18 short of the clearance; doubles of the definition see 1e-13 between them."""
+    before = (
+        0.0028252788543311736, 1210.8334835027838, 11.077635138896323, 2.5615589773828766,
+        725.5293266128575, 0.17837839900148017, 3072.6300826144648, 1.545769415188927,
+        1.7845259353701597, 3.1415923131913686, 0.42493009595807757,
+    )  # fmt: skip
+    arguments = tuple(np.array([v]) for v in before)
+    assert truth_of("wedge_linkage.velocity", arguments).high.tolist() == [0.0]
+    for name in ("velocity", "sensitivities"):
+        assert not mark_within(find_subject(f"wedge_linkage.{name}"), arguments).any()

@@ -6,6 +6,7 @@ import numpy as np
 import sympy as sp
 
 from mechproof.lab.subject import Subject
+from mechproof.lab.within import mark_within
 from mechproof.record import Accuracy, Argument, Form, Paper, Quantity, Variable
 
 a, b = sp.symbols("a b", real=True)
@@ -19,7 +20,7 @@ def test_alternatives_of_arguments_of_several_shapes() -> None:
     )
     variables = (Variable(a, "a number"), Variable(b, "a number"))
     paper = Paper("system", "citation", variables, (), quantities=(quantity,))
-    within = Subject(paper, quantity, (), (None, None)).within
+    subject = Subject(paper, quantity, (), (None, None))
     points = np.array([0.0, 1.0, 5.0])
-    assert within(points, np.float64(2.0)).tolist() == [True, False, True]
-    assert within(points, np.float64(0.0)).tolist() == [True, True, True]
+    assert mark_within(subject, (points, np.float64(2.0))).tolist() == [True, False, True]
+    assert mark_within(subject, (points, np.float64(0.0))).tolist() == [True, True, True]

@@ -56,6 +56,25 @@ def test_counts_satisfy_relations():
     assert decide(Holds(n**2 > 10), domain).verdict is not Verdict.REFUTED
 
 
+def test_points_satisfy_relations_of_elements():
+    i, j = sp.symbols("i j", integer=True)
+    c, d = sp.IndexedBase("c", real=True), sp.IndexedBase("d", real=True)
+    square = sp.Sum(c[i, j] * d[i] * d[j], (i, 1, n), (j, 1, n))
+    where = (sp.Eq(c[i, i], 1), sp.Eq(c[i, j], c[j, i]), square >= 0, x < d[i])
+    domain = Domain({c: sp.Interval(-1, 1), d: sp.S.Reals}, where, {})
+    points = points_for((square + x,), domain, 5)
+    assert len(points) >= 10
+    for point in points:
+        counted = range(1, int(point[n]) + 1)
+        assert all(point[c[k, k]] == 1 for k in counted)
+        assert all(point[c[k, m]] == point[c[m, k]] for k in counted for m in counted)
+        assert all(point[x] < point[d[k]] for k in counted)
+        assert square.subs(n, point[n]).doit().xreplace(point) >= 0
+    assert decide(Holds(sp.Ge(c[1, 1] * x**2, 0)), domain).verdict is not Verdict.REFUTED
+    assert decide(Equality(c[1, 2], c[2, 1]), domain).verdict is not Verdict.REFUTED
+    assert decide(Equality(c[1, 2], c[1, 3]), domain).verdict is Verdict.REFUTED
+
+
 def test_unlike_counts_get_unlike_values():
     assert all(p[n] != p[m] for p in points_for((n * m,), Domain({}, (), {}), 3))
     assert decide(Equality(n, m), Domain({}, (), {})).verdict is Verdict.REFUTED

@@ -13,6 +13,7 @@ from mechproof.pasted import Answer, Pasted, PastedError, check_pasted
 from mechproof.processes import WorkerError
 from mechproof.proof.ledger import Ledger, to_json
 from mechproof.proof.verdict import Verdict
+from mechproof.record import Paper
 
 LIMIT = 60.0
 Texts = list[str] | None
@@ -52,12 +53,21 @@ def check(
     Exit status 0: every sign has a verdict; 1: one is UNDECIDED, or it takes too long or crashes;
     2: bad usage, or the equation cannot be read without a guess.
     """
-    said = (tuple(texts or ()) for texts in (names, factors, where, values, natural))
-    answer = _judge(Pasted(equation, *said, start), limit)
+    pasted = Pasted(
+        equation,
+        names=tuple(names or ()),
+        factors=tuple(factors or ()),
+        where=tuple(where or ()),
+        values=tuple(values or ()),
+        natural=tuple(natural or ()),
+        lower_limit=start,
+    )
+    answer = _judge(pasted, limit)
     if json_file:
         try:
             json_file.write_text(
-                to_json([Ledger(answer.paper, answer.judgements, ())]), encoding="utf-8"
+                to_json([Ledger(Paper("pasted", "", (), ()), answer.judgements, ())]),
+                encoding="utf-8",
             )
         except OSError as error:
             refuse(f"--json {json_file}: {error}")

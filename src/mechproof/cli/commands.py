@@ -9,6 +9,7 @@ from typing import Annotated
 
 import typer
 
+from mechproof.cli.chart import chart
 from mechproof.cli.check import check
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.ledger import print_ledger
@@ -21,7 +22,6 @@ from mechproof.codegen.regenerate import (
     update_files,
 )
 from mechproof.derivation import DerivationError, find_systems
-from mechproof.lab import commands
 from mechproof.proof.ledger import Ledger, to_json, to_markdown
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Paper
@@ -34,7 +34,7 @@ app = typer.Typer(
     help=f"Prove or refute the formulas of mechanism papers; generate kernels from them.\n\n{RULE}",
     pretty_exceptions_show_locals=False,
 )
-app.command()(commands.chart)
+app.command()(chart)
 app.command()(check)
 
 DerivationsOption = Annotated[

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mechproof.codegen.program import Operand, Program
+from mechproof.codegen.program import Program
 
 
 @dataclass(frozen=True)
@@ -26,6 +26,11 @@ class Stage:
     def affine(self) -> bool:
         """Say whether the points are mapped by a matrix and a shift."""
         return self.evaluate is None
+
+    @property
+    def programs(self) -> tuple[Program, ...]:
+        """List what there is to compute."""
+        return (self.prepare,) if self.evaluate is None else (self.prepare, self.evaluate)
 
 
 @dataclass(frozen=True)
@@ -49,11 +54,4 @@ class KernelCode:
 
     def count_operations(self) -> tuple[int, ...]:
         """Count the operations of each stage."""
-        programs = [(s.prepare, *([s.evaluate] if s.evaluate else [])) for s in self.stages]
-        return tuple(sum(p.count_operations() for p in parts) for parts in programs)
-
-    def bind(self, stage: Stage) -> dict[str, Operand]:
-        """Return what the inputs of a stage's second program are in terms of its first."""
-        assert stage.evaluate is not None
-        given = (*stage.running, *stage.prepare.outputs)
-        return dict(zip(stage.evaluate.inputs, given, strict=True))
+        return tuple(sum(p.count_operations() for p in s.programs) for s in self.stages)

@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from textwrap import TextWrapper
 from types import MappingProxyType
 
 import sympy as sp
 
-from mechproof.codegen.domain import domain_relations, parameter_relations
-from mechproof.codegen.formula_text import chain_relations, write_formula
-from mechproof.codegen.kernel import Kernel, input_names, shape_of
+from mechproof.codegen.domain import domain_relations
+from mechproof.codegen.formula_text import chain_relations, join_equal_limits, write_formula
+from mechproof.codegen.kernel import Kernel, input_names, list_functions, shape_of
 from mechproof.record import Accuracy, Argument, Paper, Quantity, Scale
 
 WIDTH = 92
 INDENT = "    "
 # Lines of a scale's formula; of a longer one the name alone is told.
 LONGEST_SCALE = 8
+# Symbols that a formula explains itself; where there are more, those of several kernels are
+# explained once, by the module.
+MOST_SYMBOLS = 4
 # What holds for every kernel of a module.
 COMMON = (
     "Arguments broadcast. The result is a NumPy scalar where they are scalars, an array otherwise; "
@@ -46,8 +50,32 @@ def describe_module(paper: Paper, first_line: str, kernels: Iterable[Kernel]) ->
     paragraphs = [first_line, paper.citation, paper.conventions, *COMMON]
     paragraphs += [EPS] if any(bounds) else []
     lines = [line for p in paragraphs if p for line in (*_fill(p), "")]
-    short = (scale for scale in scales if len(scale) <= LONGEST_SCALE)
-    return (*lines, *(line for scale in short for line in (*scale, "")))
+    short = [scale for scale in scales if len(scale) <= LONGEST_SCALE]
+    symbols = _define_shared(kernels, paper)
+    return (*lines, *(line for block in (symbols, *short) if block for line in (*block, "")))
+
+
+def _define_shared(kernels: tuple[Kernel, ...], paper: Paper) -> list[str]:
+    """Define the symbols that the formulas of several kernels have in common."""
+    shared = _find_shared(kernels, paper)
+    names = {s: n for k in kernels for s, n in input_names(k.quantity).items()}
+    shown = (f"{s} = {write_formula(g, names)}" for s, g in _given(paper).items() if s in shared)
+    lines = [line for text in shown for line in _wrap_formula(text)]
+    return [*_fill("Symbols of the formulas:"), "", *lines] if lines else []
+
+
+def _find_shared(kernels: Iterable[Kernel], paper: Paper) -> set[sp.Symbol]:
+    used = [_find_given(_shown_formula(k), k.quantity, paper) for k in kernels]
+    counts = Counter(s for symbols in used if len(symbols) > MOST_SYMBOLS for s in symbols)
+    return {s for s, count in counts.items() if count > 1}
+
+
+def _shown_formula(kernel: Kernel) -> sp.Basic:
+    return kernel.quantity.definition if kernel.is_shipped else kernel.forms[0].expression
+
+
+def _given(paper: Paper) -> dict[sp.Symbol, sp.Expr]:
+    return {v.symbol: v.given for v in paper.variables if v.given is not None}
 
 
 def describe_kernel(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
@@ -58,7 +86,7 @@ def describe_kernel(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
     return (
         quantity.summary,
         "",
-        *_formula(quantity.name, quantity.definition, quantity, paper),
+        *_formula(kernel, paper),
         *_section(
             "Parameters", [line for a in quantity.arguments for line in _parameter(a, quantity)]
         ),
@@ -77,7 +105,7 @@ def _describe_rival(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
     return (
         f"Compute `{quantity.name}` by another form: {form.name}.",
         "",
-        *_formula(kernel.name, form.expression, quantity, paper),
+        *_formula(kernel, paper),
         "",
         *_paragraphs(notes),
     )
@@ -126,21 +154,25 @@ def _paragraphs(notes: list[str]) -> list[str]:
     return [line for i, note in enumerate(notes) for line in ([""] if i else []) + _fill(note)]
 
 
-def _formula(name: str, formula: sp.Basic, quantity: Quantity, paper: Paper) -> list[str]:
-    names = input_names(quantity)
-    given = {v.symbol: v.given for v in paper.variables if v.given is not None}
-    used = _find_given(formula, {s: g for s, g in given.items() if s not in names})
+def _formula(kernel: Kernel, paper: Paper) -> list[str]:
+    formula, names, given = _shown_formula(kernel), input_names(kernel.quantity), _given(paper)
+    beside = (k for k in list_functions(paper) if k.is_shipped == kernel.is_shipped)
+    used = _find_given(formula, kernel.quantity, paper)
+    shared = _find_shared(beside, paper) if len(used) > MOST_SYMBOLS else set()
     if isinstance(formula, sp.MatrixBase):
         rows = [[write_formula(entry, names) for entry in row] for row in formula.tolist()]
         shown = [f"[{', '.join(row)}]" for row in rows]
     else:
-        shown = [f"{name} = {write_formula(formula, names)}"]
-    shown += [f"{s} = {write_formula(given[s], names)}" for s in used]
-    return [line for text in shown for line in _wrap_formula(text)]
+        shown = [f"{kernel.name} = {write_formula(formula, names)}"]
+    shown += [f"{s} = {write_formula(given[s], names)}" for s in used if s not in shared]
+    elsewhere = ["", *_fill("Symbols without an equation here: see the module.")] if shared else []
+    return [*(line for text in shown for line in _wrap_formula(text)), *elsewhere]
 
 
-def _find_given(formula: sp.Basic, given: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Symbol]:
+def _find_given(formula: sp.Basic, quantity: Quantity, paper: Paper) -> list[sp.Symbol]:
     """List the given symbols that a formula needs, directly or through others."""
+    inputs = input_names(quantity)
+    given = {s: g for s, g in _given(paper).items() if s not in inputs}
     used: set[sp.Symbol] = set()
     found = {s for s in given if formula.has(s)}
     while found:
@@ -173,12 +205,10 @@ def _result(kernel: Kernel) -> list[str]:
 
 def _notes(kernel: Kernel, paper: Paper) -> list[str]:
     quantity, names = kernel.quantity, input_names(kernel.quantity)
-    domain, checked = domain_relations(quantity, paper), parameter_relations(quantity, paper)
+    domain = domain_relations(quantity, paper)
     part = f" ({quantity.on.text})" if quantity.on else ""
-    limits = chain_relations([write_formula(r, names) for r in domain])
-    skipped = [write_formula(r, names) for r in domain if r not in checked]
-    tail = f"; {', '.join(skipped)} is not checked" if skipped else ""
-    notes = [f"Domain: {', '.join(limits) or 'all real arguments'}{part}{tail}."]
+    limits = join_equal_limits(chain_relations([write_formula(r, names) for r in domain]))
+    notes = [f"Domain: {', '.join(limits) or 'all real arguments'}{part}."]
     notes += [
         f"Singular: {write_formula(s.equation, names)}" + (f", {s.text}." if s.text else ".")
         for s in quantity.singular

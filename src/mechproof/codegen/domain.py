@@ -23,15 +23,12 @@ def domain_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
     return tuple(dict.fromkeys(relations))
 
 
-def parameter_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
-    """Select the relations a kernel checks: those without the running variable, the first argument.
+def checked_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
+    """Select the relations a kernel checks: a sum is left to the root that it stands under.
 
-    The running variable has the most values; a check of it would cost as much as the formula.
-    Where it is a vector with a domain of its own (tolerances), it has to be checked.
+    Checked, it would cost as much as the formula.
     """
-    first = quantity.arguments[0]
-    running = () if isinstance(first.symbols[0], sp.IndexedBase) else first.symbols
-    return tuple(r for r in domain_relations(quantity, paper) if not r.has(*running))
+    return tuple(r for r in domain_relations(quantity, paper) if not r.has(sp.Sum))
 
 
 def can_be_left(quantity: Quantity, paper: Paper, checked: tuple[sp.Basic, ...]) -> bool:

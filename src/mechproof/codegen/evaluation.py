@@ -55,6 +55,12 @@ class Evaluation:
         taken = {str(s) for s in self.inputs} | {str(s) for s, _ in (*self.steps, *steps)}
         return sp.Symbol(unused_name(name, taken), real=True)
 
+    def add_step(self, name: str, value: sp.Expr, steps: list[Step]) -> sp.Symbol:
+        """Add a step to `steps` and return its symbol, which is new."""
+        symbol = self.new_symbol(name, steps)
+        steps.append((symbol, value))
+        return symbol
+
     def transform(
         self, convert: Callable[[sp.Expr], sp.Expr], steps: Iterable[Step] = ()
     ) -> Evaluation:
@@ -140,6 +146,14 @@ def count_axes(argument: Argument, quantity: Quantity) -> int:
 def entries(output: sp.Basic) -> tuple[sp.Expr, ...]:
     """List the entries of a matrix row by row, or the one expression."""
     return tuple(output) if isinstance(output, sp.MatrixBase) else (output,)
+
+
+def result_shape(output: sp.Basic) -> tuple[int, ...]:
+    """Return the last axes of a result: () for an expression, (n,) for a column, (m, n)."""
+    if not isinstance(output, sp.MatrixBase):
+        return ()
+    rows, columns = output.shape
+    return (rows,) if columns == 1 else (rows, columns)
 
 
 def map_entries(convert: Callable[[sp.Expr], sp.Expr], output: sp.Basic) -> sp.Basic:

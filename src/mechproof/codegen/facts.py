@@ -6,13 +6,15 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from mechproof.codegen.domain import parameter_relations
+from mechproof.codegen.domain import checked_relations
 from mechproof.codegen.evaluation import input_symbols
 from mechproof.codegen.formula_text import chain_relations, write_formula
 from mechproof.codegen.kernel import input_names
 from mechproof.codegen.lowering import lower_conditions
 from mechproof.codegen.numpy_syntax import write_program
 from mechproof.record import Paper, Toleranced
+
+ORDERS = (sp.LessThan, sp.StrictLessThan, sp.GreaterThan, sp.StrictGreaterThan)
 
 
 @dataclass(frozen=True)
@@ -41,7 +43,7 @@ def list_conditions(paper: Paper) -> tuple[Condition, ...]:
     for quantity in paper.quantities:
         names = input_names(quantity)
         grouped: dict[tuple[str, ...], list[sp.Basic]] = {}
-        for relation in parameter_relations(quantity, paper):
+        for relation in checked_relations(quantity, paper):
             used = {names[s] for s in input_symbols(relation)}
             if relation.has(sp.Indexed):
                 continue
@@ -63,7 +65,8 @@ def _describe(
 ) -> Condition:
     text = ", ".join(chain_relations([write_formula(r, spelled) for r in relations]))
     (test,) = write_program(lower_conditions(spelled, names, relations)).outputs
-    smaller = relations[0].lts.free_symbols if len(names) > 1 else set()
+    is_order = len(names) > 1 and isinstance(relations[0], ORDERS)
+    smaller = relations[0].lts.free_symbols if is_order else set()
     blamed = sorted(spelled[s] for s in smaller) or list(names)
     return Condition(blamed[0], text, names, test, quantities)
 

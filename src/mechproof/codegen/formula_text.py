@@ -91,3 +91,17 @@ def chain_relations(limits: list[str]) -> list[str]:
         else:
             chained.append(limit)
     return chained
+
+
+def join_equal_limits(limits: list[str]) -> list[str]:
+    """Join what lies between the same limits: 0 < R1 < oo, 0 < R2 < oo -> 0 < R1, R2 < oo."""
+    between: dict[tuple[str, str], list[str]] = {}
+    for limit in limits:
+        low, below, name, under, high = [*limit.split(" "), *[""] * 5][:5]
+        double = limit.count(" ") == 4 and {below, under} <= {"<", "<="}
+        ends = (f"{low} {below}", f"{under} {high}") if double else (limit, "")
+        between.setdefault(ends, []).append(name)
+    return [
+        f"{low} {', '.join(names)} {high}" if high else low
+        for (low, high), names in between.items()
+    ]

@@ -14,21 +14,20 @@ from keyword import iskeyword
 import sympy as sp
 
 from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.domain import can_be_left, parameter_relations
+from mechproof.codegen.domain import can_be_left, checked_relations
 from mechproof.codegen.evaluation import (
     Evaluation,
     count_axes,
     entries,
     input_symbols,
+    result_shape,
     start_evaluation,
 )
 from mechproof.codegen.lowering import lower_conditions, lower_steps
-from mechproof.codegen.program import Program
+from mechproof.codegen.program import NOTHING
 from mechproof.codegen.rewrites import apply_rewrites
 from mechproof.codegen.subexpressions import share_subexpressions
 from mechproof.record import Argument, Form, Paper, Quantity
-
-NOTHING = Program((), (), ())
 
 
 @dataclass(frozen=True)
@@ -90,7 +89,9 @@ def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: 
     """
     evaluations = [evaluate_form(quantity, form, paper) for form in forms]
     used = set().union(*map(_used_symbols, evaluations))
-    conditions = parameter_relations(quantity, paper)
+    running = quantity.arguments[0].symbols
+    # Of the parameters first: one number with one number, and with all points only once.
+    conditions = tuple(sorted(checked_relations(quantity, paper), key=lambda r: r.has(*running)))
     names = input_names(quantity)
     affine = len(forms) == 1 and _affine_coefficients(quantity, evaluations[0]) is not None
     vectors = _name_vectors(quantity, used, affine)
@@ -112,7 +113,7 @@ def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: 
             _build_stage(quantity, form, evaluation, scalars, vectors)
             for form, evaluation in zip(forms, evaluations, strict=True)
         ),
-        shape=_trailing_shape(evaluations[0].output),
+        shape=result_shape(evaluations[0].output),
         quiet=can_be_left(quantity, paper, conditions),
     )
     started = [start_evaluation(quantity, form, paper) for form in forms]
@@ -247,14 +248,6 @@ def _list_scalars(
     """List what a condition may use: the arguments, vectors by their components."""
     parts = dict(vectors)
     return tuple(n for a in quantity.arguments for n in parts.get(a.name, (a.name,)))
-
-
-def _trailing_shape(output: sp.Basic) -> tuple[int, ...]:
-    """Give () for an expression, (n,) for a column, (n, m) for a matrix."""
-    if not isinstance(output, sp.MatrixBase):
-        return ()
-    rows, columns = output.shape
-    return (rows,) if columns == 1 else (rows, columns)
 
 
 def shape_of(argument: Argument, quantity: Quantity) -> str:

@@ -209,11 +209,12 @@ class Lowering:
         kind = "less" if strict else "less_equal"
         return self._add(kind, self.lower(low), self.lower(high))
 
-    def _conjunction(self, conjunction: sp.And) -> Operand:
-        first, *others = sorted(conjunction.args, key=sp.default_sort_key)
+    def _logical(self, joined: sp.And | sp.Or) -> Operand:
+        first, *others = sorted(joined.args, key=sp.default_sort_key)
         result = self.lower(first)
         for other in others:
-            result = self._add("both", result, self.lower(other))
+            kind = "both" if isinstance(joined, sp.And) else "either"
+            result = self._add(kind, result, self.lower(other))
         return result
 
     def _piecewise(self, piecewise: sp.Piecewise) -> Operand:
@@ -264,7 +265,8 @@ _METHODS: tuple[tuple[type, Callable[[Lowering, sp.Basic], Operand]], ...] = (
     (sp.Sum, Lowering._total),
     (sp.Indexed, Lowering._element),
     (sp.core.relational.Relational, Lowering._relation),
-    (sp.And, Lowering._conjunction),
+    (sp.And, Lowering._logical),
+    (sp.Or, Lowering._logical),
     (Alongside, Lowering._alongside),
     (sp.Function, Lowering._function),
 )

@@ -34,6 +34,7 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "in_blocks",
             "is_finite",
             "nan_outside",
+            "quietly",
             "split_components",
             "store",
             "sum_axes",
@@ -164,8 +165,7 @@ def _write_condition(program: Program | None) -> str:
 
 
 def _check_reserved(name: str, stage: Stage) -> None:
-    programs = (stage.prepare, *([stage.evaluate] if stage.evaluate else []))
-    used = {n for p in programs for n in (*p.inputs, *(o.result for o in p.operations))}
+    used = {n for p in stage.programs for n in (*p.inputs, *(o.result for o in p.operations))}
     if taken := sorted(used & RESERVED):
         raise ValueError(f"{name}: {taken} cannot name variables of a kernel")
 

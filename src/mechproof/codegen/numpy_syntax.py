@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
 
-ATOM, POWER, SIGN, PRODUCT, SUM, BOTH, COMPARISON = range(9, 2, -1)
+ATOM, POWER, SIGN, PRODUCT, SUM, BOTH, EITHER, COMPARISON = range(9, 1, -1)
 # Sign and level of operations between two operands, the left one taken first.
 INFIX: Mapping[str, tuple[str, int]] = MappingProxyType(
     {
@@ -17,6 +17,7 @@ INFIX: Mapping[str, tuple[str, int]] = MappingProxyType(
         "multiply": ("*", PRODUCT),
         "divide": ("/", PRODUCT),
         "both": ("&", BOTH),
+        "either": ("|", EITHER),
         "less": ("<", COMPARISON),
         "less_equal": ("<=", COMPARISON),
         "greater": (">", COMPARISON),

@@ -72,6 +72,7 @@ class Program:
         return sum(step.kind not in VIEWS for step in self.operations)
 
 
+NOTHING = Program((), (), ())
 # What each kind of operation is exactly.
 MEANINGS: Mapping[str, Callable[..., sp.Basic]] = MappingProxyType(
     {
@@ -104,6 +105,7 @@ MEANINGS: Mapping[str, Callable[..., sp.Basic]] = MappingProxyType(
         "greater_equal": sp.Ge,
         "equal": sp.Eq,
         "both": sp.And,
+        "either": sp.Or,
         "product_rest": lambda a, b, p: a * b - p,
         "sum_rest": lambda a, b, s: a + b - s,
         "quotient_rest": lambda a, b, q: a / b - q,
@@ -119,6 +121,5 @@ CONSTANTS: Mapping[str, sp.Basic] = MappingProxyType(
     {"#pi": sp.pi, "#e": sp.E, "#inf": sp.oo, "#nan": sp.nan}
 )
 # Views of an input with axes that are summed over: a vector along the first or the last of two, a
-# matrix transposed, its diagonal; and what reduces one or two axes.
+# matrix transposed, its diagonal.
 VIEWS = ("along_first", "along_last", "transpose", "diagonal")
-REDUCTIONS = ("sum", "every")

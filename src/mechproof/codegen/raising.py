@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.program import CONSTANTS, MEANINGS, Operand, Program
+from mechproof.codegen.program import CONSTANTS, MEANINGS, VIEWS, Operand, Program
 from mechproof.record import Quantity
 
 # A whole turn off the argument is nothing to these.
@@ -86,7 +86,7 @@ class WrittenForm:
 class _Axes:
     """What the axes of arrays are in mathematics: the indices of the quantity's own sums."""
 
-    kinds = ("sum", "along_first", "along_last", "transpose", "diagonal")
+    kinds = ("sum", *VIEWS)
 
     def __init__(self, quantity: Quantity) -> None:
         sums = quantity.definition.atoms(sp.Sum)

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
+from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program
 
 BINARY: Mapping[type[ast.operator], str] = MappingProxyType(
     {
@@ -21,6 +21,7 @@ BINARY: Mapping[type[ast.operator], str] = MappingProxyType(
         ast.Mult: "multiply",
         ast.Div: "divide",
         ast.BitAnd: "both",
+        ast.BitOr: "either",
     }
 )
 COMPARED: Mapping[type[ast.cmpop], str] = MappingProxyType(
@@ -206,6 +207,11 @@ class _KernelReader:
                 self._read_return(inner, read_program(self._scalars(), (), (when,)))
             case ast.Return():
                 self._read_return(statement, None)
+            case ast.With(items=[context], body=body):
+                self._require(context.context_expr, ast.unparse(context) == "quietly()")
+                self._quiet = True
+                for inner in body:
+                    self._read_statement(inner)
             case _:
                 raise ReadingError(f"line {statement.lineno}: no kernel has this statement")
 
@@ -261,9 +267,8 @@ class _KernelReader:
             raise ReadingError(f"line {statement.lineno}: {function} evaluates no kernel")
 
     def _read_inline(self, value: ast.expr) -> Stage:
-        nothing = Program((), (), ())
         program = read_program(self._scalars(), self._assigned, (value,))
-        return Stage(None, self._scalars(), (), nothing, program)
+        return Stage(None, self._scalars(), (), NOTHING, program)
 
     def _read_affine(self, call: ast.Call, when: Program | None) -> Stage:
         points, prepare, parameters = call.args
@@ -277,7 +282,7 @@ class _KernelReader:
         evaluate, running, *rest = call.args
         program = self._read_function(ast.unparse(evaluate))
         if not rest:
-            return Stage(when, _names(running), (), Program((), (), ()), program)
+            return Stage(when, _names(running), (), NOTHING, program)
         prepare, parameters = rest
         return Stage(
             when,

@@ -1,4 +1,5 @@
 """What generated kernels call: arrays in blocks, error-free transformations, fast quotients, facts.
 
-Plain code that generated modules and the runtime import; it imports NumPy alone.
+Plain code that generated modules and the runtime import, and the order of doubles, which the
+laboratory shares with the mechanisms; it imports NumPy alone.
 """

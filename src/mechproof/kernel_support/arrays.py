@@ -202,6 +202,11 @@ def _stack(components: tuple[Any, ...], shape: tuple[int, ...]) -> Any:
     return stacked.reshape(*common, *shape)
 
 
+def quietly() -> np.errstate:
+    """Return the context of points that may leave the domain: NaN is the answer, not a warning."""
+    return np.errstate(invalid="ignore", divide="ignore")
+
+
 def in_blocks(
     evaluate: Function,
     running: tuple[Any, ...],
@@ -225,7 +230,7 @@ def in_blocks(
 
     """
     if quiet:
-        with np.errstate(invalid="ignore", divide="ignore"):
+        with quietly():
             return in_blocks(evaluate, running, prepare, parameters, out=out, shape=shape)
     arrays = (*running, *parameters)
     if not PLAIN.issuperset(map(type, arrays)):

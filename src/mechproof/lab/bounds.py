@@ -8,14 +8,14 @@ import numpy as np
 import sympy as sp
 
 from mechproof.lab.method import Method
-from mechproof.lab.sizes import Cell
+from mechproof.lab.sizes import Sides
 from mechproof.lab.subject import Subject
 from mechproof.proof.balls import evaluate
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
 
 
-def bound_over(subject: Subject, method: Method, cell: Cell) -> float | None:
+def bound_over(subject: Subject, method: Method, cell: Sides) -> float | None:
     """Return what the error stays below on a cell of sizes.
 
     None without a bound, or for a bound that does not provably rise with every size.
@@ -34,7 +34,7 @@ def _needed(bound: sp.Expr) -> list[sp.Symbol]:
     return sorted(bound.free_symbols, key=str)
 
 
-def _corner(subject: Subject, cell: Cell) -> dict[sp.Symbol, float]:
+def _corner(subject: Subject, cell: Sides) -> dict[sp.Symbol, float]:
     """Give every symbol the largest size its argument has in the cell."""
     return {
         symbol: cell[argument.name][1]

@@ -41,7 +41,7 @@ class Errors:
 
 @dataclass(frozen=True)
 class Summary:
-    """Errors of one form on one point set; the worst point by its index."""
+    """Errors of one way on one point set; the worst point by its index."""
 
     points: int
     undecided: int
@@ -107,7 +107,7 @@ def count_wrong_branches(errors: Errors, period: float | None) -> int:
 
 
 def summarise(errors: Errors, truth: Truth, period: float | None = None) -> Summary:
-    """Count and rank the errors of one form on one point set."""
+    """Count and rank the errors of one way on one point set."""
     decided = truth.decided
     if not decided.any():
         return Summary(len(decided), truth.undecided, 0, 0, 0, *NOTHING, -1)

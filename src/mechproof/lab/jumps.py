@@ -1,4 +1,4 @@
-"""Jumps of forms between branches, drawn along the ordered sets."""
+"""Jumps of kernels and forms between branches, drawn along the ordered sets."""
 
 from __future__ import annotations
 
@@ -14,24 +14,26 @@ from mechproof.lab.subject import Subject
 
 
 def draw_jumps(subject: Subject) -> Figure | None:
-    """Draw the error in periods of every form but peers with wrong branches on the ordered sets."""
+    """Draw the error in periods of all but peers with wrong branches on the ordered sets."""
     period = subject.period
     if period is None:
         return None
     rows = [
-        (point_set, form, branch)
+        (point_set, method, branch)
         for point_set in list_sweeps(subject)
-        for form, branch in _wrong_branches(subject, point_set, period)
+        for method, branch in _wrong_branches(subject, point_set, period)
     ]
     if not rows:
         return None
     figure = Figure(figsize=(9, 1.25 * len(rows) + 0.8), layout="constrained")
     panels = np.atleast_1d(figure.subplots(len(rows), 1))
-    for axes, (point_set, form, branch) in zip(panels, rows, strict=True):
+    for axes, (point_set, method, branch) in zip(panels, rows, strict=True):
         angle = draw_points(point_set, REPORT)[0]
         axes.plot(angle / np.pi, branch, "k.", ms=2, rasterized=True)
         count = int(np.sum(np.round(branch) != 0))
-        axes.set_title(f"{form.name}: {count} wrong of {len(angle)}; {point_set.name}", loc="left")
+        axes.set_title(
+            f"{method.name}: {count} wrong of {len(angle)}; {point_set.name}", loc="left"
+        )
         axes.set_ylabel("error/period")
         axes.grid(color="0.9")
     panels[-1].set_xlabel(f"{subject.quantity.arguments[0].name}/pi")
@@ -42,16 +44,16 @@ def draw_jumps(subject: Subject) -> Figure | None:
 def _wrong_branches(
     subject: Subject, point_set: PointSet, period: float
 ) -> list[tuple[Method, Array]]:
-    """Return the forms with wrong branches on a set, with their signed errors in periods."""
+    """Return the ways with wrong branches on a set, with their signed errors in periods."""
     arguments = draw_points(point_set, REPORT)
     truth = find_truth(subject, arguments)
     found = []
-    for form in subject.methods:
-        if form.kind == "peer":
+    for method in subject.methods:
+        if method.kind == "peer":
             continue
         with np.errstate(all="ignore"):
-            result = find_errors(form.compute(*arguments), truth).result
+            result = find_errors(method.compute(*arguments), truth).result
         branch = (result.astype(np.float64) - truth.high) / period
         if np.any(np.abs(branch) > 0.5):
-            found.append((form, branch))
+            found.append((method, branch))
     return found

@@ -17,12 +17,13 @@ from mechproof.lab.error import find_errors, summarise
 from mechproof.lab.machine import describe_machine, find_load
 from mechproof.lab.method import Arguments, Array, Method
 from mechproof.lab.oracle import Truth, count_points, find_truth
-from mechproof.lab.points import REPORT, TUNE, PointSet, draw_points
+from mechproof.lab.points import REPORT, TUNE, PointSet, choose_evenly, draw_points
 from mechproof.lab.search import find_worst
 from mechproof.lab.sets import draw_in_cell, list_cells, list_sets
-from mechproof.lab.sizes import Cell as Sides
+from mechproof.lab.sizes import Sides
 from mechproof.lab.subject import Subject
 from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs
+from mechproof.lab.within import mark_within
 from mechproof.measured import (
     Cell,
     CellErrors,
@@ -130,7 +131,7 @@ def _measure_set(subject: Subject, point_set: PointSet, depth: Depth) -> list[Se
     if not point_set.ordered:
         arguments = _thin(subject, arguments, depth.points)
     truth = find_truth(subject, arguments)
-    held = np.broadcast_to(subject.within(*arguments), truth.decided.shape)
+    held = mark_within(subject, arguments)
     return [
         _measure_way(subject, method, point_set, arguments, truth, held)
         for method in subject.methods
@@ -147,7 +148,7 @@ def _measure_way(
     held: Array,
 ) -> SetErrors:
     if method.slow and not point_set.ordered:
-        chosen = _sample(len(truth.high), SLOW_SAMPLE)
+        chosen = choose_evenly(len(truth.high), SLOW_SAMPLE)
         arguments, truth, held = _take(subject, arguments, chosen), truth[chosen], held[chosen]
     with np.errstate(all="ignore"):
         errors = find_errors(method.compute(*arguments), truth)
@@ -215,7 +216,7 @@ def _measure_cell(
 ) -> CellErrors:
     place, sides = cell
     if method.slow:
-        chosen = _sample(len(truth.high), SLOW_SAMPLE)
+        chosen = choose_evenly(len(truth.high), SLOW_SAMPLE)
         arguments, truth = _take(subject, arguments, chosen), truth[chosen]
     with np.errstate(all="ignore"):
         found = summarise(find_errors(method.compute(*arguments), truth), truth)
@@ -241,15 +242,8 @@ def _span(argument: Array) -> Span:
     return least, float(np.max(size))
 
 
-def _sample(count: int, wanted: int | None) -> Array:
-    """Choose indices evenly spread over a set."""
-    if wanted is None or wanted >= count:
-        return np.arange(count)
-    return np.linspace(0, count - 1, wanted).astype(int)
-
-
 def _thin(subject: Subject, arguments: Arguments, wanted: int | None) -> Arguments:
-    return _take(subject, arguments, _sample(count_points(subject, arguments), wanted))
+    return _take(subject, arguments, choose_evenly(count_points(subject, arguments), wanted))
 
 
 def _take(subject: Subject, arguments: Arguments, chosen: Any) -> Arguments:

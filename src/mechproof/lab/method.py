@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from mechproof.codegen.evaluation import entries
+from mechproof.codegen.evaluation import entries, result_shape
 from mechproof.codegen.kernel import name_rival
 from mechproof.measured import Kind
 from mechproof.proof.domain import Domain
@@ -146,11 +146,3 @@ def _lambdify(quantity: Quantity, definition: sp.Basic, cse: bool) -> Compute:
         return np.stack(results, axis=-1).reshape(*common, *shape) if shape else results[0]
 
     return compute
-
-
-def result_shape(definition: sp.Basic) -> tuple[int, ...]:
-    """Return the trailing axes of a result: none, (n,) for a column, (m, n) for a matrix."""
-    if not isinstance(definition, sp.MatrixBase):
-        return ()
-    rows, columns = definition.shape
-    return (rows,) if columns == 1 else (rows, columns)

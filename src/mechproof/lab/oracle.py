@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.codegen.evaluation import count_axes, entries
-from mechproof.lab.method import Arguments, Array, result_shape
+from mechproof.codegen.evaluation import count_axes, entries, result_shape
+from mechproof.lab.method import Arguments, Array
 from mechproof.lab.subject import Subject
 from mechproof.proof.balls import evaluate, evaluate_until, working_precision
 
@@ -167,13 +167,13 @@ def _to_double(
     |...| is real and turns it into a root of a product with its conjugate.
     """
     for bits in PRECISIONS:
-        ball = evaluate(expression, _give(expression, given, values, bits), bits)
+        ball = evaluate(expression, give_balls(expression, given, values, bits), bits)
         if ball.is_finite() and (ball.rel_accuracy_bits() >= SCALE_BITS or ball == 0):
             return float(ball)
     return np.nan
 
 
-def _give(
+def give_balls(
     expression: sp.Basic,
     given: Mapping[sp.Basic, sp.Expr],
     values: Mapping[sp.Basic, Any],
@@ -181,6 +181,6 @@ def _give(
 ) -> Mapping[sp.Basic, Any]:
     """Add the balls of the given symbols that an expression needs, directly or through others."""
     for symbol in (expression.free_symbols & given.keys()) - values.keys():
-        values = _give(given[symbol], given, values, bits)
+        values = give_balls(given[symbol], given, values, bits)
         values = {**values, symbol: evaluate(given[symbol], values, bits)}
     return values

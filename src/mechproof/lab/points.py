@@ -1,4 +1,4 @@
-"""Points chosen to hurt: the parts from which the tables build their point sets.
+"""Points chosen to hurt: named sets of them, and steps between doubles.
 
 Every set is drawn anew from a seed: searches climb from the sets of the seed TUNE, tables report
 those of the seed REPORT, so nothing is reported on the points it was found on. The exact singular
@@ -13,10 +13,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mechproof.kernel_support.order import from_order, to_order
 from mechproof.lab.method import Arguments, Array
 
 TUNE, REPORT = 20240826, 20261231
-LOWEST = np.int64(-(2**63))
 
 
 @dataclass(frozen=True)
@@ -39,19 +39,8 @@ def draw_points(point_set: PointSet, seed: int) -> Arguments:
 
 def step_ulps(value: Array, steps: Array) -> Array:
     """Move doubles by whole numbers of ulps, across zero and powers of two as well."""
-    ordered = _to_order(np.asarray(value, np.float64)) + np.asarray(steps, np.int64)
-    return _from_order(ordered)
-
-
-def _to_order(value: Array) -> Array:
-    bits = value.view(np.int64)
-    return np.where(bits < 0, LOWEST - np.minimum(bits, 0), bits)
-
-
-def _from_order(order: Array) -> Array:
-    bits = np.where(order < 0, LOWEST - np.minimum(order, 0), order)
-    value: Array = np.asarray(bits, np.int64).view(np.float64)
-    return value
+    ordered = to_order(value) + np.asarray(steps, np.int64)
+    return from_order(ordered)
 
 
 def draw_ladder(
@@ -62,6 +51,13 @@ def draw_ladder(
     size = np.exp(np.log(low) + steps * (np.log(high) - np.log(low)))
     signed: Array = np.where(rng.random(count) < 0.5, -size, size)
     return signed
+
+
+def choose_evenly(count: int, wanted: int | None) -> Array:
+    """Choose places evenly spread over so many; all of them if none or more are wanted."""
+    if wanted is None or wanted >= count:
+        return np.arange(count)
+    return np.linspace(0, count - 1, wanted).astype(int)
 
 
 def join(*parts: Arguments) -> Arguments:

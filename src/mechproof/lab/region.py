@@ -101,7 +101,11 @@ def _condition(relation: sp.Basic) -> sp.Expr:
 
 
 def _is_comparison(relation: sp.Basic) -> bool:
-    """Return whether both sides are numbers, symbols or absolute values: no rounding decides."""
-    sides = (side.args[0] if isinstance(side, sp.Abs) else side for side in relation.args)
-    plain = all(side.is_Symbol or side.is_number for side in sides)
-    return plain and not isinstance(relation, sp.Eq)
+    """Return whether no rounding decides a relation."""
+    return all(map(is_plain, relation.args)) and not isinstance(relation, sp.Eq)
+
+
+def is_plain(side: sp.Expr) -> bool:
+    """Return whether a side of a relation is a number, a symbol, or the absolute value of one."""
+    inner = side.args[0] if isinstance(side, sp.Abs) else side
+    return bool(inner.is_Symbol or inner.is_number or isinstance(inner, sp.Indexed))

@@ -15,7 +15,7 @@ import numpy as np
 from flint import arb
 
 from mechproof.codegen.code import Stage
-from mechproof.codegen.program import Operand, Operation, Program
+from mechproof.codegen.program import VIEWS, Operand, Operation, Program
 from mechproof.lab.method import Array
 from mechproof.proof.balls import working_precision
 
@@ -133,7 +133,7 @@ def _run(program: Program, known: Mapping[str, Any]) -> list[Any]:
 
 def _operate(step: Operation, find: Callable[[Operand], Any], single: bool) -> Any:
     kind, operands = step.kind, step.operands
-    if kind in ("along_first", "along_last", "transpose", "diagonal"):
+    if kind in VIEWS:
         return _view(kind, find(operands[0]))
     if kind == "sum":
         return _sum(find(operands[0]))
@@ -144,6 +144,8 @@ def _operate(step: Operation, find: Callable[[Operand], Any], single: bool) -> A
         return np.frompyfunc(lambda a, b: _compare(kind, a, b), 2, 1)(*values)
     if kind == "both":
         return np.frompyfunc(lambda a, b: a and b, 2, 1)(*values)
+    if kind == "either":
+        return np.frompyfunc(lambda a, b: a or b, 2, 1)(*values)
     if kind == "choose":
         return np.frompyfunc(_choose, 3, 1)(*values)
     exact = np.frompyfunc(FUNCTIONS[kind], len(values), 1)(*values)

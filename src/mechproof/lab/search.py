@@ -13,9 +13,10 @@ import numpy as np
 from mechproof.lab.error import find_errors
 from mechproof.lab.method import Arguments, Array, Compute
 from mechproof.lab.oracle import find_truth
-from mechproof.lab.points import TUNE, draw_points, join, step_ulps
+from mechproof.lab.points import TUNE, choose_evenly, draw_points, join, step_ulps
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
+from mechproof.lab.within import mark_within
 
 SURVIVORS = 24
 # Moves: up to 2**k ulps, or by a factor 1 + u * 10**-k.
@@ -46,7 +47,8 @@ def find_worst(
     for point_set in list_sets(subject, share):
         if point_set.ordered:
             continue
-        start = _thin(_with_leading_axis(draw_points(point_set, seed)), most)
+        drawn = _with_leading_axis(draw_points(point_set, seed))
+        start = tuple(column[choose_evenly(len(column), most)] for column in drawn)
         crowd, heights, tried = _survive(subject, compute, crowd, heights, start, tried)
     for _ in range(rounds):
         moved = _move(subject, crowd, rng)
@@ -60,7 +62,7 @@ def scaled_errors(subject: Subject, compute: Compute, arguments: Arguments) -> A
     truth = find_truth(subject, arguments)
     with np.errstate(all="ignore"):
         errors = find_errors(compute(*arguments), truth).scaled
-    held = subject.within(*arguments) & truth.decided
+    held = mark_within(subject, arguments) & truth.decided
     return np.where(held, np.nan_to_num(errors, nan=-1.0, posinf=np.inf), -1.0)
 
 
@@ -89,15 +91,6 @@ def _with_leading_axis(arguments: Arguments) -> Arguments:
         a if np.ndim(a) and len(a) == count else np.broadcast_to(a, (count, *np.shape(a))).copy()
         for a in arguments
     )
-
-
-def _thin(points: Arguments, most: int | None) -> Arguments:
-    """Take points evenly spread over a set."""
-    count = len(points[0])
-    if most is None or count <= most:
-        return points
-    chosen = np.linspace(0, count - 1, most).astype(int)
-    return tuple(column[chosen] for column in points)
 
 
 def _move(subject: Subject, crowd: Arguments, rng: np.random.Generator) -> Arguments:

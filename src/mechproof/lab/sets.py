@@ -14,7 +14,7 @@ from mechproof.lab.facts import Facts
 from mechproof.lab.method import Arguments
 from mechproof.lab.points import PointSet
 from mechproof.lab.singular_points import list_point_sets
-from mechproof.lab.sizes import Cell, draw_cell, make_workload
+from mechproof.lab.sizes import Sides, draw_cell, make_workload
 from mechproof.lab.subject import Subject
 
 Workload = tuple[str, Callable[[int], Arguments]]
@@ -36,7 +36,7 @@ def list_sets(subject: Subject, share: float = 1.0) -> tuple[PointSet, ...]:
     return (*made, *by_hand, *list_sweeps(subject))
 
 
-def list_cells(subject: Subject) -> list[Cell]:
+def list_cells(subject: Subject) -> list[Sides]:
     """List the cells between the usual sizes of the arguments; none without any."""
     edges = {a.name: a.usual for a in subject.quantity.arguments if len(a.usual) > 1}
     if not edges:
@@ -45,7 +45,7 @@ def list_cells(subject: Subject) -> list[Cell]:
     return [dict(zip(edges, sides, strict=True)) for sides in product(*spans)]
 
 
-def draw_in_cell(subject: Subject, rng: np.random.Generator, cell: Cell) -> Arguments:
+def draw_in_cell(subject: Subject, rng: np.random.Generator, cell: Sides) -> Arguments:
     """Draw points of one cell."""
     by_hand = subject.by_hand.in_cell
     return by_hand(rng, cell) if by_hand else draw_cell(subject.facts, rng, cell)

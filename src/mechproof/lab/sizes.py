@@ -12,17 +12,19 @@ import sympy as sp
 from mechproof.lab.draws import UNKNOWN, Rng, count_points, draw_inside, draw_usual
 from mechproof.lab.facts import FEWEST, Facts
 from mechproof.lab.method import Arguments, Array
+from mechproof.lab.region import MARGIN
 from mechproof.lab.roots import Columns, call, solve_linear
 from mechproof.lab.singular_points import draw_about, list_targets
 
-Cell = Mapping[str, tuple[float, float]]
+# A cell by its arguments' sizes, from and to; those of other arguments are open.
+Sides = Mapping[str, tuple[float, float]]
 IN_CELL, MOST_TARGETS = 120, 6
 # A call that is timed goes through so many periods of a place that recurs.
 PERIODS = 16
 SEED = 8
 
 
-def draw_cell(facts: Facts, rng: Rng, cell: Cell) -> Arguments:
+def draw_cell(facts: Facts, rng: Rng, cell: Sides) -> Arguments:
     """Draw points of one cell, half of them about places; arguments without edges as published.
 
     Raises ValueError if hardly any lie in the domain.
@@ -43,7 +45,7 @@ def draw_cell(facts: Facts, rng: Rng, cell: Cell) -> Arguments:
     return facts.pack(joined)
 
 
-def _keep_sizes(facts: Facts, cell: Cell, columns: Columns) -> Mapping[sp.Symbol, Array]:
+def _keep_sizes(facts: Facts, cell: Sides, columns: Columns) -> Mapping[sp.Symbol, Array]:
     """Drop the points whose sizes, largest components of vectors, lie in another cell."""
     kept = np.ones(count_points(columns), bool)
     for argument in facts.arguments:
@@ -69,11 +71,25 @@ def make_workload(facts: Facts, count: int, varying: Sequence[str]) -> Arguments
             continue
         ranges = [_range(facts, s, shared) for s in argument.symbols]
         if len(varying) == 1 and len(ranges) == 1:
-            arguments.append(np.linspace(*ranges[0], count))
+            arguments.append(_spread(facts, argument.symbols[0], ranges[0], shared, count))
         else:
             drawn = np.stack([rng.uniform(*r, count) for r in ranges], axis=-1)
             arguments.append(drawn if len(ranges) > 1 else drawn[:, 0])
     return tuple(arguments)
+
+
+def _spread(
+    facts: Facts,
+    symbol: sp.Symbol,
+    ends: tuple[float, float],
+    shared: Mapping[sp.Symbol, float],
+    count: int,
+) -> Array:
+    """Spread values evenly over what of a range lies in the domain."""
+    values = np.linspace(*ends, count)
+    others = {s: np.full(count, value) for s, value in shared.items()}
+    inside = values[facts.region.mark_near({**others, symbol: values}, MARGIN)]
+    return values if len(inside) in (0, count) else np.linspace(inside[0], inside[-1], count)
 
 
 def _middle(facts: Facts, symbol: sp.Symbol) -> float:

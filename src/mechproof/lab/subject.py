@@ -21,9 +21,10 @@ import sympy as sp
 from mechproof.codegen.forms import form_rows
 from mechproof.derivation import find_systems, load_paper, load_part, packaged_directory
 from mechproof.lab.facts import Facts
-from mechproof.lab.method import Arguments, Array, Compute, Method, list_methods
+from mechproof.lab.method import Arguments, Compute, Method, list_methods
 from mechproof.lab.points import PointSet
-from mechproof.lab.sizes import Cell
+from mechproof.lab.sizes import Sides
+from mechproof.measured import goes_by
 from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Peer, Quantity, Row
 
@@ -36,7 +37,7 @@ class ByHand:
     """
 
     sets: tuple[PointSet, ...] = ()
-    in_cell: Callable[[np.random.Generator, Cell], Arguments] | None = None
+    in_cell: Callable[[np.random.Generator, Sides], Arguments] | None = None
     workloads: Mapping[str, Callable[[int], Arguments]] = field(default_factory=dict)
 
     @classmethod
@@ -112,48 +113,6 @@ class Subject:
         """Return the spacing of wrong branches."""
         return None if self.quantity.period is None else float(self.quantity.period)
 
-    @cached_property
-    def within(self) -> Callable[..., Array]:
-        """Return the function that marks the points at which the accuracy bound holds."""
-        return compile_relations(self)
-
-
-def compile_relations(subject: Subject) -> Callable[..., Array]:
-    """Turn the relations of an accuracy bound into a function of the arguments' arrays.
-
-    A relation on elements holds where it holds for all of them.
-    """
-    accuracy = subject.quantity.accuracy
-    relations = [subject.domain.resolve(r) for r in (accuracy.within if accuracy else ())]
-    if not relations:
-        return lambda *arguments: np.asarray(True)
-    symbols = [s for argument in subject.quantity.arguments for s in argument.symbols]
-    plain = {s: sp.Symbol(str(s)) for s in symbols if isinstance(s, sp.IndexedBase)}
-    elements = {i: plain[i.base] for r in relations for i in r.atoms(sp.Indexed)}
-    tests = [
-        (
-            sp.lambdify([plain.get(s, s) for s in symbols], r.xreplace(elements), "numpy"),
-            bool(r.atoms(sp.Indexed)),
-        )
-        for r in relations
-    ]
-    counts = [len(argument.symbols) for argument in subject.quantity.arguments]
-
-    def within(*arguments: Array) -> Array:
-        parts = zip(counts, map(np.asarray, arguments), strict=True)
-        columns = [c for n, a in parts for c in ([a] if n == 1 else np.moveaxis(a, -1, 0))]
-        if not plain:
-            # SymPy's code for "or" joins its parts into one array.
-            columns = list(np.broadcast_arrays(*columns))
-        held = np.asarray(True)
-        with np.errstate(all="ignore"):
-            for test, over_elements in tests:
-                found = np.asarray(test(*columns), bool)
-                held = held & (found.all(axis=-1) if over_elements else found)
-        return held
-
-    return within
-
 
 def find_subjects(
     names: tuple[str, ...] = (), directory: Path | None = None
@@ -171,14 +130,10 @@ def find_subjects(
     needed = [p for s, p in places.items() if not names or s in systems or systems - places.keys()]
     subjects = [s for place in needed for s in _subjects_at(place, generated)]
     for name in names:
-        if not any(_fits(subject, name) for subject in subjects):
+        if not any(goes_by(subject.name, name) for subject in subjects):
             known = ", ".join(subject.name for subject in subjects)
             raise ValueError(f"quantity {name!r} is not one of {known}")
-    return tuple(s for s in subjects if not names or any(_fits(s, name) for name in names))
-
-
-def _fits(subject: Subject, name: str) -> bool:
-    return name in (subject.name, subject.paper.system, subject.quantity.name)
+    return tuple(s for s in subjects if not names or any(goes_by(s.name, name) for name in names))
 
 
 @lru_cache(maxsize=16)

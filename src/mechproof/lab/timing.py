@@ -1,4 +1,4 @@
-"""Time: calls of several forms interleaved in one run, medians, spread, and ratios by round."""
+"""Time: calls of several ways interleaved in one run, medians, spread, and ratios by round."""
 
 from __future__ import annotations
 
@@ -46,12 +46,12 @@ def time_subject(subject: Subject, effort: Effort) -> list[Timing]:
     for name, workload in list_workloads(subject):
         pace = _probe(subject, workload(PROBE))
         # What is too slow for every size has at least the time of its few points.
-        slow = [s for s in subject.methods if not _is_worth(s, pace, effort, effort.sizes[0])]
-        rows += [_summarise(s.name, name, PROBE, [pace[s.name] * PROBE]) for s in slow]
+        slow = [m for m in subject.methods if not _is_worth(m, pace, effort, effort.sizes[0])]
+        rows += [_summarise(m.name, name, PROBE, [pace[m.name] * PROBE]) for m in slow]
         for count, rounds in zip(effort.sizes, effort.rounds, strict=True):
             arguments = workload(count)
-            forms = subject.methods if _fits(arguments, effort) else ()
-            worth = [s.name for s in forms if _is_worth(s, pace, effort, count)]
+            methods = subject.methods if _fits(arguments, effort) else ()
+            worth = [m.name for m in methods if _is_worth(m, pace, effort, count)]
             rows += _time_size(subject, name, arguments, worth, (count, rounds), pace)
     return rows
 
@@ -70,7 +70,7 @@ def _is_worth(method: Method, pace: dict[str, float], effort: Effort, count: int
 def _probe(subject: Subject, arguments: Arguments) -> dict[str, float]:
     """Estimate seconds per point from one call on a few points."""
     with np.errstate(all="ignore"):
-        calls = {s.name: _bind(s.compute, arguments) for s in subject.methods}
+        calls = {m.name: _bind(m.compute, arguments) for m in subject.methods}
         times = {name: _time_call(call, 1) / PROBE for name, call in calls.items()}
     return {**times, COUNTED: PROBE}
 
@@ -90,17 +90,18 @@ def _time_size(
 ) -> list[Timing]:
     """Time one size (points, rounds); `pace` has the seconds per point of smaller sizes."""
     count, rounds = size
-    forms = {s.name: s.compute for s in subject.methods}
-    calls: dict[str, Callable[[], object]] = {f: _bind(forms[f], arguments) for f in worth}
+    calls: dict[str, Callable[[], object]] = {
+        m.name: _bind(m.compute, arguments) for m in subject.methods if m.name in worth
+    }
     calls[COPY] = _copy_call(np.shape(subject.kernel(*arguments)))
     times = interleave(calls, rounds)
     pace |= {name: float(np.median(t)) / count for name, t in times.items()} | {COUNTED: count}
     first = times.get(subject.methods[0].name)
-    return [_summarise(f, workload, count, times[f], first) for f in calls]
+    return [_summarise(name, workload, count, times[name], first) for name in calls]
 
 
 def time_ufuncs() -> dict[str, float]:
-    """Return ns per point of the ufuncs that forms are made of: no form is faster than its own."""
+    """Return ns per point of the ufuncs that kernels are made of: none is faster than its own."""
     values = np.random.default_rng(SEED).uniform(-50, 50, UFUNC_COUNT)
     target = np.empty_like(values)
     calls: dict[str, Callable[[], object]] = {
@@ -120,9 +121,9 @@ def _copy_call(shape: tuple[int, ...]) -> Callable[[], object]:
 
 
 def interleave(calls: Mapping[str, Callable[[], object]], rounds: int) -> dict[str, list[float]]:
-    """Return seconds per call of every form in every round, the order drawn anew each round.
+    """Return seconds per call of every way in every round, the order drawn anew each round.
 
-    A form leaves after LONG_ENOUGH seconds and two rounds.
+    A way leaves after LONG_ENOUGH seconds and two rounds.
     """
     rng = np.random.default_rng(SEED)
     with np.errstate(all="ignore"):

@@ -21,10 +21,11 @@ from mechproof.kernel_support import arrays, polynomials
 from mechproof.lab.error import find_errors
 from mechproof.lab.method import Arguments, Compute
 from mechproof.lab.oracle import count_points, find_truth
-from mechproof.lab.points import TUNE, PointSet, draw_points
+from mechproof.lab.points import TUNE, PointSet, choose_evenly, draw_points
 from mechproof.lab.rounding import decide, enclose_stage
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
+from mechproof.lab.within import mark_within
 
 # Of the first set so many points are enclosed, of every set so many go to the oracle.
 ENCLOSED, DECIDED = 8, 6
@@ -116,7 +117,7 @@ def _check_accuracy(subject: Subject) -> None:
             continue
         arguments = _take(subject, point_set, DECIDED)
         truth = find_truth(subject, arguments)
-        held = np.broadcast_to(subject.within(*arguments), truth.decided.shape) & truth.decided
+        held = mark_within(subject, arguments) & truth.decided
         for polynomial in (True, False):
             with np.errstate(all="ignore"), _with_polynomials(polynomial):
                 result = subject.kernel(*arguments)
@@ -134,7 +135,7 @@ def _take(subject: Subject, point_set: PointSet, count: int) -> Arguments:
     """Take a few points of a set, evenly spread over it."""
     arguments = draw_points(point_set, TUNE)
     total = count_points(subject, arguments)
-    chosen = np.unique(np.linspace(0, total - 1, count).astype(int))
+    chosen = choose_evenly(total, count)
     return tuple(
         a[chosen] if len(a) == total else np.repeat(a[None], len(chosen), 0) for a in arguments
     )

@@ -108,16 +108,16 @@ def _read_integrand(parser: Parser, opened: Open) -> Node:
 def _end_with_differential(parser: Parser, opened: Open) -> None:
     if opened.differential is None and is_differential(parser):
         read_differential(parser)
-    elif opened.differential is not None:
+    if opened.differential is not None:
         _refuse_factor_behind(parser)
 
 
 def _refuse_factor_behind(parser: Parser) -> None:
     opened = parser.integrals.pop()
-    if not parser.ends_product() and parser.text not in (r"\cdot", "/"):
+    if not parser.ends_product():
         raise parser.refuse(
             "does this factor behind the differential belong to the integrand?",
-            "Print it before the differential, or a dot before it.",
+            "Print it before the differential, or brackets around the integral.",
         )
     parser.integrals.append(opened)
 

@@ -31,6 +31,7 @@ class Remedies:
     function: str
     scope: str
     lower_limit: str
+    family: str
 
 
 MODULE = Remedies(
@@ -42,6 +43,7 @@ MODULE = Remedies(
     function="Declare Notation(functions={{'{0}': …}}).",
     scope="Declare Scope(rows=(…), names={{r'{0}': None}}) in Notation.scopes.",
     lower_limit="Declare Notation(lower_limit=…), and what a constant of integration is.",
+    family="Declare an IndexedBase in the place of {0}.",
 )
 
 

@@ -11,7 +11,7 @@ from mechproof.latex.meaning import Meaning
 from mechproof.latex.reader import Print, Reader
 from mechproof.latex.statements import Members, state
 from mechproof.latex.text import write, write_sign
-from mechproof.latex.tree import Chain
+from mechproof.latex.tree import Chain, Letter, Node, Repeated, walk
 from mechproof.record import Correction, Paper, Part, Row, Sign, Statement
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
@@ -35,8 +35,8 @@ def read_row(row: Row, reader: Reader) -> tuple[Row, ...]:
         return (_refuse_unread_correction(row),)
     read = reader.parse(row.printed_latex, row.number)
     places = list(_find_signs(read))
-    if not places:
-        raise ValueError(f"row {row.number!r}: its print has no relation sign and asserts nothing")
+    if any(not chain.relations for chain in read.chains):
+        raise ValueError(f"row {row.number!r}: a part of its print has no relation sign")
     if surplus := sorted(row.signs.keys() - set(range(1, len(places) + 1))):
         raise ValueError(f"row {row.number!r}: it has {len(places)} signs, not {surplus}")
     only_equal = all(place.sign == "=" for place in places)
@@ -65,13 +65,18 @@ class _Place:
     def sign(self) -> str:
         return self.chain.relations[self.left]
 
-    def members(self, meaning: Meaning) -> tuple[Any, Any]:
+    @property
+    def nodes(self) -> tuple[Node, Node]:
         one, other = self.chain.members[self.left : self.left + 2]
+        return one, other
+
+    def members(self, meaning: Meaning) -> tuple[Any, Any]:
+        one, other = self.nodes
         return meaning.of(one), meaning.of(other)
 
     @property
     def text(self) -> str:
-        one, other = self.chain.members[self.left : self.left + 2]
+        one, other = self.nodes
         condition = f" if {write(self.chain.condition)}" if self.chain.condition else ""
         return f"{write(one)} {write_sign(self.sign)} {write(other)}{condition}"
 
@@ -103,9 +108,10 @@ def _specialise(row: Row, number: int) -> Row:
 def _expand(row: Row, place: _Place, number: str) -> Row:
     """Make the row of one sign."""
     latex = place.read.cut(place.chain, place.left, place.left + 1)
-    says, text = row.says, ""
+    says, text, note = row.says, "", row.note
     if says is None:
         says, text = _state(row, place), _describe(row, place)
+        note = " ".join(filter(None, (*_find_unused(place), note)))
     corrected = row.corrected and _read_correction(row.corrected, row, place)
     empty: dict[str, Any] = {"derived": {}, "substituted": {}, "residual": None, "defines": ()}
     on = _narrow(row, place)
@@ -115,6 +121,7 @@ def _expand(row: Row, place: _Place, number: str) -> Row:
         printed_latex=latex,
         says=says,
         read_as=text,
+        note=note,
         corrected=corrected,
         on=on,
         **empty,
@@ -125,7 +132,7 @@ def _state(row: Row, place: _Place) -> Statement:
     reader = place.read.reader
     as_printed = place.members(place.read.meaning())
     rebuilt = place.members(place.read.meaning(row.derived))
-    return state(row, place.sign, Members(*as_printed, *rebuilt), reader)
+    return state(row, place.sign, Members(place.nodes, *as_printed, *rebuilt), reader)
 
 
 def _describe(row: Row, place: _Place) -> str:
@@ -133,6 +140,15 @@ def _describe(row: Row, place: _Place) -> str:
     start = place.read.reader.notation.lower_limit
     from_start = f", integrals from {start}" if "integral(" in place.text else ""
     return place.text + from_start + (f", with {changes}" if changes else "")
+
+
+def _find_unused(place: _Place) -> Iterator[str]:
+    """Say of which sums the index does not stand in the term: it may be meant for another."""
+    for part in walk(place.nodes):
+        if isinstance(part, Repeated):
+            letters = {p.symbol for p in walk(part.term) if isinstance(p, Letter)}
+            if part.index.symbol not in letters:
+                yield f"The index {part.index.symbol} of a {part.name} is not in its term."
 
 
 def _narrow(row: Row, place: _Place) -> Part | None:
@@ -159,5 +175,6 @@ def _read_correction(correction: Correction, row: Row, place: _Place) -> Correct
     other, other_derived = (
         read.meaning(values).of(chain.members[0]) for values in ({}, row.derived)
     )
-    members = Members(one, other, one_derived, other_derived)
+    nodes = (place.nodes[0], chain.members[0])
+    members = Members(nodes, one, other, one_derived, other_derived)
     return replace(correction, says=state(row, place.sign, members, place.read.reader))

@@ -19,8 +19,17 @@ if TYPE_CHECKING:
 _WORD = re.compile(r"[a-z]{2,}")
 
 
-# Letters that everybody reads, but not alike: Euler's number, the imaginary unit.
-UNSURE = ("e", "i")
+# Letters that not everybody reads alike: Euler's number, the imaginary unit, a differential.
+UNSURE = ("e", "i", "d")
+GREEK = frozenset(
+    (
+        *("alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta"),
+        *("vartheta", "iota", "kappa", "varkappa", "lambda", "mu", "nu", "xi", "pi", "varpi"),
+        *("rho", "varrho", "sigma", "varsigma", "tau", "upsilon", "phi", "varphi", "chi", "psi"),
+        *("omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi"),
+        *("Psi", "Omega", "ell"),
+    )
+)
 
 
 def check_bracket_after(parser: Parser, left: Node) -> None:
@@ -72,6 +81,7 @@ def index_symbol(parser: Parser, letter: str) -> sp.Symbol:
 
 def _read_name(parser: Parser, match: Match) -> Node:
     start, place = parser.start, parser.place
+    _refuse_running_index(parser, match)
     indices = tuple(i for span in match.indices for i in _read_indices(parser, *span))
     parser.place = match.end
     latex = parser.source.latex[start : parser.end]
@@ -83,6 +93,18 @@ def _read_name(parser: Parser, match: Match) -> Node:
         )
     text = "".join(token.text for token in parser.tokens[place : match.end])
     return Letter(match.name.symbol, text, indices, start=start, end=parser.end)
+
+
+def _refuse_running_index(parser: Parser, match: Match) -> None:
+    """Refuse one quantity with an index that runs here: it is a family."""
+    signs = match.name.signs
+    script = signs[signs.index("_") + 2 :] if "_" in signs else ()
+    letters = script[: script.index("}")] if script else ()
+    if letters and all(letter in parser.bound for letter in letters):
+        raise parser.refuse(
+            f"{match.name.latex} is declared as one quantity, but its index runs here",
+            parser.remedies.family.format(match.name.latex),
+        )
 
 
 def _refuse_continuation(parser: Parser, latex: str, place: int) -> None:
@@ -138,11 +160,12 @@ def _read_undeclared(parser: Parser) -> Node:
             f"{text[1:]} is not the same everywhere: {AMBIGUOUS[text[1:]]} must be said",
             parser.remedies.function.format(text[1:]),
         )
-    if not (text.isalpha() or (text[0] == "\\" and text[1:2].isalpha())):
+    is_letter = text.isalpha() or text[1:] in GREEK or text in ACCENTS
+    if not is_letter:
         raise parser.refuse(f"{text} has no meaning here")
     if parser.collects and text not in UNSURE:
         return _collect(parser)
-    if parser.integrals and text != "d":
+    if parser.integrals and text != "d" and not parser.collects:
         return _read_running(parser)
     printed = _printed_name(parser, parser.place)
     begun = [latex for latex in parser.names.beginning(text) if latex != printed]

@@ -113,7 +113,11 @@ class Meaning:
 
     def _root(self, node: Root) -> sp.Expr:
         degree = self.of(node.degree) if node.degree else sp.Integer(2)
-        return self.of(node.radicand) ** (1 / degree)
+        radicand = self.of(node.radicand)
+        if degree.is_odd and not radicand.is_nonnegative:
+            # The real root; SymPy's power is the principal one, which is complex.
+            return sp.sign(radicand) * sp.Abs(radicand) ** (1 / degree)
+        return radicand ** (1 / degree)
 
     def _call(self, node: Call) -> sp.Expr:
         if not node.arguments:

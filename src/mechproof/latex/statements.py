@@ -9,7 +9,8 @@ import sympy as sp
 
 from mechproof.latex.meaning import RELATIONS
 from mechproof.latex.reader import Reader
-from mechproof.latex.values import settle
+from mechproof.latex.tree import Add, Degrees, Letter, Node, Number, walk
+from mechproof.latex.values import depends, settle
 from mechproof.record import (
     Definition,
     Distinct,
@@ -27,6 +28,7 @@ from mechproof.record import (
 class Members:
     """Both members as printed, and read with the derived values at hand."""
 
+    nodes: tuple[Node, Node]
     left: Any
     right: Any
     left_derived: Any
@@ -43,16 +45,28 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
         return Equality(members.left - members.right, row.residual)
     left = _derive(row, members.left, members.left_derived, reader)
     right = _derive(row, members.right, members.right_derived, reader)
-    changed = (left != members.left, right != members.right)
+    printed = (members.left, members.right)
+    changed = tuple(
+        _is_derived(row, node, member, reader)
+        for node, member in zip(members.nodes, printed, strict=True)
+    )
     if not any(changed):
         defined = _find_definition(row, members, reader)
         if defined:
             return defined
-        _refuse_unknown(row, members, reader)
+        if not any(_is_faulty(side, reader) for side in (left, right)):
+            _refuse_unknown(row, members, reader)
     left, right = (_substitute(row, side) for side in (left, right))
     if changed == (False, True) or (not any(changed) and _is_faulty(left, reader)):
         return Equality(left, right)
     return Equality(right, left)
+
+
+def _is_derived(row: Row, node: Node, member: Any, reader: Reader) -> bool:
+    """Return whether our mechanics give something for a member."""
+    letters = {part.symbol for part in walk(node) if isinstance(part, Letter)}
+    keys = row.derived.keys()
+    return member in row.derived or any(depends(s, keys, reader.values) for s in letters)
 
 
 def _derive(row: Row, member: Any, derived_member: Any, reader: Reader) -> Any:
@@ -76,24 +90,24 @@ def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
 def _round(row: Row, members: Members, reader: Reader) -> Statement:
     """State that the left member rounds to the number that is printed right."""
     value = _substitute(row, _derive(row, members.left, members.left_derived, reader))
-    number, unit = members.right.as_coeff_Mul() if members.right.has(sp.pi) else (members.right, 1)
-    if unit != 1:
-        number, unit = members.right * 180 / sp.pi, sp.pi / 180
-    if not number.is_Rational:
+    number = members.nodes[1]
+    if isinstance(number, Degrees):
+        number, value = number.number, value * 180 / sp.pi
+    sign = ""
+    if isinstance(number, Add) and len(number.terms) == 1:
+        ((_, number),) = number.terms
+        sign = "-"
+    if not isinstance(number, Number):
         raise ValueError(f"row {row.number!r}: an approximation by no number; give its `says`")
-    return PrintedNumber(_as_decimal(number), value / unit)
-
-
-def _as_decimal(number: sp.Rational) -> str:
-    places = max(len(str(number.q)) - 1, 0)
-    return f"{float(number):.{places}f}"
+    return PrintedNumber(sign + number.text, value)
 
 
 def _find_definition(row: Row, members: Members, reader: Reader) -> Definition | None:
     """Return the definition that a sign is: of a symbol it introduces or is declared by."""
-    for symbol, other in ((members.left, members.right), (members.right, members.left)):
-        if symbol in row.defines and symbol not in other.free_symbols:
-            return Definition(symbol, other)
+    sides = (members.left, members.right)
+    for node, other in zip(members.nodes, reversed(sides), strict=True):
+        if isinstance(node, Letter) and not node.indices and _introduces(row, node, other, reader):
+            return Definition(node.symbol, other)
     printed = members.left.free_symbols | members.right.free_symbols
     for symbol in sorted(printed & reader.values.keys(), key=str):
         value = reader.values[symbol]
@@ -102,13 +116,22 @@ def _find_definition(row: Row, members: Members, reader: Reader) -> Definition |
     return None
 
 
+def _introduces(row: Row, letter: Letter, other: Any, reader: Reader) -> bool:
+    """Return whether the row defines a symbol, or prints the matrix that it is declared as."""
+    symbol = letter.symbol
+    is_new = symbol in row.defines and symbol not in other.free_symbols
+    return is_new or (isinstance(symbol, sp.MatrixSymbol) and reader.values.get(symbol) == other)
+
+
 def _is_declared_by(symbol: sp.Basic, value: sp.Basic, members: Members) -> bool:
-    left, right = (m.xreplace({symbol: value}) for m in (members.left, members.right))
-    if left == right:
-        return bool(members.left != members.right)
-    if any(isinstance(side, sp.MatrixBase) for side in (left, right)):
+    """Return whether the print, solved for a symbol, is its declared value."""
+    if any(isinstance(side, sp.MatrixBase) for side in (members.left, members.right)):
         return False
-    return bool(sp.expand(sp.together(left - right)) == 0)
+    difference = members.left - members.right
+    slope = sp.diff(difference, symbol)
+    if slope == 0 or slope.has(symbol):
+        return False
+    return bool(sp.expand(sp.together(difference.xreplace({symbol: value}))) == 0)
 
 
 def _refuse_unknown(row: Row, members: Members, reader: Reader) -> None:

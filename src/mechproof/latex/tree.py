@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -180,3 +180,13 @@ class Chain(Node):
     members: tuple[Node, ...]
     relations: tuple[str, ...]
     condition: Chain | None = None
+
+
+def walk(part: object) -> Iterator[Node]:
+    """Yield all nodes of a print."""
+    if isinstance(part, Node):
+        yield part
+        part = tuple(vars(part).values())
+    if isinstance(part, tuple):
+        for inner in part:
+            yield from walk(inner)

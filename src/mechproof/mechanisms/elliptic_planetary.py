@@ -21,8 +21,8 @@ from numpy.typing import ArrayLike
 
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import elliptic_planetary as kernels
+from mechproof.mechanisms.checks import check_domain, check_real, choose_published
 from mechproof.mechanisms.inversion import follow_kind, invert, take_numbers
-from mechproof.mechanisms.validation import check_domain, check_real, choose_published
 
 __all__ = ["EllipticPlanetary", "RatioExtremes"]
 

@@ -14,13 +14,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mechproof.kernel_support.order import from_order, to_order
+
 __all__ = ["follow_kind", "invert", "take_numbers"]
 
 Floats = NDArray[np.float64]
 Orders = NDArray[np.int64]
 
 LARGEST = np.finfo(np.float64).max
-SIGN = np.int64(np.iinfo(np.int64).min)
 # The push towards the middle, as a part of the bracket's square over the first one.
 PUSH = 0.2
 
@@ -42,7 +43,7 @@ def invert(
     """
     target = np.ravel(wanted)
     ends = [np.clip(np.ravel(end), -LARGEST, LARGEST) for end in (low, high)]
-    below, above = map(_to_order, ends)
+    below, above = map(to_order, ends)
     short, long = (np.asarray(function(end) - target) for end in ends)
     _check_enclosed(target, short, long, failure)
     first = _count(below, above)
@@ -53,7 +54,7 @@ def invert(
         a, b, fa, fb = below[active], above[active], short[active], long[active]
         room = np.exp2(halvings[active] - step)
         c = _place(a, b, fa, fb, first[active], room)
-        value = np.asarray(function(_from_order(c)) - target[active])
+        value = np.asarray(function(from_order(c)) - target[active])
         beneath = value <= 0
         below[active], short[active] = np.where(beneath, c, a), np.where(beneath, value, fa)
         above[active], long[active] = np.where(beneath, b, c), np.where(beneath, fb, value)
@@ -61,7 +62,7 @@ def invert(
         step += 1
     _check_enclosed(target, short, long, failure)
     nearest = np.where(-short <= long, below, above)
-    return _from_order(nearest).reshape(np.shape(wanted))
+    return from_order(nearest).reshape(np.shape(wanted))
 
 
 def _check_enclosed(target: Floats, short: Floats, long: Floats, failure: str) -> None:
@@ -72,11 +73,11 @@ def _check_enclosed(target: Floats, short: Floats, long: Floats, failure: str) -
 
 def _place(a: Orders, b: Orders, fa: Floats, fb: Floats, first: Floats, room: Floats) -> Orders:
     """Return a place strictly between a and b: interpolate, push, keep near the middle."""
-    width, (low, high) = _count(a, b), map(_from_order, (a, b))
+    width, (low, high) = _count(a, b), map(from_order, (a, b))
     with np.errstate(over="ignore", invalid="ignore"):
         crossing = low - fa * ((high - low) / (fb - fa))
     crossing = np.where(np.isfinite(crossing), np.clip(crossing, low, high), low / 2 + high / 2)
-    away = _count(a, _to_order(crossing)) - width / 2
+    away = _count(a, to_order(crossing)) - width / 2
     push = np.maximum(PUSH * width * (width / first), 1.0)
     away = np.sign(away) * np.maximum(np.abs(away) - push, 0.0)
     reach = np.maximum(room - width / 2, 0.0)
@@ -85,16 +86,6 @@ def _place(a: Orders, b: Orders, fa: Floats, fb: Floats, first: Floats, room: Fl
     steps = np.minimum(ahead.astype(np.uint64), (b - a).view(np.uint64) - np.uint64(1))
     places: Orders = (a.view(np.uint64) + steps).view(np.int64)
     return places
-
-
-def _to_order(values: Floats) -> Orders:
-    """Return the place of each double in their order, zero being 0."""
-    bits = values.astype(np.float64).view(np.int64)
-    return np.where(bits < 0, SIGN - bits, bits)
-
-
-def _from_order(orders: Orders) -> Floats:
-    return np.where(orders < 0, SIGN - orders, orders).view(np.float64)
 
 
 def _count(a: Orders, b: Orders) -> Floats:

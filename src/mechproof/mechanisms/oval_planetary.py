@@ -26,6 +26,7 @@ from numpy.typing import ArrayLike
 
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import oval_planetary as kernels
+from mechproof.mechanisms.checks import check_domain, check_real, choose_published, require
 from mechproof.mechanisms.inversion import follow_kind, invert, take_numbers
 from mechproof.mechanisms.oval_planetary_motion import (
     Motion,
@@ -34,7 +35,6 @@ from mechproof.mechanisms.oval_planetary_motion import (
     compose,
     describe_motion,
 )
-from mechproof.mechanisms.validation import check_domain, check_real, choose_published, require
 
 __all__ = ["CylindricalPair", "Motion", "OvalPair", "OvalPlanetary"]
 

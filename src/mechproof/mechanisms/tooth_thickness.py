@@ -24,8 +24,8 @@ from numpy.typing import ArrayLike
 
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import tooth_thickness as kernels
+from mechproof.mechanisms.checks import check_count, check_domain, check_real, require
 from mechproof.mechanisms.inversion import follow_kind, invert, take_numbers
-from mechproof.mechanisms.validation import check_count, check_domain, check_real, require
 
 __all__ = ["ToothThickness"]
 

@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 from numpy.typing import ArrayLike
 
 from mechproof.kernels import track_wheel as kernels
-from mechproof.mechanisms.validation import check_count, check_domain, check_real, check_triple
+from mechproof.mechanisms.checks import check_count, check_domain, check_real, check_triple
 
 __all__ = ["RadiusExtremes", "TrackWheel"]
 

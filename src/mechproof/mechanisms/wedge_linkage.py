@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import wedge_linkage as kernels
-from mechproof.mechanisms.validation import check_domain, check_real, choose_published, require
+from mechproof.mechanisms.checks import check_domain, check_real, choose_published, require
 
 if TYPE_CHECKING:
     from mechproof.tolerance import CornerRange, Size

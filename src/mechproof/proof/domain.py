@@ -96,20 +96,41 @@ class Domain:
         """
         names, relations = self._connect(set(symbols) | fixed.keys())
         ordered = sorted(names - fixed.keys(), key=str)
-        walk = ({**fixed, **point} for point in self._walk(ordered, count))
+        of_elements = self._relate_elements(names, fixed)
+        relations += of_elements
+        walk = (_tie(of_elements, {**fixed, **point}) for point in self._walk(ordered, count))
         interior = list(islice((p for p in walk if _allowed(relations, p)), count))
         if not interior:
             raise ValueError(f"no point found in the domain of {[str(s) for s in ordered]}")
         corners = self._corners({s: interior[0][s] for s in ordered})
-        return interior + [p for c in corners if _allowed(relations, p := {**fixed, **c})]
+        tied = (_tie(of_elements, {**fixed, **corner}) for corner in corners)
+        return interior + [point for point in tied if _allowed(relations, point)]
 
     def _connect(self, names: set[sp.Basic]) -> tuple[set[sp.Basic], list[sp.Basic]]:
         """Add the symbols that relations tie to the names, directly or through others."""
         relations: list[sp.Basic] = []
-        for _ in self.where:
-            relations = [r for r in self.where if r.free_symbols & names]
+        plain = [r for r in self.where if not r.has(sp.Indexed)]
+        for _ in plain:
+            relations = [r for r in plain if r.free_symbols & names]
             names = names.union(*(r.free_symbols for r in relations))
         return names, relations
+
+    def _relate_elements(
+        self, names: set[sp.Basic], fixed: Mapping[sp.Basic, sp.Rational]
+    ) -> list[sp.Basic]:
+        """State the relations of indexed symbols for the elements among the names."""
+        numbers = sorted({k for s in names if isinstance(s, sp.Indexed) for k in s.indices})
+        related: dict[sp.Basic, None] = {}
+        for relation in self.where if numbers else ():
+            written = relation.subs(fixed).doit() if relation.has(sp.Sum) else relation
+            if written.has(sp.Sum):
+                continue
+            free = {i for item in written.atoms(sp.Indexed) for i in item.indices if i.is_Symbol}
+            for values in product(numbers, repeat=len(free)):
+                one = written.xreplace(dict(zip(sorted(free, key=str), values, strict=True)))
+                if one.atoms(sp.Indexed) and _symbols(one) <= names:
+                    related[one] = None
+        return list(related)
 
     def _walk(self, ordered: list[sp.Basic], count: int) -> Iterator[Point]:
         tries = count * (_TRIES_PER_POINT if self.where else 1)
@@ -171,8 +192,29 @@ def _make_free(
     raise ValueError(f"{symbol} = {definition} cannot be solved for an unrestricted symbol")
 
 
+def _symbols(relation: sp.Basic) -> set[sp.Basic]:
+    """Return the elements and the symbols of a relation, without the labels of its elements."""
+    items = relation.atoms(sp.Indexed)
+    return (
+        relation.free_symbols - {i.base.label for i in items} - relation.atoms(sp.IndexedBase)
+    ) | items
+
+
+def _tie(relations: list[sp.Basic], point: Point) -> Point:
+    """Give elements on the left of an equation the values that it gives them."""
+    for relation in relations:
+        if isinstance(relation, sp.Eq) and relation.lhs in point:
+            point = {**point, relation.lhs: relation.rhs.xreplace(point)}
+    return point
+
+
 def _allowed(relations: list[sp.Basic], point: Point) -> bool:
-    return all(balls.truth(relation, point) is True for relation in relations)
+    return all(
+        # Equal fractions are equal, whatever their balls say.
+        (isinstance(relation, sp.Eq) and relation.xreplace(point) == sp.true)
+        or balls.truth(relation, point) is True
+        for relation in relations
+    )
 
 
 def _radical_inverse(step: int, base: int) -> sp.Rational:

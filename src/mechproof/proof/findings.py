@@ -7,7 +7,7 @@ in the place of its print the statement is proved.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from decimal import Decimal
 from typing import Any
@@ -185,15 +185,14 @@ def _corrections(root: Row) -> dict[sp.Basic, sp.Basic]:
 
 
 def _pairs(printed: Any, corrected: Any) -> dict[sp.Basic, sp.Basic]:
-    if isinstance(printed, sp.Basic) and printed != corrected:
-        return {printed: corrected}
+    if isinstance(printed, sp.Basic):
+        return {printed: corrected} if printed != corrected else {}
+    both: Iterable[tuple[Any, Any]] = ()
     if is_dataclass(printed) and type(printed) is type(corrected):
         both = ((getattr(printed, f.name), getattr(corrected, f.name)) for f in fields(printed))
-        return {k: v for p, c in both for k, v in _pairs(p, c).items()}
-    if isinstance(printed, tuple) and len(printed) == len(corrected):
+    elif isinstance(printed, tuple) and len(printed) == len(corrected):
         both = zip(printed, corrected, strict=True)
-        return {k: v for p, c in both for k, v in _pairs(p, c).items()}
-    return {}
+    return {k: v for p, c in both for k, v in _pairs(p, c).items()}
 
 
 def _replace_in(part: Any, pairs: Mapping[sp.Basic, sp.Basic]) -> Any:

@@ -34,7 +34,9 @@ class _Ring:
         # A ring of flint's has a generator, needed or not.
         names = [f"x{n}" for n in range(max(1, len(symbols)))]
         self.context = fmpq_mpoly_ctx.get(names, "lex")
-        self.generators = dict(zip(self.symbols, self.context.gens(), strict=False))
+        self.generators: dict[sp.Symbol, fmpq_mpoly] = dict(
+            zip(self.symbols, self.context.gens(), strict=False)
+        )
 
     def read(self, node: sp.Expr) -> fmpq_mpoly:
         """Return the polynomial of an expression."""
@@ -43,7 +45,8 @@ class _Ring:
         if node.is_Symbol:
             return self.generators[node]
         if isinstance(node, sp.Add | sp.Mul):
-            return reduce(add if node.is_Add else mul, map(self.read, node.args))
+            combine = add if node.is_Add else mul
+            return reduce(combine, [self.read(argument) for argument in node.args])
         if isinstance(node, sp.Pow) and node.exp.is_Integer and node.exp >= 0:
             return self.read(node.base) ** int(node.exp)
         raise sp.PolynomialError(f"no polynomial: {node}")

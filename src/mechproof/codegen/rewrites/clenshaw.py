@@ -24,12 +24,12 @@ def clenshaw(evaluation: Evaluation) -> Evaluation:
         if len(coefficients) < 2:
             return total
         (x,) = {angle for angle, _ in coefficients}
-        named = {m: _add(f"c_{m}", c, evaluation, steps) for (_, m), c in coefficients.items()}
-        twice = _add("twice_cosine", 2 * sp.cos(x), evaluation, steps)
+        named = {m: evaluation.add_step(f"c_{m}", c, steps) for (_, m), c in coefficients.items()}
+        twice = evaluation.add_step("twice_cosine", 2 * sp.cos(x), steps)
         first, second = sp.S.Zero, sp.S.Zero
         for m in range(max(named), 0, -1):
             value = named.get(m, sp.S.Zero) + twice * first - second
-            name = value if value.is_Symbol else _add(f"b_{m}", value, evaluation, steps)
+            name = value if value.is_Symbol else evaluation.add_step(f"b_{m}", value, steps)
             first, second = name, first
         return sp.Add(*rest) + first * sp.sin(x)
 
@@ -55,12 +55,6 @@ def _collect(
     return coefficients, rest
 
 
-def _add(name: str, value: sp.Expr, evaluation: Evaluation, steps: list[Step]) -> sp.Symbol:
-    symbol = evaluation.new_symbol(name, steps)
-    steps.append((symbol, value))
-    return symbol
-
-
 def in_single(evaluation: Evaluation) -> Evaluation:
     """Rewrite sin x, cos x -> sin y, cos y, y the float32 of x less whole turns.
 
@@ -70,7 +64,9 @@ def in_single(evaluation: Evaluation) -> Evaluation:
     angles = {n.args[0] for e in evaluation.expressions() for n in e.atoms(sp.sin, sp.cos)}
     steps: list[Step] = []
     small = {
-        x: _add(f"single_{suggest_name(x, 'angle')}", Single(WholeTurnsOff(x)), evaluation, steps)
+        x: evaluation.add_step(
+            f"single_{suggest_name(x, 'angle')}", Single(WholeTurnsOff(x)), steps
+        )
         for x in sorted(angles, key=sp.default_sort_key)
     }
 

@@ -22,8 +22,7 @@ def name_coefficients(evaluation: Evaluation) -> Evaluation:
             coefficient = sp.diff(row, variable)
             # A lone function or symbol is computed where it stands; a name would only hide it.
             if isinstance(coefficient, sp.Add | sp.Mul):
-                steps.append((evaluation.new_symbol(f"C{i}{j}", steps), coefficient))
-                coefficient = steps[-1][0]
+                coefficient = evaluation.add_step(f"C{i}{j}", coefficient, steps)
             rest += coefficient * variable
         named.append(rest)
     output = iter(named)

@@ -38,12 +38,7 @@ def _halve(
     angle: sp.Expr, evaluation: Evaluation, factors: Factors
 ) -> tuple[sp.Symbol, sp.Symbol | sp.Integer]:
     """Add the steps of tan(angle/2) and return its two sides, t and 1 without a low word."""
-
-    def add(name: str, value: sp.Expr) -> sp.Symbol:
-        symbol = evaluation.new_symbol(name, factors.steps)
-        factors.steps.append((symbol, value))
-        return symbol
-
+    add = partial(evaluation.add_step, steps=factors.steps)
     low = low_part(angle, evaluation)
     t = add("t", sp.tan((angle - low) / 2))
     if not low:

@@ -51,11 +51,9 @@ def _is_sum(factor: sp.Expr) -> bool:
 
 def _split_sum(factor: sp.Expr, evaluation: Evaluation, steps: list[Step]) -> Pair:
     """Add the steps of a rounded sum and of its rest, and return their names."""
-    high = evaluation.new_symbol(suggest_name(factor, "factor"), steps)
-    steps.append((high, factor))
-    low = evaluation.new_symbol(f"{high}_low", steps)
-    steps.append((low, SumRest(*factor.as_coeff_Add(), high)))
-    return high, low
+    high = evaluation.add_step(suggest_name(factor, "factor"), factor, steps)
+    rest = SumRest(*factor.as_coeff_Add(), high)
+    return high, evaluation.add_step(f"{high}_low", rest, steps)
 
 
 def _split_product(
@@ -63,8 +61,6 @@ def _split_product(
 ) -> sp.Expr:
     """Add the steps of a rounded product and of its rest, and return their sum."""
     (a, a_low), (b, b_low) = factors
-    high = evaluation.new_symbol(f"{name}_high", steps)
-    steps.append((high, a * b))
-    low = evaluation.new_symbol(f"{name}_low", steps)
-    steps.append((low, ProductRest(a, b, high) + a_low * b + a * b_low))
-    return high + low
+    high = evaluation.add_step(f"{name}_high", a * b, steps)
+    rest = ProductRest(a, b, high) + a_low * b + a * b_low
+    return high + evaluation.add_step(f"{name}_low", rest, steps)

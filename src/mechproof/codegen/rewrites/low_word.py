@@ -62,8 +62,6 @@ def _add_rest(
     for factor, partner in ((one, other), (other, one)):
         above, below = sp.fraction(values.get(factor, factor))
         if below != 1:
-            factor_low = evaluation.new_symbol(f"{factor}_low", steps)
-            steps.append((factor_low, QuotientRest(above, below, factor)))
-            rest += factor_low * partner
-    steps.append((evaluation.new_symbol(f"{x}_low", steps), number * rest))
-    return steps[-1][0]
+            factor_rest = QuotientRest(above, below, factor)
+            rest += evaluation.add_step(f"{factor}_low", factor_rest, steps) * partner
+    return evaluation.add_step(f"{x}_low", number * rest, steps)

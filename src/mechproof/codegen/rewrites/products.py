@@ -59,9 +59,7 @@ class Factors:
         for symbol, value in self.steps:
             if value == base:
                 return symbol
-        symbol = self._evaluation.new_symbol(suggest_name(base, "factor"), self.steps)
-        self.steps.append((symbol, base))
-        return symbol
+        return self._evaluation.add_step(suggest_name(base, "factor"), base, self.steps)
 
 
 def _reads_better_negated(base: sp.Expr, product: sp.Expr, power: int) -> bool:

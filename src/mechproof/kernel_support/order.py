@@ -1,0 +1,23 @@
+"""The order of doubles: whole numbers that neighbours differ in by one, zero being 0."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+LOWEST, LARGEST = np.iinfo(np.int64).min, np.iinfo(np.int64).max
+
+
+def to_order(values: ArrayLike) -> NDArray[np.int64]:
+    """Return the place of each double in their order."""
+    bits: Any = np.asarray(values, np.float64).view(np.int64)
+    places: NDArray[np.int64] = np.where(bits < 0, -(bits & LARGEST), bits)
+    return places
+
+
+def from_order(places: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Return the doubles at the places."""
+    bits: Any = np.where(places < 0, LOWEST | -places, places)
+    return np.asarray(bits, np.int64).view(np.float64)

@@ -1,0 +1,171 @@
+"""What could be read in two ways is refused, with its place and a remedy."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from mechproof.latex import Reader, ReadingError
+from mechproof.record import Notation, Scope, Variable
+
+x, y, a, rho, k = (sp.Symbol(name, real=True) for name in ("x", "y", "a", "rho", "k"))
+q = sp.IndexedBase("q", real=True)
+VARIABLES = (
+    Variable(x, "", latex=("x",)),
+    Variable(y, "", latex=("y",), given=2 * x),
+    Variable(a, "", latex=("a",)),
+    Variable(rho, "", latex=(r"\rho(x)", r"\rho")),
+    Variable(k, "", latex=("k",)),
+    Variable(q, "", latex=("q",)),
+    Variable(sp.Symbol("r_i"), "", latex=("r_i",)),
+    Variable(sp.Symbol("d"), "", latex=("d_1",)),
+)
+READER = Reader(VARIABLES, Notation(factors=("a",)))
+
+REFUSED = [
+    # print, what stands at the place, a part of the reason, a part of the remedy
+    ("x_2+1", "_2", "declared, but not with an index", r"latex=(r'x_2',)"),
+    ("x'", "'", "declared, but not with a prime", r"latex=(r'x\'',)".replace("\\'", "'")),
+    ("a/xy", "/xy", "several factors", r"\frac"),
+    ("1/2x", "/2x", "several factors", r"\frac"),
+    (r"\sin^{-1}x", "^{-1}x", "inverse or its reciprocal", r"\arctan"),
+    (r"\rho(y)", "(y)", "is a declared name, this is another", r"\rho(…)"),
+    ("x(1+y)", "(1+y)", "a factor, or the argument", "factors=(r'x',)"),
+    ("x^2(1+y)", "(1+y)", "a factor, or the argument", "factors=(r'x',)"),
+    ("x2", "2", "a number follows", r"\cdot"),
+    (r"\frac x22", "2", "a number follows", r"\cdot"),
+    (r"2\frac12", r"\frac12", "mixed number", r"\cdot"),
+    ("0,5a", ",5a", "decimal comma or a list", "0.5"),
+    ("1 2", "2", "one number or two", "gap"),
+    ("2.", "", "ends with a point", ""),
+    (r"\cos xy", "y", "belong to the argument", "brackets"),
+    (r"\cos x y", "y", "belong to the argument", "brackets"),
+    (r"\cos 2xy", "y", "belong to the argument", "brackets"),
+    (r"\cos\frac xy a", "a", "belong to the argument", "brackets"),
+    (r"\cos x(1+y)", "(1+y)", "belong to the argument", "brackets"),
+    (r"\cos(x)^2", "^2", "of the function or of the argument", r"\cos^2"),
+    (r"\frac{x}{y}^2", "^2", "without brackets", r"\left"),
+    (r"\psi+x", r"\psi+x", "is not declared", r"latex=(r'\psi',)"),
+    (r"\psi_1'", r"\psi_1'", "is not declared", r"latex=(r'\psi_1\'',)".replace("\\'", "'")),
+    (r"b", "b", "is not declared", r"latex=(r'b',)"),
+    (r"\rho_1", "_1", "declared, but not with an index", r"\rho_1"),
+    ("sin x", "sin x", "in italics", r"\sin"),
+    (r"\log x", r"\log x", "not the same everywhere", "functions"),
+    (r"\arcctg x", r"\arcctg x", "not the same everywhere", "functions"),
+    (r"\dots=x", r"\dots=x", "printed before", "whole"),
+    (r"(\dots)x", r"(\dots)x", "the print before it has 0", "bracket"),
+    (r"\sum q_i", "q_i", "without limits", r"\sum_{k=1}^n"),
+    (r"\sum_{i=1} q_i", "q_i", "without upper limit", r"\sum_{k=1}^n"),
+    (r"\sum_{i}^2 q_i", "}", "first value", r"\sum_{k=1}^n"),
+    (r"\sum_{k=1}^2 k", "k", "bound here and declared", "Scope"),
+    (r"\int_0^1 b\,dx", r"b\,dx", "neither declared nor bound", r"latex=(r'b',)"),
+    (r"\int_0 x\,dx", r"\int_0", "one limit only", ""),
+    (r"\int_0^1 dx\,x", "x", "behind the differential", "before the differential"),
+    (r"\int_0^1\frac{dx}{x}a", "a", "behind the differential", "before the differential"),
+    (r"\int_0^1\frac{dx}{x}\,dy", "dy", "behind the differential", ""),
+    (r"\int_0^1 dx/x", "/x", "behind the differential", "before the differential"),
+    (r"\int_0^1 x\,dx\cdot a", r"\cdot a", "behind the differential", "brackets"),
+    (r"\sum_{i=1}^2 r_i", "r_i", "its index runs here", "IndexedBase"),
+    (r"x\pm a", r"\pm", "no meaning", ""),
+    (r"\sin x/2", "/2", "belong to the argument", "brackets"),
+    (r"\frac{1}{(x+1", "", "a } is missing", ""),
+    ("(x+1", "", "expected )", ""),
+    ("x+1)", ")", "not understood", ""),
+    ("x}", "}", "closed that was not opened", ""),
+    ("x^1^2", "^2", "a second ^", ""),
+    ("_1", "_1", "nothing stands before", ""),
+    ("x+", "", "something must follow", ""),
+    ("x=?", "?", "no meaning here", ""),
+    (r"\begin{vmatrix}x\end{vmatrix}", r"\begin", "vmatrix", ""),
+    (r"\begin{pmatrix}x&y\\x\end{pmatrix}", r"\begin", "not equally long", ""),
+    (r"x\text{ if }y", "", "needs a relation sign", ""),
+    (r"\mathrm x", "x", "needs braces", ""),
+]
+
+
+@pytest.mark.parametrize(("latex", "at", "reason", "remedy"), REFUSED, ids=[r[0] for r in REFUSED])
+def test_it_is_refused_with_place_and_remedy(latex: str, at: str, reason: str, remedy: str) -> None:
+    with pytest.raises(ReadingError) as caught:
+        READER.parse(latex, "(7)")
+    error = caught.value
+    assert reason in error.reason
+    assert remedy in error.remedy
+    assert latex[error.place :].startswith(at)
+    lines = str(error).splitlines()
+    assert lines[0].startswith("row '(7)': ")
+    assert lines[2].index("^") == lines[1].index(latex) + error.place
+
+
+# Refused when the expression is made of what was read.
+MEANINGLESS = [
+    ("1/0", "divides by zero"),
+    (r"\frac{1}{x-x}", "divides by zero"),
+    (r"\int x\,dx", "where does it start"),
+    (r"\int_0^1 x\,d\cos x", "may move with"),
+    (r"\int_0^1 y\,d\cos x", "may move with"),
+    ("9^{9^9}", "not worked out"),
+]
+
+
+@pytest.mark.parametrize(("latex", "reason"), MEANINGLESS)
+def test_what_has_no_meaning_is_refused(latex: str, reason: str) -> None:
+    read = READER.parse(latex)
+    with pytest.raises(ReadingError, match=reason):
+        read.meaning().of(read.chains[0].members[0])
+
+
+def test_one_print_of_two_symbols_needs_a_scope() -> None:
+    twice = (*VARIABLES, Variable(sp.Symbol("x_other"), "", latex=("x",)))
+    with pytest.raises(ValueError, match=r"Notation\.scopes"):
+        Reader(twice).parse("x")
+    scope = Scope(("(3)",), {"x": sp.Symbol("x_other")})
+    reader = Reader(VARIABLES, Notation(scopes=(scope,)))
+    for row, symbol in (("(3)", "x_other"), ("(3), second equals sign", "x_other"), ("(30)", "x")):
+        read = reader.parse("x", row)
+        assert read.meaning().of(read.chains[0].members[0]) == sp.Symbol(
+            symbol, **({"real": True} if symbol == "x" else {})
+        )
+
+
+def test_a_scope_frees_a_letter_for_an_index() -> None:
+    reader = Reader(VARIABLES, Notation(scopes=(Scope(("(3)",), {"k": None}),)))
+    read = reader.parse(r"\sum_{k=1}^2 q_k", "(3)")
+    total = read.meaning().of(read.chains[0].members[0])
+    assert total.doit() == q[1] + q[2]
+
+
+# Read, as there is only one way.
+READ = [
+    (r"\cos 2x\cdot y", sp.cos(2 * x) * y),
+    (r"\cos\frac x2\sin x", sp.cos(x / 2) * sp.sin(x)),
+    (r"\mathrm{tg}^2\frac x2", sp.tan(x / 2) ** 2),
+    (r"\sqrt[3]{x^2+1}", sp.cbrt(x**2 + 1)),
+    (r"\sqrt[3]{-8}", sp.Integer(-2)),
+    ("a(x+1)^2", a * (x + 1) ** 2),
+    ("x[y+1]", x * (y + 1)),
+    (r"a\,x^{1/2}", a * sp.sqrt(x)),
+    ("-x^2", -(x**2)),
+    ("2a/x", 2 * a / x),
+    (r"|x-|y||", sp.Abs(x - sp.Abs(y))),
+    (r"\left|x\right|^2", sp.Abs(x) ** 2),
+    (r"0{,}5x", x / 2),
+    (r"\rho(x)+\rho", 2 * rho),
+    (r"\frac12x", x / 2),
+    (r"\sum_{i=1}^3 i\,x", 6 * x),
+    (r"\prod_{i=1}^3 i", sp.Integer(6)),
+    (r"\int_0^1(x+t)\,dt", x + sp.Rational(1, 2)),
+    (r"\int_0^1 1+t\,dt", sp.Rational(3, 2)),
+    (r"\int_0^{1}\frac{2t\,dt}{1}", sp.Integer(1)),
+    (r"\int_0^1\int_0^t s\,ds\,dt", sp.Rational(1, 6)),
+    (r"90^\circ", sp.pi / 2),
+    (r"\lg 100", sp.Integer(2)),
+    (r"\max(1, 2)", sp.Integer(2)),
+    (r"{x}{y}", x * y),
+]
+
+
+@pytest.mark.parametrize(("latex", "expression"), READ, ids=[r[0] for r in READ])
+def test_it_is_read(latex: str, expression: sp.Expr) -> None:
+    read = READER.parse(latex)
+    found = read.meaning().of(read.chains[0].members[0])
+    assert sp.simplify(found.doit() - expression) == 0
