@@ -179,6 +179,7 @@ def linearity_row(table: str, which: str, below: Callable[[Expr], Statement]) ->
         f"{table}, linearity",
         r"\text{linearity }0.3\,\%",
         Completions(
+            "what the linearity of 0.3 % refers to",
             Completion(
                 f"0.3 % of the full scale of 360 deg bounds {which}", below(FULL_SCALE_LINEARITY)
             ),

@@ -18,7 +18,7 @@ from mechproof.cli import app
 
 FIELDS = {
     "system", "number", "kind", "verdict", "rung", "marks",
-    "printed_latex", "read_as", "reason", "evidence", "corrected_latex",
+    "printed_latex", "read_as", "on", "singular", "reason", "evidence", "corrected_latex",
 }  # fmt: skip
 HEAD = """
 from sympy import Function, Integral, Interval, S, Symbol, cos, gamma, oo, pi, sin, symbols

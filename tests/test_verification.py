@@ -65,3 +65,14 @@ def test_what_the_forms_refuse_is_charged_to_the_derivation(
     monkeypatch.setattr("mechproof.verification.form_rows", refuse)
     with pytest.raises(DerivationError, match=r"mine\.py: no such rewrite"):
         judge_derivations([file])
+
+
+def test_a_row_that_is_wrongly_stated_has_no_judgement_and_holds_nothing_up(file: Path) -> None:
+    text = TEXT.replace("int(n == 3)", 'symbols(f"z{n}") * int(n == 3)')
+    file.write_text(text, encoding="utf-8")
+    (ledger,) = judge_derivations([file], use_cache=False)
+    assert [j.verdict for j in ledger.judgements] == [Verdict.PROVED] * 4
+    (failure,) = ledger.failures
+    assert failure == (
+        f"{file}: row (3): RecordError: rebuilt: z3 is no declared symbol of the paper"
+    )

@@ -634,6 +634,7 @@ ROWS = (
         "measured functions adequate",
         r"\text{the measured functions of all variants are adequate to the model}",
         Completions(
+            "the criterion of adequacy and the readings",
             Completion(
                 "adequate: the 95 % interval of the mean error contains 0, all variants",
                 Holds(
@@ -656,6 +657,7 @@ ROWS = (
         "inaccurate manufacture",
         r"\text{a large mean error may point to inaccurate manufacture}",
         Completions(
+            "what the linearity of 0.3 % refers to",
             Completion(
                 "linearity of the full scale: the largest mean error exceeds it",
                 less(FULL_SCALE_LINEARITY, largest_mean_error),

@@ -744,6 +744,7 @@ VARIANT_ROWS: tuple[Row, ...] = (
         "special case, angle of wheel 6",
         r"\text{the output of variant 3 rests three times in a turn of the carrier}",
         Completions(
+            "by how much wheel 6 has turned",
             Completion(
                 "wheel 6 turned by (R4/R5) phi1: rest at phi1 = pi/3",
                 Equality(
@@ -795,6 +796,7 @@ VARIANT_ROWS: tuple[Row, ...] = (
         "Fig. 5, tick labels",
         r"\varphi_3:\ 50^\circ",
         Completions(
+            "which variant the figure shows",
             Completion(
                 "the figure shows variant 1: its whole swing is within 50 deg",
                 less(2 * sp.asin(E_SERIES.subs(VARIANTS[1])), 50 * sp.pi / 180),
@@ -870,6 +872,7 @@ MEASUREMENT_ROWS: tuple[Row, ...] = (
         "measured functions adequate",
         r"\text{the measured functions of all variants are adequate to the model}",
         Completions(
+            "the criterion of adequacy and the readings",
             Completion(
                 "adequate: the 95 % interval of the mean error contains 0, all variants",
                 means_below({v: 2 * UNCERTAINTIES[v] for v in READINGS}),
@@ -894,6 +897,7 @@ MEASUREMENT_ROWS: tuple[Row, ...] = (
         "inaccurate manufacture",
         r"\text{the large mean error of variants 1 and 3 may point to inaccurate manufacture}",
         Completions(
+            "what the linearity of 0.3 % refers to",
             Completion(
                 "linearity of a reading of 90 deg: both mean errors exceed it",
                 Conjunction(tuple(less(READING_LINEARITY, abs(MEANS[v])) for v in (1, 3))),

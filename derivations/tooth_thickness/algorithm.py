@@ -65,6 +65,7 @@ ALGORITHM_ROWS = (
         "step 1, law and expectation",
         r"\text{the law and the expectation of the deviation}",
         Completions(
+            "law and expectation of the thickness",
             Completion(
                 "normal, centred, K = 6: more than 99 % good",
                 less(Rational("0.99"), NORMAL_SHARE),
@@ -90,6 +91,7 @@ ALGORITHM_ROWS = (
         "step 3, spread of the tip diameter",
         r"e_{dau}\text{ for an IT grade}",
         Completions(
+            "how many standard deviations a tolerance spans",
             Completion(
                 "IT6 is six standard deviations: below 5 um",
                 less(Rational(GRADES[6][1], 6), S(5)),
@@ -143,6 +145,7 @@ ALGORITHM_ROWS = (
         "steps 4 and 7, spread of the gauge",
         r"\text{interval measure of the uncertainty }50~\mu\mathrm{m}",
         Completions(
+            "what the limit error of the gauge is",
             Completion(
                 "full width of a 3 sigma interval: the standard deviation is below 10 um",
                 less(Rational(GAUGE_UM, 6), S(10)),

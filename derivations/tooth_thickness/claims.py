@@ -56,6 +56,7 @@ CLAIM_ROWS = (
         "(a), curves of Figs. 4 and 5",
         r"\text{percentage of wrongly rejected at a limit error of }10~\mu\mathrm{m}",
         Completions(
+            "multiple of the limit error and law of the gauge",
             Completion(
                 "IT6, normal laws, limit error 3 sigma: below 2 %",
                 less(rejected_by(6, 10), Rational("0.02")),
@@ -142,6 +143,7 @@ CLAIM_ROWS = (
         r"\text{for degrees 6, 7, 8 gauges with }U\le\pm2~\mu\mathrm{m}"
         r"\text{ can be recommended}",
         Completions(
+            "criterion of the recommendation",
             Completion(
                 "degree 6, IT6, U = 2 sigma, criterion: at most 1 % wrongly rejected",
                 less(rejected_by(6, RECOMMENDED_UM, 2), Rational("0.01")),
@@ -172,8 +174,9 @@ CLAIM_ROWS = (
         "(d)",
         r"\text{the grade of the tip diameter should be 6 and 7, not 8}",
         Completions(
+            "criterion of the recommendation",
             Completion(
-                "missing, criterion: at most 2 % wrongly rejected with a perfect gauge",
+                "at most 2 % wrongly rejected with a perfect gauge",
                 Conjunction(
                     (
                         less(Rational("0.02"), rejected_by(8, 0)),
@@ -182,7 +185,7 @@ CLAIM_ROWS = (
                 ),
             ),
             Completion(
-                "missing, criterion: at most 4 %",
+                "at most 4 %",
                 Conjunction(
                     (
                         less(Rational("0.04"), rejected_by(8, 0)),

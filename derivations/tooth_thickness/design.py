@@ -193,12 +193,13 @@ DESIGN_ROWS = (
         "smallest deviation, kind of mating",
         r"\text{the clearance that }E_{cs}\text{ leaves is none, as for the mating H}",
         Completions(
+            "deviation of the centre distance",
             Completion(
-                "missing, deviation of the centre distance: none",
+                "none",
                 not_above(of_pair(0), S.Zero),
             ),
             Completion(
-                "missing, deviation of the centre distance: 20 um too short",
+                "20 um too short",
                 not_above(of_pair(-20), S.Zero),
             ),
         ),

@@ -72,6 +72,7 @@ EXAMPLE_ROWS = (
         "Table 1, uncertainty of the gauge",
         r"50~\mu\mathrm{m}\text{ against the tolerance of }45~\mu\mathrm{m}",
         Completions(
+            "what the limit error of the gauge is",
             Completion(
                 "full width: the largest error is below the tolerance",
                 less(Rational(GAUGE_UM, 2), S(TOLERANCE_UM)),
@@ -94,6 +95,7 @@ EXAMPLE_ROWS = (
         "Table 1, columns 4 to 6",
         r"(6)=(4)+(5)",
         Completions(
+            "what column 4 lists",
             Completion(
                 "column 4 lists the deviation of the diameter",
                 Equality(e_tip + dh_gauge, height_deviation),

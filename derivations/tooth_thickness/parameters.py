@@ -33,12 +33,13 @@ PARAMETER_ROWS = (
         "controlled parameters, accuracy degree",
         r"\text{the accuracy degree of the wheel changes the shares}",
         Completions(
+            "tolerance of degree 7",
             Completion(
-                f"missing, tolerance of degree 7: {TOLERANCE_UM} um, as that of degree 6",
+                f"{TOLERANCE_UM} um, as that of degree 6",
                 Distinct(wrongly_rejected(tip_spread(6), tolerance=TOLERANCE_UM), SHARE),
             ),
             Completion(
-                "missing, tolerance of degree 7: 56 um",
+                "56 um",
                 Distinct(wrongly_rejected(tip_spread(6), tolerance=56), SHARE),
             ),
         ),

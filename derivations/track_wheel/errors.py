@@ -347,6 +347,7 @@ ERROR_ROWS: tuple[Row, ...] = (
         r"\text{(5) may be used for machining blanks on machine tools in usual production"
         r" conditions}",
         Completions(
+            "the correlations under usual conditions",
             Completion(
                 "usual conditions: uncorrelated errors, each with S_i = 1",
                 Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)),

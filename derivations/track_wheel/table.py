@@ -82,11 +82,15 @@ THERMAL_SHARE = PRINTED_VALUES[share]
 SUM_OF_PRINTED_SQUARES = SUM_OF_SQUARES.subs(PRINTED_VALUES)
 
 
-def crest_radius_of_curvature(count: int) -> sp.Expr:
+def crest_radius_of_curvature() -> sp.Expr:
     """Radius of curvature, in mm, of the printed track where it is farthest from the pole."""
-    x, y = (c.subs({periods: count, **PRINTED_VALUES}) for c in PRINTED_16[:2])
+    x, y = (c.subs(PRINTED_VALUES) for c in PRINTED_16[:2])
     (dx, dy), (ddx, ddy) = ([c.diff(phi, order).subs(phi, 0) for c in (x, y)] for order in (1, 2))
     return sp.sqrt(dx**2 + dy**2) ** 3 / (dx * ddy - dy * ddx)
+
+
+# The radius of curvature at the crest exceeds the ball's radius.
+FITTING_BALL = less(PRINTED_VALUES[ball_radius], crest_radius_of_curvature())
 
 
 def position_error_at_crest(values: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
@@ -203,6 +207,7 @@ TABLE_ROWS: tuple[Row, ...] = (
         "Table 1, missing data",
         r"\text{not printed: }z,H_s,a,b,c,K,K_i,S_i,n",
         Completions(
+            "the coefficients K_i",
             Completion(
                 "all K_i = 1 (normal laws): the total is below twice the mounting error",
                 less(
@@ -225,14 +230,9 @@ TABLE_ROWS: tuple[Row, ...] = (
         "Table 1, ball in the track",
         r"\text{a ball of }7.5~\mathrm{mm}\text{ fits the curvature of the track}",
         Completions(
-            Completion(
-                "one period: the radius of curvature at the crest exceeds the ball's radius",
-                less(PRINTED_VALUES[ball_radius], crest_radius_of_curvature(1)),
-            ),
-            Completion(
-                "twelve periods: the same",
-                less(PRINTED_VALUES[ball_radius], crest_radius_of_curvature(12)),
-            ),
+            periods,
+            Completion("one period", FITTING_BALL, sp.Integer(1)),
+            Completion("twelve periods", FITTING_BALL, sp.Integer(12)),
         ),
         note="The number of periods is not printed, so the ball's radius cannot be checked "
         "against the track.",
@@ -254,6 +254,7 @@ TABLE_ROWS: tuple[Row, ...] = (
         "after roughing",
         r"\text{After roughing the form tolerance can exceed all other technological errors}",
         Completions(
+            "the form error after roughing",
             Completion(
                 "form error 0.1 mm after roughing, the other errors as in Table 1",
                 Conjunction(
@@ -302,6 +303,7 @@ TABLE_ROWS: tuple[Row, ...] = (
         "Fig. 3, shift and turns",
         r"\text{along }X_0\text{ the error from shift and turns exceeds that from the shift}",
         Completions(
+            "the shift a",
             Completion(
                 "a = 0.05 mm, H_s = 20 mm, turns of Table 1, at varphi = 0",
                 less(
@@ -345,6 +347,7 @@ TABLE_ROWS: tuple[Row, ...] = (
         "Fig. 4, tangential and radial",
         r"\text{the radial error exceeds the tangential error}",
         Completions(
+            "the place on the track",
             Completion(
                 "error along X_0 only, at varphi = 0",
                 less(
@@ -375,6 +378,7 @@ TABLE_ROWS: tuple[Row, ...] = (
         "Fig. 5, elastic deformations",
         r"\text{the elastic deformations change little, hence their error fell considerably}",
         Completions(
+            "what the deformation is compared with",
             Completion(
                 "change along the track: the range of the deformation falls with it",
                 less(2 * kept * spread * level, 2 * spread * level),
@@ -391,6 +395,7 @@ TABLE_ROWS: tuple[Row, ...] = (
         "Fig. 5, total",
         r"\text{the total error fell against Fig. 3}",
         Completions(
+            "what else the optimised cut changes",
             Completion(
                 "only the elastic error falls",
                 less(

@@ -183,6 +183,7 @@ def in_both(statement: Callable[[Published], Statement]) -> Conjunction:
 def differ(statement: Callable[[Published], Statement]) -> Completions:
     """State a claim on which the reconstructions may differ."""
     return Completions(
+        "sizes: two reconstructions are known",
         Completion(FIRST_SET.source, statement(FIRST_SET)),
         Completion(SECOND_SET.source, statement(SECOND_SET)),
     )

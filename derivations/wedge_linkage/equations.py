@@ -201,6 +201,7 @@ EQUATION_ROWS = (
         "(4), argument",
         r"x_5(\varphi_2)",
         Completions(
+            "the damaged letter of the angle",
             Completion("the letter is varphi3", Equality(print_3, rod)),
             Completion("the letter is varphi2", Equality(print_3.subs(phi3, phi2), rod)),
         ),

@@ -51,6 +51,7 @@ SIZE_ROWS = (
         "sizes, domain of Fig. 4",
         r"Q\text{ is real on }x_1\in[-40,0]",
         Completions(
+            "digits of l_BC and l_CD",
             Completion(
                 "the legible digits l_BC = 19.75, l_CD = 38, at x1 = -40 mm",
                 Holds(sp.Ge(radicand_of(-40, "19.75"), 0, evaluate=False)),

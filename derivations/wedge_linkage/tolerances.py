@@ -134,6 +134,7 @@ RANGE_ROWS = (
         "third size without influence",
         r"l_{MN}\text{ (or }l_{LM}\text{) does not influence }y_9(x_1)",
         Completions(
+            "the damaged letter",
             Completion("the damaged letter is l_MN", no_influence(l_MN)),
             Completion("the damaged letter is l_LM", no_influence(l_LM)),
         ),

@@ -13,7 +13,7 @@ from mechproof.latex.errors import Remedies
 from mechproof.latex.expansion import read_row
 from mechproof.latex.names import INDEX
 from mechproof.latex.tree import Chain, Integration, Letter, Repeated, walk
-from mechproof.processes import run_tasks
+from mechproof.processes import WorkerError, run_tasks
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Equation, Notation, Paper, Row, Variable
@@ -51,33 +51,35 @@ class Pasted:
 
 
 @dataclass(frozen=True)
-class Answer:
+class Checked:
     """The judgements of the signs, and what each letter was taken for."""
 
     judgements: tuple[Judgement, ...]
     taken: Mapping[str, str] = field(default_factory=dict)
 
 
-def check_pasted(pasted: Pasted, limit: float) -> Answer:
+def check_pasted(pasted: Pasted, limit: float) -> Checked:
     """Judge a pasted equation in a process of its own.
 
     Raises `PastedError` for what cannot be read, `WorkerError` for what takes longer than `limit`
     seconds or ends its process.
     """
     ((_, answer),) = run_tasks(_answer, [pasted], limit=limit)
+    if isinstance(answer, WorkerError):
+        raise answer
     if isinstance(answer, str):
         raise PastedError(answer)
     return answer
 
 
-def _answer(pasted: Pasted) -> Answer | str:
+def _answer(pasted: Pasted) -> Checked | str:
     try:
         return judge_pasted(pasted)
     except (ReadingError, ValueError) as error:
         return str(error)
 
 
-def judge_pasted(pasted: Pasted) -> Answer:
+def judge_pasted(pasted: Pasted) -> Checked:
     """Judge a pasted equation; `ValueError` (also `ReadingError`) for what cannot be read."""
     variables = _declare(pasted)
     notation = Notation(factors=pasted.factors, lower_limit=_read_limit(pasted))
@@ -92,7 +94,7 @@ def judge_pasted(pasted: Pasted) -> Answer:
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free), reader)
     paper = Paper("pasted", "", variables, (), where)
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
-    return Answer(read, {v.latex[0]: _describe(v) for v in variables})
+    return Checked(read, {v.latex[0]: _describe(v) for v in variables})
 
 
 def _rename(row: Row, count: int) -> Row:

@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 import time
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
@@ -25,11 +26,6 @@ Result = TypeVar("Result")
 class WorkerError(RuntimeError):
     """A task raised, ran too long, or its process died."""
 
-    def __init__(self, number: int, reason: str) -> None:
-        super().__init__(f"task {number}: {reason}")
-        self.number = number
-        self.reason = reason
-
 
 @dataclass
 class _Worker(Generic[Task, Result]):
@@ -37,6 +33,7 @@ class _Worker(Generic[Task, Result]):
     pipe: Connection
     number: int = -1
     deadline: float = float("inf")
+    is_lost: bool = False
 
     def give(self, number: int, task: Task, limit: float) -> None:
         """Send a task; the time runs from now."""
@@ -45,18 +42,26 @@ class _Worker(Generic[Task, Result]):
         with suppress(OSError):
             self.pipe.send(task)
 
-    def take(self) -> Result:
-        """Receive the result of the task at work."""
+    def take(self) -> Result | WorkerError:
+        """Receive the result of the task at work, or why there is none."""
+        if self.is_lost:
+            return WorkerError("no answer within the time limit")
         try:
             succeeded, answer = self.pipe.recv()
         except (EOFError, OSError):
             self.process.join()
-            status = self.process.exitcode
-            raise WorkerError(self.number, f"its process ended with status {status}") from None
+            self.is_lost = True
+            return WorkerError(f"its process ended with status {self.process.exitcode}")
         if not succeeded:
-            raise WorkerError(self.number, answer)
+            return WorkerError(answer)
         result: Result = answer
         return result
+
+    def end(self) -> None:
+        """End the process, whatever it does."""
+        self.process.kill()
+        self.process.join()
+        self.pipe.close()
 
 
 def count_processors() -> int:
@@ -74,48 +79,56 @@ def run_tasks(
     limit: float,
     processes: int | None = None,
     start: str = START,
-) -> Iterator[tuple[int, Result]]:
+) -> Iterator[tuple[int, Result | WorkerError]]:
     """Yield (number of the task, result) as results come.
 
-    `function` is one of a module. Raises `WorkerError` for the first task that raises, that takes
-    longer than `limit` seconds or whose process dies; no process is left behind.
+    `function` is one of a module. The result of a task that raises, that takes longer than
+    `limit` seconds or whose process dies is a `WorkerError`; the others are not held up by it.
+    No process is left behind.
     """
     count = min(processes or count_processors(), len(tasks))
-    workers: list[_Worker[Task, Result]] = []
+    waiting = deque(enumerate(tasks))
+    busy: dict[Connection, _Worker[Task, Result]] = {}
     try:
         for _ in range(count):
-            workers.append(_start_worker(function, start))
-        yield from _distribute(workers, tasks, limit)
+            _give_next(_start_worker(function, start), waiting, limit, busy)
+        while busy:
+            for worker in _wait(busy):
+                yield worker.number, worker.take()
+                del busy[worker.pipe]
+                if worker.is_lost and waiting:
+                    worker.end()
+                    worker = _start_worker(function, start)
+                _give_next(worker, waiting, limit, busy)
     finally:
-        for worker in workers:
-            worker.process.kill()
-            worker.process.join()
-            worker.pipe.close()
+        for worker in busy.values():
+            worker.end()
 
 
-def _distribute(
-    workers: Sequence[_Worker[Task, Result]], tasks: Sequence[Task], limit: float
-) -> Iterator[tuple[int, Result]]:
-    waiting = iter(enumerate(tasks))
-    busy = {}
-    for worker, (number, task) in zip(workers, waiting, strict=False):
-        worker.give(number, task, limit)
-        busy[worker.pipe] = worker
-    while busy:
-        for pipe in _wait(busy):
-            worker = busy.pop(pipe)
-            yield worker.number, worker.take()
-            if following := next(waiting, None):
-                worker.give(*following, limit)
-                busy[pipe] = worker
+def _give_next(
+    worker: _Worker[Task, Result],
+    waiting: deque[tuple[int, Task]],
+    limit: float,
+    busy: dict[Connection, _Worker[Task, Result]],
+) -> None:
+    """Give a worker the next task, or end it if there is none."""
+    if not waiting:
+        worker.end()
+        return
+    worker.give(*waiting.popleft(), limit)
+    busy[worker.pipe] = worker
 
 
-def _wait(busy: dict[Connection, _Worker[Task, Result]]) -> list[Connection]:
-    first = min(busy.values(), key=lambda worker: worker.deadline)
-    ready = wait(list(busy), max(0.0, first.deadline - time.monotonic()))
-    if not ready:
-        raise WorkerError(first.number, "no answer within the time limit")
-    return [pipe for pipe in busy if pipe in ready]
+def _wait(busy: dict[Connection, _Worker[Task, Result]]) -> list[_Worker[Task, Result]]:
+    """Return the workers that have answered; if none does in time, those that are late."""
+    first = min(worker.deadline for worker in busy.values())
+    ready = wait(list(busy), max(0.0, first - time.monotonic()))
+    if ready:
+        return [worker for pipe, worker in busy.items() if pipe in ready]
+    late = [worker for worker in busy.values() if worker.deadline <= time.monotonic()]
+    for worker in late:
+        worker.is_lost = True
+    return late
 
 
 def _start_worker(function: Callable[[Task], Result], start: str) -> _Worker[Task, Result]:

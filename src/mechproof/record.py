@@ -7,6 +7,7 @@ Nothing here decides anything: verdicts come from `mechproof.proof`, source code
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -15,6 +16,7 @@ from types import MappingProxyType
 from typing import Any, ClassVar, Literal, Protocol
 
 import sympy as sp
+from sympy.logic.boolalg import Boolean
 
 Power = int | Fraction
 Derived = Mapping[sp.Basic, sp.Basic]
@@ -22,6 +24,28 @@ Derived = Mapping[sp.Basic, sp.Basic]
 # Names of the generated package that no system may take.
 RESERVED = ("compiled", "forms", "kernels", "measured")
 MARKS = ("rebuilt", "calibrated", "fitted", "uncertain", "inferred", "ours")
+_DECIMAL = re.compile(r"-?\d+(\.\d+)?")
+
+
+class RecordError(ValueError):
+    """A record that says something it cannot mean: a fault of the derivation, not of the paper."""
+
+
+def _make_exact(record: object, *names: str) -> None:
+    """Turn numbers and matrices of the named fields into SymPy's; refuse what is not exact."""
+    for name in names:
+        value = getattr(record, name)
+        if isinstance(value, sp.MatrixBase):
+            value = sp.ImmutableMatrix(value)
+        elif isinstance(value, int | Fraction) and not isinstance(value, bool):
+            value = sp.Rational(value)
+        if not isinstance(value, sp.Expr | sp.MatrixBase):
+            where = f"{type(record).__name__}: {name} = {value!r}"
+            raise RecordError(f"{where}: allowed are SymPy expressions, integers and fractions")
+        if value.has(sp.Float):
+            where = f"{type(record).__name__}: {name} = {value}"
+            raise RecordError(f"{where}: it has a float; exact is Rational('0.1')")
+        object.__setattr__(record, name, value)
 
 
 @dataclass(frozen=True)
@@ -126,11 +150,17 @@ class Part:
 class Equality:
     """`printed` equals `rebuilt` everywhere on the domain (expressions or matrices).
 
-    The two sides come from different sources: one is the paper's, one is derived.
+    The two sides come from different sources: one is the paper's, one is derived. Where `rebuilt`
+    is built from the print itself, or from the declaration of the symbol that is printed,
+    `rebuilt_from` says so: equality proves nothing then.
     """
 
     printed: sp.Basic
     rebuilt: sp.Basic
+    rebuilt_from: Literal["mechanics", "print", "declaration"] = "mechanics"
+
+    def __post_init__(self) -> None:
+        _make_exact(self, "printed", "rebuilt")
 
 
 @dataclass(frozen=True)
@@ -140,12 +170,21 @@ class Distinct:
     left: sp.Basic
     right: sp.Basic
 
+    def __post_init__(self) -> None:
+        _make_exact(self, "left", "right")
+
 
 @dataclass(frozen=True)
 class Holds:
     """A relation (or several joined by And) is true on the whole domain."""
 
     relation: sp.Basic
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.relation, Boolean) or self.relation.is_Symbol:
+            raise RecordError(f"Holds: {self.relation!r} is no relation of SymPy")
+        if self.relation.has(sp.Float):
+            raise RecordError(f"Holds: {self.relation} has a float; exact is Rational('0.1')")
 
 
 @dataclass(frozen=True)
@@ -155,6 +194,13 @@ class PrintedNumber:
     printed: str
     value: sp.Expr
 
+    def __post_init__(self) -> None:
+        if not (isinstance(self.printed, str) and _DECIMAL.fullmatch(self.printed)):
+            raise RecordError(
+                f"PrintedNumber: printed {self.printed!r} is not a decimal number such as '-0.93'"
+            )
+        _make_exact(self, "value")
+
 
 @dataclass(frozen=True)
 class Definition:
@@ -163,6 +209,9 @@ class Definition:
     symbol: sp.Symbol
     printed: sp.Basic
 
+    def __post_init__(self) -> None:
+        _make_exact(self, "symbol", "printed")
+
 
 @dataclass(frozen=True)
 class Conjunction:
@@ -170,24 +219,56 @@ class Conjunction:
 
     parts: tuple[Statement, ...]
 
+    def __post_init__(self) -> None:
+        if not self.parts:
+            raise RecordError("a Conjunction needs at least one part")
+        for part in self.parts:
+            _check_statement(part)
+
 
 @dataclass(frozen=True)
 class Completion:
-    """The missing data completed in one stated way, and what the statement then becomes."""
+    """The missing datum completed in one stated way, and what the statement then becomes."""
 
     text: str
     says: Statement
+    value: sp.Expr | None = None
+
+    def __post_init__(self) -> None:
+        _check_statement(self.says)
 
 
 @dataclass(frozen=True)
 class Completions:
-    """The paper lacks data; two completions whose decisions are compared."""
+    """The paper lacks a datum, named here; two completions of it whose decisions are compared.
 
+    A symbol of the paper gets the `value` of each completion, which say the same of it; a datum
+    in words is completed by the words of each.
+    """
+
+    missing: str | sp.Symbol
     first: Completion
     second: Completion
 
+    def __post_init__(self) -> None:
+        sides = (self.first, self.second)
+        if isinstance(self.missing, sp.Symbol):
+            has_values = all(side.value is not None for side in sides)
+            is_one = self.first.says == self.second.says
+            if not (has_values and is_one and self.first.value != self.second.value):
+                raise RecordError(
+                    f"Completions: two values of {self.missing} are needed, and one statement"
+                )
+        elif not self.missing or self.first.text == self.second.text:
+            raise RecordError("Completions: name what is missing, and complete it in two ways")
+
 
 Statement = Equality | Distinct | Holds | PrintedNumber | Definition | Conjunction | Completions
+
+
+def _check_statement(says: object) -> None:
+    if not isinstance(says, Statement):
+        raise RecordError(f"{says!r} is no statement: {type(says).__name__}")
 
 
 class IntegralWithoutDifferential(sp.Function):  # type: ignore[misc]
@@ -211,6 +292,9 @@ class Reading:
     text: str
     says: Statement
 
+    def __post_init__(self) -> None:
+        _check_statement(self.says)
+
 
 @dataclass(frozen=True)
 class Correction:
@@ -228,6 +312,10 @@ class Correction:
         if self.says is None:
             raise ValueError(f"correction {self.latex}: it has not been read")
         return self.says
+
+    def __post_init__(self) -> None:
+        if self.says is not None:
+            _check_statement(self.says)
 
 
 @dataclass(frozen=True)
@@ -286,6 +374,8 @@ class Row:
         marks = {*self.marks, *(mark for sign in self.signs.values() for mark in sign.marks)}
         if unknown := marks - set(MARKS):
             raise ValueError(f"row {self.number!r}: marks {sorted(unknown)} not in {MARKS}")
+        if self.says is not None:
+            _check_statement(self.says)
 
     @property
     def statement(self) -> Statement:

@@ -55,12 +55,12 @@ def validate_derivations(
             target.write_text(text, encoding="utf-8")
         names = [(place, q.name) for place, paper in wanted for q in paper.quantities if q.forms]
         tasks = [(place, Path(folder), name) for place, name in names]
-        try:
-            for done, _ in enumerate(run_tasks(_validate, tasks, limit=limit, start=START), 1):
-                report(f"{done} of {len(tasks)} kernels run")
-        except WorkerError as error:
-            place, name = names[error.number]
-            raise ValidationError(f"{place}: {name}: {error.reason}") from error
+        results = run_tasks(_validate, tasks, limit=limit, start=START)
+        for done, (number, result) in enumerate(results, start=1):
+            if isinstance(result, WorkerError):
+                place, name = names[number]
+                raise ValidationError(f"{place}: {name}: {result}") from result
+            report(f"{done} of {len(tasks)} kernels run")
     if use_cache:
         _save([*kept, *(keys[place] for place, _ in wanted)])
 

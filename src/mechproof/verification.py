@@ -21,7 +21,7 @@ LIMIT = 600.0
 
 
 class VerificationError(RuntimeError):
-    """A row could not be judged: its process hung or died, or the prover contradicts itself."""
+    """What was judged is inconsistent: a derivation changed meanwhile."""
 
 
 @dataclass(frozen=True)
@@ -66,9 +66,9 @@ def judge_derivations(
 ) -> list[Ledger]:
     """Judge every row of the papers, then what follows from findings and the rows of their forms.
 
-    `report` is told what has been done. Raises `DerivationError`, and `VerificationError` naming
-    a row that takes longer than `limit` seconds or whose process dies; what was judged until then
-    is kept in the cache.
+    `report` is told what has been done. A row that takes longer than `limit` seconds, that is
+    wrongly stated or at which the prover fails has no judgement but a failure that names it; the
+    other rows are judged all the same. Raises `DerivationError`.
     """
     progress: list[_Progress] = []
     places: dict[str, Path] = {}
@@ -95,16 +95,21 @@ class _Progress:
         self.keys = row_keys(opened.domain, opened.rows) if use_cache else [""] * len(opened.rows)
         self.kept = self.cache.load() if use_cache else {}
         self.found = {n: self.kept[k] for n, k in enumerate(self.keys) if k in self.kept}
+        self.failed: dict[int, str] = {}
 
     def missing(self) -> Iterator[int]:
         """Yield the numbers of rows to judge, from the last: forms stand last and take longest."""
         return (n for n in reversed(range(len(self.keys))) if n not in self.found)
 
-    def add(self, number: int, judgement: Judgement) -> None:
-        """Take the judgement of a row; a process that read the file anew may have met another."""
-        if judgement.number != self.opened.rows[number].number:
+    def add(self, number: int, result: Judgement | WorkerError) -> None:
+        """Take the result of a row; a process that read the file anew may have met another."""
+        row = self.opened.rows[number]
+        if isinstance(result, WorkerError):
+            self.failed[number] = f"{self.opened.location}: row {row.number}: {result}"
+        elif result.number != row.number:
             raise VerificationError(f"{self.opened.location}: changed while it was judged")
-        self.found[number] = judgement
+        else:
+            self.found[number] = result
 
     def save(self) -> None:
         """Keep what is new."""
@@ -114,7 +119,10 @@ class _Progress:
 
     def finish(self) -> Ledger:
         """Return the ledger, its rows in their order; `DerivationError` for a wrong finding."""
-        judgements = tuple(self.found[number] for number in range(len(self.keys)))
+        judgements = tuple(self.found[number] for number in sorted(self.found))
+        failures = tuple(self.failed[number] for number in sorted(self.failed))
+        if failures:
+            return Ledger(self.opened.paper, judgements, (), failures)
         try:
             findings = list_findings(self.opened.paper, judgements)
         except ValueError as error:
@@ -131,17 +139,12 @@ def _fill(
 ) -> None:
     tasks = [(paper, number) for paper in papers for number in paper.missing()]
     sent = [(paper.opened.location, number) for paper, number in tasks]
-    try:
-        results = run_tasks(_judge, sent, limit=limit, processes=processes, start=start)
-        for done, (task, judgement) in enumerate(results, start=1):
-            paper, number = tasks[task]
-            paper.add(number, judgement)
-            report(f"{done} of {len(tasks)} rows, {judgement.system}: {judgement.number}")
-    except WorkerError as error:
-        paper, number = tasks[error.number]
-        row = paper.opened.rows[number]
-        where = f"{paper.opened.location}: row {row.number}"
-        raise VerificationError(f"{where}: {error.reason}") from error
+    results = run_tasks(_judge, sent, limit=limit, processes=processes, start=start)
+    for done, (task, result) in enumerate(results, start=1):
+        paper, number = tasks[task]
+        paper.add(number, result)
+        row = paper.opened.rows[number].number
+        report(f"{done} of {len(tasks)} rows, {paper.opened.paper.system}: {row}")
 
 
 def _judge(task: tuple[Path, int]) -> Judgement:

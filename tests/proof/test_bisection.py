@@ -40,8 +40,8 @@ def test_a_true_inequality_is_proved(name):
     relation, where = TRUE[name]
     domain = Domain({x: where}, (), {})
     assert holds_on_interval(relation, domain)
-    decision = decide(Holds(relation), domain)
-    assert (decision.verdict, decision.rung) == (Verdict.PROVED, RUNG)
+    answer = decide(Holds(relation), domain)
+    assert (answer.verdict, answer.rung) == (Verdict.PROVED, RUNG)
 
 
 @pytest.mark.parametrize("name", WRONG)

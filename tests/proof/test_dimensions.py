@@ -5,10 +5,10 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
-from mechproof.proof.dimensions import DimensionError, check, infer, rescale
+from mechproof.proof.dimensions import DimensionError, infer, infer_common, rescale
 from mechproof.proof.domain import Domain
 from mechproof.proof.wellformed import find_faults
-from mechproof.record import FREQUENCY, LENGTH, NUMBER, SPEED, Definition, Dimension, Equality
+from mechproof.record import FREQUENCY, LENGTH, NUMBER, SPEED, Dimension, Distinct, Equality, Holds
 
 a, b, v, w, t, p = sp.symbols("a b v w t p", positive=True)
 q = sp.IndexedBase("q", positive=True)
@@ -76,21 +76,54 @@ def test_a_mixture_is_refused(name):
 
 @pytest.mark.parametrize("power", [2, -1, 0])
 def test_both_sides_must_have_one_dimension(power):
-    check(Equality(a * b**power, b ** (power + 1)), KNOWN)
+    infer_common((a * b**power, b ** (power + 1)), KNOWN)
     with pytest.raises(DimensionError):
-        check(Equality(a * b**power, b**power), KNOWN)
+        infer_common((a * b**power, b**power), KNOWN)
     with pytest.raises(DimensionError):
-        check(Definition(a, b * v**2), KNOWN)
+        infer_common((a, b * v**2), KNOWN)
 
 
 def test_matrices_are_compared_entry_by_entry():
-    check(Equality(sp.ImmutableMatrix([a, v]), sp.ImmutableMatrix([b, w * a])), KNOWN)
+    vector = sp.ImmutableMatrix([a, v])
+    infer_common((vector,), KNOWN)
+    infer_common((vector, sp.ImmutableMatrix([b, w * a])), KNOWN)
     with pytest.raises(DimensionError):
-        check(Equality(sp.ImmutableMatrix([a, v]), sp.ImmutableMatrix([v, a])), KNOWN)
+        infer_common((vector, sp.ImmutableMatrix([v, a])), KNOWN)
+    with pytest.raises(DimensionError):
+        infer_common((vector, sp.ImmutableMatrix([b, a])), KNOWN)
 
 
-def test_a_change_of_units_scales_lengths_only():
-    assert rescale(a * w + q[i] ** 2, KNOWN, 1000) == 1000 * a * w + 10**6 * q[i] ** 2
+@pytest.mark.parametrize(
+    ("unit", "scaled"),
+    [("length", 1000 * a * w + 10**6 * q[i] ** 2), ("time", a * w / 1000 + q[i] ** 2)],
+)
+def test_a_change_of_units_scales_what_has_the_unit(unit, scaled):
+    assert rescale(a * w + q[i] ** 2, KNOWN, unit, 1000) == scaled
+
+
+def test_the_witness_may_be_another_unit_than_that_of_length():
+    (fault,) = find_faults(Equality(t + w, t), KNOWN, DOMAIN)
+    assert "unit of time" in fault.evidence.what
+
+
+@pytest.mark.parametrize("says", [Equality(sp.sin(a) ** 2 + sp.cos(a) ** 2, p), Holds(v + v >= v)])
+def test_what_no_change_of_units_changes_is_no_fault(says):
+    assert find_faults(says, KNOWN, DOMAIN) == []
+
+
+@pytest.mark.parametrize(
+    "says",
+    [
+        Holds(sp.Gt(a + a**2, 0, evaluate=False)),
+        Holds(sp.And(a < b, a > v)),
+        sp.Ne(a, v),
+        Distinct(a + v, a),
+    ],
+)
+def test_relations_are_checked_too(says):
+    statement = Holds(says) if isinstance(says, sp.Ne) else says
+    (fault,) = find_faults(statement, KNOWN, DOMAIN)
+    assert fault.evidence.printed != fault.evidence.rebuilt
 
 
 def test_the_witness_differs_for_a_mixture_and_not_for_a_sound_formula():

@@ -1,4 +1,4 @@
-"""How decisions become the verdict of a row: correction, reading, part, marks."""
+"""How answers become the verdict of a row: correction, reading, part, marks."""
 
 import pytest
 import sympy as sp
@@ -52,24 +52,12 @@ CASES = {
     "refuted and corrected": (row(FALSE, corrected=corrected(TRUE)), Verdict.REFUTED),
     "corrected form wrong as well": (row(FALSE, corrected=corrected(FALSE)), Verdict.UNDECIDED),
     "corrected form open": (row(FALSE, corrected=corrected(OPEN)), Verdict.UNDECIDED),
-    "corrected form ill-formed": (
-        row(FALSE, corrected=corrected(Equality(undeclared, undeclared))),
-        Verdict.UNDECIDED,
-    ),
-    "corrected form of mixed units": (
-        row(FALSE, corrected=corrected(Equality(a + a**2, a * (1 + a)))),
-        Verdict.UNDECIDED,
-    ),
     "corrected form merely defined": (
         row(FALSE, corrected=corrected(Definition(x, y))),
         Verdict.UNDECIDED,
     ),
     "another reading": (row(FALSE, readings=(Reading("other", TRUE),)), Verdict.CONVENTION),
     "another reading, wrong": (row(FALSE, readings=(Reading("other", FALSE),)), Verdict.REFUTED),
-    "another reading, ill-formed": (
-        row(FALSE, readings=(Reading("other", Equality(undeclared, undeclared)),)),
-        Verdict.REFUTED,
-    ),
     "true as printed, reading unused": (
         row(TRUE, readings=(Reading("other", FALSE),)),
         Verdict.PROVED,
@@ -77,6 +65,14 @@ CASES = {
     "true on a part": (row(Equality(TURN, x), holds_on=NEAR_ZERO), Verdict.CONDITIONAL),
     "false on the part": (row(Equality(TURN, x), holds_on=FAR), Verdict.REFUTED),
     "part without interior": (row(Equality(x, 2 * x), holds_on=ONE_POINT), Verdict.REFUTED),
+    "part beyond where it is said of": (
+        row(Equality(sp.Abs(x), -x), on=FAR, holds_on=Part("x < 0", {x: sp.Interval(-sp.oo, 0)})),
+        Verdict.REFUTED,
+    ),
+    "part within where it is said of": (
+        row(Equality(TURN, x), on=Part("x > -2", {x: sp.Interval(-2, sp.oo)}), holds_on=NEAR_ZERO),
+        Verdict.CONDITIONAL,
+    ),
     "restricted row": (row(Equality(TURN, x), on=NEAR_ZERO), Verdict.PROVED),
     "inequality on a part": (row(Holds(x > 0), holds_on=FAR), Verdict.CONDITIONAL),
     "mixed units": (row(MIXED, corrected=corrected(TRUE)), Verdict.ILL_FORMED),
@@ -85,7 +81,7 @@ CASES = {
     "definition": (row(Definition(x, y)), Verdict.DEFINITION),
     "ill-formed definition": (row(Definition(x, undeclared)), Verdict.ILL_FORMED),
     "two completions": (
-        row(Completions(Completion("one", TRUE), Completion("two", FALSE))),
+        row(Completions("a datum", Completion("one", TRUE), Completion("two", FALSE))),
         Verdict.UNDERDETERMINED,
     ),
     "open": (row(OPEN), Verdict.ENCLOSED),
@@ -116,6 +112,21 @@ def test_a_condition_shows_where_it_fails():
     inside, outside = judge(CASES["true on a part"][0], PAPER).evidence
     assert inside.what.startswith("|x| < 1: PROVED")
     assert abs(sp.Rational(outside.at["x"])) > 1
+
+
+def test_where_a_row_is_proved_is_shown():
+    judgement = judge(row(Equality(TURN, x), on=NEAR_ZERO, singular=("x = pi/2",)), PAPER)
+    assert (judgement.on, judgement.singular) == ("|x| < 1", ("x = pi/2",))
+    assert judgement.reason.endswith("; on |x| < 1; singular at x = pi/2")
+    assert judgement.as_dict()["on"] == "|x| < 1"
+    assert judgement.as_dict()["singular"] == ["x = pi/2"]
+
+
+def test_what_is_rebuilt_from_the_print_is_a_definition_and_proves_no_correction():
+    same = Equality(TRUE.printed, TRUE.rebuilt, "print")
+    assert judge(row(same), PAPER).verdict is Verdict.DEFINITION
+    assert judge(row(FALSE, corrected=corrected(same)), PAPER).verdict is Verdict.UNDECIDED
+    assert judge(row(FALSE, readings=(Reading("r", same),)), PAPER).verdict is Verdict.REFUTED
 
 
 def test_marks_note_and_openness_are_handed_on():

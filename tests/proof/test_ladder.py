@@ -15,6 +15,7 @@ from mechproof.record import (
     Distinct,
     Equality,
     Holds,
+    RecordError,
 )
 
 x, y = sp.symbols("x y", real=True)
@@ -28,14 +29,14 @@ OPEN = Equality(sp.exp(x + y), sp.exp(x) ** 2 * sp.exp(y - x))
 NUMBERS = sp.Lt(sp.sqrt(2) + sp.sqrt(3), sp.pi + sp.Rational(1, 1000), evaluate=False)
 
 DECISIONS = {
-    "structural": (Equality(x + y, y + x), PROVED, "structural"),
+    "structural": (Equality(x + y, y + x), PROVED, "identical"),
     "rational": (TRUE, PROVED, "rational field"),
     "refuted": (FALSE, REFUTED, "separating balls"),
     "enclosed": (Equality(sp.erf(x) + sp.erfc(x), sp.S.One), Verdict.ENCLOSED, "enclosure"),
     "matrix": (
         Equality(TURN * TURN.T, sp.ImmutableMatrix.eye(2)),
         PROVED,
-        "entrywise, trigonometric field, structural",
+        "entrywise, trigonometric field, identical",
     ),
     "matrix turned the wrong way": (
         Equality(TURN, TURN_BACK),
@@ -68,7 +69,7 @@ DECISIONS = {
         PROVED,
         "rational field",
     ),
-    "conjunction": (Conjunction((TRUE, Equality(x, x))), PROVED, "rational field, structural"),
+    "conjunction": (Conjunction((TRUE, Equality(x, x))), PROVED, "rational field, identical"),
     "conjunction, last wrong": (Conjunction((TRUE, FALSE)), REFUTED, "separating balls"),
     "conjunction, definition before a wrong part": (
         Conjunction((Definition(x, y), FALSE)),
@@ -87,8 +88,8 @@ DECISIONS = {
 @pytest.mark.parametrize("name", DECISIONS)
 def test_the_decision_and_its_rung(name):
     statement, verdict, rung = DECISIONS[name]
-    decision = decide(statement, ANYWHERE)
-    assert (decision.verdict, decision.rung) == (verdict, rung)
+    answer = decide(statement, ANYWHERE)
+    assert (answer.verdict, answer.rung) == (verdict, rung)
 
 
 def test_a_counterexample_shows_the_point_and_both_balls():
@@ -115,15 +116,49 @@ def test_a_violated_relation_shows_the_point():
     ],
 )
 def test_completions_need_opposite_answers(first, second, verdict):
-    both = Completions(Completion("one", first), Completion("two", second))
-    decision = decide(both, ANYWHERE)
-    assert decision.verdict is verdict
-    assert [evidence.what[:3] for evidence in decision.evidence] == ["one", "two"]
+    both = Completions("a datum", Completion("one", first), Completion("two", second))
+    answer = decide(both, ANYWHERE)
+    assert answer.verdict is verdict
+    assert [evidence.what[:3] for evidence in answer.evidence] == ["one", "two"]
 
 
-def test_an_empty_conjunction_is_an_error():
-    with pytest.raises(ValueError, match="at least one part"):
-        decide(Conjunction(()), ANYWHERE)
+def test_completions_of_a_symbol_are_put_into_one_statement():
+    says = Holds(x > 1)
+    both = Completions(x, Completion("a half", says, sp.S.Half), Completion("two", says, sp.S(2)))
+    answer = decide(both, Domain({x: sp.S.Reals}, (), {}))
+    assert answer.verdict is Verdict.UNDERDETERMINED
+    assert answer.reason.startswith("not stated: x")
+
+
+@pytest.mark.parametrize(
+    ("missing", "first", "second"),
+    [
+        ("", Completion("one", TRUE), Completion("two", FALSE)),
+        ("a datum", Completion("one", TRUE), Completion("one", FALSE)),
+        (x, Completion("one", TRUE), Completion("two", FALSE)),
+        (x, Completion("one", TRUE, sp.S(1)), Completion("two", FALSE, sp.S(2))),
+        (x, Completion("one", TRUE, sp.S(1)), Completion("two", TRUE, sp.S(1))),
+    ],
+)
+def test_completions_name_what_is_missing_and_differ_in_it(missing, first, second):
+    with pytest.raises(RecordError, match="Completions"):
+        Completions(missing, first, second)
+
+
+@pytest.mark.parametrize("source", ["print", "declaration"])
+def test_a_side_that_is_built_from_the_other_proves_nothing(source):
+    answer = decide(Equality(*vars(TRUE).values()), ANYWHERE)
+    assert answer.verdict is PROVED
+    same = Equality(TRUE.printed, TRUE.rebuilt, source)
+    assert decide(same, ANYWHERE).verdict is Verdict.DEFINITION
+    assert decide(Equality(FALSE.printed, FALSE.rebuilt, source), ANYWHERE).verdict is REFUTED
+
+
+def test_what_a_symbol_is_declared_to_be_is_not_proved_by_the_declaration():
+    domain = Domain({x: sp.S.Reals}, (), {y: x + 1})
+    assert decide(Equality(y, x + 1), domain).verdict is Verdict.DEFINITION
+    assert decide(Equality(x + 1, y), domain).verdict is Verdict.DEFINITION
+    assert decide(Equality(y**2, (x + 1) ** 2), domain).verdict is PROVED
 
 
 def test_a_rung_that_proves_what_balls_refute_is_caught(monkeypatch):

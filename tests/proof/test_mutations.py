@@ -194,11 +194,11 @@ def collect_mutants():
 def test_no_wrong_neighbour_is_proved(batch):
     equivalent = []
     for name, mutant, other, domain in collect_mutants()[batch::BATCHES]:
-        decision = decide(Equality(mutant, other), domain)
-        if decision.verdict is Verdict.REFUTED:
+        answer = decide(Equality(mutant, other), domain)
+        if answer.verdict is Verdict.REFUTED:
             continue
-        equivalent.append(f"{name}: {mutant} = {other}: {decision.verdict}")
-        if decision.verdict is Verdict.PROVED:
+        equivalent.append(f"{name}: {mutant} = {other}: {answer.verdict}")
+        if answer.verdict is Verdict.PROVED:
             assert compare(mutant, other, domain).counterexample is None, equivalent[-1]
     assert len(equivalent) <= MOST_EQUIVALENT, equivalent
 

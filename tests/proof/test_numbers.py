@@ -35,15 +35,15 @@ WRONG = {
 
 @pytest.mark.parametrize("name", TRUE)
 def test_a_right_number_is_proved(name):
-    decision = decide(PrintedNumber(*TRUE[name]), ANYWHERE)
-    assert (decision.verdict, decision.rung) == (Verdict.PROVED, "recomputation")
+    answer = decide(PrintedNumber(*TRUE[name]), ANYWHERE)
+    assert (answer.verdict, answer.rung) == (Verdict.PROVED, "recomputation")
 
 
 @pytest.mark.parametrize("name", WRONG)
 def test_a_wrong_number_is_refuted(name):
-    decision = decide(PrintedNumber(*WRONG[name]), ANYWHERE)
-    assert decision.verdict is Verdict.REFUTED
-    assert decision.evidence[0].printed == WRONG[name][0]
+    answer = decide(PrintedNumber(*WRONG[name]), ANYWHERE)
+    assert answer.verdict is Verdict.REFUTED
+    assert answer.evidence[0].printed == WRONG[name][0]
 
 
 @pytest.mark.parametrize("printed", ["1e-3", "1.50e2", "1/3", "0,5", "", " 1", ".5"])

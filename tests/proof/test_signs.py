@@ -94,8 +94,8 @@ WRONG = {
 @pytest.mark.parametrize("name", TRUE)
 def test_a_true_inequality_is_proved(name):
     relation, within, where = TRUE[name]
-    decision = decide(Holds(relation), Domain(within, where, {}))
-    assert (decision.verdict, decision.rung) == (Verdict.PROVED, RUNG)
+    answer = decide(Holds(relation), Domain(within, where, {}))
+    assert (answer.verdict, answer.rung) == (Verdict.PROVED, RUNG)
 
 
 @pytest.mark.parametrize("name", WRONG)

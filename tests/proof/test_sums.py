@@ -79,8 +79,8 @@ WRONG = {
 
 @pytest.mark.parametrize("name", TRUE)
 def test_an_identity_for_every_count_is_proved(name):
-    decision = decide(Equality(*TRUE[name]), COUNTS)
-    assert (decision.verdict, decision.rung) == (Verdict.PROVED, "symbolic sum")
+    answer = decide(Equality(*TRUE[name]), COUNTS)
+    assert (answer.verdict, answer.rung) == (Verdict.PROVED, "symbolic sum")
 
 
 @pytest.mark.parametrize("name", WRONG)
@@ -91,7 +91,7 @@ def test_a_wrong_neighbour_is_not_proved(name):
 @pytest.mark.parametrize(
     "node",
     [
-        sp.Sum(a[i], (i, 0, n)),
+        sp.Sum(a[i], (i, 1, n - 5)),
         total(a[i] * sp.Sum(b[j], (j, 1, i)), i),
         total(1 / (2 - DELTA), i, j),
         total(sp.KroneckerDelta(i, k) * a[i], i),
@@ -100,4 +100,4 @@ def test_a_wrong_neighbour_is_not_proved(name):
 )
 def test_a_sum_without_a_canonical_form_is_refused(node):
     with pytest.raises(NotImplementedError):
-        canonicalise(node)
+        canonicalise(node, Domain({}, (), {}))

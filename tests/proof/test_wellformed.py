@@ -39,7 +39,8 @@ FAULTY = {
         "an integral has no differential",
     ),
     "mixed units": (Equality(a + b**2, a), "has dimension"),
-    "unlike sides": (Equality(a * b, a), "has dimension"),
+    "unlike its symbol": (Definition(a, a * b), "has dimension"),
+    "mixed units in an inequality": (Holds(sp.Gt(a + a**2, 0, evaluate=False)), "has dimension"),
     "in a definition": (Definition(x, x + y), "y has no value there"),
     "in the second part": (
         Conjunction((Equality(x, x), Equality(x, y), Equality(y, x))),

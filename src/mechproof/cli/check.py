@@ -9,7 +9,7 @@ import typer
 
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.ledger import print_details
-from mechproof.pasted import Answer, Pasted, PastedError, check_pasted
+from mechproof.pasted import Checked, Pasted, PastedError, check_pasted
 from mechproof.processes import WorkerError
 from mechproof.proof.ledger import Ledger, to_json
 from mechproof.proof.verdict import Verdict
@@ -80,7 +80,7 @@ def check(
         raise typer.Exit(1)
 
 
-def _judge(pasted: Pasted, limit: float) -> Answer:
+def _judge(pasted: Pasted, limit: float) -> Checked:
     try:
         with show_progress("judging the equation"):
             return check_pasted(pasted, limit)

@@ -104,10 +104,11 @@ def verify(
     if json_file and not json_file.absolute().parent.is_dir():
         refuse(f"--json {json_file}: the folder {json_file.absolute().parent} does not exist")
     ledgers = _judge(locations, use_cache=not no_cache, limit=limit)
-    if json_file:
+    if json_file and not any(ledger.failures for ledger in ledgers):
         _write(json_file, to_json(ledgers))
     for ledger in ledgers:
         print_ledger(ledger)
+    _refuse_failures(ledgers)
     rows = (row for ledger in ledgers for row in ledger.judgements)
     if any(row.verdict is Verdict.UNDECIDED and not row.may_stay_open for row in rows):
         raise typer.Exit(1)
@@ -137,6 +138,7 @@ def regenerate(
         refuse("there is no folder derivations: run it where it lies, or give --derivations DIR")
     locations = _find_locations((), places)
     ledgers = _judge(locations, use_cache=not no_cache, limit=limit)
+    _refuse_failures(ledgers)
     files = _render(ledgers, places)
     papers = [ledger.paper for ledger in ledgers]
     _validate(locations, papers, files, use_cache=not no_cache, limit=limit)
@@ -211,6 +213,12 @@ def _judge(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[
             return judge_derivations(locations, use_cache=use_cache, limit=limit, report=report)
     except (DerivationError, VerificationError) as error:
         fail(str(error))
+
+
+def _refuse_failures(ledgers: Sequence[Ledger]) -> None:
+    """Name every row that could not be judged and end with status 1."""
+    if failures := [failure for ledger in ledgers for failure in ledger.failures]:
+        fail("\n".join(failures))
 
 
 def _render(ledgers: Sequence[Ledger], places: Places) -> dict[str, str]:

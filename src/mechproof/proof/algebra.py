@@ -14,14 +14,14 @@ import sympy as sp
 
 from mechproof.proof.domain import Domain
 from mechproof.proof.normal_form import reduce_polynomial
-from mechproof.proof.signs import find_sign
+from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_workable
 from mechproof.proof.sums import canonicalise
 
 _HALF = sp.Rational(1, 2)
 
 
 class Field:
-    """The generators met in one decision, and the relations between them."""
+    """The generators met in one proof, and the relations between them."""
 
     def __init__(self, domain: Domain) -> None:
         """Start with no generator; `domain` proves the signs under square roots."""
@@ -37,15 +37,17 @@ class Field:
 
     def vanishes(self, expression: sp.Basic) -> bool:
         """Decide whether the expression is identically zero; False means "not shown"."""
+        if not is_workable(expression):
+            raise NotImplementedError(f"a power above {MOST_MULTIPLIED} is not multiplied out")
         self.used_sums = self.used_sums or expression.has(sp.Sum)
-        expression = canonicalise(self.domain.resolve(expression))
+        expression = canonicalise(self.domain.resolve(expression), self.domain)
         self._collect_angles(expression)
         numerator, denominator = sp.fraction(sp.together(self._translate(expression)))
         return bool(self._reduce(numerator) == 0 and self._reduce(denominator) != 0)
 
     @property
     def rung(self) -> str:
-        """Name what the decision needed."""
+        """Name what the proof needed."""
         kinds = (
             (self.used_sums, "symbolic sum"),
             (self.used_roots, "radicals"),
@@ -102,6 +104,8 @@ class Field:
         times = int(factor * self._denominators.setdefault(monomial, int(factor.q)))
         c, s = self._circle_point(monomial)
         n = abs(times)
+        if n > MOST_MULTIPLIED:
+            raise NotImplementedError(f"{n} times an angle is not multiplied out")
         even = sum((-1) ** (k // 2) * comb(n, k) * c ** (n - k) * s**k for k in range(0, n + 1, 2))
         odd = sum((-1) ** (k // 2) * comb(n, k) * c ** (n - k) * s**k for k in range(1, n + 1, 2))
         return sp.sympify(even), sp.sympify(odd) * (1 if times >= 0 else -1)
@@ -223,6 +227,17 @@ def decide_equal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
         return field.rung if field.vanishes(left - right) else None
     except (UnknownSignError, NotImplementedError, sp.PolynomialError):
         return None
+
+
+def explain_unequal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str:
+    """Name what keeps the rung from proving left = right: a sign, a function, the identity."""
+    try:
+        Field(domain).vanishes(left - right)
+    except (UnknownSignError, NotImplementedError) as error:
+        return str(error)
+    except sp.PolynomialError:
+        pass
+    return f"that {left - right} is zero is not shown"
 
 
 def _linear_terms(angle: sp.Expr) -> list[tuple[sp.Expr, sp.Rational]]:

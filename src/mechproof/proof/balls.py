@@ -26,6 +26,9 @@ Plan = tuple[Operation, tuple[sp.Basic, ...]]
 
 PRECISIONS = (64, 128, 256, 512, 1024)
 NOT_FINITE = arb("nan")
+NOT_ANALYTIC = acb("nan")
+# A sum of more terms is not written out.
+MOST_TERMS = 1000
 _ANALYTIC = sp.Dummy("analytic")
 
 
@@ -41,13 +44,17 @@ def working_precision(bits: int) -> Iterator[None]:
 
 
 def to_ball(number: Any) -> Ball:
-    """Return the exact ball of a double, an integer, a fraction or a SymPy rational."""
+    """Return the ball of a double, an integer or a fraction, exact, or of a number of SymPy."""
     if isinstance(number, arb | acb):
         return number
+    if isinstance(number, sp.Float):
+        number = sp.Rational(number)
     if isinstance(number, sp.Rational):
         return arb(fmpq(int(number.p), int(number.q)))
     if isinstance(number, Fraction):
         return arb(fmpq(number.numerator, number.denominator))
+    if isinstance(number, sp.Expr):
+        return _compile(number)({})
     return arb(int(number)) if isinstance(number, int) else arb(float(number))
 
 
@@ -79,6 +86,17 @@ def evaluate_until(
 def show(ball: Ball, digits: int = 12) -> str:
     """Return the ball as text: midpoint and radius."""
     return str(ball.str(digits))
+
+
+def show_apart(left: Ball, right: Ball) -> tuple[str, str]:
+    """Return two balls as texts, with as many digits as tell them apart."""
+    for digits in (12, 24, 48, 96):
+        texts = show(left, digits), show(right, digits)
+        with working_precision(4 * digits + 64):
+            if not arb(texts[0]).overlaps(arb(texts[1])):
+                return texts
+    with working_precision(PRECISIONS[-1]):
+        return show(left), f"{show(right)}, the difference is {show(right - left, 3)}"
 
 
 def truth(relation: sp.Basic, values: Values, bits: int = 128) -> bool | None:
@@ -148,10 +166,30 @@ def _look_up(symbol: sp.Basic, values: Values) -> Ball:
 def _apply(node: sp.Basic, function: Callable[..., Ball]) -> Operation:
     def apply(values: Values, *arguments: Ball) -> Ball:
         if type(node) not in _ENTIRE and any(isinstance(a, acb) for a in arguments):
-            raise NotImplementedError(f"no analytic version of {type(node).__name__}")
+            return _evaluate_complex(node, values, *arguments)
+        if not all(argument.is_finite() for argument in arguments):
+            return NOT_FINITE
         return function(*arguments)
 
     return apply
+
+
+def _evaluate_complex(node: sp.Basic, values: Values, *arguments: Ball) -> Ball:
+    """Continue a real function into the complex plane; not finite where that is not analytic."""
+    function = _COMPLEX.get(type(node))
+    if function is None:
+        raise NotImplementedError(f"no analytic version of {type(node).__name__}")
+    return function(*arguments, bool(values.get(_ANALYTIC, False)))
+
+
+def _within_strip(ball: Ball, analytic: bool) -> bool:
+    """Tell whether a ball is off the cuts of the arctangent."""
+    return not analytic or bool(abs(ball.imag) < 1)
+
+
+def _within_slit(ball: Ball, analytic: bool) -> bool:
+    """Tell whether a ball is off the cuts of arcsine and arccosine."""
+    return not analytic or bool(abs(ball.real) < 1)
 
 
 def _add(node: sp.Basic) -> Plan:
@@ -190,18 +228,19 @@ def _sum(node: sp.Basic) -> Plan:
     inner = node.function if len(node.limits) == 1 else sp.Sum(node.function, *node.limits[:-1])
 
     def add_terms(values: Values, first: Ball, last: Ball) -> Ball:
-        numbers = range(_as_integer(first), _as_integer(last) + 1)
-        terms = (_compile(inner.subs(index, k))(values) for k in numbers)
+        start, end = _as_integer(first), _as_integer(last)
+        if start is None or end is None or not 0 <= end + 1 - start <= MOST_TERMS:
+            return NOT_FINITE
+        terms = (_compile(inner.subs(index, k))(values) for k in range(start, end + 1))
         return _accumulate(operator.add, arb(0), terms)
 
     return add_terms, (lower, upper)
 
 
-def _as_integer(ball: Ball) -> int:
-    integer = ball.unique_fmpz()
-    if integer is None:
-        raise ValueError(f"a limit of a sum is not an integer: {ball}")
-    return int(integer)
+def _as_integer(ball: Ball) -> int | None:
+    """Return the integer that a limit is; papers do not agree on what a sum to another one is."""
+    integer = ball.unique_fmpz() if ball.is_finite() and ball.is_exact() else None
+    return None if integer is None else int(integer)
 
 
 def _integral(node: sp.Basic) -> Plan:
@@ -285,9 +324,12 @@ _CONSTANTS: dict[sp.Basic, Callable[[], Ball]] = {
     sp.I: lambda: NOT_FINITE,
     sp.nan: lambda: NOT_FINITE,
     sp.zoo: lambda: NOT_FINITE,
+    sp.oo: lambda: NOT_FINITE,
+    -sp.oo: lambda: NOT_FINITE,
 }
 
 _RULES: tuple[tuple[type[sp.Basic], Callable[[sp.Basic], Plan]], ...] = (
+    (sp.AccumBounds, lambda node: ((lambda values: NOT_FINITE), ())),
     (sp.Add, _add),
     (sp.Mul, _multiply),
     (sp.Pow, _power),
@@ -321,6 +363,16 @@ _FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.betainc_regularized: lambda a, b, x0, x1: _beta(a, b, x1) - _beta(a, b, x0),
 }
 
+# Of a complex ball, and whether the integration asks for an analytic function.
+_COMPLEX: dict[type[sp.Basic], Callable[..., Ball]] = {
+    sp.Abs: lambda z, analytic: z.real_abs(analytic),
+    sp.sign: lambda z, analytic: z.real_sgn(analytic),
+    sp.log: lambda z, analytic: z.log(analytic),
+    sp.atan: lambda z, analytic: z.atan() if _within_strip(z, analytic) else NOT_ANALYTIC,
+    sp.asin: lambda z, analytic: z.asin() if _within_slit(z, analytic) else NOT_ANALYTIC,
+    sp.acos: lambda z, analytic: z.acos() if _within_slit(z, analytic) else NOT_ANALYTIC,
+}
+
 _ENTIRE = (sp.sin, sp.cos, sp.tan, sp.cot, sp.exp, sp.erf, sp.erfc)
 
 
@@ -329,8 +381,8 @@ def _beta(a: Ball, b: Ball, x: Ball) -> Ball:
 
 
 def _arctangent(y: Ball, x: Ball) -> Ball:
-    """Enclose atan2; flint gives [-pi, pi] for an undefined argument, which is no enclosure."""
-    return arb.atan2(y, x) if y.is_finite() and x.is_finite() else NOT_FINITE
+    """Enclose atan2; flint gives [-pi, pi] where the vector may be zero, which has no argument."""
+    return NOT_FINITE if y.contains(0) and x.contains(0) else arb.atan2(y, x)
 
 
 def _fold(function: Callable[[Ball, Ball], Ball], balls: tuple[Ball, ...]) -> Ball:

@@ -108,6 +108,7 @@ def _read(entry: Any) -> Judgement | None:
     try:
         evidence = tuple(Evidence(**item) for item in entry["evidence"])
         changed = {"verdict": Verdict(entry["verdict"]), "marks": tuple(entry["marks"])}
+        changed["singular"] = tuple(entry["singular"])
         return Judgement(**{**entry, **changed, "evidence": evidence})
     except (KeyError, TypeError, ValueError):
         return None

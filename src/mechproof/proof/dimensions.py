@@ -1,7 +1,7 @@
 """Physical dimensions of an expression, and the change of units that shows a mixture.
 
 The dimension of each subexpression is inferred; where terms of unlike dimension are added, the
-witness is a change of the unit of length after which the two sides no longer scale alike.
+witness is a change of a unit after which the two sides no longer scale alike.
 """
 
 from __future__ import annotations
@@ -9,9 +9,10 @@ from __future__ import annotations
 from fractions import Fraction
 
 import sympy as sp
+from sympy.logic.boolalg import Boolean
 from sympy.matrices.expressions.matexpr import MatrixElement
 
-from mechproof.record import NUMBER, Definition, Dimension, Equality, Paper, Statement
+from mechproof.record import NUMBER, Dimension, Paper
 
 Dimensions = dict[sp.Basic, Dimension]
 
@@ -47,37 +48,42 @@ def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
     if isinstance(expression, sp.Sum | sp.Integral):
         return _of_sum_or_integral(expression, known)
     if isinstance(expression, sp.Piecewise):
-        return _of_cases(expression, known)
+        return _of_pieces(expression, known)
+    if isinstance(expression, sp.core.relational.Relational):
+        _common(expression.args, known)
+        return NUMBER
+    if isinstance(expression, Boolean):
+        for part in expression.args:
+            infer(part, known)
+        return NUMBER
+    if isinstance(expression, sp.sign):
+        infer(expression.args[0], known)
+        return NUMBER
     if isinstance(expression, sp.Abs | sp.Max | sp.Min | sp.atan2 | sp.MatrixBase):
         common = _common(tuple(expression) if expression.is_Matrix else expression.args, known)
         return NUMBER if isinstance(expression, sp.atan2) else common
     return _of_function(expression, known)
 
 
-def check(statement: Statement, known: Dimensions) -> None:
-    """Raise `DimensionError` if the printed side is inhomogeneous or unlike the other side."""
-    if isinstance(statement, Equality):
-        sides = (statement.printed, statement.rebuilt)
-    elif isinstance(statement, Definition):
-        sides = (statement.printed, statement.symbol)
-    else:
-        return
-    if all(getattr(side, "is_Matrix", False) for side in sides):
-        for pair in zip(*sides, strict=True):
-            _common(pair, known)
-    else:
-        _common(sides, known)
+def infer_common(sides: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:
+    """Return the dimension of the sides of a statement, of matrices entry by entry."""
+    if any(getattr(side, "is_Matrix", False) for side in sides):
+        entries = zip(*(side if side.is_Matrix else [side] for side in sides), strict=False)
+        first, *_ = [_common(pair, known) for pair in entries]
+        return first
+    return _common(sides, known)
 
 
-def rescale(expression: sp.Basic, known: Dimensions, factor: int) -> sp.Basic:
-    """Express every length in a unit `factor` times smaller."""
-    symbols = [s for s in expression.free_symbols if known.get(s, NUMBER).length]
-    lengths = [i for i in expression.atoms(sp.Indexed) if known.get(i.base, NUMBER).length]
-    scaled = {s: s * factor ** Fraction(known[s].length) for s in symbols if s.is_Symbol}
-    scaled |= {i: i * factor ** Fraction(known[i.base].length) for i in lengths}
-    return expression.subs(
-        {old: sp.nsimplify(new) for old, new in scaled.items()}, simultaneous=True
-    )
+def rescale(expression: sp.Basic, known: Dimensions, unit: str, factor: int) -> sp.Basic:
+    """Express every quantity in a `unit` (length, mass, ...) that is `factor` times smaller."""
+    symbols = {s: known.get(s, NUMBER) for s in expression.free_symbols if s.is_Symbol}
+    indexed = {i: known.get(i.base, NUMBER) for i in expression.atoms(sp.Indexed)}
+    scaled = {
+        symbol: symbol * sp.Integer(factor) ** sp.Rational(power)
+        for symbol, dimension in (symbols | indexed).items()
+        if (power := getattr(dimension, unit))
+    }
+    return expression.subs(scaled, simultaneous=True)
 
 
 def _common(parts: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:
@@ -122,17 +128,17 @@ def _of_sum_or_integral(node: sp.Basic, known: Dimensions) -> Dimension | None:
     return result
 
 
+def _of_pieces(node: sp.Piecewise, known: Dimensions) -> Dimension | None:
+    for _, condition in node.args:
+        infer(condition, known)
+    return _common(tuple(piece for piece, _ in node.args), known)
+
+
 def _with_bound(node: sp.Basic, known: Dimensions) -> Dimensions:
     if isinstance(node, sp.Sum):
         return known
     bound = {v: _common(tuple(limits), known) or NUMBER for v, *limits in node.limits}
     return {**known, **bound}
-
-
-def _of_cases(node: sp.Piecewise, known: Dimensions) -> Dimension | None:
-    for relation in node.atoms(sp.core.relational.Relational):
-        _common(relation.args, known)
-    return _common(tuple(value for value, _ in node.args), known)
 
 
 def _of_function(node: sp.Basic, known: Dimensions) -> Dimension:

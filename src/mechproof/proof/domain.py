@@ -11,21 +11,21 @@ from types import MappingProxyType
 import sympy as sp
 
 from mechproof.proof import balls
-from mechproof.record import Paper, Part
+from mechproof.proof.assumptions import describe_excess, facts_of, find_excess
+from mechproof.proof.substitution import substitute
+from mechproof.record import Paper, Part, RecordError
 
-Point = dict[sp.Basic, sp.Rational]
-_NO_VALUES: Mapping[sp.Basic, sp.Rational] = MappingProxyType({})
+Point = dict[sp.Basic, sp.Expr]
+_NO_VALUES: Mapping[sp.Basic, sp.Expr] = MappingProxyType({})
 
-_ASSUMED_SETS = (
-    ("is_positive", sp.Interval.open(0, sp.oo)),
-    ("is_nonnegative", sp.Interval(0, sp.oo)),
-    ("is_negative", sp.Interval.open(-sp.oo, 0)),
-    ("is_nonpositive", sp.Interval(-sp.oo, 0)),
-    ("is_nonzero", sp.Union(sp.Interval.open(-sp.oo, 0), sp.Interval.open(0, sp.oo))),
-    ("is_integer", sp.S.Integers),
-)
-_OTHER_ASSUMPTIONS = ("is_even", "is_odd", "is_prime", "is_composite", "is_irrational")
 _TRIES_PER_POINT = 60
+COUNTS = (sp.S.Naturals, sp.S.Naturals0)
+# Where formulas that hold at ordinary points fail: zero, one, fractions of a turn.
+_SPECIAL = tuple(
+    sign * value
+    for value in (sp.S.One, sp.S.Half, sp.pi / 2, sp.pi, sp.pi / 3, sp.pi / 4, 2 * sp.pi)
+    for sign in (1, -1)
+)
 
 
 @dataclass(frozen=True)
@@ -41,21 +41,29 @@ class Domain:
         return hash((within, self.where, given))
 
     @classmethod
-    def of(cls, paper: Paper, part: Part | None = None) -> Domain:
-        """Build the domain of a paper, narrowed to a part."""
+    def of(cls, paper: Paper, on: Part | None = None, inside: Part | None = None) -> Domain:
+        """Build the domain of a paper, set anew by a part and narrowed to what lies `inside`.
+
+        Raises `RecordError` for sets, assumptions and relations that cannot be meant.
+        """
         within = {v.symbol: v.within for v in paper.variables if v.given is None}
         given = {v.symbol: v.given for v in paper.variables if v.given is not None}
-        narrowed = dict(part.within) if part else {}
-        for symbol, values in (*within.items(), *narrowed.items()):
+        parts = [part for part in (on, inside) if part]
+        named = [(symbol, values) for part in parts for symbol, values in part.within.items()]
+        for symbol, values in (*within.items(), *named):
             _check(symbol, values)
         for symbol, definition in given.items():
             _check_given(symbol, definition)
-        for symbol in [s for s in narrowed if s in given]:
+        for symbol in dict.fromkeys(symbol for symbol, _ in named if symbol in given):
             _make_free(symbol, within, given)
-        within |= narrowed
-        where = paper.where + (part.where if part else ())
+        within |= dict(on.within) if on else {}
+        for symbol, values in inside.within.items() if inside else ():
+            within[symbol] = within.get(symbol, sp.S.Reals).intersect(values)
+        where = paper.where + tuple(relation for part in parts for relation in part.where)
+        for relation in where:
+            _check_relation(relation, {*within, *given})
         if sp.false in where:
-            raise ValueError(f"paper {paper.system!r}: a relation of its domain is always false")
+            raise RecordError(f"paper {paper.system!r}: a relation of its domain is always false")
         domain = cls(within, (), given)
         return cls(within, tuple(domain.resolve(relation) for relation in where), given)
 
@@ -65,9 +73,8 @@ class Domain:
             found = expression.free_symbols & self.given.keys()
             if not found:
                 return expression
-            replacement = {symbol: self.given[symbol] for symbol in found}
-            expression = expression.subs(replacement, simultaneous=True)
-        raise ValueError(f"symbols are given in a circle: {sorted(map(str, found))}")
+            expression = substitute(expression, {symbol: self.given[symbol] for symbol in found})
+        raise RecordError(f"symbols are given in a circle: {sorted(map(str, found))}")
 
     def set_of(self, symbol: sp.Basic) -> sp.Set:
         """Return the set of a symbol (of its base, for an indexed one)."""
@@ -76,7 +83,7 @@ class Domain:
 
     def allows(self, point: Point) -> bool:
         """Return whether no set and no relation that the point decides excludes it."""
-        relations = [r for r in self.where if r.free_symbols <= point.keys()]
+        relations = _relations_at(list(self.where), point)
         inside = (self.set_of(s).contains(v) != sp.false for s, v in point.items())
         return all(inside) and _allowed(relations, point)
 
@@ -88,7 +95,7 @@ class Domain:
         self,
         symbols: list[sp.Basic],
         count: int,
-        fixed: Mapping[sp.Basic, sp.Rational] = _NO_VALUES,
+        fixed: Mapping[sp.Basic, sp.Expr] = _NO_VALUES,
     ) -> list[Point]:
         """Return `count` exact interior points, then the corners of closed finite ends.
 
@@ -140,6 +147,21 @@ class Domain:
                 for k, symbol in enumerate(ordered, start=1)
             }
 
+    def special_points(self, inside: Point) -> list[Point]:
+        """Return points that differ from one inside by zero, one, fractions of a turn, ends."""
+        found = {s: _special_values(self.set_of(s)) for s in inside if not s.is_integer}
+        single = [{**inside, s: value} for s, values in found.items() for value in values]
+        longest = max(map(len, found.values()), default=0)
+        joint = [
+            {**inside, **{s: values[k % len(values)] for s, values in found.items() if values}}
+            for k in range(longest)
+        ]
+        small = [[v for v in (sp.S.Zero, sp.S.One, -sp.S.One) if v in found[s]] for s in found]
+        if 1 < len(small) <= 3:
+            joint += [{**inside, **dict(zip(found, v, strict=True))} for v in product(*small)]
+        relations = list(self.where)
+        return [p for p in single + joint if _allowed(_relations_at(relations, p), p)]
+
     def _corners(self, inside: Point) -> Iterator[Point]:
         ends = {symbol: _closed_ends(self.set_of(symbol)) for symbol in inside}
         for symbol, values in ends.items():
@@ -154,26 +176,32 @@ class Domain:
 @cache
 def _check(symbol: sp.Basic, where: sp.Set) -> None:
     """Refuse sets without a rule for points, and values that SymPy is told do not occur."""
-    counts = (sp.S.Naturals, sp.S.Naturals0)
-    if not (where in counts or isinstance(where, sp.Interval | sp.FiniteSet)):
-        raise ValueError(f"{symbol} in {where}: allowed are Interval, FiniteSet and Naturals")
-    declared = [s for name, s in _ASSUMED_SETS if getattr(symbol, name, None)]
-    if not all(where.is_subset(s) for s in declared) or _has_other_assumptions(symbol):
-        raise ValueError(f"{symbol} in {where}: the SymPy symbol is declared to be narrower")
+    if not (where in COUNTS or isinstance(where, sp.Interval | sp.FiniteSet)):
+        raise RecordError(f"{symbol} in {where}: allowed are Interval, FiniteSet and Naturals")
+    if excess := find_excess(symbol, facts_of(where)):
+        raise RecordError(
+            f"{symbol} in {where}: the SymPy symbol is declared to be narrower: "
+            f"{describe_excess(excess)}"
+        )
 
 
 def _check_given(symbol: sp.Basic, definition: sp.Expr) -> None:
     """Refuse what SymPy is told of a given symbol and does not know of its definition."""
-    claimed = [name for name, _ in _ASSUMED_SETS if getattr(symbol, name, None)]
-    unknown = [name for name in claimed if not getattr(definition, name, None)]
-    if unknown or _has_other_assumptions(symbol):
-        raise ValueError(
-            f"{symbol} = {definition}: declare the symbol real only, not {', '.join(unknown)}"
+    known = {name: getattr(definition, f"is_{name}") for name in symbol.assumptions0}
+    if excess := find_excess(symbol, {**known, **facts_of(sp.S.Reals)}):
+        raise RecordError(
+            f"{symbol} = {definition}: declare the symbol real only, not {describe_excess(excess)}"
         )
 
 
-def _has_other_assumptions(symbol: sp.Basic) -> bool:
-    return any(getattr(symbol, name, None) for name in _OTHER_ASSUMPTIONS)
+def _check_relation(relation: sp.Basic, declared: set[sp.Basic]) -> None:
+    """Refuse symbols that are not declared; those of indices run over all that there are."""
+    labels = {getattr(symbol, "label", symbol) for symbol in declared}
+    entries = relation.atoms(sp.Indexed)
+    indices = {s for entry in entries for index in entry.indices for s in index.free_symbols}
+    if unknown := relation.free_symbols - entries - indices - declared - labels:
+        names = ", ".join(sorted(map(str, unknown)))
+        raise RecordError(f"the domain {relation}: {names} is no declared symbol")
 
 
 def _make_free(
@@ -189,7 +217,7 @@ def _make_free(
             del within[candidate]
             within[symbol] = sp.S.Reals
             return
-    raise ValueError(f"{symbol} = {definition} cannot be solved for an unrestricted symbol")
+    raise RecordError(f"{symbol} = {definition} cannot be solved for an unrestricted symbol")
 
 
 def _symbols(relation: sp.Basic) -> set[sp.Basic]:
@@ -217,6 +245,18 @@ def _allowed(relations: list[sp.Basic], point: Point) -> bool:
     )
 
 
+def _relations_at(relations: list[sp.Basic], point: Point) -> list[sp.Basic]:
+    return [r for r in relations if r.free_symbols <= point.keys()]
+
+
+def _special_values(where: sp.Set) -> list[sp.Expr]:
+    if isinstance(where, sp.FiniteSet):
+        return list(where.args)
+    ends = _closed_ends(where)
+    values = dict.fromkeys((sp.S.Zero, *_SPECIAL, *ends))
+    return [value for value in values if where.contains(value) == sp.true]
+
+
 def _radical_inverse(step: int, base: int) -> sp.Rational:
     numerator, denominator = 0, 1
     while step:
@@ -225,10 +265,10 @@ def _radical_inverse(step: int, base: int) -> sp.Rational:
     return sp.Rational(numerator, denominator)
 
 
-def _place(where: sp.Set, u: sp.Rational, step: int) -> sp.Rational:
+def _place(where: sp.Set, u: sp.Rational, step: int) -> sp.Expr:
     """Map u in (0, 1) into the set; the odds of the whole line are spread over several turns."""
-    if where in (sp.S.Naturals, sp.S.Naturals0):
-        return sp.Integer(1 + step % 4)
+    if where in COUNTS:
+        return sp.Integer(1 + step % 7)
     if isinstance(where, sp.FiniteSet):
         return where.args[step % len(where)]
     low, high = where.inf, where.sup

@@ -123,10 +123,11 @@ def _compare(cost: Cost, row: Row, paper: Paper) -> str:
 
 
 def _sides(row: Row) -> tuple[sp.Expr, sp.Expr]:
-    if isinstance(row.says, Equality):
-        return row.says.printed, row.says.rebuilt
-    if isinstance(row.says, PrintedNumber):
-        return sp.Rational(row.says.printed), row.says.value
+    says = row.statement
+    if isinstance(says, Equality):
+        return says.printed, says.rebuilt
+    if isinstance(says, PrintedNumber):
+        return sp.Rational(says.printed), says.value
     raise ValueError(f"row {row.number!r}: a cost of it has to state both of its values")
 
 

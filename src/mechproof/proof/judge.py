@@ -2,54 +2,54 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
+from mechproof.proof.declarations import check_statement
 from mechproof.proof.dimensions import dimensions_of
-from mechproof.proof.domain import Domain
+from mechproof.proof.domain import COUNTS, Domain
 from mechproof.proof.ladder import ContradictionError, decide
-from mechproof.proof.verdict import Decision, Evidence, Judgement, Verdict
+from mechproof.proof.verdict import Answer, Evidence, Judgement, Verdict
 from mechproof.proof.wellformed import find_faults
-from mechproof.record import Paper, Part, Row, Statement
+from mechproof.record import Paper, Part, RecordError, Row, Statement
 
 AS_TYPED = "as typed"
-
-
-@dataclass(frozen=True)
-class _Outcome:
-    decision: Decision
-    corrected_by: str = ""
 
 
 def judge(row: Row, paper: Paper) -> Judgement:
     """Return the line of the ledger for one row.
 
-    A statement that no rung can read (an unknown function, a wrong record) is UNDECIDED and says
-    why; only a contradiction within the ladder itself is raised.
+    A statement that no rung can read (an unknown function) is UNDECIDED and says why. Raises
+    `RecordError` for what the paper is not to blame for, and `ContradictionError`.
     """
     try:
-        outcome = _with_correction(row, paper, _decide_row(row, paper))
-    except ContradictionError:
+        answer = _with_correction(row, paper, _decide_row(row, paper))
+    except (ContradictionError, RecordError):
         raise
     except Exception as error:
         reason = f"{type(error).__name__}: {error}"
-        outcome = _Outcome(Decision(Verdict.UNDECIDED, "none", reason))
-    decision = outcome.decision
-    reason = f"{decision.reason}. {row.note}" if row.note else decision.reason
+        answer = Answer(Verdict.UNDECIDED, "none", reason)
+    on = row.on.text if row.on else ""
+    where = [f"on {on}"] if on else []
+    where += [f"singular at {', '.join(row.singular)}"] if row.singular else []
+    reason = "; ".join([answer.reason, *where])
+    reason = f"{reason}. {row.note}" if row.note else reason
     return Judgement(
         system=paper.system,
         number=row.number,
         kind=row.kind,
-        verdict=decision.verdict,
-        rung=decision.rung,
+        verdict=answer.verdict,
+        rung=answer.rung,
         marks=_marks(row),
         printed_latex=row.printed_latex,
         read_as=row.read_as,
+        on=on,
+        singular=row.singular,
         reason=reason,
-        evidence=decision.evidence,
+        evidence=answer.evidence,
         corrected_latex=row.corrected.latex if row.corrected else "",
-        corrected_by=outcome.corrected_by,
+        corrected_by=answer.corrected_by,
         may_stay_open=bool(row.stays_open),
     )
 
@@ -59,65 +59,77 @@ def _marks(row: Row) -> tuple[str, ...]:
     return row.marks if row.read_as or "ours" in row.marks else (*row.marks, AS_TYPED)
 
 
-def _decide_row(row: Row, paper: Paper) -> Decision:
+def _decide_row(row: Row, paper: Paper) -> Answer:
     domain = Domain.of(paper, row.on)
-    decision = _decide_well_formed(row.statement, paper, domain)
-    if decision.verdict is Verdict.REFUTED:
-        convention = _find_convention(row, paper, domain, decision)
-        return convention or _find_part(row, paper, decision)
-    if decision.verdict is Verdict.UNDECIDED and row.stays_open:
-        return replace(decision, reason=f"{decision.reason}; {row.stays_open}")
-    return decision
+    answer = _decide_well_formed(row.statement, paper, domain)
+    if answer.verdict is Verdict.REFUTED:
+        convention = _find_convention(row, paper, domain, answer)
+        return convention or _find_part(row, paper, answer)
+    if answer.verdict is Verdict.UNDECIDED and row.stays_open:
+        return replace(answer, reason=f"{answer.reason}; {row.stays_open}")
+    return answer
 
 
-def _decide_well_formed(says: Statement, paper: Paper, domain: Domain) -> Decision:
-    faults = find_faults(says, dimensions_of(paper), domain)
+def _decide_well_formed(says: Statement, paper: Paper, domain: Domain) -> Answer:
+    known = dimensions_of(paper)
+    check_statement(says, known, domain)
+    faults = find_faults(says, known, domain)
     if not faults:
         return decide(says, domain)
     rungs = dict.fromkeys(fault.rung for fault in faults)
     reason = "; ".join(fault.reason for fault in faults)
     evidence = tuple(fault.evidence for fault in faults)
-    return Decision(Verdict.ILL_FORMED, ", ".join(rungs), reason, evidence)
+    return Answer(Verdict.ILL_FORMED, ", ".join(rungs), reason, evidence)
 
 
-def _find_convention(row: Row, paper: Paper, domain: Domain, literal: Decision) -> Decision | None:
+def _decide_ours(says: Statement, paper: Paper, domain: Domain) -> Answer:
+    """Decide what we say in place of the print."""
+    check_statement(says, dimensions_of(paper), domain, printed=False)
+    return decide(says, domain)
+
+
+def _find_convention(row: Row, paper: Paper, domain: Domain, literal: Answer) -> Answer | None:
     """Return CONVENTION if another stated reading is proved."""
     for reading in row.readings:
-        other = _decide_well_formed(reading.says, paper, domain)
+        other = _decide_ours(reading.says, paper, domain)
         if other.verdict is Verdict.PROVED:
             shown = literal.evidence or (Evidence(literal.reason),)
             as_printed = tuple(replace(e, what=f"read literally: {e.what}") for e in shown)
             as_meant = Evidence(f"read as: {reading.text}: PROVED ({other.rung})")
             reason = f"true when read as: {reading.text}"
-            return Decision(Verdict.CONVENTION, other.rung, reason, (*as_printed, as_meant))
+            return Answer(Verdict.CONVENTION, other.rung, reason, (*as_printed, as_meant))
     return None
 
 
-def _find_part(row: Row, paper: Paper, refuted: Decision) -> Decision:
+def _find_part(row: Row, paper: Paper, refuted: Answer) -> Answer:
     """Return CONDITIONAL if the statement is proved on the stated part of the domain."""
-    if row.holds_on is None or not _has_interior(row.holds_on):
+    if row.holds_on is None:
         return refuted
-    inside = decide(row.statement, Domain.of(paper, row.holds_on))
+    part = Domain.of(paper, row.on, row.holds_on)
+    if not _has_interior(row.holds_on, part):
+        return refuted
+    inside = decide(row.statement, part)
     if inside.verdict is not Verdict.PROVED:
         return refuted
     where = Evidence(f"{row.holds_on.text}: PROVED ({inside.rung})")
     outside = tuple(replace(item, what=f"elsewhere: {item.what}") for item in refuted.evidence)
     reason = f"true for {row.holds_on.text}, not on the whole domain"
-    return Decision(Verdict.CONDITIONAL, inside.rung, reason, (where, *outside))
+    return Answer(Verdict.CONDITIONAL, inside.rung, reason, (where, *outside))
 
 
-def _has_interior(part: Part) -> bool:
-    open_sets = all(not isinstance(s, sp.FiniteSet) for s in part.within.values())
-    return open_sets and not any(isinstance(r, sp.Equality) for r in part.where)
+def _has_interior(part: Part, domain: Domain) -> bool:
+    sets = [domain.set_of(symbol) for symbol in part.within]
+    is_open = all(s in COUNTS or (isinstance(s, sp.Interval) and s.measure > 0) for s in sets)
+    return is_open and not any(relation.has(sp.Equality) for relation in part.where)
 
 
-def _with_correction(row: Row, paper: Paper, decision: Decision) -> _Outcome:
+def _with_correction(row: Row, paper: Paper, answer: Answer) -> Answer:
     """Prove the corrected form; a correction that is not proved leaves the row open."""
-    if row.corrected is None or decision.verdict is Verdict.PROVED:
-        return _Outcome(decision)
-    proof = _decide_well_formed(row.corrected.statement, paper, Domain.of(paper, row.on))
+    if row.corrected is None or answer.verdict is Verdict.PROVED:
+        return answer
+    proof = _decide_ours(row.corrected.statement, paper, Domain.of(paper, row.on))
     if proof.verdict is Verdict.PROVED:
-        evidence = (*decision.evidence, Evidence(f"corrected form: PROVED ({proof.rung})"))
-        return _Outcome(replace(decision, evidence=evidence), proof.rung)
-    reason = f"{decision.reason}; the corrected form is {proof.verdict}: {proof.reason}"
-    return _Outcome(replace(decision, verdict=Verdict.UNDECIDED, reason=reason))
+        evidence = (*answer.evidence, Evidence(f"corrected form: PROVED ({proof.rung})"))
+        return replace(answer, evidence=evidence, corrected_by=proof.rung)
+    reason = f"{answer.reason}; the corrected form is {proof.verdict}: {proof.reason}"
+    return replace(answer, verdict=Verdict.UNDECIDED, reason=reason)

@@ -1,4 +1,4 @@
-"""The ladder: a statement and its domain -> a decision, cheapest rung first."""
+"""The ladder: a statement and its domain -> an answer, cheapest rung first."""
 
 from __future__ import annotations
 
@@ -9,15 +9,16 @@ from typing import Any
 import sympy as sp
 
 from mechproof.proof import balls, bisection
-from mechproof.proof.algebra import decide_equal
+from mechproof.proof.algebra import decide_equal, explain_unequal
 from mechproof.proof.antiderivative import decide_by_derivative, explain_break
 from mechproof.proof.arguments import decide_by_argument
 from mechproof.proof.bisection import holds_on_interval
 from mechproof.proof.domain import Domain
 from mechproof.proof.numbers import decide_number
-from mechproof.proof.refutation import POINTS, Comparison, compare, find_violation
+from mechproof.proof.refutation import Comparison, compare, find_undefined, find_violation
 from mechproof.proof.signs import find_sign
-from mechproof.proof.verdict import Decision, Evidence, Verdict
+from mechproof.proof.substitution import substitute
+from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.record import (
     Completion,
     Completions,
@@ -30,31 +31,49 @@ from mechproof.record import (
     Statement,
 )
 
+IDENTICAL = "identical"
 CROSS_EXAMINATION = 4
 CROSS_PRECISION = (64,)
+# Characters of an expression that a reason names.
+_LONGEST = 240
 
 
 class ContradictionError(RuntimeError):
     """A rung proved what balls refute: a fault of the ladder itself."""
 
 
-def decide(statement: Statement, domain: Domain) -> Decision:
+def decide(statement: Statement, domain: Domain) -> Answer:
     """Decide one statement on one domain."""
     return _RULES[type(statement)](statement, domain)
 
 
-def _decide_equality(statement: Equality, domain: Domain) -> Decision:
-    printed, rebuilt = (domain.resolve(side) for side in (statement.printed, statement.rebuilt))
+def _decide_equality(statement: Equality, domain: Domain) -> Answer:
+    source = "declaration" if _is_declaration(statement, domain) else statement.rebuilt_from
+    answer = _decide_sides(statement.printed, statement.rebuilt, domain)
+    if answer.verdict is not Verdict.PROVED or source == "mechanics":
+        return answer
+    reason = f"the other side is built from the {source}: nothing to prove"
+    return Answer(Verdict.DEFINITION, answer.rung, reason)
+
+
+def _is_declaration(statement: Equality, domain: Domain) -> bool:
+    """Tell whether a side is a symbol and the other what the symbol is declared to be."""
+    sides = (statement.printed, statement.rebuilt)
+    return any(domain.given.get(one) == other for one, other in (sides, sides[::-1]))
+
+
+def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer:
+    printed, rebuilt = domain.resolve(printed), domain.resolve(rebuilt)
     if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):
         return _decide_matrices(printed, rebuilt, domain)
     return _decide_scalars(printed, rebuilt, domain)
 
 
-def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Decision:
+def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Answer:
     shapes = [getattr(side, "shape", "of a number") for side in (printed, rebuilt)]
     if shapes[0] != shapes[1]:
         reason = f"the printed side has the shape {shapes[0]}, the other {shapes[1]}"
-        return Decision(Verdict.REFUTED, "entrywise", reason, (Evidence(reason),))
+        return Answer(Verdict.REFUTED, "entrywise", reason, (Evidence(reason),))
     rungs: list[str] = []
     for row in range(printed.rows):
         for column in range(printed.cols):
@@ -64,27 +83,28 @@ def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Decision:
                 return replace(entry, rung=f"entrywise, {entry.rung}", reason=where)
             rungs.append(entry.rung)
     reason = f"all {len(rungs)} entries agree"
-    return Decision(Verdict.PROVED, f"entrywise, {_join(rungs)}", reason)
+    return Answer(Verdict.PROVED, f"entrywise, {_join(rungs)}", reason)
 
 
-def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Decision:
+def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answer:
     rung = _prove_equal(printed, rebuilt, domain)
     if rung:
         undefined = _cross_examine(printed, rebuilt, domain)
         if undefined:
             reason = f"both sides agree where both are defined, which fails at {undefined}"
-            return Decision(Verdict.UNDECIDED, rung, reason)
-        return Decision(Verdict.PROVED, rung, "both sides agree wherever they are defined")
+            return Answer(Verdict.UNDECIDED, rung, reason)
+        return Answer(Verdict.PROVED, rung, "both sides agree wherever they are defined")
     comparison = compare(printed, rebuilt, domain)
     if comparison.counterexample:
         reason = explain_break(printed, domain) or "the two sides differ"
-        return Decision(Verdict.REFUTED, "separating balls", reason, (comparison.counterexample,))
-    return _report_unproved(comparison)
+        return Answer(Verdict.REFUTED, "separating balls", reason, (comparison.counterexample,))
+    why = explain_break(printed - rebuilt, domain) or explain_unequal(printed, rebuilt, domain)
+    return _report_unproved(comparison, why)
 
 
 def _prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
     if printed == rebuilt:
-        return "structural"
+        return IDENTICAL
     rungs = (decide_equal, decide_by_argument, decide_by_derivative)
     return next(filter(None, (rung(printed, rebuilt, domain) for rung in rungs)), None)
 
@@ -97,28 +117,27 @@ def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:
     return comparison.undefined
 
 
-def _report_unproved(comparison: Comparison) -> Decision:
+def _report_unproved(comparison: Comparison, why: str) -> Answer:
     counted = (
-        f"both sides agree within {comparison.widest} at {comparison.agreeing} exact points, "
-        f"{comparison.undecided} points could not be decided"
+        f"{_clip(why)}; both sides agree within {comparison.widest} at {comparison.agreeing} "
+        f"exact points, {comparison.undecided} points could not be decided"
     )
     enclosed = comparison.agreeing > 0 and comparison.undecided == 0
     verdict = Verdict.ENCLOSED if enclosed else Verdict.UNDECIDED
-    return Decision(verdict, "enclosure", counted)
+    return Answer(verdict, "enclosure", counted)
 
 
-def _decide_distinct(statement: Distinct, domain: Domain) -> Decision:
-    left, right = (domain.resolve(side) for side in (statement.left, statement.right))
-    equal = _decide_equality(Equality(left, right), domain)
+def _decide_distinct(statement: Distinct, domain: Domain) -> Answer:
+    equal = _decide_sides(statement.left, statement.right, domain)
     opposite = {Verdict.REFUTED: Verdict.PROVED, Verdict.PROVED: Verdict.REFUTED}
     verdict = opposite.get(equal.verdict, Verdict.UNDECIDED)
     return replace(equal, verdict=verdict)
 
 
-def _decide_relation(statement: Holds, domain: Domain) -> Decision:
+def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     if statement.relation in (sp.true, sp.false):
         reason = "SymPy evaluated the relation when it was written: build it with evaluate=False"
-        return Decision(Verdict.UNDECIDED, "none", reason)
+        return Answer(Verdict.UNDECIDED, "none", reason)
     relation = domain.resolve(statement.relation)
     if relation in (sp.true, sp.false) or not relation.free_symbols:
         return _decide_exact(relation)
@@ -126,25 +145,39 @@ def _decide_relation(statement: Holds, domain: Domain) -> Decision:
         parts = tuple(Holds(part) for part in sorted(relation.args, key=str))
         return _decide_conjunction(Conjunction(parts), domain)
     if isinstance(relation, sp.Equality):
-        return _decide_equality(Equality(*relation.args), domain)
+        return _decide_sides(relation.lhs, relation.rhs, domain)
     rung = _prove_relation(relation, domain)
     if rung:
         if found := find_violation(relation, domain, CROSS_EXAMINATION):
             raise ContradictionError(f"proved, yet {found}")
-        return Decision(Verdict.PROVED, rung, "true wherever it is defined")
+        if undefined := find_undefined(relation, domain, CROSS_EXAMINATION):
+            reason = f"true wherever it is defined, which fails at {undefined}"
+            return Answer(Verdict.UNDECIDED, rung, reason)
+        return Answer(Verdict.PROVED, rung, "true wherever it is defined")
     violation = find_violation(relation, domain)
     if violation:
-        return Decision(Verdict.REFUTED, "separating balls", "a point violates it", (violation,))
-    reason = f"no violation at {POINTS} points, no proof"
-    return Decision(Verdict.UNDECIDED, "enclosure", reason)
+        return Answer(Verdict.REFUTED, "separating balls", "a point violates it", (violation,))
+    reason = f"{_explain_relation(relation)}; no violation at any point tried"
+    return Answer(Verdict.UNDECIDED, "enclosure", reason)
 
 
-def _decide_exact(relation: sp.Basic) -> Decision:
+def _explain_relation(relation: sp.Basic) -> str:
+    """Name the sign that is not shown."""
+    if isinstance(relation, sp.core.relational._Inequality):
+        return _clip(f"the sign of {relation.gts - relation.lts} is not shown")
+    return _clip(f"{relation} is not shown")
+
+
+def _clip(text: str) -> str:
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 4]} ..."
+
+
+def _decide_exact(relation: sp.Basic) -> Answer:
     holds = balls.truth(relation, {}, 512)
     verdicts = {True: Verdict.PROVED, False: Verdict.REFUTED, None: Verdict.UNDECIDED}
     is_plain = relation in (sp.true, sp.false)
     evidence = () if is_plain else (_describe_exact(relation, holds),)
-    return Decision(verdicts[holds], "evaluation", f"exact numbers: {holds}", evidence)
+    return Answer(verdicts[holds], "evaluation", f"exact numbers: {holds}", evidence)
 
 
 def _prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
@@ -157,7 +190,7 @@ def _describe_exact(relation: sp.Basic, holds: bool | None) -> Evidence:
     """Show both sides as balls: the exact numbers themselves may be pages long."""
     if not isinstance(relation, sp.core.relational.Relational):
         return Evidence(f"{relation} for exact numbers is {holds}")
-    left, right = (balls.show(balls.evaluate(side, {})) for side in relation.args)
+    left, right = balls.show_apart(*(balls.evaluate(side, {}, 512) for side in relation.args))
     return Evidence(f"{left} {relation.rel_op} {right} for exact numbers is {holds}")
 
 
@@ -172,47 +205,54 @@ def _holds_by_sign(relation: sp.Basic, domain: Domain) -> bool:
     return sign is not None and sign.direction > 0 and (sign.strict or not strict)
 
 
-def _decide_conjunction(statement: Conjunction, domain: Domain) -> Decision:
-    if not statement.parts:
-        raise ValueError("a Conjunction needs at least one part")
-    decisions = [decide(part, domain) for part in statement.parts]
-    failed = [d for d in decisions if d.verdict not in (Verdict.PROVED, Verdict.DEFINITION)]
-    for decision in sorted(failed, key=lambda d: d.verdict is not Verdict.REFUTED):
-        return decision
-    evidence = tuple(item for decision in decisions for item in decision.evidence)
-    reason = f"all {len(decisions)} parts hold"
-    only_defined = all(d.verdict is Verdict.DEFINITION for d in decisions)
+def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
+    answers = [decide(part, domain) for part in statement.parts]
+    failed = [d for d in answers if d.verdict not in (Verdict.PROVED, Verdict.DEFINITION)]
+    for answer in sorted(failed, key=lambda d: d.verdict is not Verdict.REFUTED):
+        return answer
+    evidence = tuple(item for answer in answers for item in answer.evidence)
+    reason = f"all {len(answers)} parts hold"
+    only_defined = all(d.verdict is Verdict.DEFINITION for d in answers)
     verdict = Verdict.DEFINITION if only_defined else Verdict.PROVED
-    return Decision(verdict, _join([d.rung for d in decisions]), reason, evidence)
+    return Answer(verdict, _join([d.rung for d in answers]), reason, evidence)
 
 
-def _decide_completions(statement: Completions, domain: Domain) -> Decision:
+def _decide_completions(statement: Completions, domain: Domain) -> Answer:
     sides = (statement.first, statement.second)
-    decisions = [decide(side.says, domain) for side in sides]
-    evidence = tuple(_describe(s, d) for s, d in zip(sides, decisions, strict=True))
-    if {d.verdict for d in decisions} == {Verdict.PROVED, Verdict.REFUTED}:
-        reason = "two completions of the missing data give opposite answers"
-        return Decision(Verdict.UNDERDETERMINED, "two completions", reason, evidence)
+    answers = [_decide_completion(side, statement.missing, domain) for side in sides]
+    evidence = tuple(_describe(s, d) for s, d in zip(sides, answers, strict=True))
+    if {d.verdict for d in answers} == {Verdict.PROVED, Verdict.REFUTED}:
+        reason = f"not stated: {statement.missing}; two completions give opposite answers"
+        return Answer(Verdict.UNDERDETERMINED, "two completions", reason, evidence)
     reason = "the two completions do not give opposite answers"
-    return Decision(Verdict.UNDECIDED, "two completions", reason, evidence)
+    return Answer(Verdict.UNDECIDED, "two completions", reason, evidence)
 
 
-def _describe(completion: Completion, decision: Decision) -> Evidence:
-    what = f"{completion.text}: {decision.verdict} ({decision.rung}; {decision.reason})"
-    first = decision.evidence[0] if decision.evidence else Evidence("")
+def _decide_completion(completion: Completion, missing: str | sp.Symbol, domain: Domain) -> Answer:
+    if not isinstance(missing, sp.Symbol):
+        return decide(completion.says, domain)
+    given = {**domain.given, missing: completion.value}
+    within = {s: values for s, values in domain.within.items() if s != missing}
+    where = tuple(substitute(r, {missing: completion.value}) for r in domain.where)
+    return decide(completion.says, Domain(within, where, given))
+
+
+def _describe(completion: Completion, answer: Answer) -> Evidence:
+    what = f"{completion.text}: {answer.verdict} ({answer.rung}; {answer.reason})"
+    first = answer.evidence[0] if answer.evidence else Evidence("")
     return Evidence(what, first.at, first.printed, first.rebuilt)
 
 
-def _define(statement: Definition, domain: Domain) -> Decision:
+def _define(statement: Definition, domain: Domain) -> Answer:
     reason = f"introduces {statement.symbol}; dimensions and bound symbols agree"
-    return Decision(Verdict.DEFINITION, "definition", reason)
+    return Answer(Verdict.DEFINITION, "definition", reason)
 
 
 def _join(rungs: list[str]) -> str:
     return ", ".join(dict.fromkeys(rungs))
 
 
-_RULES: dict[type, Callable[[Any, Domain], Decision]] = {
+_RULES: dict[type, Callable[[Any, Domain], Answer]] = {
     Equality: _decide_equality,
     Distinct: _decide_distinct,
     Holds: _decide_relation,

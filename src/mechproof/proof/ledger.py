@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mechproof.proof.findings import Found
+from mechproof.proof.ladder import IDENTICAL
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
 from mechproof.record import Paper
 
@@ -15,6 +16,7 @@ PLAIN = (Verdict.PROVED, Verdict.DEFINITION)
 # Rows are counted by what they are, never added up.
 CLASSES = {"equation": "printed equations", "claim": "printed claims", "datum": "printed data"}
 OURS = "our own rows"
+COUNTED = (*CLASSES.values(), OURS)
 INTRODUCTION = """# Ledger
 
 What is wrong in print comes first, each cause once: the findings. Then every printed equation and
@@ -27,11 +29,15 @@ in the paper: they are results that other rows or the kernels rest on, and they 
 
 @dataclass(frozen=True)
 class Ledger:
-    """A paper with the judgements of its rows and the findings among them."""
+    """A paper with the judgements of its rows and the findings among them.
+
+    `failures` name the rows that could not be judged; with any, findings are not looked for.
+    """
 
     paper: Paper
     judgements: tuple[Judgement, ...]
     findings: tuple[Found, ...]
+    failures: tuple[str, ...] = ()
 
 
 def classify(judgement: Judgement) -> str:
@@ -41,12 +47,15 @@ def classify(judgement: Judgement) -> str:
 
 def show_totals(judgements: Sequence[Judgement]) -> dict[str, str]:
     """Return a line for each class of rows: its verdicts in their order; no sum over them."""
-    lines = {}
-    for name in (*CLASSES.values(), OURS):
-        counted = Counter(j.verdict for j in judgements if classify(j) == name)
-        if counted:
-            lines[name] = ", ".join(f"{counted[v]} {v}" for v in Verdict if counted[v])
-    return lines
+    found = {name: [j for j in judgements if classify(j) == name] for name in COUNTED}
+    return {name: _count(rows) for name, rows in found.items() if rows}
+
+
+def _count(judgements: Sequence[Judgement]) -> str:
+    counted = Counter(j.verdict for j in judgements)
+    identical = sum(j.rung == IDENTICAL for j in judgements)
+    apart = {Verdict.PROVED: f" ({identical} of them identical)"} if identical else {}
+    return ", ".join(f"{counted[v]} {v}{apart.get(v, '')}" for v in Verdict if counted[v])
 
 
 def to_json(ledgers: Sequence[Ledger]) -> str:

@@ -2,25 +2,17 @@
 
 from __future__ import annotations
 
-import re
-
 import sympy as sp
 
 from mechproof.proof import balls
-from mechproof.proof.verdict import Decision, Evidence, Verdict
+from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.record import PrintedNumber
 
 RUNG = "recomputation"
-_DECIMAL = re.compile(r"-?\d+(\.\d+)?")
 
 
-def decide_number(statement: PrintedNumber, value: sp.Expr) -> Decision:
-    """Compare the exact value with the closed interval of half a last place around the print.
-
-    Raises `ValueError` for a print that is not a plain decimal number.
-    """
-    if not _DECIMAL.fullmatch(statement.printed):
-        raise ValueError(f"printed {statement.printed!r} is not a decimal number such as -0.93")
+def decide_number(statement: PrintedNumber, value: sp.Expr) -> Answer:
+    """Compare the exact value with the closed interval of half a last place around the print."""
     printed = sp.Rational(statement.printed)
     half_place = sp.Rational(1, 2) / 10 ** _decimals(statement.printed)
     ball = balls.evaluate_until(value, {}, 80)
@@ -29,11 +21,11 @@ def decide_number(statement: PrintedNumber, value: sp.Expr) -> Decision:
         distance, allowed = abs(value - printed), half_place
     evidence = Evidence("printed and recomputed", {}, statement.printed, balls.show(ball))
     if distance <= allowed:
-        return Decision(Verdict.PROVED, RUNG, f"recomputed {balls.show(ball, 8)}", (evidence,))
+        return Answer(Verdict.PROVED, RUNG, f"recomputed {balls.show(ball, 8)}", (evidence,))
     if distance > allowed:
         reason = f"recomputed {balls.show(ball, 8)}, printed {statement.printed}"
-        return Decision(Verdict.REFUTED, RUNG, reason, (evidence,))
-    return Decision(Verdict.UNDECIDED, RUNG, "the ball meets the rounding boundary", (evidence,))
+        return Answer(Verdict.REFUTED, RUNG, reason, (evidence,))
+    return Answer(Verdict.UNDECIDED, RUNG, "the ball meets the rounding boundary", (evidence,))
 
 
 def _decimals(text: str) -> int:

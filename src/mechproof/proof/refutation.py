@@ -2,18 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import islice, permutations
+from itertools import chain, islice, permutations
 
 import sympy as sp
+from flint import arb
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanFunction
 
 from mechproof.proof import balls
 from mechproof.proof.domain import Domain, Point
+from mechproof.proof.substitution import substitute
+from mechproof.proof.sums import write_out
 from mechproof.proof.verdict import Evidence
 
 POINTS = 40
-PRECISIONS = (64, 192)
-_LARGEST_COUNT = 12
+PRECISIONS = (64, 192, 512)
+# Counts in the order in which they are tried; how many choices of several counts.
+_FIRST_COUNTS = (2, 3, 5, 1, 4, 7, 6, 10, 12, 8, 9, 11, 0)
+_CHOICES = 3
+_MORE_CHOICES = 14
+_MOST_TRIED = 2000
+# Balls wider than this say nothing of how close two sides are.
+_NARROW = arb(2) ** -32
 
 
 @dataclass(frozen=True)
@@ -38,7 +50,7 @@ def compare(
     agreeing = undecided = 0
     undefined = ""
     widest = balls.to_ball(0)
-    for point in points_for((printed, rebuilt), domain, count):
+    for point in points_for((printed, rebuilt), domain, count, thorough=count == POINTS):
         left, right, decided = _enclose_both(printed, rebuilt, point, precisions)
         if decided == "apart":
             return Comparison(_describe(point, left, right), agreeing, undecided, "")
@@ -46,7 +58,7 @@ def compare(
         undecided += decided == "open"
         one_has_a_value = left.is_finite() != right.is_finite()
         if one_has_a_value and not undefined and domain.is_interior(point):
-            undefined = ", ".join(f"{name} = {value}" for name, value in _texts(point).items())
+            undefined = _show_point(point)
         if decided == "together":
             widest = widest.max((left - right).abs_upper())
     undefined = undefined or ("" if agreeing else "any point tried")
@@ -55,66 +67,98 @@ def compare(
 
 def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> Evidence | None:
     """Return a point at which the relation is certainly false, if one is found."""
-    for point in points_for((relation,), domain, count):
-        if balls.truth(relation, point, 256) is False:
+    for point in points_for((relation,), domain, count, thorough=count == POINTS):
+        if balls.truth(put_exactly(relation, point), point, 256) is False:
             sides = [s for r in _relations(relation) for s in r.args]
-            values = [balls.show(balls.evaluate(_expand(s, point), point)) for s in sides]
-            return Evidence(f"{relation} is false", _texts(point), *values[:2])
+            values = [balls.evaluate(put_exactly(s, point), point, 256) for s in sides[:2]]
+            return Evidence(f"{relation} is false", _texts(point), *balls.show_apart(*values))
     return None
 
 
-def points_for(expressions: tuple[sp.Basic, ...], domain: Domain, count: int) -> list[Point]:
-    """Return points that give every symbol of the expressions a value, indexed ones included."""
-    counts = sorted(
-        {s for e in expressions for s in e.free_symbols if s.is_Symbol and s.is_integer}, key=str
-    )
-    symbols = {s for e in expressions for s in e.free_symbols if isinstance(s, sp.Symbol)}
+def find_undefined(relation: sp.Basic, domain: Domain, count: int) -> str:
+    """Return an interior point at which a side of a relation has no value, empty if none is met."""
+    for point in points_for((relation,), domain, count):
+        sides = (put_exactly(s, point) for r in _relations(relation) for s in r.args)
+        if all(balls.evaluate(side, point).is_finite() for side in sides):
+            continue
+        if domain.is_interior(point):
+            return _show_point(point)
+    return ""
+
+
+def points_for(
+    expressions: tuple[sp.Basic, ...], domain: Domain, count: int, thorough: bool = False
+) -> Iterator[Point]:
+    """Yield points that give every symbol of the expressions a value, indexed ones included.
+
+    Thorough: more counts, and special points after the ordinary ones.
+    """
+    free = {s for e in expressions for s in e.free_symbols}
     bases = {i.base.label for e in expressions for i in e.atoms(sp.Indexed)}
-    plain = sorted(symbols - bases, key=str)
-    result: list[Point] = []
-    for sizes in _choose_counts(counts, domain):
-        indexed = {i for e in expressions for i in _expand(e, sizes).atoms(sp.Indexed)}
-        free = [s for s in plain if s not in sizes] + sorted(indexed, key=str)
-        result += domain.points(free, count, sizes) if free else [sizes]
-    return result
+    symbols = {s for s in free if isinstance(s, sp.Symbol)} - bases
+    counts = sorted((s for s in symbols if _is_count(s, domain)), key=str)
+    plain = sorted(symbols - set(counts), key=str)
+    special: list[Point] = []
+    for sizes in _choose_counts(counts, domain, _MORE_CHOICES if thorough else _CHOICES):
+        indexed = {i for e in expressions for i in put_exactly(e, sizes).atoms(sp.Indexed)}
+        names = plain + sorted(indexed, key=str)
+        points = domain.points(names, count, sizes) if names else [sizes]
+        yield from points
+        special += domain.special_points(points[0]) if thorough and not special else []
+    yield from special
 
 
-def _choose_counts(counts: list[sp.Basic], domain: Domain) -> list[Point]:
-    """Return the two smallest choices of unlike counts that the domain allows."""
+def _is_count(symbol: sp.Symbol, domain: Domain) -> bool:
+    return bool(symbol.is_integer) and not isinstance(domain.set_of(symbol), sp.FiniteSet)
+
+
+def _choose_counts(counts: list[sp.Basic], domain: Domain, number: int) -> list[Point]:
+    """Return the first choices of counts, unlike before like, that the domain allows."""
     if not counts:
         return [{}]
-    choices = (
-        dict(zip(counts, map(sp.Integer, values), strict=True))
-        for start in range(2, _LARGEST_COUNT)
-        for values in permutations(range(start, start + len(counts)))
-    )
-    return list(islice((sizes for sizes in choices if domain.allows(sizes)), 2))
+    unlike = (turned for v in permutations(_FIRST_COUNTS, len(counts)) for turned in (v, v[::-1]))
+    like = [(start,) * len(counts) for start in _FIRST_COUNTS] if len(counts) > 1 else []
+    values = chain(islice(unlike, max(3, number - 4)), like, islice(unlike, _MOST_TRIED))
+    choices = (dict(zip(counts, map(sp.Integer, v), strict=True)) for v in dict.fromkeys(values))
+    return list(islice((sizes for sizes in choices if domain.allows(sizes)), number))
 
 
-def _expand(expression: sp.Basic, sizes: Point) -> sp.Basic:
-    """Write sums with a numeric count out, so that their indexed symbols appear."""
-    if not expression.has(sp.Sum):
-        return expression
-    counts = {s: v for s, v in sizes.items() if isinstance(s, sp.Symbol) and s.is_integer}
-    return expression.subs(counts).doit()
+def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
+    """Put what no ball holds exactly, and counts, so that sums are written out."""
+    if isinstance(expression, Relational | BooleanFunction):
+        parts = [put_exactly(part, point) for part in expression.args]
+        unevaluated = {"evaluate": False} if expression.is_Relational else {}
+        return expression.func(*parts, **unevaluated)
+    has_sums = expression.has(sp.Sum)
+    exact = {
+        s: v
+        for s, v in point.items()
+        if not v.is_Rational or (has_sums and v.is_Integer and isinstance(s, sp.Symbol))
+    }
+    return write_out(substitute(expression, exact)) if exact else write_out(expression)
 
 
 def _enclose_both(
     printed: sp.Basic, rebuilt: sp.Basic, point: Point, precisions: tuple[int, ...]
 ) -> tuple[balls.Ball, balls.Ball, str]:
-    printed, rebuilt = (_expand(side, point) for side in (printed, rebuilt))
+    printed, rebuilt = (put_exactly(side, point) for side in (printed, rebuilt))
     decided = "open"
     for bits in precisions:
         left, right = (balls.evaluate(side, point, bits) for side in (printed, rebuilt))
         if left.is_finite() and right.is_finite():
             if not left.overlaps(right):
                 return left, right, "apart"
-            decided = "together"
+            is_narrow = (left - right).abs_upper() < _NARROW * left.abs_upper().max(arb(1))
+            decided = "together" if is_narrow else decided
     return left, right, decided
 
 
 def _describe(point: Point, left: balls.Ball, right: balls.Ball) -> Evidence:
-    return Evidence("both sides as balls", _texts(point), balls.show(left), balls.show(right))
+    return Evidence("both sides as balls", _texts(point), *balls.show_apart(left, right))
+
+
+def _show_point(point: Point) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in _texts(point).items())
 
 
 def _texts(point: Point) -> dict[str, str]:

@@ -16,6 +16,15 @@ import sympy as sp
 from mechproof.proof import balls
 from mechproof.proof.domain import Domain
 
+# Work limit: powers and multiples of angles beyond are not multiplied out.
+MOST_MULTIPLIED = 100
+
+
+def is_workable(expression: sp.Basic) -> bool:
+    """Tell whether no whole power is beyond the limit."""
+    powers = (p.exp for p in expression.atoms(sp.Pow) if p.exp.is_Integer)
+    return all(abs(power) <= MOST_MULTIPLIED for power in powers)
+
 
 @dataclass(frozen=True)
 class Sign:
@@ -43,7 +52,7 @@ def find_sign(expression: sp.Expr, domain: Domain) -> Sign | None:
 def _find_sign_with_ends(expression: sp.Expr, domain: Domain) -> Sign | None:
     if not expression.free_symbols:
         return _sign_of_number(expression)
-    if expression.has(sp.Sum, sp.Integral):
+    if expression.has(sp.Sum, sp.Integral) or not is_workable(expression):
         return None
     sign = _sign_in_coordinates(expression, domain)
     for symbol, end in _closed_right_ends(expression, domain) if sign else []:
@@ -272,8 +281,11 @@ def _sign_of_factors(expression: sp.Expr, coordinates: _Coordinates) -> Sign | N
         return _sign_of_number(expression)
     if expression.atoms(sp.Function):
         return None
+    expression = _name_positive_powers(expression, coordinates)
     roots = {node: sp.Dummy("root", nonnegative=True) for node in _square_roots(expression)}
     expression = expression.subs(roots)
+    if not expression.is_polynomial(*expression.free_symbols):
+        return None
     nonnegative = coordinates.nonnegative | set(roots.values())
     return _sign_of_product(expression, coordinates.positive, nonnegative)
 
@@ -291,6 +303,18 @@ def _sign_of_product(
             one = Sign(1, False)
         sign = sign.times(one if power % 2 else Sign(1, one.strict)) if sign else None
     return sign
+
+
+def _name_positive_powers(expression: sp.Expr, coordinates: _Coordinates) -> sp.Expr:
+    """Let each power with an exponent that is no number, of a positive base, be positive."""
+    powers = [p for p in expression.atoms(sp.Pow) if not p.exp.is_number]
+    named = {
+        power: sp.Dummy("power", positive=True)
+        for power in sorted(powers, key=sp.default_sort_key)
+        if _sign_of_quotient(power.base, coordinates) == Sign(1, True)
+    }
+    coordinates.positive |= set(named.values())
+    return expression.xreplace(named)
 
 
 def _square_roots(expression: sp.Expr) -> list[sp.Expr]:

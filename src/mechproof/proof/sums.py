@@ -1,66 +1,126 @@
 """Canonical form of sums with a symbolic number of terms.
 
-A polynomial in such sums is written as a polynomial in *canonical* sums: Kronecker deltas
-carried out, constants in front, unused indices turned into factors n, independent indices
-split into products of sums, bound indices renamed in one order. Two canonical sums with
+A polynomial in such sums is written as a polynomial in *canonical* sums: from 1 to a symbolic
+limit, Kronecker deltas carried out, constants in front, unused indices turned into factors n,
+sums of powers of the index written as polynomials in n, independent indices split into products
+of sums, bound indices renamed in one order. Two canonical sums with
 different summands are independent as functions of arbitrarily many terms, so equality of the
 polynomials decides equality for every n.
 """
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import permutations
 
 import sympy as sp
 
+from mechproof.proof.balls import MOST_TERMS
+from mechproof.proof.domain import Domain
+from mechproof.proof.signs import find_sign
+
+_MOST_ALIGNED = 8
+_LARGEST_POWER = 8
 Limit = tuple[sp.Symbol, sp.Expr]
 
 
-def canonicalise(expression: sp.Basic) -> sp.Basic:
+def canonicalise(expression: sp.Basic, domain: Domain) -> sp.Basic:
     """Replace every Sum in the expression by its canonical form.
 
-    Raises `NotImplementedError` for a Sum whose lower limit is not 1 or whose upper limit
-    depends on another index.
+    Raises `NotImplementedError` for a Sum whose limits are not shown to be integers, the upper
+    no less than the lower less one, or whose upper limit depends on another index.
     """
     if not expression.has(sp.Sum):
         return expression
     if isinstance(expression, sp.Sum):
-        return _canonical_sum(expression)
-    return expression.func(*(canonicalise(argument) for argument in expression.args))
+        return _canonical_sum(expression, domain)
+    return expression.func(*(canonicalise(argument, domain) for argument in expression.args))
 
 
-def _canonical_sum(node: sp.Sum) -> sp.Expr:
+def write_out(expression: sp.Basic) -> sp.Basic:
+    """Write the sums between integers term by term; one that ends before it begins has no value."""
+    if not expression.has(sp.Sum):
+        return expression
+    if not isinstance(expression, sp.Sum):
+        return expression.func(*map(write_out, expression.args))
+    *inner, (index, lower, upper) = expression.limits
+    body = sp.Sum(expression.function, *inner) if inner else expression.function
+    if not (lower.is_Integer and upper.is_Integer and upper - lower < MOST_TERMS):
+        return expression
+    if upper < lower - 1:
+        return sp.nan
+    numbers = range(int(lower), int(upper) + 1)
+    return sp.Add(*(write_out(body.subs(index, number)) for number in numbers))
+
+
+def _canonical_sum(node: sp.Sum, domain: Domain) -> sp.Expr:
+    aligned = _align(node, domain)
+    if aligned != node:
+        return canonicalise(aligned, domain)
     limits: list[Limit] = []
-    body = _flatten(node, limits)
+    body = _flatten(node, limits, domain)
     terms = sp.Add.make_args(sp.expand(body))
     return sp.Add(*(_canonical_term(term, limits) for term in terms))
 
 
-def _flatten(node: sp.Expr, limits: list[Limit]) -> sp.Expr:
+def _align(node: sp.Sum, domain: Domain) -> sp.Expr:
+    """Write single terms at the ends out, so that a sum runs from 1 to a limit without constant."""
+    (index, lower, upper), *others = node.limits
+    if others or not lower.is_Integer:
+        return node
+    shift, free = upper.as_coeff_Add()
+    if free == 0 or not shift.is_Integer or max(abs(lower - 1), abs(shift)) > _MOST_ALIGNED:
+        return node
+    _check_limits(index, lower, upper, domain)
+    if not _is_not_negative(free, domain) or not _is_not_negative(upper, domain):
+        return node
+    ends = ((lower, 0, 1), (1, lower - 1, -1), (free + 1, upper, 1), (upper + 1, free, -1))
+    terms = (
+        sign * node.function.subs(index, first + k)
+        for first, last, sign in ends
+        for k in range(int(last - first) + 1)
+    )
+    return sp.Sum(node.function, (index, 1, free)) + sp.Add(*terms)
+
+
+def _check_limits(index: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Domain) -> None:
+    if not (upper.is_integer and _is_not_negative(upper - lower + 1, domain)):
+        raise NotImplementedError(f"a Sum over {index} from {lower} to {upper}")
+
+
+def _is_not_negative(expression: sp.Expr, domain: Domain) -> bool:
+    if expression.is_nonnegative:
+        return True
+    sign = find_sign(expression, domain)
+    return sign is not None and sign.direction > 0
+
+
+def _flatten(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Expr:
     """Collect the limits of nested sums under fresh indices; return the innermost summand."""
     if not isinstance(node, sp.Sum):
-        return _flatten_inside(node, limits)
+        return _flatten_inside(node, limits, domain)
     body = node.function
     bound = {limit[0] for limit in node.limits} | {index for index, _ in limits}
     for index, lower, upper in node.limits:
         if lower != 1 or upper.free_symbols & bound:
             raise NotImplementedError(f"a Sum over {index} from {lower} to {upper}")
+        _check_limits(index, lower, upper, domain)
         fresh = sp.Dummy(index.name, integer=True)
         body = body.subs(index, fresh)
         limits.append((fresh, upper))
-    return _flatten(body, limits)
+    return _flatten(body, limits, domain)
 
 
-def _flatten_inside(node: sp.Expr, limits: list[Limit]) -> sp.Expr:
+def _flatten_inside(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Expr:
     """Draw the inner sums of a summand, products and whole powers of sums included, out of it."""
     if not node.has(sp.Sum):
         return node
     if isinstance(node, sp.Mul):
-        return sp.Mul(*(_flatten(argument, limits) for argument in node.args))
+        return sp.Mul(*(_flatten(argument, limits, domain) for argument in node.args))
     if isinstance(node, sp.Pow) and node.exp.is_Integer and node.exp > 0:
-        return sp.Mul(*(_flatten(node.base, limits) for _ in range(int(node.exp))))
+        return sp.Mul(*(_flatten(node.base, limits, domain) for _ in range(int(node.exp))))
     if isinstance(node, sp.Add):
-        inner = [canonicalise(argument) for argument in node.args]
+        inner = [canonicalise(argument, domain) for argument in node.args]
         if any(
             argument.has(sp.Sum) and argument.free_symbols & {i for i, _ in limits}
             for argument in inner
@@ -115,11 +175,32 @@ def _components(factors: list[sp.Expr], indices: set[sp.Symbol]) -> list[list[sp
 
 
 def _rename(body: sp.Expr, limits: list[Limit]) -> sp.Expr:
-    """Name the indices _1, _2, ... in the order that gives the first expression of all orders."""
-    names = [sp.Symbol(f"_{k}", integer=True) for k in range(1, len(limits) + 1)]
+    """Name the indices in the order that gives the first expression of all orders."""
+    if len(limits) == 1 and (power := _power_of_index(body, limits[0][0])):
+        return _sum_of_powers(power, limits[0][1])
+    names = [_index(k) for k in range(1, len(limits) + 1)]
     candidates = []
     for order in permutations(limits):
         renamed = body.subs(dict(zip((i for i, _ in order), names, strict=True)), simultaneous=True)
         bounds = [(n, 1, u) for n, (_, u) in zip(names, order, strict=True)]
         candidates.append(sp.Sum(renamed, *bounds))
     return min(candidates, key=sp.srepr)
+
+
+@cache
+def _index(number: int) -> sp.Dummy:
+    """Return a canonical index: no symbol of a paper can be the same."""
+    return sp.Dummy(f"_{number}", integer=True)
+
+
+def _power_of_index(body: sp.Expr, index: sp.Symbol) -> int:
+    base, exponent = body.as_base_exp()
+    is_power = base == index and exponent.is_Integer and 0 < exponent <= _LARGEST_POWER
+    return int(exponent) if is_power else 0
+
+
+def _sum_of_powers(power: int, upper: sp.Expr) -> sp.Expr:
+    """Sum k**power over k = 1..upper by Faulhaber's formula."""
+    polynomials = (sp.bernoulli(power + 1, argument) for argument in (upper + 1, sp.S.One))
+    last, first = polynomials
+    return sp.expand((last - first) / (power + 1))

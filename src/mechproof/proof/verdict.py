@@ -1,4 +1,4 @@
-"""What the ladder returns (a decision) and what the ledger prints (a judgement)."""
+"""What the ladder answers and what the ledger prints (a judgement)."""
 
 from __future__ import annotations
 
@@ -37,18 +37,19 @@ class Evidence:
 
 
 @dataclass(frozen=True)
-class Decision:
-    """The answer of the ladder to one statement."""
+class Answer:
+    """What the ladder says of one statement; `corrected_by` is the rung of a proved correction."""
 
     verdict: Verdict
     rung: str
     reason: str
     evidence: tuple[Evidence, ...] = ()
+    corrected_by: str = ""
 
 
 @dataclass(frozen=True)
 class Judgement:
-    """One line of the ledger."""
+    """One line of the ledger; `on` is the part of the paper's domain that it is said of."""
 
     system: str
     number: str
@@ -58,6 +59,8 @@ class Judgement:
     marks: tuple[str, ...]
     printed_latex: str
     read_as: str
+    on: str
+    singular: tuple[str, ...]
     reason: str
     evidence: tuple[Evidence, ...]
     corrected_latex: str
@@ -75,6 +78,8 @@ class Judgement:
             "marks": list(self.marks),
             "printed_latex": self.printed_latex,
             "read_as": self.read_as,
+            "on": self.on,
+            "singular": list(self.singular),
             "reason": self.reason,
             "evidence": [item.as_dict() for item in self.evidence],
             "corrected_latex": self.corrected_latex,

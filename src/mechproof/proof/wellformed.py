@@ -2,26 +2,42 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass, fields
+from itertools import product
 
 import sympy as sp
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanFunction
 
 from mechproof.proof import balls
-from mechproof.proof.dimensions import DimensionError, Dimensions, check, infer, rescale
-from mechproof.proof.domain import Domain
-from mechproof.proof.refutation import points_for
+from mechproof.proof.dimensions import (
+    DimensionError,
+    Dimensions,
+    infer,
+    infer_common,
+    rescale,
+)
+from mechproof.proof.domain import Domain, Point
+from mechproof.proof.refutation import points_for, put_exactly
 from mechproof.proof.verdict import Evidence
 from mechproof.record import (
+    NUMBER,
     Conjunction,
     Definition,
+    Dimension,
+    Distinct,
     Equality,
     FunctionWithoutArgument,
+    Holds,
     IntegralWithoutDifferential,
-    Power,
     Statement,
 )
 
 UNIT_CHANGE = 1000
+UNITS = tuple(field.name for field in fields(Dimension))
+POINTS = 2
 
 
 @dataclass(frozen=True)
@@ -37,13 +53,17 @@ def find_faults(statement: Statement, known: Dimensions, domain: Domain) -> list
     """Return every fault of the printed side; none if it is well formed."""
     if isinstance(statement, Conjunction):
         return [fault for part in statement.parts for fault in find_faults(part, known, domain)]
-    if not isinstance(statement, Equality | Definition):
+    if isinstance(statement, Holds):
+        fault = _find_mixture(statement.relation, statement, known, domain)
+        return [fault] if fault else []
+    if not isinstance(statement, Equality | Distinct | Definition):
         return []
+    printed = statement.left if isinstance(statement, Distinct) else statement.printed
     found = (
-        _find_missing_differential(statement.printed),
-        _find_missing_argument(statement.printed),
-        _find_unbound_symbol(statement.printed, known),
-        _find_mixture(statement, known, domain),
+        _find_missing_differential(printed),
+        _find_missing_argument(printed),
+        _find_unbound_symbol(printed, known, domain),
+        _find_mixture(printed, statement, known, domain),
     )
     return [fault for fault in found if fault]
 
@@ -69,8 +89,9 @@ def _find_missing_argument(printed: sp.Basic) -> Fault | None:
     return Fault("well-formedness", reason, Evidence(f"nothing stands behind {names}"))
 
 
-def _find_unbound_symbol(printed: sp.Basic, known: Dimensions) -> Fault | None:
-    declared = {getattr(s, "label", s) for s in known} | known.keys()
+def _find_unbound_symbol(printed: sp.Basic, known: Dimensions, domain: Domain) -> Fault | None:
+    symbols = {*known, *domain.within, *domain.given}
+    declared = {getattr(s, "label", s) for s in symbols} | symbols
     functions = {node.args[0] for node in printed.atoms(FunctionWithoutArgument)}
     unbound = sorted(map(str, printed.free_symbols - _indexed(printed) - declared - functions))
     if not unbound:
@@ -89,37 +110,71 @@ def _indexed(printed: sp.Basic) -> set[sp.Basic]:
 
 
 def _find_mixture(
-    statement: Equality | Definition, known: Dimensions, domain: Domain
+    printed: sp.Basic, statement: Statement, known: Dimensions, domain: Domain
 ) -> Fault | None:
-    if statement.printed.has(IntegralWithoutDifferential, FunctionWithoutArgument):
+    """Find terms of unlike dimension; without a change of units that matters, it is no fault."""
+    if printed.has(IntegralWithoutDifferential, FunctionWithoutArgument):
         return None
+    compared = (printed, statement.symbol) if isinstance(statement, Definition) else (printed,)
     try:
-        check(statement, known)
+        infer_common(compared, known)
     except DimensionError as error:
-        return Fault("dimensions", str(error), _show_change_of_units(statement, known, domain))
+        other = _other_side(statement)
+        witness = next(_changes_of_units(domain.resolve(printed), other, known, domain), None)
+        return Fault("dimensions", str(error), witness) if witness else None
     return None
 
 
-def _power_of_length(expression: sp.Basic, known: Dimensions) -> Power:
-    """Return zero for a side that mixes dimensions itself."""
-    try:
-        dimension = infer(expression, known)
-    except DimensionError:
-        return 0
-    return dimension.length if dimension else 0
+def _other_side(statement: Statement) -> sp.Basic:
+    """Return what the printed side is said to be, zero for a relation."""
+    if isinstance(statement, Definition):
+        return statement.symbol
+    if isinstance(statement, Distinct):
+        return statement.right
+    return statement.rebuilt if isinstance(statement, Equality) else sp.S.Zero
 
 
-def _show_change_of_units(
-    statement: Equality | Definition, known: Dimensions, domain: Domain
-) -> Evidence:
-    """Give the printed value in mm and, from the same lengths in µm, turned back into mm."""
-    printed = domain.resolve(statement.printed)
-    other = statement.rebuilt if isinstance(statement, Equality) else statement.symbol
-    power = _power_of_length(other, known)
-    point = points_for((printed,), domain, 1)[0]
-    scaled = rescale(printed, known, UNIT_CHANGE)
-    values = [balls.evaluate(e.subs(point).doit(), point) for e in (printed, scaled)]
-    back = values[1] / balls.to_ball(UNIT_CHANGE) ** balls.to_ball(power)
+def _dimension(expression: sp.Basic, known: Dimensions) -> Dimension:
+    """Return that of a number for a side that mixes dimensions itself."""
+    with suppress(DimensionError):
+        return infer(expression, known) or NUMBER
+    return NUMBER
+
+
+def _changes_of_units(
+    printed: sp.Basic, other: sp.Basic, known: Dimensions, domain: Domain
+) -> Iterator[Evidence]:
+    """Yield the printed values in one unit, and in another turned back, where they differ."""
+    for unit in UNITS:
+        pairs = [(term, rescale(term, known, unit, UNIT_CHANGE)) for term in _terms(printed)]
+        power = getattr(_dimension(other, known), unit)
+        back = balls.to_ball(UNIT_CHANGE) ** balls.to_ball(power)
+        with suppress(NotImplementedError):
+            for point, pair in product(_points(printed, domain), pairs):
+                before, after = (balls.evaluate(put_exactly(e, point), point) for e in pair)
+                values = [before, after / back]
+                if all(v.is_finite() for v in values) and not values[0].overlaps(values[1]):
+                    yield _show_change(unit, point, values)
+
+
+def _points(printed: sp.Basic, domain: Domain) -> Iterator[Point]:
+    return points_for((printed,), domain, POINTS, thorough=True)
+
+
+def _terms(printed: sp.Basic) -> list[sp.Expr]:
+    """List what has a value: an expression, the entries of a matrix, the gaps of relations."""
+    if isinstance(printed, sp.MatrixBase):
+        return list(printed.flat())
+    if isinstance(printed, Relational | BooleanFunction):
+        relations = sorted(printed.atoms(Relational), key=str)
+        return [relation.lhs - relation.rhs for relation in relations]
+    return [printed]
+
+
+def _show_change(unit: str, point: Point, values: list[balls.Ball]) -> Evidence:
+    what = (
+        f"printed form: first in one unit of {unit}, then in a unit {UNIT_CHANGE} times smaller "
+        f"and turned back"
+    )
     at = {str(s): str(v) for s, v in sorted(point.items(), key=lambda item: str(item[0]))}
-    what = f"printed form: first in mm, then in a unit {UNIT_CHANGE} times smaller and turned back"
-    return Evidence(what, at, balls.show(values[0]), balls.show(back))
+    return Evidence(what, at, *balls.show_apart(*values))

@@ -1,0 +1,172 @@
+"""Does a statement say only what its symbols are declared for? Else it is our fault: an error.
+
+What a paper prints may be ill-formed, which is a verdict (`wellformed`). What we rebuild, correct,
+read otherwise or complete may not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+from sympy.concrete.expr_with_limits import ExprWithLimits
+from sympy.core.function import AppliedUndef
+
+from mechproof.proof import balls
+from mechproof.proof.assumptions import Facts, describe_excess, facts_of, find_excess
+from mechproof.proof.dimensions import DimensionError, Dimensions, infer_common
+from mechproof.proof.domain import Domain
+from mechproof.proof.signs import find_sign
+from mechproof.record import (
+    Completions,
+    Conjunction,
+    Definition,
+    Distinct,
+    Equality,
+    Holds,
+    PrintedNumber,
+    RecordError,
+    Statement,
+)
+
+Side = tuple[str, sp.Basic]
+LARGEST_EXPONENT = 10**5
+
+
+def check_statement(
+    statement: Statement, known: Dimensions, domain: Domain, printed: bool = True
+) -> None:
+    """Raise `RecordError` for what no paper can be blamed for.
+
+    `printed`: the print is among the sides; a correction, a reading or a completion is all ours.
+    """
+    if isinstance(statement, Conjunction | Completions):
+        for part, is_printed in _parts(statement, printed):
+            check_statement(part, known, domain, is_printed)
+        return
+    prints, ours = _sides(statement, printed)
+    for name, side in prints + ours:
+        _check_size(name, side)
+        _check_functions(name, side)
+        _check_bound(name, side, domain)
+        _check_names(name, side, known, domain, may_be_unknown=(name, side) in prints)
+    if isinstance(statement, Holds) and printed:
+        return
+    for name, side in ours:
+        _check_dimension(name, side, known)
+    if isinstance(statement, Equality | Distinct):
+        _check_likeness(prints + ours, known)
+    if isinstance(statement, PrintedNumber) and domain.resolve(statement.value).free_symbols:
+        raise RecordError(f"PrintedNumber {statement.printed}: {statement.value} is no number")
+
+
+def _parts(statement: Conjunction | Completions, printed: bool) -> Iterator[tuple[Statement, bool]]:
+    if isinstance(statement, Conjunction):
+        yield from ((part, printed) for part in statement.parts)
+    else:
+        yield from ((side.says, False) for side in (statement.first, statement.second))
+
+
+def _sides(statement: Statement, printed: bool) -> tuple[list[Side], list[Side]]:
+    """Return the sides that the paper may be blamed for, and ours."""
+    prints, ours = [], []
+    if isinstance(statement, Equality):
+        prints, ours = [("printed", statement.printed)], [("rebuilt", statement.rebuilt)]
+    elif isinstance(statement, Distinct):
+        prints, ours = [("left", statement.left)], [("right", statement.right)]
+    elif isinstance(statement, Definition):
+        prints = [("printed", statement.printed)]
+    elif isinstance(statement, Holds):
+        ours = [("relation", statement.relation)]
+    elif isinstance(statement, PrintedNumber):
+        ours = [("value", statement.value)]
+    return (prints, ours) if printed else ([], prints + ours)
+
+
+def _check_size(name: str, side: sp.Basic) -> None:
+    """Turn away towers of powers that no step could write down: a limit of the prover."""
+    for power in side.atoms(sp.Pow):
+        exponent = power.exp
+        if exponent.is_number and not abs(balls.evaluate(exponent, {})) < LARGEST_EXPONENT:
+            raise NotImplementedError(
+                f"{name}: an exponent is not below {LARGEST_EXPONENT} in amount"
+            )
+
+
+def _check_functions(name: str, side: sp.Basic) -> None:
+    if undefined := sorted(map(str, side.atoms(AppliedUndef))):
+        raise RecordError(f"{name}: the function of {undefined[0]} is defined nowhere")
+
+
+def _check_names(
+    name: str, side: sp.Basic, known: Dimensions, domain: Domain, may_be_unknown: bool
+) -> None:
+    declared = {*known, *domain.within, *domain.given}
+    labels = {getattr(symbol, "label", symbol) for symbol in declared}
+    by_name = {str(symbol): symbol for symbol in declared}
+    for symbol in sorted(side.free_symbols - side.atoms(sp.Indexed) - labels - declared, key=str):
+        if str(symbol) in by_name:
+            raise RecordError(
+                f"{name}: its {symbol} is not the {symbol} that is declared: SymPy is told other "
+                f"assumptions of it"
+            )
+        if not may_be_unknown:
+            raise RecordError(f"{name}: {symbol} is no declared symbol of the paper")
+
+
+def _check_bound(name: str, side: sp.Basic, domain: Domain) -> None:
+    for node in side.atoms(ExprWithLimits):
+        for bound, *limits in node.limits:
+            facts = _facts_of_bound(node, limits, domain)
+            if excess := find_excess(bound, facts):
+                raise RecordError(
+                    f"{name}: SymPy is told of {bound} in {node} what its limits do not say: "
+                    f"{describe_excess(excess)}"
+                )
+
+
+def _facts_of_bound(node: ExprWithLimits, limits: list[sp.Expr], domain: Domain) -> Facts:
+    if not isinstance(node, sp.Integral):
+        lower = limits[0] if limits else -sp.oo
+        counts = ((lower - 1, sp.S.Naturals), (lower, sp.S.Naturals0))
+        return facts_of(next((s for e, s in counts if _has_sign(e, 1, domain)), sp.S.Integers))
+    for direction, strict, where in _HALF_LINES:
+        if limits and all(_has_sign(end, direction, domain, strict) for end in limits):
+            return facts_of(where)
+    return facts_of(sp.S.Reals)
+
+
+_HALF_LINES = (
+    (1, True, sp.Interval.open(0, sp.oo)),
+    (1, False, sp.Interval(0, sp.oo)),
+    (-1, True, sp.Interval.open(-sp.oo, 0)),
+    (-1, False, sp.Interval(-sp.oo, 0)),
+)
+
+
+def _has_sign(expression: sp.Expr, direction: int, domain: Domain, strict: bool = False) -> bool:
+    directed = direction * expression
+    if directed.is_extended_positive or (directed.is_extended_nonnegative and not strict):
+        return True
+    sign = find_sign(directed, domain)
+    return sign is not None and sign.direction > 0 and (sign.strict or not strict)
+
+
+def _check_dimension(name: str, side: sp.Basic, known: Dimensions) -> None:
+    try:
+        infer_common((side,), known)
+    except DimensionError as error:
+        raise RecordError(f"{name}: {error}") from error
+
+
+def _check_likeness(sides: list[Side], known: Dimensions) -> None:
+    try:
+        for _, side in sides:
+            infer_common((side,), known)
+    except DimensionError:
+        return
+    try:
+        infer_common(tuple(side for _, side in sides), known)
+    except DimensionError as error:
+        names = " and ".join(name for name, _ in sides)
+        raise RecordError(f"{names} are of unlike dimension: {error}") from error

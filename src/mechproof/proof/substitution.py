@@ -1,0 +1,39 @@
+"""Substitution that captures nothing: a bound symbol gives way to a free one of the same name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+from sympy.concrete.expr_with_limits import ExprWithLimits
+
+
+def substitute(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
+    """Put values for free symbols, all at once."""
+    arriving = {s for value in values.values() for s in value.free_symbols} | values.keys()
+    return release(expression, arriving).subs(dict(values), simultaneous=True)
+
+
+def release(expression: sp.Basic, names: set[sp.Basic]) -> sp.Basic:
+    """Rename the bound symbols of sums and integrals that are among the names."""
+    nodes = expression.atoms(ExprWithLimits)
+    if not any(limit[0] in names for node in nodes for limit in node.limits):
+        return expression
+    if isinstance(expression, sp.MatrixBase):
+        return expression.applyfunc(lambda entry: release(entry, names))
+    parts = [release(part, names) for part in expression.args]
+    if isinstance(expression, ExprWithLimits):
+        parts = _rename(expression.func(*parts), names)
+    return expression.func(*parts)
+
+
+def _rename(node: ExprWithLimits, names: set[sp.Basic]) -> list[sp.Basic]:
+    """Return the parts of a node with other bound symbols; its outer limits may hold the inner."""
+    body, limits = node.function, [tuple(limit) for limit in node.limits]
+    for place, (bound, *ends) in enumerate(limits):
+        if bound in names:
+            fresh = sp.Dummy(bound.name, **bound.assumptions0)
+            body = body.subs(bound, fresh)
+            inner = [(b, *(end.subs(bound, fresh) for end in es)) for b, *es in limits[:place]]
+            limits = [*inner, (fresh, *ends), *limits[place + 1 :]]
+    return [body, *(sp.Tuple(*limit) for limit in limits)]
