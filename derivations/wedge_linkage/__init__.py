@@ -3,8 +3,9 @@
 from mechproof.record import Paper
 
 from . import chain, conditioning, proofs, sizes, steps, variables
-from .equations import EQUATION_ROWS
 from .kernels import QUANTITIES
+from .lever_equations import LEVER_ROWS
+from .roller_equations import ROLLER_ROWS
 from .sizes import FIRST_SET, SECOND_SET
 from .structure import STRUCTURE_ROWS
 from .symbols import NOTATION
@@ -27,7 +28,7 @@ PAPER = Paper(
         *sizes.VARIABLES,
     ),
     notation=NOTATION,
-    rows=(*STRUCTURE_ROWS, *EQUATION_ROWS, *TRANSFER_ROWS, *SIZE_ROWS, *RANGE_ROWS),
+    rows=(*STRUCTURE_ROWS, *LEVER_ROWS, *ROLLER_ROWS, *TRANSFER_ROWS, *SIZE_ROWS, *RANGE_ROWS),
     quantities=QUANTITIES,
     published=(FIRST_SET, SECOND_SET),
     conventions=(
