@@ -9,13 +9,24 @@ import pytest
 import sympy as sp
 
 from mechproof.codegen.forms import form_rows
-from mechproof.derivations.wedge_linkage import PAPER, mechanics, sizes, steps
+from mechproof.derivation import find_systems, load_paper, packaged_directory
+from mechproof.derivations.wedge_linkage import (
+    boundaries,
+    mechanics,
+    prints,
+    sizes,
+    slopes,
+    steps,
+    symbols,
+)
 from mechproof.proof import balls
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, Form, Paper, Toleranced
+
+PAPER = load_paper(find_systems(packaged_directory())["wedge_linkage"])
 
 
 @cache
@@ -37,11 +48,11 @@ def test_what_rests_on_the_reconstructions_is_marked() -> None:
 
 
 WRONG = {
-    "(3)": mechanics.print_3.subs(mechanics.phi3, -mechanics.phi3),
-    "(10)": mechanics.print_10 + 2 * mechanics.l_LM * sp.sin(mechanics.alpha_LM),
-    "(8)": mechanics.print_7.subs(mechanics.R, mechanics.l_KL * mechanics.cosine_of_sigma),
-    "(1)": mechanics.print_1.subs(mechanics.l_CD, mechanics.l_AB),
-    "sensitivity of varphi3 to x1": -mechanics.lever_slopes[mechanics.x1],
+    "(3)": prints.print_3.subs(symbols.phi3, -symbols.phi3),
+    "(10)": prints.print_10 + 2 * symbols.l_LM * sp.sin(symbols.alpha_LM),
+    "(8)": prints.print_7.subs(symbols.R, symbols.l_KL * mechanics.cosine_of_sigma),
+    "(1)": prints.print_1.subs(symbols.l_CD, symbols.l_AB),
+    "sensitivity of varphi3 to x1": -slopes.lever_slopes[symbols.x1],
 }
 
 
@@ -54,9 +65,24 @@ def test_a_slightly_wrong_formula_is_refuted(number: str) -> None:
 
 
 def test_the_other_signs_of_iv_are_not_lowest() -> None:
-    wrong = {**sizes.BOUNDARY_IV, mechanics.alpha_DE: 1}
+    wrong = {**boundaries.BOUNDARY_IV, symbols.alpha_DE: 1}
     for table in PAPER.published:
-        says = sizes.above(table, sizes.BOUNDARY_IV, wrong, -40)
+        says = boundaries.above(table, boundaries.BOUNDARY_IV, wrong, -40)
+        assert decide(says, Domain.of(PAPER)).verdict is Verdict.REFUTED
+
+
+OTHER_CURVES = {
+    "III beyond its end": (boundaries.BOUNDARY_III, "-29.45"),
+    "IV beyond its end": (boundaries.BOUNDARY_IV, "-29.35"),
+    "III with the wrong l_KL": ({**boundaries.BOUNDARY_III, symbols.l_KL: 1}, "-29.35"),
+}
+
+
+@pytest.mark.parametrize("curve", OTHER_CURVES)
+def test_another_curve_is_no_boundary(curve: str) -> None:
+    signs, place = OTHER_CURVES[curve]
+    for table in PAPER.published:
+        says = boundaries.extreme(table, signs, place, (-29,))
         assert decide(says, Domain.of(PAPER)).verdict is Verdict.REFUTED
 
 
@@ -64,11 +90,11 @@ def test_reconstructed_sizes_differ_in_three_and_are_exact() -> None:
     first, second = (table.sizes for table in PAPER.published)
     assert first.keys() == second.keys()
     changed = {s for s in first if first[s] != second[s]}
-    assert changed == {mechanics.l_BC, mechanics.l_CD, mechanics.l_DE}
+    assert changed == {symbols.l_BC, symbols.l_CD, symbols.l_DE}
     expected = Toleranced(
         sp.Rational(28306, 18000) * sp.pi, sp.Rational(62, 18000) * sp.pi, -sp.pi * 11 / 1800
     )
-    assert first[mechanics.alpha_DE] == expected
+    assert first[symbols.alpha_DE] == expected
 
 
 def test_balls_of_an_undefined_arctangent_are_not_finite() -> None:
@@ -79,7 +105,7 @@ def test_balls_of_an_undefined_arctangent_are_not_finite() -> None:
 
 
 def test_evidence_of_exact_numbers_shows_both_sides() -> None:
-    says = sizes.above(sizes.FIRST_SET, sizes.BOUNDARY_II, sizes.BOUNDARY_IV, -40)
+    says = boundaries.above(sizes.FIRST_SET, boundaries.BOUNDARY_II, boundaries.BOUNDARY_IV, -40)
     (evidence,) = decide(says, Domain.of(PAPER)).evidence
     assert "-110.1" in evidence.what
     assert "-134.9" in evidence.what
@@ -107,21 +133,21 @@ NEARLY = sp.Rational(1025, 1024)
 IN_CONTACT = steps.l_LM * steps.cos_wedge / steps.rise
 WRONG_STEPS = {
     steps.arm: ("position", NEARLY * steps.STEPS[steps.arm]),
-    steps.sin_DE: ("position", sp.cos(mechanics.alpha_DE)),
+    steps.sin_DE: ("position", sp.cos(symbols.alpha_DE)),
     steps.to_right: ("position", NEARLY * steps.STEPS[steps.to_right]),
     steps.to_left: ("position", steps.STEPS[steps.to_right]),
     steps.start_height: ("position", NEARLY * steps.STEPS[steps.start_height]),
     steps.guide_length: ("position", NEARLY * steps.STEPS[steps.guide_length]),
     steps.guide_sum: ("position", NEARLY * steps.STEPS[steps.guide_sum]),
-    steps.lever_square: ("position", steps.guide_sum**2 - mechanics.x1**2),
+    steps.lever_square: ("position", steps.guide_sum**2 - symbols.x1**2),
     steps.run: ("position", -steps.STEPS[steps.run]),
-    steps.push: ("position", sp.Max(0, steps.run - 2 * mechanics.l_GH)),
+    steps.push: ("position", sp.Max(0, steps.run - 2 * symbols.l_GH)),
     steps.rise: ("position", NEARLY * steps.STEPS[steps.rise]),
     steps.roller_square: ("position", NEARLY * steps.STEPS[steps.roller_square]),
     steps.cos_lever: ("velocity", NEARLY * steps.STEPS[steps.cos_lever]),
     steps.sin_arm: ("velocity", NEARLY * steps.STEPS[steps.sin_arm]),
     steps.cos_wedge: ("velocity", NEARLY * steps.STEPS[steps.cos_wedge]),
-    steps.gain: ("velocity", sp.Piecewise((0, steps.run >= mechanics.l_GH), (IN_CONTACT, True))),
+    steps.gain: ("velocity", sp.Piecewise((0, steps.run >= symbols.l_GH), (IN_CONTACT, True))),
 }
 
 
@@ -136,7 +162,7 @@ def test_a_wrong_step_is_refuted(step: sp.Symbol) -> None:
 
 
 @pytest.mark.parametrize(
-    "size", [mechanics.l_BC, mechanics.l_KL, mechanics.l_LM, mechanics.alpha_DE], ids=str
+    "size", [symbols.l_BC, symbols.l_KL, symbols.l_LM, symbols.alpha_DE], ids=str
 )
 def test_a_wrong_sensitivity_is_refuted(size: sp.Symbol) -> None:
     form = shipped("sensitivities")
@@ -146,11 +172,11 @@ def test_a_wrong_sensitivity_is_refuted(size: sp.Symbol) -> None:
     assert judge_form(with_form("sensitivities", wrong)) is Verdict.REFUTED
 
 
-R = mechanics.R
+R = symbols.R
 OTHER_CASES = {
-    "(7) where R < 0": ((mechanics.print_7, R < 0), (mechanics.print_8, R > 0)),
-    "half a turn": ((mechanics.print_7, R > 0), (mechanics.print_8 + sp.pi, R < 0)),
-    "R > l_KL/2": ((mechanics.print_7, mechanics.l_KL < 2 * R), (mechanics.print_8, R < 0)),
+    "(7) where R < 0": ((prints.print_7, R < 0), (prints.print_8, R > 0)),
+    "half a turn": ((prints.print_7, R > 0), (prints.print_8 + sp.pi, R < 0)),
+    "R > l_KL/2": ((prints.print_7, symbols.l_KL < 2 * R), (prints.print_8, R < 0)),
 }
 
 
@@ -158,6 +184,6 @@ OTHER_CASES = {
 def test_a_wrong_case_is_refuted(cases: str) -> None:
     quantity = next(q for q in PAPER.quantities if q.name == "roller_lever_angle")
     form = next(f for f in quantity.forms if f.key == "printed")
-    expression = sp.Piecewise(*OTHER_CASES[cases], (sp.nan, True)).subs(R, mechanics.PRINTED_R)
+    expression = sp.Piecewise(*OTHER_CASES[cases], (sp.nan, True)).subs(R, prints.PRINTED_R)
     wrong = dataclasses.replace(form, expression=expression)
     assert judge_form(with_form("roller_lever_angle", wrong)) is Verdict.REFUTED

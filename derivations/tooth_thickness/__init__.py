@@ -2,14 +2,29 @@
 
 from mechproof.record import Paper, Published
 
+from .algorithm import ALGORITHM_ROWS
+from .claims import CLAIM_ROWS
+from .design import DESIGN_ROWS
+from .example import EXAMPLE_ROWS
+from .influence import INFLUENCE_ROWS
 from .kernels import QUANTITIES
-from .paper import ROWS, VARIABLES, WHEEL
+from .parameters import PARAMETER_ROWS
+from .symbols import NOTATION, VARIABLES
+from .wheel import WHEEL
 
 PAPER = Paper(
     system="tooth_thickness",
     citation="Paper 3: stochastic simulation of tooth thickness and of its measurement",
     variables=VARIABLES,
-    rows=ROWS,
+    notation=NOTATION,
+    rows=(
+        *DESIGN_ROWS,
+        *INFLUENCE_ROWS,
+        *PARAMETER_ROWS,
+        *ALGORITHM_ROWS,
+        *EXAMPLE_ROWS,
+        *CLAIM_ROWS,
+    ),
     quantities=QUANTITIES,
     published=(Published("paper on tooth thickness, design data", WHEEL, ("fitted",)),),
     conventions="Lengths in mm, angles in rad. Heights grow from the tip towards the centre; "

@@ -2,10 +2,16 @@
 
 from mechproof.record import Paper
 
-from . import chain, kernels, proofs, steps
+from . import chain, conditioning, proofs, sizes, steps, variables
 from .kernels import QUANTITIES
-from .paper import ROWS, VARIABLES
+from .lever_equations import LEVER_ROWS
+from .roller_equations import ROLLER_ROWS
 from .sizes import FIRST_SET, SECOND_SET
+from .structure import STRUCTURE_ROWS
+from .symbols import NOTATION
+from .table import SIZE_ROWS
+from .tolerances import RANGE_ROWS
+from .transfer import TRANSFER_ROWS
 
 PAPER = Paper(
     system="wedge_linkage",
@@ -14,13 +20,15 @@ PAPER = Paper(
         "doi 10.15593/2224-9982/2021.64.07"
     ),
     variables=(
-        *VARIABLES,
+        *variables.VARIABLES,
         *steps.VARIABLES,
         *chain.VARIABLES,
-        *kernels.VARIABLES,
+        *conditioning.VARIABLES,
         *proofs.VARIABLES,
+        *sizes.VARIABLES,
     ),
-    rows=ROWS,
+    notation=NOTATION,
+    rows=(*STRUCTURE_ROWS, *LEVER_ROWS, *ROLLER_ROWS, *TRANSFER_ROWS, *SIZE_ROWS, *RANGE_ROWS),
     quantities=QUANTITIES,
     published=(FIRST_SET, SECOND_SET),
     conventions=(

@@ -7,13 +7,24 @@ from sympy import sqrt
 
 from mechproof.record import LENGTH, Variable
 
-from .mechanics import (
+from .half_angles import half_3
+from .prints import (
     PRINTED_R,
+    print_1,
+    print_1_bottom,
+    print_1_top,
+    print_3,
+    print_4,
+    print_7,
+    print_8,
+    print_10,
+)
+from .slopes import lever_slopes, roller_slopes
+from .symbols import (
     R,
     alpha_DE,
     alpha_KL,
     alpha_LM,
-    half_3,
     l_AB,
     l_BC,
     l_CD,
@@ -21,19 +32,10 @@ from .mechanics import (
     l_GH,
     l_KL,
     l_LM,
-    lever_slopes,
     phi3,
     phi7,
-    print_1,
-    print_1_bottom,
-    print_1_top,
-    print_3,
-    print_7,
-    print_8,
-    print_10,
     radicand,
     reach,
-    roller_slopes,
     x1,
     x5,
 )
@@ -77,7 +79,7 @@ def link(
 
 # Equations (4), (7) and (8) as they are meant and as they are printed: R = 0 is in neither case.
 PUSHED = sp.Max(0, x5 - l_GH)
-PUSHED_IN_PRINT = sp.Piecewise((0, x5 < l_GH), (x5 - l_GH, True))
+PUSHED_IN_PRINT = sp.Piecewise(print_4.args[0], (print_4.args[1].expr, True))
 DIRECTION = sp.atan2(sqrt(l_KL**2 - R**2), R) - alpha_KL
 DIRECTION_IN_PRINT = sp.Piecewise((print_7, R > 0), (print_8, R < 0), (sp.nan, True))
 ROLLER = DIRECTION.subs(R, PRINTED_R)

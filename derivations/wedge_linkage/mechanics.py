@@ -1,75 +1,53 @@
-"""Groups of paper 4, rebuilt from their vector equations, and what the paper prints of them.
+"""The groups of paper 4, rebuilt from their vector equations, each with its assembly branch."""
 
-Order of the file: symbols; the groups, each with its assembly branch; the printed equations; the
-half-angle forms; the slopes of the stages.
-
-Conventions: x to the right, y upwards; angles from Ox, positive counter-clockwise; x_i, y_i and
-varphi_i are displacements and rotations from the position x1 = 0; lengths in mm, angles in rad.
-"""
-
-# The symbols keep the paper's letters.
-
-from collections.abc import Iterable, Sequence
+from __future__ import annotations
 
 import sympy as sp
 from sympy import cos, pi, sin, sqrt
 
-from mechproof.record import Part
-
-# Symbols --------------------------------------------------------------------------------------
-
-x1, x5, y9 = sp.symbols("x1 x5 y9", real=True)
-x5_driven = sp.Symbol("x5'", real=True)
-phi2, phi3, phi7 = sp.symbols("varphi2 varphi3 varphi7", real=True)
-l_AB, l_BC, l_CD, l_DE, l_EF = sp.symbols("l_AB l_BC l_CD l_DE l_EF", positive=True)
-l_GH, l_IK, l_KL, l_LM, l_MN = sp.symbols("l_GH l_IK l_KL l_LM l_MN", positive=True)
-l_FG, l_HI, l_NP = sp.symbols("l_FG l_HI l_NP", positive=True)
-alpha_DE, alpha_KL, alpha_LM = sp.symbols("alpha_DE alpha_KL alpha_LM", real=True)
-dBC, dFG, dHI, dPN = sp.symbols("delta_BC delta_FG delta_HI delta_PN", real=True)
-Q, R = sp.symbols("Q R", real=True)
-overlap = sp.Symbol("x5-l_GH", real=True)
-millimetre = sp.Symbol("mm", positive=True)
-tau, sigma, kappa = sp.symbols("tau sigma kappa", nonnegative=True)
-guide_square, height_square = sp.symbols("guide_square height_square", real=True)
-
-reach, h3, height, h7 = sp.symbols("reach h3 height h7", positive=True)
-
-POSITIVE = sp.Interval.open(0, sp.oo)
-LENGTHS = {
-    l_AB: "length of AB, pusher to foot of the guide",
-    l_BC: "length of BC at x1 = 0",
-    l_CD: "length of CD",
-    l_DE: "length of DE, arm of the lever",
-    l_EF: "length of EF on the rod",
-    l_GH: "clearance between the rod 5 and the link 5'",
-    l_IK: "length of IK on the link 5'",
-    l_KL: "length of KL, driven arm of the roller lever",
-    l_LM: "length of LM, driving arm of the roller lever",
-    l_MN: "length of MN on the wedge",
-    l_FG: "length of FG at x1 = 0",
-    l_HI: "length of HI at x1 = 0",
-    l_NP: "length of NP at x1 = 0",
-    millimetre: "the unit of length",
-}
-DISPLACEMENTS = {
-    x1: "displacement of the pusher",
-    x5: "displacement of the rod; in (6)-(8) of the link 5'",
-    x5_driven: "displacement of the link 5' after the clearance",
-    y9: "displacement of the wedge",
-    dBC: "change of the length BC",
-    dFG: "change of the length FG",
-    dHI: "change of the length HI",
-    dPN: "change of the length NP",
-}
-ROTATIONS = {
-    phi2: "rotation of link 2",
-    phi3: "rotation of the lever",
-    phi7: "rotation of the roller lever",
-    alpha_DE: "direction of DE at x1 = 0",
-    alpha_LM: "direction of LM at x1 = 0",
-}
-PRINTED_Q = sqrt(l_BC**4 + x1 * l_BC**2 * (2 * l_CD + 2 * l_AB + x1))
-PRINTED_R = l_KL * cos(alpha_KL) - x5
+from .symbols import (
+    AB,
+    BC,
+    CD,
+    DE,
+    EF,
+    FG,
+    HI,
+    IK,
+    KL,
+    LM,
+    MN,
+    NP,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+    dBC,
+    dFG,
+    dHI,
+    dPN,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_EF,
+    l_FG,
+    l_HI,
+    l_IK,
+    l_KL,
+    l_LM,
+    l_MN,
+    l_NP,
+    overlap,
+    phi3,
+    phi7,
+    reach,
+    sigma,
+    tau,
+    x1,
+    x5,
+    x5_driven,
+    y9,
+)
 
 
 def turn(angle: sp.Expr) -> sp.Matrix:
@@ -135,88 +113,21 @@ from_l_to_p = l_LM * towards(alpha_LM) + l_MN * -UP + l_NP * RIGHT + y9 * UP
 group_4 = l_LM * towards(alpha_LM + phi7) + l_MN * -UP + (l_NP + dPN) * RIGHT - from_l_to_p
 wedge = sp.solve(group_4[1], y9)[0]
 
-# What the paper prints ------------------------------------------------------------------------
-
-print_ox1 = (
-    l_AB * cos(pi + phi3) + (l_BC + dBC) * cos(phi3 + 3 * pi / 2) + l_CD * cos(pi + phi3)
-) + (l_CD + l_AB + x1)
-print_oy1 = (
-    l_AB * sin(pi + phi3) + (l_BC + dBC) * sin(phi3 + 3 * pi / 2) + l_CD * sin(pi + phi3)
-) + l_BC
-print_1_top = -(x1 + l_AB) * Q + l_CD * (l_BC**2 - Q) + l_BC**2 * l_AB
-print_1_bottom = l_BC * ((l_AB + l_CD) * (l_AB + l_CD + x1) + Q)
-print_1 = sp.atan(print_1_top / print_1_bottom)
-print_2_ox = l_DE * cos(alpha_DE + phi3) + l_EF - (l_DE * cos(alpha_DE) + l_EF + x5)
-print_2_oy = l_DE * sin(alpha_DE + phi3) + dFG - l_DE * sin(alpha_DE)
-print_3 = l_DE * (cos(alpha_DE + phi3) - cos(alpha_DE))
-print_6_ox = l_KL * cos(alpha_KL + phi7) - (l_KL * cos(alpha_KL) - x5)
-print_6_oy = dHI + l_KL * sin(alpha_KL + phi7) - l_KL * sin(alpha_KL)
-print_7 = -alpha_KL + sp.atan(sqrt(l_KL**2 - R**2) / R)
-print_8 = pi - alpha_KL + sp.atan(sqrt(l_KL**2 - R**2) / R)
-print_9_ox = l_LM * cos(alpha_LM + phi7) + dPN - l_LM * cos(alpha_LM)
-print_9_oy = l_LM * sin(alpha_LM + phi7) - (l_LM * sin(alpha_LM) + y9)
-print_10 = l_LM * (sin(phi7 + alpha_LM) - sin(alpha_LM))
-
-# The half-angle forms: what the kernels compute.
-radicand = l_BC**2 + x1 * (2 * (l_AB + l_CD) + x1)
-half_3 = -x1 / (l_BC + sqrt(radicand))
-half_7 = x5 / (l_KL * sin(alpha_KL) + height)
-root_7 = sqrt(l_KL**2 - PRINTED_R**2)
-
-
-def by_half_angle(expression: sp.Expr, angle: sp.Symbol, tangent: sp.Expr) -> sp.Expr:
-    """Put the tangent of half an angle into sines and cosines of sums with it."""
-    expanded = sp.expand_trig(expression)
-    cosine, sine = (1 - tangent**2) / (1 + tangent**2), 2 * tangent / (1 + tangent**2)
-    return expanded.subs({cos(angle): cosine, sin(angle): sine})
-
-
-def upright(expression: sp.Expr) -> sp.Expr:
-    """Give alpha_KL by the tangent kappa of its half, as the direction of KL by tau."""
-    placed = expression.subs({x5: displacement[tau], height: l_KL * sine_of_tau})
-    by_tangent = by_half_angle(placed, alpha_KL, kappa)
-    return by_tangent.subs(alpha_KL, 2 * sp.atan(kappa))
-
-
-MOVABLE = Part("the radicand of Q is positive", where=(radicand > 0,))
-BEFORE_PIVOT = Part(
-    "x1 > -(l_AB + l_CD), A has not passed D", where=(x1 > -l_AB - l_CD, radicand > 0)
-)
-FIRST_QUADRANT = Part("R > 0", {tau: sp.Interval.Ropen(0, 1)})
-SECOND_QUADRANT = Part("R < 0", {sigma: sp.Interval.Ropen(0, 1)})
-
-# Sensitivities, stage by stage ----------------------------------------------------------------
-
-lever_slopes = {
-    x1: -cos(phi3) / reach,
-    l_AB: (1 - cos(phi3)) / reach,
-    l_CD: (1 - cos(phi3)) / reach,
-    l_BC: -sin(phi3) / reach,
+# The sides of the polygons, displaced.
+POLYGON_SIDES = {
+    side: sp.ImmutableDenseMatrix(value)
+    for side, value in {
+        AB: turn(phi3) * (l_AB * -RIGHT),
+        BC: turn(phi3) * (guide * -UP),
+        CD: turn(phi3) * (l_CD * -RIGHT),
+        DE: l_DE * towards(alpha_DE + phi3),
+        EF: l_EF * RIGHT,
+        FG: (l_FG + dFG) * UP,
+        HI: (l_HI + dHI) * UP,
+        IK: l_IK * RIGHT,
+        KL: l_KL * towards(alpha_KL + phi7),
+        LM: l_LM * towards(alpha_LM + phi7),
+        MN: l_MN * -UP,
+        NP: (l_NP + dPN) * RIGHT,
+    }.items()
 }
-roller_slopes = {
-    x5: 1 / (l_KL * sin(alpha_KL + phi7)),
-    l_KL: (cos(alpha_KL + phi7) - cos(alpha_KL)) / (l_KL * sin(alpha_KL + phi7)),
-    alpha_KL: sin(alpha_KL) / sin(alpha_KL + phi7) - 1,
-}
-
-
-def slope_by_projections(
-    projections: Iterable[sp.Expr], unknowns: Sequence[sp.Symbol], size: sp.Symbol
-) -> sp.Expr:
-    """Return the derivative of the first unknown, from the differentiated equations."""
-    rates = {unknown: sp.Dummy(str(unknown)) for unknown in unknowns}
-    differentiated = [
-        sp.diff(p, size) + sum(sp.diff(p, u) * rate for u, rate in rates.items())
-        for p in projections
-    ]
-    return sp.solve(differentiated, list(rates.values()), dict=True)[0][rates[unknowns[0]]]
-
-
-def lever_slope(size: sp.Symbol) -> sp.Expr:
-    """Return the derivative of varphi3 from both projections of group 1."""
-    return slope_by_projections(group_1.subs(dBC, reach - l_BC), (phi3, reach), size)
-
-
-def roller_slope(size: sp.Symbol) -> sp.Expr:
-    """Return the derivative of varphi7 from the projection of group 3 on Ox."""
-    return slope_by_projections([group_3[0].subs(x5_driven, x5)], (phi7,), size)

@@ -21,39 +21,37 @@ from mechproof.record import (
 )
 
 from .chain import DIRECTION, LINKS, MEANT, POSITION, ROLLER, Chain, extended, in_chain
+from .half_angles import FIRST_QUADRANT, SECOND_QUADRANT, by_half_angle
 from .mechanics import (
-    FIRST_QUADRANT,
-    POSITIVE,
-    PRINTED_Q,
-    PRINTED_R,
-    SECOND_QUADRANT,
-    Q,
-    R,
-    alpha_KL,
-    alpha_LM,
-    by_half_angle,
     cosine_of_sigma,
     cosine_of_tau,
     direction_sigma,
     direction_tau,
+    lever_angle,
+    lever_by_reach,
+    rod,
+    sine_of_tau,
+)
+from .prints import PRINTED_Q, PRINTED_R, print_10
+from .slopes import roller_slopes
+from .steps import cos_lever, gain, guide_length, push, run
+from .symbols import (
+    POSITIVE,
+    Q,
+    R,
+    alpha_KL,
+    alpha_LM,
     kappa,
     l_BC,
     l_GH,
     l_KL,
-    lever_angle,
-    lever_by_reach,
     phi3,
     phi7,
-    print_10,
     reach,
-    rod,
-    roller_slopes,
-    sine_of_tau,
     tau,
     x1,
     x5,
 )
-from .steps import cos_lever, gain, guide_length, push, run
 
 excess = sp.Symbol("excess", nonnegative=True)
 lack = sp.Symbol("lack", positive=True)

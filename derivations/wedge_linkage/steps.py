@@ -11,19 +11,7 @@ from sympy import Max, Piecewise, cos, sin, sqrt
 
 from mechproof.record import LENGTH, Variable
 
-from .mechanics import (
-    alpha_DE,
-    alpha_KL,
-    alpha_LM,
-    l_AB,
-    l_BC,
-    l_CD,
-    l_DE,
-    l_GH,
-    l_KL,
-    l_LM,
-    x1,
-)
+from .symbols import alpha_DE, alpha_KL, alpha_LM, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, x1
 
 arm, guide_length, guide_sum = sp.symbols("arm guide_length guide_sum", real=True)
 run, push, rise, rise_sum = sp.symbols("run push rise rise_sum", real=True)

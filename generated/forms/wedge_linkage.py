@@ -18,7 +18,7 @@ Symbols of the formulas:
 
     Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
     BC_length = sqrt(l_BC**2 + x1*(2*l_AB + 2*l_CD + x1))
-    turn_3_atan2 = atan2(Q*(-l_AB - x1) + l_AB*l_BC**2 + l_CD*(l_BC**2 - Q), l_BC*(Q + (l_AB
+    turn_3_atan2 = atan2(l_AB*l_BC**2 + l_CD*(l_BC**2 - Q) - Q*(l_AB + x1), l_BC*(Q + (l_AB
         + l_CD)*(l_AB + l_CD + x1)))
     travel_5_atan2 = l_DE*(cos(alpha_DE + turn_3_atan2) - cos(alpha_DE))
     driven_5_atan2 = Max(0, travel_5_atan2 - l_GH)
@@ -67,9 +67,9 @@ def __dir__() -> list[str]:
 
 
 # Source: Bazuev et al. 2021, equation (1)
-# Expressions sha256: 01f6e945b7fe10fd1d4f04226b5931c0dd5add5e1464085bbd1103e5affe934e
+# Expressions sha256: 19f89cd360357760c68eeb8493e64ff22530159926492fd9eeec818c42543fad
 # Form: printed (1)
-# Operations: 27
+# Operations: 26
 def lever_angle_printed(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -80,7 +80,7 @@ def lever_angle_printed(
 ) -> Any:
     """Compute `lever_angle` by another form: printed (1).
 
-        lever_angle_printed = atan((Q*(-l_AB - x1) + l_AB*l_BC**2 + l_CD*(l_BC**2 - Q))/(l_BC*(Q
+        lever_angle_printed = atan((l_AB*l_BC**2 + l_CD*(l_BC**2 - Q) - Q*(l_AB + x1))/(l_BC*(Q
             + (l_AB + l_CD)*(l_AB + l_CD + x1))))
         Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
 
@@ -116,15 +116,15 @@ def _lever_angle_printed(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared:
     Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2 * l_AB + 2 * l_CD + x1))
 
     return np.arctan(
-        (Q * (-l_AB - x1) + l_BC_squared * l_AB + l_CD * (l_BC_squared - Q))
+        (l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1))
         / (l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)))
     )
 
 
 # Source: Bazuev et al. 2021, equation (1)
-# Expressions sha256: eea92e682c2a09a27685f508975c7bd85f78ff0f67ec4c80ecb8a6a57507795a
+# Expressions sha256: a418a34ad20bd73555ad15c086e5af105d8404351888e4c81a0b9dfe511efec0
 # Form: (1) with atan2
-# Operations: 26
+# Operations: 25
 def lever_angle_atan2(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -135,7 +135,7 @@ def lever_angle_atan2(
 ) -> Any:
     """Compute `lever_angle` by another form: (1) with atan2.
 
-        lever_angle_atan2 = atan2(Q*(-l_AB - x1) + l_AB*l_BC**2 + l_CD*(l_BC**2 - Q), l_BC*(Q +
+        lever_angle_atan2 = atan2(l_AB*l_BC**2 + l_CD*(l_BC**2 - Q) - Q*(l_AB + x1), l_BC*(Q +
             (l_AB + l_CD)*(l_AB + l_CD + x1)))
         Q = sqrt(l_BC**4 + l_BC**2*x1*(2*l_AB + 2*l_CD + x1))
 
@@ -167,7 +167,7 @@ def _lever_angle_atan2(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared: A
     Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2 * l_AB + 2 * l_CD + x1))
 
     return np.arctan2(
-        Q * (-l_AB - x1) + l_BC_squared * l_AB + l_CD * (l_BC_squared - Q),
+        l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
         l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
     )
 
@@ -447,9 +447,9 @@ def _wedge_displacement_printed(phi7: Any, l_LM: Any, alpha_LM: Any) -> Any:
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
-# Expressions sha256: d4fdb5031247eedbbacee1f7d49870d74558bb3aab7400c91d6134803426091b
+# Expressions sha256: 19738a12373efaff41b984bad662934f029b9b9b2d8e4b062377b538909bd122
 # Form: printed chain
-# Operations: 56
+# Operations: 55
 def position_printed(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -468,7 +468,7 @@ def position_printed(
     """Compute `position` by another form: printed chain.
 
         position_printed = l_LM*(sin(alpha_LM + turn_7_printed) - sin(alpha_LM))
-        turn_3_printed = atan((Q*(-l_AB - x1) + l_AB*l_BC**2 + l_CD*(l_BC**2 - Q))/(l_BC*(Q +
+        turn_3_printed = atan((l_AB*l_BC**2 + l_CD*(l_BC**2 - Q) - Q*(l_AB + x1))/(l_BC*(Q +
             (l_AB + l_CD)*(l_AB + l_CD + x1))))
         travel_5_printed = l_DE*(cos(alpha_DE + turn_3_printed) - cos(alpha_DE))
         driven_5_printed = Piecewise((0, travel_5_printed < l_GH), (travel_5_printed - l_GH,
@@ -565,7 +565,7 @@ def _position_printed(
 ) -> Any:
     Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2 * l_AB + 2 * l_CD + x1))
     turn_3_printed = np.arctan(
-        (Q * (-l_AB - x1) + l_BC_squared * l_AB + l_CD * (l_BC_squared - Q))
+        (l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1))
         / (l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)))
     )
     travel_5_printed = l_DE * (np.cos(alpha_DE + turn_3_printed) - np.cos(alpha_DE))
@@ -582,9 +582,9 @@ def _position_printed(
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
-# Expressions sha256: 8e9354a9eb0d491c42bcbd04be58beb0ae454e668386e668dc14ad0cffef86c8
+# Expressions sha256: 5fe241f591b4b0e5a1eded9e3ad96953a59e6f88dd9e052bc2ef2473d126f17c
 # Form: chain with atan2
-# Operations: 47
+# Operations: 46
 def position_atan2(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -689,7 +689,7 @@ def _position_atan2(
 ) -> Any:
     Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2 * l_AB + 2 * l_CD + x1))
     turn_3_atan2 = np.arctan2(
-        Q * (-l_AB - x1) + l_BC_squared * l_AB + l_CD * (l_BC_squared - Q),
+        l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
         l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
     )
     travel_5_atan2 = l_DE * (np.cos(alpha_DE + turn_3_atan2) - np.cos(alpha_DE))
@@ -701,9 +701,9 @@ def _position_atan2(
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
-# Expressions sha256: fee8d36178a5350edd959ed402b8e02d5ab30bfbdb52c422149d658b3107abab
+# Expressions sha256: c299948803878985556f018d29cdca9b992f78bd852a17a3985d5d80361917c8
 # Form: product of slopes
-# Operations: 61
+# Operations: 60
 def velocity_slopes(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -811,7 +811,7 @@ def _velocity_slopes(
     term = 2 * l_AB + 2 * l_CD + x1
     Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * term * x1)
     turn_3_atan2 = np.arctan2(
-        Q * (-l_AB - x1) + l_BC_squared * l_AB + l_CD * (l_BC_squared - Q),
+        l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
         l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
     )
     term_2 = alpha_DE + turn_3_atan2
@@ -834,9 +834,9 @@ def _velocity_slopes(
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
-# Expressions sha256: d67b7f4119a799fefc3ef5ccc6a6d4e627fac9c9ef0a6db1099748d9606657b2
+# Expressions sha256: 5f5eff26437c61e888bc9d329aaa5b061ca7b719acf63a43784e4a386fb6d694
 # Form: product of slopes
-# Operations: 121
+# Operations: 120
 def sensitivities_slopes(
     x1: ArrayLike,
     l_AB: ArrayLike,
@@ -976,7 +976,7 @@ def _sensitivities_slopes(
     term = 2 * l_AB + 2 * l_CD + x1
     Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * term * x1)
     turn_3_atan2 = np.arctan2(
-        Q * (-l_AB - x1) + l_BC_squared * l_AB + l_CD * (l_BC_squared - Q),
+        l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
         l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
     )
     term_7 = alpha_DE + turn_3_atan2

@@ -12,9 +12,9 @@ import pytest
 import sympy as sp
 
 from mechproof import WedgeLinkage
-from mechproof.derivations.wedge_linkage import PAPER, chain, sizes
-from mechproof.derivations.wedge_linkage.kernels import condition
-from mechproof.derivations.wedge_linkage.mechanics import x1 as pusher
+from mechproof.derivations.wedge_linkage import PAPER, boundaries, chain
+from mechproof.derivations.wedge_linkage.conditioning import condition
+from mechproof.derivations.wedge_linkage.symbols import x1 as pusher
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.mechanisms.wedge_linkage import PusherReachError, RollerLeverReachError
 from mechproof.proof import balls
@@ -233,11 +233,11 @@ def test_boundaries_of_all_combinations(number: int) -> None:
     assert result.influential_combinations == 2**8
     in_contact = X1 < -3
     upper = result.upper_signs[in_contact & (begin <= X1)]
-    signs = {str(size): sign for size, sign in sizes.BOUNDARY_II.items()}
+    signs = {str(size): sign for size, sign in boundaries.BOUNDARY_II.items()}
     assert (upper == [signs[name] for name in result.names]).all()
     for part, table in (
-        (in_contact & (cross + 0.2 < X1), sizes.BOUNDARY_III),
-        (cross - 0.2 > X1, sizes.BOUNDARY_IV),
+        (in_contact & (cross + 0.2 < X1), boundaries.BOUNDARY_III),
+        (cross - 0.2 > X1, boundaries.BOUNDARY_IV),
     ):
         signs = {str(size): sign for size, sign in table.items()}
         assert (result.lower_signs[part] == [signs[name] for name in result.names]).all()

@@ -14,7 +14,18 @@ a, b, v, w, t, p = sp.symbols("a b v w t p", positive=True)
 q = sp.IndexedBase("q", positive=True)
 i, n = sp.symbols("i n", integer=True, positive=True)
 TIME = FREQUENCY**-1
-KNOWN = {a: LENGTH, b: LENGTH, v: SPEED, w: FREQUENCY, t: TIME, p: NUMBER, q: LENGTH, n: NUMBER}
+V = sp.MatrixSymbol("V", 2, 1)
+KNOWN = {
+    V: LENGTH,
+    a: LENGTH,
+    b: LENGTH,
+    v: SPEED,
+    w: FREQUENCY,
+    t: TIME,
+    p: NUMBER,
+    q: LENGTH,
+    n: NUMBER,
+}
 DOMAIN = Domain({s: sp.Interval.open(0, sp.oo) for s in (a, b, v, w, t, p, q)}, (), {})
 
 RIGHT = {
@@ -27,6 +38,8 @@ RIGHT = {
     "product without unit": (sp.sin(w * t) + a / b, NUMBER),
     "zero fits all": (sp.Integer(0), None),
     "largest": (sp.Max(a, b), LENGTH),
+    "entry of a vector": (V[0, 0] + a, LENGTH),
+    "cases": (sp.Piecewise((a, v < w * b), (b, True)), LENGTH),
     "matrix of one kind": (sp.ImmutableMatrix([a, b]), LENGTH),
     "dimensionless power": (p**p, NUMBER),
 }
@@ -35,6 +48,8 @@ MIXED = {
     "length and number": a + p,
     "length and speed": a + v,
     "sine of a length": sp.sin(a),
+    "cases of unlike kinds": sp.Piecewise((a, p < 1), (p, True)),
+    "case of unlike sides": sp.Piecewise((a, a < v), (b, True)),
     "exponent with a unit": p**a,
     "length to a symbol": a**p,
     "angle of unlike sides": sp.atan2(a, v),

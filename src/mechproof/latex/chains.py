@@ -1,12 +1,13 @@
 r"""A whole print -> its chains of members and relation signs, with cases and conditions.
 
-A comma parts one chain from the next: `x=…,\ y=…`. `\text{ if }`, `\text{ for }` begin a condition.
+A comma parts one chain from the next: `x=…,\ y=…`. `\text{ if }`, `\text{ for }` begin a condition,
+`\text{ and }` joins the relations of one.
 """
 
 from __future__ import annotations
 
 from mechproof.latex.parser import RELATIONS, Parser
-from mechproof.latex.tree import Bracket, Cases, Chain, Node, Product
+from mechproof.latex.tree import AND, Bracket, Cases, Chain, Node, Product
 
 _IF = (r"\text{if}", r"\text{for}", r"\text{where}", r"\text{since}")
 _ELSE = (r"\text{else}", r"\text{otherwise}")
@@ -66,9 +67,9 @@ def _read_condition(parser: Parser) -> Chain:
     parser.take()
     start = parser.start
     members, relations = [parser.read_sum()], []
-    while parser.text in RELATIONS:
+    while parser.text in RELATIONS or (parser.text == AND and relations and relations[-1] != AND):
         relations.append(parser.take().text)
         members.append(parser.read_sum())
-    if not relations:
+    if not relations or relations[-1] == AND:
         raise parser.refuse("a condition needs a relation sign")
     return Chain(tuple(members), tuple(relations), start=start, end=parser.end)

@@ -11,6 +11,7 @@ import sympy as sp
 
 from mechproof.latex.errors import Remedies, Source
 from mechproof.latex.tree import (
+    AND,
     Add,
     Bracket,
     Call,
@@ -79,6 +80,7 @@ class Meaning:
         return tuple(
             RELATIONS[sign](left, right, evaluate=False)
             for left, sign, right in zip(members, chain.relations, members[1:], strict=False)
+            if sign != AND
         )
 
     def _letter(self, node: Letter) -> Any:

@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.latex.tree import (
+    AND,
     Add,
     Bracket,
     Call,
@@ -30,7 +31,7 @@ from mechproof.latex.tree import (
     Transposed,
 )
 
-_SIGNS = {r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~", r"\equiv": "=="}
+_SIGNS = {AND: "and", r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~", r"\equiv": "=="}
 # Written as they are wherever they stand; all else gets brackets within powers and products.
 _CLOSED = (Number, Constant, Letter, Call, Root, Repeated, Integration, Magnitude, Entries, Table)
 

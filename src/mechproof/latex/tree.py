@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+AND = r"\text{and}"
+
 
 @dataclass(frozen=True)
 class Node:
@@ -170,7 +172,10 @@ class Cases(Node):
 
 @dataclass(frozen=True)
 class Chain(Node):
-    """Members and the relation signs between them; a condition narrows where they are meant."""
+    """Members and the relation signs between them; a condition narrows where they are meant.
+
+    In a condition `AND` may stand between two relations.
+    """
 
     members: tuple[Node, ...]
     relations: tuple[str, ...]

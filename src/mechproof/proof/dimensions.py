@@ -11,6 +11,7 @@ from itertools import repeat
 
 import sympy as sp
 from sympy.logic.boolalg import Boolean
+from sympy.matrices.expressions.matexpr import MatrixElement
 
 from mechproof.record import NUMBER, Dimension, Paper
 
@@ -35,8 +36,10 @@ def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
         return None if expression == 0 else NUMBER
     if isinstance(expression, sp.Indexed):
         return known.get(expression.base, NUMBER)
-    if expression.is_Symbol or isinstance(expression, sp.MatrixSymbol):
+    if expression.is_Symbol:
         return known.get(expression, NUMBER)
+    if isinstance(expression, MatrixElement):
+        return known.get(expression.parent, NUMBER)
     if isinstance(expression, sp.Add):
         return _common(expression.args, known)
     if isinstance(expression, sp.Mul):
@@ -65,9 +68,8 @@ def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
 
 def infer_common(sides: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:
     """Return the dimension of the sides of a statement, of matrices entry by entry."""
-    if any(isinstance(side, sp.MatrixBase) for side in sides):
-        lists = [side.flat() if isinstance(side, sp.MatrixBase) else repeat(side) for side in sides]
-        entries = zip(*lists, strict=False)
+    if any(getattr(side, "is_Matrix", False) for side in sides):
+        entries = zip(*(side if side.is_Matrix else repeat(side) for side in sides), strict=False)
         first, *_ = [_common(pair, known) for pair in entries]
         return first
     return _common(sides, known)

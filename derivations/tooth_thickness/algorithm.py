@@ -1,0 +1,252 @@
+"""Rows of paper 3 on the steps of the flow chart."""
+
+from __future__ import annotations
+
+from sympy import Expr, KroneckerDelta, Rational, S, Sum, sqrt, symbols, tan
+
+from mechproof.record import (
+    Claim,
+    Completion,
+    Completions,
+    Conjunction,
+    Correction,
+    Distinct,
+    Equality,
+    Equation,
+    PrintedNumber,
+    Reading,
+)
+
+from .._metrology import normal_between
+from .._relations import less, not_above
+from .geometry import height_deviation, influence, measured_change, reading
+from .shares import NORMAL_SHARE, THREE_SIGMA, error_variance
+from .symbols import (
+    E_measured,
+    E_true,
+    K,
+    K_m,
+    alpha,
+    dh,
+    dh_gauge,
+    ds_gauge,
+    ds_height,
+    e_tip,
+    f_measured,
+    f_true,
+    sigma_tip,
+    z,
+)
+from .wheel import GAUGE_UM, GRADES, RANGE, TIP_DIAMETER, TOLERANCE_UNIT
+
+i, j = symbols("i j", integer=True, positive=True)
+
+
+def variance_of_wheel_mean(covariance: Expr) -> Expr:
+    """Variance of the mean over a wheel's teeth, from the covariance of teeth i and j."""
+    return Sum(covariance / z**2, (i, 1, z), (j, 1, z))
+
+
+ALGORITHM_ROWS = (
+    Claim(
+        "step 1",
+        r"K=T_c/\sigma",
+        defines=(K,),
+        note="The ratio of the tolerance field to the standard deviation, in words.",
+    ),
+    Claim(
+        "step 1, normal accuracy",
+        r"K=6",
+        PrintedNumber("99.73", 100 * NORMAL_SHARE),
+        note="Per cent of good teeth for a normal law centred on the field.",
+        marks=("ours",),
+    ),
+    Claim(
+        "step 1, law and expectation",
+        r"\text{the law and the expectation of the deviation}",
+        Completions(
+            "law and expectation of the thickness",
+            Completion(
+                "normal, centred, K = 6: more than 99 % good",
+                less(Rational("0.99"), NORMAL_SHARE),
+            ),
+            Completion(
+                "normal, expectation a sixth of the field above its middle, K = 6: the same",
+                less(
+                    Rational("0.99"),
+                    normal_between(S.One, S.One, -THREE_SIGMA, THREE_SIGMA),
+                ),
+            ),
+        ),
+        note="Neither is printed.",
+    ),
+    Equation(
+        "step 2",
+        r"f_u=1\text{ if }E_{csu}<E_{cs}\text{ and }E_{csu}>(E_{cs}-T_c),\text{ else }0",
+        defines=(f_true,),
+        note="For the sign of E_cs see 'smallest deviation'.",
+        marks=("rebuilt",),
+    ),
+    Claim(
+        "step 3, spread of the tip diameter",
+        r"e_{dau}\text{ for an IT grade}",
+        Completions(
+            "how many standard deviations a tolerance spans",
+            Completion(
+                "IT6 is six standard deviations: below 5 um",
+                less(Rational(GRADES[6][1], 6), S(5)),
+            ),
+            Completion(
+                "uniform over IT6: below 5 um",
+                less(GRADES[6][1] / sqrt(12), S(5)),
+            ),
+        ),
+        note="How a standard deviation follows from an IT grade is not printed.",
+    ),
+    Claim(
+        "step 3, a new tip deviation for each tooth",
+        r"\text{per tooth: simulate }e_{dau}\text{; the teeth are those of one wheel}",
+        Equality(variance_of_wheel_mean(sigma_tip**2 * KroneckerDelta(i, j)), sigma_tip**2),
+        readings=(
+            Reading(
+                "each row is a tooth of another wheel",
+                Equality(
+                    variance_of_wheel_mean(sigma_tip**2 * KroneckerDelta(i, j)), sigma_tip**2 / z
+                ),
+            ),
+        ),
+        note="The variance of the tip's mean deviation over z teeth. A wheel has one tip circle, "
+        "so that its deviation is common to all of its teeth and does not average out; Table 1 "
+        "has as many rows as the wheel has teeth. Shares over many wheels are the same in both.",
+    ),
+    Claim(
+        "step 3, range of ISO 286-1",
+        r"120<d_a=m(z+2)=156\le180~\mathrm{mm}",
+        Conjunction(
+            (
+                less(S(RANGE[0]), S(TIP_DIAMETER)),
+                not_above(S(TIP_DIAMETER), S(RANGE[1])),
+            )
+        ),
+        note="Addendum of one module, as the height to the constant chord shows.",
+        marks=("ours", "calibrated"),
+    ),
+    *(
+        Claim(
+            f"step 3, IT{grade}",
+            rf"\mathrm{{IT}}{grade}={value}~\mu\mathrm{{m}}",
+            PrintedNumber(str(value), factor * TOLERANCE_UNIT),
+            note=f"{factor} i, i = 0.45 D^(1/3) + 0.001 D, D = sqrt(120*180) mm.",
+            marks=("ours",),
+        )
+        for grade, (factor, value) in GRADES.items()
+    ),
+    Claim(
+        "steps 4 and 7, spread of the gauge",
+        r"\text{interval measure of the uncertainty }50~\mu\mathrm{m}",
+        Completions(
+            "what the limit error of the gauge is",
+            Completion(
+                "full width of a 3 sigma interval: the standard deviation is below 10 um",
+                less(Rational(GAUGE_UM, 6), S(10)),
+            ),
+            Completion(
+                "half the width of a 2 sigma interval: the same",
+                less(Rational(GAUGE_UM, 2), S(10)),
+            ),
+        ),
+        note="Neither the multiple nor the kind of interval is printed.",
+    ),
+    Equation(
+        "step 5",
+        r"\Delta h=e_{dau}+\Delta h_c",
+        derived={dh: height_deviation},
+        corrected=Correction(r"\Delta h=\Delta h_c-\tfrac12e_{dau}"),
+        note=(
+            "The gauge stands on the tip circle, so half the deviation of the diameter "
+            "counts, whichever way heights are counted. The sign of Delta h is not printed: "
+            "counted towards the centre the tip's half enters with a minus, towards the tip "
+            "with a plus. The charge rests on the words 'tip diameter' of step 3, not on a "
+            "subscript."
+        ),
+        marks=("rebuilt",),
+    ),
+    Claim(
+        "steps 5 and 6, tip diameter alone",
+        r"\Delta S_{ca}=K_me_{dau}",
+        derived={ds_height: measured_change.subs(dh_gauge, 0)},
+        corrected=Correction(r"\Delta S_{ca}=-e_{dau}\,\mathrm{tg}\,\alpha"),
+        note=(
+            "Twice too much; the sign is wrong as well if deviations are positive for a "
+            "thicker tooth (see the next row)."
+        ),
+        marks=("rebuilt", "ours"),
+    ),
+    Claim(
+        "steps 5 and 6, tip diameter, counted as a decrease",
+        r"\text{decrease of the measured thickness}=K_m\,e_{dau}",
+        Equality(K_m * e_tip, -measured_change.subs(dh_gauge, 0)),
+        corrected=Correction(
+            r"e_{dau}\,\mathrm{tg}\,\alpha",
+            Equality(e_tip * tan(alpha), -measured_change.subs(dh_gauge, 0)),
+        ),
+        note="Counting decreases as positive mends the sign; the factor 2 remains.",
+        marks=("ours",),
+    ),
+    Claim(
+        "steps 5 and 6, variance",
+        r"D_{\text{printed}}-D_{\text{geometry}}=3\,\mathrm{tg}^2\alpha\,\sigma_d^2",
+        Equality(
+            error_variance(K_m, K_m) - error_variance(-influence / 2, influence),
+            3 * tan(alpha) ** 2 * sigma_tip**2,
+        ),
+        note=(
+            "The tip's part of the variance is printed four times too large. The sign does not "
+            "matter to the variance; it moves the mean when the tip or the gauge has a bias."
+        ),
+        marks=("ours",),
+    ),
+    Claim(
+        "letter Delta h_c",
+        r"\Delta h_c\text{ (from the tip circle, text)}\ne\Delta h_c\text{ (gauge, chart)}",
+        Distinct((e_tip + dh_gauge).subs(dh_gauge, height_deviation), height_deviation),
+        note="With the text's meaning in step 5 the tip diameter would be counted again.",
+        marks=("rebuilt",),
+    ),
+    Claim(
+        "letter Delta S_c",
+        r"\Delta S_c\text{ (from the height, text)}\ne\Delta S_c\text{ (gauge, chart)}",
+        Distinct((E_true + K_m * dh + ds_gauge).subs(ds_gauge, K_m * dh), reading),
+        note="With the text's meaning in step 8 the height would be counted twice.",
+        marks=("rebuilt",),
+    ),
+    Equation(
+        "step 8",
+        r"E_{cs0}=E_{csu}+\Delta S_{ca}+\Delta S_c",
+        derived={E_measured: reading},
+        substituted={ds_height: K_m * dh},
+        note="The indication less the nominal chord, to first order in the height; step 6 is put "
+        "in.",
+        marks=("rebuilt",),
+    ),
+    Equation(
+        "step 9",
+        r"f_0=1\text{ if }E_{cs0}<E_{cs}\text{ and }E_{cs0}>(E_{cs}-T_c),\text{ else }0",
+        defines=(f_measured,),
+        note="Acceptance limits equal to the tolerance limits: no guard band.",
+        marks=("rebuilt",),
+    ),
+    Claim(
+        "step 10",
+        r"f_uf_0+(1-f_u)f_0+(1-f_u)(1-f_0)+f_u(1-f_0)=1",
+        Equality(
+            f_true * f_measured
+            + (1 - f_true) * f_measured
+            + (1 - f_true) * (1 - f_measured)
+            + f_true * (1 - f_measured),
+            S.One,
+        ),
+        note="The four shares add up to all parts; (1-f_u) f_0 is the consumer's risk of JCGM 106, "
+        "f_u (1-f_0) the producer's.",
+    ),
+)

@@ -1,0 +1,102 @@
+"""How accurate the kernels of paper 3 are, and what their approximations leave out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from sympy import Abs, Eq, Expr, Ge, Le, Or, Rational, S, cos, diff, pi, sin, symbols
+
+from mechproof.record import Conjunction, Equality, Holds, Part, Scale, Singular, Statement, Written
+
+from .geometry import linearisation_bound, linearisation_root, thickness_change
+from .symbols import alpha, dh, m, r_b, t_c, tilt, y_c, z
+
+ABOVE_BASE_CIRCLE = Part(
+    "the chord lies no deeper than the base circle and no higher than the tip",
+    where=(Abs(dh) <= y_c - r_b,),
+)
+ALONG_THE_FLANK = (
+    Singular(Eq(tilt, 0)),
+    Singular(Eq(alpha + tilt, 0)),
+    Singular(Eq(alpha + tilt, pi / 2)),
+)
+ONE_WHEEL = (("N tilts, one wheel", ("tilt",)),)
+# Accuracy, in eps, from 1/2 for an arithmetic operation, 1 for sin and cos, 4 for tan.
+# constant_chord: the cosine squared 2.5, two products, the double pi 1/2.
+CHORD_ULP = 4
+# chord_height: sine 1, pi 1/2, two products 1, at most pi/8 of m, the value at least 0.6 m: 1.7;
+# difference and product 1.
+HEIGHT_ULP = 3
+# thickness_change_linear: tangent 4, two products.
+LINEAR_ULP = 5
+# thickness_error: the same and a difference of terms on its scale.
+ERROR_ULP = 6
+# height_change, thickness_change, in units of r_b |tilt| (1 + t_c + |tilt|), the terms with t_c
+# being the largest; t = |tilt|: t_c 4.5, cos(alpha) 1.54, r_b 2.54. `along` 7 of t_c |sin(tilt)|
+# and 3.5 of t**2, `across` 8 of t_c (1 - cos(tilt)), 2 of t and 2.3 of t**2. Of the products with
+# sin(alpha) 1.5 and with cos(alpha) 2.04, the sum and r_b 3.54 more. The height: at most
+# 12.6 sin(t)/t + 9.2 (1 - cos(t))/t <= 15 for t_c; the thickness twice
+# 8.5 sin(t)/t + 13.6 (1 - cos(t))/t <= 14.2. Searches find a tenth of it: roundings do not add
+# up, and no tangent was met that loses 4 eps.
+HEIGHT_CHANGE_ULP, THICKNESS_CHANGE_ULP = 15, 29
+ROLLING = Scale("the way that the chord's end rolls", r_b * Abs(tilt) * (1 + t_c + Abs(tilt)))
+# Below that, subnormal numbers have fewer digits.
+NORMAL_TILT = (Or(Eq(tilt, 0), Ge(Abs(tilt), Rational(1, 10**250))), Ge(m, Rational(1, 10**30)))
+# linearisation_bound, in units of value * (1 + (r_b t_c)**2/radicand): under the root (r_b t_c)**2
+# with 2 * 8.5 and as much at most of |dh| (2 y_c - |dh|) with 5, halved; cubes 3 * 3 and 3 * 3;
+# squares, products and quotient 4.
+BOUND_ULP = 32
+value, radicand = symbols("value radicand", positive=True)
+CANCELLING = Scale(
+    "the value times what its root's difference loses",
+    value * (1 + (r_b * t_c) ** 2 / radicand),
+    ((value, linearisation_bound), (radicand, linearisation_root.subs(dh, Abs(dh)))),
+)
+# No square and no cube leaves the range of a double.
+SQUARES_IN_RANGE = (
+    Or(Eq(dh, 0), Ge(Abs(dh), Rational(1, 10**100))),
+    Ge(m, Rational(1, 10**30)),
+    Le(m, 10**50),
+)
+
+# First order in the tilt. Taylor: |change - slope*tilt| <= max |curvature| tilt**2/2, and with
+# |sin|, |cos| <= 1 the curvature of the height is below r_b (1 + t_c + |tilt|), that of the
+# thickness below twice as much. The bound is that with r_b (1 + t_c) <= m (z + pi/4), which is
+# proved along with it, and r_b = m z cos(alpha)/2 <= m z/2.
+HEIGHT_BOUND = m * tilt**2 * (z * (2 + Abs(tilt)) + pi / 2) / 4
+HEIGHT_CURVATURE = -r_b * (cos(alpha + tilt) - (t_c + tilt) * sin(alpha + tilt))
+THICKNESS_CURVATURE = -2 * r_b * (sin(alpha + tilt) + (t_c + tilt) * cos(alpha + tilt))
+TAYLOR = "Taylor's remainder with |sin|, |cos| <= 1"
+
+
+def first_order(change: Expr, curvature: Expr) -> Callable[[Written], Statement]:
+    """Make the statement that a form is the tangent at tilt 0, with the curvature it leaves out."""
+
+    def states(code: Written) -> Statement:
+        slope = diff(change, tilt)
+        return Conjunction(
+            (
+                Equality(change.subs(tilt, 0), S.Zero),
+                Equality(code.output(), slope.subs(tilt, 0) * tilt),
+                Equality(diff(slope, tilt), curvature),
+                Holds(Le(r_b * (1 + t_c), m * (2 * z + pi / 2) / 2)),
+            )
+        )
+
+    return states
+
+
+# Equation (1) with the exact derivative: what is missing grows by -m z (t_c + tilt) sin(tilt), and
+# |sin(tilt)| <= |tilt|, tan(alpha) < 1, integrated, give the bound.
+MODEL_BOUND = m * tilt**2 * (pi / 4 + z / 2 + z * Abs(tilt) / 3)
+
+
+def by_height(code: Written) -> Statement:
+    """State how much of the thickness the product with the height leaves out."""
+    missing = thickness_change - code.output()
+    return Conjunction(
+        (
+            Equality(missing.subs(tilt, 0), S.Zero),
+            Equality(diff(missing, tilt), -m * z * (t_c + tilt) * sin(tilt)),
+        )
+    )

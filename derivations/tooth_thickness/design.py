@@ -1,0 +1,243 @@
+"""Rows of paper 3 on the design data, the smallest deviation and the measuring base."""
+
+from __future__ import annotations
+
+from sympy import Expr, Interval, Rational, S, acos, atan, cos, diff, oo, pi, sqrt
+
+from mechproof.record import (
+    Claim,
+    Completion,
+    Completions,
+    Conjunction,
+    Correction,
+    Datum,
+    Equality,
+    Part,
+    PrintedNumber,
+    Reading,
+)
+
+from .._relations import less, not_above
+from .geometry import (
+    chord_by_thinning,
+    height_deviation,
+    influence,
+    involute_chord,
+    involute_distance,
+    line_actual,
+    nominal_height,
+    rack_chord,
+    rack_height,
+    side_clearance,
+    tip_radius,
+)
+from .symbols import (
+    E_cs,
+    T_c,
+    alpha,
+    centre_change,
+    chord_height,
+    dh_gauge,
+    e_tip,
+    incline,
+    m,
+    mate,
+    place,
+    thinning,
+)
+from .wheel import DECREASE_UM, MODULE, PROFILE_ANGLE, TEETH, TOLERANCE_UM, at_angle
+
+
+def of_pair(too_long: int) -> Expr:
+    """Give the clearance (um) of this wheel with a nominal mate, `too_long` um off the centre."""
+    deviations = {E_cs: S(DECREASE_UM), mate: S.Zero, centre_change: S(too_long)}
+    return side_clearance.subs({**deviations, alpha: PROFILE_ANGLE})
+
+
+DESIGN_ROWS = (
+    Claim(
+        "data, pitch diameter",
+        r"d=150~\mathrm{mm}\quad(m=3~\mathrm{mm},\ z=50)",
+        PrintedNumber("150", MODULE * S(TEETH)),
+    ),
+    Claim(
+        "data, constant chord",
+        r"\bar S_c=4.161~\mathrm{mm}",
+        PrintedNumber("4.161", at_angle(rack_chord, 20)),
+        note="With the profile angle 20 deg, which is not printed; it is fitted to this number.",
+        marks=("fitted",),
+    ),
+    Claim(
+        "data, height to the constant chord",
+        r"\bar h_c=2.243~\mathrm{mm}",
+        PrintedNumber("2.243", at_angle(rack_height, 20)),
+        note="With 20 deg from the constant chord and an addendum of one module.",
+        marks=("calibrated",),
+    ),
+    Claim(
+        "data, profile angle",
+        r"\bar S_c=4.161\text{ mm solved for the profile angle: }20.0^\circ",
+        PrintedNumber("20.0", 180 / pi * acos(sqrt(2 * Rational("4.161") / (pi * MODULE)))),
+        marks=("ours",),
+    ),
+    Claim(
+        "data, no other profile angle",
+        r"4.161\text{ and }2.243\text{, rounded, leave }19.99^\circ<\alpha<20.01^\circ",
+        Conjunction(
+            (
+                Equality(rack_chord.subs(alpha, atan(incline)), pi * m / 2 / (1 + incline**2)),
+                less(diff(pi * m / 2 / (1 + incline**2), incline), S.Zero),
+                Equality(
+                    rack_height.subs(alpha, atan(incline)),
+                    m * (1 - pi / 4 * incline / (1 + incline**2)),
+                ),
+                less(diff(m * (1 - pi / 4 * incline / (1 + incline**2)), incline), S.Zero),
+                less(Rational("4.1615"), at_angle(rack_chord, "19.99")),
+                less(at_angle(rack_height, "20.01"), Rational("2.2425")),
+            )
+        ),
+        note=(
+            "Chord and height both fall as the angle grows (to 45 deg). At 19.99 deg the chord "
+            "is too long already, at 20.01 deg the height is too small."
+        ),
+        marks=("ours",),
+    ),
+    Claim(
+        "constant chord",
+        r"\bar S_c=\frac{\pi m}2\cos^2\alpha",
+        Equality(rack_chord, involute_chord),
+        note=(
+            "Where the rack touches both flanks at once, from the rack (foot of the perpendicular "
+            "from the pitch point) and from the involute; the number of teeth drops out."
+        ),
+        marks=("ours",),
+    ),
+    Claim(
+        "height to the constant chord",
+        r"\bar h_c=m\left(1-\frac\pi8\sin2\alpha\right)",
+        Conjunction(
+            (
+                Equality(chord_height, rack_height),
+                Equality(rack_height, nominal_height),
+            )
+        ),
+        note="From the rack and from the involute, addendum of one module.",
+        marks=("ours",),
+    ),
+    Datum(
+        "data, smallest deviation",
+        rf"E_{{cs}}={DECREASE_UM}~\mu\mathrm{{m}}",
+        defines=(E_cs,),
+        note="A datum; its sign is a matter of 'smallest deviation'.",
+    ),
+    Datum(
+        "data, tolerance",
+        rf"T_c={TOLERANCE_UM}~\mu\mathrm{{m}}",
+        defines=(T_c,),
+        note="A datum.",
+    ),
+    Claim(
+        "smallest deviation, smallest prescribed decrease",
+        r"E_{cs}\text{ is the smallest prescribed decrease; good: }"
+        r"E_{cs}-T_c<E_{csu}<E_{cs}",
+        not_above(E_cs, -(E_cs - T_c * place)),
+        readings=(
+            Reading(
+                "E_cs enters step 2 with its sign, as the upper deviation -12 um",
+                not_above(E_cs, -(-E_cs - T_c * place)),
+            ),
+        ),
+        note=(
+            "E_csu = E_cs - T_c p, 0 < p < 1, is any good tooth of step 2; its decrease is -E_csu. "
+            "With E_cs = 12 um as printed, good teeth may be thicker than nominal."
+        ),
+    ),
+    Claim(
+        "smallest deviation, counted as a decrease",
+        r"E_{csu}\text{ counts the decrease; good: }E_{cs}-T_c<E_{csu}<E_{cs}",
+        not_above(E_cs, E_cs - T_c * place),
+        corrected=Correction(r"E_{cs}<E_{csu}<E_{cs}+T_c", not_above(E_cs, E_cs + T_c * place)),
+        note="If the simulated deviation is itself a decrease, step 2 admits only smaller ones.",
+        marks=("ours",),
+    ),
+    Claim(
+        "smallest deviation, nominal tooth",
+        r"E_{csu}=0\text{ is good by step 2 with }E_{cs}=12,\ T_c=45~\mu\mathrm{m}",
+        Conjunction((less(S.Zero, S(DECREASE_UM)), less(S(DECREASE_UM - TOLERANCE_UM), S.Zero))),
+        note="A tooth with no decrease at all passes, though 12 um is the smallest prescribed one.",
+        marks=("ours",),
+    ),
+    Claim(
+        "smallest deviation, decrease and backlash",
+        r"\text{a thinner pitch arc thins the constant chord by the same amount}",
+        Equality(chord_by_thinning, thinning),
+        note=(
+            "First order, measured at the fixed height: dS = ds on the pitch circle, so this wheel "
+            "gives the normal backlash E_cs cos(alpha)."
+        ),
+        marks=("ours",),
+    ),
+    Claim(
+        "smallest deviation, guaranteed side clearance",
+        r"E_{cs}\text{ determines the guaranteed side clearance}",
+        not_above(E_cs, (side_clearance / cos(alpha)).expand().subs(alpha, atan(incline))),
+        holds_on=Part(
+            "a mate with no thicker teeth and a centre distance that is not too short",
+            {mate: Interval(0, oo), centre_change: Interval(0, oo)},
+        ),
+        note="E_cs as a decrease, alone, guarantees E_cs cos(alpha) along the normal (decided with "
+        "both over the cosine); the mate and the centre distance, for which nothing is printed, "
+        "can take it away.",
+    ),
+    Claim(
+        "smallest deviation, kind of mating",
+        r"\text{the clearance that }E_{cs}\text{ leaves is none, as for the mating H}",
+        Completions(
+            "deviation of the centre distance",
+            Completion(
+                "none",
+                not_above(of_pair(0), S.Zero),
+            ),
+            Completion(
+                "20 um too short",
+                not_above(of_pair(-20), S.Zero),
+            ),
+        ),
+        note="E_cs determines the kind of mating only together with what the errors of the pair "
+        "take of the clearance, which is not printed. H asks for no guaranteed clearance in GOST "
+        "1643; the paper names no standard.",
+        marks=("inferred",),
+    ),
+    Claim(
+        "measuring base, nominal tip diameter",
+        r"\text{the measuring base for the height is the nominal tip diameter}",
+        Equality(tip_radius - (rack_height + dh_gauge), line_actual),
+        readings=(
+            Reading(
+                "the height is counted from the nominal tip diameter when it is set",
+                Equality(tip_radius - rack_height, involute_distance),
+            ),
+        ),
+        note="The gauge stands on the actual tip circle; from the nominal one the height to the "
+        "constant chord is reckoned.",
+    ),
+    Claim(
+        "measuring base, tip diameter not nominal",
+        r"\text{if the tip diameter differs from nominal, the height gets an error}",
+        Equality(height_deviation.subs(dh_gauge, 0), -e_tip / 2),
+        note="Half the deviation, against its sign: on a larger tip circle the gauge stands "
+        "higher, its line nearer the tip.",
+    ),
+    Claim(
+        "measuring base, thickness",
+        r"\text{the error of the height leads to an error of the thickness}",
+        Conjunction(
+            (
+                Equality(2 * incline, influence.subs(alpha, atan(incline))),
+                less(S.Zero, 2 * incline),
+            )
+        ),
+        note="The derivative is positive: deeper is thicker, so a larger tip diameter makes the "
+        "measured tooth thinner.",
+    ),
+)

@@ -1,0 +1,258 @@
+"""Rows of paper 3 on the influence of the height on the thickness: (1) and step 6."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from sympy import Expr, Interval, Rational, S, atan, cos, diff, sin, tan
+
+from mechproof.record import (
+    Claim,
+    Conjunction,
+    Correction,
+    Equality,
+    Equation,
+    Holds,
+    Part,
+    PrintedNumber,
+)
+
+from .._relations import less, not_above
+from .geometry import (
+    across,
+    chord_distance,
+    chord_half,
+    curvature_of_thickness,
+    distance,
+    half_tooth,
+    height_change,
+    influence,
+    involute_chord,
+    involute_distance,
+    linearisation_bound,
+    linearisation_root,
+    rack_chord,
+    rack_height,
+    roll,
+    slope_of_thickness,
+    thickness,
+    thickness_change,
+)
+from .symbols import READER, K_m, alpha, delta, dh, incline, m, r_b, s_c, t_c, tilt, y_c, z
+from .wheel import EQUATION_1, GRADES, MODULE, PRINTED_INFLUENCE, excess_of_wheel, of_wheel
+
+STEP_6 = Equation("step 6, influence of the involute", r"\Delta S_{ca}=K_m\cdot\Delta h")
+in_print = READER.members(STEP_6)[1].subs(dh, height_change)
+excess_in_print = of_wheel(in_print - thickness_change)
+# Tilts (rad) that turn the tangent over 1 mm and over 0.1 mm of height; mm.
+WIDE, NARROW = Rational(1, 20), Rational(1, 260)
+rack_chord_by_slope, rack_height_by_slope = (
+    size.subs(alpha, atan(incline)).subs(m, MODULE) for size in (rack_chord, rack_height)
+)
+
+
+def reaches(turned: Rational, height: Expr) -> tuple[Holds, Holds]:
+    """State that a tilt either way goes with more than a height (mm) either way."""
+    return (
+        less(of_wheel(height_change).subs(tilt, turned), -height),
+        less(height, of_wheel(height_change).subs(tilt, -turned)),
+    )
+
+
+def rounds_at(size: Expr, end: Rational, influence_there: Rational) -> tuple[Holds, Holds]:
+    """State that a size passes `end` between an influence and the next in its last place."""
+    last_place = Rational(1, 10**5)
+    return (
+        less(end, size.subs(incline, influence_there / 2)),
+        less(size.subs(incline, (influence_there + last_place) / 2), end),
+    )
+
+
+INFLUENCE_ROWS = (
+    replace(
+        EQUATION_1,
+        says=PrintedNumber(str(float(PRINTED_INFLUENCE)), of_wheel(K_m)),
+        corrected=Correction(
+            r"\Delta S_c=2\,\mathrm{tg}\,20^\circ\,\Delta h=0.7279\,\Delta h",
+            PrintedNumber("0.7279", of_wheel(K_m)),
+        ),
+        note="At the constant chord the flank's tangent has exactly the rack's angle; for other "
+        "angles that the data leave see the next row.",
+        marks=("calibrated", "inferred"),
+    ),
+    Claim(
+        "(1), profile angles that the data leave",
+        r"\bar h_c=2.243\text{ leaves }K_m\le0.72823;\ \bar S_c=4.161\text{ alone }K_m\le0.72842",
+        Conjunction(
+            (
+                less(diff(rack_chord_by_slope, incline), S.Zero),
+                less(diff(rack_height_by_slope, incline), S.Zero),
+                *rounds_at(rack_height_by_slope, Rational("2.2425"), Rational("0.72823")),
+                *rounds_at(rack_chord_by_slope, Rational("4.1605"), Rational("0.72842")),
+            )
+        ),
+        note="K_m = 2 tan(alpha), and both fall as the angle grows: 2.2425 mm, where 2.243 ends, "
+        "belongs to 0.72823 < K_m < 0.72824, 4.1605 mm to 0.72842 < K_m < 0.72843. The chord "
+        "alone would leave 0.7284 possible, the height does not: no angle that rounds to it.",
+        marks=("ours", "calibrated"),
+    ),
+    Claim(
+        "(1), exact derivative",
+        r"\frac{dS}{dh}=2\,\mathrm{tg}\,\delta,\quad\delta=\alpha\text{ at the constant chord}",
+        Conjunction(
+            (
+                Equality(slope_of_thickness, 2 * tan(delta)),
+                Equality(K_m, influence),
+            )
+        ),
+        note=(
+            "On the involute itself; delta is the angle of the flank's tangent with the tooth's "
+            "axis. On the rack the derivative is 2 tan(alpha) at every height."
+        ),
+        marks=("ours",),
+    ),
+    Claim(
+        "(1), where the flank has the slope 0.7284",
+        r"2\,\mathrm{tg}\,\delta=0.7284\text{ 5 to 6 }\mu\mathrm{m}\text{ nearer the tip}",
+        Conjunction(
+            (
+                less(
+                    Rational("0.005"),
+                    of_wheel(
+                        chord_distance(atan(PRINTED_INFLUENCE / 2), half_tooth) - involute_distance
+                    ),
+                ),
+                less(
+                    of_wheel(
+                        chord_distance(atan(PRINTED_INFLUENCE / 2), half_tooth) - involute_distance
+                    ),
+                    Rational("0.006"),
+                ),
+            )
+        ),
+        note="The graphic construction was off by as little as that.",
+        marks=("ours", "calibrated"),
+    ),
+    Claim(
+        "(1), cost of 0.7284",
+        r"|0.7284-2\,\mathrm{tg}\,20^\circ|\cdot 0.1~\mathrm{mm}<0.05~\mu\mathrm{m}",
+        less((PRINTED_INFLUENCE - of_wheel(K_m)) * 100, Rational("0.05")),
+        note="For heights that are off by up to 0.1 mm; the third digit does no harm.",
+        marks=("ours", "calibrated"),
+    ),
+    replace(
+        STEP_6,
+        says=Conjunction(
+            (
+                not_above(excess_in_print, -of_wheel(height_change) / 100),
+                not_above(
+                    *(
+                        side.subs(tilt, -tilt)
+                        for side in (excess_in_print, of_wheel(height_change) / 100)
+                    )
+                ),
+            )
+        ),
+        on=Part("heights off by up to 1 mm, tilts of both signs", {tilt: Interval(0, WIDE)}),
+        holds_on=Part("heights off by up to 0.1 mm", {tilt: Interval(0, NARROW)}),
+        corrected=Correction(
+            r"\Delta S_{ca}=K_m\,\Delta h-mz\left[t_c(1-\cos\varepsilon)+\sin\varepsilon"
+            r"-\varepsilon\cos\varepsilon\right],\ t_c=\mathrm{tg}\,\alpha+\frac\pi{2z}",
+            Equality(K_m * height_change - m * z * across, thickness_change),
+        ),
+        note=(
+            "An approximation by its own words: judged to a hundredth of Delta h, for this wheel. "
+            "At 0.1 mm that is 1 um, the last place of T_c; the product is never too small (see "
+            "'excess of the linear model'). Epsilon is the angle between the tangents of the flank "
+            "at the chord measured and at the constant chord."
+        ),
+        marks=("rebuilt", "calibrated"),
+    ),
+    Claim(
+        "step 6, tilt as parameter",
+        r"\Delta h(\varepsilon)=y(\alpha)-y(\alpha+\varepsilon),\ "
+        r"\Delta S(\varepsilon)=S(\alpha+\varepsilon)-S(\alpha)",
+        Conjunction(
+            (
+                Equality(
+                    height_change,
+                    involute_distance - chord_distance(alpha + tilt, half_tooth),
+                ),
+                Equality(
+                    thickness_change,
+                    2 * chord_half(alpha + tilt, half_tooth) - involute_chord,
+                ),
+            )
+        ),
+        note="The closed forms of the kernels against the involute.",
+        marks=("ours",),
+    ),
+    Claim(
+        "step 6, curvature",
+        r"\frac{d^2S}{dh^2}=-\frac{2}{r_b t\cos^3\delta}",
+        Equality(curvature_of_thickness, -2 / (r_b * roll * cos(delta) ** 3)),
+        note="r_b t is the radius of curvature of the flank; the linear model is never too small.",
+        marks=("ours",),
+    ),
+    Claim(
+        "step 6, distance of the tangent",
+        r"y\cos\delta-\tfrac S2\sin\delta=r_b",
+        Equality(distance * cos(delta) - thickness / 2 * sin(delta), r_b),
+        note="Hence cos(delta) >= r_b/y wherever S >= 0 and 0 <= delta < pi/2.",
+        marks=("ours",),
+    ),
+    Claim(
+        "step 6, radius of curvature",
+        r"(r_bt)^2=y^2+\tfrac{S^2}4-r_b^2",
+        Equality((r_b * roll) ** 2, distance**2 + thickness**2 / 4 - r_b**2),
+        note="Deeper chords are thicker, so it falls by no more than y^2 does.",
+        marks=("ours",),
+    ),
+    Claim(
+        "step 6, excess of the linear model",
+        r"K_m\Delta h-\Delta S=mz\,N,\ N(0)=0,\ \frac{dN}{d\varepsilon}="
+        r"(t_c+\varepsilon)\sin\varepsilon",
+        Conjunction(
+            (
+                Equality(m * z * across, K_m * height_change - thickness_change),
+                Equality(across.subs(tilt, 0), S.Zero),
+                Equality(diff(across, tilt), (t_c + tilt) * sin(tilt)),
+                Equality(s_c, involute_chord),
+                Equality(y_c, involute_distance),
+                Equality(linearisation_root, (y_c - dh) ** 2 + s_c**2 / 4 - r_b**2),
+            )
+        ),
+        note=(
+            "N is the bracket of step 6. With 'curvature', 'distance of the tangent' and 'radius "
+            "of curvature', Taylor's remainder gives the bound of the kernel: dh^2 (y_c + |dh|)^3/"
+            "(r_b^3 R), R^2 the last part with |dh| for dh, for |dh| <= y_c - r_b, up to the tip."
+        ),
+        marks=("ours",),
+    ),
+    Claim(
+        "step 6, excess of the linear model, this wheel",
+        r"|\varepsilon|\le\tfrac1{20}\text{ (over 1 mm either way): }"
+        r"0\le K_m\Delta h-\Delta S\le\frac{\Delta h^2}{20~\mathrm{mm}}",
+        Conjunction(
+            (
+                not_above(S.Zero, excess_of_wheel),
+                not_above(excess_of_wheel, of_wheel(height_change) ** 2 / 20),
+                *reaches(WIDE, S.One),
+                *reaches(NARROW, Rational(1, 10)),
+            )
+        ),
+        on=Part("over 1 mm of height either way", {tilt: Interval(-WIDE, WIDE)}),
+        note="The other parts: 1/20 of a radian is over 1 mm, 1/260 over 0.1 mm, either way.",
+        marks=("ours", "calibrated"),
+    ),
+    Claim(
+        "step 6, excess of the linear model, IT8",
+        r"|\Delta h|\le0.063~\mathrm{mm}:\ \text{bound}<0.2~\mu\mathrm{m}",
+        less(
+            of_wheel(linearisation_bound.subs(dh, Rational(GRADES[8][1], 1000))),
+            Rational("0.0002"),
+        ),
+        note="For tip diameters of IT8 the linear model is good to a two-hundredth of T_c.",
+        marks=("ours", "calibrated"),
+    ),
+)

@@ -1,0 +1,208 @@
+"""Boundary curves of the range of paper 4, by the printed chain, and what is said of them."""
+
+from collections.abc import Callable, Mapping
+
+import sympy as sp
+from sympy import Rational, pi, sqrt
+
+from mechproof.record import (
+    Completion,
+    Completions,
+    Conjunction,
+    Holds,
+    PrintedNumber,
+    Published,
+    Statement,
+    Toleranced,
+)
+
+from .._relations import less, not_above
+from .mechanics import driven
+from .prints import PRINTED_Q, PRINTED_R, print_1, print_3, print_10
+from .sizes import FIRST_SET, SECOND_SET
+from .symbols import (
+    Q,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    overlap,
+    phi3,
+    phi7,
+    radicand,
+    x1,
+    x5,
+)
+
+Signs = Mapping[sp.Symbol, int]
+
+# "+" is the upper limit, "-" the lower; what is not named is at its nominal value.
+BOUNDARY_II = {
+    l_BC: 1, l_CD: -1, l_DE: -1, l_GH: 1, l_KL: 1, l_LM: -1, alpha_DE: 1, alpha_KL: 1,
+}  # fmt: skip
+BOUNDARY_III = {size: -sign for size, sign in BOUNDARY_II.items()}
+BOUNDARY_IV = {**BOUNDARY_III, alpha_KL: 1}
+
+
+def limits(table: Published, signs: Signs) -> dict[sp.Symbol, sp.Expr]:
+    """Return the exact sizes of a combination: nominal, or at the limit its sign names."""
+    sizes = {}
+    for size, value in table.sizes.items():
+        assert isinstance(value, Toleranced)
+        deviation = {1: value.upper, -1: value.lower}.get(signs.get(size, 0), sp.S.Zero)
+        sizes[size] = value.nominal + deviation
+    return sizes
+
+
+def angles_of(table: Published, signs: Signs, displacement: int | str) -> tuple[sp.Expr, sp.Expr]:
+    """Compose (1), (3), (4) and (7)/(8) at exact sizes: varphi3 and the direction of KL."""
+    sizes = limits(table, signs)
+    # Unevaluated: SymPy would spend seconds on assumptions of numbers that balls decide.
+    with sp.evaluate(False):
+        turned = print_1.xreplace({Q: PRINTED_Q}).xreplace({**sizes, x1: Rational(displacement)})
+        run = driven.xreplace({overlap: print_3.xreplace({**sizes, phi3: turned}) - sizes[l_GH]})
+        offset = PRINTED_R.xreplace({**sizes, x5: run})
+        return turned, sp.atan2(sqrt(sizes[l_KL] ** 2 - offset**2), offset)
+
+
+def position_of(table: Published, signs: Signs, displacement: int | str) -> sp.Expr:
+    """Compose the chain with (10) at exact sizes: an exact number."""
+    sizes = limits(table, signs)
+    _, direction = angles_of(table, signs, displacement)
+    with sp.evaluate(False):
+        return print_10.xreplace({**sizes, phi7: direction - sizes[alpha_KL]})
+
+
+def above(table: Published, one: Signs, other: Signs, displacement: int | str) -> Holds:
+    """State that curve `one` lies above curve `other` at a displacement (mm)."""
+    first, second = (position_of(table, signs, displacement) for signs in (one, other))
+    return less(second, first)
+
+
+def crossing(table: Published) -> Conjunction:
+    """State that curves III and IV change order within half a last place around -29.4 mm."""
+    return Conjunction(
+        (
+            above(table, BOUNDARY_III, BOUNDARY_IV, "-29.45"),
+            above(table, BOUNDARY_IV, BOUNDARY_III, "-29.35"),
+        )
+    )
+
+
+def spread(table: Published, displacement: int) -> sp.Expr:
+    """Return the width between the boundaries II and III or IV."""
+    lower = BOUNDARY_III if displacement > Rational("-29.4") else BOUNDARY_IV
+    upper = position_of(table, BOUNDARY_II, displacement)
+    return sp.Add(upper, -position_of(table, lower, displacement), evaluate=False)
+
+
+def largest_at_the_end(table: Published) -> Conjunction:
+    """State that the spread at -40 mm is not below that at -35, -30, ..., 0 mm."""
+    at_the_end = spread(table, -40)
+    return Conjunction(
+        tuple(
+            not_above(spread(table, displacement), at_the_end) for displacement in range(-35, 1, 5)
+        )
+    )
+
+
+def deviations_round(
+    table: Published, displacement: int, lower: Signs, printed: tuple[str, str]
+) -> Conjunction:
+    """State to what the deviations of II and a lower boundary round, % of the nominal position."""
+    nominal, high, low = (
+        position_of(table, signs, displacement) for signs in ({}, BOUNDARY_II, lower)
+    )
+    # The position is negative, so the upper boundary is the smaller one in amount.
+    with sp.evaluate(False):
+        deviations = (100 * (1 - high / nominal), 100 * (low / nominal - 1))
+    return Conjunction(tuple(map(PrintedNumber, printed, deviations)))
+
+
+def ten_percent(table: Published) -> Conjunction:
+    """State that both deviations at -40 mm round to 10 % of the nominal position."""
+    return deviations_round(table, -40, BOUNDARY_IV, ("10", "10"))
+
+
+def angles_in_range(table: Published) -> Conjunction:
+    """State between which directions DE, KL and LM stay, all sizes within limits, to -40 mm.
+
+    varphi3 is largest for the shortest BC and the longest CD, varphi7 for III or IV.
+    """
+    turned, _ = angles_of(table, BOUNDARY_III, -40)
+    lowest, highest = (limits(table, dict.fromkeys((alpha_DE, alpha_KL), s)) for s in (-1, 1))
+    lever = (
+        less(turned, pi / 2),
+        less(3 * pi / 2, lowest[alpha_DE]),
+        less(highest[alpha_DE] + turned, 2 * pi),
+        less(pi / 2, lowest[alpha_LM]),
+        less(sp.S.Zero, lowest[alpha_KL]),
+    )
+    roller = []
+    for signs in (BOUNDARY_III, BOUNDARY_IV):
+        sizes, (_, direction) = limits(table, signs), angles_of(table, signs, -40)
+        roller += [
+            less(direction, pi),
+            less(sizes[alpha_LM] + direction - sizes[alpha_KL], 3 * pi / 2),
+        ]
+    return Conjunction((*lever, *roller))
+
+
+def extreme(
+    table: Published, boundary: Signs, displacement: int | str, neighbours_at: tuple[int, ...]
+) -> Conjunction:
+    """State what makes a curve a boundary from a displacement to x1 = 0 (or to -40).
+
+    Directions in which each size moves y9, and at the displacement the order of both alpha_KL.
+    """
+    upper = boundary[l_BC] > 0
+
+    def beyond(other: Signs, place: int | str) -> Holds:
+        pair = (boundary, other) if upper else (other, boundary)
+        return above(table, *pair, place)
+
+    neighbours = (
+        beyond({**boundary, size: -sign}, place)
+        for size, sign in boundary.items()
+        for place in neighbours_at
+    )
+    flipped = {**boundary, alpha_KL: -boundary[alpha_KL]}
+    return Conjunction((angles_in_range(table), beyond(flipped, displacement), *neighbours))
+
+
+def in_both(statement: Callable[[Published], Statement]) -> Conjunction:
+    """State the same of both reconstructions."""
+    return Conjunction((statement(FIRST_SET), statement(SECOND_SET)))
+
+
+def differ(statement: Callable[[Published], Statement]) -> Completions:
+    """State a claim on which the reconstructions may differ."""
+    return Completions(
+        "sizes: two reconstructions are known",
+        Completion(FIRST_SET.source, statement(FIRST_SET)),
+        Completion(SECOND_SET.source, statement(SECOND_SET)),
+    )
+
+
+def radicand_of(displacement: int | str, guide: str) -> sp.Expr:
+    """Return the radicand of Q over l_BC**2 at the legible sizes and the length `guide` of BC."""
+    sizes = {**limits(FIRST_SET, {}), l_BC: Rational(guide), x1: Rational(displacement)}
+    return radicand.subs(sizes)
+
+
+def influence(size: sp.Symbol) -> Conjunction:
+    """State that the position at -40 mm differs between the limits of the size, both sets."""
+    return in_both(
+        lambda table: Holds(
+            sp.Ne(
+                position_of(table, {size: 1}, -40),
+                position_of(table, {size: -1}, -40),
+                evaluate=False,
+            )
+        )
+    )

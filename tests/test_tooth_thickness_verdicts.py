@@ -1,0 +1,50 @@
+"""Rows of the paper that are slightly wrong are refuted, or true on less."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+from sympy import Interval, Rational, oo
+
+from mechproof.derivation import find_systems, load_paper, packaged_directory
+from mechproof.derivations.tooth_thickness import influence, shares, symbols
+from mechproof.proof.domain import Domain
+from mechproof.proof.judge import judge
+from mechproof.proof.ladder import decide
+from mechproof.proof.verdict import Verdict
+from mechproof.record import Part, PrintedNumber, Row
+
+PAPER = load_paper(find_systems(packaged_directory())["tooth_thickness"])
+
+
+def row(number: str) -> Row:
+    return next(row for row in PAPER.rows if row.number == number)
+
+
+# Where the claim is said to hold, a little too much.
+TOO_WIDE = {
+    "(b)": {symbols.gauge_um: Interval.open(Rational("2.45"), oo)},
+    "step 6, influence of the involute": {symbols.tilt: Interval(0, 3 * influence.NARROW)},
+    "smallest deviation, guaranteed side clearance": {symbols.mate: Interval(0, oo)},
+    "(a), rise with the limit error": {symbols.above: Interval.open(0, oo)},
+}
+
+
+@pytest.mark.parametrize("number", TOO_WIDE)
+def test_a_claim_does_not_hold_on_more(number: str) -> None:
+    wider = dataclasses.replace(row(number), holds_on=Part("more", TOO_WIDE[number]))
+    assert judge(row(number), PAPER).verdict is Verdict.CONDITIONAL
+    assert judge(wider, PAPER).verdict is not Verdict.CONDITIONAL
+
+
+def test_another_crossover_is_refuted() -> None:
+    says = PrintedNumber("5.0", 2 * shares.crossover(6))
+    assert decide(says, Domain.of(PAPER)).verdict is Verdict.REFUTED
+
+
+def test_the_height_leaves_no_profile_angle_for_the_printed_influence() -> None:
+    printed = influence.rounds_at(
+        influence.rack_height_by_slope, Rational("2.2425"), Rational("0.7284")
+    )
+    assert decide(printed[0], Domain.of(PAPER)).verdict is Verdict.REFUTED
