@@ -196,7 +196,7 @@ def _symbols(relation: sp.Basic) -> set[sp.Basic]:
     """Return the elements and the symbols of a relation, without the labels of its elements."""
     items: set[sp.Basic] = relation.atoms(sp.Indexed)
     labels = {item.base.label for item in items} | relation.atoms(sp.IndexedBase)
-    return items | (relation.free_symbols - labels)
+    return items.union(relation.free_symbols - labels)
 
 
 def _tie(relations: list[sp.Basic], point: Point) -> Point:
