@@ -62,5 +62,5 @@ def _compare(subject: Subject, relation: sp.Basic, arguments: Arguments) -> Arra
         # SymPy's code for "or" joins its parts into one array.
         columns = list(np.broadcast_arrays(*columns))
     with np.errstate(all="ignore"):
-        found = np.asarray(test(*columns), bool)
-    return found.all(axis=-1) if elements else found
+        found: Array = np.asarray(test(*columns), bool)
+    return np.asarray(found.all(axis=-1)) if elements else found

@@ -222,10 +222,9 @@ def _make_free(
 
 def _symbols(relation: sp.Basic) -> set[sp.Basic]:
     """Return the elements and the symbols of a relation, without the labels of its elements."""
-    items = relation.atoms(sp.Indexed)
-    return (
-        relation.free_symbols - {i.base.label for i in items} - relation.atoms(sp.IndexedBase)
-    ) | items
+    items: set[sp.Basic] = relation.atoms(sp.Indexed)
+    labels = {item.base.label for item in items} | relation.atoms(sp.IndexedBase)
+    return items.union(relation.free_symbols - labels)
 
 
 def _tie(relations: list[sp.Basic], point: Point) -> Point:
