@@ -66,7 +66,8 @@ def _read_cases(parser: Parser, value: Node) -> Cases:
 def _read_condition(parser: Parser) -> Chain:
     parser.take()
     start = parser.start
-    members, relations = [parser.read_sum()], []
+    members = [parser.read_sum()]
+    relations: list[str] = []
     while parser.text in RELATIONS or (parser.text == AND and relations and relations[-1] != AND):
         relations.append(parser.take().text)
         members.append(parser.read_sum())
