@@ -62,7 +62,7 @@ def test_points_satisfy_relations_of_elements():
     square = sp.Sum(c[i, j] * d[i] * d[j], (i, 1, n), (j, 1, n))
     where = (sp.Eq(c[i, i], 1), sp.Eq(c[i, j], c[j, i]), square >= 0, x < d[i])
     domain = Domain({c: sp.Interval(-1, 1), d: sp.S.Reals}, where, {})
-    points = points_for((square + x,), domain, 5)
+    points = list(points_for((square + x,), domain, 5))
     assert len(points) >= 10
     for point in points:
         counted = range(1, int(point[n]) + 1)
