@@ -49,7 +49,6 @@ from .prints import (
     EQUATION_10,
     EQUATION_R,
     GROUP_4,
-    PRINTED_R,
     print_1,
     print_3,
     print_6_ox,
@@ -114,17 +113,25 @@ ROLLER_ROWS = (
         defines=(HL,),
         note="See group 1; HL, from H on the link 5' to the fixed L. Its projections are (6).",
     ),
-    replace(
-        EQUATION_6_OX,
-        residual=group_3[0].subs(x5_driven, x5 - l_GH),
+    Claim(
+        "(6) to (8), x5",
+        r"x_5\text{ of (6), (7), (8) and }R",
+        Equality(print_6_ox, group_3[0].subs(x5_driven, x5 - l_GH)),
         note="In contact, the link 5' lags behind the rod by the clearance. The print may have "
-        "lost a prime.",
+        "lost a prime, in one letter that stands in (6), (7), (8) and R; they are judged with the "
+        "link 5'.",
         readings=(
             Reading(
                 "x5 is the displacement of the link 5' after the clearance",
                 Equality(print_6_ox.subs(x5, x5_driven), group_3[0]),
             ),
         ),
+        marks=("inferred", "uncertain"),
+    ),
+    replace(
+        EQUATION_6_OX,
+        residual=group_3[0].subs(x5_driven, x5),
+        note="x5 is that of the link 5'.",
         marks=("inferred", "uncertain"),
     ),
     replace(
@@ -188,26 +195,18 @@ ROLLER_ROWS = (
     Claim(
         "(1), (3), (4), (7), (8), (10), substituted",
         r"\text{substituting (1), (3), (4), (7), (8), (10) successively gives }y_9(x_1)",
-        Equality(PRINTED_R, PRINTED_R.subs(x5, driven)),
-        readings=(
-            Reading(
-                "(7) and (8) take x5' of (4) for their x5",
-                Conjunction(
-                    (
-                        Equality(print_1, lever_angle),
-                        Equality(print_3, rod),
-                        *push_by(PUSHED_IN_PRINT),
-                        Equality(print_7.subs(R, l_KL * cosine_of_tau), direction_tau - alpha_KL),
-                        Equality(
-                            print_8.subs(R, l_KL * cosine_of_sigma), direction_sigma - alpha_KL
-                        ),
-                        Equality(print_10, wedge),
-                    )
-                ),
-            ),
+        Conjunction(
+            (
+                Equality(print_1, lever_angle),
+                Equality(print_3, rod),
+                *push_by(PUSHED_IN_PRINT),
+                Equality(print_7.subs(R, l_KL * cosine_of_tau), direction_tau - alpha_KL),
+                Equality(print_8.subs(R, l_KL * cosine_of_sigma), direction_sigma - alpha_KL),
+                Equality(print_10, wedge),
+            )
         ),
-        note="Each stage against its group; with the letter x5 as printed (4) would be left out. "
-        "R = 0 is in neither case.",
+        note="Each stage against its group. (7) and (8) take x5' of (4) for their x5, see '(6) to "
+        "(8), x5'; else (4) would be left out. R = 0 is in neither case.",
         on=Part(
             f"{BEFORE_PIVOT.text}; R > 0 for (7), R < 0 for (8)",
             {**FIRST_QUADRANT.within, **SECOND_QUADRANT.within},
