@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from sympy import Expr, Rational, S, pi, sqrt
+from sympy import Expr, Interval, Rational, S, pi, sqrt
 
-from mechproof.record import Equation
+from mechproof.record import Equation, Part
 
 from .geometry import across
-from .symbols import READER, VARIABLES, alpha, dh, m, z
+from .symbols import READER, VARIABLES, alpha, dh, m, tilt, z
 
 PROFILE_ANGLE = pi / 9
 MODULE, TEETH = 3, 50
@@ -16,6 +16,11 @@ EQUATION_1 = Equation("(1), influence 0.7284", r"\Delta S_c=0.7284\,\Delta h")
 PRINTED_INFLUENCE = READER.members(EQUATION_1)[1].coeff(dh)
 DECREASE_UM, TOLERANCE_UM, GAUGE_UM, K_PRINTED = 12, 45, 50, 6
 RECOMMENDED_UM = 2
+
+# Tilts (rad) that turn the tangent over 1 mm and over 0.1 mm of height.
+WIDE, NARROW = Rational(1, 20), Rational(1, 260)
+HEIGHTS_TO_1_MM = Part("heights off by up to 1 mm, tilts of both signs", {tilt: Interval(0, WIDE)})
+HEIGHTS_TO_0_1_MM = Part("heights off by up to 0.1 mm", {tilt: Interval(0, NARROW)})
 
 # ISO 286-1: i = 0.45 D^(1/3) + 0.001 D (um; D in mm, the geometric mean of the range 120 to 180).
 RANGE = (120, 180)
