@@ -38,8 +38,8 @@ FINDINGS = (
     Finding(
         "(12)",
         "(12) takes the root of (1 + e)/(1 - e) in two places where (11) gives (1 + e)/(1 - e) "
-        "itself; besides, its arctangent falls back once in each turn of x, where the position "
-        "goes on.",
+        "itself; besides, its arctangent falls back once in each turn of x = R_1 φ_1/R_2, where "
+        "the position goes on.",
         costs=tuple(
             Cost(f"variant {variant}, {degrees}° of the carrier", place(variant, degrees), "°")
             for variant, degrees in ((1, 30), (2, 30), (2, 90))
@@ -80,7 +80,7 @@ FINDINGS = (
     Finding(
         "measured functions adequate",
         "Neither a criterion of adequacy nor the readings are printed. By the paper's own numbers "
-        "the mean error of variant 3 lies outside its interval, and single errors of variants 1, 2 "
+        "the interval of variant 3 excludes an error of zero, and single errors of variants 1, 2 "
         "and 4 scatter by more than two encoders of 0.3 % of 360° allow.",
         costs=(
             Cost(

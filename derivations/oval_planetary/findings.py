@@ -49,7 +49,7 @@ FINDINGS = (
     Finding(
         "measured functions adequate",
         "Neither a criterion of adequacy nor the readings are printed. By the paper's own numbers "
-        "the mean errors of variants 1, 3 and 4 lie outside their intervals, and single errors of "
+        "the intervals of variants 1, 3 and 4 exclude an error of zero, and single errors of "
         "variant 1 scatter by more than two encoders of 0.3 % of 360° allow.",
         costs=(
             *(
