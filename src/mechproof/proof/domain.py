@@ -159,8 +159,11 @@ class Domain:
         small = [[v for v in (sp.S.Zero, sp.S.One, -sp.S.One) if v in found[s]] for s in found]
         if 1 < len(small) <= 3:
             joint += [{**inside, **dict(zip(found, v, strict=True))} for v in product(*small)]
-        relations = list(self.where)
-        return [p for p in single + joint if _allowed(_relations_at(relations, p), p)]
+        counts = {s: value for s, value in inside.items() if s.is_integer}
+        of_elements = self._relate_elements(set(inside), counts)
+        tied = [_tie(of_elements, point) for point in single + joint]
+        plain = _relations_at(list(self.where), inside)
+        return [point for point in tied if _allowed(plain + of_elements, point)]
 
     def _corners(self, inside: Point) -> Iterator[Point]:
         ends = {symbol: _closed_ends(self.set_of(symbol)) for symbol in inside}
