@@ -126,6 +126,10 @@ ALGORITHM_ROWS = (
                 ),
             ),
         ),
+        corrected=Correction(
+            r"\text{per wheel: simulate }e_{dau}\text{, the same for all of its teeth}",
+            Equality(variance_of_wheel_mean(sigma_tip**2), sigma_tip**2),
+        ),
         note="Judged for teeth of one wheel, which is not said: Table 1 has as many rows as the "
         "wheel has teeth. The variance of the tip's mean deviation over z teeth; a wheel has one "
         "tip circle, so that its deviation is common to all of its teeth and does not average out. "

@@ -11,6 +11,7 @@ from mechproof.record import (
     Completion,
     Completions,
     Conjunction,
+    Correction,
     Equality,
     Part,
     Reading,
@@ -113,12 +114,15 @@ ROLLER_ROWS = (
         defines=(HL,),
         note="See group 1; HL, from H on the link 5' to the fixed L. Its projections are (6).",
     ),
-    Claim(
-        "(6) to (8), x5",
-        r"x_5\text{ of (6), (7), (8) and }R",
-        Equality(print_6_ox, group_3[0].subs(x5_driven, x5 - l_GH)),
+    replace(
+        EQUATION_6_OX,
+        residual=group_3[0].subs(x5_driven, x5 - l_GH),
+        corrected=Correction(
+            r"l_{KL}\cos(\alpha_{KL}+\varphi_7)=l_{KL}\cos\alpha_{KL}-x_{5'}",
+            Equality(print_6_ox.subs(x5, x5_driven), group_3[0]),
+        ),
         note="In contact, the link 5' lags behind the rod by the clearance. The print may have "
-        "lost a prime, in one letter that stands in (6), (7), (8) and R; they are judged with the "
+        "lost a prime. The one letter stands in (7), (8) and R, too, which are judged with the "
         "link 5'.",
         readings=(
             Reading(
@@ -126,12 +130,6 @@ ROLLER_ROWS = (
                 Equality(print_6_ox.subs(x5, x5_driven), group_3[0]),
             ),
         ),
-        marks=("inferred", "uncertain"),
-    ),
-    replace(
-        EQUATION_6_OX,
-        residual=group_3[0].subs(x5_driven, x5),
-        note="x5 is that of the link 5'.",
         marks=("inferred", "uncertain"),
     ),
     replace(
@@ -205,8 +203,8 @@ ROLLER_ROWS = (
                 Equality(print_10, wedge),
             )
         ),
-        note="Each stage against its group. (7) and (8) take x5' of (4) for their x5, see '(6) to "
-        "(8), x5'; else (4) would be left out. R = 0 is in neither case.",
+        note="Each stage against its group. (7) and (8) take x5' of (4) for their x5, see '(6), "
+        "Ox'; else (4) would be left out. R = 0 is in neither case.",
         on=Part(
             f"{BEFORE_PIVOT.text}; R > 0 for (7), R < 0 for (8)",
             {**FIRST_QUADRANT.within, **SECOND_QUADRANT.within},
