@@ -13,6 +13,7 @@ from mechproof.record import (
     Completion,
     Completions,
     Conjunction,
+    Correction,
     Datum,
     Definition,
     Holds,
@@ -128,13 +129,22 @@ def coverage_row(variant: int, count: int, note: str, marks: tuple[str, ...] = (
     )
 
 
+def coverage_of_errors(count: int) -> Expr:
+    """Return how many per cent of single errors lie within 2 u, u that of the mean of `count`."""
+    return student_coverage(count, 2 / sqrt(count + 1))
+
+
 def coverage_of_errors_row(variant: int, count: int, marks: tuple[str, ...] = ()) -> Datum:
     """Recompute the level for one more error, and, as another reading, for the mean error."""
     of_mean = coverage_row(variant, count, "", marks)
     return Datum(
         of_mean.number,
         of_mean.printed_latex,
-        PrintedNumber("95", student_coverage(count, 2 / sqrt(count + 1))),
+        PrintedNumber("95", coverage_of_errors(count)),
+        corrected=Correction(
+            rf"\text{{the 95 \% interval of the mean error is }}\bar q\pm 2u,\ n={count}",
+            of_mean.statement,
+        ),
         readings=(Reading("an interval of the mean error", of_mean.statement),),
         note="Read as an interval of errors it would hold about a tenth of them, as u is that of "
         "the mean. By Student's t for normal, independent observations.",

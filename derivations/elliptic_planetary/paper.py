@@ -248,6 +248,15 @@ EQUATION_12 = Equation(
     singular=("R1 phi1/R2 = (2m+1) pi",),
     derived={phi3: position},
 )
+DX_SUPPLIED = Claim(
+    "(10), third equals sign, dx supplied",
+    r"\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}="
+    r"\int\frac{\cos^2\frac x2\,dx}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}",
+    note="With the missing differential supplied the numerator is still wrong.",
+    corrected=Correction(CORRECT_FOURTH),
+    on=BRANCH,
+    marks=("ours",),
+)
 _, print_8 = READER.members(EQUATION_8)
 _, print_12 = READER.members(EQUATION_12)
 
@@ -377,15 +386,7 @@ ROWS = (
             ),
         },
     ),
-    Claim(
-        "(10), third equals sign, dx supplied",
-        r"\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}="
-        r"\int\frac{\cos^2\frac x2\,dx}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}",
-        note="With the missing differential supplied the numerator is still wrong.",
-        corrected=Correction(CORRECT_FOURTH),
-        on=BRANCH,
-        marks=("ours",),
-    ),
+    DX_SUPPLIED,
     Claim(
         "(10), first and last expression",
         rf"\int\frac{{dx}}{{a_1-b_1\cos x}}={LAST_OF_10}",

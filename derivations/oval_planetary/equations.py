@@ -7,6 +7,7 @@ import sympy as sp
 from mechproof.record import (
     Claim,
     Conjunction,
+    Correction,
     Equality,
     Equation,
     Holds,
@@ -249,6 +250,16 @@ EQUATION_ROWS: tuple[Row, ...] = (
                         Equality(integrate(RATIO_OF_10), -position_of_one(E_SERIES)),
                     )
                 ),
+            ),
+        ),
+        corrected=Correction(
+            r"BD=\rho_5-\rho_6,\ \varphi_3'=\frac{(\rho_5-\rho_6)\,2a}{\rho_5\,(2a-\rho_6)}",
+            Conjunction(
+                (
+                    Equality(-print_7, point_d - point_b),
+                    Equality(-print_10, ratio_by_plan),
+                    Equality(-integrate(RATIO_OF_10), position_of_one(E_SERIES)),
+                )
             ),
         ),
         note="No direction of phi3 survives in the text. One choice makes the whole chain true; "

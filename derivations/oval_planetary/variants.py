@@ -9,6 +9,7 @@ from mechproof.record import (
     Completion,
     Completions,
     Conjunction,
+    Correction,
     Definition,
     Distinct,
     Equality,
@@ -159,6 +160,10 @@ VARIANT_ROWS: tuple[Row, ...] = (
                 "the numbers also stand for the radii rho4 and rho5 whose quotient (5) integrates",
                 Equality(R4 / R5 * phi1, integrate(satellite_against_carrier.subs(AXES_45))),
             ),
+        ),
+        corrected=Correction(
+            r"\varphi_6=\frac{R_4}{R_5}\varphi_1",
+            Equality(R4 / R5 * phi1, integrate(satellite_against_carrier.subs(AXES_45))),
         ),
         note="Nothing is said of (5). Left as printed, with e1 = 0, wheel 6 would turn by phi1; "
         "wheels that do not slip turn it by (R4/R5) phi1.",

@@ -6,6 +6,7 @@ from .algorithm import ALGORITHM_ROWS
 from .claims import CLAIM_ROWS
 from .design import DESIGN_ROWS
 from .example import EXAMPLE_ROWS
+from .findings import FINDINGS
 from .influence import INFLUENCE_ROWS
 from .kernels import QUANTITIES
 from .parameters import PARAMETER_ROWS
@@ -27,6 +28,7 @@ PAPER = Paper(
     ),
     quantities=QUANTITIES,
     published=(Published("paper on tooth thickness, design data", PRINTED_SIZES, ("fitted",)),),
+    findings=FINDINGS,
     conventions="Lengths in mm, angles in rad. Heights grow from the tip towards the centre; "
     "deviations of thickness are positive for a thicker tooth.",
 )

@@ -164,6 +164,7 @@ FRAME_ROWS: tuple[Row, ...] = (
                 Equality(PRINTED_K, product_of("CBA")),
             ),
         ),
+        corrected=Correction("K=CBA", Equality(PRINTED_K, product_of("CBA"))),
         note="Only the order C B A gives the printed K.",
     ),
     Claim(

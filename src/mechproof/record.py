@@ -425,6 +425,7 @@ class Cost:
 
     `at` gives the symbols exact values (30 degrees are pi/6). Without `printed` and `right` the
     values are those of the two sides of the row. Units are those of `mechproof.proof.findings`.
+    `names` are what the two values are called where neither is plainly the right one.
     """
 
     where: str
@@ -433,6 +434,20 @@ class Cost:
     decimals: int = 1
     printed: sp.Expr | None = None
     right: sp.Expr | None = None
+    names: tuple[str, str] = ("printed", "right")
+
+
+@dataclass(frozen=True)
+class Follower:
+    """A row that holds the print of its cause in other letters, or only parts of it.
+
+    `renamed` has what symbols of the cause are called in the row. `parts` pairs parts of the
+    cause's print with what stands for them in its correction (left out: the whole print).
+    """
+
+    row: str
+    renamed: Mapping[sp.Basic, sp.Basic] = field(default_factory=lambda: MappingProxyType({}))
+    parts: Mapping[sp.Basic, sp.Basic] = field(default_factory=lambda: MappingProxyType({}))
 
 
 @dataclass(frozen=True)
@@ -446,7 +461,12 @@ class Finding:
     row: str
     wrong: str
     costs: tuple[Cost, ...] = ()
-    follows: tuple[str, ...] = ()
+    follows: tuple[str | Follower, ...] = ()
+
+    @property
+    def followers(self) -> tuple[Follower, ...]:
+        """Return what follows, a mere number as the row that holds the whole print."""
+        return tuple(Follower(f) if isinstance(f, str) else f for f in self.follows)
 
 
 # Quantities: what can be computed, and every way of computing it.
@@ -654,6 +674,7 @@ class Paper:
             ("row numbers", [row.number for row in self.rows]),
             ("symbols", [str(variable.symbol) for variable in self.variables]),
             ("quantities", [quantity.name for quantity in self.quantities]),
+            ("findings", [finding.row for finding in self.findings]),
         ):
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:

@@ -131,23 +131,24 @@ class Domain:
         tied = (_tie(of_elements, {**fixed, **corner}) for corner in corners)
         return interior + [point for point in tied if _allowed(relations, point)]
 
-    def published_points(
-        self, symbols: list[sp.Basic], fixed: Mapping[sp.Basic, sp.Expr] = _NO_VALUES
+    def points_at(
+        self,
+        sizes: Mapping[sp.Basic, sp.Expr],
+        symbols: list[sp.Basic],
+        fixed: Mapping[sp.Basic, sp.Expr] = _NO_VALUES,
     ) -> Iterator[Point]:
-        """Yield points at published sizes and round angles; what is neither is any value inside.
+        """Yield points at sizes and round angles; what is neither is any value inside.
 
-        After the published sizes that the domain allows come round angles alone.
+        Nothing comes of sizes that the domain does not allow, and where nothing is known.
         """
         names, _ = self._connect(set(symbols) | fixed.keys())
-        free = names - fixed.keys()
-        for sizes in (*map(sizes_of, self.published), {}):
-            known = {s: value for s, value in sizes.items() if s in free}
-            if not self.allows(known):
-                continue
-            for angles in self._round_angles(free - known.keys()):
-                with suppress(ValueError):
-                    if known or angles:
-                        yield from self.points(symbols, _EACH, {**known, **angles, **fixed})[:_EACH]
+        known = {s: value for s, value in sizes.items() if s in names}
+        if not self.allows(known):
+            return
+        for angles in self._round_angles(names - known.keys() - fixed.keys()):
+            with suppress(ValueError):
+                if known or angles:
+                    yield from self.points(symbols, _EACH, {**fixed, **known, **angles})[:_EACH]
 
     def _round_angles(self, symbols: set[sp.Basic]) -> Iterator[Point]:
         """Yield unlike round angles for the angles among the symbols; nothing for none of them."""
@@ -208,8 +209,11 @@ class Domain:
         small = [[v for v in (sp.S.Zero, sp.S.One, -sp.S.One) if v in found[s]] for s in found]
         if 1 < len(small) <= 3:
             joint += [{**inside, **dict(zip(found, v, strict=True))} for v in product(*small)]
-        relations = list(self.where)
-        return [p for p in single + joint if _allowed(_relations_at(relations, p), p)]
+        counts = {s: value for s, value in inside.items() if s.is_integer}
+        of_elements = self._relate_elements(set(inside), counts)
+        tied = [_tie(of_elements, point) for point in single + joint]
+        plain = _relations_at(list(self.where), inside)
+        return [point for point in tied if _allowed(plain + of_elements, point)]
 
     def _corners(self, inside: Point) -> Iterator[Point]:
         ends = {symbol: _closed_ends(self.set_of(symbol)) for symbol in inside}

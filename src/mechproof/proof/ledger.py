@@ -83,13 +83,17 @@ def to_markdown(ledgers: Sequence[Ledger]) -> str:
 
 
 def _finding(found: Found) -> str:
-    lines = [f"### {found.system} {found.number}\n", f"$$ {found.printed_latex} $$\n"]
-    lines += [f"{_escape(found.wrong)}\n", *(f"- {_escape(cost)}" for cost in found.costs)]
+    paragraphs = [
+        f"### {found.system} {found.number}",
+        f"$$ {found.printed_latex} $$",
+        _escape(found.wrong),
+        "\n".join(f"- {_escape(cost)}" for cost in found.costs),
+    ]
     if found.corrected_latex:
-        lines.append(f"\nRight (proved: {found.corrected_by}):\n\n$$ {found.corrected_latex} $$\n")
+        paragraphs += [f"Right (proved: {found.corrected_by}):", f"$$ {found.corrected_latex} $$"]
     if found.follows:
-        lines.append(f"Follows from it: {_escape('; '.join(found.follows))}.\n")
-    return "\n".join(lines)
+        paragraphs.append(f"Follows from it: {_escape('; '.join(found.follows))}.")
+    return "\n\n".join(filter(None, paragraphs)) + "\n"
 
 
 def _heading(ledger: Ledger) -> str:

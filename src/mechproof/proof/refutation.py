@@ -119,11 +119,11 @@ def points_for(
 def _published_points(
     expressions: tuple[sp.Basic, ...], counts: list[sp.Basic], plain: list[sp.Basic], domain: Domain
 ) -> Iterator[Point]:
-    printed = {s: v for p in domain.published for s, v in sizes_of(p).items() if s in counts}
-    for others in _choose_counts([s for s in counts if s not in printed], domain, 1):
-        sizes = {**others, **printed}
-        names = plain + _list_elements(expressions, sizes)
-        yield from domain.published_points(names, sizes)
+    """Yield points at the published sizes that the domain allows, then at round angles alone."""
+    for sizes in (*map(sizes_of, domain.published), {}):
+        for others in _choose_counts([s for s in counts if s not in sizes], domain, 1):
+            elements = _list_elements(expressions, {**others, **sizes})
+            yield from domain.points_at(sizes, [*plain, *counts, *elements], others)
 
 
 def _list_elements(expressions: tuple[sp.Basic, ...], sizes: Point) -> list[sp.Basic]:
