@@ -100,7 +100,9 @@ def _round(row: Row, members: Members, reader: Reader) -> Statement:
         ((_, number),) = number.terms
         sign = "-"
     if not isinstance(number, Number):
-        raise ValueError(f"row {row.number!r}: an approximation by no number; give its `says`")
+        raise ValueError(
+            f"row {row.number!r}: an approximation by no number: print the number at its right"
+        )
     return PrintedNumber(sign + number.text, value)
 
 
