@@ -192,13 +192,14 @@ def _read_undeclared(parser: Parser) -> Node:
         remedy = parser.remedies.name.format(text) if is_upright else _UNREAD.get(text, "")
         raise parser.refuse(f"{shown} has no meaning here", remedy)
     printed = _printed_name(parser, parser.place)
-    if parser.collects and text != r"\vec" and (text not in UNSURE or printed != text):
+    is_unsure = text in UNSURE and _find_end(parser, parser.place) == parser.place + 1
+    if parser.collects and text != r"\vec" and not is_unsure:
         return _collect(parser)
     if parser.integrals and text != "d" and not parser.collects:
         return _read_running(parser)
     begun = [latex for latex in parser.names.beginning(text) if latex != printed]
     near = f" (declared are {', '.join(begun[:4])})" if begun else ""
-    hint = UNSURE.get(printed) or _UNREAD.get(text, "")
+    hint = UNSURE[text] if is_unsure else _UNREAD.get(text, "")
     remedy = " ".join(filter(None, (hint, parser.remedies.name.format(printed))))
     raise parser.refuse(f"{printed} is not declared{near}", remedy)
 
