@@ -17,7 +17,6 @@ from mechproof.record import (
     Definition,
     Holds,
     PrintedNumber,
-    Reading,
     Variable,
 )
 
@@ -93,6 +92,11 @@ class Readings:
     step: Rational
 
     @property
+    def implied_scatter(self) -> Expr:
+        """Return s = u sqrt(n), the scatter of single readings if u is that of the mean."""
+        return self.uncertainty * sqrt(self.count)
+
+    @property
     def least_scatter(self) -> Expr:
         """Return the smallest s = u sqrt(n) of single readings that rounds to the printed u."""
         return (self.uncertainty - Rational("0.005")) * sqrt(self.count)
@@ -117,6 +121,12 @@ def means_within(readings: Mapping[int, Readings], limits: Mapping[int, Expr]) -
     )
 
 
+COVERAGE_OF_MEAN = (
+    "Of the mean error: a confidence level is that of an estimate. Coverage of the factor 2 by "
+    "Student's t, normal observations assumed."
+)
+
+
 def coverage_row(variant: int, count: int, note: str, marks: tuple[str, ...] = ()) -> Datum:
     """Recompute the level of the factor 2 for the mean of `count` readings of one variant."""
     return Datum(
@@ -128,18 +138,9 @@ def coverage_row(variant: int, count: int, note: str, marks: tuple[str, ...] = (
     )
 
 
-def coverage_of_errors_row(variant: int, count: int, marks: tuple[str, ...] = ()) -> Datum:
-    """Recompute the level for one more error, and, as another reading, for the mean error."""
-    of_mean = coverage_row(variant, count, "", marks)
-    return Datum(
-        of_mean.number,
-        of_mean.printed_latex,
-        PrintedNumber("95", student_coverage(count, 2 / sqrt(count + 1))),
-        readings=(Reading("an interval of the mean error", of_mean.statement),),
-        note="Read as an interval of errors it would hold about a tenth of them, as u is that of "
-        "the mean. By Student's t for normal, independent observations.",
-        marks=marks,
-    )
+def coverage_of_errors(count: int) -> Expr:
+    """Return how many per cent of single errors lie within 2 u, u that of the mean of `count`."""
+    return student_coverage(count, 2 / sqrt(count + 1))
 
 
 def adequacy_row(

@@ -193,13 +193,13 @@ class TestDecision:
 
 def test_first_order_for_a_milliradian_and_a_micrometre() -> None:
     chosen = choose("displacement", error=1e-3, points=(0, 50), angles=(0, 1e-3), shift=(0, 1))
-    assert chosen.form == "first order"
+    assert chosen.form == "first order in the angles"
     assert chosen.bound == chosen.error <= 1e-3
 
 
 def test_every_digit_needs_the_exact_form() -> None:
     chosen = choose("displacement", error=1e-13, points=(0, 50), angles=(0, 1e-3))
-    assert chosen.form != "first order"
+    assert chosen.form != "first order in the angles"
     # A share of 1e-12 to twelve digits: no simulation.
     assert "simulation" not in choose("wrongly_accepted", error=1e-6).form
 

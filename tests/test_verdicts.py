@@ -108,3 +108,11 @@ def test_missing_data_show_two_completions_with_opposite_answers(system: str) ->
         assert len(texts) == 2, j.number
         assert sorted(": PROVED" in text for text in texts) == [False, True], j.number
         assert sorted(": REFUTED" in text for text in texts) == [False, True], j.number
+
+
+@for_each_system
+def test_what_is_wrong_in_print_has_a_stated_cause(system: str) -> None:
+    findings = load_paper(SYSTEMS[system]).findings
+    caused = {f.row for f in findings} | {row.row for f in findings for row in f.followers}
+    wrong = with_verdict(system, Verdict.REFUTED, Verdict.ILL_FORMED)
+    assert [j.number for j in wrong if "ours" not in j.marks and j.number not in caused] == []

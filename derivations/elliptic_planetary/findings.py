@@ -1,30 +1,44 @@
 """What is wrong in paper 1: the causes, what they cost at its own sizes, what follows from them."""
 
-from sympy import Expr, Symbol, pi
+from sympy import Expr, Rational, Symbol, pi
 
 from mechproof.record import Cost, Finding
 
-from .paper import R1, R2, VARIANTS, e, phi1
+from .paper import DX_SUPPLIED, R1, R2, READER, VARIANTS, e, phi1
+from .readings import HALF_WIDTHS, LIMITS, READINGS, implied_scatter
+
+DEGREE = pi / 180
 
 
-def place(variant: int, degrees: int) -> dict[Symbol, Expr]:
+def place(variant: int, degrees: Expr | int) -> dict[Symbol, Expr]:
     """Return the sizes of a variant and an angle of the carrier."""
     sizes = dict(zip((R1, R2, e), VARIANTS[variant], strict=True))
-    return {**sizes, phi1: degrees * pi / 180}
+    return {**sizes, phi1: degrees * DEGREE}
 
 
+RIGHT_INTEGRAL, PRINTED_INTEGRAL = READER.members(DX_SUPPLIED)
 FINDINGS = (
     Finding(
         "(10), third equals sign",
-        "The factor 1/cos^2(x/2) has moved into the numerator and the differential is missing, so "
-        "the fourth expression of (10) is no integral.",
+        "The fourth expression of (10) has the factor cos^2(x/2) in its numerator, where it "
+        "belongs in the denominator, and no differential dx.",
+        costs=tuple(
+            Cost(
+                f"with dx supplied, up to x = 90°, e = {float(eccentricity)}",
+                place(variant, 90 * Rational(small, large)),
+                decimals=3,
+                printed=PRINTED_INTEGRAL,
+                right=RIGHT_INTEGRAL,
+            )
+            for variant, (large, small, eccentricity) in list(VARIANTS.items())[:2]
+        ),
         follows=("(10), fourth equals sign",),
     ),
     Finding(
         "(12)",
-        "As a1 -+ b1 = (1 -+ e)^2, the root of (11) is (1 + e)/(1 - e) itself; "
-        "(12) still has its root, in two places. Besides, the arctangent falls back by half a turn "
-        "at |x| = pi, where the position goes on.",
+        "(12) takes the root of (1 + e)/(1 - e) in two places where (11) gives (1 + e)/(1 - e) "
+        "itself; besides, its arctangent falls back once in each turn of x = R_1 φ_1/R_2, where "
+        "the position goes on.",
         costs=tuple(
             Cost(f"variant {variant}, {degrees}° of the carrier", place(variant, degrees), "°")
             for variant, degrees in ((1, 30), (2, 30), (2, 90))
@@ -33,8 +47,46 @@ FINDINGS = (
     ),
     Finding(
         "table 3, interval 3",
-        "The interval is the mean and once the uncertainty; the other three and the text have "
-        "twice.",
-        costs=(Cost("half-width in degrees", {}, decimals=2),),
+        "The interval of variant 3 is the mean and once the uncertainty u; the other three and "
+        "the text have twice u. Half-width and u do not fit: if the interval is right, the u of "
+        "table 3 is twice too large, and is 0.14°.",
+        costs=(
+            Cost(
+                "half-width of variant 3",
+                {},
+                "°",
+                decimals=2,
+                printed=Rational(HALF_WIDTHS[3]) * DEGREE,
+                right=2 * READINGS[3].uncertainty * DEGREE,
+            ),
+        ),
+    ),
+    Finding(
+        "measured functions adequate",
+        "Neither a criterion of adequacy nor the readings are printed. By the paper's own numbers "
+        "the interval of variant 3 excludes an error of zero, and single errors of variants 1, 2 "
+        "and 4 scatter by more than two encoders of 0.3 % of 360° allow.",
+        costs=(
+            Cost(
+                "variant 3",
+                {},
+                "°",
+                decimals=2,
+                printed=READINGS[3].mean * DEGREE,
+                right=2 * READINGS[3].uncertainty * DEGREE,
+                names=("mean error", "2u"),
+            ),
+            *(
+                Cost(
+                    f"variant {variant}",
+                    {},
+                    "°",
+                    printed=implied_scatter(variant)[0] * DEGREE,
+                    right=LIMITS[variant] * DEGREE,
+                    names=("scatter u√n", "largest error of two encoders"),
+                )
+                for variant in (1, 2, 4)
+            ),
+        ),
     ),
 )

@@ -31,11 +31,13 @@ from sympy import (
 
 from mechproof.latex import Reader
 from mechproof.record import (
+    ANGLE,
     FREQUENCY,
     LENGTH,
     SPEED,
     Claim,
     Correction,
+    Definition,
     Equality,
     Equation,
     Holds,
@@ -88,10 +90,11 @@ VARIABLES = (
     Variable(
         phi1,
         "angle of the carrier 1",
+        ANGLE,
         sign="positive in its direction of rotation",
         latex=(r"\varphi_1",),
     ),
-    Variable(phi3, "angle of wheel 3", latex=(r"\varphi_3",)),
+    Variable(phi3, "angle of wheel 3", ANGLE, latex=(r"\varphi_3",)),
     Variable(R1, "radius of the epicycle 4", LENGTH, Interval.open(0, oo), latex=("R_1",)),
     Variable(R2, "radius of the satellite wheel 5", LENGTH, Interval.open(0, oo), latex=("R_2",)),
     Variable(e, "eccentricity of the ellipse", within=Interval.Ropen(0, 1), latex=("e",)),
@@ -99,6 +102,7 @@ VARIABLES = (
     Variable(
         phi5,
         "rotation of wheel 6 against the carrier",
+        ANGLE,
         given=-R1 / R2 * phi1,
         latex=(r"\varphi_5",),
     ),
@@ -106,6 +110,7 @@ VARIABLES = (
     Variable(
         x,
         "rotation of wheel 6 against the carrier, reversed",
+        ANGLE,
         given=k * phi1,
         latex=("x", r"\frac{R_1}{R_2}\varphi_1"),
     ),
@@ -152,7 +157,7 @@ VARIABLES = (
     Variable(turns, "whole turns of x", within=S.Naturals0),
     Variable(nu, "number of terms of a series", within=Interval.open(0, oo)),
     Variable(E, "e**nu", within=Interval.open(0, oo)),
-    Variable(T, "nu*x"),
+    Variable(T, "nu*x", ANGLE),
 )
 # Integrals without limits start at 0, where phi10 = phi30 = 0.
 NOTATION = Notation(factors=("a",), lower_limit=S.Zero)
@@ -219,6 +224,7 @@ EQUATION_8 = Equation(
     r"\frac{d\varphi_3}{d\varphi_1}=1+\frac{R_1}{R_2}\cdot"
     r"\left(\frac{1-e^2}{1+e^2-2e\cos\varphi_5}\right)",
     derived={slope: ratio_by_plan},
+    marks=("inferred",),
 )
 CORRECT_FOURTH = (
     r"\int\frac{dx}{\cos^2\frac x2\cdot\left[(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)\right]}"
@@ -244,6 +250,15 @@ EQUATION_12 = Equation(
     singular=("R1 phi1/R2 = (2m+1) pi",),
     derived={phi3: position},
 )
+DX_SUPPLIED = Claim(
+    "(10), third equals sign, dx supplied",
+    r"\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}="
+    r"\int\frac{\cos^2\frac x2\,dx}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}",
+    note="With the missing differential supplied the numerator is still wrong.",
+    corrected=Correction(CORRECT_FOURTH),
+    on=BRANCH,
+    marks=("ours",),
+)
 _, print_8 = READER.members(EQUATION_8)
 _, print_12 = READER.members(EQUATION_12)
 
@@ -265,21 +280,20 @@ ROWS = (
         r"V_B=0:\ B\text{ is the instant centre of the satellite}",
         Equality(Matrix([0, 0]), velocity_b),
         note="V_A and V_E are zero because A and E lie on the fixed axis.",
+        marks=("inferred",),
     ),
     Equation(
         "(1)",
         r"\varphi_3'=\frac{\omega_3}{\omega_1}=\frac{d\varphi_3}{d\varphi_1}"
         r"=\frac{V_D\cdot AC}{V_C\cdot DE}=\frac{BD\cdot AC}{BC\cdot DE}",
-        defines=(ratio_symbol,),
+        defines=(ratio_symbol, slope),
         signs={
             1: Sign(note="Introduces the analogue of the velocity."),
-            2: Sign(
-                derived={omega3: slope * omega1},
-                note="The chain rule: wheel 3 turns as the carrier does, times the slope.",
-            ),
+            2: Sign(note="Introduces the derivative of the position, by the chain rule."),
             3: Sign(
                 derived={slope: omega3 / omega1},
                 note="V_C = omega1 AC and V_D = omega3 DE, all signed on the line A-C.",
+                marks=("inferred",),
             ),
             4: Sign(
                 derived={
@@ -287,6 +301,7 @@ ROWS = (
                     VD: omega_satellite * (at_d - at_b),
                 },
                 note="Velocities of the satellite are proportional to the distance from B.",
+                marks=("inferred",),
             ),
         },
     ),
@@ -297,6 +312,7 @@ ROWS = (
             1: Sign(
                 derived={AC: centre_c},
                 note="Circle 5 touches circle 4 from inside: AC + R2 = R1.",
+                marks=("inferred",),
             ),
             2: Sign(
                 derived={R1 - R2: rho + radius_of_mate(phi5)},
@@ -307,7 +323,7 @@ ROWS = (
             ),
         },
     ),
-    Equation("(3)", r"BC=R_2", derived=PLACES),
+    Equation("(3)", r"BC=R_2", derived=PLACES, marks=("inferred",)),
     Equation(
         "(4)",
         r"CD=\rho(\varphi_5)=\frac{a(1-e^2)}{1-e\cos\varphi_5}",
@@ -317,6 +333,7 @@ ROWS = (
             2: Sign(
                 derived={rho: focal_radius.subs(theta, phi5)},
                 note="At phi1 = 0 the second focus lies towards A: read from the sign in (4).",
+                marks=("inferred",),
             ),
         },
     ),
@@ -331,8 +348,8 @@ ROWS = (
             ),
         ),
     ),
-    Equation("(5)", r"BD=BC+CD=R_2+\rho", signs={2: Sign(derived=PLACES)}),
-    Equation("(6)", r"DE=AC-CD=2a-\rho", signs={2: Sign(derived=PLACES)}),
+    Equation("(5)", r"BD=BC+CD=R_2+\rho", signs={2: Sign(derived=PLACES, marks=("inferred",))}),
+    Equation("(6)", r"DE=AC-CD=2a-\rho", signs={2: Sign(derived=PLACES, marks=("inferred",))}),
     Claim(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
@@ -343,6 +360,7 @@ ROWS = (
         "(7)",
         r"\varphi_3'=\frac{(R_2+\rho)\cdot 2a}{R_2\cdot(2a-\rho)}",
         derived={ratio_symbol: ratio_by_plan},
+        marks=("inferred",),
     ),
     EQUATION_8,
     Equation(
@@ -351,6 +369,14 @@ ROWS = (
         r"\,d\frac{R_1}{R_2}\varphi_1",
         derived={phi3: position},
         note="Read from the initial conditions phi10 = phi30 = 0; holds over all turns.",
+    ),
+    *(
+        Equation(f"before (10), {name}", latex, says)
+        for name, latex, says in (
+            ("a_1", "a_1=1+e^2", None),
+            ("b_1", "b_1=2e", None),
+            ("x", r"x=\frac{R_1}{R_2}\varphi_1", Definition(x, R1 / R2 * phi1)),
+        )
     ),
     Equation(
         "(10)",
@@ -373,15 +399,7 @@ ROWS = (
             ),
         },
     ),
-    Claim(
-        "(10), third equals sign, dx supplied",
-        r"\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}="
-        r"\int\frac{\cos^2\frac x2\,dx}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}",
-        note="With the missing differential supplied the numerator is still wrong.",
-        corrected=Correction(CORRECT_FOURTH),
-        on=BRANCH,
-        marks=("ours",),
-    ),
+    DX_SUPPLIED,
     Claim(
         "(10), first and last expression",
         rf"\int\frac{{dx}}{{a_1-b_1\cos x}}={LAST_OF_10}",
@@ -454,11 +472,17 @@ ROWS = (
     ),
 )
 
-TYPE_A_ROWS = (
+TYPE_A_EQUATIONS = EQUATION_13, EQUATION_14, EQUATION_15, EQUATION_16 = (
     mean_row("(13)", "The mean of the readings; a definition."),
     variance_row("(14)"),
-    unbiased_row("(14)"),
     variance_of_mean_row("(15)", r"s^2(q)=\frac{s^2(q_k)}{n}"),
-    estimate_row("(15)"),
     uncertainty_row("(16)", "The GUM's type A standard uncertainty of the mean."),
+)
+TYPE_A_ROWS = (
+    EQUATION_13,
+    EQUATION_14,
+    unbiased_row("(14)"),
+    EQUATION_15,
+    estimate_row("(15)"),
+    EQUATION_16,
 )

@@ -20,19 +20,25 @@ from mechproof.record import (
     Completions,
     Conjunction,
     Correction,
+    Datum,
+    Definition,
     Holds,
     PrintedNumber,
 )
 
+from .._metrology import n, q, qbar, u_mean
 from .._readings import (
+    COVERAGE_OF_MEAN,
     FULL_SCALE_LINEARITY,
     READING_LINEARITY,
     RESOLUTION,
     Readings,
     adequacy_row,
     beyond_encoders,
-    coverage_of_errors_row,
+    coverage_of_errors,
+    coverage_row,
     encoder_rows,
+    millimetre,
     resolution_row,
     two_encoders,
 )
@@ -41,6 +47,8 @@ from .claims import of_variant
 from .paper import (
     R1,
     R2,
+    READER,
+    TYPE_A_EQUATIONS,
     VARIANTS,
     e,
     k,
@@ -56,6 +64,11 @@ READINGS = {
     4: Readings(171, Rational("-0.89"), Rational("1.01"), Rational("0.01")),
 }
 HALF_WIDTHS = {1: "1.64", 2: "2.72", 3: "0.28", 4: "2.02"}
+INTERVAL_NOTES = {
+    **dict.fromkeys(READINGS, "The half-width is twice the u of table 3."),
+    3: "Half-width and u do not fit: either the half-width is to be 0.56 deg, twice the u of table "
+    "3, or that u is the misprint and is to be 0.14 deg.",
+}
 
 
 GAINS = {number: of_variant(largest, number) for number in VARIANTS}
@@ -66,10 +79,10 @@ LARGEST_MEAN_ERROR = max(abs(line.mean) for line in READINGS.values())
 def implied_scatter(number: int) -> tuple[Expr, Expr]:
     """Return s = u sqrt(n) and its largest possible value for errors within +-180 degrees."""
     line = READINGS[number]
-    return line.uncertainty * sqrt(line.count), 180 * sqrt(Rational(line.count, line.count - 1))
+    return line.implied_scatter, 180 * sqrt(Rational(line.count, line.count - 1))
 
 
-def interval_row(number: int) -> Claim:
+def interval_row(number: int, note: str) -> Claim:
     """Recompute the 95 % interval of one variant: its half-width is twice the printed u."""
     line, printed = READINGS[number], HALF_WIDTHS[number]
     mean, right = f"{float(line.mean):.2f}", f"{float(2 * line.uncertainty):.2f}"
@@ -77,27 +90,63 @@ def interval_row(number: int) -> Claim:
         f"table 3, interval {number}",
         rf"{mean} \pm {printed}^\circ",
         PrintedNumber(printed, 2 * line.uncertainty),
-        note="The half-width is to be 2u with the u of table 3; if right, u is half of it.",
+        note=note,
         corrected=Correction(
             rf"{mean} \pm {right}^\circ", PrintedNumber(right, 2 * line.uncertainty)
         ),
     )
 
 
-def u_of_pairs(part: Rational) -> Conjunction:
-    """State that (13)-(16) give the printed u for certain readings.
+def pairs_of_readings(line: Readings, part: Rational) -> dict[Expr, Expr]:
+    """Return readings q_k in pairs about the printed mean, an odd one left at it.
 
-    Pairs, an odd reading left at the mean, at `part` of the distance from it that gives u.
+    They are at `part` of the distance from it at which (16) gives the printed u.
     """
+    pairs = line.count // 2
+    distance = part * line.implied_scatter * sqrt(Rational(line.count - 1, 2 * pairs))
+    places = [line.mean + sign * distance for _ in range(pairs) for sign in (1, -1)]
+    return {q[number]: place for number, place in enumerate((*places, line.mean)[: line.count], 1)}
+
+
+def evaluate_type_a(readings: dict[Expr, Expr]) -> tuple[Expr, Expr]:
+    """Return what (13)-(16), as printed, make of readings: their mean and its uncertainty."""
+    values: dict[Expr, Expr] = dict(readings)
+    for row in TYPE_A_EQUATIONS:
+        symbol, print_ = READER.members(row)
+        values[symbol] = print_.subs(n, len(readings)).doit().xreplace(values)
+    return values[qbar], values[u_mean]
+
+
+def table_by_pairs(part: Rational) -> Conjunction:
+    """State that (13)-(16) give the printed mean and u for pairs of readings."""
     return Conjunction(
         tuple(
-            PrintedNumber(f"{float(line.uncertainty):.2f}", part * line.uncertainty)
+            PrintedNumber(f"{float(printed):.2f}", value)
             for line in READINGS.values()
+            for printed, value in zip(
+                (line.mean, line.uncertainty),
+                evaluate_type_a(pairs_of_readings(line, part)),
+                strict=True,
+            )
         )
     )
 
 
 TABLE_CLAIMS = (
+    *(
+        Datum(
+            f"table 1, variant {number}",
+            rf"R_1={large}~\mathrm{{mm}},\ R_2={small}~\mathrm{{mm}},\ e={float(eccentricity)}",
+            Conjunction(
+                (
+                    Definition(R1, large * millimetre),
+                    Definition(R2, small * millimetre),
+                    Definition(e, eccentricity),
+                )
+            ),
+        )
+        for number, (large, small, eccentricity) in VARIANTS.items()
+    ),
     Claim(
         "table 1, centre distances",
         r"R_1-R_2\text{ is the same in all four variants}",
@@ -129,7 +178,7 @@ TABLE_CLAIMS = (
     ),
     resolution_row("table 2"),
     *encoder_rows("table 2"),
-    *(interval_row(number) for number in READINGS),
+    *(interval_row(number, INTERVAL_NOTES[number]) for number in READINGS),
     Claim(
         "table 3, u of variant 3 by its interval",
         r"u=\tfrac12\cdot0.28^\circ=0.14^\circ",
@@ -144,10 +193,11 @@ TABLE_CLAIMS = (
             "the readings q_k",
             Completion(
                 "the readings q_k: pairs at equal distances from the printed mean that give u",
-                u_of_pairs(Rational(1)),
+                table_by_pairs(Rational(1)),
             ),
             Completion(
-                "the readings q_k: the same pairs at half that distance", u_of_pairs(Rational(1, 2))
+                "the readings q_k: the same pairs at half that distance",
+                table_by_pairs(Rational(1, 2)),
             ),
         ),
         note="The readings are not printed, so neither the mean errors nor u can be recomputed.",
@@ -191,8 +241,20 @@ TABLE_CLAIMS = (
         marks=("ours", "inferred"),
     ),
     *(
-        coverage_of_errors_row(number, line.count, ("inferred",))
+        coverage_row(number, line.count, COVERAGE_OF_MEAN, ("inferred",))
         for number, line in READINGS.items()
+    ),
+    Claim(
+        "95 %, single errors",
+        r"P(|q-\bar q|\le2u)=11\,\%,\ 11\,\%,\ 11\,\%,\ 12\,\%",
+        Conjunction(
+            tuple(
+                PrintedNumber(share, coverage_of_errors(line.count))
+                for share, line in zip(("11", "11", "11", "12"), READINGS.values(), strict=True)
+            )
+        ),
+        note="An interval of single errors it is not, as u is the uncertainty of their mean.",
+        marks=("ours", "inferred"),
     ),
     Claim(
         "different non-uniformity",

@@ -4,6 +4,7 @@ from mechproof.record import Paper, Published
 
 from .cylindrical_pairs import CYLINDRICAL_PAIR_ROWS
 from .equations import EQUATION_ROWS
+from .findings import FINDINGS
 from .kernels import QUANTITIES
 from .oval_pairs import OVAL_PAIR_ROWS
 from .readings import MEASUREMENT_ROWS
@@ -21,6 +22,7 @@ PAPER = Paper(
     rows=EQUATION_ROWS + OVAL_PAIR_ROWS + CYLINDRICAL_PAIR_ROWS + VARIANT_ROWS + MEASUREMENT_ROWS,
     quantities=QUANTITIES,
     published=tuple(Published(f"variant {number}", sizes) for number, sizes in VARIANTS.items()),
+    findings=FINDINGS,
     conventions=(
         "Angles in radians, positive in the direction of the carrier's rotation; lengths in mm. "
         "The paper's (10) has the opposite sign."

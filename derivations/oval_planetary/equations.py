@@ -7,6 +7,7 @@ import sympy as sp
 from mechproof.record import (
     Claim,
     Conjunction,
+    Correction,
     Equality,
     Equation,
     Holds,
@@ -128,14 +129,14 @@ EQUATION_ROWS: tuple[Row, ...] = (
         r"BC=\rho_5=\frac{a(1-e_1^2)}{1-e_1\cos2\varphi_5}",
         defines=(rho5,),
         signs={2: Sign(derived={rho5: focal_radius.subs({e: e1, theta: 2 * phi5})})},
-        marks=("rebuilt",),
+        marks=("rebuilt", "inferred"),
     ),
     Equation(
         "(4)",
         r"CD=\rho_6=\frac{a(1-e_2^2)}{1-e_2\cos2\varphi_6}",
         defines=(rho6,),
         signs={2: Sign(derived={rho6: focal_radius.subs({e: e2, theta: 2 * phi6})})},
-        marks=("rebuilt",),
+        marks=("rebuilt", "inferred"),
     ),
     EQUATION_5,
     Claim(
@@ -181,7 +182,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         r"\rho_5\left(\tfrac\pi2-\varphi_6\right)=2a-\rho_4(\varphi_1)",
         Equality(print_3_by_6(cos_6), 2 * a - sun_radius),
         note="With (6), (3) is the radius that meshes with the sun: cos(2 phi5) = -cos(2 phi6).",
-        marks=("rebuilt", "uncertain"),
+        marks=("rebuilt", "uncertain", "inferred"),
     ),
     Claim(
         "(6), sign",
@@ -196,11 +197,16 @@ EQUATION_ROWS: tuple[Row, ...] = (
     Equation(
         "(8)",
         r"AC=EC=2a",
+        defines=(EC,),
         signs={
+            1: Sign(
+                note="E lies on the axis of A: another name for AC.",
+                marks=("rebuilt", "inferred"),
+            ),
             2: Sign(
                 derived={EC: focal_radius.subs(theta, 2 * phi) + mate},
                 note="Two congruent ovals mesh at this distance in every position.",
-            )
+            ),
         },
         marks=("rebuilt", "inferred"),
     ),
@@ -249,6 +255,16 @@ EQUATION_ROWS: tuple[Row, ...] = (
                         Equality(integrate(RATIO_OF_10), -position_of_one(E_SERIES)),
                     )
                 ),
+            ),
+        ),
+        corrected=Correction(
+            r"BD=\rho_5-\rho_6,\ \varphi_3'=\frac{(\rho_5-\rho_6)\,2a}{\rho_5\,(2a-\rho_6)}",
+            Conjunction(
+                (
+                    Equality(-print_7, point_d - point_b),
+                    Equality(-print_10, ratio_by_plan),
+                    Equality(-integrate(RATIO_OF_10), position_of_one(E_SERIES)),
+                )
             ),
         ),
         note="No direction of phi3 survives in the text. One choice makes the whole chain true; "

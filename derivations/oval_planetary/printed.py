@@ -22,7 +22,7 @@ EQUATION_2 = Equation(
     r"\rho(\varphi)=\frac{a(1-e^2)}{1-e\cos2\varphi}",
     derived={rho: focal_radius.subs(theta, 2 * phi)},
     note="The oval has at half the polar angle the focal radius of its ellipse.",
-    marks=("rebuilt", "uncertain"),
+    marks=("rebuilt", "uncertain", "inferred"),
 )
 EQUATION_5 = Equation(
     "(5)",

@@ -30,6 +30,7 @@ from .._metrology import (
     variance_row,
 )
 from .._readings import (
+    COVERAGE_OF_MEAN,
     FULL_SCALE_LINEARITY,
     READING_LINEARITY,
     RESOLUTION,
@@ -190,8 +191,7 @@ MEASUREMENT_ROWS: tuple[Row, ...] = (
         coverage_row(
             variant,
             line.count,
-            "Of the mean error: a confidence level is that of an estimate. Coverage of the factor "
-            "2 by Student's t, normal observations assumed.",
+            COVERAGE_OF_MEAN,
         )
         for variant, line in READINGS.items()
     ),

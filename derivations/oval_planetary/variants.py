@@ -9,6 +9,8 @@ from mechproof.record import (
     Completion,
     Completions,
     Conjunction,
+    Correction,
+    Datum,
     Definition,
     Distinct,
     Equality,
@@ -18,6 +20,7 @@ from mechproof.record import (
     Row,
 )
 
+from .._readings import millimetre
 from .._relations import less
 from .mechanics import (
     COS_4,
@@ -32,6 +35,7 @@ from .oval_pairs import advances
 from .positions import (
     ACCELERATION_CYLINDRICAL,
     AXES_45,
+    E_ALIGNED,
     E_SERIES,
     explicit,
     position_45,
@@ -40,7 +44,7 @@ from .positions import (
     ratio_of_one,
     ratio_with_cylinders_45,
 )
-from .printed import print_5, print_10
+from .printed import RATIO_OF_10, print_5, print_10
 from .symbols import (
     OVAL,
     R4,
@@ -81,12 +85,38 @@ ratio_1 = ratio_of_one(E_SERIES).subs(VARIANTS[1])
 DWELL_3 = sp.pi / 3
 
 
+def drawn_by_11(angle_of_6: sp.Expr) -> sp.Integral:
+    """Integrate (10) with numbers for pair 4-5 and any angle of wheel 6, as (11) says."""
+    radius = oval_radius(e2, sp.cos(2 * angle_of_6)).subs(AXES_45)
+    return integrate(print_10.subs(AXES_45).subs(rho6, radius))
+
+
 def reverses(ratio: sp.Expr, backward: sp.Expr, forward: sp.Expr) -> tuple[Holds, Holds]:
     """State that the ratio is negative at one carrier angle and positive at another."""
     return less(ratio.subs(phi1, backward), sp.S.Zero), less(sp.S.Zero, ratio.subs(phi1, forward))
 
 
+def variant_row(number: int, printed: str, pair_45: dict[sp.Symbol, sp.Expr]) -> Datum:
+    """List the sizes of a variant as printed."""
+    sizes = (Definition(s, v if s == e1 else v * millimetre) for s, v in pair_45.items())
+    return Datum(
+        f"variant {number}, sizes",
+        rf"{printed},\ e_2=0.2",
+        Conjunction((*sizes, Definition(e2, VARIANTS[number][e2]))),
+        note="The pair 3-6 is oval with e = 0.2 in every variant.",
+    )
+
+
 VARIANT_ROWS: tuple[Row, ...] = (
+    *(
+        variant_row(number, printed, {s: v for s, v in VARIANTS[number].items() if s != e2})
+        for number, printed in (
+            (1, r"e_1=0.2"),
+            (2, r"R_5=R_4=25~\mathrm{mm}"),
+            (3, r"R_5=20,\ R_4=30~\mathrm{mm}"),
+            (4, r"R_5=18,\ R_4=32~\mathrm{mm}"),
+        )
+    ),
     Claim(
         "centre distance of the variants",
         r"R_4+R_5=50\text{ mm in variants 2, 3 and 4}",
@@ -160,6 +190,10 @@ VARIANT_ROWS: tuple[Row, ...] = (
                 Equality(R4 / R5 * phi1, integrate(satellite_against_carrier.subs(AXES_45))),
             ),
         ),
+        corrected=Correction(
+            r"\varphi_6=\frac{R_4}{R_5}\varphi_1",
+            Equality(R4 / R5 * phi1, integrate(satellite_against_carrier.subs(AXES_45))),
+        ),
         note="Nothing is said of (5). Left as printed, with e1 = 0, wheel 6 would turn by phi1; "
         "wheels that do not slip turn it by (R4/R5) phi1.",
         marks=("rebuilt", "inferred"),
@@ -174,16 +208,26 @@ VARIANT_ROWS: tuple[Row, ...] = (
     Claim(
         "position functions of Fig. 2",
         r"\text{with formula (11) the position functions were built}",
-        Equality(
-            integrate(
-                print_10.subs(AXES_45).subs(
-                    rho6, oval_radius(e2, sp.cos(2 * R4 / R5 * phi1)).subs(AXES_45)
-                )
+        Completions(
+            "the curves of Fig. 2",
+            Completion(
+                "the curves of Fig. 2: those of (11) for wheels that do not slip, variant 1 with "
+                "(5), a cylindrical pair 4-5 with wheel 6 turned by (R4/R5) phi1",
+                Conjunction(
+                    (
+                        Equality(integrate(RATIO_OF_10), -position_of_one(E_SERIES)),
+                        Equality(drawn_by_11(R4 / R5 * phi1), -position_45),
+                    )
+                ),
             ),
-            -position_45,
+            Completion(
+                "the curves of Fig. 2: those of (11) with (5) left as printed, e1 = 0, which turns "
+                "wheel 6 by phi1",
+                Equality(drawn_by_11(print_5.subs(e1, 0).doit()), -position_45),
+            ),
         ),
-        note="Of the figure only the axes in rad survive; stated for a cylindrical pair 4-5, the "
-        "output counted against the carrier.",
+        note="Of the figure only the axes in rad survive: whether its curves are those of the "
+        "mechanism, the output counted against the carrier, cannot be seen.",
         marks=("rebuilt", "inferred"),
     ),
     Claim(
@@ -221,16 +265,22 @@ VARIANT_ROWS: tuple[Row, ...] = (
     Claim(
         "fixed axes, non-uniform",
         r"\text{the rotation on fixed axes is non-uniform}",
-        Holds(pair_ratio(e, sp.S.One) - pair_ratio(e, -sp.S.One) > 0),
-        note="One pair of ovals. Two equal pairs in series with parallel major axes turn "
-        "uniformly again: see the row on parallel wheels.",
-        on=Part("0 < e < 1", {e: OVAL}),
+        Conjunction(
+            (
+                Equality(wheel_3_rate.subs(mount, sp.pi / 2), pair_ratio(E_ALIGNED, COS_4)),
+                Holds(pair_ratio(e, sp.S.One) - pair_ratio(e, -sp.S.One) > 0),
+            )
+        ),
+        note="Two pairs of ovals in series, the major axes on the middle shaft parallel, act as "
+        "one with E = (e1 - e2)/(1 - e1 e2), written e: equal ones, E = 0, turn uniformly again.",
+        holds_on=Part("E > 0, one pair (e2 = 0 < e1) or two unequal ones in series", {e: OVAL}),
     ),
     Claim(
         "conclusion 2, acceleration",
         r"\text{the model gave the analogue of acceleration}",
         Definition(acceleration_symbol, -sp.diff(ratio_of_one(E_SERIES), phi1)),
-        note="Only named: no formula of it is printed. Introduced here as the derivative of (10).",
+        note="Only named: no formula of it is printed. Introduced here as the derivative of (10). "
+        "The abstract is not at hand, so whether it says the same cannot be checked.",
         marks=("inferred",),
     ),
     Claim(

@@ -115,6 +115,10 @@ ALGORITHM_ROWS = (
                 ),
             ),
         ),
+        corrected=Correction(
+            r"\text{per wheel: simulate }e_{dau}\text{, the same for all of its teeth}",
+            Equality(variance_of_wheel_mean(sigma_tip**2), sigma_tip**2),
+        ),
         note="The variance of the tip's mean deviation over z teeth. A wheel has one tip circle, "
         "so that its deviation is common to all of its teeth and does not average out; Table 1 "
         "has as many rows as the wheel has teeth. Shares over many wheels are the same in both.",

@@ -147,6 +147,9 @@ DESIGN_ROWS = (
                 not_above(E_cs, -(-E_cs - T_c * place)),
             ),
         ),
+        corrected=Correction(
+            r"-E_{cs}-T_c<E_{csu}<-E_{cs}", not_above(E_cs, -(-E_cs - T_c * place))
+        ),
         note=(
             "E_csu = E_cs - T_c p, 0 < p < 1, is any good tooth of step 2; its decrease is -E_csu. "
             "With E_cs = 12 um as printed, good teeth may be thicker than nominal."

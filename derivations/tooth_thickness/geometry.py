@@ -7,7 +7,6 @@ from sympy import Abs, Eq, Expr, Matrix, Symbol, cos, diff, pi, sin, solve, sqrt
 from .symbols import (
     E_cs,
     E_true,
-    K_m,
     alpha,
     centre_change,
     delta,
@@ -73,7 +72,6 @@ along = (t_c + tilt) * sin(tilt) - (1 - cos(tilt))
 across = t_c * (1 - cos(tilt)) + sin(tilt) - tilt * cos(tilt)
 height_change = r_b * (across * sin(alpha) - along * cos(alpha))
 thickness_change = -2 * r_b * (along * sin(alpha) + across * cos(alpha))
-linear_change = K_m * dh
 linearisation_root = (r_b * t_c) ** 2 - dh * (2 * y_c - dh)
 linearisation_bound = (
     dh**2 * (y_c + Abs(dh)) ** 3 / (r_b**3 * sqrt(linearisation_root.subs(dh, Abs(dh))))

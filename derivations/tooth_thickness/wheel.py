@@ -7,7 +7,20 @@ from sympy import Expr, Rational, S, pi, sqrt
 from mechproof.record import Equation
 
 from .geometry import across
-from .symbols import READER, VARIABLES, alpha, dh, m, z
+from .symbols import (
+    READER,
+    VARIABLES,
+    E_cs,
+    K,
+    T_c,
+    alpha,
+    clearance,
+    dh,
+    interval,
+    m,
+    millimetre,
+    z,
+)
 
 PROFILE_ANGLE = pi / 9
 MODULE, TEETH = 3, 50
@@ -16,6 +29,15 @@ EQUATION_1 = Equation("(1), influence 0.7284", r"\Delta S_c=0.7284\,\Delta h")
 PRINTED_INFLUENCE = READER.members(EQUATION_1)[1].coeff(dh)
 DECREASE_UM, TOLERANCE_UM, GAUGE_UM, K_PRINTED = 12, 45, 50, 6
 RECOMMENDED_UM = 2
+PRINTED_SIZES = {
+    **WHEEL,
+    E_cs: Rational(DECREASE_UM, 1000),
+    T_c: Rational(TOLERANCE_UM, 1000),
+    interval: Rational(GAUGE_UM, 1000),
+    K: S(K_PRINTED),
+    clearance: S.Zero,
+    millimetre: S.One,
+}
 
 # ISO 286-1: i = 0.45 D^(1/3) + 0.001 D (um; D in mm, the geometric mean of the range 120 to 180).
 RANGE = (120, 180)

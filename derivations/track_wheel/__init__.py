@@ -13,6 +13,7 @@ from .curve import amplitude, radius
 from .curve_rows import CURVE_ROWS
 from .error_rows import ERROR_ROWS
 from .figures import FIGURE_ROWS
+from .findings import FINDINGS
 from .frame_rows import FRAME_ROWS
 from .kernels_of_poses import POSES
 from .kernels_of_sums import SUMS
@@ -30,6 +31,7 @@ PAPER = Paper(
     rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + DATA_ROWS + TABLE_ROWS + FIGURE_ROWS,
     quantities=POSES + TRACKS + SUMS,
     published=(TABLE_1,),
+    findings=FINDINGS,
     where=(Le(Abs(amplitude), radius),),
     conventions="Lengths in mm, angles in radians, turns counter-clockwise positive. The matrices "
     "give coordinates in the turned frame. Letters that the paper uses twice are kept apart: K "

@@ -7,6 +7,7 @@ import sympy as sp
 from mechproof.record import (
     Claim,
     Conjunction,
+    Correction,
     Definition,
     Distinct,
     Equality,
@@ -136,6 +137,10 @@ CURVE_ROWS: tuple[Row, ...] = (
                 "the middle between the largest and the smallest radius",
                 Equality((printed_radius(sp.Integer(0)) + printed_radius(sp.pi)) / 2, radius),
             ),
+        ),
+        corrected=Correction(
+            r"R=\tfrac12(\rho_{max}+\rho_{min})",
+            Equality((printed_radius(sp.Integer(0)) + printed_radius(sp.pi)) / 2, radius),
         ),
         note="The radius of the circle is the middle of the extreme radii; the average of the "
         "radius over the polar angle is smaller.",

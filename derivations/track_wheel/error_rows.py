@@ -15,12 +15,12 @@ from mechproof.record import (
     Equation,
     Holds,
     PrintedNumber,
+    Reading,
     Row,
     sum_distinct,
 )
 
 from .error_sums import (
-    CORRECTED_5,
     DEVIATIONS,
     DEVIATIONS_T,
     FULLY_CORRELATED,
@@ -166,15 +166,18 @@ ERROR_ROWS: tuple[Row, ...] = (
     ),
     Claim(
         "after (4), S_i = 1",
-        r"\text{If the elementary errors are independent and do not change in time, then }"
-        r"S_i=1\text{ may be taken}",
+        r"\text{If the independence of the elementary errors is accepted and their change in time"
+        r" is not considered (the end value is estimated), then }S_i=1\text{ may be taken in"
+        r" calculations}",
         Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
-        corrected=Correction(
-            r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_iS_iT_i)^2}",
-            Equality(CORRECTED_5, propagate(DEVIATIONS, UNCORRELATED, influences[i])),
+        readings=(
+            Reading(
+                "each T_i is already its share of the end value, so that S_i = 1 is a choice",
+                Equality(PRINTED_5, propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)),
+            ),
         ),
-        note="Independence removes the correlation terms but says nothing about the "
-        "sensitivities: S_i = 1 is a second, separate assumption.",
+        note="A licence for calculations. It is not implied by independence, which removes the "
+        "correlation terms but says nothing about the sensitivities.",
     ),
     EQUATION_5,
     Claim(
@@ -201,15 +204,16 @@ ERROR_ROWS: tuple[Row, ...] = (
         corrected=Correction(LATEX_CORRECTED_GROUPS % {"t": ""}),
         note="The index i is free outside the sums, and the length Delta_T is added to squares of "
         "lengths. In the corrected form each group has its own index and each term is a square; "
-        "as in (5) every sensitivity is one.",
+        "as in (5) every sensitivity is one. That is for a random Delta_T; a systematic one stands "
+        "outside the root, as in the next row. The kind of Delta_T is not printed.",
     ),
     Claim(
         "(6), Delta_T outside the root",
         LATEX_GROUPS_AND_THERMAL,
         derived={total: propagate_groups(SINGLES[:-1], mountings, elastics) + thermal},
         corrected=Correction(LATEX_CORRECTED_GROUPS_AND_THERMAL),
-        note="Another reading of (6), and of (7): the root ends before Delta_T, a systematic error "
-        "that adds as it is. The lengths then agree; the index i stays free.",
+        note="For a systematic Delta_T, in (6) and in (7): the root ends before the error, which "
+        "adds as it is. The lengths then agree; the index i stays free.",
         marks=("ours", "uncertain"),
     ),
     Equation(

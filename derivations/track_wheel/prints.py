@@ -7,15 +7,17 @@ from collections.abc import Sequence
 import sympy as sp
 
 from mechproof.latex import Reader
-from mechproof.record import Equation, Notation, Scope, Sign
+from mechproof.record import Equation, Notation, Part, Scope, Sign
 
 from .curve import (
     CURVE_VARIABLES,
     POSITION_ERROR,
     THETA,
+    amplitude,
     on_track,
     phi,
     planar_error,
+    radius,
     radius_by_sine_rule,
     spatial_error,
 )
@@ -87,6 +89,7 @@ EQUATION_16 = Equation(
     derived=dict(zip(SURFACE_POINT[:2], on_track(radius_by_sine_rule(THETA)), strict=False)),
     defines=(SURFACE_POINT[2],),
     note="Rebuilt by the sine rule in the triangle of pole, centre and point.",
+    on=Part("|A| <= R", where=(sp.Le(sp.Abs(amplitude), radius),)),
     singular=("A = R: the circle passes through the pole and the track has corners there",),
     signs={3: Sign(note="Names the height of the points.")},
 )

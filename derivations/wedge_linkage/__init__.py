@@ -3,6 +3,7 @@
 from mechproof.record import Paper
 
 from . import chain, conditioning, proofs, sizes, steps, variables
+from .findings import FINDINGS
 from .kernels import QUANTITIES
 from .lever_equations import LEVER_ROWS
 from .roller_equations import ROLLER_ROWS
@@ -31,6 +32,7 @@ PAPER = Paper(
     rows=(*STRUCTURE_ROWS, *LEVER_ROWS, *ROLLER_ROWS, *TRANSFER_ROWS, *SIZE_ROWS, *RANGE_ROWS),
     quantities=QUANTITIES,
     published=(FIRST_SET, SECOND_SET),
+    findings=FINDINGS,
     conventions=(
         "Displacements and rotations are counted from the position x1 = 0; angles from Ox, "
         "positive counter-clockwise; x to the right, y upwards."

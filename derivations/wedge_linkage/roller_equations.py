@@ -11,6 +11,7 @@ from mechproof.record import (
     Completion,
     Completions,
     Conjunction,
+    Correction,
     Equality,
     Part,
     Reading,
@@ -117,6 +118,10 @@ ROLLER_ROWS = (
     replace(
         EQUATION_6_OX,
         residual=group_3[0].subs(x5_driven, x5 - l_GH),
+        corrected=Correction(
+            r"l_{KL}\cos(\alpha_{KL}+\varphi_7)=l_{KL}\cos\alpha_{KL}-x_{5'}",
+            Equality(print_6_ox.subs(x5, x5_driven), group_3[0]),
+        ),
         note="In contact, the link 5' lags behind the rod by the clearance. The print may have "
         "lost a prime.",
         readings=(

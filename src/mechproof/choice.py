@@ -247,8 +247,7 @@ def _locate(quantity: str, way: Way) -> str:
     """Return the dotted name of a generated function; empty for what is none."""
     system, _, name = quantity.partition(".")
     if way.kind == "form":
-        # A record of an older version does not know the names of forms.
-        return "" if not way.key else f"mechproof.kernels.forms.{system}.{name}_{way.key}"
+        return f"mechproof.kernels.forms.{system}.{name}_{way.key}"
     return f"mechproof.kernels.{system}.{name}" if way.kind == "kernel" else ""
 
 

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import json
 import math
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import ROUND_UP, Context, Decimal
@@ -23,6 +22,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, Literal
 
+from mechproof.files import write_whole
 from mechproof.json_rows import read_fields, write_lines
 
 __all__ = [
@@ -274,9 +274,6 @@ def read_record(file: Traversable) -> Record:
 
 def write_record(record: Record, folder: Path) -> Path:
     """Write a record as <quantity>.json; an interrupted write leaves the old file."""
-    folder.mkdir(parents=True, exist_ok=True)
     target = folder / f"{record.quantity}{SUFFIX}"
-    staged = target.with_suffix(f"{SUFFIX}.new")
-    staged.write_text("\n".join(write_lines(record)), encoding="utf-8")
-    os.replace(staged, target)
+    write_whole(target, "\n".join(write_lines(record)))
     return target

@@ -50,12 +50,21 @@ def _make_exact(record: object, *names: str) -> None:
 
 @dataclass(frozen=True)
 class Dimension:
-    """Exponents of the base quantities; angles and pure numbers have none."""
+    """Exponents of the base quantities; angles and pure numbers have none.
+
+    That of the angle is kept beside them: it tells how a value is shown and is compared nowhere.
+    """
 
     length: Power = 0
     mass: Power = 0
     time: Power = 0
     temperature: Power = 0
+    angle: Power = field(default=0, compare=False)
+
+    @property
+    def is_angle(self) -> bool:
+        """Return whether values are shown in degrees too."""
+        return self == NUMBER and self.angle == 1
 
     def __mul__(self, other: Dimension) -> Dimension:
         return Dimension(
@@ -63,6 +72,7 @@ class Dimension:
             self.mass + other.mass,
             self.time + other.time,
             self.temperature + other.temperature,
+            self.angle + other.angle,
         )
 
     def __pow__(self, power: Power) -> Dimension:
@@ -71,6 +81,7 @@ class Dimension:
             self.mass * power,
             self.time * power,
             self.temperature * power,
+            self.angle * power,
         )
 
     def __truediv__(self, other: Dimension) -> Dimension:
@@ -82,6 +93,7 @@ class Dimension:
 
 
 NUMBER = Dimension()
+ANGLE = Dimension(angle=1)
 LENGTH = Dimension(length=1)
 SPEED = Dimension(length=1, time=-1)
 FREQUENCY = Dimension(time=-1)
@@ -413,6 +425,7 @@ class Cost:
 
     `at` gives the symbols exact values (30 degrees are pi/6). Without `printed` and `right` the
     values are those of the two sides of the row. Units are those of `mechproof.proof.findings`.
+    `names` are what the two values are called where neither is plainly the right one.
     """
 
     where: str
@@ -421,6 +434,20 @@ class Cost:
     decimals: int = 1
     printed: sp.Expr | None = None
     right: sp.Expr | None = None
+    names: tuple[str, str] = ("printed", "right")
+
+
+@dataclass(frozen=True)
+class Follower:
+    """A row that holds the print of its cause in other letters, or only parts of it.
+
+    `renamed` has what symbols of the cause are called in the row. `parts` pairs parts of the
+    cause's print with what stands for them in its correction (left out: the whole print).
+    """
+
+    row: str
+    renamed: Mapping[sp.Basic, sp.Basic] = field(default_factory=lambda: MappingProxyType({}))
+    parts: Mapping[sp.Basic, sp.Basic] = field(default_factory=lambda: MappingProxyType({}))
 
 
 @dataclass(frozen=True)
@@ -434,7 +461,12 @@ class Finding:
     row: str
     wrong: str
     costs: tuple[Cost, ...] = ()
-    follows: tuple[str, ...] = ()
+    follows: tuple[str | Follower, ...] = ()
+
+    @property
+    def followers(self) -> tuple[Follower, ...]:
+        """Return what follows, a mere number as the row that holds the whole print."""
+        return tuple(Follower(f) if isinstance(f, str) else f for f in self.follows)
 
 
 # Quantities: what can be computed, and every way of computing it.
@@ -642,6 +674,7 @@ class Paper:
             ("row numbers", [row.number for row in self.rows]),
             ("symbols", [str(variable.symbol) for variable in self.variables]),
             ("quantities", [quantity.name for quantity in self.quantities]),
+            ("findings", [finding.row for finding in self.findings]),
         ):
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:

@@ -12,6 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from mechproof.derivation import load_paper
+from mechproof.files import write_whole
 from mechproof.lab.subject import Subject, make_subjects
 from mechproof.lab.validation import validate
 from mechproof.processes import START, WorkerError, run_tasks
@@ -94,6 +95,5 @@ def _load() -> list[str]:
 
 def _save(keys: list[str]) -> None:
     with suppress(OSError):
-        cache_folder().mkdir(parents=True, exist_ok=True)
         text = json.dumps(list(dict.fromkeys(keys))[-MOST_KEPT:])
-        (cache_folder() / "validated.json").write_text(text, encoding="utf-8")
+        write_whole(cache_folder() / "validated.json", text)

@@ -15,13 +15,14 @@ from mechproof.record import (
     Equality,
     Equation,
     Finding,
+    Follower,
     Holds,
     Paper,
     PrintedNumber,
     Variable,
 )
 
-phi = sp.Symbol("phi", real=True)
+phi, psi = sp.symbols("phi psi", real=True)
 r = sp.Symbol("r", positive=True)
 PRINTED, RIGHT = r * sp.cos(phi), r * sp.sin(phi)
 ROOT = Equation(
@@ -37,17 +38,27 @@ FOLLOWER = Equation(
     corrected=Correction("z", Equality(2 * RIGHT, 2 * RIGHT)),
 )
 WRONG_ANYWAY = Equation("(3)", "w", Equality(PRINTED + r, RIGHT))
+RENAMED = {phi: psi}
+IN_OTHER_LETTERS = Equation(
+    "(5)", "u", Equality(PRINTED.subs(RENAMED) + sp.cos(phi) * r, RIGHT.subs(RENAMED) + PRINTED)
+)
+A_PART = Equation("(6)", "s", Equality(r * sp.cos(phi) / 2 + r, r * sp.sin(phi) / 2 + r))
+MEMBERS = Equation("(7)", "p=q", Equality(RIGHT, PRINTED, rebuilt_from="member"))
 UNRELATED = Equation("(4)", "v", Equality(r, 2 * r))
 TRUE = Claim("true", "t", Holds(sp.Ge(r, 0, evaluate=False)))
 NUMBER = Claim("number", "1.2", PrintedNumber("1.2", sp.Rational(5, 2)))
 
 
-def find(*findings: Finding) -> tuple[Found, ...]:
+def find(*findings: Finding, others: tuple[Equation, ...] = ()) -> tuple[Found, ...]:
     paper = Paper(
         "mine",
         "",
-        (Variable(phi, "angle"), Variable(r, "radius", LENGTH, sp.Interval.open(0, sp.oo))),
-        (ROOT, FOLLOWER, WRONG_ANYWAY, UNRELATED, TRUE, NUMBER),
+        (
+            Variable(phi, "angle"),
+            Variable(psi, "the angle of another wheel"),
+            Variable(r, "radius", LENGTH, sp.Interval.open(0, sp.oo)),
+        ),
+        (ROOT, FOLLOWER, WRONG_ANYWAY, UNRELATED, *others, TRUE, NUMBER),
         findings=findings,
     )
     rows = (*paper.rows, *follower_rows(paper))
@@ -64,6 +75,29 @@ def test_what_follows_is_listed_under_its_cause_and_not_counted_again() -> None:
     assert [found.number for found in others] == ["(3)", "(4)", "number"]
 
 
+@pytest.mark.parametrize(
+    ("row", "follower"),
+    [
+        # Our side of (5) has the print, too: it stays.
+        (IN_OTHER_LETTERS, Follower("(5)", renamed=RENAMED)),
+        (A_PART, Follower("(6)", parts={sp.cos(phi): sp.sin(phi)})),
+        (MEMBERS, Follower("(7)")),
+    ],
+)
+def test_a_follower_may_have_other_letters_parts_or_the_print_as_second_member(
+    row: Equation, follower: Follower
+) -> None:
+    first, *others = find(Finding("(1)", "", follows=(follower,)), others=(row,))
+    assert first.follows == (row.number,)
+    assert row.number not in [found.number for found in others]
+
+
+def test_two_values_of_which_neither_is_right_have_names_and_no_error() -> None:
+    cost = Cost("sum", {}, "mm", 0, sp.Integer(1), sp.Integer(2), ("as read", "as guessed"))
+    first, *_ = find(Finding("(1)", "", (cost,)))
+    assert first.costs == ("sum: as read 1 mm, as guessed 2 mm",)
+
+
 def test_costs_are_computed_at_the_sizes_in_the_unit() -> None:
     at = {phi: sp.pi / 6, r: sp.Integer(10)}
     turned = Cost("as angles", {phi: sp.pi / 6}, "°", 2, printed=phi, right=2 * phi)
@@ -72,7 +106,7 @@ def test_costs_are_computed_at_the_sizes_in_the_unit() -> None:
         Finding("number", "", (Cost("here", {}),)),
     )
     assert first.costs == (
-        "30°: printed 8.660mm, right 5.000mm, off by 3.660mm",
+        "30°: printed 8.660 mm, right 5.000 mm, off by 3.660 mm",
         "as angles: printed 30.00°, right 60.00°, off by 30.00°",
     )
     assert last.costs == ("here: printed 1.2, right 2.5, off by 1.3",)
@@ -88,6 +122,18 @@ def test_costs_are_computed_at_the_sizes_in_the_unit() -> None:
         (Finding("(1)", "", follows=("(3)",)), r"'\(3\)' does not follow from '\(1\)'.*REFUTED"),
         (Finding("(4)", "", follows=("(3)",)), "it needs a correction"),
         (
+            Finding("(1)", "", follows=(Follower("(2)", parts={sp.cos(phi): sp.tan(phi)}),)),
+            r"it does not correct cos\(phi\) to tan\(phi\)",
+        ),
+        (
+            Finding("(1)", "", follows=(Follower("(2)", parts={sp.tan(phi): sp.sin(phi)}),)),
+            r"it does not correct tan\(phi\) to sin\(phi\)",
+        ),
+        (
+            Finding("(1)", "", follows=(Follower("(2)", renamed={phi: psi}),)),
+            r"'\(2\)' does not hold what '\(1\)' corrects",
+        ),
+        (
             Finding("(1)", "", (Cost("nowhere", {r: sp.Integer(1)}),)),
             "nowhere: no size is given for .'phi'",
         ),
@@ -99,3 +145,8 @@ def test_costs_are_computed_at_the_sizes_in_the_unit() -> None:
 def test_what_is_no_finding_is_refused(finding: Finding, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         find(finding)
+
+
+def test_a_row_is_one_finding() -> None:
+    with pytest.raises(ValueError, match=r"findings given twice: \['\(1\)'\]"):
+        find(Finding("(1)", "a cause"), Finding("(1)", "another"))

@@ -17,7 +17,7 @@ import sympy as sp
 from mechproof.proof import balls
 from mechproof.proof.domain import Domain
 from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.record import Cost, Equality, Finding, Paper, PrintedNumber, Row
+from mechproof.record import Cost, Equality, Finding, Follower, Paper, PrintedNumber, Row
 
 WRONG = (Verdict.REFUTED, Verdict.ILL_FORMED)
 # What a value in radians, millimetres or parts of one is multiplied with.
@@ -29,6 +29,7 @@ UNITS: Mapping[str, sp.Expr] = {
     "µm": sp.Integer(1000),
     "%": sp.Integer(100),
 }
+PRINTED_AND_RIGHT = ("printed", "right")
 _BITS = 60
 
 
@@ -57,13 +58,13 @@ def follower_rows(paper: Paper) -> tuple[Row, ...]:
     """State every follower of every finding with the correction of its cause inserted.
 
     Raises `ValueError` for a row that is not in the paper, a cause without a correction and a
-    follower that does not hold the print of its cause.
+    follower that does not hold the print of its cause, or parts that the cause does not have.
     """
     rows = {row.number: row for row in paper.rows}
     return tuple(
-        _insert_correction(_find(rows, number), _find(rows, finding.row))
+        _insert_correction(_find(rows, follower.row), _find(rows, finding.row), follower)
         for finding in paper.findings
-        for number in finding.follows
+        for follower in finding.followers
     )
 
 
@@ -74,7 +75,7 @@ def list_findings(paper: Paper, judgements: Sequence[Judgement]) -> tuple[Found,
     """
     judged = {j.number: j for j in judgements}
     named = {finding.row: finding for finding in paper.findings}
-    following = {number for finding in paper.findings for number in finding.follows}
+    following = {follower.row for finding in paper.findings for follower in finding.followers}
     rows = [row for row in paper.rows if "ours" not in row.marks or row.number in named]
     return tuple(
         _describe(paper, row, named.get(row.number), judged)
@@ -91,12 +92,12 @@ def _describe(
     finding = finding or Finding(row.number, about.reason)
     if about.verdict in (Verdict.PROVED, Verdict.DEFINITION):
         raise ValueError(f"paper {paper.system!r}: finding {row.number!r}: it is {about.verdict}")
-    for number in finding.follows:
-        again = judged[_corrected_number(number, row.number)]
+    for follower in finding.followers:
+        again = judged[_corrected_number(follower.row, row.number)]
         if again.verdict is not Verdict.PROVED:
             raise ValueError(
-                f"paper {paper.system!r}: {number!r} does not follow from {row.number!r}: with its "
-                f"correction it is {again.verdict}: {again.reason}"
+                f"paper {paper.system!r}: {follower.row!r} does not follow from {row.number!r}: "
+                f"with its correction it is {again.verdict}: {again.reason}"
             )
     return Found(
         system=paper.system,
@@ -107,19 +108,23 @@ def _describe(
         costs=tuple(_compare(cost, row, paper) for cost in finding.costs),
         corrected_latex=about.corrected_latex,
         corrected_by=about.corrected_by,
-        follows=finding.follows,
+        follows=tuple(follower.row for follower in finding.followers),
     )
 
 
 def _compare(cost: Cost, row: Row, paper: Paper) -> str:
-    """Write the printed and the right value at a place, and their difference."""
+    """Write both values at a place and, of a printed and a right one, their difference."""
     domain = Domain.of(paper)
     sides = (
         _sides(row) if cost.printed is None or cost.right is None else (cost.printed, cost.right)
     )
     values = [_value(side, cost, domain) for side in sides]
-    texts = [f"{_round(value, cost)}{cost.unit}" for value in (*values, abs(values[0] - values[1]))]
-    return f"{cost.where}: printed {texts[0]}, right {texts[1]}, off by {texts[2]}"
+    unit = cost.unit if cost.unit in ("", "°") else f" {cost.unit}"
+    named = dict(zip(cost.names, values, strict=True))
+    if cost.names == PRINTED_AND_RIGHT:
+        named["off by"] = abs(values[0] - values[1])
+    texts = (f"{name} {_round(value, cost)}{unit}" for name, value in named.items())
+    return f"{cost.where}: {', '.join(texts)}"
 
 
 def _sides(row: Row) -> tuple[sp.Expr, sp.Expr]:
@@ -161,14 +166,19 @@ def _corrected_number(number: str, root: str) -> str:
     return f"{number}, with {root} corrected"
 
 
-def _insert_correction(row: Row, root: Row) -> Row:
-    says = _replace_in(row.statement, _corrections(root))
-    if says == row.statement:
+def _insert_correction(row: Row, root: Row, follower: Follower) -> Row:
+    pairs = _rename(_corrections(root, follower), follower)
+    says = row.statement
+    if isinstance(says, Equality) and says.rebuilt_from == "mechanics":
+        inserted: Any = replace(says, printed=_replace_in(says.printed, pairs))
+    else:
+        inserted = _replace_in(says, pairs)
+    if inserted == says:
         raise ValueError(f"row {row.number!r} does not hold what {root.number!r} corrects")
     return replace(
         row,
         number=_corrected_number(row.number, root.number),
-        says=says,
+        says=inserted,
         note="",
         corrected=None,
         readings=(),
@@ -178,11 +188,20 @@ def _insert_correction(row: Row, root: Row) -> Row:
     )
 
 
-def _corrections(root: Row) -> dict[sp.Basic, sp.Basic]:
+def _corrections(root: Row, follower: Follower) -> Mapping[sp.Basic, sp.Basic]:
     """Pair what the print of a cause has with what its correction has in the same place."""
     if root.corrected is None:
         raise ValueError(f"finding {root.number!r}: rows follow from it, so it needs a correction")
-    return _pairs(root.statement, root.corrected.statement)
+    whole = _pairs(root.statement, root.corrected.statement)
+    for part, right in follower.parts.items():
+        if not any(print_.has(part) and whole[print_].has(right) for print_ in whole):
+            raise ValueError(f"finding {root.number!r}: it does not correct {part} to {right}")
+    return follower.parts or whole
+
+
+def _rename(pairs: Mapping[sp.Basic, sp.Basic], follower: Follower) -> dict[sp.Basic, sp.Basic]:
+    renamed = dict(follower.renamed)
+    return {part.xreplace(renamed): right.xreplace(renamed) for part, right in pairs.items()}
 
 
 def _pairs(printed: Any, corrected: Any) -> dict[sp.Basic, sp.Basic]:

@@ -1,0 +1,146 @@
+"""What is wrong or missing in paper 3, and what it costs for its own wheel."""
+
+from __future__ import annotations
+
+from sympy import Expr, Rational, S, sqrt, tan
+
+from mechproof.record import Cost, Finding, Follower
+
+from .geometry import height_deviation
+from .shares import gauge_spread, rejected_by, tip_spread
+from .symbols import K_m, dh, dh_gauge, e_tip
+from .wheel import (
+    DECREASE_UM,
+    GAUGE_UM,
+    GRADES,
+    K_PRINTED,
+    PRINTED_INFLUENCE,
+    PROFILE_ANGLE,
+    RECOMMENDED_UM,
+    TEETH,
+    WHEEL,
+)
+
+MICROMETRE = Rational(1, 1000)
+READINGS_OF_50 = ("as the full width of 3 sigma", "as half the width of 2 sigma")
+SPREAD_6 = Rational(GRADES[6][1], K_PRINTED) * MICROMETRE
+# A tip circle off by the whole tolerance, a gauge without error.
+TIP_6 = {**WHEEL, e_tip: GRADES[6][1] * MICROMETRE, dh_gauge: S.Zero}
+
+
+def rejected_at_8(geometry: str) -> Expr:
+    """Share of good teeth rejected by a perfect gauge on a tip circle of IT8."""
+    return rejected_by(8, 0, geometry=geometry)
+
+
+FINDINGS = (
+    Finding(
+        "smallest deviation, smallest prescribed decrease",
+        "E_cs = 12 µm is called the smallest prescribed decrease, but with its plus sign step 2 "
+        "passes teeth up to 12 µm thicker than nominal as good; it has to enter with a minus.",
+        costs=(
+            Cost(
+                "thickest good tooth, from nominal",
+                {},
+                "µm",
+                0,
+                DECREASE_UM * MICROMETRE,
+                -DECREASE_UM * MICROMETRE,
+            ),
+        ),
+    ),
+    Finding(
+        "(1), influence 0.7284",
+        "The influence is 2 tan 20° = 0.7279; 0.7284, from a graphic construction, belongs to no "
+        "profile angle that the printed chord and height leave. It does little harm.",
+        costs=(
+            Cost(
+                "thickness for a height off by 0.1 mm",
+                {dh: Rational(1, 10)},
+                "µm",
+                2,
+                PRINTED_INFLUENCE * dh,
+                2 * tan(PROFILE_ANGLE) * dh,
+            ),
+        ),
+    ),
+    Finding(
+        "step 3, a new tip deviation for each tooth",
+        "A new deviation of the tip diameter is simulated for each tooth, although the teeth are "
+        "those of one wheel, which has one tip circle: its error does not average out over them.",
+        costs=(
+            Cost(
+                "spread of the tip circle's mean over the wheel, IT6",
+                {},
+                "µm",
+                printed=SPREAD_6 / sqrt(TEETH),
+                right=SPREAD_6,
+            ),
+        ),
+    ),
+    Finding(
+        "steps 4 and 7, spread of the gauge",
+        "Which interval the 50 µm of the gauge are is not printed, nor how many standard "
+        "deviations it spans; the shares depend on it.",
+        costs=(
+            Cost(
+                "standard deviation of the gauge",
+                {},
+                "µm",
+                printed=Rational(GAUGE_UM, 6) * MICROMETRE,
+                right=Rational(GAUGE_UM, 2) * MICROMETRE,
+                names=READINGS_OF_50,
+            ),
+            Cost(
+                "good teeth rejected, tip of IT6, steps as printed",
+                {},
+                "%",
+                printed=rejected_by(6, Rational(GAUGE_UM, 2), 3),
+                right=rejected_by(6, GAUGE_UM, 2),
+                names=READINGS_OF_50,
+            ),
+        ),
+    ),
+    Finding(
+        "step 5",
+        "The whole deviation of the tip diameter is added to the height, where half of it has to "
+        "be taken off: the gauge stands on the tip circle, and a larger one lifts it.",
+        costs=(
+            Cost(f"Δh for a tip diameter {GRADES[6][1]} µm too large (IT6)", TIP_6, "µm"),
+            Cost(
+                "measured thickness for it",
+                TIP_6,
+                "µm",
+                printed=(e_tip + dh_gauge) * K_m,
+                right=height_deviation * K_m,
+            ),
+            Cost(
+                "good teeth rejected, tip of IT8, perfect gauge",
+                {},
+                "%",
+                2,
+                rejected_at_8("printed"),
+                rejected_at_8("involute"),
+            ),
+        ),
+        follows=(
+            "controlled parameters, expectation of the error",
+            Follower("steps 5 and 6, tip diameter alone", parts={e_tip: -e_tip / 2}),
+        ),
+    ),
+    Finding(
+        "(b)",
+        "That the gauge matters more than the tip diameter holds from a limit error of 5 to 7 µm "
+        "on; for the gauge that (c) recommends it is the other way round.",
+        costs=(
+            Cost(
+                f"spread of the thickness, gauge of ±{RECOMMENDED_UM} µm (3 sigma), tip of IT6",
+                {},
+                "µm",
+                printed=gauge_spread(Rational(RECOMMENDED_UM, 3)) * MICROMETRE,
+                right=tip_spread(6) * MICROMETRE,
+                names=("gauge", "tip diameter"),
+            ),
+        ),
+    ),
+)
