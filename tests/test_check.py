@@ -15,6 +15,13 @@ def run(*arguments: str) -> Result:
     return CliRunner().invoke(app, ["check", *arguments])
 
 
+STROKE = r"\sqrt{{l^2-r^2\sin^2\varphi}}=l\sqrt{{1-{}\sin^2\varphi}}"
+CRANK = ("--let", r"\lambda=r/l", "--where", "l>r", "--where", "r>0", "--where", "l>0")
+CARDAN = r"\frac{{c}}{{\cos^2\varphi+c^2\sin^2\varphi}}=\frac{{\cos\beta}}{{1-\sin^2\beta{}}}"
+JOINT = ("--let", r"c=\cos\beta")
+INVOLUTE = r"x^2+y^2=r^2{}r^2t^2"
+CURVE = ("--let", r"x=r\cdot(\cos t+t\sin t)", "--let", r"y=r\cdot(\sin t-t\cos t)")
+
 CHECKED = [
     # Three formulas of textbooks, the third with a misprint, then what the options say.
     ([r"\int_0^x \frac{dt}{1+t^2} = \mathrm{arctg}\,x"], ["PROVED"]),
@@ -40,6 +47,28 @@ CHECKED = [
     ),
     ([r"(-1)^{2m}=1", "--natural", "m"], ["PROVED"]),
     ([r"x+a>x", "--where", "a>0"], ["PROVED"]),
+    # Of three textbooks of mechanisms, each as it is and with one misprint: the stroke of a slider
+    # crank, the sides of a Cardan joint, the distance from the centre of an involute.
+    ([STROKE.format(r"\lambda^2"), *CRANK], ["PROVED"]),
+    ([STROKE.format(r"\lambda"), *CRANK], ["REFUTED"]),
+    ([CARDAN.format(r"\sin^2\varphi"), *JOINT], ["PROVED"]),
+    ([CARDAN.format(r"\cos^2\varphi"), *JOINT], ["REFUTED"]),
+    ([INVOLUTE.format("+"), *CURVE], ["PROVED"]),
+    ([INVOLUTE.format("-"), *CURVE], ["REFUTED"]),
+    ([r"\sum_{k=1}^n k=n(n+1)/2"], ["PROVED"]),
+    ([r"\sum_{k=1}^{n-1}k=\frac{n(n-1)}{2}"], ["PROVED"]),
+    ([r"$\sin^2x+\cos^2x=1.$"], ["PROVED"]),
+    ([r"\begin{equation}\sin 30°=\tfrac12,\label{eq}\end{equation}"], ["PROVED"]),
+    ([r"\left|x\left|y\right|z\right|=\left|xyz\right|"], ["ENCLOSED"]),
+    ([r"\mathop{\mathrm{ch}}\nolimits x+\operatorname{sh}x=\mathrm{e}^x"], ["PROVED"]),
+    ([r"\mathrm{ch}^2x+\mathrm{sh}^2x=1"], ["REFUTED"]),
+    ([r"\exp(x+y)=\exp x\exp y"], ["PROVED"]),
+    ([r"\exp(x-y)=\exp x\exp y"], ["REFUTED"]),
+    ([r"\mathrm{ch}\frac x2=\sqrt{\frac{1+\mathrm{ch}\,x}{2}}"], ["PROVED"]),
+    ([r"\operatorname{inv}\alpha=\operatorname{tg}\alpha-\alpha"], ["PROVED"]),
+    ([r"\int_0^1 x^n\,dx=\frac{1}{n+1}", "--natural", "n"], ["ENCLOSED"]),
+    ([r"z_1d_1=d_1z_1"], ["PROVED"]),
+    ([r"r_b(x+1)=r_bx+r_b", "--factor", "r_b"], ["PROVED"]),
 ]
 
 
@@ -72,6 +101,30 @@ REFUSED = [
     (["x+1"], "no relation sign"),
     (["x=1", "--let", "x^2=1"], "letter=expression"),
     (["x=1", "--where", "x"], "no relation sign"),
+    (["9^{9^{9^{9}}}=1"], "not worked out"),
+    (["{" * 5000 + "x" + "}" * 5000 + "=x"], "nested too deeply"),
+    (["(" * 5000 + "x=x"], "nested too deeply"),
+    ([""], "must follow"),
+    (["x\0=x"], "U+0000"),
+    (["1" * 20000 + "=x"], "300 digits"),
+    (["cosx=1"], "in italics"),
+    ([r"\Delta x=x_2-x_1"], r"--name '\Delta x'"),
+    ([r"\vec v=\vec w\times\vec r"], "components"),
+    ([r"\frac{\mathrm d}{\mathrm dx}x=1"], "derivative"),
+    ([r"e^x=1"], r"\mathrm{e}"),
+    ([r"A^TA=1"], "transposed"),
+    ([r"|x|y|z|=1"], r"\left|"),
+    ([r"\tan^{-1}x=\arctan x"], "inverse or its reciprocal"),
+    ([r"\sqrt{-1}^2=-1"], "no real value"),
+    ([r"\sum_{i<j}x_ix_j=1"], "first value"),
+    ([r"y=2x,\ y=3x"], "defined twice"),
+    ([r"x=-1", "--where", "x>0"], "--where says something"),
+    (["x^2=1", "--where", "x=1"], "by --let"),
+    (["x^2=1", "--where", "x<0", "--where", "x>1"], "no value of x"),
+    (["x^2=1", "--let", "x=y", "--let", "y=x"], "given by itself"),
+    (["x^2=1", "--let", "x=1", "--let", "x=2"], "a value already"),
+    (["x+y=1", "--name", "+"], "no letter"),
+    ([r"\int x\,dx=1", "--from", "0=1"], "one expression"),
 ]
 
 
@@ -80,6 +133,12 @@ def test_what_cannot_be_read_without_a_guess_is_refused(arguments: list[str], to
     done = run(*arguments)
     assert done.exit_code == 2
     assert told in done.output
+
+
+def test_what_refuted_means_is_told() -> None:
+    done = run(r"c^2=a^2+b^2-2ab\cos\gamma")
+    assert "REFUTED means: not true for all values of its letters" in done.output
+    assert "REFUTED means" not in run("x=x").output
 
 
 def test_what_takes_too_long_fails() -> None:

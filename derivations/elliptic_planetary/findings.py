@@ -48,7 +48,8 @@ FINDINGS = (
     Finding(
         "table 3, interval 3",
         "The interval of variant 3 is the mean and once the uncertainty u; the other three and "
-        "the text have twice u. If the interval is right, the table's u is twice too large.",
+        "the text have twice u. Half-width and u do not fit: if the interval is right, the u of "
+        "table 3 is twice too large, and is 0.14°.",
         costs=(
             Cost(
                 "half-width of variant 3",

@@ -31,6 +31,7 @@ from sympy import (
 
 from mechproof.latex import Reader
 from mechproof.record import (
+    ANGLE,
     FREQUENCY,
     LENGTH,
     SPEED,
@@ -89,10 +90,11 @@ VARIABLES = (
     Variable(
         phi1,
         "angle of the carrier 1",
+        ANGLE,
         sign="positive in its direction of rotation",
         latex=(r"\varphi_1",),
     ),
-    Variable(phi3, "angle of wheel 3", latex=(r"\varphi_3",)),
+    Variable(phi3, "angle of wheel 3", ANGLE, latex=(r"\varphi_3",)),
     Variable(R1, "radius of the epicycle 4", LENGTH, Interval.open(0, oo), latex=("R_1",)),
     Variable(R2, "radius of the satellite wheel 5", LENGTH, Interval.open(0, oo), latex=("R_2",)),
     Variable(e, "eccentricity of the ellipse", within=Interval.Ropen(0, 1), latex=("e",)),
@@ -100,6 +102,7 @@ VARIABLES = (
     Variable(
         phi5,
         "rotation of wheel 6 against the carrier",
+        ANGLE,
         given=-R1 / R2 * phi1,
         latex=(r"\varphi_5",),
     ),
@@ -107,6 +110,7 @@ VARIABLES = (
     Variable(
         x,
         "rotation of wheel 6 against the carrier, reversed",
+        ANGLE,
         given=k * phi1,
         latex=("x", r"\frac{R_1}{R_2}\varphi_1"),
     ),
@@ -153,7 +157,7 @@ VARIABLES = (
     Variable(turns, "whole turns of x", within=S.Naturals0),
     Variable(nu, "number of terms of a series", within=Interval.open(0, oo)),
     Variable(E, "e**nu", within=Interval.open(0, oo)),
-    Variable(T, "nu*x"),
+    Variable(T, "nu*x", ANGLE),
 )
 # Integrals without limits start at 0, where phi10 = phi30 = 0.
 NOTATION = Notation(factors=("a",), lower_limit=S.Zero)

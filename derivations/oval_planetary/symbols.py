@@ -10,7 +10,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.latex import Reader
-from mechproof.record import FREQUENCY, LENGTH, SPEED, Notation, Variable
+from mechproof.record import ANGLE, FREQUENCY, LENGTH, SPEED, Notation, Variable
 
 from .._metrology import TYPE_A_VARIABLES
 from .._readings import ENCODER_VARIABLES
@@ -70,13 +70,20 @@ VARIABLES = (
     Variable(
         phi1,
         "angle of the carrier 1",
+        ANGLE,
         sign="positive in its direction of rotation",
         latex=(r"\varphi_1",),
     ),
     Variable(
-        phi3, "angle of wheel 3", sign=AS_PRINTED, latex=(r"\varphi_3(\varphi_1)", r"\varphi_3")
+        phi3,
+        "angle of wheel 3",
+        ANGLE,
+        sign=AS_PRINTED,
+        latex=(r"\varphi_3(\varphi_1)", r"\varphi_3"),
     ),
-    Variable(mount, "turn of wheel 6 on its shaft, from its place in the paper", sign="as phi1"),
+    Variable(
+        mount, "turn of wheel 6 on its shaft, from its place in the paper", ANGLE, sign="as phi1"
+    ),
     Variable(R4, "radius of a cylindrical sun 4", LENGTH, POSITIVE),
     Variable(R5, "radius of a cylindrical wheel 5", LENGTH, POSITIVE),
     Variable(R3, "radius of a cylindrical wheel 3", LENGTH, POSITIVE),
@@ -87,7 +94,7 @@ VARIABLES = (
     Variable(e1, "eccentricity of the oval pair 4-5", within=ECCENTRICITY, latex=("e_1",)),
     Variable(e2, "eccentricity of the oval pair 6-3", within=ECCENTRICITY, latex=("e_2",)),
     Variable(k, "ratio of the cylindrical wheels 4 and 5", given=R4 / R5),
-    Variable(x, "twice the turn of the satellite against the carrier", given=2 * k * phi1),
+    Variable(x, "twice the turn of the satellite against the carrier", ANGLE, given=2 * k * phi1),
     Variable(
         alpha,
         "coefficient of tan(chi) = alpha*t/(beta + gamma*t), t = tan(phi1)",
@@ -130,7 +137,7 @@ VARIABLES = (
     Variable(xi, "part of beta, any real number"),
     Variable(tangent, "tg(phi1) as a variable of its own"),
     Variable(a, "major semi-axis of the generating ellipse", LENGTH, POSITIVE, latex=("a",)),
-    Variable(phi, "polar angle of an oval from its major axis", latex=(r"\varphi",)),
+    Variable(phi, "polar angle of an oval from its major axis", ANGLE, latex=(r"\varphi",)),
     Variable(
         rho,
         "radius of an oval at the polar angle",
@@ -138,17 +145,18 @@ VARIABLES = (
         POSITIVE,
         latex=(r"\rho(\varphi)", r"\rho"),
     ),
-    Variable(phi6, "angle of wheel 6 against the carrier", latex=(r"\varphi_6",)),
-    Variable(phi5, "angle of wheel 5 against the carrier", latex=(r"\varphi_5",)),
-    Variable(phi6_closed, "the integral (5)", given=driven_angle(e1, phi1)),
-    Variable(phi6_counted, "the same, branches counted", given=count_branches(e1, phi1)),
+    Variable(phi6, "angle of wheel 6 against the carrier", ANGLE, latex=(r"\varphi_6",)),
+    Variable(phi5, "angle of wheel 5 against the carrier", ANGLE, latex=(r"\varphi_5",)),
+    Variable(phi6_closed, "the integral (5)", ANGLE, given=driven_angle(e1, phi1)),
+    Variable(phi6_counted, "the same, branches counted", ANGLE, given=count_branches(e1, phi1)),
     Variable(
         mount_counted,
         "turn of wheel 3 by the mount, branches counted",
+        ANGLE,
         given=count_branches(e2, mount),
     ),
     Variable(turns, "half turns", within=sp.S.Naturals0),
-    Variable(start, "constant of the integral (5)"),
+    Variable(start, "constant of the integral (5)", ANGLE),
     Variable(rho3, "radius of wheel 3 at D", LENGTH, POSITIVE),
     Variable(rho4, "radius of wheel 4 at B", LENGTH, POSITIVE),
     Variable(rho5, "radius of wheel 5 at B", LENGTH, POSITIVE, latex=(r"\rho_5",)),
@@ -175,7 +183,7 @@ VARIABLES = (
         ratio_symbol, "analogue of the angular velocity", sign=AS_PRINTED, latex=(r"\varphi_3'",)
     ),
     Variable(acceleration_symbol, "analogue of the angular acceleration", sign=AS_PRINTED),
-    Variable(theta, "x as a variable of its own"),
+    Variable(theta, "x as a variable of its own", ANGLE),
     Variable(width, "tangent of half the angle x from the double zero", within=POSITIVE),
     Variable(eta, "ratio up to which the output counts as at rest", within=POSITIVE),
     *TYPE_A_VARIABLES,

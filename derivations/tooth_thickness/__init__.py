@@ -11,7 +11,7 @@ from .influence import INFLUENCE_ROWS
 from .kernels import QUANTITIES
 from .parameters import PARAMETER_ROWS
 from .symbols import NOTATION, VARIABLES
-from .wheel import WHEEL
+from .wheel import PRINTED_SIZES
 
 PAPER = Paper(
     system="tooth_thickness",
@@ -27,7 +27,7 @@ PAPER = Paper(
         *CLAIM_ROWS,
     ),
     quantities=QUANTITIES,
-    published=(Published("paper on tooth thickness, design data", WHEEL, ("fitted",)),),
+    published=(Published("paper on tooth thickness, design data", PRINTED_SIZES, ("fitted",)),),
     findings=FINDINGS,
     conventions="Lengths in mm, angles in rad. Heights grow from the tip towards the centre; "
     "deviations of thickness are positive for a thicker tooth.",

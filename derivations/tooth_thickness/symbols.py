@@ -11,7 +11,7 @@ from __future__ import annotations
 from sympy import Interval, S, Symbol, cos, oo, pi, sin, symbols, tan
 
 from mechproof.latex import Reader
-from mechproof.record import LENGTH, Notation, Scope, Variable
+from mechproof.record import ANGLE, LENGTH, Notation, Scope, Variable
 
 m = Symbol("m", positive=True)
 z = Symbol("z", integer=True, positive=True)
@@ -53,20 +53,28 @@ VARIABLES = (
     Variable(
         alpha,
         "profile angle of the basic rack",
+        ANGLE,
         within=Interval.open(0, pi / 4),
         latex=(r"\alpha",),
     ),
     Variable(incline, "tangent of the profile angle", within=Interval.open(0, 1)),
-    Variable(delta, "angle of the flank's tangent with the tooth's axis", latex=(r"\delta",)),
+    Variable(
+        delta, "angle of the flank's tangent with the tooth's axis", ANGLE, latex=(r"\delta",)
+    ),
     Variable(
         tilt,
         "angle between the tangents at a chord's end and at the constant chord's",
+        ANGLE,
         latex=(r"\varepsilon",),
     ),
-    Variable(start, "angle of the flank's tangent with the tooth's axis at a first chord"),
+    Variable(start, "angle of the flank's tangent with the tooth's axis at a first chord", ANGLE),
     Variable(r_b, "base radius", LENGTH, POSITIVE, given=m * z * cos(alpha) / 2, latex=("r_b",)),
     Variable(
-        t_c, "roll angle at the constant chord", given=tan(alpha) + pi / (2 * z), latex=("t_c",)
+        t_c,
+        "roll angle at the constant chord",
+        ANGLE,
+        given=tan(alpha) + pi / (2 * z),
+        latex=("t_c",),
     ),
     Variable(
         y_c,
@@ -75,7 +83,7 @@ VARIABLES = (
         given=m * (z / 2 + pi * sin(2 * alpha) / 8),
     ),
     Variable(s_c, "constant chord", LENGTH, given=chord, latex=(r"\bar S_c",)),
-    Variable(psi, "half the tooth's angle at the base circle", within=POSITIVE),
+    Variable(psi, "half the tooth's angle at the base circle", ANGLE, within=POSITIVE),
     Variable(thinning, "change of thickness on the pitch circle", LENGTH),
     Variable(
         dh,

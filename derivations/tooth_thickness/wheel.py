@@ -7,7 +7,21 @@ from sympy import Expr, Interval, Rational, S, pi, sqrt
 from mechproof.record import Equation, Part
 
 from .geometry import across
-from .symbols import READER, VARIABLES, alpha, dh, m, tilt, z
+from .symbols import (
+    READER,
+    VARIABLES,
+    E_cs,
+    K,
+    T_c,
+    alpha,
+    clearance,
+    dh,
+    interval,
+    m,
+    millimetre,
+    tilt,
+    z,
+)
 
 PROFILE_ANGLE = pi / 9
 MODULE, TEETH = 3, 50
@@ -16,6 +30,15 @@ EQUATION_1 = Equation("(1), influence 0.7284", r"\Delta S_c=0.7284\,\Delta h")
 PRINTED_INFLUENCE = READER.members(EQUATION_1)[1].coeff(dh)
 DECREASE_UM, TOLERANCE_UM, GAUGE_UM, K_PRINTED = 12, 45, 50, 6
 RECOMMENDED_UM = 2
+PRINTED_SIZES = {
+    **WHEEL,
+    E_cs: Rational(DECREASE_UM, 1000),
+    T_c: Rational(TOLERANCE_UM, 1000),
+    interval: Rational(GAUGE_UM, 1000),
+    K: S(K_PRINTED),
+    clearance: S.Zero,
+    millimetre: S.One,
+}
 
 # Tilts (rad) that turn the tangent over 1 mm and over 0.1 mm of height.
 WIDE, NARROW = Rational(1, 20), Rational(1, 260)

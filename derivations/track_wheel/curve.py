@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Variable
+from mechproof.record import ANGLE, Variable
 
 from .notation import coordinates, lengths, positive, real
 
@@ -46,7 +46,7 @@ CURVE_VARIABLES = (
         }
     ),
     Variable(periods, "number of periods", within=sp.S.Naturals, latex=("z",)),
-    Variable(phi, "polar angle", sign="counter-clockwise positive", latex=(r"\varphi",)),
+    Variable(phi, "polar angle", ANGLE, sign="counter-clockwise positive", latex=(r"\varphi",)),
     *coordinates({any_shift: ("shift of any circle",)}),
     *coordinates(
         {

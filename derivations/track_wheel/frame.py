@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from mechproof.record import Variable
+from mechproof.record import ANGLE, Variable
 
 from .notation import coordinates, real
 
@@ -102,7 +102,9 @@ QUATERNION = (
 
 FRAME_VARIABLES = (
     *(
-        Variable(angle, f"turn about {axis}", sign="counter-clockwise positive", latex=(latex,))
+        Variable(
+            angle, f"turn about {axis}", ANGLE, sign="counter-clockwise positive", latex=(latex,)
+        )
         for angle, axis, latex in zip(ANGLES, "xyz", (r"\alpha", r"\beta", r"\gamma"), strict=True)
     ),
     *coordinates({s: (f"coordinate {s} of the shift vector r", str(s)) for s in SHIFT}),

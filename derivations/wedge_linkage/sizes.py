@@ -6,8 +6,8 @@ import sympy as sp
 from sympy import Rational, pi
 
 from mechproof.record import (
+    ANGLE,
     LENGTH,
-    NUMBER,
     Published,
     Toleranced,
     Variable,
@@ -96,7 +96,7 @@ FIRST_SET, SECOND_SET = reconstruct(FIRST_SIZES), reconstruct(SECOND_SIZES)
 
 DEVIATION_SYMBOLS = {size: sp.symbols(f"ES_{size} EI_{size}", real=True) for size in DEVIATIONS}
 VARIABLES = tuple(
-    Variable(symbol, f"{which} limit deviation of {size}", NUMBER if size in ANGLES else LENGTH)
+    Variable(symbol, f"{which} limit deviation of {size}", ANGLE if size in ANGLES else LENGTH)
     for size, pair in DEVIATION_SYMBOLS.items()
     for which, symbol in zip(("upper", "lower"), pair, strict=True)
 )

@@ -9,7 +9,7 @@ from __future__ import annotations
 import sympy as sp
 from sympy import pi
 
-from mechproof.record import LENGTH, Notation, Variable
+from mechproof.record import ANGLE, LENGTH, Notation, Variable
 
 x1, x5, y9 = sp.symbols("x1 x5 y9", real=True)
 x5_driven = sp.Symbol("x5'", real=True)
@@ -112,10 +112,11 @@ LATEX = {
 PRINTED_VARIABLES = (
     *(Variable(s, text, LENGTH, POSITIVE, latex=LATEX.get(s, ())) for s, text in LENGTHS.items()),
     *(Variable(s, text, LENGTH, latex=LATEX[s]) for s, text in DISPLACEMENTS.items()),
-    *(Variable(s, text, latex=LATEX.get(s, ())) for s, text in ROTATIONS.items()),
+    *(Variable(s, text, ANGLE, latex=LATEX.get(s, ())) for s, text in ROTATIONS.items()),
     Variable(
         alpha_KL,
         "direction of KL at x1 = 0",
+        ANGLE,
         within=sp.Interval.open(0, pi),
         latex=LATEX[alpha_KL],
     ),

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.record import LENGTH, Variable
+from mechproof.record import ANGLE, LENGTH, Variable
 
 from .mechanics import POLYGON_SIDES
 from .prints import PRINTED_Q, PRINTED_R
@@ -61,7 +61,7 @@ VARIABLES = (
     Variable(error, "error that a stage takes in, in amount", LENGTH, POSITIVE),
     Variable(stage_ratio, "ratio of a stage, in amount", within=POSITIVE),
     Variable(own_error, "error that a stage adds, in amount", LENGTH, sp.Interval(0, sp.oo)),
-    *(Variable(a, "a direction of KL at x1 = 0") for a in (alpha_1, alpha_2)),
+    *(Variable(a, "a direction of KL at x1 = 0", ANGLE) for a in (alpha_1, alpha_2)),
     *(
         Variable(v, f"vector {v}", LENGTH, given=value, latex=(rf"\vec{{{v}}}",))
         for v, value in POLYGON_SIDES.items()
@@ -72,5 +72,5 @@ VARIABLES = (
     Variable(tolerances, "number of sizes with tolerances", within=sp.S.Naturals),
     Variable(combinations, "number of combinations of limits", within=sp.S.Naturals),
     Variable(crossing_place, "displacement at which the curves III and IV cross", LENGTH),
-    Variable(beyond, "half of what varphi7 exceeds pi - 2 alpha_KL by"),
+    Variable(beyond, "half of what varphi7 exceeds pi - 2 alpha_KL by", ANGLE),
 )

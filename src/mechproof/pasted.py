@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import sympy as sp
@@ -12,11 +12,13 @@ from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.expansion import read_row
 from mechproof.latex.names import INDEX
-from mechproof.latex.tree import Chain, Integration, Letter, Repeated, walk
+from mechproof.latex.tokens import tokenize
+from mechproof.latex.tree import Integration, walk
+from mechproof.latex.values import depends
 from mechproof.processes import WorkerError, run_tasks
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement
-from mechproof.record import Equation, Notation, Paper, Row, Variable
+from mechproof.record import Definition, Equation, Notation, Paper, Row, Variable
 
 COMMAND = Remedies(
     name="Say --name '{0}'.",
@@ -27,6 +29,11 @@ COMMAND = Remedies(
     family="Leave --name '{0}' out.",
 )
 NUMBER = "(pasted)"
+_WRAPPERS = (
+    *(("$$", "$$"), ("$", "$"), (r"\[", r"\]"), (r"\(", r"\)")),
+    *((rf"\begin{{{x}}}", rf"\end{{{x}}}") for x in ("equation", "equation*", "displaymath")),
+)
+_LABEL = re.compile(r"\\(?:tag\*?|label)\{[^{}]*\}|\\n(?:onumber|otag)")
 
 
 class PastedError(ValueError):
@@ -77,21 +84,27 @@ def _answer(pasted: Pasted) -> Checked | str:
         return judge_pasted(pasted)
     except (ReadingError, ValueError) as error:
         return str(error)
+    except RecursionError:
+        return "it is nested too deeply to be read"
 
 
 def judge_pasted(pasted: Pasted) -> Checked:
     """Judge a pasted equation; `ValueError` (also `ReadingError`) for what cannot be read."""
-    variables = _declare(pasted)
-    notation = Notation(factors=pasted.factors, lower_limit=_read_limit(pasted))
+    pasted = replace(pasted, latex=_unwrap(pasted.latex))
+    counts = _find_counts(pasted)
+    variables = _declare(pasted, counts)
+    notation = Notation(factors=(*pasted.factors, *counts), lower_limit=_read_limit(pasted))
     reader = Reader(variables, notation, COMMAND)
     variables = _give_values(variables, pasted, reader)
     reader = Reader(variables, notation, COMMAND)
     relations = [r for text in pasted.where for r in _read_relations(text, reader)]
+    said = {s for relation in relations for s in relation.free_symbols}
     variables, where = _narrow(variables, relations)
     reader = Reader(variables, notation, COMMAND)
     free = tuple(v.symbol for v in variables if v.given is None and isinstance(v.symbol, sp.Symbol))
     _refuse_constant(variables, pasted, reader)
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free), reader)
+    _refuse_definitions(rows, said)
     paper = Paper("pasted", "", variables, (), where)
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
     return Checked(read, {v.latex[0]: _describe(v) for v in variables})
@@ -102,29 +115,51 @@ def _rename(row: Row, count: int) -> Row:
     return replace(row, number=number)
 
 
+def _unwrap(latex: str) -> str:
+    """Return an equation without what stands around it in a paper."""
+    text = _LABEL.sub("", latex).strip()
+    for opening, closing in _WRAPPERS:
+        if len(text) > len(opening) + len(closing) and text.startswith(opening):
+            text = text.removeprefix(opening).removesuffix(closing).strip()
+    return text.rstrip(".,;").rstrip()
+
+
+def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None:
+    """Refuse a letter that is introduced twice, or of which more is said than its definition."""
+    defined = [row.says.symbol for row in rows if isinstance(row.says, Definition)]
+    for symbol in dict.fromkeys(defined):
+        if defined.count(symbol) > 1:
+            raise ValueError(f"{symbol} is defined twice: say one of them by --let")
+        if symbol in said:
+            raise ValueError(
+                f"the equation defines {symbol}, of which --where says something: say its value "
+                "by --let, or leave --where out"
+            )
+
+
 # Letters ----------------------------------------------------------------------------------------
 
 
-def _declare(pasted: Pasted) -> tuple[Variable, ...]:
+def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
     """Make a variable of each name that is said and of each letter that is met."""
-    named = [_make(latex, pasted) for latex in dict.fromkeys((*pasted.names, *pasted.natural))]
-    reader = Reader(named, Notation(factors=pasted.factors), COMMAND)
+    said = dict.fromkeys((*pasted.names, *pasted.natural))
+    named = [_make(latex, pasted, counts) for latex in said]
+    reader = Reader(named, Notation(factors=(*pasted.factors, *counts)), COMMAND)
     prints = (pasted.latex, *pasted.where, *pasted.values)
     letters = dict.fromkeys(letter for text in prints for letter in reader.collect(text))
     families = {x.partition("_")[0] for x in letters if INDEX in x}
     kept = [x for x in letters if INDEX in x or x.partition("_")[0] not in families or "_" not in x]
-    read = Reader((*named, *(_make(x, pasted) for x in kept)), reader.notation, COMMAND)
-    counts = {s for text in prints for s in _find_counts(read.parse(text).chains)}
-    found = [_make(x, pasted) for x in kept]
-    return tuple(_count(v) if v.symbol in counts else v for v in (*named, *found))
+    return (*named, *(_make(x, pasted, counts) for x in kept))
 
 
-def _make(latex: str, pasted: Pasted) -> Variable:
+def _make(latex: str, pasted: Pasted, counts: Collection[str]) -> Variable:
+    if not any(sign.isalpha() for sign in latex):
+        raise ValueError(f"the name {latex!r} has no letter")
     name = re.sub(r"[\\{}\s]", "", latex).replace(f"_{INDEX}", "")
     if INDEX in latex:
         return Variable(sp.IndexedBase(name, real=True), latex, latex=(latex,))
     variable = Variable(sp.Symbol(name, real=True), latex, latex=(latex,))
-    return _count(variable) if latex in pasted.natural else variable
+    return _count(variable) if latex in (*pasted.natural, *counts) else variable
 
 
 def _count(variable: Variable) -> Variable:
@@ -133,11 +168,25 @@ def _count(variable: Variable) -> Variable:
     return replace(variable, symbol=symbol, within=sp.S.Naturals)
 
 
-def _find_counts(chains: tuple[Chain, ...]) -> Iterator[sp.Basic]:
-    """Yield the letters up to which sums go."""
-    for part in walk(chains):
-        if isinstance(part, Repeated) and isinstance(part.high, Letter):
-            yield part.high.symbol
+def _find_counts(pasted: Pasted) -> tuple[str, ...]:
+    r"""Return the letters up to which sums go, n also in \sum_{k=1}^{n-1}."""
+    found: dict[str, None] = dict.fromkeys(pasted.natural)
+    for latex in (pasted.latex, *pasted.where, *pasted.values):
+        texts = [token.text for token in tokenize(latex)]
+        for place, text in enumerate(texts):
+            if text in (r"\sum", r"\prod"):
+                found |= dict.fromkeys(_letters_of_limit(texts[place + 1 :]))
+    return tuple(x for x in found if x not in pasted.names)
+
+
+def _letters_of_limit(texts: list[str]) -> Iterator[str]:
+    """Yield the letters of the upper limit that follows a lower one, if it is a plain sum."""
+    low = texts.index("}") + 1 if texts[:1] == ["_"] and "}" in texts else 0
+    if texts[low : low + 2] != ["^", "{"] or "}" not in texts[low:]:
+        return
+    limit = texts[low + 2 : texts.index("}", low)]
+    if all(text.isalnum() or text in ("+", "-") for text in limit):
+        yield from (text for text in limit if text.isalpha())
 
 
 # What is said -----------------------------------------------------------------------------------
@@ -147,6 +196,8 @@ def _read_limit(pasted: Pasted) -> sp.Expr | None:
     if not pasted.lower_limit:
         return None
     read = Reader((), None, COMMAND).parse(pasted.lower_limit)
+    if len(read.chains) > 1 or read.chains[0].relations:
+        raise ValueError(f"{pasted.lower_limit}: a limit is one expression")
     limit: sp.Expr = read.meaning().of(read.chains[0].members[0])
     return limit
 
@@ -170,7 +221,12 @@ def _give_values(
         for relation in _read_relations(text, reader):
             if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
                 raise ValueError(f"{text}: a value is said as letter=expression")
+            if relation.lhs in given:
+                raise ValueError(f"{text}: {relation.lhs} has a value already")
             given[relation.lhs] = relation.rhs
+    for symbol, value in given.items():
+        if any(depends(s, {symbol}, given) for s in value.free_symbols):
+            raise ValueError(f"--let {symbol}={value}: the letter is given by itself")
     return tuple(replace(v, given=given.get(v.symbol)) for v in variables)
 
 
@@ -189,9 +245,13 @@ def _narrow(
     sets = {v.symbol: v.within for v in variables if v.given is None}
     where = []
     for relation in relations:
+        if isinstance(relation, sp.Equality):
+            raise ValueError(f"--where {relation.lhs}={relation.rhs}: say a value by --let")
         symbol = next(iter(relation.free_symbols), None)
         alone = len(relation.free_symbols) == 1 and symbol in sets
         inside = sets[symbol].intersect(relation.as_set()) if alone else None
+        if inside is sp.S.EmptySet:
+            raise ValueError(f"--where leaves no value of {symbol}")
         if isinstance(inside, sp.Interval):
             sets[symbol] = inside
         else:

@@ -50,12 +50,21 @@ def _make_exact(record: object, *names: str) -> None:
 
 @dataclass(frozen=True)
 class Dimension:
-    """Exponents of the base quantities; angles and pure numbers have none."""
+    """Exponents of the base quantities; angles and pure numbers have none.
+
+    That of the angle is kept beside them: it tells how a value is shown and is compared nowhere.
+    """
 
     length: Power = 0
     mass: Power = 0
     time: Power = 0
     temperature: Power = 0
+    angle: Power = field(default=0, compare=False)
+
+    @property
+    def is_angle(self) -> bool:
+        """Return whether values are shown in degrees too."""
+        return self == NUMBER and self.angle == 1
 
     def __mul__(self, other: Dimension) -> Dimension:
         return Dimension(
@@ -63,6 +72,7 @@ class Dimension:
             self.mass + other.mass,
             self.time + other.time,
             self.temperature + other.temperature,
+            self.angle + other.angle,
         )
 
     def __pow__(self, power: Power) -> Dimension:
@@ -71,6 +81,7 @@ class Dimension:
             self.mass * power,
             self.time * power,
             self.temperature * power,
+            self.angle * power,
         )
 
     def __truediv__(self, other: Dimension) -> Dimension:
@@ -82,6 +93,7 @@ class Dimension:
 
 
 NUMBER = Dimension()
+ANGLE = Dimension(angle=1)
 LENGTH = Dimension(length=1)
 SPEED = Dimension(length=1, time=-1)
 FREQUENCY = Dimension(time=-1)

@@ -48,10 +48,8 @@ def open_derivation(location: Path) -> Opened:
         rows = (*paper.rows, *follower_rows(paper), *form_rows(paper))
     except (ValueError, NotImplementedError) as error:
         raise DerivationError(f"{location}: {error}") from error
-    variables = tuple(
-        replace(variable, meaning="", sign="", latex=()) for variable in paper.variables
-    )
-    domain = Paper(paper.system, "", variables, (), paper.where)
+    variables = tuple(replace(variable, meaning="", sign="") for variable in paper.variables)
+    domain = Paper(paper.system, "", variables, (), paper.where, published=paper.published)
     return Opened(location, paper, rows, domain)
 
 

@@ -47,7 +47,10 @@ def generated() -> tuple[sp.Expr, ...]:
     found: dict[sp.Expr, None] = {}
     while len(found) < COUNT:
         expression = generate(draw, draw.randint(1, 4))
-        has_value = not expression.has(sp.nan, sp.zoo, sp.oo, sp.I, sp.AccumBounds)
+        parts = sp.preorder_traversal(expression)
+        has_value = not expression.has(sp.nan, sp.zoo, sp.oo, sp.I, sp.AccumBounds) and not any(
+            part.is_extended_real is False for part in parts
+        )
         # SymPy prints the power of a logarithm behind its argument, which is refused.
         powers = [p for p in expression.atoms(sp.Pow) if p.base.func is sp.log and p.exp != -1]
         if has_value and not powers:

@@ -76,10 +76,17 @@ REFUSED = [
     ("_1", "_1", "nothing stands before", ""),
     ("x+", "", "something must follow", ""),
     ("x=?", "?", "no meaning here", ""),
-    (r"\begin{vmatrix}x\end{vmatrix}", r"\begin", "vmatrix", ""),
+    (r"\begin{Vmatrix}x\end{Vmatrix}", r"\begin", "Vmatrix", ""),
     (r"\begin{pmatrix}x&y\\x\end{pmatrix}", r"\begin", "not equally long", ""),
     (r"x\text{ if }y", "", "needs a relation sign", ""),
-    (r"\mathrm x", "x", "needs braces", ""),
+    (r"\mathrm 2", "2", "needs a letter or braces", ""),
+    (r"\mathrm x", r"\mathrm x", "no meaning", "latex"),
+    (r"a|x|y|x|", "y|x|", "which belong together", r"\left|"),
+    (r"tgx", "tgx", "in italics", r"\tg"),
+    (r"2cosx", "cosx", "in italics", r"\cos"),
+    (r"\sum_{i=1}^2\sum_{i=1}^2 i", r"i=1}^2 i", "of a sum around", "another letter"),
+    ("1" * 301, "1", "300 digits", ""),
+    (r"\log^2x", r"\log", "not the same everywhere", "functions"),
 ]
 
 
@@ -104,6 +111,17 @@ MEANINGLESS = [
     (r"\int_0^1 x\,d\cos x", "may move with"),
     (r"\int_0^1 y\,d\cos x", "may move with"),
     ("9^{9^9}", "not worked out"),
+    ("(9^{999})^{999}", "not worked out"),
+    ("0^0", "no value"),
+    (r"\sqrt{-1}^2", "no real value"),
+    (r"\sqrt{-1-x^2}-\sqrt{-1-x^2}", "no real value"),
+    (r"\arcsin 2-\arcsin 2", "no real value"),
+    (r"\ln(-x^2-1)", "no real value"),
+    (r"\begin{pmatrix}1\end{pmatrix}+1", "do not fit"),
+    (r"\begin{pmatrix}1&2\end{pmatrix}\begin{pmatrix}1&2\end{pmatrix}", "do not fit"),
+    (r"\frac{1}{\begin{pmatrix}1\end{pmatrix}}", "do not fit"),
+    (r"\arctan(1, 2)", "do not fit"),
+    (r"\det x", "do not fit"),
 ]
 
 
@@ -161,6 +179,18 @@ READ = [
     (r"\lg 100", sp.Integer(2)),
     (r"\max(1, 2)", sp.Integer(2)),
     (r"{x}{y}", x * y),
+    (r"\left|x\left|y\right|x\right|", sp.Abs(x**2 * y)),
+    (r"\lvert x\rvert y\lvert x\rvert", x**2 * y),
+    (r"\text{tg}\,x+\textrm{ctg}\,x", sp.tan(x) + sp.cot(x)),
+    (r"\operatorname{inv}x", sp.tan(x) - x),
+    (r"\operatorname{atan2}(x, y)", sp.atan2(x, y)),
+    (r"\log_2 8+\log_{10}^2 100", sp.Integer(7)),
+    ("45°+x²", sp.pi / 4 + x**2),
+    ("x\u00b7y\u2212x", x * y - x),
+    (r"\mathrm e^x", sp.exp(x)),
+    (r"\int_0^1 t\,\mathrm dt", sp.Rational(1, 2)),
+    (r"\begin{vmatrix}x&y\\a&k\end{vmatrix}", x * k - y * a),
+    (r"\det\left[\begin{array}{cc}x&y\\a&k\end{array}\right]", x * k - y * a),
 ]
 
 

@@ -18,8 +18,12 @@ from mechproof.record import Paper
 LIMIT = 60.0
 Texts = list[str] | None
 DEFAULTS = (
-    "What is not said is taken so: letters are real numbers, the letter up to which a sum goes is "
+    "What is not said is taken so: letters are real numbers, a letter up to which a sum goes is "
     "a natural number, d within an integral is its differential. Nothing else is guessed."
+)
+REFUTED_MEANS = (
+    "REFUTED means: not true for all values of its letters. Where one of them depends on others "
+    "(an angle on an angle), say it: --let 'letter=…'; where they are restricted: --where."
 )
 
 
@@ -73,6 +77,8 @@ def check(
             refuse(f"--json {json_file}: {error}")
     for row in answer.judgements:
         print_details(row, ("one side", "other side"))
+    if any(row.verdict is Verdict.REFUTED for row in answer.judgements):
+        say(REFUTED_MEANS)
     for letter, kind in answer.taken.items():
         say(f"  taken as  {letter}: {kind}")
     say(DEFAULTS)

@@ -13,7 +13,7 @@ from mechproof.proof.findings import Found
 from mechproof.proof.ledger import PLAIN, Ledger, show_totals
 from mechproof.proof.verdict import Judgement, Verdict
 
-COLUMNS = ("number", "verdict", "rung", "reason")
+COLUMNS = ("number", "verdict", "reason", "rung")
 STYLES = {
     Verdict.PROVED: "green",
     Verdict.DEFINITION: "dim",
@@ -43,7 +43,8 @@ def print_ledger(ledger: Ledger) -> None:
 
 
 def _print_finding(found: Found) -> None:
-    say(Text(f"Finding in {found.system}: {found.number}", style="bold"))
+    marks = f" ({', '.join(found.marks)})" if found.marks else ""
+    say(Text(f"Finding in {found.system}: {found.number}: {found.verdict}{marks}", style="bold"))
     lines = [("printed", _plain(found.printed_latex)), ("wrong", found.wrong)]
     lines += [("costs", cost) for cost in found.costs]
     if found.corrected_latex:
@@ -55,7 +56,7 @@ def _print_finding(found: Found) -> None:
 
 def _to_cells(row: Judgement) -> tuple[str, str, str, str]:
     marks = f" ({', '.join(row.marks)})" if row.marks else ""
-    return (f"{row.number}{marks}", row.verdict.value, row.rung, row.reason)
+    return (f"{row.number}{marks}", row.verdict.value, row.reason, row.rung)
 
 
 def _print_lines(title: str, judgements: Sequence[Judgement]) -> None:
@@ -71,12 +72,12 @@ def _print_table(title: str, judgements: Sequence[Judgement]) -> None:
     table = Table(title=Text(title), title_justify="left", expand=True)
     table.add_column("number", ratio=3)
     table.add_column("verdict", no_wrap=True, min_width=15)
-    table.add_column("rung", ratio=2)
     table.add_column("reason", ratio=5, no_wrap=True, overflow="ellipsis")
+    table.add_column("rung", ratio=2)
     for row in judgements:
-        number, verdict, rung, reason = _to_cells(row)
+        number, verdict, reason, rung = _to_cells(row)
         styled = Text(verdict, style=STYLES[row.verdict])
-        table.add_row(Text(number), styled, Text(rung), Text(reason))
+        table.add_row(Text(number), styled, Text(reason), Text(rung))
     console.print(table)
 
 
@@ -85,7 +86,8 @@ def print_details(row: Judgement, names: tuple[str, str] = ("printed", "rebuilt"
     say(Text(f"{row.number}: ").append(row.verdict, style=STYLES[row.verdict]))
     lines = [("printed", _plain(row.printed_latex))]
     lines += [("read as", row.read_as)] if row.read_as else []
-    lines += [("rung", row.rung), ("reason", row.reason)]
+    lines += [("compared", row.compared_with)] if row.compared_with else []
+    lines += [("reason", row.reason), ("rung", row.rung)]
     for item in row.evidence:
         at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
         sides = [f"at {at}"] if at else []

@@ -9,6 +9,7 @@ import sympy as sp
 from mechproof.latex import calculus, letters
 from mechproof.latex.tree import (
     Bracket,
+    Call,
     Degrees,
     Entries,
     Letter,
@@ -24,7 +25,8 @@ from mechproof.latex.tree import (
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
-MATRICES = ("pmatrix", "bmatrix", "matrix")
+MATRICES = ("pmatrix", "bmatrix", "matrix", "vmatrix")
+LONGEST_NUMBER = 300
 _CLOSED_BY = {"(": ")", "[": "]"}
 
 
@@ -44,6 +46,9 @@ def read_atom(parser: Parser) -> Node:
         return _read_bracket(parser, start)
     if text == "|":
         return _read_magnitude(parser, start)
+    if text == r"\lvert":
+        inside = parser.read_inside(r"\lvert", parser.read_sum, r"\rvert")
+        return Magnitude(inside, start=start, end=parser.end)
     if text.startswith(r"\begin{"):
         return _read_table(parser, start)
     if text in (r"\sum", r"\prod"):
@@ -63,6 +68,8 @@ def read_number(parser: Parser) -> Number:
         text += parser.take().text
     if text[-1] == ".":
         raise parser.refuse("a number ends with a point")
+    if len(text) > LONGEST_NUMBER:
+        raise parser.refuse(f"a number of more than {LONGEST_NUMBER} digits", place=start)
     follows = parser.tokens[parser.place + 1 : parser.place + 2]
     if parser.text == "," and follows and follows[0].text.isdigit():
         close = follows[0].start == parser.end + 1 and parser.start == parser.end
@@ -125,7 +132,19 @@ def _read_magnitude(parser: Parser, start: int) -> Node:
     inside = parser.read_sum()
     parser.bars -= 1
     parser.take("|")
+    _refuse_bar_between_factors(parser)
     return Magnitude(inside, start=start, end=parser.end)
+
+
+def _refuse_bar_between_factors(parser: Parser) -> None:
+    """Refuse |x|y|z|, which may be |x| times y|z|, or the value of x|y|z."""
+    if parser.ends_product() or parser.text in ("|", "/", r"\cdot", "^"):
+        return
+    if "|" in parser.rest_of_member():
+        raise parser.refuse(
+            "upright bars around factors side by side: which belong together?",
+            r"Print \left| and \right|, or \cdot behind the bar.",
+        )
 
 
 def _read_table(parser: Parser, start: int) -> Node:
@@ -145,18 +164,27 @@ def _read_table(parser: Parser, start: int) -> Node:
     parser.depth -= 1
     if len({len(row) for row in rows}) != 1:
         raise parser.refuse("the rows of a matrix are not equally long", place=start)
-    return Table(tuple(rows), start=start, end=parser.end)
+    table = Table(tuple(rows), start=start, end=parser.end)
+    if kind == "vmatrix":
+        return Call(parser.functions[r"\det"], (table,), start=start, end=parser.end)
+    return table
 
 
 def read_special_power(parser: Parser, base: Node, start: int) -> Node | None:
     """Read a power that is none: transposition, degrees."""
     texts = [token.text for token in parser.tokens[parser.place + 1 : parser.place + 4]]
-    is_matrix = isinstance(base, Entries | Table) or (
+    inside = base.inside if isinstance(base, Bracket) else base
+    is_matrix = isinstance(inside, Entries | Table) or (
         isinstance(base, Letter) and isinstance(base.symbol, sp.MatrixSymbol)
     )
     if texts == ["{", "T", "}"] and is_matrix:
         parser.place += 4
         return Transposed(base, start=start, end=parser.end)
+    if texts == ["{", "T", "}"] and parser.collects and not parser.names.find("T"):
+        raise parser.refuse(
+            "a power T: an exponent, or the transposed of a matrix?",
+            parser.remedies.name.format("T"),
+        )
     if texts == ["{", r"\circ", "}"]:
         parser.place += 4
         return Degrees(base, start=start, end=parser.end)

@@ -47,6 +47,12 @@ def _read_below(parser: Parser) -> tuple[Letter, Node, tuple[Node, ...]]:
     parser.take("_")
     parser.take("{")
     token = parser.take()
+    if token.text in parser.bound:
+        raise parser.refuse(
+            f"{token.text} is the index of a sum around this one",
+            "Print another letter for one of them.",
+            token.start,
+        )
     index = Letter(
         letters.index_symbol(parser, token.text), token.text, start=token.start, end=token.end
     )
@@ -133,7 +139,9 @@ def is_over(parser: Parser) -> bool:
 
 def is_differential(parser: Parser) -> bool:
     """Return whether a d stands here, within an integral, that begins no declared name."""
-    if parser.text != "d" or not parser.integrals:
+    follows = parser.tokens[parser.place + 1 : parser.place + 2]
+    is_letter = bool(follows) and follows[0].text in ("_", "'")
+    if parser.text != "d" or not parser.integrals or is_letter:
         return False
     match = parser.names.match(parser.tokens, parser.place)
     if match and match.end == parser.place + 1:

@@ -5,7 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from mechproof.latex import atoms, calculus
-from mechproof.latex.tree import Call, Constant, Entries, Letter, Node, Number, Product
+from mechproof.latex.tree import (
+    Call,
+    Constant,
+    Entries,
+    Letter,
+    Node,
+    Number,
+    Power,
+    Product,
+    Quotient,
+)
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -16,7 +26,14 @@ _BRACKETS = ("(", "[")
 def is_function(parser: Parser) -> bool:
     """Return whether a function stands here and not a longer declared name."""
     declared = parser.names.match(parser.tokens, parser.place)
-    return declared is None and _function_sign(parser) in parser.functions
+    known = _function_sign(parser) in parser.functions
+    return declared is None and (known or _is_logarithm(parser))
+
+
+def _is_logarithm(parser: Parser) -> bool:
+    """Return whether a logarithm stands here that says its base."""
+    follows = parser.tokens[parser.place + 1 : parser.place + 2]
+    return parser.text == r"\log" and bool(follows) and follows[0].text == "_"
 
 
 def _function_sign(parser: Parser) -> str:
@@ -27,11 +44,25 @@ def _function_sign(parser: Parser) -> str:
 def read_call(parser: Parser) -> Node:
     """Read a function, the power it is raised to, and its arguments."""
     start = parser.start
+    if _function_sign(parser) not in parser.functions:
+        return _read_logarithm(parser)
     function = parser.functions[_function_sign(parser)]
     parser.take()
     exponent = _read_exponent(parser)
     arguments = _read_arguments(parser)
     return Call(function, arguments, exponent, start=start, end=parser.end)
+
+
+def _read_logarithm(parser: Parser) -> Node:
+    r"""Read \log_a x, the natural logarithm of x by that of a."""
+    start = parser.take().start
+    base = parser.read_script("_")
+    exponent = _read_exponent(parser)
+    natural = parser.functions[r"\ln"]
+    above = Call(natural, _read_arguments(parser), start=start, end=parser.end)
+    below = Call(natural, (base,), start=start, end=parser.end)
+    quotient = Quotient(above, below, start=start, end=parser.end)
+    return Power(quotient, exponent, start=start, end=parser.end) if exponent else quotient
 
 
 def _read_exponent(parser: Parser) -> Node | None:

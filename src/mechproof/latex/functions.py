@@ -13,6 +13,19 @@ def _lg(argument: sp.Expr) -> sp.Expr:
     return sp.log(argument) / sp.log(10)
 
 
+def _lb(argument: sp.Expr) -> sp.Expr:
+    return sp.log(argument) / sp.log(2)
+
+
+def _involute(angle: sp.Expr) -> sp.Expr:
+    return sp.tan(angle) - angle
+
+
+def _det(matrix: sp.MatrixBase) -> sp.Expr:
+    determinant: sp.Expr = matrix.det()
+    return determinant
+
+
 _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.sin: ("sin",),
     sp.cos: ("cos",),
@@ -27,9 +40,15 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.cosh: ("ch", "cosh"),
     sp.tanh: ("th", "tanh"),
     sp.coth: ("cth", "coth"),
-    sp.asinh: ("arsh", "asinh", "arsinh"),
+    sp.asinh: ("arsh", "asinh", "arsinh", "Arsh", "Arsinh"),
+    sp.acosh: ("arch", "acosh", "arcosh", "Arch", "Arcosh"),
+    sp.atanh: ("arth", "atanh", "artanh", "Arth", "Artanh"),
+    sp.atan2: ("atan2", "arctan2", "arctg2"),
+    _involute: ("inv",),
+    _det: ("det",),
     sp.log: ("ln",),
     _lg: ("lg",),
+    _lb: ("lb", "ld"),
     sp.exp: ("exp",),
     sp.sign: ("sgn", "sign"),
     sp.erf: ("erf",),

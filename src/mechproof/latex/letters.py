@@ -19,8 +19,23 @@ if TYPE_CHECKING:
 _WORD = re.compile(r"[a-z]{2,}")
 
 
-# Letters that not everybody reads alike: Euler's number, the imaginary unit, a differential.
-UNSURE = ("e", "i", "d")
+# Letters that not everybody reads alike, where they stand without index.
+UNSURE = {
+    "e": r"Print \mathrm{e} for Euler's number.",
+    "i": "The imaginary unit is not read.",
+    "d": "A derivative is not read: it needs a name of its own.",
+}
+# Before another letter they make one quantity of it, or a product.
+_INCREMENTS = (r"\Delta", r"\delta")
+_UNREAD = {
+    **dict.fromkeys((r"\pm", r"\mp"), "It says two equations: check one after the other."),
+    **dict.fromkeys((r"\lim", r"\to"), "Limits are not read."),
+    **dict.fromkeys((r"\partial", r"\nabla"), "A derivative needs a name of its own."),
+    **dict.fromkeys(("!", r"\binom"), r"Print it as a product, \prod_{k=1}^n k."),
+    **dict.fromkeys((":", r"\div", "÷"), r"Print \frac{…}{…}."),
+    **dict.fromkeys((r"\vec", r"\mathbf", r"\bm"), "Vectors need their components: check these."),
+}
+_UPRIGHT = r"\mathrm{"
 GREEK = frozenset(
     (
         *("alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta"),
@@ -50,6 +65,8 @@ def check_bracket_after(parser: Parser, left: Node) -> None:
 def read_letter(parser: Parser, match: Match | None) -> Node:
     """Read the longest declared name, a bound letter, or a constant."""
     start, place = parser.start, parser.place
+    if match is None or match.end == place + 1:
+        _refuse_italics(parser)
     if parser.text in parser.bound and (match is None or match.end == place + 1):
         return _read_bound(parser, match)
     if match:
@@ -58,6 +75,20 @@ def read_letter(parser: Parser, match: Match | None) -> Node:
         token = parser.take()
         return Constant(CONSTANTS[token.text], token.text.strip("\\"), start=start, end=token.end)
     return _read_undeclared(parser)
+
+
+def _refuse_italics(parser: Parser) -> None:
+    """Refuse letters side by side that begin like a function."""
+    word = _WORD.match(parser.source.latex, parser.start)
+    if word is None or parser.text != word[0][0]:
+        return
+    lengths = range(len(word[0]), 1, -1)
+    begun = (word[0][:n] for n in lengths if rf"\{word[0][:n]}" in parser.functions)
+    if name := next(begun, ""):
+        raise parser.refuse(
+            f"{name} in italics: a function or a product?",
+            rf"Print \{name}, or \cdot between the letters.",
+        )
 
 
 def _read_bound(parser: Parser, match: Match | None) -> Node:
@@ -145,14 +176,9 @@ def _read_index_sum(parser: Parser, end: int) -> Node:
 
 
 def _read_undeclared(parser: Parser) -> Node:
-    start, text = parser.start, parser.text
+    text = parser.text
     if not text:
         raise parser.refuse("the print ends, but something must follow")
-    word = _WORD.match(parser.source.latex, start)
-    if word and rf"\{word[0]}" in parser.functions:
-        raise parser.refuse(
-            f"{word[0]} in italics: a function or a product?", rf"Print \{word[0]}."
-        )
     if text == r"\dots":
         raise parser.refuse("dots for what was printed before", "Enter the chain as a whole.")
     if text[1:] in AMBIGUOUS:
@@ -160,17 +186,22 @@ def _read_undeclared(parser: Parser) -> Node:
             f"{text[1:]} is not the same everywhere: {AMBIGUOUS[text[1:]]} must be said",
             parser.remedies.function.format(text[1:]),
         )
-    is_letter = text.isalpha() or text[1:] in GREEK or text in ACCENTS
-    if not is_letter:
-        raise parser.refuse(f"{text} has no meaning here")
-    if parser.collects and text not in UNSURE:
+    if not _begins_letter(text):
+        shown = text if text.isprintable() else f"the character U+{ord(text[0]):04X}"
+        is_upright = text.startswith(_UPRIGHT)
+        remedy = parser.remedies.name.format(text) if is_upright else _UNREAD.get(text, "")
+        raise parser.refuse(f"{shown} has no meaning here", remedy)
+    printed = _printed_name(parser, parser.place)
+    is_unsure = text in UNSURE and _find_end(parser, parser.place) == parser.place + 1
+    if parser.collects and text != r"\vec" and not is_unsure:
         return _collect(parser)
     if parser.integrals and text != "d" and not parser.collects:
         return _read_running(parser)
-    printed = _printed_name(parser, parser.place)
     begun = [latex for latex in parser.names.beginning(text) if latex != printed]
     near = f" (declared are {', '.join(begun[:4])})" if begun else ""
-    raise parser.refuse(f"{printed} is not declared{near}", parser.remedies.name.format(printed))
+    hint = UNSURE[text] if is_unsure else _UNREAD.get(text, "")
+    remedy = " ".join(filter(None, (hint, parser.remedies.name.format(printed))))
+    raise parser.refuse(f"{printed} is not declared{near}", remedy)
 
 
 def _read_running(parser: Parser) -> Letter:
@@ -183,8 +214,9 @@ def _read_running(parser: Parser) -> Letter:
 def _read_plain(parser: Parser) -> Letter:
     """Read a letter with its index and primes as a real symbol."""
     start = parser.start
-    latex = _printed_name(parser, parser.place)
-    parser.place = _find_end(parser, parser.place)
+    end = _find_end(parser, parser.place)
+    latex = "".join(token.text for token in parser.tokens[parser.place : end])
+    parser.place = end
     name = re.sub(r"[\\{}\s]", "", latex)
     return Letter(sp.Symbol(name, real=True), latex, start=start, end=parser.end)
 
@@ -193,6 +225,14 @@ def _collect(parser: Parser) -> Letter:
     """Note a letter that nobody declared; with a bound index it is one of a family."""
     place = parser.place
     letter = _read_plain(parser)
+    if parser.text and letter.text in _INCREMENTS and _begins_letter(parser.text):
+        raise parser.refuse(
+            f"{letter.text} before a letter: one quantity, or a product?",
+            f"{parser.remedies.name} Print a dot for the product.".format(
+                f"{letter.text} {_printed_name(parser, parser.place)}"
+            ),
+            letter.start,
+        )
     base, _, index = letter.text.partition("_")
     signs = {token.text for token in parser.tokens[place : parser.place]}
     if index and signs & set(parser.bound):
@@ -202,6 +242,10 @@ def _collect(parser: Parser) -> Letter:
     else:
         parser.collected.append(letter.text)
     return letter
+
+
+def _begins_letter(text: str) -> bool:
+    return text.isalpha() or text[1:] in GREEK or text in ACCENTS
 
 
 def _find_end(parser: Parser, place: int) -> int:

@@ -8,6 +8,7 @@ from operator import add, mul
 from typing import Any
 
 import sympy as sp
+from sympy.matrices.exceptions import ShapeError
 
 from mechproof.latex.errors import Remedies, Source
 from mechproof.latex.tree import (
@@ -37,6 +38,7 @@ from mechproof.latex.values import depends, settle
 from mechproof.record import FunctionWithoutArgument, IntegralWithoutDifferential
 
 LARGEST_EXPONENT = 1000
+LARGEST_POWER_BITS = 100_000
 RELATIONS: Mapping[str, Callable[..., sp.Basic]] = {
     "=": sp.Eq,
     r"\equiv": sp.Eq,
@@ -69,9 +71,16 @@ class Meaning:
 
     def of(self, node: Node) -> Any:
         """Return the expression of a node; `ReadingError` for a division by zero and the like."""
-        found = _RULES[type(node)](self, node)
+        try:
+            found = _RULES[type(node)](self, node)
+        except (AttributeError, NotImplementedError, ShapeError, TypeError) as error:
+            reason = "numbers, matrices or their shapes do not fit together here"
+            raise self.source.refuse(node.start, reason) from error
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
+        is_scalar = isinstance(found, sp.Expr) and not isinstance(found, sp.MatrixExpr)
+        if is_scalar and found.is_extended_real is False:
+            raise self.source.refuse(node.start, "this has no real value")
         return found
 
     def relate(self, chain: Chain) -> tuple[sp.Basic, ...]:
@@ -109,6 +118,12 @@ class Meaning:
             raise self.source.refuse(
                 node.exponent.start, f"an exponent beyond {LARGEST_EXPONENT} is not worked out"
             )
+        if base == 0 and exponent == 0:
+            raise self.source.refuse(node.start, "zero to the power of zero has no value")
+        if isinstance(base, sp.Rational) and isinstance(exponent, sp.Rational):
+            bits = max(abs(base.p), base.q).bit_length() * abs(exponent)
+            if bits > LARGEST_POWER_BITS:
+                raise self.source.refuse(node.start, "a power of so many digits is not worked out")
         return base**exponent
 
     def _root(self, node: Root) -> sp.Expr:

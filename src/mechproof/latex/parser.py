@@ -21,7 +21,7 @@ from mechproof.record import Notation
 
 T = TypeVar("T")
 RELATIONS = ("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv")
-ENDING = (*RELATIONS, "+", "-", ")", "]", "}", ",", ";", "&", r"\\", "")
+ENDING = (*RELATIONS, "+", "-", ")", "]", "}", ",", ";", "&", r"\\", r"\rvert", "")
 
 
 class Parser:
@@ -86,6 +86,18 @@ class Parser:
             self.place += 1
             return True
         return False
+
+    def rest_of_member(self) -> list[str]:
+        """Return the signs up to the next relation sign, comma or closing bracket of this level."""
+        found: list[str] = []
+        depth = 0
+        for token in self.tokens[self.place :]:
+            depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(token.text, 0)
+            if depth < 0 or (depth == 0 and token.text in (*RELATIONS, ",", ";", "&")):
+                break
+            if depth == 0:
+                found.append(token.text)
+        return found
 
     def refuse(self, reason: str, remedy: str = "", place: int | None = None) -> ReadingError:
         """Return the error that points at the next sign, or at a place of the source."""

@@ -86,6 +86,8 @@ def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     right = _substitute(row, _derive(row, members.right, members.right_derived, reader))
     if sign == r"\ne" and isinstance(left, sp.MatrixBase):
         return Distinct(left, right)
+    if any(isinstance(side, sp.MatrixBase) for side in (left, right)):
+        raise ValueError(f"row {row.number!r}: matrices are not put in order by {sign}")
     return Holds(RELATIONS[sign](left, right, evaluate=False))
 
 
@@ -100,7 +102,9 @@ def _round(row: Row, members: Members, reader: Reader) -> Statement:
         ((_, number),) = number.terms
         sign = "-"
     if not isinstance(number, Number):
-        raise ValueError(f"row {row.number!r}: an approximation by no number; give its `says`")
+        raise ValueError(
+            f"row {row.number!r}: an approximation by no number: print the number at its right"
+        )
     return PrintedNumber(sign + number.text, value)
 
 

@@ -10,20 +10,30 @@ import re
 from dataclasses import dataclass
 
 from mechproof.latex.errors import Source
+from mechproof.latex.functions import FUNCTIONS
 
 _SIGN = re.compile(r"\\[A-Za-z]+\*?|\\.|\s+|.", re.DOTALL)
 _BLANK = (
     *(r"\,", r"\;", r"\:", r"\!", "\\ ", r"\quad", r"\qquad", "~", r"\displaystyle"),
-    *(r"\textstyle", r"\limits", r"\nolimits", r"\left", r"\right", r"\big", r"\Big"),
-    *(r"\bigl", r"\bigr", r"\Bigl", r"\Bigr", r"\bigg", r"\Bigg", r"\mathstrut"),
+    *(r"\textstyle", r"\limits", r"\nolimits", r"\big", r"\Big", r"\bigg"),
+    *(r"\Bigg", r"\mathstrut"),
 )
+_OPENING = (r"\left", r"\bigl", r"\Bigl", r"\biggl", r"\Biggl")
+_CLOSING = (r"\right", r"\bigr", r"\Bigr", r"\biggr", r"\Biggr")
+# A bar whose size says whether it opens or closes; a plain one does not say it.
+_BARS = {
+    **{(size, bar): r"\lvert" for size in _OPENING for bar in ("|", r"\vert")},
+    **{(size, bar): r"\rvert" for size in _CLOSING for bar in ("|", r"\vert")},
+}
 _SAME = {
     **dict.fromkeys((r"\dfrac", r"\tfrac", r"\cfrac"), r"\frac"),
     **dict.fromkeys((r"\leq", r"\leqslant"), r"\le"),
     **dict.fromkeys((r"\geq", r"\geqslant"), r"\ge"),
     **dict.fromkeys((r"\ldots", r"\cdots", r"\dotsc"), r"\dots"),
-    **dict.fromkeys((r"\times", "*"), r"\cdot"),
-    **dict.fromkeys((r"\lvert", r"\rvert", r"\vert"), "|"),
+    **dict.fromkeys((r"\times", "*", "\u00b7", "\u00d7"), r"\cdot"),
+    **dict.fromkeys((r"\vert",), "|"),
+    **{"\u2212": "-", "\u2264": r"\le", "\u2265": r"\ge", "\u2260": r"\ne"},
+    **{"\u2248": r"\approx", "\u221e": r"\infty", "\u2032": "'", "\u03c0": r"\pi"},
     **dict.fromkeys((r"\lbrack",), "["),
     **dict.fromkeys((r"\rbrack",), "]"),
     r"\neq": r"\ne",
@@ -35,8 +45,20 @@ _SAME = {
 }
 _ARGUMENTS = {r"\frac": 2, r"\sqrt": 1}
 ACCENTS = (r"\bar", r"\overline", r"\vec", r"\hat", r"\tilde", r"\dot", r"\ddot")
-_UPRIGHT = (r"\mathrm", r"\operatorname", r"\operatorname*", r"\mathop", r"\mathit", r"\mathbf")
+_UPRIGHT = (
+    r"\textrm",
+    r"\textup",
+    r"\mathsf",
+    r"\mathrm",
+    r"\operatorname",
+    r"\operatorname*",
+    r"\mathop",
+    r"\mathit",
+    r"\mathbf",
+)
 _PRIME = r"\prime"
+# Signs that are scripts by themselves.
+_SIGN_SCRIPTS = {"°": r"\circ", r"\degree": r"\circ", "²": "2", "³": "3"}
 
 
 @dataclass(frozen=True)
@@ -55,7 +77,18 @@ def tokenize(latex: str) -> tuple[Token, ...]:
 
 def _split(latex: str) -> list[Token]:
     found = (Token(m[0], m.start(), m.end()) for m in _SIGN.finditer(latex))
-    return [t for t in found if not t.text.isspace() and t.text not in _BLANK]
+    signs: list[Token] = []
+    size = ""
+    for sign in found:
+        if sign.text.isspace() or sign.text in _BLANK:
+            continue
+        if sign.text in (*_OPENING, *_CLOSING):
+            size = sign.text
+            continue
+        text = _BARS.get((size, sign.text), sign.text)
+        signs.append(Token(text, sign.start, sign.end))
+        size = ""
+    return signs
 
 
 class _Normaliser:
@@ -105,12 +138,22 @@ class _Normaliser:
             return [self._read_upright(first)]
         if first.text == r"\text":
             words, end = self._read_words()
-            return [Token(rf"\text{{{words.strip(' ,;')}}}", first.start, end)]
+            text = words.strip(" ,;")
+            sign = rf"\{text}" if text in FUNCTIONS else rf"\text{{{text}}}"
+            return [Token(sign, first.start, end)]
         if first.text in (r"\begin", r"\end"):
-            words, end = self._read_words()
-            return [Token(f"{first.text}{{{words}}}", first.start, end)]
+            return [self._read_environment(first)]
         text = _SAME.get(first.text, first.text)
         return self._read_arguments(Token(text, first.start, first.end))
+
+    def _read_environment(self, first: Token) -> Token:
+        """Read a beginning or an end; an array is a matrix, whatever its columns are."""
+        words, end = self._read_words()
+        if words == "array":
+            words = "matrix"
+            if first.text == r"\begin":
+                _, end = self._read_words()
+        return Token(f"{first.text}{{{words}}}", first.start, end)
 
     def _read_arguments(self, command: Token) -> list[Token]:
         signs = [command]
@@ -155,18 +198,27 @@ class _Normaliser:
 
     def _read_upright(self, command: Token) -> Token:
         r"""`\mathrm{tg}` is the function `\tg`, `\mathrm{d}x` the differential."""
-        if self._peek() != "{":
-            raise self._refuse(f"{command.text} needs braces here")
-        words, end = self._read_words()
+        if self._peek() == "{":
+            words, end = self._read_words()
+        elif self._peek().isalpha():
+            sign = self._take()
+            words, end = sign.text, sign.end
+        else:
+            raise self._refuse(f"{command.text} needs a letter or braces here")
         name = re.sub(r"\\[,;:! ]|\s|\\mathrm|[{}]", "", words)
-        text = rf"\{name}" if name.isalpha() and len(name) > 1 else rf"\mathrm{{{name}}}"
+        is_word = name.isalnum() and name[0].isalpha() and len(name) > 1
+        text = rf"\{name}" if is_word else rf"\mathrm{{{name}}}"
         return Token("d" if name == "d" else text, command.start, end)
 
     def _read_scripts(self) -> list[Token]:
         found: dict[str, list[Token]] = {}
         primes: list[Token] = []
-        while self._peek() in ("_", "^", "'"):
+        while self._peek() in ("_", "^", "'", *_SIGN_SCRIPTS):
             mark = self._take()
+            if mark.text in _SIGN_SCRIPTS:
+                texts = ("^", "{", _SIGN_SCRIPTS[mark.text], "}")
+                found["^"] = [Token(text, mark.start, mark.end) for text in texts]
+                continue
             if mark.text == "'":
                 primes.append(mark)
                 continue

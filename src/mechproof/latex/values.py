@@ -12,10 +12,16 @@ Values = Mapping[sp.Basic, sp.Basic]
 
 def depends(symbol: sp.Basic, on: Collection[sp.Basic], values: Values) -> bool:
     """Return whether a symbol is one of these, or is given by them."""
-    if symbol in on:
-        return True
-    value = values.get(symbol)
-    return value is not None and any(depends(s, on, values) for s in value.free_symbols)
+    met, waiting = {symbol}, [symbol]
+    while waiting:
+        one = waiting.pop()
+        if one in on:
+            return True
+        value = values.get(one)
+        new = set() if value is None else value.free_symbols - met
+        met |= new
+        waiting += new
+    return False
 
 
 def settle(expression: Any, values: Values, changed: Values) -> Any:

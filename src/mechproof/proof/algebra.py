@@ -3,6 +3,7 @@
 Angles are reduced to one (cos, sin) pair per base angle with c^2 + s^2 = 1, square roots to
 roots of irreducible factors of proved sign with r^2 = f. The numerator of the difference then
 has a unique normal form; it is zero exactly if the two sides agree wherever both are defined.
+Exponentials are powers of one generator for each monomial of their arguments, if need be.
 Other functions (arctan, ...) stay opaque: equal arguments, equal values.
 """
 
@@ -18,19 +19,25 @@ from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_workable
 from mechproof.proof.sums import canonicalise
 
 _HALF = sp.Rational(1, 2)
+_EXPONENTIALS = (sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.coth)
 
 
 class Field:
     """The generators met in one proof, and the relations between them."""
 
-    def __init__(self, domain: Domain) -> None:
-        """Start with no generator; `domain` proves the signs under square roots."""
+    def __init__(self, domain: Domain, has_powers: bool = False) -> None:
+        """Start with no generator; `domain` proves the signs under square roots.
+
+        With `has_powers`, exponentials are powers of those of the monomials of their arguments.
+        """
         self.domain = domain
+        self.has_powers = has_powers
         self.used_angles = False
         self.used_roots = False
         self.used_sums = False
         self._denominators: dict[sp.Expr, int] = {}
         self._circle: dict[sp.Expr, tuple[sp.Symbol, sp.Symbol]] = {}
+        self._bases: dict[sp.Expr, sp.Symbol] = {}
         self._opaque: dict[sp.Basic, sp.Symbol] = {}
         self._meaning: dict[sp.Basic, sp.Basic] = {}
         self._relations: dict[sp.Symbol, sp.Expr] = {}
@@ -56,7 +63,7 @@ class Field:
         return next((name for used, name in kinds if used), "rational field")
 
     def _collect_angles(self, expression: sp.Basic) -> None:
-        for node in expression.atoms(sp.sin, sp.cos, sp.tan, sp.cot):
+        for node in expression.atoms(sp.sin, sp.cos, sp.tan, sp.cot, *_EXPONENTIALS):
             for monomial, factor in _linear_terms(node.args[0]):
                 known = self._denominators.get(monomial, 1)
                 self._denominators[monomial] = lcm(known, int(factor.q))
@@ -74,6 +81,8 @@ class Field:
             return self._translate_root(node.args[0] ** 2)
         if isinstance(node, sp.sin | sp.cos | sp.tan | sp.cot):
             return self._translate_angle(node)
+        if self.has_powers and isinstance(node, (*_EXPONENTIALS, type(sp.E))):
+            return self._translate_exponential(node)
         if isinstance(node, sp.atan2) and self._is_positive(node.args[1]):
             quotient = sp.atan(node.args[0] / node.args[1])
             return self._translate_opaque(quotient) if quotient != 0 else quotient
@@ -96,6 +105,20 @@ class Field:
             sp.cot: lambda: cosine / sine,
         }
         return quotients[node.func]()
+
+    def _translate_exponential(self, node: sp.Expr) -> sp.Expr:
+        """Return a power of generators; hyperbolic functions are quotients of such powers."""
+        power = sp.Integer(1)
+        for monomial, factor in _linear_terms(node.args[0] if node.args else sp.S.One):
+            denominator = self._denominators.get(monomial, 1)
+            if monomial not in self._bases:
+                base = sp.Dummy("E", positive=True)
+                self._bases[monomial] = base
+                self._meaning[base] = sp.exp(monomial / denominator)
+            power *= self._bases[monomial] ** (factor * denominator)
+        even, odd = (power + 1 / power) / 2, (power - 1 / power) / 2
+        quotients = {sp.cosh: even, sp.sinh: odd, sp.tanh: odd / even, sp.coth: even / odd}
+        return quotients.get(node.func, power)
 
     def _multiple(self, monomial: sp.Expr, factor: sp.Rational) -> tuple[sp.Expr, sp.Expr]:
         """Return cos and sin of factor*monomial as polynomials in those of the base angle."""
@@ -222,9 +245,14 @@ class UnknownSignError(ArithmeticError):
 
 def decide_equal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | None:
     """Return the rung that proves left = right wherever both are defined, or None."""
-    field = Field(domain)
+    difference = left - right
+    kinds = (False, True) if difference.has(*_EXPONENTIALS) else (False,)
+    return next(filter(None, (_find_rung(Field(domain, k), difference) for k in kinds)), None)
+
+
+def _find_rung(field: Field, difference: sp.Expr) -> str | None:
     try:
-        return field.rung if field.vanishes(left - right) else None
+        return field.rung if field.vanishes(difference) else None
     except (UnknownSignError, NotImplementedError, sp.PolynomialError):
         return None
 

@@ -350,6 +350,15 @@ _FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.atan2: lambda y, x: _arctangent(y, x),
     sp.exp: lambda x: x.exp(),
     sp.log: lambda x: x.log(),
+    sp.sec: lambda x: x.sec(),
+    sp.csc: lambda x: x.csc(),
+    sp.sinh: lambda x: x.sinh(),
+    sp.cosh: lambda x: x.cosh(),
+    sp.tanh: lambda x: x.tanh(),
+    sp.coth: lambda x: x.coth(),
+    sp.asinh: lambda x: x.asinh(),
+    sp.acosh: lambda x: x.acosh(),
+    sp.atanh: lambda x: x.atanh(),
     sp.erf: lambda x: x.erf(),
     sp.erfc: lambda x: x.erfc(),
     sp.floor: lambda x: x.floor(),
@@ -367,13 +376,17 @@ _FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
 _COMPLEX: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.Abs: lambda z, analytic: z.real_abs(analytic),
     sp.sign: lambda z, analytic: z.real_sgn(analytic),
+    sp.Pow: lambda z, exponent, analytic: acb(z).pow(exponent, analytic),
     sp.log: lambda z, analytic: z.log(analytic),
     sp.atan: lambda z, analytic: z.atan() if _within_strip(z, analytic) else NOT_ANALYTIC,
     sp.asin: lambda z, analytic: z.asin() if _within_slit(z, analytic) else NOT_ANALYTIC,
     sp.acos: lambda z, analytic: z.acos() if _within_slit(z, analytic) else NOT_ANALYTIC,
 }
 
-_ENTIRE = (sp.sin, sp.cos, sp.tan, sp.cot, sp.exp, sp.erf, sp.erfc)
+_ENTIRE = (
+    *(sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.exp, sp.erf, sp.erfc),
+    *(sp.sinh, sp.cosh, sp.tanh, sp.coth),
+)
 
 
 def _beta(a: Ball, b: Ball, x: Ball) -> Ball:

@@ -6,6 +6,7 @@ witness is a change of a unit after which the two sides no longer scale alike.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 from itertools import repeat
 
@@ -13,9 +14,10 @@ import sympy as sp
 from sympy.logic.boolalg import Boolean
 from sympy.matrices.expressions.matexpr import MatrixElement
 
-from mechproof.record import NUMBER, Dimension, Paper
+from mechproof.record import ANGLE, NUMBER, Dimension, Paper
 
-Dimensions = dict[sp.Basic, Dimension]
+Dimensions = Mapping[sp.Basic, Dimension]
+_OF_ANGLES = (sp.atan, sp.asin, sp.acos, sp.acot, sp.atan2)
 
 
 class DimensionError(ValueError):
@@ -25,6 +27,15 @@ class DimensionError(ValueError):
 def dimensions_of(paper: Paper) -> Dimensions:
     """Return the dimension of every symbol of the paper."""
     return {variable.symbol: variable.dimension for variable in paper.variables}
+
+
+def is_angle(sides: tuple[sp.Basic, ...], known: Dimensions) -> bool:
+    """Return whether the sides of a statement are angles."""
+    try:
+        common = infer_common(sides, known)
+    except DimensionError:
+        return False
+    return common is not None and common.is_angle
 
 
 def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
@@ -62,7 +73,7 @@ def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
         return NUMBER
     if isinstance(expression, sp.Abs | sp.Max | sp.Min | sp.atan2 | sp.MatrixBase):
         common = _common(tuple(expression) if expression.is_Matrix else expression.args, known)
-        return NUMBER if isinstance(expression, sp.atan2) else common
+        return ANGLE if isinstance(expression, sp.atan2) else common
     return _of_function(expression, known)
 
 
@@ -96,7 +107,9 @@ def _common(parts: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:
             continue
         if result is not None and found != result:
             raise DimensionError(f"{first} has dimension {result} but {part} has {found}")
-        result, first = found, first if first is not None else part
+        first = first if first is not None else part
+        # A number among angles is an angle too.
+        result = found if result is None or not result.angle else result
     return result
 
 
@@ -114,10 +127,11 @@ def _power(node: sp.Pow, known: Dimensions) -> Dimension | None:
     base = infer(node.base, known)
     if base is None or base == NUMBER:
         _require_number(node.exp, known, node)
-        return base
-    if not node.exp.is_Rational:
+    if base is not None and node.exp.is_Rational:
+        return base ** Fraction(int(node.exp.p), int(node.exp.q))
+    if base is not None and base != NUMBER:
         raise DimensionError(f"{node.base} has dimension {base} and the exponent {node.exp}")
-    return base ** Fraction(int(node.exp.p), int(node.exp.q))
+    return base and NUMBER
 
 
 def _of_sum_or_integral(node: sp.Basic, known: Dimensions) -> Dimension | None:
@@ -145,7 +159,7 @@ def _with_bound(node: sp.Basic, known: Dimensions) -> Dimensions:
 def _of_function(node: sp.Basic, known: Dimensions) -> Dimension:
     for argument in node.args:
         _require_number(argument, known, node)
-    return NUMBER
+    return ANGLE if isinstance(node, _OF_ANGLES) else NUMBER
 
 
 def _require_number(argument: sp.Basic, known: Dimensions, node: sp.Basic) -> None:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import islice, product
 from types import MappingProxyType
@@ -12,11 +13,13 @@ import sympy as sp
 
 from mechproof.proof import balls
 from mechproof.proof.assumptions import describe_excess, facts_of, find_excess
+from mechproof.proof.dimensions import dimensions_of
 from mechproof.proof.substitution import substitute
-from mechproof.record import Paper, Part, RecordError
+from mechproof.record import NUMBER, Dimension, Paper, Part, Published, RecordError, Toleranced
 
 Point = dict[sp.Basic, sp.Expr]
 _NO_VALUES: Mapping[sp.Basic, sp.Expr] = MappingProxyType({})
+_NO_DIMENSIONS: Mapping[sp.Basic, Dimension] = MappingProxyType({})
 
 _TRIES_PER_POINT = 60
 COUNTS = (sp.S.Naturals, sp.S.Naturals0)
@@ -26,15 +29,30 @@ _SPECIAL = tuple(
     for value in (sp.S.One, sp.S.Half, sp.pi / 2, sp.pi, sp.pi / 3, sp.pi / 4, 2 * sp.pi)
     for sign in (1, -1)
 )
+# Angles at which a reader looks first.
+_ROUND_ANGLES = tuple(
+    sp.pi * sp.Rational(degrees, 180) for degrees in (30, 45, 60, 90, 120, 150, 180, 270, 360)
+)
+# Points for each choice of sizes and angles: of what is neither, a few values.
+_EACH = 3
+_ROUND_ANGLES += tuple(-angle for angle in _ROUND_ANGLES)
 
 
 @dataclass(frozen=True)
 class Domain:
-    """Sets of the free symbols, relations between them, and symbols given by others."""
+    """Sets of the free symbols, relations between them, and symbols given by others.
+
+    `published` sizes and `dimensions` decide nothing: they say at which points a difference is
+    looked for first, and how it is shown.
+    """
 
     within: Mapping[sp.Basic, sp.Set]
     where: tuple[sp.Basic, ...]
     given: Mapping[sp.Basic, sp.Expr]
+    published: tuple[Published, ...] = field(default=(), compare=False)
+    dimensions: Mapping[sp.Basic, Dimension] = field(
+        default_factory=lambda: _NO_DIMENSIONS, compare=False
+    )
 
     def __hash__(self) -> int:
         within, given = frozenset(self.within.items()), frozenset(self.given.items())
@@ -64,8 +82,8 @@ class Domain:
             _check_relation(relation, {*within, *given})
         if sp.false in where:
             raise RecordError(f"paper {paper.system!r}: a relation of its domain is always false")
-        domain = cls(within, (), given)
-        return cls(within, tuple(domain.resolve(relation) for relation in where), given)
+        domain = cls(within, (), given, paper.published, dimensions_of(paper))
+        return replace(domain, where=tuple(domain.resolve(relation) for relation in where))
 
     def resolve(self, expression: sp.Basic) -> sp.Basic:
         """Substitute the given symbols until only free ones are left."""
@@ -112,6 +130,38 @@ class Domain:
         corners = self._corners({s: interior[0][s] for s in ordered})
         tied = (_tie(of_elements, {**fixed, **corner}) for corner in corners)
         return interior + [point for point in tied if _allowed(relations, point)]
+
+    def points_at(
+        self,
+        sizes: Mapping[sp.Basic, sp.Expr],
+        symbols: list[sp.Basic],
+        fixed: Mapping[sp.Basic, sp.Expr] = _NO_VALUES,
+    ) -> Iterator[Point]:
+        """Yield points at sizes and round angles; what is neither is any value inside.
+
+        Nothing comes of sizes that the domain does not allow, and where nothing is known.
+        """
+        names, _ = self._connect(set(symbols) | fixed.keys())
+        known = {s: value for s, value in sizes.items() if s in names}
+        if not self.allows(known):
+            return
+        for angles in self._round_angles(names - known.keys() - fixed.keys()):
+            with suppress(ValueError):
+                if known or angles:
+                    yield from self.points(symbols, _EACH, {**fixed, **known, **angles})[:_EACH]
+
+    def _round_angles(self, symbols: set[sp.Basic]) -> Iterator[Point]:
+        """Yield unlike round angles for the angles among the symbols; nothing for none of them."""
+        free = sorted((s for s in symbols if self.dimension_of(s).is_angle), key=str)
+        inside = {s: [a for a in _ROUND_ANGLES if self.set_of(s).contains(a)] for s in free}
+        allowed = [(s, values) for s, values in inside.items() if values]
+        for turn in range(max((len(values) for _, values in allowed), default=1)):
+            yield {s: values[(turn + k) % len(values)] for k, (s, values) in enumerate(allowed)}
+
+    def dimension_of(self, symbol: sp.Basic) -> Dimension:
+        """Return the dimension of a symbol (of its base, for an indexed one)."""
+        base = symbol.base if isinstance(symbol, sp.Indexed) else symbol
+        return self.dimensions.get(base, NUMBER)
 
     def _connect(self, names: set[sp.Basic]) -> tuple[set[sp.Basic], list[sp.Basic]]:
         """Add the symbols that relations tie to the names, directly or through others."""
@@ -174,6 +224,14 @@ class Domain:
         if 1 < len(several) <= 4:
             for corner in product(*(ends[s] for s in several)):
                 yield {**inside, **dict(zip(several, corner, strict=True))}
+
+
+def sizes_of(published: Published) -> Point:
+    """Return the published sizes, nominal ones where there are limits."""
+    return {
+        symbol: size.nominal if isinstance(size, Toleranced) else sp.sympify(size)
+        for symbol, size in published.sizes.items()
+    }
 
 
 @cache

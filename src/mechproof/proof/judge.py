@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from mechproof.proof.comparison_latex import write_compared
 from mechproof.proof.declarations import check_statement
 from mechproof.proof.dimensions import dimensions_of
 from mechproof.proof.domain import COUNTS, Domain
@@ -51,6 +52,7 @@ def judge(row: Row, paper: Paper) -> Judgement:
         corrected_latex=row.corrected.latex if row.corrected else "",
         corrected_by=answer.corrected_by,
         may_stay_open=bool(row.stays_open),
+        compared_with=write_compared(row.statement, paper.variables),
     )
 
 

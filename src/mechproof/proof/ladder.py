@@ -16,6 +16,7 @@ from mechproof.proof.bisection import holds_on_interval
 from mechproof.proof.domain import Domain
 from mechproof.proof.numbers import decide_number
 from mechproof.proof.refutation import Comparison, compare, find_undefined, find_violation
+from mechproof.proof.showing import show_plainly
 from mechproof.proof.signs import find_sign
 from mechproof.proof.substitution import substitute
 from mechproof.proof.verdict import Answer, Evidence, Verdict
@@ -36,6 +37,7 @@ CROSS_EXAMINATION = 4
 CROSS_PRECISION = (64,)
 # Characters of an expression that a reason names.
 _LONGEST = 240
+_SIGNS = {"==": "=", "!=": "differs from"}
 
 
 class ContradictionError(RuntimeError):
@@ -139,11 +141,12 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
         reason = "SymPy evaluated the relation when it was written: build it with evaluate=False"
         return Answer(Verdict.UNDECIDED, "none", reason)
     relation = domain.resolve(statement.relation)
-    if relation in (sp.true, sp.false) or not relation.free_symbols:
-        return _decide_exact(relation)
-    if isinstance(relation, sp.And):
-        parts = tuple(Holds(part) for part in sorted(relation.args, key=str))
+    if isinstance(statement.relation, sp.And):
+        parts = tuple(Holds(part) for part in sorted(statement.relation.args, key=str))
         return _decide_conjunction(Conjunction(parts), domain)
+    if relation in (sp.true, sp.false) or not relation.free_symbols:
+        sign = getattr(statement.relation, "rel_op", "")
+        return _decide_exact(relation, _resolve_sides(statement.relation, domain), sign)
     if isinstance(relation, sp.Equality):
         return _decide_sides(relation.lhs, relation.rhs, domain)
     rung = _prove_relation(relation, domain)
@@ -172,26 +175,30 @@ def _clip(text: str) -> str:
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 4]} ..."
 
 
-def _decide_exact(relation: sp.Basic) -> Answer:
+def _resolve_sides(relation: sp.Basic, domain: Domain) -> tuple[sp.Expr, ...]:
+    """Return the exact numbers that a relation compares; none where it compares no two numbers."""
+    sides = relation.args if isinstance(relation, sp.core.relational.Relational) else ()
+    resolved = tuple(domain.resolve(side) for side in sides)
+    return () if any(side.free_symbols for side in resolved) else resolved
+
+
+def _decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> Answer:
     holds = balls.truth(relation, {}, 512)
     verdicts = {True: Verdict.PROVED, False: Verdict.REFUTED, None: Verdict.UNDECIDED}
-    is_plain = relation in (sp.true, sp.false)
-    evidence = () if is_plain else (_describe_exact(relation, holds),)
-    return Answer(verdicts[holds], "evaluation", f"exact numbers: {holds}", evidence)
+    outcome = {True: "is true", False: "is false", None: "is not decided"}[holds]
+    if not sides:
+        return Answer(verdicts[holds], "evaluation", f"{_clip(str(relation))} {outcome}")
+    values = [balls.evaluate(side, {}, 512) for side in sides]
+    plain, enclosed = show_plainly(*values), balls.show_apart(*values)
+    sign = f" {_SIGNS.get(sign, sign)} "
+    evidence = Evidence(f"{sign.join(enclosed)} {outcome}")
+    return Answer(verdicts[holds], "evaluation", f"{sign.join(plain)} {outcome}", (evidence,))
 
 
 def _prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
     if holds_on_interval(relation, domain):
         return bisection.RUNG
     return "sign in positive coordinates" if _holds_by_sign(relation, domain) else None
-
-
-def _describe_exact(relation: sp.Basic, holds: bool | None) -> Evidence:
-    """Show both sides as balls: the exact numbers themselves may be pages long."""
-    if not isinstance(relation, sp.core.relational.Relational):
-        return Evidence(f"{relation} for exact numbers is {holds}")
-    left, right = balls.show_apart(*(balls.evaluate(side, {}, 512) for side in relation.args))
-    return Evidence(f"{left} {relation.rel_op} {right} for exact numbers is {holds}")
 
 
 def _holds_by_sign(relation: sp.Basic, domain: Domain) -> bool:
@@ -207,9 +214,13 @@ def _holds_by_sign(relation: sp.Basic, domain: Domain) -> bool:
 
 def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:
     answers = [decide(part, domain) for part in statement.parts]
-    failed = [d for d in answers if d.verdict not in (Verdict.PROVED, Verdict.DEFINITION)]
-    for answer in sorted(failed, key=lambda d: d.verdict is not Verdict.REFUTED):
-        return answer
+    failed = [
+        (d, f"part {number} of {len(answers)}: ")
+        for number, d in enumerate(answers, start=1)
+        if d.verdict not in (Verdict.PROVED, Verdict.DEFINITION)
+    ]
+    for answer, part in sorted(failed, key=lambda item: item[0].verdict is not Verdict.REFUTED):
+        return replace(answer, reason=f"{part if len(answers) > 1 else ''}{answer.reason}")
     evidence = tuple(item for answer in answers for item in answer.evidence)
     reason = f"all {len(answers)} parts hold"
     only_defined = all(d.verdict is Verdict.DEFINITION for d in answers)
@@ -234,11 +245,11 @@ def _decide_completion(completion: Completion, missing: str | sp.Symbol, domain:
     given = {**domain.given, missing: completion.value}
     within = {s: values for s, values in domain.within.items() if s != missing}
     where = tuple(substitute(r, {missing: completion.value}) for r in domain.where)
-    return decide(completion.says, Domain(within, where, given))
+    return decide(completion.says, replace(domain, within=within, where=where, given=given))
 
 
 def _describe(completion: Completion, answer: Answer) -> Evidence:
-    what = f"{completion.text}: {answer.verdict} ({answer.rung}; {answer.reason})"
+    what = f"{completion.text}: {answer.verdict}: {answer.reason} ({answer.rung})"
     first = answer.evidence[0] if answer.evidence else Evidence("")
     return Evidence(what, first.at, first.printed, first.rebuilt)
 

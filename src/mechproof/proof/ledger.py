@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from mechproof.proof.findings import Found
 from mechproof.proof.ladder import IDENTICAL
+from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
 from mechproof.record import Paper
 
@@ -16,6 +17,7 @@ PLAIN = (Verdict.PROVED, Verdict.DEFINITION)
 # Rows are counted by what they are, never added up.
 CLASSES = {"equation": "printed equations", "claim": "printed claims", "datum": "printed data"}
 OURS = "our own rows"
+REBUILT = "rebuilt"
 COUNTED = (*CLASSES.values(), OURS)
 INTRODUCTION = """# Ledger
 
@@ -24,6 +26,8 @@ every checkable claim of the papers, with the verdict that `mechproof verify` co
 is generated; the same findings and rows are in `ledger.json`. Rows marked *ours* are not printed
 in the paper: they are results that other rows or the kernels rest on, and they are counted apart.
 "Read as" is what was read from the print and judged; rows marked *as typed* were typed by hand.
+A rung is the way in which a row was decided; the last section explains each. The formulas of what
+is proved, and what they were compared with, are folded away below each table.
 """
 
 
@@ -53,8 +57,14 @@ def show_totals(judgements: Sequence[Judgement]) -> dict[str, str]:
 
 def _count(judgements: Sequence[Judgement]) -> str:
     counted = Counter(j.verdict for j in judgements)
-    identical = sum(j.rung == IDENTICAL for j in judgements)
-    apart = {Verdict.PROVED: f" ({identical} of them identical)"} if identical else {}
+    proved = [j for j in judgements if j.verdict is Verdict.PROVED]
+    # Of one source with what it is compared with, or a print that was rebuilt: said apart.
+    kinds = {
+        "identical": sum(j.rung == IDENTICAL for j in proved),
+        REBUILT: sum(REBUILT in j.marks for j in proved),
+    }
+    parts = ", ".join(f"{number} {kind}" for kind, number in kinds.items() if number)
+    apart = {Verdict.PROVED: f" (of them {parts})"} if parts else {}
     return ", ".join(f"{counted[v]} {v}{apart.get(v, '')}" for v in Verdict if counted[v])
 
 
@@ -73,13 +83,15 @@ def to_markdown(ledgers: Sequence[Ledger]) -> str:
     parts += [_finding(found) for ledger in ledgers for found in ledger.findings]
     for ledger in ledgers:
         parts += [_heading(ledger), _table(ledger.judgements)]
+        parts.append(_list_compared(ledger.judgements))
         parts += [_details(j) for j in ledger.judgements if j.verdict not in PLAIN]
+    parts.append(_explain_rungs([j for ledger in ledgers for j in ledger.judgements]))
     return "\n".join(parts)
 
 
 def _finding(found: Found) -> str:
     paragraphs = [
-        f"### {found.system} {found.number}",
+        f"### {found.system} {found.number}: {found.verdict}{_show_marks(found.marks)}",
         f"$$ {found.printed_latex} $$",
         _escape(found.wrong),
         "\n".join(f"- {_escape(cost)}" for cost in found.costs),
@@ -91,6 +103,10 @@ def _finding(found: Found) -> str:
     return "\n\n".join(filter(None, paragraphs)) + "\n"
 
 
+def _show_marks(marks: Sequence[str]) -> str:
+    return f" *{', '.join(marks)}*" if marks else ""
+
+
 def _heading(ledger: Ledger) -> str:
     totals = (f"- {name}: {line}" for name, line in show_totals(ledger.judgements).items())
     lines = [f"\n## {ledger.paper.system}", f"{ledger.paper.citation}", "\n".join(totals)]
@@ -98,12 +114,28 @@ def _heading(ledger: Ledger) -> str:
 
 
 def _table(judgements: Sequence[Judgement]) -> str:
-    lines = ["| number | read as | verdict | rung | reason |", "|---|---|---|---|---|"]
+    lines = ["| number | read as | verdict | reason | rung |", "|---|---|---|---|---|"]
     for j in judgements:
-        marks = f" *{', '.join(j.marks)}*" if j.marks else ""
-        cells = (f"{j.number}{marks}", j.read_as, j.verdict.value, j.rung, j.reason)
+        cells = (f"{j.number}{_show_marks(j.marks)}", j.read_as, j.verdict.value, j.reason, j.rung)
         lines.append("| " + " | ".join(_escape(cell) for cell in cells) + " |")
     return "\n".join(lines) + "\n"
+
+
+def _list_compared(judgements: Sequence[Judgement]) -> str:
+    """Fold away the formulas of the rows that are proved."""
+    proved = [j for j in judgements if j.verdict is Verdict.PROVED and j.compared_with]
+    lines = [f"<details><summary>{len(proved)} proved rows: what was compared</summary>\n"]
+    for j in proved:
+        lines.append(f"**{_escape(j.number)}**\n\n$$ {j.printed_latex} $$\n")
+        lines.append(f"compared with\n\n$$ {j.compared_with} $$\n")
+    return "\n".join([*lines, "</details>\n"]) if proved else ""
+
+
+def _explain_rungs(judgements: Sequence[Judgement]) -> str:
+    """Explain every rung that occurs, once."""
+    met = name_rungs(j.rung for j in judgements)
+    lines = ["\n## Rungs\n", "| rung | what it shows |", "|---|---|"]
+    return "\n".join([*lines, *(f"| {name} | {_escape(RUNGS[name])} |" for name in met), ""])
 
 
 def _escape(cell: str) -> str:
@@ -113,7 +145,8 @@ def _escape(cell: str) -> str:
 def _details(j: Judgement) -> str:
     lines = [f"### {j.system} {j.number}: {j.verdict}\n", f"$$ {j.printed_latex} $$\n"]
     lines += [f"Read as: `{j.read_as}`\n"] if j.read_as else []
-    lines += [f"{_escape(j.reason)}\n"]
+    lines += [f"{_escape(j.reason)} ({j.rung})\n"]
+    lines += [f"Compared with:\n\n$$ {j.compared_with} $$\n"] if j.compared_with else []
     lines += [f"- {_describe(item)}" for item in j.evidence]
     if j.corrected_latex:
         by = f" (proved: {j.corrected_by})" if j.corrected_by else ""

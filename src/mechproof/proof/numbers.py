@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.proof import balls
+from mechproof.proof.showing import show_plainly
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.record import PrintedNumber
 
@@ -21,11 +22,16 @@ def decide_number(statement: PrintedNumber, value: sp.Expr) -> Answer:
         distance, allowed = abs(value - printed), half_place
     evidence = Evidence("printed and recomputed", {}, statement.printed, balls.show(ball))
     if distance <= allowed:
-        return Answer(Verdict.PROVED, RUNG, f"recomputed {balls.show(ball, 8)}", (evidence,))
+        return Answer(Verdict.PROVED, RUNG, f"recomputed {_plain(ball)}", (evidence,))
     if distance > allowed:
-        reason = f"recomputed {balls.show(ball, 8)}, printed {statement.printed}"
+        reason = f"recomputed {_plain(ball)}, printed {statement.printed}"
         return Answer(Verdict.REFUTED, RUNG, reason, (evidence,))
     return Answer(Verdict.UNDECIDED, RUNG, "the ball meets the rounding boundary", (evidence,))
+
+
+def _plain(ball: balls.Ball) -> str:
+    (text,) = show_plainly(ball)
+    return text
 
 
 def _decimals(text: str) -> int:

@@ -12,7 +12,8 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
 from mechproof.proof import balls
-from mechproof.proof.domain import Domain, Point
+from mechproof.proof.domain import Domain, Point, sizes_of
+from mechproof.proof.showing import describe, show_point
 from mechproof.proof.substitution import substitute
 from mechproof.proof.sums import write_out
 from mechproof.proof.verdict import Evidence
@@ -53,12 +54,14 @@ def compare(
     for point in points_for((printed, rebuilt), domain, count, thorough=count == POINTS):
         left, right, decided = _enclose_both(printed, rebuilt, point, precisions)
         if decided == "apart":
-            return Comparison(_describe(point, left, right), agreeing, undecided, "")
+            sides, values = (printed, rebuilt), (left, right)
+            found = describe("the two sides", sides, values, point, domain)
+            return Comparison(found, agreeing, undecided, "")
         agreeing += decided == "together"
         undecided += decided == "open"
         one_has_a_value = left.is_finite() != right.is_finite()
         if one_has_a_value and not undefined and domain.is_interior(point):
-            undefined = _show_point(point)
+            undefined = _name_point(point, domain)
         if decided == "together":
             widest = widest.max((left - right).abs_upper())
     undefined = undefined or ("" if agreeing else "any point tried")
@@ -69,9 +72,12 @@ def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> E
     """Return a point at which the relation is certainly false, if one is found."""
     for point in points_for((relation,), domain, count, thorough=count == POINTS):
         if balls.truth(put_exactly(relation, point), point, 256) is False:
-            sides = [s for r in _relations(relation) for s in r.args]
-            values = [balls.evaluate(put_exactly(s, point), point, 256) for s in sides[:2]]
-            return Evidence(f"{relation} is false", _texts(point), *balls.show_apart(*values))
+            first, second, *_ = [s for r in _relations(relation) for s in r.args]
+            left, right = (
+                balls.evaluate(put_exactly(s, point), point, 256) for s in (first, second)
+            )
+            what = f"{relation} is false"
+            return describe(what, (first, second), (left, right), point, domain)
     return None
 
 
@@ -82,7 +88,7 @@ def find_undefined(relation: sp.Basic, domain: Domain, count: int) -> str:
         if all(balls.evaluate(side, point).is_finite() for side in sides):
             continue
         if domain.is_interior(point):
-            return _show_point(point)
+            return _name_point(point, domain)
     return ""
 
 
@@ -91,21 +97,39 @@ def points_for(
 ) -> Iterator[Point]:
     """Yield points that give every symbol of the expressions a value, indexed ones included.
 
-    Thorough: more counts, and special points after the ordinary ones.
+    Thorough: published sizes and round angles before the ordinary points, more counts, and
+    special points after them.
     """
     free = {s for e in expressions for s in e.free_symbols}
     bases = {i.base.label for e in expressions for i in e.atoms(sp.Indexed)}
     symbols = {s for s in free if isinstance(s, sp.Symbol)} - bases
     counts = sorted((s for s in symbols if _is_count(s, domain)), key=str)
     plain = sorted(symbols - set(counts), key=str)
+    if thorough:
+        yield from _published_points(expressions, counts, plain, domain)
     special: list[Point] = []
     for sizes in _choose_counts(counts, domain, _MORE_CHOICES if thorough else _CHOICES):
-        indexed = {i for e in expressions for i in put_exactly(e, sizes).atoms(sp.Indexed)}
-        names = plain + sorted(indexed, key=str)
+        names = plain + _list_elements(expressions, sizes)
         points = domain.points(names, count, sizes) if names else [sizes]
         yield from points
         special += domain.special_points(points[0]) if thorough and not special else []
     yield from special
+
+
+def _published_points(
+    expressions: tuple[sp.Basic, ...], counts: list[sp.Basic], plain: list[sp.Basic], domain: Domain
+) -> Iterator[Point]:
+    """Yield points at the published sizes that the domain allows, then at round angles alone."""
+    for sizes in (*map(sizes_of, domain.published), {}):
+        for others in _choose_counts([s for s in counts if s not in sizes], domain, 1):
+            elements = _list_elements(expressions, {**others, **sizes})
+            yield from domain.points_at(sizes, [*plain, *counts, *elements], others)
+
+
+def _list_elements(expressions: tuple[sp.Basic, ...], sizes: Point) -> list[sp.Basic]:
+    """List the elements of families that are met once counts have their sizes."""
+    elements = {i for e in expressions for i in put_exactly(e, sizes).atoms(sp.Indexed)}
+    return sorted(elements, key=str)
 
 
 def _is_count(symbol: sp.Symbol, domain: Domain) -> bool:
@@ -153,20 +177,8 @@ def _enclose_both(
     return left, right, decided
 
 
-def _describe(point: Point, left: balls.Ball, right: balls.Ball) -> Evidence:
-    return Evidence("both sides as balls", _texts(point), *balls.show_apart(left, right))
-
-
-def _show_point(point: Point) -> str:
-    return ", ".join(f"{name} = {value}" for name, value in _texts(point).items())
-
-
-def _texts(point: Point) -> dict[str, str]:
-    return {str(symbol): str(value) for symbol, value in sorted(point.items(), key=_by_name)}
-
-
-def _by_name(item: tuple[sp.Basic, sp.Basic]) -> str:
-    return str(item[0])
+def _name_point(point: Point, domain: Domain) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in show_point(point, domain).items())
 
 
 def _relations(relation: sp.Basic) -> list[sp.Basic]:

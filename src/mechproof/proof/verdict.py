@@ -49,7 +49,10 @@ class Answer:
 
 @dataclass(frozen=True)
 class Judgement:
-    """One line of the ledger; `on` is the part of the paper's domain that it is said of."""
+    """One line of the ledger; `on` is the part of the paper's domain that it is said of.
+
+    `compared_with` is the LaTeX of the other side.
+    """
 
     system: str
     number: str
@@ -66,6 +69,7 @@ class Judgement:
     corrected_latex: str
     corrected_by: str
     may_stay_open: bool
+    compared_with: str
 
     def as_dict(self) -> dict[str, object]:
         """Return the JSON row."""
@@ -74,13 +78,14 @@ class Judgement:
             "number": self.number,
             "kind": self.kind,
             "verdict": self.verdict.value,
+            "reason": self.reason,
             "rung": self.rung,
             "marks": list(self.marks),
             "printed_latex": self.printed_latex,
             "read_as": self.read_as,
+            "compared_with": self.compared_with,
             "on": self.on,
             "singular": list(self.singular),
-            "reason": self.reason,
             "evidence": [item.as_dict() for item in self.evidence],
             "corrected_latex": self.corrected_latex,
         }

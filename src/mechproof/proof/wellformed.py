@@ -21,6 +21,7 @@ from mechproof.proof.dimensions import (
 )
 from mechproof.proof.domain import Domain, Point
 from mechproof.proof.refutation import points_for, put_exactly
+from mechproof.proof.showing import show_point
 from mechproof.proof.verdict import Evidence
 from mechproof.record import (
     NUMBER,
@@ -36,7 +37,7 @@ from mechproof.record import (
 )
 
 UNIT_CHANGE = 1000
-UNITS = tuple(field.name for field in fields(Dimension))
+UNITS = tuple(field.name for field in fields(Dimension) if field.compare)
 POINTS = 2
 
 
@@ -168,7 +169,7 @@ def _changes_of_units(
                 before, after = (balls.evaluate(put_exactly(e, point), point) for e in pair)
                 values = [before, after / back]
                 if all(v.is_finite() for v in values) and not values[0].overlaps(values[1]):
-                    yield _show_change(unit, point, values)
+                    yield _show_change(unit, show_point(point, domain), values)
 
 
 def _points(printed: sp.Basic, domain: Domain) -> Iterator[Point]:
@@ -185,10 +186,9 @@ def _terms(printed: sp.Basic) -> list[sp.Expr]:
     return [printed]
 
 
-def _show_change(unit: str, point: Point, values: list[balls.Ball]) -> Evidence:
+def _show_change(unit: str, at: dict[str, str], values: list[balls.Ball]) -> Evidence:
     what = (
         f"printed form: first in one unit of {unit}, then in a unit {UNIT_CHANGE} times smaller "
         f"and turned back"
     )
-    at = {str(s): str(v) for s, v in sorted(point.items(), key=lambda item: str(item[0]))}
     return Evidence(what, at, *balls.show_apart(*values))

@@ -1,0 +1,95 @@
+"""What a row was compared with, as LaTeX: a statement and the names of its paper -> a formula."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from itertools import islice
+from typing import Any
+
+import sympy as sp
+from sympy.printing.latex import LatexPrinter
+
+from mechproof.record import (
+    Conjunction,
+    Distinct,
+    Equality,
+    Holds,
+    PrintedNumber,
+    Statement,
+    Variable,
+)
+
+# Nodes of a formula, and parts of a statement, that a reader still takes in.
+_MOST_NODES = 120
+_MOST_PARTS = 4
+_INDEX = "#"
+_PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
+_ESCAPES = str.maketrans({"_": r"\_", "^": r"\^{}"})
+_NAMED = Mapping[sp.Basic, str]
+
+
+def write_compared(statement: Statement, variables: Sequence[Variable]) -> str:
+    """Return the LaTeX of what a print was compared with, empty if it was compared with nothing.
+
+    A formula that is too long to be read is replaced by words that say so.
+    """
+    names = {v.symbol: v.latex[0] for v in variables if v.latex}
+    return _compared(statement, names)
+
+
+def _compared(statement: Statement, names: _NAMED) -> str:
+    if isinstance(statement, Equality):
+        return _write(statement.rebuilt, names)
+    if isinstance(statement, PrintedNumber):
+        return _write(statement.value, names)
+    if isinstance(statement, Conjunction):
+        parts = [_write_part(part, names) for part in statement.parts[:_MOST_PARTS]]
+        more = len(statement.parts) - len(parts)
+        parts += [rf"\text{{and {more} further parts}}"] if more else []
+        return r",\quad ".join(filter(None, parts))
+    return _write_part(statement, names)
+
+
+def _write_part(statement: Statement, names: _NAMED) -> str:
+    """Write a statement whose print is a sentence: both of its sides."""
+    if isinstance(statement, Holds):
+        return _write(statement.relation, names)
+    if isinstance(statement, Distinct):
+        return rf"{_write(statement.left, names)}\not\equiv {_write(statement.right, names)}"
+    if isinstance(statement, Equality):
+        return f"{_write(statement.printed, names)}={_write(statement.rebuilt, names)}"
+    if isinstance(statement, PrintedNumber):
+        return rf"{statement.printed}\approx {_write(statement.value, names)}"
+    return _compared(statement, names) if isinstance(statement, Conjunction) else ""
+
+
+def _write(formula: sp.Basic, names: _NAMED) -> str:
+    nodes = sum(1 for _ in islice(sp.preorder_traversal(formula), _MOST_NODES + 1))
+    if nodes > _MOST_NODES:
+        return rf"\text{{(a formula of more than {_MOST_NODES} terms, too long to be shown)}}"
+    text: str = _Printer(names).doprint(formula)
+    return text
+
+
+class _Printer(LatexPrinter):  # type: ignore[misc]
+    """Writes the symbols of a paper as the paper prints them."""
+
+    def __init__(self, names: _NAMED) -> None:
+        super().__init__({"fold_short_frac": False})
+        self._names = names
+
+    def _print(self, part: Any, **settings: Any) -> str:
+        if isinstance(part, sp.Indexed):
+            return self._print_element(part)
+        if isinstance(part, sp.Basic) and part in self._names:
+            return self._names[part]
+        if isinstance(part, sp.Symbol) and not _PLAIN_NAME.fullmatch(part.name):
+            return rf"\text{{{part.name.translate(_ESCAPES)}}}"
+        written: str = super()._print(part, **settings)
+        return written
+
+    def _print_element(self, element: sp.Indexed) -> str:
+        name = self._print(element.base)
+        indices = ",".join(map(self._print, element.indices))
+        return name.replace(_INDEX, indices) if _INDEX in name else f"{name}_{{{indices}}}"

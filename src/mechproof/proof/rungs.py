@@ -1,0 +1,44 @@
+"""Rungs: the names of the ways in which rows are decided, each explained in one sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+RUNGS = {
+    "identical": "both sides are the same expression, though they come from different sources",
+    "rational field": "the difference is zero as a fraction of polynomials",
+    "trigonometric field": "the difference is zero as a fraction of polynomials in sines and "
+    "cosines, whose squares add up to one",
+    "radicals": "the same with square roots, each root being a number whose square is known and "
+    "whose sign is proved",
+    "symbolic sum": "sums with a symbolic number of terms agree in a canonical form",
+    "arguments of vectors": "angles are equal as directions of plane vectors, and no turn is lost",
+    "derivative": "both sides have the same derivative",
+    "constant": "both sides have the same value at one point",
+    "continuity": "both sides are continuous over the whole domain, so no branch is lost",
+    "sign in positive coordinates": "an inequality whose sign is read from the coefficients after "
+    "a change to coordinates that are positive exactly on the domain",
+    "bisection and derivatives": "an inequality on a closed interval, enclosed on ever smaller "
+    "parts, and by its derivatives at an end where it becomes an equality",
+    "evaluation": "no free symbol is left; the numbers are compared by enclosures",
+    "recomputation": "a printed number is the exact value rounded to its last place, or is not",
+    "separating balls": "at one exact point the enclosures of both sides have nothing in common",
+    "enclosure": "no proof is found; the enclosures of both sides meet at every point tried",
+    "entrywise": "a matrix is decided entry by entry, by the rungs that follow",
+    "two completions": "a missing datum is completed in two ways, with opposite answers",
+    "definition": "the print introduces a symbol, so there is nothing to prove",
+    "well-formedness": "the print has no value: a differential, an index or an argument is missing",
+    "dimensions": "quantities of unlike dimension are added: the value changes with the units",
+    "none": "no rung can read the statement",
+}
+
+
+def name_rungs(rungs: Iterable[str]) -> list[str]:
+    """List the single rungs of the ledger's rows in the order of their explanations.
+
+    Raises `KeyError` for one without an explanation.
+    """
+    met = {name for joined in rungs for name in joined.split(", ")}
+    if unknown := sorted(met - RUNGS.keys()):
+        raise KeyError(f"rungs without an explanation: {', '.join(unknown)}")
+    return [name for name in RUNGS if name in met]

@@ -1,0 +1,77 @@
+"""Showing: a point and the values of two sides as a reader looks for them."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.proof import balls
+from mechproof.proof.dimensions import is_angle
+from mechproof.proof.domain import Domain, Point, sizes_of
+from mechproof.proof.verdict import Evidence
+
+# Decimals of a fraction that is written as a decimal number.
+_MOST_DECIMALS = 6
+_DIGITS = (6, 9, 12, 16, 24, 48)
+
+
+def show_point(point: Point, domain: Domain) -> dict[str, str]:
+    """Return the names and values of a point, angles in degrees too."""
+    ordered = sorted(point.items(), key=lambda item: str(item[0]))
+    return {str(s): _show_size(v, domain.dimension_of(s).is_angle) for s, v in ordered}
+
+
+def describe(
+    what: str,
+    sides: tuple[sp.Basic, ...],
+    values: tuple[balls.Ball, balls.Ball],
+    point: Point,
+    domain: Domain,
+) -> Evidence:
+    """Return the evidence of two values at a point: where it is, whose sizes these are."""
+    left, right = balls.show_apart(*values)
+    if is_angle(sides, domain.dimensions):
+        degrees = show_plainly(*(value * 180 / balls.to_ball(sp.pi) for value in values))
+        left, right = (f"{b} ({d}°)" for b, d in zip((left, right), degrees, strict=True))
+    source = _name_sizes(point, domain)
+    where = f"{what}, sizes of {source}" if source else what
+    return Evidence(where, show_point(point, domain), left, right)
+
+
+def show_plainly(*values: balls.Ball) -> tuple[str, ...]:
+    """Round balls to numbers without their radii, with as many digits as tell them apart."""
+    for digits in _DIGITS:
+        texts = tuple(_round(value, digits) for value in values)
+        if len(set(texts)) == len(texts):
+            return texts
+    return tuple(_round(value, _DIGITS[0]) for value in values)
+
+
+def _round(value: balls.Ball, digits: int) -> str:
+    text = str(value.mid().str(digits, radius=False))
+    return text.rstrip("0").rstrip(".") if "." in text and "e" not in text else text
+
+
+def _show_size(value: sp.Expr, angle: bool) -> str:
+    text = _show_exactly(value)
+    if not angle:
+        return text
+    degrees = sp.nsimplify(value * 180 / sp.pi) if value.is_Rational is False else None
+    exact = degrees is not None and degrees.is_Rational
+    (rounded,) = show_plainly(balls.to_ball(value) * 180 / balls.to_ball(sp.pi))
+    return f"{text} ({_show_exactly(degrees) if exact else rounded}°)"
+
+
+def _show_exactly(value: sp.Expr) -> str:
+    """Write a fraction as a decimal number where that is short."""
+    places = range(_MOST_DECIMALS + 1)
+    ends = next((p for p in places if (value * 10**p).is_Integer), None) if value.is_Rational else 0
+    return str(value) if not ends else f"{sp.Integer(value * 10**ends) / 10**ends:.{ends}f}"
+
+
+def _name_sizes(point: Point, domain: Domain) -> str:
+    """Return whose published sizes a point has, empty if it has none or others."""
+    for published in domain.published:
+        met = {s: v for s, v in sizes_of(published).items() if s in point}
+        if met and all(point[s] == v for s, v in met.items()):
+            return published.source
+    return ""

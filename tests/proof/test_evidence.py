@@ -1,0 +1,281 @@
+"""What a verdict shows: published sizes and round angles first, reasons in plain words."""
+
+from __future__ import annotations
+
+import json
+from itertools import islice
+from pathlib import Path
+
+import pytest
+import sympy as sp
+
+from mechproof.derivation import find_systems, packaged_directory
+from mechproof.proof import balls, refutation
+from mechproof.proof.dimensions import infer, is_angle
+from mechproof.proof.domain import Domain
+from mechproof.proof.judge import judge
+from mechproof.proof.refutation import POINTS, compare, points_for
+from mechproof.proof.showing import show_plainly, show_point
+from mechproof.proof.verdict import Verdict
+from mechproof.record import (
+    ANGLE,
+    LENGTH,
+    NUMBER,
+    Claim,
+    Conjunction,
+    Equality,
+    Equation,
+    Holds,
+    Paper,
+    PrintedNumber,
+    Published,
+    Toleranced,
+    Variable,
+)
+from mechproof.verification import open_derivation
+
+phi, psi, e = sp.symbols("phi psi e", real=True)
+R, r = sp.symbols("R r", positive=True)
+z = sp.Symbol("z", integer=True, positive=True)
+POSITIVE = sp.Interval.open(0, sp.oo)
+VARIABLES = (
+    Variable(phi, "angle", ANGLE, latex=(r"\varphi_1",)),
+    Variable(psi, "angle of the output", ANGLE, latex=(r"\varphi_3(\varphi_1)",)),
+    Variable(e, "eccentricity", within=sp.Interval.Ropen(0, 1), latex=("e",)),
+    Variable(R, "radius", LENGTH, POSITIVE, latex=("R_1",)),
+    Variable(r, "another, not printed", LENGTH, POSITIVE),
+    Variable(z, "teeth", within=sp.S.Naturals, latex=("z",)),
+)
+SIZES = Published(
+    "Table 1",
+    {e: sp.Rational(28, 100), R: Toleranced(sp.S(66), sp.S.One, sp.S.Zero), z: sp.S(50)},
+)
+OTHER = Published("Table 2", {e: sp.Rational(1, 2)})
+
+
+def paper(*published, where=()):
+    return Paper("system", "citation", VARIABLES, (), where, published=published)
+
+
+DOMAIN = Domain.of(paper(SIZES, OTHER))
+PLAIN = Domain.of(Paper("system", "citation", (Variable(e, "a number"),), ()))
+
+
+def evidence(printed, rebuilt, domain=DOMAIN):
+    found = compare(printed, rebuilt, domain).counterexample
+    assert found is not None
+    return found
+
+
+def test_published_sizes_and_round_angles_come_first() -> None:
+    found = evidence(R * sp.cos(phi) * e, R * e)
+    assert found.at == {"R": "66", "e": "0.28", "phi": "pi/6 (30°)"}
+    assert found.what == "the two sides, sizes of Table 1"
+
+
+def test_published_counts_come_first() -> None:
+    assert evidence(2 * z, z).at == {"z": "50"}
+
+
+def test_angles_differ_from_each_other() -> None:
+    assert evidence(sp.cos(phi) * psi, sp.cos(psi) * phi).at == {
+        "phi": "pi/6 (30°)",
+        "psi": "pi/4 (45°)",
+    }
+
+
+def test_sizes_that_do_not_separate_give_way_to_the_next_and_to_any() -> None:
+    zero = e - sp.Rational(28, 100)
+    assert evidence(zero, sp.S.Zero).what == "the two sides, sizes of Table 2"
+    other = evidence(zero * (e - sp.Rational(1, 2)), sp.S.Zero)
+    assert other.what == "the two sides"
+    assert other.at["e"] not in ("0.28", "0.5")
+
+
+def test_sizes_outside_the_domain_are_no_points_of_it() -> None:
+    domain = Domain.of(paper(SIZES, OTHER, where=(e > sp.Rational(3, 10),)))
+    assert evidence(e, sp.S.Zero, domain).what == "the two sides, sizes of Table 2"
+    points = islice(points_for((e * phi * R,), domain, POINTS, thorough=True), 60)
+    assert all(point[e] > sp.Rational(3, 10) for point in points)
+
+
+def test_round_angles_stay_within_the_set() -> None:
+    narrow = sp.Interval.open(0, sp.pi / 5)
+    variable = Variable(phi, "angle", ANGLE, narrow)
+    domain = Domain.of(Paper("system", "citation", (variable,), ()))
+    assert evidence(sp.sin(phi), phi, domain).at == {"phi": "pi/6 (30°)"}
+    assert all(0 < float(p[phi]) < 0.63 for p in domain.points_at({}, [phi]))
+
+
+def test_what_is_no_angle_gets_no_degrees_and_no_round_angle() -> None:
+    assert "°" not in str(evidence(sp.cos(e), sp.S.One, PLAIN))
+    assert list(PLAIN.points_at({}, [e])) == []
+
+
+def test_values_of_angles_are_shown_in_degrees_too() -> None:
+    found = evidence(psi + sp.atan(e), psi)
+    assert found.printed == "[0.796607478685 +/- 9.49e-15] (45.6422°)"
+    assert found.rebuilt.endswith("(30°)")
+    assert "°" not in evidence(R * phi, r).printed
+
+
+def test_angles_off_the_round_ones_are_rounded() -> None:
+    shown = show_point({phi: sp.Rational(-35, 6), psi: 3 * sp.pi / 2}, DOMAIN)
+    assert shown == {"phi": "-35/6 (-334.225°)", "psi": "3*pi/2 (270°)"}
+
+
+def test_plain_numbers_have_the_digits_that_tell_them_apart() -> None:
+    near = balls.to_ball(sp.Rational(1, 3)), balls.to_ball(sp.Rational(333333333, 10**9))
+    assert show_plainly(*near) == ("0.333333333333", "0.333333333")
+    same = balls.to_ball(sp.S(2)), balls.to_ball(sp.S(2))
+    assert show_plainly(*same) == ("2", "2")
+
+
+def test_sizes_and_angles_decide_nothing() -> None:
+    bare = Domain(DOMAIN.within, DOMAIN.where, DOMAIN.given)
+    assert bare == DOMAIN
+    assert hash(bare) == hash(DOMAIN)
+
+
+def test_proofs_do_not_look_at_published_points(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr(Domain, "points_at", fail)
+    assert judge(row(Equality((e + 1) ** 2, e**2 + 2 * e + 1)), paper(SIZES)).verdict == "PROVED"
+    with pytest.raises(AssertionError):
+        refutation.compare(e, e + 1, DOMAIN)
+
+
+def test_an_angle_is_a_number_wherever_dimensions_are_compared() -> None:
+    assert ANGLE == NUMBER
+    assert hash(ANGLE) == hash(NUMBER)
+    assert str(ANGLE) == "1"
+    assert ANGLE.is_angle
+    assert not NUMBER.is_angle
+    assert not (ANGLE * LENGTH).is_angle
+    assert not (ANGLE / ANGLE).is_angle
+
+
+KINDS = {
+    "angle": (phi, True),
+    "multiple": (R / r * phi, True),
+    "sum with a number": (1 + phi, True),
+    "arctangent": (sp.atan(e), True),
+    "direction": (sp.atan2(R, r), True),
+    "integral over it": (sp.Integral(sp.cos(phi) ** 2, (phi, 0, psi)), True),
+    "sine": (sp.sin(phi), False),
+    "ratio": (psi / phi, False),
+    "square": (phi**2, False),
+    "root of its square": (sp.sqrt(phi**2 * e, evaluate=False) / sp.sqrt(e), True),
+    "arc": (R * phi, False),
+    "number": (e, False),
+    "mixture": (R + phi, False),
+}
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_which_expressions_are_angles(name: str) -> None:
+    expression, expected = KINDS[name]
+    assert is_angle((expression,), DOMAIN.dimensions) is expected
+
+
+def test_powers_that_are_no_fractions_keep_numbers() -> None:
+    assert infer(e**e, DOMAIN.dimensions) == NUMBER
+
+
+# Reasons ----------------------------------------------------------------------------------------
+
+
+def row(says, latex="print"):
+    return Claim("row", latex, says)
+
+
+def reason(says):
+    return judge(row(says), paper(SIZES)).reason
+
+
+def less(left, right):
+    return Holds(sp.Lt(left, right, evaluate=False))
+
+
+def test_numbers_that_are_compared_are_named() -> None:
+    assert reason(less(sp.sqrt(2), sp.S.One)) == "1.41421 < 1 is false"
+    assert reason(less(sp.S.One, sp.sqrt(2))) == "1 < 1.41421 is true"
+    assert reason(Holds(sp.Ne(sp.sqrt(2), 1, evaluate=False))) == "1.41421 differs from 1 is true"
+
+
+def test_numbers_that_sympy_compares_are_named_too() -> None:
+    given = Variable(e, "a size", given=sp.Rational(1, 2))
+    judged = judge(row(Holds(e > 1)), Paper("system", "citation", (given,), ()))
+    assert (judged.verdict, judged.reason) == (Verdict.REFUTED, "0.5 > 1 is false")
+
+
+def test_the_part_that_fails_is_named_with_its_number() -> None:
+    parts = (less(sp.S.One, sp.pi), less(sp.S(4), sp.pi), less(sp.S(5), sp.pi))
+    assert reason(Conjunction(parts)) == "part 2 of 3: 4 < 3.14159 is false"
+    assert reason(Conjunction(parts[1:2])) == "4 < 3.14159 is false"
+    assert reason(Conjunction((parts[0], PrintedNumber("3.15", sp.pi)))) == (
+        "part 2 of 2: recomputed 3.14159, printed 3.15"
+    )
+
+
+def test_reasons_hold_no_balls() -> None:
+    assert reason(PrintedNumber("3.14", sp.pi)) == "recomputed 3.14159"
+
+
+# What was compared ------------------------------------------------------------------------------
+
+
+def compared(says):
+    return judge(row(says), paper(SIZES)).compared_with
+
+
+def test_the_other_side_is_written_with_the_letters_of_the_paper() -> None:
+    assert compared(Equality(psi, phi * e)) == r"e \varphi_1"
+    assert compared(PrintedNumber("3.14", sp.pi)) == r"\pi"
+    assert compared(Holds(e < 2)) == "e < 2"
+    assert compared(Conjunction((Equality(psi, phi), PrintedNumber("3", sp.pi)))) == (
+        r"\varphi_3(\varphi_1)=\varphi_1,\quad 3\approx \pi"
+    )
+
+
+def test_elements_have_their_indices_where_the_paper_prints_them() -> None:
+    family, t = sp.IndexedBase("K", real=True), sp.Symbol("x-y_0", real=True)
+    variables = (Variable(family, "coefficients", latex=("K_#(t)",)), Variable(t, "odd name"))
+    judged = judge(
+        row(Equality(family[1], family[2] + t)), Paper("system", "citation", variables, ())
+    )
+    assert judged.compared_with == r"\text{x-y\_0} + K_2(t)"
+
+
+def test_what_is_long_says_that_it_is_cut_off() -> None:
+    long = sum(phi**k * e ** (k + 1) for k in range(40))
+    assert "too long to be shown" in compared(Equality(psi, long))
+    parts = tuple(Equality(psi, phi + k) for k in range(6))
+    assert compared(Conjunction(parts)).endswith(r"\text{and 2 further parts}")
+
+
+SYSTEMS = find_systems(packaged_directory())
+LEDGER = Path(__file__).parents[2] / "generated" / "ledger.json"
+
+
+def test_the_ledger_shows_what_every_proved_equation_was_compared_with() -> None:
+    rows = json.loads(LEDGER.read_text(encoding="utf-8"))["rows"]
+    proved = [r for r in rows if r["verdict"] == "PROVED"]
+    assert [r["number"] for r in proved if not (r["printed_latex"] and r["compared_with"])] == []
+
+
+def test_the_verdict_sees_sizes_and_letters() -> None:
+    opened = open_derivation(SYSTEMS["elliptic_planetary"])
+    assert opened.domain.published == opened.paper.published
+    numbers = {row.number: row for row in opened.rows}
+    judged = judge(numbers["(12), first branch"], opened.domain)
+    assert judged.evidence[0].at == {
+        "R1": "66",
+        "R2": "16",
+        "e": "0.28",
+        "x": "pi/6 (30°)",
+    }
+    assert isinstance(numbers["(9)"], Equation)
+    assert r"\int" in judge(numbers["(9)"], opened.domain).compared_with
