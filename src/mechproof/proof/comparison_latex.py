@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any
 
@@ -43,12 +43,19 @@ def _compared(statement: Statement, names: _NAMED) -> str:
         return _write(statement.rebuilt, names)
     if isinstance(statement, PrintedNumber):
         return _write(statement.value, names)
+    parts = list(dict.fromkeys(_list_parts(statement)))
+    shown = [_write_part(part, names) for part in parts[:_MOST_PARTS]]
+    more = len(parts) - len(shown)
+    shown += [rf"\text{{and {more} more}}"] if more else []
+    return r",\quad ".join(filter(None, shown))
+
+
+def _list_parts(statement: Statement) -> Iterator[Statement]:
     if isinstance(statement, Conjunction):
-        parts = [_write_part(part, names) for part in statement.parts[:_MOST_PARTS]]
-        more = len(statement.parts) - len(parts)
-        parts += [rf"\text{{and {more} further parts}}"] if more else []
-        return r",\quad ".join(filter(None, parts))
-    return _write_part(statement, names)
+        for part in statement.parts:
+            yield from _list_parts(part)
+    else:
+        yield statement
 
 
 def _write_part(statement: Statement, names: _NAMED) -> str:
@@ -61,7 +68,7 @@ def _write_part(statement: Statement, names: _NAMED) -> str:
         return f"{_write(statement.printed, names)}={_write(statement.rebuilt, names)}"
     if isinstance(statement, PrintedNumber):
         return rf"{statement.printed}\approx {_write(statement.value, names)}"
-    return _compared(statement, names) if isinstance(statement, Conjunction) else ""
+    return ""
 
 
 def _write(formula: sp.Basic, names: _NAMED) -> str:
@@ -76,7 +83,7 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
     """Writes the symbols of a paper as the paper prints them."""
 
     def __init__(self, names: _NAMED) -> None:
-        super().__init__({"fold_short_frac": False})
+        super().__init__({"inv_trig_style": "full"})
         self._names = names
 
     def _print(self, part: Any, **settings: Any) -> str:
