@@ -162,11 +162,14 @@ def _change_node(tree: sp.Basic, draw: random.Random) -> sp.Basic:
 
 def _nodes(tree: sp.Basic) -> Iterator[sp.Expr]:
     """Yield the nodes but for what is bound, and for the bases of families."""
-    if isinstance(tree, sp.Expr):
-        yield tree
-    parts = tree.args[:1] if isinstance(tree, sp.Sum | sp.Integral) else tree.args
-    for part in () if isinstance(tree, sp.Indexed) else parts:
-        yield from _nodes(part)
+    free = tree.free_symbols
+    for node in sp.preorder_traversal(tree):
+        is_bound = node.is_Symbol and node not in free
+        is_label = isinstance(node, sp.IndexedBase) or node in {
+            base.label for base in tree.atoms(sp.IndexedBase)
+        }
+        if isinstance(node, sp.Expr) and not is_bound and not is_label:
+            yield node
 
 
 def _variants(node: sp.Expr, tree: sp.Basic, draw: random.Random) -> Iterator[sp.Expr]:
@@ -174,7 +177,7 @@ def _variants(node: sp.Expr, tree: sp.Basic, draw: random.Random) -> Iterator[sp
     if node.is_Number:
         yield node + draw.choice((1, -1, 2))
     if node.is_Symbol:
-        yield draw.choice(sorted(tree.free_symbols - tree.atoms(sp.Indexed), key=str))
+        yield draw.choice([*sorted(tree.free_symbols, key=str), node + 1])
     if isinstance(node, sp.Add | sp.Mul):
         dropped = draw.randrange(len(node.args))
         yield node.func(*(a for k, a in enumerate(node.args) if k != dropped))
