@@ -8,7 +8,7 @@ import pytest
 from sympy import Interval, Rational, oo
 
 from mechproof.derivation import find_systems, load_paper, packaged_directory
-from mechproof.derivations.tooth_thickness import influence, shares, symbols
+from mechproof.derivations.tooth_thickness import geometry, influence, shares, symbols
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
@@ -24,7 +24,8 @@ def row(number: str) -> Row:
 
 # Where the claim is said to hold, a little too much.
 TOO_WIDE = {
-    "(b)": {symbols.gauge_um: Interval.open(Rational("2.45"), oo)},
+    "(b)": {symbols.gauge_um: Interval.open(Rational("2.453"), oo)},
+    "(1), influence 0.7284": {symbols.tilt: Interval(0, 3 * influence.NARROW)},
     "step 6, influence of the involute": {symbols.tilt: Interval(0, 3 * influence.NARROW)},
     "smallest deviation, guaranteed side clearance": {symbols.mate: Interval(0, oo)},
     "(a), rise with the limit error": {symbols.above: Interval.open(0, oo)},
@@ -48,3 +49,19 @@ def test_the_height_leaves_no_profile_angle_for_the_printed_influence() -> None:
         influence.rack_height_by_slope, Rational("2.2425"), Rational("0.7284")
     )
     assert decide(printed[0], Domain.of(PAPER)).verdict is Verdict.REFUTED
+
+
+def test_step_5_is_refuted_with_either_sign() -> None:
+    step_5 = row("step 5")
+    (other,) = step_5.readings
+    for says in (step_5.statement, other.says):
+        assert decide(says, Domain.of(PAPER)).verdict is Verdict.REFUTED
+
+
+def test_a_wrong_turn_of_the_flanks_refutes_the_reading() -> None:
+    wrong = (
+        geometry.reading + geometry.chord_by_thinning.subs(symbols.thinning, symbols.E_true) / 10
+    )
+    step_8 = row("step 8")
+    says = dataclasses.replace(step_8.statement, rebuilt=wrong)
+    assert decide(says, Domain.of(PAPER)).verdict is Verdict.REFUTED

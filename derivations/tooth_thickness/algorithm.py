@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Expr, KroneckerDelta, Rational, S, Sum, sqrt, symbols, tan
+from sympy import Add, Expr, KroneckerDelta, Rational, S, Sum, sqrt, symbols, tan
 
 from mechproof.record import (
     Claim,
@@ -10,6 +10,7 @@ from mechproof.record import (
     Completions,
     Conjunction,
     Correction,
+    Definition,
     Distinct,
     Equality,
     Equation,
@@ -19,7 +20,7 @@ from mechproof.record import (
 
 from .._metrology import normal_between
 from .._relations import less, not_above
-from .geometry import height_deviation, influence, measured_change, reading
+from .geometry import height_deviation, height_towards_tip, influence, measured_change, reading
 from .shares import NORMAL_SHARE, THREE_SIGMA, error_variance
 from .symbols import (
     E_measured,
@@ -34,11 +35,21 @@ from .symbols import (
     e_tip,
     f_measured,
     f_true,
+    rightly_accepted,
+    rightly_rejected,
     sigma_tip,
+    wrongly_accepted,
+    wrongly_rejected,
     z,
 )
 from .wheel import GAUGE_UM, GRADES, RANGE, TIP_DIAMETER, TOLERANCE_UNIT
 
+SHARES_OF_TOOTH = {
+    rightly_accepted: f_true * f_measured,
+    wrongly_accepted: (1 - f_true) * f_measured,
+    rightly_rejected: (1 - f_true) * (1 - f_measured),
+    wrongly_rejected: f_true * (1 - f_measured),
+}
 i, j = symbols("i j", integer=True, positive=True)
 
 
@@ -105,7 +116,7 @@ ALGORITHM_ROWS = (
     ),
     Claim(
         "step 3, a new tip deviation for each tooth",
-        r"\text{per tooth: simulate }e_{dau}\text{; the teeth are those of one wheel}",
+        r"\text{per tooth: simulate }e_{dau}",
         Equality(variance_of_wheel_mean(sigma_tip**2 * KroneckerDelta(i, j)), sigma_tip**2),
         readings=(
             Reading(
@@ -119,9 +130,11 @@ ALGORITHM_ROWS = (
             r"\text{per wheel: simulate }e_{dau}\text{, the same for all of its teeth}",
             Equality(variance_of_wheel_mean(sigma_tip**2), sigma_tip**2),
         ),
-        note="The variance of the tip's mean deviation over z teeth. A wheel has one tip circle, "
-        "so that its deviation is common to all of its teeth and does not average out; Table 1 "
-        "has as many rows as the wheel has teeth. Shares over many wheels are the same in both.",
+        note="Judged for teeth of one wheel, which is not said: Table 1 has as many rows as the "
+        "wheel has teeth. The variance of the tip's mean deviation over z teeth; a wheel has one "
+        "tip circle, so that its deviation is common to all of its teeth and does not average out. "
+        "Shares over many wheels are the same in both.",
+        marks=("inferred",),
     ),
     Claim(
         "step 3, range of ISO 286-1",
@@ -164,16 +177,37 @@ ALGORITHM_ROWS = (
     Equation(
         "step 5",
         r"\Delta h=e_{dau}+\Delta h_c",
-        derived={dh: height_deviation},
-        corrected=Correction(r"\Delta h=\Delta h_c-\tfrac12e_{dau}"),
+        derived={dh: height_towards_tip},
+        readings=(
+            Reading(
+                "heights are counted towards the centre",
+                Equality(e_tip + dh_gauge, height_deviation),
+            ),
+        ),
+        corrected=Correction(
+            r"\Delta h=\Delta h_c\mp\tfrac12e_{dau}",
+            Equality(dh_gauge - e_tip / 2, height_deviation),
+        ),
         note=(
             "The gauge stands on the tip circle, so half the deviation of the diameter "
-            "counts, whichever way heights are counted. The sign of Delta h is not printed: "
-            "counted towards the centre the tip's half enters with a minus, towards the tip "
-            "with a plus. The charge rests on the words 'tip diameter' of step 3, not on a "
-            "subscript."
+            "counts, whichever way heights are counted, which is not printed: it fails with the "
+            "plus that is shown, towards the tip, and with the minus, towards the centre. The "
+            "correction is proved with the minus; the next row has both. The charge rests on the "
+            "words 'tip diameter' of step 3, not on a subscript."
         ),
         marks=("rebuilt",),
+    ),
+    Claim(
+        "step 5, half the deviation",
+        r"\Delta h=\Delta h_c-\tfrac12e_{dau}\text{ towards the centre, }"
+        r"\Delta h_c+\tfrac12e_{dau}\text{ towards the tip}",
+        Conjunction(
+            (
+                Equality(dh_gauge - e_tip / 2, height_deviation),
+                Equality(dh_gauge + e_tip / 2, height_towards_tip),
+            )
+        ),
+        marks=("ours",),
     ),
     Claim(
         "steps 5 and 6, tip diameter alone",
@@ -229,8 +263,8 @@ ALGORITHM_ROWS = (
         r"E_{cs0}=E_{csu}+\Delta S_{ca}+\Delta S_c",
         derived={E_measured: reading},
         substituted={ds_height: K_m * dh},
-        note="The indication less the nominal chord, to first order in the height; step 6 is put "
-        "in.",
+        note="The indication less the nominal chord, to first order: a tooth whose flanks are "
+        "turned to its true deviation, along a line deeper by Delta h; step 6 is put in.",
         marks=("rebuilt",),
     ),
     Equation(
@@ -242,15 +276,22 @@ ALGORITHM_ROWS = (
     ),
     Claim(
         "step 10",
+        r"\text{rightly accepted }(f_u=1,f_0=1)\text{, wrongly accepted }(f_u=0,f_0=1)"
+        r"\text{, rightly rejected }(f_u=0,f_0=0)\text{, wrongly rejected }(f_u=1,f_0=0)",
+        Conjunction(
+            tuple(Definition(share, of_tooth) for share, of_tooth in SHARES_OF_TOOTH.items())
+        ),
+        note="Wrongly accepted is the consumer's risk of JCGM 106, wrongly rejected the "
+        "producer's.",
+    ),
+    Claim(
+        "step 10, sum",
         r"f_uf_0+(1-f_u)f_0+(1-f_u)(1-f_0)+f_u(1-f_0)=1",
         Equality(
-            f_true * f_measured
-            + (1 - f_true) * f_measured
-            + (1 - f_true) * (1 - f_measured)
-            + f_true * (1 - f_measured),
+            Add(*SHARES_OF_TOOTH.values()),
             S.One,
         ),
-        note="The four shares add up to all parts; (1-f_u) f_0 is the consumer's risk of JCGM 106, "
-        "f_u (1-f_0) the producer's.",
+        note="The four shares add up to all parts.",
+        marks=("ours",),
     ),
 )

@@ -101,15 +101,15 @@ CLAIM_ROWS = (
         r"\text{the gauge influences the shares more strongly than the tip diameter}",
         less(tip_spread(6), gauge_spread(gauge_um)),
         holds_on=Part(
-            "a gauge of IT6's crossover on, a standard deviation over 2.46 um: a limit error over "
-            "4.92 um (2 sigma) or 7.38 um (3 sigma)",
-            {gauge_um: Interval.open(Rational("2.46"), oo)},
+            "a gauge of IT6's crossover on, a standard deviation over 2.454 um: a limit error over "
+            "4.91 um (2 sigma) or 7.36 um (3 sigma)",
+            {gauge_um: Interval.open(Rational("2.454"), oo)},
         ),
         note="Steps 5 and 6 as printed, IT6 for the tip, tip of IT/sigma = K; by standard "
         "deviations, with which the shares rise. Over which gauges the two are compared is not "
         "said. The gauge of Table 1, 50 um, is above the crossover, the gauge recommended in (c), "
         "2 um, below it.",
-        marks=("inferred",),
+        marks=("inferred", "calibrated"),
     ),
     *(
         Claim(

@@ -11,6 +11,7 @@ from mechproof.record import (
     Conjunction,
     Correction,
     Datum,
+    Definition,
     Equality,
     Part,
     PrintedNumber,
@@ -20,8 +21,7 @@ from mechproof.record import (
 from .._relations import less, not_above
 from .geometry import (
     chord_by_thinning,
-    height_deviation,
-    influence,
+    height_change,
     involute_chord,
     involute_distance,
     line_actual,
@@ -29,6 +29,7 @@ from .geometry import (
     rack_chord,
     rack_height,
     side_clearance,
+    thickness_change,
     tip_radius,
 )
 from .symbols import (
@@ -42,10 +43,22 @@ from .symbols import (
     incline,
     m,
     mate,
+    millimetre,
     place,
+    s_c,
     thinning,
+    tilt,
 )
-from .wheel import DECREASE_UM, MODULE, PROFILE_ANGLE, TEETH, TOLERANCE_UM, at_angle
+from .wheel import (
+    DECREASE_UM,
+    HEIGHTS_TO_1_MM,
+    MODULE,
+    PROFILE_ANGLE,
+    TEETH,
+    TOLERANCE_UM,
+    at_angle,
+    of_wheel,
+)
 
 
 def of_pair(too_long: int) -> Expr:
@@ -60,11 +73,12 @@ DESIGN_ROWS = (
         r"d=150~\mathrm{mm}\quad(m=3~\mathrm{mm},\ z=50)",
         PrintedNumber("150", MODULE * S(TEETH)),
     ),
-    Claim(
+    Datum(
         "data, constant chord",
         r"\bar S_c=4.161~\mathrm{mm}",
-        PrintedNumber("4.161", at_angle(rack_chord, 20)),
-        note="With the profile angle 20 deg, which is not printed; it is fitted to this number.",
+        Definition(s_c, Rational("4.161") * millimetre),
+        note="A datum. The profile angle, which is not printed, is fitted to it: 20 deg, see "
+        "'data, profile angle'.",
         marks=("fitted",),
     ),
     Claim(
@@ -227,20 +241,26 @@ DESIGN_ROWS = (
     Claim(
         "measuring base, tip diameter not nominal",
         r"\text{if the tip diameter differs from nominal, the height gets an error}",
-        Equality(height_deviation.subs(dh_gauge, 0), -e_tip / 2),
-        note="Half the deviation, against its sign: on a larger tip circle the gauge stands "
-        "higher, its line nearer the tip.",
+        Equality(tip_radius + e_tip / 2 - rack_height - involute_distance, e_tip / 2),
+        note="The line of a gauge on the actual tip circle, set to the rack's height, against the "
+        "involute's constant chord: off by half the deviation, towards the tip on a larger "
+        "circle.",
     ),
     Claim(
         "measuring base, thickness",
         r"\text{the error of the height leads to an error of the thickness}",
         Conjunction(
-            (
-                Equality(2 * incline, influence.subs(alpha, atan(incline))),
-                less(S.Zero, 2 * incline),
+            tuple(
+                not_above(*(side.subs(tilt, tilt * way) for side in sides))
+                for way, sides in (
+                    (1, (-of_wheel(height_change) / 2, -of_wheel(thickness_change))),
+                    (-1, (of_wheel(height_change) / 2, of_wheel(thickness_change))),
+                )
             )
         ),
-        note="The derivative is positive: deeper is thicker, so a larger tip diameter makes the "
-        "measured tooth thinner.",
+        on=HEIGHTS_TO_1_MM,
+        note="On the involute of this wheel, the thickness is off by half as much at least; deeper "
+        "is thicker, so a larger tip diameter makes the measured tooth thinner.",
+        marks=("calibrated",),
     ),
 )

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from sympy import Expr, Rational, S, sqrt, tan
+from sympy import Expr, Rational, S, sqrt
 
 from mechproof.record import Cost, Finding, Follower
 
-from .geometry import height_deviation
 from .shares import gauge_spread, rejected_by, tip_spread
-from .symbols import K_m, dh, dh_gauge, e_tip
+from .symbols import K_m, dh_gauge, e_tip
 from .wheel import (
     DECREASE_UM,
     GAUGE_UM,
     GRADES,
     K_PRINTED,
-    PRINTED_INFLUENCE,
-    PROFILE_ANGLE,
     RECOMMENDED_UM,
     TEETH,
     WHEEL,
@@ -46,21 +43,6 @@ FINDINGS = (
                 0,
                 DECREASE_UM * MICROMETRE,
                 -DECREASE_UM * MICROMETRE,
-            ),
-        ),
-    ),
-    Finding(
-        "(1), influence 0.7284",
-        "The influence is 2 tan 20° = 0.7279; 0.7284, from a graphic construction, belongs to no "
-        "profile angle that the printed chord and height leave. It does little harm.",
-        costs=(
-            Cost(
-                "thickness for a height off by 0.1 mm",
-                {dh: Rational(1, 10)},
-                "µm",
-                2,
-                PRINTED_INFLUENCE * dh,
-                2 * tan(PROFILE_ANGLE) * dh,
             ),
         ),
     ),
@@ -103,8 +85,9 @@ FINDINGS = (
     ),
     Finding(
         "step 5",
-        "The whole deviation of the tip diameter is added to the height, where half of it has to "
-        "be taken off: the gauge stands on the tip circle, and a larger one lifts it.",
+        "The whole deviation of the tip diameter is added to the height, where only half of it, "
+        "that of the tip circle's radius on which the gauge stands, can enter. In which sense it "
+        "counts is not printed.",
         costs=(
             Cost(f"Δh for a tip diameter {GRADES[6][1]} µm too large (IT6)", TIP_6, "µm"),
             Cost(
@@ -112,7 +95,7 @@ FINDINGS = (
                 TIP_6,
                 "µm",
                 printed=(e_tip + dh_gauge) * K_m,
-                right=height_deviation * K_m,
+                right=(e_tip / 2 + dh_gauge) * K_m,
             ),
             Cost(
                 "good teeth rejected, tip of IT8, perfect gauge",

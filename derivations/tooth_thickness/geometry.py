@@ -81,9 +81,10 @@ linearisation_bound = (
 line_nominal = tip_radius - nominal_height
 line_actual = tip_radius + e_tip / 2 - (nominal_height + dh_gauge)
 height_deviation = line_nominal - line_actual
+# Counted towards the tip instead, the gauge's error as well.
+height_towards_tip = (line_actual - line_nominal).subs(dh_gauge, -dh_gauge)
 influence = slope_of_thickness.subs(delta, alpha)
 measured_change = influence * height_deviation
-reading = (involute_chord + E_true + influence * dh + ds_gauge) - involute_chord
 
 # A flank turned about the wheel's centre by -turn: the change of its half chord at fixed height.
 turn = Symbol("turn", real=True)
@@ -94,3 +95,9 @@ half_moved = (
 )
 turn_by_thinning = solve(Eq(2 * turn * m * z / 2, thinning), turn)[0]
 chord_by_thinning = 2 * (chord_half(alpha, half_tooth) - half_moved).subs(turn, turn_by_thinning)
+
+# The indication less the nominal chord, to first order: the tooth, thicker by its true deviation,
+# along the gauge's line, `dh` deeper than the nominal one.
+gauge_line = line_nominal - dh
+chord_at_line = involute_chord + influence * (involute_distance - gauge_line)
+reading = chord_at_line - chord_by_thinning.subs(thinning, -E_true) + ds_gauge - involute_chord

@@ -200,7 +200,8 @@ QUANTITIES = (
                 PRINTED_INFLUENCE * dh,
                 key="printed",
                 source=f"{SOURCE}, equation (1)",
-                note="0.7284 is meant for 20 deg, where 2*tan(alpha) = 0.7279",
+                note="an approximation for 20 deg, where 2*tan(alpha) = 0.7279; not meant "
+                "for other angles",
             ),
         ),
         f"{SOURCE}, equation (1) with the exact derivative",
@@ -233,8 +234,8 @@ QUANTITIES = (
                 PRINTED_INFLUENCE * (e_tip + dh_gauge),
                 key="printed",
                 source=f"{SOURCE}, equation (1) and step 5",
-                note="takes the diameter for the radius and has the wrong sign for the tip; "
-                "0.7284 is 2*tan(20 deg) = 0.7279",
+                note="takes the diameter for the radius and, as no sign is printed, the tip's part "
+                "with the sign of the gauge's; 0.7284 approximates 2*tan(20 deg) = 0.7279",
             ),
         ),
         f"{SOURCE}, steps 5 and 6 corrected",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import S, tan
+from sympy import Rational, S, tan
 
 from mechproof.record import Claim, Completion, Completions, Correction, Distinct, Equality
 
@@ -12,14 +12,16 @@ from .geometry import height_deviation, reading
 from .shares import (
     NORMAL_SHARE,
     THREE_SIGMA,
+    accepted_by,
     measurement_spread,
     rejected_by,
     tip_spread,
     wrongly_rejected,
 )
 from .symbols import E_true, K_m, alpha, dh, dh_gauge, ds_gauge, e_tip
-from .wheel import TOLERANCE_UM
+from .wheel import GAUGE_UM, TOLERANCE_UM
 
+GAUGE_LIMIT = Rational(GAUGE_UM, 2)
 SHARE = wrongly_rejected(tip_spread(6))
 
 PARAMETER_ROWS = (
@@ -51,6 +53,13 @@ PARAMETER_ROWS = (
         r"\text{the expectation of the thickness deviation}",
         less(normal_between(S.One, S.One, -THREE_SIGMA, THREE_SIGMA), NORMAL_SHARE),
         note="A sixth of the field off its middle, fewer teeth are good.",
+    ),
+    Claim(
+        "controlled parameters, expectation of the instrument's error",
+        r"\text{the expectation of the instrument's error}",
+        less(accepted_by(6, GAUGE_LIMIT, expected=GAUGE_LIMIT), accepted_by(6, GAUGE_LIMIT)),
+        note="A gauge that reads off by as much as its limit error on the average accepts fewer "
+        "teeth; half of 50 um, 3 sigma, tip of IT6, normal laws, centred.",
     ),
     Claim(
         "controlled parameters, expectation of the error",

@@ -62,6 +62,13 @@ def rejected_by(
     return wrongly_rejected(measurement_spread(grade, Rational(limit_error) / multiple, geometry))
 
 
+def accepted_by(grade: int, limit_error: Rational, expected: Expr = S.Zero) -> Expr:
+    """Share of all teeth accepted; limit error 3 sigma, the indication off by `expected` (um)."""
+    half, spread_true = Rational(TOLERANCE_UM, 2), Rational(TOLERANCE_UM, K_PRINTED)
+    spread = measurement_spread(grade, limit_error / 3)
+    return normal_between(expected, spread_true**2 + spread**2, -half, half)
+
+
 def error_variance(tip: Expr, height: Expr) -> Expr:
     """Variance of the measured thickness about the true one."""
     return (tip * sigma_tip) ** 2 + (height * sigma_height) ** 2 + sigma_thickness**2

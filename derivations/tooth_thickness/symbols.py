@@ -27,6 +27,9 @@ e_tip, E_true, E_measured, ds_height = symbols("e_dau E_csu E_cs0 Delta_Sca", re
 E_cs, T_c, sigma, millimetre = symbols("E_cs T_c sigma mm", positive=True)
 K = symbols("K", positive=True)
 f_true, f_measured = symbols("f_u f_0", real=True)
+rightly_accepted, wrongly_accepted, rightly_rejected, wrongly_rejected = symbols(
+    "rightly_accepted wrongly_accepted rightly_rejected wrongly_rejected", real=True
+)
 place = Symbol("p", positive=True)
 sigma_tip, sigma_height, sigma_thickness = symbols("sigma_d sigma_h sigma_S", positive=True)
 above, below = symbols("q_1 q_2", real=True)
@@ -119,6 +122,10 @@ VARIABLES = (
     Variable(K_m, "influence of the height on the thickness", given=2 * tan(alpha), latex=("K_m",)),
     Variable(f_true, "1 for a good tooth, else 0", within=Interval(0, 1), latex=("f_u",)),
     Variable(f_measured, "1 for an accepted tooth, else 0", within=Interval(0, 1), latex=("f_0",)),
+    Variable(rightly_accepted, "share of good teeth that are accepted", within=Interval(0, 1)),
+    Variable(wrongly_accepted, "share of bad teeth that are accepted", within=Interval(0, 1)),
+    Variable(rightly_rejected, "share of bad teeth that are rejected", within=Interval(0, 1)),
+    Variable(wrongly_rejected, "share of good teeth that are rejected", within=Interval(0, 1)),
     Variable(place, "place in the tolerance field, from its upper end", within=Interval.open(0, 1)),
     Variable(
         sigma_tip, "standard deviation of the tip diameter", LENGTH, POSITIVE, latex=(r"\sigma_d",)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from sympy import Expr, Rational, S, pi, sqrt
+from sympy import Expr, Interval, Rational, S, pi, sqrt
 
-from mechproof.record import Equation
+from mechproof.record import Equation, Part
 
 from .geometry import across
 from .symbols import (
@@ -19,6 +19,7 @@ from .symbols import (
     interval,
     m,
     millimetre,
+    tilt,
     z,
 )
 
@@ -38,6 +39,11 @@ PRINTED_SIZES = {
     clearance: S.Zero,
     millimetre: S.One,
 }
+
+# Tilts (rad) that turn the tangent over 1 mm and over 0.1 mm of height.
+WIDE, NARROW = Rational(1, 20), Rational(1, 260)
+HEIGHTS_TO_1_MM = Part("heights off by up to 1 mm, tilts of both signs", {tilt: Interval(0, WIDE)})
+HEIGHTS_TO_0_1_MM = Part("heights off by up to 0.1 mm", {tilt: Interval(0, NARROW)})
 
 # ISO 286-1: i = 0.45 D^(1/3) + 0.001 D (um; D in mm, the geometric mean of the range 120 to 180).
 RANGE = (120, 180)

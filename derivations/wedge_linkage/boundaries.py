@@ -18,7 +18,7 @@ from mechproof.record import (
 
 from .._relations import less, not_above
 from .mechanics import driven
-from .prints import PRINTED_Q, PRINTED_R, print_1, print_3, print_10
+from .prints import PRINTED_Q, PRINTED_R, print_1, print_1_bottom, print_3, print_10
 from .sizes import FIRST_SET, SECOND_SET
 from .symbols import (
     Q,
@@ -132,12 +132,14 @@ def ten_percent(table: Published) -> Conjunction:
 def angles_in_range(table: Published) -> Conjunction:
     """State between which directions DE, KL and LM stay, all sizes within limits, to -40 mm.
 
-    varphi3 is largest for the shortest BC and the longest CD, varphi7 for III or IV.
+    varphi3 is largest for the shortest BC and the longest CD, varphi7 for III or IV. An arctangent
+    is below a right angle anyway: that it is varphi3, the denominator of (1) says by its sign.
     """
     turned, _ = angles_of(table, BOUNDARY_III, -40)
+    farthest = {**limits(table, BOUNDARY_III), x1: sp.Integer(-40)}
     lowest, highest = (limits(table, dict.fromkeys((alpha_DE, alpha_KL), s)) for s in (-1, 1))
     lever = (
-        less(turned, pi / 2),
+        less(sp.S.Zero, print_1_bottom.xreplace({Q: PRINTED_Q}).xreplace(farthest)),
         less(3 * pi / 2, lowest[alpha_DE]),
         less(highest[alpha_DE] + turned, 2 * pi),
         less(pi / 2, lowest[alpha_LM]),

@@ -32,7 +32,8 @@ def upright(expression: sp.Expr) -> sp.Expr:
 
 MOVABLE = Part("the radicand of Q is positive", where=(radicand > 0,))
 BEFORE_PIVOT = Part(
-    "x1 > -(l_AB + l_CD), A has not passed D", where=(x1 > -l_AB - l_CD, radicand > 0)
+    "the radicand of Q is positive and x1 > -(l_AB + l_CD), A has not passed D",
+    where=(x1 > -l_AB - l_CD, radicand > 0),
 )
 FIRST_QUADRANT = Part("R > 0", {tau: sp.Interval.Ropen(0, 1)})
 SECOND_QUADRANT = Part("R < 0", {sigma: sp.Interval.Ropen(0, 1)})

@@ -14,7 +14,6 @@ from mechproof.record import (
 
 from .half_angles import (
     BEFORE_PIVOT,
-    MOVABLE,
     half_3,
 )
 from .mechanics import (
@@ -77,11 +76,10 @@ LEVER_ROWS = (
     replace(
         EQUATION_1,
         derived={phi3: lever_angle},
-        note="Against the two-argument arctangent of the solved projections. Beyond a right angle "
-        "of the lever, which no size within its limits reaches, it is off by pi; the next row says "
-        "exactly where.",
-        on=MOVABLE,
-        holds_on=BEFORE_PIVOT,
+        note="Against the two-argument arctangent of the solved projections. It holds "
+        "farther, up to a right angle of the lever, which no size within its limits reaches; see "
+        "the next row.",
+        on=BEFORE_PIVOT,
         marks=("rebuilt",),
     ),
     Claim(
@@ -93,7 +91,8 @@ LEVER_ROWS = (
             ((l_AB + l_CD + x1) ** 2 + l_BC**2) * lever_cosine,
         ),
         note="The denominator of (1) has the sign of the cosine: (1) holds exactly where it is "
-        "positive.",
+        "positive and is off by pi beyond. On Fig. 4 it is positive for all sizes within their "
+        "limits, see 'boundaries, directions of the arms'.",
         marks=("rebuilt", "ours"),
     ),
     Claim(

@@ -50,7 +50,6 @@ from .prints import (
     EQUATION_10,
     EQUATION_R,
     GROUP_4,
-    PRINTED_R,
     print_1,
     print_3,
     print_6_ox,
@@ -123,7 +122,8 @@ ROLLER_ROWS = (
             Equality(print_6_ox.subs(x5, x5_driven), group_3[0]),
         ),
         note="In contact, the link 5' lags behind the rod by the clearance. The print may have "
-        "lost a prime.",
+        "lost a prime. The one letter stands in (7), (8) and R, too, which are judged with the "
+        "link 5'.",
         readings=(
             Reading(
                 "x5 is the displacement of the link 5' after the clearance",
@@ -193,26 +193,18 @@ ROLLER_ROWS = (
     Claim(
         "(1), (3), (4), (7), (8), (10), substituted",
         r"\text{substituting (1), (3), (4), (7), (8), (10) successively gives }y_9(x_1)",
-        Equality(PRINTED_R, PRINTED_R.subs(x5, driven)),
-        readings=(
-            Reading(
-                "(7) and (8) take x5' of (4) for their x5",
-                Conjunction(
-                    (
-                        Equality(print_1, lever_angle),
-                        Equality(print_3, rod),
-                        *push_by(PUSHED_IN_PRINT),
-                        Equality(print_7.subs(R, l_KL * cosine_of_tau), direction_tau - alpha_KL),
-                        Equality(
-                            print_8.subs(R, l_KL * cosine_of_sigma), direction_sigma - alpha_KL
-                        ),
-                        Equality(print_10, wedge),
-                    )
-                ),
-            ),
+        Conjunction(
+            (
+                Equality(print_1, lever_angle),
+                Equality(print_3, rod),
+                *push_by(PUSHED_IN_PRINT),
+                Equality(print_7.subs(R, l_KL * cosine_of_tau), direction_tau - alpha_KL),
+                Equality(print_8.subs(R, l_KL * cosine_of_sigma), direction_sigma - alpha_KL),
+                Equality(print_10, wedge),
+            )
         ),
-        note="Each stage against its group; with the letter x5 as printed (4) would be left out. "
-        "R = 0 is in neither case.",
+        note="Each stage against its group. (7) and (8) take x5' of (4) for their x5, see '(6), "
+        "Ox'; else (4) would be left out. R = 0 is in neither case.",
         on=Part(
             f"{BEFORE_PIVOT.text}; R > 0 for (7), R < 0 for (8)",
             {**FIRST_QUADRANT.within, **SECOND_QUADRANT.within},

@@ -121,4 +121,3 @@ LOST = (
     (l_IK, r"l_{IK}=z1_{-0.3}", "Digits and upper deviation lost; without influence."),
     (l_MN, r"l_{MN}=\dots^{+0.00}_{-0.17}", "Digits lost; without influence."),
 )
-TOLERANCED = tuple(DEVIATIONS)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Claim, Equality, PrintedNumber
+from mechproof.record import Claim, Datum, Definition, Equality
 
-ELEMENTS = ("pusher", "accelerating lever", "rod", "lever with rollers", "wedge")
+from .symbols import elements
+
 GROUPS, LINKS_OF_GROUP, PAIRS_OF_GROUP = 4, 2, 3
 
 
@@ -16,10 +17,10 @@ def mobility(links: int, pairs: int) -> sp.Integer:
 
 
 STRUCTURE_ROWS = (
-    Claim(
+    Datum(
         "five elements",
         r"\text{pusher, accelerating lever, rod, lever with rollers, wedge: 5 elements}",
-        PrintedNumber("5", sp.Integer(len(ELEMENTS))),
+        Definition(elements, sp.Integer(5)),
         note="Of Fig. 1.",
     ),
     Claim(

@@ -52,6 +52,10 @@ AB, BC, CD, AD, DE, EF, FG, DG, HI, IK, KL, HL, LM, MN, NP, LP = (
     ]
 )
 beyond = sp.Symbol("beyond", real=True)
+elements, tolerances, combinations = sp.symbols(
+    "elements tolerances combinations", integer=True, positive=True
+)
+crossing_place = sp.Symbol("x1_crossing", real=True)
 apart = sp.Symbol("apart", positive=True)
 
 POSITIVE = sp.Interval.open(0, sp.oo)

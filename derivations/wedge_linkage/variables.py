@@ -22,6 +22,9 @@ from .symbols import (
     alpha_2,
     apart,
     beyond,
+    combinations,
+    crossing_place,
+    elements,
     error,
     guide_square,
     h3,
@@ -38,6 +41,7 @@ from .symbols import (
     sigma,
     stage_ratio,
     tau,
+    tolerances,
     x5,
 )
 
@@ -64,5 +68,9 @@ VARIABLES = (
     ),
     *(Variable(v, f"vector {v}", LENGTH, latex=(rf"\vec{{{v}}}",)) for v in (AD, DG, HL, LP)),
     Variable(apart, "distance of x5 from the start of contact, in amount", LENGTH, POSITIVE),
+    Variable(elements, "number of elements", within=sp.S.Naturals),
+    Variable(tolerances, "number of sizes with tolerances", within=sp.S.Naturals),
+    Variable(combinations, "number of combinations of limits", within=sp.S.Naturals),
+    Variable(crossing_place, "displacement at which the curves III and IV cross", LENGTH),
     Variable(beyond, "half of what varphi7 exceeds pi - 2 alpha_KL by", ANGLE),
 )

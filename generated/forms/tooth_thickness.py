@@ -506,7 +506,7 @@ def thickness_change_linear_printed(
 
         thickness_change_linear_printed = 1821*dh/2500
 
-    0.7284 is meant for 20 deg, where 2*tan(alpha) = 0.7279.
+    An approximation for 20 deg, where 2*tan(alpha) = 0.7279; not meant for other angles.
 
     Domain as that of `thickness_change_linear`.
 
@@ -546,8 +546,8 @@ def thickness_error_printed(
 
         thickness_error_printed = 1821*height_error/2500 + 1821*e_tip/2500
 
-    Takes the diameter for the radius and has the wrong sign for the tip; 0.7284 is 2*tan(20
-    deg) = 0.7279.
+    Takes the diameter for the radius and, as no sign is printed, the tip's part with the sign
+    of the gauge's; 0.7284 approximates 2*tan(20 deg) = 0.7279.
 
     Domain as that of `thickness_error`.
 

@@ -482,8 +482,8 @@ def position_printed(
 
     Stage by stage; R = 0 is in neither case: NaN.
 
-    Domain as that of `position`, x1 > -(l_AB + l_CD), A has not passed D; R > 0 or R < 0, |R|
-    <= l_KL.
+    Domain as that of `position`, the radicand of Q is positive and x1 > -(l_AB + l_CD), A has
+    not passed D; R > 0 or R < 0, |R| <= l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 

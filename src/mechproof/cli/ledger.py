@@ -43,7 +43,8 @@ def print_ledger(ledger: Ledger) -> None:
 
 
 def _print_finding(found: Found) -> None:
-    say(Text(f"Finding in {found.system}: {found.number}", style="bold"))
+    marks = f" ({', '.join(found.marks)})" if found.marks else ""
+    say(Text(f"Finding in {found.system}: {found.number}: {found.verdict}{marks}", style="bold"))
     lines = [("printed", _plain(found.printed_latex)), ("wrong", found.wrong)]
     lines += [("costs", cost) for cost in found.costs]
     if found.corrected_latex:

@@ -40,6 +40,7 @@ class Found:
     system: str
     number: str
     verdict: Verdict
+    marks: tuple[str, ...]
     printed_latex: str
     wrong: str
     costs: tuple[str, ...]
@@ -50,7 +51,7 @@ class Found:
     def as_dict(self) -> dict[str, object]:
         """Return the JSON record."""
         written = {field.name: getattr(self, field.name) for field in fields(self)}
-        lists = {"costs": list(self.costs), "follows": list(self.follows)}
+        lists = {name: list(written[name]) for name in ("marks", "costs", "follows")}
         return {**written, "verdict": self.verdict.value, **lists}
 
 
@@ -103,6 +104,7 @@ def _describe(
         system=paper.system,
         number=row.number,
         verdict=about.verdict,
+        marks=about.marks,
         printed_latex=about.printed_latex,
         wrong=finding.wrong,
         costs=tuple(_compare(cost, row, paper) for cost in finding.costs),

@@ -17,6 +17,7 @@ PLAIN = (Verdict.PROVED, Verdict.DEFINITION)
 # Rows are counted by what they are, never added up.
 CLASSES = {"equation": "printed equations", "claim": "printed claims", "datum": "printed data"}
 OURS = "our own rows"
+REBUILT = "rebuilt"
 COUNTED = (*CLASSES.values(), OURS)
 INTRODUCTION = """# Ledger
 
@@ -56,8 +57,14 @@ def show_totals(judgements: Sequence[Judgement]) -> dict[str, str]:
 
 def _count(judgements: Sequence[Judgement]) -> str:
     counted = Counter(j.verdict for j in judgements)
-    identical = sum(j.rung == IDENTICAL for j in judgements)
-    apart = {Verdict.PROVED: f" ({identical} of them identical)"} if identical else {}
+    proved = [j for j in judgements if j.verdict is Verdict.PROVED]
+    # Of one source with what it is compared with, or a print that was rebuilt: said apart.
+    kinds = {
+        "identical": sum(j.rung == IDENTICAL for j in proved),
+        REBUILT: sum(REBUILT in j.marks for j in proved),
+    }
+    parts = ", ".join(f"{number} {kind}" for kind, number in kinds.items() if number)
+    apart = {Verdict.PROVED: f" (of them {parts})"} if parts else {}
     return ", ".join(f"{counted[v]} {v}{apart.get(v, '')}" for v in Verdict if counted[v])
 
 
@@ -84,7 +91,7 @@ def to_markdown(ledgers: Sequence[Ledger]) -> str:
 
 def _finding(found: Found) -> str:
     paragraphs = [
-        f"### {found.system} {found.number}",
+        f"### {found.system} {found.number}: {found.verdict}{_show_marks(found.marks)}",
         f"$$ {found.printed_latex} $$",
         _escape(found.wrong),
         "\n".join(f"- {_escape(cost)}" for cost in found.costs),
@@ -96,6 +103,10 @@ def _finding(found: Found) -> str:
     return "\n\n".join(filter(None, paragraphs)) + "\n"
 
 
+def _show_marks(marks: Sequence[str]) -> str:
+    return f" *{', '.join(marks)}*" if marks else ""
+
+
 def _heading(ledger: Ledger) -> str:
     totals = (f"- {name}: {line}" for name, line in show_totals(ledger.judgements).items())
     lines = [f"\n## {ledger.paper.system}", f"{ledger.paper.citation}", "\n".join(totals)]
@@ -105,8 +116,7 @@ def _heading(ledger: Ledger) -> str:
 def _table(judgements: Sequence[Judgement]) -> str:
     lines = ["| number | read as | verdict | reason | rung |", "|---|---|---|---|---|"]
     for j in judgements:
-        marks = f" *{', '.join(j.marks)}*" if j.marks else ""
-        cells = (f"{j.number}{marks}", j.read_as, j.verdict.value, j.reason, j.rung)
+        cells = (f"{j.number}{_show_marks(j.marks)}", j.read_as, j.verdict.value, j.reason, j.rung)
         lines.append("| " + " | ".join(_escape(cell) for cell in cells) + " |")
     return "\n".join(lines) + "\n"
 
