@@ -24,14 +24,14 @@ from mechproof.processes import WorkerError, run_tasks
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
-from mechproof.record import Equality, Paper, RecordError, Row
+from mechproof.record import Equality, Holds, Paper, RecordError, Row
 
 SYSTEMS = (
     *("elliptic_planetary", "measurement", "oval_planetary"),
     *("tooth_thickness", "track_wheel", "wedge_linkage"),
 )
-COUNT = 8
-SECONDS = 5.0
+COUNT = 6
+SECONDS = 3.0
 PROCESSES = 2
 POINTS = 4
 DIGITS = 40
@@ -162,11 +162,14 @@ def _change_node(tree: sp.Basic, draw: random.Random) -> sp.Basic:
 
 def _nodes(tree: sp.Basic) -> Iterator[sp.Expr]:
     """Yield the nodes but for what is bound, and for the bases of families."""
-    if isinstance(tree, sp.Expr):
-        yield tree
-    parts = tree.args[:1] if isinstance(tree, sp.Sum | sp.Integral) else tree.args
-    for part in () if isinstance(tree, sp.Indexed) else parts:
-        yield from _nodes(part)
+    free = tree.free_symbols
+    for node in sp.preorder_traversal(tree):
+        is_bound = node.is_Symbol and node not in free
+        is_label = isinstance(node, sp.IndexedBase) or node in {
+            base.label for base in tree.atoms(sp.IndexedBase)
+        }
+        if isinstance(node, sp.Expr) and not is_bound and not is_label:
+            yield node
 
 
 def _variants(node: sp.Expr, tree: sp.Basic, draw: random.Random) -> Iterator[sp.Expr]:
@@ -174,7 +177,7 @@ def _variants(node: sp.Expr, tree: sp.Basic, draw: random.Random) -> Iterator[sp
     if node.is_Number:
         yield node + draw.choice((1, -1, 2))
     if node.is_Symbol:
-        yield draw.choice(sorted(tree.free_symbols - tree.atoms(sp.Indexed), key=str))
+        yield draw.choice([*sorted(tree.free_symbols, key=str), node + 1])
     if isinstance(node, sp.Add | sp.Mul):
         dropped = draw.randrange(len(node.args))
         yield node.func(*(a for k, a in enumerate(node.args) if k != dropped))
@@ -202,9 +205,11 @@ def judge_changed(changed: Changed) -> tuple[Verdict | str, str]:
 def compare_numbers(row: Row, paper: Paper) -> str:
     """Return "equal", "different" or "unknown" for the sides of a row."""
     says = row.statement
+    domain = Domain.of(paper, row.on)
+    if isinstance(says, Holds):
+        return _compare_sides(domain.resolve(says.relation), domain)
     if not isinstance(says, Equality):
         return "unknown"
-    domain = Domain.of(paper, row.on)
     sides = [domain.resolve(side) for side in (says.printed, says.rebuilt)]
     if isinstance(sides[0], sp.MatrixBase):
         pairs = list(zip(sides[0], sides[1], strict=True))
@@ -212,6 +217,16 @@ def compare_numbers(row: Row, paper: Paper) -> str:
         pairs = [(sides[0], sides[1])]
     found = [_compare_pair(left, right, domain) for left, right in pairs]
     return next((f for f in ("different", "unknown") if f in found), "equal")
+
+
+def _compare_sides(relation: sp.Basic, domain: Domain) -> str:
+    """Return "equal" for a relation that is true at points, "different" for one that is false."""
+    sides = relation.args
+    points = domain.points(sorted(relation.free_symbols, key=str), POINTS)
+    values = [[side.subs(point).evalf(DIGITS) for side in sides] for point in points]
+    kept = [pair for pair in values if all(value.is_finite for value in pair)]
+    held = [bool(relation.func(*pair)) for pair in kept]
+    return "unknown" if not held else "equal" if all(held) else "different"
 
 
 def _compare_pair(left: sp.Expr, right: sp.Expr, domain: Domain) -> str:
@@ -271,7 +286,7 @@ def test_nothing_changed_is_accepted(change: Any) -> None:
     found = attack(change, COUNT * len(SYSTEMS), seed=20240611)
     for kind in ("silent", "PROVED different", "PROVED unknown"):
         assert found.get(kind, []) == []
-    assert len(found["REFUTED"]) > COUNT
+    assert len(found["REFUTED"]) > len(found.get("PROVED equal", []))
 
 
 def test_numbers_tell_equal_sides_from_different_ones() -> None:
@@ -280,3 +295,5 @@ def test_numbers_tell_equal_sides_from_different_ones() -> None:
     assert _compare_pair(sp.sin(2 * x), 2 * sp.sin(x) * sp.cos(x), domain) == "equal"
     assert _compare_pair(sp.sin(2 * x), 2 * sp.sin(x) * sp.sin(x), domain) == "different"
     assert _compare_pair(sp.sqrt(-1 - x**2), sp.Integer(0), domain) == "unknown"
+    assert _compare_sides(sp.Le(x, x + 1, evaluate=False), domain) == "equal"
+    assert _compare_sides(sp.Le(x + 1, x, evaluate=False), domain) == "different"

@@ -42,6 +42,8 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     if sign not in ("=", r"\equiv"):
         return _relate(row, sign, members, reader)
     if row.residual is not None:
+        if isinstance(members.left, sp.MatrixBase) != isinstance(members.right, sp.MatrixBase):
+            raise ValueError(f"row {row.number!r}: a number and a matrix have no residual")
         return Equality(members.left - members.right, row.residual)
     left = _derive(row, members.left, members.left_derived, reader)
     right = _derive(row, members.right, members.right_derived, reader)
