@@ -159,7 +159,25 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
         for s, v in point.items()
         if not v.is_Rational or (has_sums and v.is_Integer and isinstance(s, sp.Symbol))
     }
-    return write_out(substitute(expression, exact)) if exact else write_out(expression)
+    if not exact:
+        return write_out(expression)
+    # SymPy would multiply imaginary roots to a real number; over the reals there is no value.
+    return (
+        sp.nan if _leaves_the_reals(expression, point) else write_out(substitute(expression, exact))
+    )
+
+
+def _leaves_the_reals(expression: sp.Basic, point: Point) -> bool:
+    """Tell whether a root or logarithm outside of cases has a certainly negative argument."""
+    if isinstance(expression, sp.Piecewise) or not expression.free_symbols <= point.keys():
+        return False
+    if any(_leaves_the_reals(part, point) for part in expression.args):
+        return True
+    is_root = isinstance(expression, sp.Pow) and not expression.exp.is_integer
+    if not (is_root or isinstance(expression, sp.log)):
+        return False
+    argument = balls.evaluate(expression.args[0], point)
+    return bool(argument.is_finite() and argument < 0)
 
 
 def _enclose_both(
