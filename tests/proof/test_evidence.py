@@ -253,7 +253,7 @@ def test_what_is_long_says_that_it_is_cut_off() -> None:
     long = sum(phi**k * e ** (k + 1) for k in range(40))
     assert "too long to be shown" in compared(Equality(psi, long))
     parts = tuple(Equality(psi, phi + k) for k in range(6))
-    assert compared(Conjunction(parts)).endswith(r"\text{and 2 more}")
+    assert compared(Conjunction(parts)).endswith(r"\text{and 3 more}")
     assert compared(Conjunction((Conjunction(parts), *parts))) == compared(Conjunction(parts))
 
 

@@ -21,8 +21,8 @@ from mechproof.record import (
 )
 
 # Nodes of a formula, and parts of a statement, that a reader still takes in.
-_MOST_NODES = 120
-_MOST_PARTS = 4
+_MOST_NODES = 50
+_MOST_PARTS = 3
 _INDEX = "#"
 _PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
 _ESCAPES = str.maketrans({"_": r"\_", "^": r"\^{}"})

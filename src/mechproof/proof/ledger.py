@@ -69,12 +69,15 @@ def _count(judgements: Sequence[Judgement]) -> str:
 
 
 def to_json(ledgers: Sequence[Ledger]) -> str:
-    """Return the findings and rows of ledgers as JSON."""
-    content = {
-        "findings": [finding.as_dict() for ledger in ledgers for finding in ledger.findings],
-        "rows": [judgement.as_dict() for ledger in ledgers for judgement in ledger.judgements],
-    }
-    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    """Return the findings and rows of ledgers as JSON, each on a line of its own."""
+    findings = [finding.as_dict() for ledger in ledgers for finding in ledger.findings]
+    rows = [judgement.as_dict() for ledger in ledgers for judgement in ledger.judgements]
+    return f'{{\n"findings": [{_lines(findings)}],\n"rows": [{_lines(rows)}]\n}}\n'
+
+
+def _lines(records: Sequence[dict[str, object]]) -> str:
+    written = (json.dumps(r, ensure_ascii=False, separators=(",", ":")) for r in records)
+    return ",".join(f"\n{line}" for line in written)
 
 
 def to_markdown(ledgers: Sequence[Ledger]) -> str:
