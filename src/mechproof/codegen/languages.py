@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import MappingProxyType
 
 from mechproof.codegen.syntax import (
@@ -62,13 +63,13 @@ NUMBA = Syntax(
     calls=MappingProxyType(
         {
             **{
-                name: name
+                name: f"_{name}"
                 for name in (
-                    "sin", "cos", "tan", "arctan", "arctan2", "hypot", "floor", "rint", "fma",
-                    "copysign", "product_rest", "sum_rest", "quotient_rest", "small_tangent",
-                    "tangent_quotient", "small_arctan", "is_finite", "maximum",
+                    "sin", "cos", "tan", "arctan", "arctan2", "hypot", "product_rest", "sum_rest",
+                    "quotient_rest", "small_tangent", "tangent_quotient", "small_arctan",
                 )
             },
+            **{n: n for n in ("floor", "rint", "fma", "copysign", "is_finite", "maximum")},
             "sqrt": "np.sqrt",
             "absolute": "abs",
         }
@@ -83,6 +84,13 @@ NUMBA = Syntax(
     ),
     constants=NUMPY.constants,
 )  # fmt: skip
+NUMBA_FAR = replace(
+    NUMBA,
+    calls=MappingProxyType(
+        {**NUMBA.calls, **{name: f"math.{name}" for name in ("tan", "sin", "cos")}}
+    ),
+    last=MappingProxyType({}),
+)
 C99 = Syntax(
     infix=MappingProxyType({**INFIX, "both": ("&&", BOTH), "either": ("||", EITHER)}),
     calls=MappingProxyType(
@@ -118,3 +126,7 @@ C99 = Syntax(
     ),
     number=lambda number: repr(float(number)),
 )  # fmt: skip
+C99_FAR = replace(
+    C99,
+    calls=MappingProxyType({**C99.calls, **{name: name for name in ("tan", "sin", "cos")}}),
+)

@@ -15,8 +15,8 @@ import numpy as np
 from flint import arb
 
 from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.forms import TranslationError
 from mechproof.codegen.kernel import Kernel, list_functions
+from mechproof.codegen.reading import TranslationError
 from mechproof.kernel_support import arrays, polynomials
 from mechproof.lab.error import find_errors
 from mechproof.lab.method import Arguments, Compute

@@ -1,0 +1,1298 @@
+"""Compiled kernels of the system `track_wheel`: one loop for each, by numba.
+
+Names, arguments, domains, NaN and errors are those of `mechproof.kernels.track_wheel`,
+and so are the formulas. Numbers and NumPy arrays are taken. With numbers,
+kernels can be called inside functions that numba compiles; arguments with components are then
+indexed, and so are results.
+
+Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
+
+Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.compiled_support import (
+    BLOCK,
+    Loops,
+    floor,
+    fma,
+    is_finite,
+    loop,
+    overload,
+    rint,
+    run,
+    scalar,
+)
+
+__all__ = [
+    "displacement",
+    "largest_radius",
+    "planar_error",
+    "radius",
+    "rotation",
+    "smallest_radius",
+    "spatial_error",
+    "track",
+]
+
+LARGEST = 67108864.0
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
+@scalar
+def _tan(y, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = (
+        fma(
+            fma(fma(v3, -7.482425926557501e-06, 0.00280579332473998), v3, -0.1282823491413398),
+            v3,
+            1.0,
+        )
+        * v2
+    )
+    v5 = fma(
+        fma(fma(v3, -0.00020843011349081395, 0.023344354149567717), v3, -0.46161568247467066),
+        v3,
+        1.0,
+    )
+    v6 = v1 * 0.5
+    v7 = rint(v6) == v6
+
+    value = (v4 if v7 else -v5) / (v5 if v7 else v4)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+
+    return math.tan(y)
+
+
+# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
+# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
+@scalar
+def _sin(y, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * 0.5
+    v5 = 1.0 - v4
+    v6 = v1 * 0.5
+    v7 = (
+        fma(
+            v2 * v3,
+            fma(
+                fma(
+                    fma(
+                        fma(
+                            fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
+                            v3,
+                            2.7557316102534617e-06,
+                        ),
+                        v3,
+                        -0.0001984126983675854,
+                    ),
+                    v3,
+                    0.008333333333330948,
+                ),
+                v3,
+                -0.16666666666666666,
+            ),
+            v2,
+        )
+        if (rint(v6) == v6)
+        else v5
+        + fma(
+            v3 * v3,
+            fma(
+                fma(
+                    fma(
+                        fma(
+                            fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
+                            v3,
+                            -2.7557317271718644e-07,
+                        ),
+                        v3,
+                        2.4801587298765665e-05,
+                    ),
+                    v3,
+                    -0.0013888888888887398,
+                ),
+                v3,
+                0.041666666666666664,
+            ),
+            1.0 - v5 - v4,
+        )
+    )
+    v8 = floor(v6) * 0.5
+
+    value = v7 if (floor(v8) == v8) else -v7
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+
+    return math.sin(y)
+
+
+# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
+# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
+@scalar
+def _cos(y, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * 0.5
+    v5 = 1.0 - v4
+    v6 = v1 * 0.5
+    v7 = (
+        v5
+        + fma(
+            v3 * v3,
+            fma(
+                fma(
+                    fma(
+                        fma(
+                            fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
+                            v3,
+                            -2.7557317271718644e-07,
+                        ),
+                        v3,
+                        2.4801587298765665e-05,
+                    ),
+                    v3,
+                    -0.0013888888888887398,
+                ),
+                v3,
+                0.041666666666666664,
+            ),
+            1.0 - v5 - v4,
+        )
+        if (rint(v6) == v6)
+        else fma(
+            v2 * v3,
+            fma(
+                fma(
+                    fma(
+                        fma(
+                            fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
+                            v3,
+                            2.7557316102534617e-06,
+                        ),
+                        v3,
+                        -0.0001984126983675854,
+                    ),
+                    v3,
+                    0.008333333333330948,
+                ),
+                v3,
+                -0.16666666666666666,
+            ),
+            v2,
+        )
+    )
+    v8 = floor((v1 + 1.0) * 0.5) * 0.5
+
+    value = v7 if (floor(v8) == v8) else -v7
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+
+    return math.cos(y)
+
+
+@scalar
+def _hypot(a, b):
+    v1 = abs(a)
+    v2 = abs(b)
+    v3 = v1 if (v1 > v2) else v2
+    v4 = (
+        2.409919865102884e-181
+        if (v3 > 3.273390607896142e150)
+        else (4.149515568880993e180 if (v3 < 3.054936363499605e-151) else 1.0)
+    )
+    v5 = v1 * v4
+    v6 = v2 * v4
+
+    return np.sqrt(fma(v5, v5, v6 * v6)) / v4
+
+
+@scalar
+def _prepare_rotation(beta, gamma, exact):
+    cos_beta = _cos(beta, exact)
+    cos_gamma = _cos(gamma, exact)
+    sin_gamma = _sin(gamma, exact)
+    sin_beta = _sin(beta, exact)
+
+    return (cos_beta, cos_gamma, sin_gamma, sin_beta)
+
+
+@scalar
+def _rotation(alpha, cos_beta, cos_gamma, sin_gamma, sin_beta, exact):
+    cos_alpha = _cos(alpha, exact)
+    sin_alpha = _sin(alpha, exact)
+
+    return (
+        cos_beta * cos_gamma,
+        sin_gamma * cos_alpha + cos_gamma * sin_beta * sin_alpha,
+        sin_gamma * sin_alpha - cos_gamma * sin_beta * cos_alpha,
+        -cos_beta * sin_gamma,
+        cos_gamma * cos_alpha - sin_beta * sin_gamma * sin_alpha,
+        cos_gamma * sin_alpha + sin_beta * sin_gamma * cos_alpha,
+        sin_beta,
+        -cos_beta * sin_alpha,
+        cos_beta * cos_alpha,
+    )
+
+
+@scalar
+def _rotation_at(alpha, beta, gamma, exact):
+    prepared = _prepare_rotation(beta, gamma, exact)
+
+    return _rotation(alpha, *prepared, exact)
+
+
+@scalar
+def _rotation_point(alpha, beta, gamma):
+    return _rotation_at(alpha, beta, gamma, True)
+
+
+@loop
+def _fill_rotation(out, alpha_values, beta, gamma):
+    count = out.size // 9
+    prepared = _prepare_rotation(beta, gamma, True)
+
+    for start in range(0, count, BLOCK):
+        stop = min(start + BLOCK, count)
+        missing = 0
+        for i in range(start, stop):
+            alpha = float(alpha_values[i])
+
+            value = _rotation(alpha, *prepared, None)
+            out[9 * i + 0] = value[0]
+            out[9 * i + 1] = value[1]
+            out[9 * i + 2] = value[2]
+            out[9 * i + 3] = value[3]
+            out[9 * i + 4] = value[4]
+            out[9 * i + 5] = value[5]
+            out[9 * i + 6] = value[6]
+            out[9 * i + 7] = value[7]
+            out[9 * i + 8] = value[8]
+
+            missing += (
+                (value[0] != value[0])
+                | (value[1] != value[1])
+                | (value[2] != value[2])
+                | (value[3] != value[3])
+                | (value[4] != value[4])
+                | (value[5] != value[5])
+                | (value[6] != value[6])
+                | (value[7] != value[7])
+                | (value[8] != value[8])
+            )
+        if missing:
+            for i in range(start, stop):
+                alpha = float(alpha_values[i])
+
+                value = _rotation(alpha, *prepared, True)
+                out[9 * i + 0] = value[0]
+                out[9 * i + 1] = value[1]
+                out[9 * i + 2] = value[2]
+                out[9 * i + 3] = value[3]
+                out[9 * i + 4] = value[4]
+                out[9 * i + 5] = value[5]
+                out[9 * i + 6] = value[6]
+                out[9 * i + 7] = value[7]
+                out[9 * i + 8] = value[8]
+
+
+@loop
+def _fill_each_rotation(out, alpha_values, beta_values, gamma_values):
+    count = out.size // 9
+    for start in range(0, count, BLOCK):
+        stop = min(start + BLOCK, count)
+        missing = 0
+        for i in range(start, stop):
+            alpha = float(alpha_values[i])
+            beta = float(beta_values[i])
+            gamma = float(gamma_values[i])
+
+            value = _rotation_at(alpha, beta, gamma, None)
+            out[9 * i + 0] = value[0]
+            out[9 * i + 1] = value[1]
+            out[9 * i + 2] = value[2]
+            out[9 * i + 3] = value[3]
+            out[9 * i + 4] = value[4]
+            out[9 * i + 5] = value[5]
+            out[9 * i + 6] = value[6]
+            out[9 * i + 7] = value[7]
+            out[9 * i + 8] = value[8]
+
+            missing += (
+                (value[0] != value[0])
+                | (value[1] != value[1])
+                | (value[2] != value[2])
+                | (value[3] != value[3])
+                | (value[4] != value[4])
+                | (value[5] != value[5])
+                | (value[6] != value[6])
+                | (value[7] != value[7])
+                | (value[8] != value[8])
+            )
+        if missing:
+            for i in range(start, stop):
+                alpha = float(alpha_values[i])
+                beta = float(beta_values[i])
+                gamma = float(gamma_values[i])
+
+                value = _rotation_at(alpha, beta, gamma, True)
+                out[9 * i + 0] = value[0]
+                out[9 * i + 1] = value[1]
+                out[9 * i + 2] = value[2]
+                out[9 * i + 3] = value[3]
+                out[9 * i + 4] = value[4]
+                out[9 * i + 5] = value[5]
+                out[9 * i + 6] = value[6]
+                out[9 * i + 7] = value[7]
+                out[9 * i + 8] = value[8]
+
+
+def rotation(
+    alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the matrix K of the turns alpha, beta, gamma: coordinates in the part's frame.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.rotation` has all words.
+    """
+    return run(
+        _ROTATION,
+        (
+            alpha,
+            beta,
+            gamma,
+        ),
+        out,
+    )
+
+
+_ROTATION = Loops(
+    names=(
+        "alpha",
+        "beta",
+        "gamma",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+    ),
+    shape=(
+        3,
+        3,
+    ),
+    at=_rotation_point,
+    uniform=_fill_rotation,
+    each=_fill_each_rotation,
+)
+
+
+@overload(rotation)
+def _offer_rotation(
+    alpha,
+    beta,
+    gamma,
+):
+    return lambda alpha, beta, gamma: _rotation_point(
+        float(alpha),
+        float(beta),
+        float(gamma),
+    )
+
+
+@scalar
+def _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact):
+    t_alpha = _tan(angles_0 / 2, exact)
+    t_beta = _tan(angles_1 / 2, exact)
+    t_gamma = _tan(angles_2 / 2, exact)
+    scale = 2 / ((1 + t_alpha**2) * (1 + t_beta**2) * (1 + t_gamma**2))
+    v_y = t_beta - t_alpha * t_gamma
+    v_y_squared = v_y**2
+    v_z = t_gamma + t_alpha * t_beta
+    v_z_squared = v_z**2
+    C11 = scale * (-v_y_squared - v_z_squared)
+    v_x = t_alpha + t_beta * t_gamma
+    v_x_v_y = v_x * v_y
+    w = 1 - t_alpha * t_beta * t_gamma
+    C12 = scale * (v_x_v_y - v_z * w)
+    v_x_v_z = v_x * v_z
+    C13 = scale * (v_x_v_z + v_y * w)
+    C21 = scale * (v_x_v_y + v_z * w)
+    v_x_squared = v_x**2
+    C22 = scale * (-v_x_squared - v_z_squared)
+    v_y_v_z = v_y * v_z
+    C23 = scale * (v_y_v_z - v_x * w)
+    C31 = scale * (v_x_v_z - v_y * w)
+    C32 = scale * (v_y_v_z + v_x * w)
+    C33 = scale * (-v_x_squared - v_y_squared)
+
+    return (C11, C12, C13, C21, C22, C23, C31, C32, C33, shift_0, shift_1, shift_2)
+
+
+@scalar
+def _displacement(
+    points_0, points_1, points_2, m00, m01, m02, m10, m11, m12, m20, m21, m22, v0, v1, v2, exact
+):
+
+    return (
+        fma(m00, points_0, fma(m01, points_1, fma(m02, points_2, v0))),
+        fma(m10, points_0, fma(m11, points_1, fma(m12, points_2, v1))),
+        fma(m20, points_0, fma(m21, points_1, fma(m22, points_2, v2))),
+    )
+
+
+@scalar
+def _displacement_at(
+    points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact
+):
+    prepared = _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact)
+
+    return _displacement(points_0, points_1, points_2, *prepared, exact)
+
+
+@scalar
+def _displacement_point(
+    points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2
+):
+    return _displacement_at(
+        points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, True
+    )
+
+
+@loop
+def _fill_displacement(out, points_values, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2):
+    count = out.size // 3
+    prepared = _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, True)
+
+    for start in range(0, count, BLOCK):
+        stop = min(start + BLOCK, count)
+        missing = 0
+        for i in range(start, stop):
+            points_0 = float(points_values[3 * i + 0])
+            points_1 = float(points_values[3 * i + 1])
+            points_2 = float(points_values[3 * i + 2])
+
+            value = _displacement(points_0, points_1, points_2, *prepared, None)
+            out[3 * i + 0] = value[0]
+            out[3 * i + 1] = value[1]
+            out[3 * i + 2] = value[2]
+
+            missing += (value[0] != value[0]) | (value[1] != value[1]) | (value[2] != value[2])
+        if missing:
+            for i in range(start, stop):
+                points_0 = float(points_values[3 * i + 0])
+                points_1 = float(points_values[3 * i + 1])
+                points_2 = float(points_values[3 * i + 2])
+
+                value = _displacement(points_0, points_1, points_2, *prepared, True)
+                out[3 * i + 0] = value[0]
+                out[3 * i + 1] = value[1]
+                out[3 * i + 2] = value[2]
+
+
+@loop
+def _fill_each_displacement(out, points_values, angles_values, shift_values):
+    count = out.size // 3
+    for start in range(0, count, BLOCK):
+        stop = min(start + BLOCK, count)
+        missing = 0
+        for i in range(start, stop):
+            points_0 = float(points_values[3 * i + 0])
+            points_1 = float(points_values[3 * i + 1])
+            points_2 = float(points_values[3 * i + 2])
+            angles_0 = float(angles_values[3 * i + 0])
+            angles_1 = float(angles_values[3 * i + 1])
+            angles_2 = float(angles_values[3 * i + 2])
+            shift_0 = float(shift_values[3 * i + 0])
+            shift_1 = float(shift_values[3 * i + 1])
+            shift_2 = float(shift_values[3 * i + 2])
+
+            value = _displacement_at(
+                points_0,
+                points_1,
+                points_2,
+                angles_0,
+                angles_1,
+                angles_2,
+                shift_0,
+                shift_1,
+                shift_2,
+                None,
+            )
+            out[3 * i + 0] = value[0]
+            out[3 * i + 1] = value[1]
+            out[3 * i + 2] = value[2]
+
+            missing += (value[0] != value[0]) | (value[1] != value[1]) | (value[2] != value[2])
+        if missing:
+            for i in range(start, stop):
+                points_0 = float(points_values[3 * i + 0])
+                points_1 = float(points_values[3 * i + 1])
+                points_2 = float(points_values[3 * i + 2])
+                angles_0 = float(angles_values[3 * i + 0])
+                angles_1 = float(angles_values[3 * i + 1])
+                angles_2 = float(angles_values[3 * i + 2])
+                shift_0 = float(shift_values[3 * i + 0])
+                shift_1 = float(shift_values[3 * i + 1])
+                shift_2 = float(shift_values[3 * i + 2])
+
+                value = _displacement_at(
+                    points_0,
+                    points_1,
+                    points_2,
+                    angles_0,
+                    angles_1,
+                    angles_2,
+                    shift_0,
+                    shift_1,
+                    shift_2,
+                    True,
+                )
+                out[3 * i + 0] = value[0]
+                out[3 * i + 1] = value[1]
+                out[3 * i + 2] = value[2]
+
+
+def displacement(
+    points: ArrayLike, angles: ArrayLike, shift: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the position errors K^T*p - (p - t) of points p, turn K and shift t.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.displacement` has all words.
+    """
+    return run(
+        _DISPLACEMENT,
+        (
+            points,
+            angles,
+            shift,
+        ),
+        out,
+    )
+
+
+_DISPLACEMENT = Loops(
+    names=(
+        "points",
+        "angles",
+        "shift",
+    ),
+    widths=(
+        3,
+        3,
+        3,
+    ),
+    shape=(3,),
+    at=_displacement_point,
+    uniform=_fill_displacement,
+    each=_fill_each_displacement,
+)
+
+
+@overload(displacement)
+def _offer_displacement(
+    points,
+    angles,
+    shift,
+):
+    return lambda points, angles, shift: _displacement_point(
+        float(points[0]),
+        float(points[1]),
+        float(points[2]),
+        float(angles[0]),
+        float(angles[1]),
+        float(angles[2]),
+        float(shift[0]),
+        float(shift[1]),
+        float(shift[2]),
+    )
+
+
+@scalar
+def _planar_error(displacement_0, displacement_1):
+
+    return _hypot(displacement_0, displacement_1)
+
+
+@scalar
+def _planar_error_at(displacement_0, displacement_1, displacement_2):
+
+    return _planar_error(
+        displacement_0,
+        displacement_1,
+    )
+
+
+@scalar
+def _planar_error_point(displacement_0, displacement_1, displacement_2):
+    return _planar_error_at(displacement_0, displacement_1, displacement_2)
+
+
+@loop
+def _fill_planar_error(out, displacement_values):
+    count = out.size
+
+    for i in range(count):
+        displacement_0 = float(displacement_values[3 * i + 0])
+        displacement_1 = float(displacement_values[3 * i + 1])
+
+        value = _planar_error(
+            displacement_0,
+            displacement_1,
+        )
+        out[i] = value
+
+
+@loop
+def _fill_each_planar_error(out, displacement_values):
+    count = out.size
+    for i in range(count):
+        displacement_0 = float(displacement_values[3 * i + 0])
+        displacement_1 = float(displacement_values[3 * i + 1])
+        displacement_2 = float(displacement_values[3 * i + 2])
+
+        value = _planar_error_at(displacement_0, displacement_1, displacement_2)
+        out[i] = value
+
+
+def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the error in the end plane X0Y0.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.planar_error` has all words.
+    """
+    return run(_PLANAR_ERROR, (displacement,), out)
+
+
+_PLANAR_ERROR = Loops(
+    names=("displacement",),
+    widths=(3,),
+    shape=(),
+    at=_planar_error_point,
+    uniform=_fill_planar_error,
+    each=_fill_each_planar_error,
+)
+
+
+@overload(planar_error)
+def _offer_planar_error(
+    displacement,
+):
+    return lambda displacement: _planar_error_point(
+        float(displacement[0]),
+        float(displacement[1]),
+        float(displacement[2]),
+    )
+
+
+@scalar
+def _spatial_error(displacement_0, displacement_1, displacement_2):
+
+    return _hypot(_hypot(displacement_0, displacement_1), displacement_2)
+
+
+@scalar
+def _spatial_error_at(displacement_0, displacement_1, displacement_2):
+
+    return _spatial_error(
+        displacement_0,
+        displacement_1,
+        displacement_2,
+    )
+
+
+@scalar
+def _spatial_error_point(displacement_0, displacement_1, displacement_2):
+    return _spatial_error_at(displacement_0, displacement_1, displacement_2)
+
+
+@loop
+def _fill_spatial_error(out, displacement_values):
+    count = out.size
+
+    for i in range(count):
+        displacement_0 = float(displacement_values[3 * i + 0])
+        displacement_1 = float(displacement_values[3 * i + 1])
+        displacement_2 = float(displacement_values[3 * i + 2])
+
+        value = _spatial_error(
+            displacement_0,
+            displacement_1,
+            displacement_2,
+        )
+        out[i] = value
+
+
+@loop
+def _fill_each_spatial_error(out, displacement_values):
+    count = out.size
+    for i in range(count):
+        displacement_0 = float(displacement_values[3 * i + 0])
+        displacement_1 = float(displacement_values[3 * i + 1])
+        displacement_2 = float(displacement_values[3 * i + 2])
+
+        value = _spatial_error_at(displacement_0, displacement_1, displacement_2)
+        out[i] = value
+
+
+def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the error in space.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.spatial_error` has all words.
+    """
+    return run(_SPATIAL_ERROR, (displacement,), out)
+
+
+_SPATIAL_ERROR = Loops(
+    names=("displacement",),
+    widths=(3,),
+    shape=(),
+    at=_spatial_error_point,
+    uniform=_fill_spatial_error,
+    each=_fill_each_spatial_error,
+)
+
+
+@overload(spatial_error)
+def _offer_spatial_error(
+    displacement,
+):
+    return lambda displacement: _spatial_error_point(
+        float(displacement[0]),
+        float(displacement[1]),
+        float(displacement[2]),
+    )
+
+
+@scalar
+def _prepare_radius(R, A, z, exact):
+    A_plus_R = A + R
+    R_minus_A = R - A
+    w = A_plus_R * R_minus_A
+
+    return (A, z, w)
+
+
+@scalar
+def _radius(phi, A, z, w, exact):
+    u = A * _cos(z * phi, exact)
+    q = abs(u) + _hypot(np.sqrt(w), u)
+
+    return q if (u >= 0) else w / q
+
+
+@scalar
+def _radius_at(phi, R, A, z, exact):
+    if not ((R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)):
+        return math.nan
+    prepared = _prepare_radius(R, A, z, exact)
+
+    return _radius(phi, *prepared, exact)
+
+
+@scalar
+def _radius_point(phi, R, A, z):
+    return _radius_at(phi, R, A, z, True)
+
+
+@loop
+def _fill_radius(out, phi_values, R, A, z):
+    count = out.size
+    if not ((R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)):
+        out[:] = math.nan
+        return
+    prepared = _prepare_radius(R, A, z, True)
+
+    for start in range(0, count, BLOCK):
+        stop = min(start + BLOCK, count)
+        missing = 0
+        for i in range(start, stop):
+            phi = float(phi_values[i])
+
+            value = _radius(phi, *prepared, None)
+            out[i] = value
+
+            missing += value != value
+        if missing:
+            for i in range(start, stop):
+                phi = float(phi_values[i])
+
+                value = _radius(phi, *prepared, True)
+                out[i] = value
+
+
+@loop
+def _fill_each_radius(out, phi_values, R_values, A_values, z_values):
+    count = out.size
+    for start in range(0, count, BLOCK):
+        stop = min(start + BLOCK, count)
+        missing = 0
+        for i in range(start, stop):
+            phi = float(phi_values[i])
+            R = float(R_values[i])
+            A = float(A_values[i])
+            z = float(z_values[i])
+
+            value = _radius_at(phi, R, A, z, None)
+            out[i] = value
+
+            missing += value != value
+        if missing:
+            for i in range(start, stop):
+                phi = float(phi_values[i])
+                R = float(R_values[i])
+                A = float(A_values[i])
+                z = float(z_values[i])
+
+                value = _radius_at(phi, R, A, z, True)
+                out[i] = value
+
+
+def radius(
+    phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the radius vector of the track, a shifted circle repeated z times.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.radius` has all words.
+    """
+    return run(
+        _RADIUS,
+        (
+            phi,
+            R,
+            A,
+            z,
+        ),
+        out,
+    )
+
+
+_RADIUS = Loops(
+    names=(
+        "phi",
+        "R",
+        "A",
+        "z",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_radius_point,
+    uniform=_fill_radius,
+    each=_fill_each_radius,
+)
+
+
+@overload(radius)
+def _offer_radius(
+    phi,
+    R,
+    A,
+    z,
+):
+    return lambda phi, R, A, z: _radius_point(
+        float(phi),
+        float(R),
+        float(A),
+        float(z),
+    )
+
+
+@scalar
+def _prepare_track(R, A, z, H, exact):
+    A_plus_R = A + R
+    R_minus_A = R - A
+    w = A_plus_R * R_minus_A
+
+    return (A, z, H, w)
+
+
+@scalar
+def _track(phi, A, z, H, w, exact):
+    u = A * _cos(z * phi, exact)
+    q = abs(u) + _hypot(np.sqrt(w), u)
+    term = q if (u >= 0) else w / q
+
+    return (
+        term * _cos(phi, exact),
+        term * _sin(phi, exact),
+        H,
+    )
+
+
+@scalar
+def _track_at(phi, R, A, z, H, exact):
+    if not (
+        (R > 0)
+        & is_finite(R)
+        & (H > 0)
+        & is_finite(H)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == floor(z))
+        & (abs(A) <= R)
+    ):
+        return (math.nan, math.nan, math.nan)
+    prepared = _prepare_track(R, A, z, H, exact)
+
+    return _track(phi, *prepared, exact)
+
+
+@scalar
+def _track_point(phi, R, A, z, H):
+    return _track_at(phi, R, A, z, H, True)
+
+
+@loop
+def _fill_track(out, phi_values, R, A, z, H):
+    count = out.size // 3
+    if not (
+        (R > 0)
+        & is_finite(R)
+        & (H > 0)
+        & is_finite(H)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == floor(z))
+        & (abs(A) <= R)
+    ):
+        out[:] = math.nan
+        return
+    prepared = _prepare_track(R, A, z, H, True)
+
+    for start in range(0, count, BLOCK):
+        stop = min(start + BLOCK, count)
+        missing = 0
+        for i in range(start, stop):
+            phi = float(phi_values[i])
+
+            value = _track(phi, *prepared, None)
+            out[3 * i + 0] = value[0]
+            out[3 * i + 1] = value[1]
+            out[3 * i + 2] = value[2]
+
+            missing += (value[0] != value[0]) | (value[1] != value[1]) | (value[2] != value[2])
+        if missing:
+            for i in range(start, stop):
+                phi = float(phi_values[i])
+
+                value = _track(phi, *prepared, True)
+                out[3 * i + 0] = value[0]
+                out[3 * i + 1] = value[1]
+                out[3 * i + 2] = value[2]
+
+
+@loop
+def _fill_each_track(out, phi_values, R_values, A_values, z_values, H_values):
+    count = out.size // 3
+    for start in range(0, count, BLOCK):
+        stop = min(start + BLOCK, count)
+        missing = 0
+        for i in range(start, stop):
+            phi = float(phi_values[i])
+            R = float(R_values[i])
+            A = float(A_values[i])
+            z = float(z_values[i])
+            H = float(H_values[i])
+
+            value = _track_at(phi, R, A, z, H, None)
+            out[3 * i + 0] = value[0]
+            out[3 * i + 1] = value[1]
+            out[3 * i + 2] = value[2]
+
+            missing += (value[0] != value[0]) | (value[1] != value[1]) | (value[2] != value[2])
+        if missing:
+            for i in range(start, stop):
+                phi = float(phi_values[i])
+                R = float(R_values[i])
+                A = float(A_values[i])
+                z = float(z_values[i])
+                H = float(H_values[i])
+
+                value = _track_at(phi, R, A, z, H, True)
+                out[3 * i + 0] = value[0]
+                out[3 * i + 1] = value[1]
+                out[3 * i + 2] = value[2]
+
+
+def track(
+    phi: ArrayLike,
+    R: ArrayLike,
+    A: ArrayLike,
+    z: ArrayLike,
+    H: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute points of the track.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.track` has all words.
+    """
+    return run(
+        _TRACK,
+        (
+            phi,
+            R,
+            A,
+            z,
+            H,
+        ),
+        out,
+    )
+
+
+_TRACK = Loops(
+    names=(
+        "phi",
+        "R",
+        "A",
+        "z",
+        "H",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(3,),
+    at=_track_point,
+    uniform=_fill_track,
+    each=_fill_each_track,
+)
+
+
+@overload(track)
+def _offer_track(
+    phi,
+    R,
+    A,
+    z,
+    H,
+):
+    return lambda phi, R, A, z, H: _track_point(
+        float(phi),
+        float(R),
+        float(A),
+        float(z),
+        float(H),
+    )
+
+
+@scalar
+def _prepare_largest_radius(A):
+
+    return (A,)
+
+
+@scalar
+def _largest_radius(R, A):
+
+    return R + abs(A)
+
+
+@scalar
+def _largest_radius_at(R, A):
+    if not ((R > 0) & is_finite(R) & (abs(A) <= R)):
+        return math.nan
+    prepared = _prepare_largest_radius(A)
+
+    return _largest_radius(R, *prepared)
+
+
+@scalar
+def _largest_radius_point(R, A):
+    return _largest_radius_at(R, A)
+
+
+@loop
+def _fill_largest_radius(out, R_values, A):
+    count = out.size
+    prepared = _prepare_largest_radius(A)
+
+    for i in range(count):
+        R = float(R_values[i])
+
+        value = (
+            _largest_radius(R, *prepared) if (R > 0) & is_finite(R) & (abs(A) <= R) else math.nan
+        )
+        out[i] = value
+
+
+@loop
+def _fill_each_largest_radius(out, R_values, A_values):
+    count = out.size
+    for i in range(count):
+        R = float(R_values[i])
+        A = float(A_values[i])
+
+        value = _largest_radius_at(R, A)
+        out[i] = value
+
+
+def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the largest radius vector of the track.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.largest_radius` has all words.
+    """
+    return run(
+        _LARGEST_RADIUS,
+        (
+            R,
+            A,
+        ),
+        out,
+    )
+
+
+_LARGEST_RADIUS = Loops(
+    names=(
+        "R",
+        "A",
+    ),
+    widths=(
+        0,
+        0,
+    ),
+    shape=(),
+    at=_largest_radius_point,
+    uniform=_fill_largest_radius,
+    each=_fill_each_largest_radius,
+)
+
+
+@overload(largest_radius)
+def _offer_largest_radius(
+    R,
+    A,
+):
+    return lambda R, A: _largest_radius_point(
+        float(R),
+        float(A),
+    )
+
+
+@scalar
+def _prepare_smallest_radius(A):
+
+    return (A,)
+
+
+@scalar
+def _smallest_radius(R, A):
+
+    return R - abs(A)
+
+
+@scalar
+def _smallest_radius_at(R, A):
+    if not ((R > 0) & is_finite(R) & (abs(A) <= R)):
+        return math.nan
+    prepared = _prepare_smallest_radius(A)
+
+    return _smallest_radius(R, *prepared)
+
+
+@scalar
+def _smallest_radius_point(R, A):
+    return _smallest_radius_at(R, A)
+
+
+@loop
+def _fill_smallest_radius(out, R_values, A):
+    count = out.size
+    prepared = _prepare_smallest_radius(A)
+
+    for i in range(count):
+        R = float(R_values[i])
+
+        value = (
+            _smallest_radius(R, *prepared) if (R > 0) & is_finite(R) & (abs(A) <= R) else math.nan
+        )
+        out[i] = value
+
+
+@loop
+def _fill_each_smallest_radius(out, R_values, A_values):
+    count = out.size
+    for i in range(count):
+        R = float(R_values[i])
+        A = float(A_values[i])
+
+        value = _smallest_radius_at(R, A)
+        out[i] = value
+
+
+def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the smallest radius vector of the track.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.smallest_radius` has all words.
+    """
+    return run(
+        _SMALLEST_RADIUS,
+        (
+            R,
+            A,
+        ),
+        out,
+    )
+
+
+_SMALLEST_RADIUS = Loops(
+    names=(
+        "R",
+        "A",
+    ),
+    widths=(
+        0,
+        0,
+    ),
+    shape=(),
+    at=_smallest_radius_point,
+    uniform=_fill_smallest_radius,
+    each=_fill_each_smallest_radius,
+)
+
+
+@overload(smallest_radius)
+def _offer_smallest_radius(
+    R,
+    A,
+):
+    return lambda R, A: _smallest_radius_point(
+        float(R),
+        float(A),
+    )
