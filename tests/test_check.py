@@ -72,6 +72,15 @@ CHECKED = [
 ]
 
 
+def test_the_answer_says_where_it_is_judged(tmp_path: Path) -> None:
+    file = tmp_path / "rows.json"
+    print_ = r"\sqrt{(x-y)^2}=x-y\text{ for }y>0"
+    done = run(print_, "--where", "x>y", "--json", str(file))
+    (row,) = json.loads(file.read_text(encoding="utf-8"))["rows"]
+    assert (row["verdict"], row["on"]) == ("PROVED", "y > 0 and x>y")
+    assert "on y > 0 and x>y" in done.output
+
+
 @pytest.mark.parametrize(("arguments", "verdicts"), CHECKED, ids=[c[0][0] for c in CHECKED])
 def test_an_equation_is_judged(arguments: list[str], verdicts: list[str], tmp_path: Path) -> None:
     file = tmp_path / "rows.json"

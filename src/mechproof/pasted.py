@@ -18,7 +18,7 @@ from mechproof.latex.values import depends
 from mechproof.processes import WorkerError, run_tasks
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement
-from mechproof.record import Definition, Equation, Notation, Paper, Row, Variable
+from mechproof.record import Definition, Equation, Notation, Paper, Part, Row, Variable
 
 COMMAND = Remedies(
     name="Say --name '{0}'.",
@@ -103,9 +103,10 @@ def judge_pasted(pasted: Pasted) -> Checked:
     reader = Reader(variables, notation, COMMAND)
     free = tuple(v.symbol for v in variables if v.given is None and isinstance(v.symbol, sp.Symbol))
     _refuse_constant(variables, pasted, reader)
-    rows = read_row(Equation(NUMBER, pasted.latex, defines=free), reader)
+    on = Part(" and ".join(pasted.where), where=where) if relations else None
+    rows = read_row(Equation(NUMBER, pasted.latex, defines=free, on=on), reader)
     _refuse_definitions(rows, said)
-    paper = Paper("pasted", "", variables, (), where)
+    paper = Paper("pasted", "", variables, ())
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
     return Checked(read, {v.latex[0]: _describe(v) for v in variables})
 

@@ -152,12 +152,23 @@ def _find_unused(place: _Place) -> Iterator[str]:
 
 
 def _narrow(row: Row, place: _Place) -> Part | None:
-    """Return where the sign is meant: a printed condition narrows it, if the row does not."""
+    """Return where the sign is meant: what the print says of it, and what the row says besides."""
     condition = place.chain.condition
-    if row.on is not None or condition is None:
+    if condition is None:
         return row.on
-    relations = place.read.meaning().relate(condition)
-    return Part(write(condition), where=relations)
+    text, relations = write(condition), place.read.meaning().relate(condition)
+    if row.on is None:
+        return Part(text, where=relations)
+    both = " and ".join(dict.fromkeys((text, row.on.text)))
+    return Part(both, row.on.within, (*relations, *row.on.where))
+
+
+def _refuse_other_condition(row: Row, chain: Chain, place: _Place) -> None:
+    """Refuse a correction under a condition that is not that of its print: it is judged there."""
+    if chain.condition not in (None, place.chain.condition):
+        raise ValueError(
+            f"row {row.number!r}: its correction has a condition of its own: say it in `on`"
+        )
 
 
 def _read_correction(correction: Correction, row: Row, place: _Place) -> Correction:
@@ -166,6 +177,7 @@ def _read_correction(correction: Correction, row: Row, place: _Place) -> Correct
         return correction
     read = place.read.reader.parse(correction.latex, row.number)
     (chain,) = read.chains
+    _refuse_other_condition(row, chain, place)
     right = replace(place, read=read, chain=chain, left=max(len(chain.members) - 2, 0))
     if len(chain.members) > 1:
         return replace(correction, says=_state(row, right))
