@@ -170,14 +170,26 @@ def _count(variable: Variable) -> Variable:
 
 
 def _find_counts(pasted: Pasted) -> tuple[str, ...]:
-    r"""Return the letters up to which sums go, n also in \sum_{k=1}^{n-1}."""
+    r"""Return the letters of n! and up to which sums go, n also in \sum_{k=1}^{n-1}."""
     found: dict[str, None] = dict.fromkeys(pasted.natural)
     for latex in (pasted.latex, *pasted.where, *pasted.values):
         texts = [token.text for token in tokenize(latex)]
         for place, text in enumerate(texts):
             if text in (r"\sum", r"\prod"):
                 found |= dict.fromkeys(_letters_of_limit(texts[place + 1 :]))
+            if text == "!":
+                found |= dict.fromkeys(_letters_of_factorial(texts[:place]))
     return tuple(x for x in found if x not in pasted.names)
+
+
+def _letters_of_factorial(texts: list[str]) -> Iterator[str]:
+    """Yield the letter before the sign, or those of the plain sum in the bracket before it."""
+    start = len(texts) - 1
+    if texts[-1:] == [")"] and "(" in texts:
+        start = len(texts) - texts[::-1].index("(")
+    inside = texts[start:]
+    if all(text.isalnum() or text in ("+", "-", ")") for text in inside):
+        yield from (text for text in inside if text.isalpha())
 
 
 def _letters_of_limit(texts: list[str]) -> Iterator[str]:
@@ -206,7 +218,7 @@ def _read_limit(pasted: Pasted) -> sp.Expr | None:
 def _refuse_constant(variables: Sequence[Variable], pasted: Pasted, reader: Reader) -> None:
     """Refuse a C beside an integral without limits: it depends on where the integral starts."""
     has_constant = any(v.symbol.name == "C" and v.given is None for v in variables)
-    parts = list(walk(reader.parse(pasted.latex).chains))
+    parts = list(walk(reader.parse(pasted.latex, upper=1).chains))
     if has_constant and any(isinstance(p, Integration) and p.low is None for p in parts):
         raise ValueError(
             "C beside an integral without limits: what is it? Say --let 'C=0', or its value where "
