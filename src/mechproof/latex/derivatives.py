@@ -77,10 +77,10 @@ def _read_above(parser: Parser) -> tuple[int, Node | None]:
 
 def _read_below(parser: Parser) -> tuple[Letter, int]:
     start = parser.take("d").start
-    by = parser.read_factor()
-    order = 1
+    by, order = parser.read_factor(), 1
     if isinstance(by, Power):
-        by, order = by.base, _read_order(by.exponent, parser)
+        order = _read_order(by.exponent, parser)
+        by = by.base
     if not isinstance(by, Letter):
         raise parser.refuse("a derivative by no letter", place=start)
     return by, order

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from itertools import pairwise
 from typing import Any
@@ -81,14 +81,14 @@ def _join_signs(upper: Row, lower: Row, latex: str) -> Row:
     return replace(upper, says=Conjunction(says), read_as=text, corrected=corrected)
 
 
-def _list_sides(says: Statement) -> tuple[sp.Basic, ...]:
+def _list_sides(says: Statement) -> Sequence[sp.Basic]:
     """Return the sides of a statement; of a definition or a number one that is always the same."""
     if isinstance(says, Equality):
         return says.printed, says.rebuilt
     if isinstance(says, Distinct):
         return says.left, says.right
     if isinstance(says, Holds):
-        return says.relation.args
+        return tuple(says.relation.args)
     return (sp.S.Zero,)
 
 
