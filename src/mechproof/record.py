@@ -288,6 +288,17 @@ class IntegralWithoutDifferential(sp.Function):  # type: ignore[misc]
     """An integral sign whose differential is missing in print; it has no value."""
 
 
+class ValueWhere(sp.Function):  # type: ignore[misc]
+    """A first value where a second has one too: a derivative has none where the function has none.
+
+    Both are arguments: the value, and what is needed for it.
+    """
+
+    def _latex(self, printer: Any) -> str:
+        written: str = printer.doprint(self.args[0])
+        return written
+
+
 class FunctionWithoutArgument(sp.Function):  # type: ignore[misc]
     """A function, named by its argument, that is printed without one; it has no value."""
 
