@@ -45,6 +45,7 @@ LOADED = {
         "mechproof.kernels",
         "mechproof.mechanisms",
     },
+    "record": {"sympy", "mechproof.record"},
     "latex": {"sympy", "mechproof.latex", "mechproof.record"},
     "proof": {"sympy", "flint", "mechproof.proof", "mechproof.record"},
     "codegen": {
