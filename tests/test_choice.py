@@ -155,10 +155,6 @@ class TestDecision:
             ({"error": float("nan")}, "error = nan"),
             ({"error": 1.0, "k": 2.0}, "k = 2.0: .*arguments phi, e, z"),
             ({"error": 1.0, "size": 0}, "size = 0: must be at least 1"),
-            (
-                {"error": 1.0, "e": (0.1, 0.2, 0.3)},
-                r"e = \(0.1, 0.2, 0.3\): must be a size, or two",
-            ),
             ({"error": 1.0, "e": (0.5, 0.1)}, r"e = \(0.5, 0.1\)"),
             ({"error": 1.0, "phi": (0.0, 7.0)}, "phi = .*from 0.0 to 5.0"),
         ],
@@ -226,3 +222,17 @@ def test_the_lazy_entry() -> None:
 def test_an_error_that_is_no_number_is_named(error: Any) -> None:
     with pytest.raises(TypeError, match=r"^error = .*: must be a real number, not"):
         choose("elliptic_planetary.position", error=error)
+
+
+NO_RANGES = [
+    ((0.1, 0.2, 0.3), r"R2 = \(0.1, 0.2, 0.3\): must be a size, or two in order"),
+    ("16", r"R2\[0\] = '1': must be a real number"),
+    ((1.0, "2"), r"R2\[1\] = '2': must be a real number, not str"),
+    (None, r"R2 = None: must be a real number"),
+]
+
+
+@pytest.mark.parametrize(("given", "says"), NO_RANGES)
+def test_what_is_no_range_is_named(given: Any, says: str) -> None:
+    with pytest.raises(TypeError, match=f"^{says}"):
+        choose("elliptic_planetary.position", error=1e-6, R2=given)

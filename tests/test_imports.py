@@ -35,11 +35,13 @@ PROBES = {
 # What the files of a runtime package may import when they are loaded, and inside functions.
 LOADED = {
     "kernel_support": {"numpy"},
-    "conformity": {"numpy", "mechproof.conformity"},
-    "measurement": {"numpy", "mechproof.measurement"},
-    "tolerance": {"numpy", "mechproof.tolerance"},
+    "arguments": {"numpy", "mechproof.arguments"},
+    "conformity": {"numpy", "mechproof.arguments", "mechproof.conformity"},
+    "measurement": {"numpy", "mechproof.arguments", "mechproof.measurement"},
+    "tolerance": {"numpy", "mechproof.arguments", "mechproof.tolerance"},
     "mechanisms": {
         "numpy",
+        "mechproof.arguments",
         "mechproof.conformity",
         "mechproof.kernel_support",
         "mechproof.kernels",

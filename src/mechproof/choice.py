@@ -14,10 +14,15 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from math import nan
-from numbers import Real
 from pathlib import Path
 
+from mechproof.arguments.scalars import (
+    check_count,
+    check_items,
+    check_number,
+    refuse,
+    require,
+)
 from mechproof.measured import Cell, Record, Timing, Way, find_files, read_record
 
 __all__ = ["Choice", "choose"]
@@ -116,7 +121,7 @@ def choose(
     Raises
     ------
     TypeError
-        For an error that is no real number.
+        For an error or a size that is no real number, and for ranges that are no pairs.
     ValueError
         For an unknown quantity or argument, for ranges that were not measured, for a folder
         without records or with a broken one, and where no form is accurate enough; the message
@@ -132,19 +137,15 @@ def choose(
 
     """
     record = _find_record(quantity, measured)
-    if isinstance(error, bool) or not isinstance(error, Real):
-        raise TypeError(f"error = {error!r}: must be a real number, not {type(error).__name__}")
-    if not error > 0:
-        raise ValueError(f"error = {error!r}: must be positive")
-    if not size >= 1:
-        raise ValueError(f"size = {size!r}: must be at least 1")
+    require(check_number("error", error) > 0, "error", error, "must be positive")
+    check_count("size", size)
     cells = list(_overlapping(record, _as_pairs(record, ranges)))
     rated = list(_rate_ways(record, cells, size, error))
     forms = sorted(rated, key=lambda c: c.time)
     good = [form for form in rated if form.error <= error]
     if not good:
         best = min(forms, key=lambda c: c.error)
-        raise ValueError(f"error = {error!r}: no form of {record.quantity} reaches it; {best}")
+        refuse("error", error, f"no form of {record.quantity} reaches it; {best}")
     fastest = min(good, key=lambda c: c.time)
     alike = [form for form in good if form._may_be_as_fast_as(fastest)]
     first = min(alike, key=lambda c: c.error)
@@ -156,15 +157,14 @@ def choose(
 def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Record:
     """Read the record of a quantity, from the package or from a folder."""
     files = find_files(None if measured is None else Path(measured))
-    if measured is not None and not files:
-        raise ValueError(f"measured = {measured!r}: no folder with records of `mechproof measure`")
+    found = measured is None or files
+    require(found, "measured", measured, "no folder with records of `mechproof measure`")
     named = [name for name in files if quantity in (name, name.partition(".")[2])]
     if len(named) != 1:
         known = ", ".join(files) or "none; run `mechproof measure`"
-        raise ValueError(f"quantity = {quantity!r}: must be one of those measured: {known}")
+        refuse("quantity", quantity, f"must be one of those measured: {known}")
     record = read_record(files[named[0]])
-    if not record.cells:
-        raise ValueError(f"quantity = {quantity!r}: was not measured over ranges of its arguments")
+    require(record.cells, "quantity", quantity, "was not measured over ranges of its arguments")
     return record
 
 
@@ -172,24 +172,24 @@ def _as_pairs(record: Record, ranges: Mapping[str, Size]) -> dict[str, tuple[flo
     """Check the ranges against what was measured."""
     pairs = {}
     for name, given in ranges.items():
-        if name not in record.ranges:
-            known = ", ".join(record.ranges)
-            raise ValueError(f"{name} = {given!r}: {record.quantity} has the arguments {known}")
-        low, high = _as_pair(given)
+        known = ", ".join(record.ranges)
+        require(name in record.ranges, name, given, f"{record.quantity} has the arguments {known}")
+        low, high = _as_pair(name, given)
         least, most = record.ranges[name]
-        if not 0 <= low <= high:
-            raise ValueError(f"{name} = {given!r}: must be a size, or two in order")
-        if not (least <= low and high <= most):
-            raise ValueError(f"{name} = {given!r}: measured were sizes from {least!r} to {most!r}")
-        pairs[name] = float(low), float(high)
+        require(0 <= low <= high, name, given, "must be a size, or two in order")
+        measured = f"measured were sizes from {least!r} to {most!r}"
+        require(least <= low and high <= most, name, given, measured)
+        pairs[name] = low, high
     return pairs
 
 
-def _as_pair(given: Size) -> tuple[float, float]:
-    """Return both ends; NaN, which is in no range, for what is neither a number nor a pair."""
-    if isinstance(given, Sequence):
-        return (given[0], given[1]) if len(given) == 2 else (nan, nan)
-    return abs(given), abs(given)
+def _as_pair(name: str, given: Size) -> tuple[float, float]:
+    """Return both ends."""
+    if not isinstance(given, Sequence):
+        return (size := abs(check_number(name, given))), size
+    items = check_items(name, given, 2, "must be a size, or two in order")
+    low, high = (check_number(f"{name}[{i}]", item) for i, item in enumerate(items))
+    return low, high
 
 
 def _overlapping(record: Record, pairs: Mapping[str, tuple[float, float]]) -> Iterator[int]:

@@ -141,7 +141,7 @@ def test_shapes_and_nan() -> None:
     [
         ({"system": "gearbox"}, "system = 'gearbox': must be one of"),
         ({"quantity": "g"}, r"quantity = 'g': must be one of"),
-        ({"sizes": {"l_AB": Size(6.25)}}, "sizes: missing .*'l_BC'"),
+        ({"sizes": {"l_AB": Size(6.25)}}, r"sizes = \['l_AB'\]: missing .*'l_BC'"),
         ({"sizes": SIZES | {"l_XY": Size(1)}}, r"unknown \['l_XY'\]"),
         ({"gap": -1.0}, "gap = -1.0: must not be negative"),
         ({"budget": 0}, "budget = 0: must be at least 1"),

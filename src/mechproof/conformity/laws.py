@@ -13,13 +13,8 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.conformity.checks import (
-    require,
-    require_finite,
-    require_order,
-    require_reals,
-    require_scale,
-)
+from mechproof.arguments.arrays import check_array, check_finite, check_order, check_scale
+from mechproof.arguments.scalars import require
 from mechproof.conformity.windows import (
     Array,
     normal_density,
@@ -67,7 +62,7 @@ class Normal(_ByValue):
     std: Values
 
     def __post_init__(self) -> None:
-        self._set(mean=require_finite("mean", self.mean), std=require_scale("std", self.std))
+        self._set(mean=check_finite("mean", self.mean), std=check_scale("std", self.std))
 
     @classmethod
     def from_width(cls, mean: ArrayLike, width: ArrayLike, multiple: ArrayLike) -> Self:
@@ -77,13 +72,13 @@ class Normal(_ByValue):
         `from_width(mean, T, 6)`; an expanded uncertainty U = k u (GUM) is
         `from_width(bias, 2 * U, 2 * k)`.
         """
-        ratio = require_finite("multiple", multiple)
-        require(~(ratio <= 0), "multiple", multiple, "must be positive")
-        return cls(require_finite("mean", mean), require_scale("width", width) / ratio)
+        ratio = check_finite("multiple", multiple)
+        require(not np.any(ratio <= 0), "multiple", multiple, "must be positive")
+        return cls(check_finite("mean", mean), check_scale("width", width) / ratio)
 
     def pdf(self, x: ArrayLike) -> Any:
         """Probability density; infinite at the mean of a fixed value."""
-        z = standardise(require_reals("x", x) - self.mean, self.std, 0.0)
+        z = standardise(check_array("x", x) - self.mean, self.std, 0.0)
         with np.errstate(divide="ignore", invalid="ignore"):
             density = normal_density(z) / self.std
         return np.where((np.asarray(self.std) == 0) & np.isinf(z), 0.0, density)[()]
@@ -92,7 +87,7 @@ class Normal(_ByValue):
         """Probability of a value below `x`."""
         from scipy.special import ndtr
 
-        return ndtr(standardise(require_reals("x", x) - self.mean, self.std, -np.inf))
+        return ndtr(standardise(check_array("x", x) - self.mean, self.std, -np.inf))
 
     def probability(self, lower: ArrayLike, upper: ArrayLike) -> Any:
         """Probability of a value strictly between the limits; 0 where they are reversed."""
@@ -133,19 +128,19 @@ class Uniform(_ByValue):
     upper: Values
 
     def __post_init__(self) -> None:
-        low, high = require_order("(lower, upper)", self.lower, self.upper)
-        self._set(lower=require_finite("lower", low), upper=require_finite("upper", high))
+        low, high = check_order("(lower, upper)", self.lower, self.upper)
+        self._set(lower=check_finite("lower", low), upper=check_finite("upper", high))
 
     @classmethod
     def from_width(cls, mean: ArrayLike, width: ArrayLike) -> Self:
         """Law of full `width` centred on `mean`."""
-        centre, half = require_finite("mean", mean), require_scale("width", width) / 2
+        centre, half = check_finite("mean", mean), check_scale("width", width) / 2
         return cls(centre - half, centre + half)
 
     def pdf(self, x: ArrayLike) -> Any:
         """Probability density; at the limits that of the inside."""
         low, high = np.asarray(self.lower), np.asarray(self.upper)
-        position = require_reals("x", x)
+        position = check_array("x", x)
         inside = (position >= low) & (position <= high)
         density = np.where(inside, 1 / (high - low), 0.0)
         return np.where(np.isnan(position), np.nan, density)[()]
@@ -191,11 +186,12 @@ class TruncatedNormal(_ByValue):
     upper: Values
 
     def __post_init__(self) -> None:
-        low, high = require_order("(lower, upper)", self.lower, self.upper)
-        require(~(require_scale("std", self.std) == 0), "std", self.std, "must be positive")
+        low, high = check_order("(lower, upper)", self.lower, self.upper)
+        fixed = np.any(check_scale("std", self.std) == 0)
+        require(not fixed, "std", self.std, "must be positive")
         parent = Normal(self.mean, self.std)
         mass = parent.probability(low, high)
-        require(~(np.asarray(mass) == 0), "(lower, upper)", (low, high), "no mass between them")
+        require(not np.any(mass == 0), "(lower, upper)", (low, high), "no mass between them")
         self._set(mean=parent.mean, std=parent.std, lower=low, upper=high)
 
     @property
@@ -209,7 +205,7 @@ class TruncatedNormal(_ByValue):
 
     def pdf(self, x: ArrayLike) -> Any:
         """Probability density; at the limits that of the inside."""
-        position = require_reals("x", x)
+        position = check_array("x", x)
         outside = (position < self.lower) | (position > self.upper)
         return np.where(outside, 0.0, self._parent.pdf(position) / self._mass)[()]
 
@@ -247,11 +243,17 @@ class TruncatedNormal(_ByValue):
 
 
 def _limits(lower: ArrayLike, upper: ArrayLike) -> tuple[Array, Array]:
-    return require_reals("lower", lower), require_reals("upper", upper)
+    return check_array("lower", lower), check_array("upper", upper)
 
 
 Law = Normal | Uniform | TruncatedNormal
 LAWS = (Normal, Uniform, TruncatedNormal)
+
+
+def check_law(name: str, law: Any, *kinds: type) -> None:
+    """Raise a TypeError unless the law is of one of the kinds, any if none is given."""
+    allowed = " or ".join(kind.__name__ for kind in kinds or LAWS)
+    require(isinstance(law, kinds or LAWS), name, law, f"must be a law, {allowed}", TypeError)
 
 
 def parameters(law: Law) -> list[Array]:

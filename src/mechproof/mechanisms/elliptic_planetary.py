@@ -19,10 +19,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mechproof.arguments.arrays import refuse_units
+from mechproof.arguments.scalars import check_real
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import elliptic_planetary as kernels
-from mechproof.mechanisms.checks import check_domain, check_real, choose_published
-from mechproof.mechanisms.inversion import follow_kind, invert, take_numbers
+from mechproof.mechanisms.facts import check_domain, choose_published
+from mechproof.mechanisms.inversion import follow_kind, invert
 
 __all__ = ["EllipticPlanetary", "RatioExtremes"]
 
@@ -147,7 +149,8 @@ class EllipticPlanetary:
 
         """
         (given,) = as_floats(phi3=phi3)
-        target = take_numbers("phi3", given)
+        refuse_units("phi3", given)
+        target = np.asarray(given)
         proper = np.isfinite(target) & (target != 0)
         # The function is odd; its positive half is enough.
         size = np.where(proper, np.abs(target), 1.0).astype(np.float64)

@@ -20,8 +20,9 @@ from typing import Any, NamedTuple
 
 from numpy.typing import ArrayLike
 
+from mechproof.arguments.scalars import check_count, check_real, check_triple
 from mechproof.kernels import track_wheel as kernels
-from mechproof.mechanisms.checks import check_count, check_domain, check_real, check_triple
+from mechproof.mechanisms.facts import check_domain
 
 __all__ = ["RadiusExtremes", "TrackWheel"]
 

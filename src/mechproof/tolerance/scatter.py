@@ -9,6 +9,8 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mechproof.arguments.arrays import check_array
+from mechproof.arguments.scalars import check_count, check_probability, require
 from mechproof.tolerance.sizes import (
     CHUNK,
     Floats,
@@ -16,8 +18,7 @@ from mechproof.tolerance.sizes import (
     Progress,
     Report,
     Size,
-    check_count,
-    check_inputs,
+    check_names,
     check_sizes,
     evaluate,
     slices,
@@ -139,11 +140,10 @@ def monte_carlo_range(
         Names the parameter.
 
     """
-    check_count("count", count, 2)
-    check_count("chunk", chunk, 1)
-    if not 0 < probability < 1:
-        raise ValueError(f"probability = {probability}: must lie between 0 and 1")
-    points = check_inputs(inputs)
+    check_count("count", count, least=2)
+    check_count("chunk", chunk)
+    check_probability("probability", probability)
+    points = check_array("inputs", inputs)
     report = Report(points.size * count, progress)
     samples = _draw(sizes, laws, rng, count)
     tail = (1 - probability) / 2
@@ -169,15 +169,11 @@ def _draw(
     count: int,
 ) -> dict[str, float | Floats]:
     """Return samples of the sizes with a tolerance and the numbers of the fixed ones."""
-    if not isinstance(rng, np.random.Generator):
-        raise TypeError(f"rng = {rng!r}: must be a numpy.random.Generator")
+    is_source = isinstance(rng, np.random.Generator)
+    require(is_source, "rng", rng, "must be a numpy.random.Generator", TypeError)
     varying = check_sizes(sizes)
     law_of = laws if isinstance(laws, Mapping) else dict.fromkeys(varying, laws)
-    if set(law_of) != set(varying):
-        raise ValueError(
-            f"laws are given for {sorted(law_of)}: needed for the sizes with a tolerance, "
-            f"{sorted(varying)}"
-        )
+    check_names("laws", law_of, varying)
     samples: dict[str, float | Floats] = {name: size.nominal for name, size in sizes.items()}
     for name, size in varying.items():
         deviations = law_of[name].sample(rng, count)
