@@ -36,15 +36,17 @@ PROBES = {
 LOADED = {
     "kernel_support": {"numpy"},
     "arguments": {"numpy", "mechproof.arguments"},
-    "conformity": {"numpy", "mechproof.arguments", "mechproof.conformity"},
+    "laws": {"numpy", "mechproof.arguments", "mechproof.laws"},
+    "conformity": {"numpy", "mechproof.arguments", "mechproof.conformity", "mechproof.laws"},
     "measurement": {"numpy", "mechproof.arguments", "mechproof.measurement"},
-    "tolerance": {"numpy", "mechproof.arguments", "mechproof.tolerance"},
+    "tolerance": {"numpy", "mechproof.arguments", "mechproof.laws", "mechproof.tolerance"},
     "mechanisms": {
         "numpy",
         "mechproof.arguments",
         "mechproof.conformity",
         "mechproof.kernel_support",
         "mechproof.kernels",
+        "mechproof.laws",
         "mechproof.mechanisms",
     },
     "record": {"sympy", "mechproof.record"},
@@ -61,9 +63,10 @@ LOADED = {
     },
 }
 INSIDE = {
+    "laws": {"scipy"},
     "conformity": {"scipy"},
     "measurement": {"scipy"},
-    "tolerance": {"scipy", "sympy", "flint", "mechproof.derivation", "mechproof.proof"},
+    "tolerance": {"sympy", "flint", "mechproof.derivation", "mechproof.proof"},
     "mechanisms": {"scipy", "mechproof.tolerance"},
 }
 

@@ -11,10 +11,11 @@ from numpy.typing import ArrayLike
 
 from mechproof.arguments.arrays import check_finite, check_pair
 from mechproof.arguments.scalars import check_count
-from mechproof.conformity.laws import LAWS, Law, Normal, check_law, parameters, select
 from mechproof.conformity.normal import normal_masses
 from mechproof.conformity.quadrature import law_masses
-from mechproof.conformity.windows import Array
+from mechproof.laws import Law, Normal
+from mechproof.laws.kinds import LAWS, check_law, list_parameters, select
+from mechproof.laws.windows import Array
 
 Limits = tuple[ArrayLike, ArrayLike]
 
@@ -69,7 +70,7 @@ def shares(true: Law, error: Law, tolerance: Limits, acceptance: Limits | None =
     for name, law in (("true", true), ("error", error)):
         check_law(name, law)
     limits = _check_limits(tolerance, acceptance)
-    inputs = [*parameters(true), *parameters(error), *limits]
+    inputs = [*list_parameters(true), *list_parameters(error), *limits]
     shape = np.broadcast_shapes(*(p.shape for p in inputs))
     missing = np.any(np.broadcast_arrays(*map(np.isnan, inputs)), axis=0)
     flat = [np.broadcast_to(p, shape).reshape(-1) for p in limits]
@@ -141,7 +142,7 @@ def simulate_shares(
     for i, law in enumerate(errors):
         check_law(f"error[{i}]", law)
     low, high, low_accepted, high_accepted = limits = _check_limits(tolerance, acceptance)
-    inputs = [p for law in (true, *errors) for p in parameters(law)] + list(limits)
+    inputs = [p for law in (true, *errors) for p in list_parameters(law)] + list(limits)
     shape = np.broadcast_shapes(*(p.shape for p in inputs))
     missing = np.any(np.broadcast_arrays(*map(np.isnan, inputs)), axis=0)
     parts = max(1, chunk // max(1, int(np.prod(shape))))

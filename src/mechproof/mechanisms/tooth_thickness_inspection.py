@@ -36,9 +36,9 @@ from mechproof.conformity import (
     conformance_probability,
     simulate_shares,
 )
-from mechproof.conformity.laws import check_law
 from mechproof.conformity.risks import Limits
 from mechproof.kernels.forms import tooth_thickness as forms
+from mechproof.laws.kinds import check_law
 from mechproof.mechanisms.tooth_thickness import ToothThickness
 from mechproof.mechanisms.tooth_thickness_errors import add_normals, exact_shares, scale_law
 

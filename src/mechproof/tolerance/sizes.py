@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechproof.arguments.scalars import check_real, require
+from mechproof.laws import Normal, TruncatedNormal, Uniform
 
 Floats = NDArray[np.float64]
 Function = Callable[..., Any]
@@ -52,6 +53,23 @@ class Size:
     def tolerance(self) -> float:
         """The width between the limits."""
         return self.upper - self.lower
+
+    def uniform(self) -> Uniform:
+        """Return the law by which the size lies anywhere between its limits, equally likely."""
+        return Uniform(*self.limits)
+
+    def normal(self, multiple: float) -> Normal:
+        """Return the normal law about the middle between the limits, which are exceeded.
+
+        The tolerance is `multiple` standard deviations wide, `multiple` > 0.
+        """
+        middle = self.nominal + self.middle_deviation
+        return Normal.from_width(middle, self.tolerance, multiple)
+
+    def truncated_normal(self, multiple: float) -> TruncatedNormal:
+        """Return the law `normal` of the sizes between the limits; the others are sorted out."""
+        law = self.normal(multiple)
+        return TruncatedNormal(law.mean, law.std, *self.limits)
 
     @property
     def middle_deviation(self) -> float:
