@@ -18,7 +18,7 @@ from mechproof.codegen.polynomials import (
     fit_tangent,
 )
 from mechproof.derivations.elliptic_planetary.kernels import PLAIN_PRODUCT
-from mechproof.derivations.elliptic_planetary.paper import e
+from mechproof.derivations.elliptic_planetary.symbols import e
 from mechproof.kernel_support import polynomials
 from mechproof.kernels import elliptic_planetary as kernels
 from mechproof.kernels.elliptic_planetary import position

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from mechproof.derivations.elliptic_planetary import paper as elliptic
+from mechproof.derivations.elliptic_planetary.symbols import R1, R2, e, phi1, x
 from mechproof.lab.draws import draw_mixed
 from mechproof.lab.error import find_errors
 from mechproof.lab.facts import Facts
@@ -23,7 +23,6 @@ from mechproof.lab.subject import find_subjects
 from mechproof.proof.domain import Domain
 from mechproof.record import Argument, Published, Singular, Toleranced
 
-phi1, R1, R2, e, x = elliptic.phi1, elliptic.R1, elliptic.R2, elliptic.e, elliptic.x
 turns = sp.Symbol("m_turns", integer=True)
 DOMAIN = Domain.of(find_subjects(("elliptic_planetary.ratio",))[0].paper)
 PEAK = Singular(sp.Eq(x, 2 * sp.pi * turns), "the ratio is steep")
