@@ -2,17 +2,9 @@
 
 from __future__ import annotations
 
-from sympy import (
-    And,
-    Eq,
-    Expr,
-    Ge,
-    Gt,
-    Ne,
-    Rational,
-    diff,
-    sqrt,
-)
+from collections import Counter
+
+from sympy import Add, And, Eq, Expr, Ge, Gt, Integer, Ne, Rational, Sum, diff, sqrt
 
 from mechproof.record import (
     Claim,
@@ -103,10 +95,16 @@ def pairs_of_readings(line: Readings, part: Rational) -> dict[Expr, Expr]:
 
 def evaluate_type_a(readings: dict[Expr, Expr]) -> tuple[Expr, Expr]:
     """Return what (13)-(16), as printed, make of readings: their mean and its uncertainty."""
-    values: dict[Expr, Expr] = dict(readings)
+    values: dict[Expr, Expr] = {n: Integer(len(readings))}
+    frequencies = Counter(readings.values())
+
+    def add_up(summand: Expr, limit: tuple[Expr, ...]) -> Expr:
+        index, *_ = limit
+        return Add(*(m * summand.xreplace({q[index]: x}) for x, m in frequencies.items()))
+
     for row in TYPE_A_EQUATIONS:
         symbol, print_ = READER.members(row)
-        values[symbol] = print_.subs(n, len(readings)).doit().xreplace(values)
+        values[symbol] = print_.replace(Sum, add_up).xreplace(values)
     return values[qbar], values[u_mean]
 
 

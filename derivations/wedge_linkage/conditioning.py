@@ -111,9 +111,10 @@ EPS = Rational(1, 2**52)
 CONDITION = "|value| + sum of |p * d value/d p| over the arguments p"
 
 
-def condition(value: sp.Expr, inputs: Iterable[sp.Symbol]) -> sp.Expr:
+def condition(value: sp.Expr, inputs: Iterable[sp.Symbol], *, tidy: bool = True) -> sp.Expr:
     """Return the value's size and what the rounding of every input makes of it, in contact."""
-    return Abs(value) + sp.Add(*(Abs(s * chain_slope(value, s)) for s in inputs))
+    parts = (value, *(s * chain_slope(value, s) for s in inputs))
+    return sp.Add(*(Abs(part, evaluate=tidy) for part in parts))
 
 
 def conditioned(
@@ -130,10 +131,12 @@ def conditioned_in_contact(
     ulp: float, value: sp.Basic, within: tuple[sp.Basic, ...] = ()
 ) -> Accuracy:
     """Bound the error by the conditioning in contact of a value of the chain, or a norm."""
-    parts = [condition(part, (x1, *SIZES)) for part in sp.Matrix([value])]
+    in_contact = sp.Matrix([value]).subs(MEANT.engaged, 1)
+    # No one reads these long sums, and SymPy would take a second to tidy them.
+    parts = [condition(part, (x1, *SIZES), tidy=False) for part in in_contact]
     size = parts[0] if len(parts) == 1 else sqrt(sp.Add(*(part**2 for part in parts)))
     norm = "" if len(parts) == 1 else "norm over the entries (each keeps its own) of "
-    scale = Scale(f"{norm}{CONDITION}, in contact", size.subs(MEANT.engaged, 1))
+    scale = Scale(f"{norm}{CONDITION}, in contact", size)
     return Accuracy(ulp, scale, within)
 
 

@@ -10,7 +10,7 @@ polynomials decides equality for every n.
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
 from itertools import permutations
 
 import sympy as sp
@@ -41,12 +41,18 @@ def write_out(expression: sp.Basic) -> sp.Basic:
     """Write the sums between integers term by term; one that ends before it begins has no value."""
     if not expression.has(sp.Sum):
         return expression
-    if not isinstance(expression, sp.Sum):
-        return expression.func(*map(write_out, expression.args))
-    *inner, (index, lower, upper) = expression.limits
-    body = sp.Sum(expression.function, *inner) if inner else expression.function
+    if isinstance(expression, sp.Sum):
+        return _write_out_sum(expression)
+    return expression.func(*map(write_out, expression.args))
+
+
+# A refutation meets the same sums at every point that has the same counts.
+@lru_cache(maxsize=256)
+def _write_out_sum(node: sp.Sum) -> sp.Basic:
+    *inner, (index, lower, upper) = node.limits
+    body = sp.Sum(node.function, *inner) if inner else node.function
     if not (lower.is_Integer and upper.is_Integer and upper - lower < MOST_TERMS):
-        return expression
+        return node
     if upper < lower - 1:
         return sp.nan
     numbers = range(int(lower), int(upper) + 1)
