@@ -23,7 +23,7 @@ def require(
 
 
 def check_number(name: str, value: Any) -> float:
-    """Return a float, NaN or infinite as it is; TypeError for what is no real number (a bool)."""
+    """Return a float, NaN and infinite too; TypeError for what is no real number, as a bool."""
     is_real = isinstance(value, Real) and not isinstance(value, bool)
     if not is_real:
         refuse(name, value, f"must be a real number, not {type(value).__name__}", TypeError)

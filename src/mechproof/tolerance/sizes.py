@@ -54,6 +54,11 @@ class Size:
         """The width between the limits."""
         return self.upper - self.lower
 
+    @property
+    def middle_deviation(self) -> float:
+        """The deviation of the middle between the limits from the nominal size."""
+        return (self.upper + self.lower) / 2
+
     def uniform(self) -> Uniform:
         """Return the law by which the size lies anywhere between its limits, equally likely."""
         return Uniform(*self.limits)
@@ -70,11 +75,6 @@ class Size:
         """Return the law `normal` of the sizes between the limits; the others are sorted out."""
         law = self.normal(multiple)
         return TruncatedNormal(law.mean, law.std, *self.limits)
-
-    @property
-    def middle_deviation(self) -> float:
-        """The deviation of the middle between the limits from the nominal size."""
-        return (self.upper + self.lower) / 2
 
 
 def check_sizes(sizes: Mapping[str, Size]) -> dict[str, Size]:
