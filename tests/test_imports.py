@@ -39,16 +39,21 @@ LOADED = {
         *("numpy", "numba", "llvmlite"),
         *("mechproof.compiled_support", "mechproof.kernel_support"),
     },
-    "conformity": {"numpy", "mechproof.conformity"},
-    "measurement": {"numpy", "mechproof.measurement"},
-    "tolerance": {"numpy", "mechproof.tolerance"},
+    "arguments": {"numpy", "mechproof.arguments"},
+    "laws": {"numpy", "mechproof.arguments", "mechproof.laws"},
+    "conformity": {"numpy", "mechproof.arguments", "mechproof.conformity", "mechproof.laws"},
+    "measurement": {"numpy", "mechproof.arguments", "mechproof.measurement"},
+    "tolerance": {"numpy", "mechproof.arguments", "mechproof.laws", "mechproof.tolerance"},
     "mechanisms": {
         "numpy",
+        "mechproof.arguments",
         "mechproof.conformity",
         "mechproof.kernel_support",
         "mechproof.kernels",
+        "mechproof.laws",
         "mechproof.mechanisms",
     },
+    "record": {"sympy", "mechproof.record"},
     "latex": {"sympy", "mechproof.latex", "mechproof.record"},
     "proof": {"sympy", "flint", "mechproof.proof", "mechproof.record"},
     "codegen": {
@@ -62,9 +67,10 @@ LOADED = {
     },
 }
 INSIDE = {
+    "laws": {"scipy"},
     "conformity": {"scipy"},
     "measurement": {"scipy"},
-    "tolerance": {"scipy", "sympy", "flint", "mechproof.derivation", "mechproof.proof"},
+    "tolerance": {"sympy", "flint", "mechproof.derivation", "mechproof.proof"},
     "mechanisms": {"scipy", "mechproof.tolerance"},
 }
 

@@ -16,7 +16,7 @@ from flint import arb
 
 from mechproof.codegen.code import Stage
 from mechproof.codegen.program import VIEWS, Operand, Operation, Program
-from mechproof.lab.method import Array
+from mechproof.lab.ways import Array
 from mechproof.proof.balls import working_precision
 
 BITS = 192

@@ -1,0 +1,62 @@
+"""Forms: the ways to compute a quantity; and peers, which get its number without a formula."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import sympy as sp
+
+from mechproof.record.statements import Statement
+from mechproof.record.variables import Part
+
+
+class Written(Protocol):
+    """A form as its emitted source has it: what a proof compares."""
+
+    def output(self, *kept: sp.Symbol) -> sp.Basic:
+        """Return the value with every step inserted but the kept ones."""
+
+    def step(self, name: sp.Symbol, *kept: sp.Symbol) -> sp.Expr:
+        """Return the value of a step with every step before it inserted but the kept ones."""
+
+
+@dataclass(frozen=True)
+class Form:
+    """One algebraic way to compute: an expression and the named rewrites applied to it in order.
+
+    `key` ends the name of its function, <quantity>_<key>; the shipped form needs none. `when` is
+    the relation on the parameters under which it is taken instead of the forms after it. `bound`
+    is set for an approximation: a bound of |form - definition|. `states` makes the statement
+    that proves it from what was emitted (left out: it equals the definition), decided on `on`;
+    where false, `holds_on` may say where it is true. `source` is where it is printed.
+    """
+
+    name: str
+    expression: sp.Basic
+    rewrites: tuple[str, ...] = ()
+    key: str = ""
+    when: sp.Basic | None = None
+    bound: sp.Expr | None = None
+    states: Callable[[Written], Statement] | None = None
+    on: Part | None = None
+    holds_on: Part | None = None
+    source: str = ""
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Peer:
+    """A way to get the number that is no form: a solver, a spline, a simulation, a library.
+
+    `ordered`: it needs samples in order from 0 on. `slow`: measured on few points, timed at small
+    sizes only. `ours`: hand-written code of the package itself.
+    """
+
+    name: str
+    compute: Callable[..., Any]
+    ordered: bool = False
+    slow: bool = False
+    ours: bool = False
+    note: str = ""
