@@ -126,7 +126,27 @@ C99 = Syntax(
     ),
     number=lambda number: repr(float(number)),
 )  # fmt: skip
-C99_FAR = replace(
+_LIBRARY = ("tan", "sin", "cos")
+C99_FAR = replace(C99, calls=MappingProxyType({**C99.calls, **{n: n for n in _LIBRARY}}))
+
+
+def _write_single(number: float) -> str:
+    digits = f"{number:.9g}"
+    return f"{digits}f" if "." in digits or "e" in digits else f"{digits}.0f"
+
+
+_SINGLE = {
+    kind: f"{C99.calls[kind]}f" for kind in ("sqrt", "floor", "rint", "fma", "copysign", "absolute")
+}
+C99_SINGLE = replace(
     C99,
-    calls=MappingProxyType({**C99.calls, **{name: name for name in ("tan", "sin", "cos")}}),
+    calls=MappingProxyType({**C99.calls, **_SINGLE}),
+    constants=MappingProxyType(
+        {**C99.constants, "#pi": "3.1415927f", "#e": "2.7182817f", "#inf": "HUGE_VALF"}
+    ),
+    number=_write_single,
+)
+C99_SINGLE_FAR = replace(
+    C99_SINGLE,
+    calls=MappingProxyType({**C99_SINGLE.calls, **{n: f"{n}f" for n in _LIBRARY}}),
 )

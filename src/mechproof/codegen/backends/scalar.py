@@ -15,8 +15,10 @@ from mechproof.codegen.elementary.formats import Format
 from mechproof.codegen.elementary.functions import BODIES, Function, build
 from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program
-from mechproof.codegen.syntax import Syntax, Text, write_program
+from mechproof.codegen.syntax import COMPARISONS, Syntax, Text, write_program
 from mechproof.record import Paper
+
+BOOLEAN = frozenset({*COMPARISONS, "both", "either", "is_finite"})
 
 
 @dataclass(frozen=True)
@@ -30,6 +32,7 @@ class ScalarStage:
     evaluate: Text
     inputs: tuple[str, ...]
     running: tuple[str, ...]
+    booleans: frozenset[str]
 
 
 @dataclass(frozen=True)
@@ -41,17 +44,18 @@ class ScalarArgument:
     width: int
     default: float | None
     meaning: str
+    unit: str
 
 
 @dataclass(frozen=True)
 class ScalarKernel:
-    """What is printed of a kernel. `depends` says that the domain depends on the point, too."""
+    """What is printed of a kernel; `checked` are the components that the domain is about."""
 
     name: str
     summary: str
     arguments: tuple[ScalarArgument, ...]
     inside: str
-    depends: bool
+    checked: frozenset[str]
     stages: tuple[ScalarStage, ...]
     shape: tuple[int, ...]
     limited: bool
@@ -65,10 +69,20 @@ class ScalarKernel:
         return count
 
     @property
+    def depends(self) -> bool:
+        """Say whether the domain depends on the point, too."""
+        return not self.checked.isdisjoint(self.arguments[0].components)
+
+    @property
     def moving(self) -> frozenset[str]:
         """Return the components of the first argument that a value or the domain depends on."""
-        used = frozenset(n for stage in self.stages for n in stage.running)
-        return used | frozenset(self.arguments[0].components) if self.depends else used
+        return self.taken.intersection(self.arguments[0].components)
+
+    @property
+    def taken(self) -> frozenset[str]:
+        """Return the components that a value or the domain depends on."""
+        used = {n for stage in self.stages for n in (*stage.running, *stage.parameters)}
+        return frozenset(used) | {n for n in self.names if n in self.checked}
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -84,6 +98,7 @@ class FunctionText:
     inputs: tuple[str, ...]
     text: Text
     far: Text | None
+    booleans: frozenset[str]
     bounds: tuple[tuple[str, float], ...]
 
 
@@ -97,15 +112,14 @@ def write_scalar(kernel: Kernel, syntax: Syntax) -> ScalarKernel:
     code = kernel.code
     arguments = _list_arguments(kernel)
     renamed = _rename_components(code, arguments)
-    first = set(arguments[0].components)
-    inside = _rename(code.inside, renamed) if code.inside else None
-    used = {o for step in inside.operations for o in step.operands} if inside else set()
+    inside = _rename(code.inside, renamed) if code.inside else NOTHING
+    used = {o for step in inside.operations for o in step.operands}
     return ScalarKernel(
         kernel.name,
         kernel.quantity.summary,
         arguments,
-        write_program(inside, syntax).outputs[0] if inside else "",
-        bool(used & first),
+        "".join(write_program(inside, syntax).outputs),
+        frozenset(n for a in arguments for n in a.components if n in used),
         tuple(_write_stage(name, stage, syntax) for name, stage in list_stages(kernel)),
         code.shape,
         any(is_limited(p) for s in code.stages for p in s.programs),
@@ -123,7 +137,13 @@ def _write_stage(name: str, stage: Stage, syntax: Syntax) -> ScalarStage:
         write_program(stage.evaluate, syntax),
         stage.evaluate.inputs,
         stage.running,
+        list_booleans(stage.prepare) | list_booleans(stage.evaluate),
     )
+
+
+def list_booleans(program: Program) -> frozenset[str]:
+    """List the results that are true or false."""
+    return frozenset(step.result for step in program.operations if step.kind in BOOLEAN)
 
 
 def is_limited(program: Program) -> bool:
@@ -142,6 +162,7 @@ def _list_arguments(kernel: Kernel) -> tuple[ScalarArgument, ...]:
             widths.get(a.name, 0),
             a.default,
             a.meaning,
+            a.unit,
         )
         for a in kernel.quantity.arguments
     )
@@ -230,5 +251,6 @@ def write_elementary(kind: str, form: Format, syntax: Syntax, far: Syntax) -> Fu
         function.program.inputs,
         write_program(function.program, syntax),
         write_program(function.far, far) if function.far else None,
+        list_booleans(function.program),
         tuple((t.meaning, enclose(t, fitted) / form.eps) for t, fitted in function.fits),
     )
