@@ -17,19 +17,23 @@ import math
 from typing import Any
 
 import numpy as np
+from numpy import float64, ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
+    choose,
     floor,
     fma,
+    has_nan,
     is_finite,
     loop,
     overload,
     rint,
     run,
     scalar,
+    take_row,
 )
 
 __all__ = [
@@ -57,23 +61,25 @@ def _tan(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = (
+    v4 = v3 * v3
+    v5 = (
         fma(
-            fma(fma(v3, -7.482425926557501e-06, 0.00280579332473998), v3, -0.1282823491413398),
-            v3,
-            1.0,
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
         )
         * v2
     )
-    v5 = fma(
-        fma(fma(v3, -0.00020843011349081395, 0.023344354149567717), v3, -0.46161568247467066),
-        v3,
-        1.0,
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
     )
-    v6 = v1 * 0.5
-    v7 = rint(v6) == v6
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
 
-    value = (v4 if v7 else -v5) / (v5 if v7 else v4)
+    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -91,58 +97,46 @@ def _sin(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = v3 * 0.5
-    v5 = 1.0 - v4
-    v6 = v1 * 0.5
-    v7 = (
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
         fma(
             v2 * v3,
             fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                            v3,
-                            2.7557316102534617e-06,
-                        ),
-                        v3,
-                        -0.0001984126983675854,
-                    ),
-                    v3,
-                    0.008333333333330948,
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
                 ),
-                v3,
-                -0.16666666666666666,
             ),
             v2,
-        )
-        if (rint(v6) == v6)
-        else v5
+        ),
+        v7
         + fma(
             v3 * v3,
             fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                            v3,
-                            -2.7557317271718644e-07,
-                        ),
-                        v3,
-                        2.4801587298765665e-05,
-                    ),
-                    v3,
-                    -0.0013888888888887398,
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
                 ),
-                v3,
-                0.041666666666666664,
             ),
-            1.0 - v5 - v4,
-        )
+            1.0 - v7 - v6,
+        ),
     )
-    v8 = floor(v6) * 0.5
+    v12 = floor(v10) * 0.5
 
-    value = v7 if (floor(v8) == v8) else -v7
+    value = choose(floor(v12) == v12, v11, -v11)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -160,58 +154,46 @@ def _cos(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = v3 * 0.5
-    v5 = 1.0 - v4
-    v6 = v1 * 0.5
-    v7 = (
-        v5
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        v7
         + fma(
             v3 * v3,
             fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                            v3,
-                            -2.7557317271718644e-07,
-                        ),
-                        v3,
-                        2.4801587298765665e-05,
-                    ),
-                    v3,
-                    -0.0013888888888887398,
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
                 ),
-                v3,
-                0.041666666666666664,
             ),
-            1.0 - v5 - v4,
-        )
-        if (rint(v6) == v6)
-        else fma(
+            1.0 - v7 - v6,
+        ),
+        fma(
             v2 * v3,
             fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                            v3,
-                            2.7557316102534617e-06,
-                        ),
-                        v3,
-                        -0.0001984126983675854,
-                    ),
-                    v3,
-                    0.008333333333330948,
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
                 ),
-                v3,
-                -0.16666666666666666,
             ),
             v2,
-        )
+        ),
     )
-    v8 = floor((v1 + 1.0) * 0.5) * 0.5
+    v12 = floor((v1 + 1.0) * 0.5) * 0.5
 
-    value = v7 if (floor(v8) == v8) else -v7
+    value = choose(floor(v12) == v12, v11, -v11)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -247,57 +229,51 @@ def _constant_chord_point(m, alpha):
 
 
 @loop
+def _row_constant_chord(out, m_values, alpha, prepared, exact):
+    for i in range(out.size):
+        m = float(m_values[i])
+
+        value = (
+            _constant_chord(m, *prepared, exact)
+            if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+            else math.nan
+        )
+        out[i] = value
+
+
+@loop
 def _fill_constant_chord(out, m_values, alpha):
-    count = out.size
     prepared = _prepare_constant_chord(alpha, True)
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            m = float(m_values[i])
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        m = m_values[start:stop]
+        _row_constant_chord(block, m, alpha, prepared, None)
+        if has_nan(block):
+            _row_constant_chord(block, m, alpha, prepared, True)
 
-            value = (
-                _constant_chord(m, *prepared, None)
-                if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-                else math.nan
-            )
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                m = float(m_values[i])
+@loop
+def _row_each_constant_chord(out, m_values, alpha_values, exact):
+    for i in range(out.size):
+        m = float(m_values[i])
+        alpha = float(alpha_values[i])
 
-                value = (
-                    _constant_chord(m, *prepared, True)
-                    if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-                    else math.nan
-                )
-                out[i] = value
+        value = _constant_chord_at(m, alpha, exact)
+        out[i] = value
 
 
 @loop
 def _fill_each_constant_chord(out, m_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            m = float(m_values[i])
-            alpha = float(alpha_values[i])
-
-            value = _constant_chord_at(m, alpha, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                m = float(m_values[i])
-                alpha = float(alpha_values[i])
-
-                value = _constant_chord_at(m, alpha, True)
-                out[i] = value
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        m = m_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_constant_chord(block, m, alpha, None)
+        if has_nan(block):
+            _row_each_constant_chord(block, m, alpha, True)
 
 
 def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -305,6 +281,14 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.constant_chord` has all words.
     """
+    if type(alpha) is float:
+        if type(m) is ndarray:
+            row = take_row(m, out)
+            if row is not None:
+                _fill_constant_chord(row, m, alpha)
+                return row
+        elif type(m) is float and out is None:
+            return float64(_constant_chord_point(m, alpha))
     return run(
         _CONSTANT_CHORD,
         (
@@ -369,57 +353,51 @@ def _chord_height_point(m, alpha):
 
 
 @loop
+def _row_chord_height(out, m_values, alpha, prepared, exact):
+    for i in range(out.size):
+        m = float(m_values[i])
+
+        value = (
+            _chord_height(m, *prepared, exact)
+            if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+            else math.nan
+        )
+        out[i] = value
+
+
+@loop
 def _fill_chord_height(out, m_values, alpha):
-    count = out.size
     prepared = _prepare_chord_height(alpha, True)
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            m = float(m_values[i])
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        m = m_values[start:stop]
+        _row_chord_height(block, m, alpha, prepared, None)
+        if has_nan(block):
+            _row_chord_height(block, m, alpha, prepared, True)
 
-            value = (
-                _chord_height(m, *prepared, None)
-                if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-                else math.nan
-            )
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                m = float(m_values[i])
+@loop
+def _row_each_chord_height(out, m_values, alpha_values, exact):
+    for i in range(out.size):
+        m = float(m_values[i])
+        alpha = float(alpha_values[i])
 
-                value = (
-                    _chord_height(m, *prepared, True)
-                    if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-                    else math.nan
-                )
-                out[i] = value
+        value = _chord_height_at(m, alpha, exact)
+        out[i] = value
 
 
 @loop
 def _fill_each_chord_height(out, m_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            m = float(m_values[i])
-            alpha = float(alpha_values[i])
-
-            value = _chord_height_at(m, alpha, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                m = float(m_values[i])
-                alpha = float(alpha_values[i])
-
-                value = _chord_height_at(m, alpha, True)
-                out[i] = value
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        m = m_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_chord_height(block, m, alpha, None)
+        if has_nan(block):
+            _row_each_chord_height(block, m, alpha, True)
 
 
 def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -427,6 +405,14 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.chord_height` has all words.
     """
+    if type(alpha) is float:
+        if type(m) is ndarray:
+            row = take_row(m, out)
+            if row is not None:
+                _fill_chord_height(row, m, alpha)
+                return row
+        elif type(m) is float and out is None:
+            return float64(_chord_height_point(m, alpha))
     return run(
         _CHORD_HEIGHT,
         (
@@ -509,8 +495,16 @@ def _height_change_point(tilt, m, z, alpha):
 
 
 @loop
+def _row_height_change(out, tilt_values, prepared, exact):
+    for i in range(out.size):
+        tilt = float(tilt_values[i])
+
+        value = _height_change(tilt, *prepared, exact)
+        out[i] = value
+
+
+@loop
 def _fill_height_change(out, tilt_values, m, z, alpha):
-    count = out.size
     if not (
         (m > 0)
         & is_finite(m)
@@ -524,49 +518,39 @@ def _fill_height_change(out, tilt_values, m, z, alpha):
         return
     prepared = _prepare_height_change(m, z, alpha, True)
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            tilt = float(tilt_values[i])
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        tilt = tilt_values[start:stop]
+        _row_height_change(block, tilt, prepared, None)
+        if has_nan(block):
+            _row_height_change(block, tilt, prepared, True)
 
-            value = _height_change(tilt, *prepared, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                tilt = float(tilt_values[i])
+@loop
+def _row_each_height_change(out, tilt_values, m_values, z_values, alpha_values, exact):
+    for i in range(out.size):
+        tilt = float(tilt_values[i])
+        m = float(m_values[i])
+        z = float(z_values[i])
+        alpha = float(alpha_values[i])
 
-                value = _height_change(tilt, *prepared, True)
-                out[i] = value
+        value = _height_change_at(tilt, m, z, alpha, exact)
+        out[i] = value
 
 
 @loop
 def _fill_each_height_change(out, tilt_values, m_values, z_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            tilt = float(tilt_values[i])
-            m = float(m_values[i])
-            z = float(z_values[i])
-            alpha = float(alpha_values[i])
-
-            value = _height_change_at(tilt, m, z, alpha, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                tilt = float(tilt_values[i])
-                m = float(m_values[i])
-                z = float(z_values[i])
-                alpha = float(alpha_values[i])
-
-                value = _height_change_at(tilt, m, z, alpha, True)
-                out[i] = value
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        tilt = tilt_values[start:stop]
+        m = m_values[start:stop]
+        z = z_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_height_change(block, tilt, m, z, alpha, None)
+        if has_nan(block):
+            _row_each_height_change(block, tilt, m, z, alpha, True)
 
 
 def height_change(
@@ -581,6 +565,14 @@ def height_change(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.height_change` has all words.
     """
+    if type(m) is type(z) is type(alpha) is float:
+        if type(tilt) is ndarray:
+            row = take_row(tilt, out)
+            if row is not None:
+                _fill_height_change(row, tilt, m, z, alpha)
+                return row
+        elif type(tilt) is float and out is None:
+            return float64(_height_change_point(tilt, m, z, alpha))
     return run(
         _HEIGHT_CHANGE,
         (
@@ -677,8 +669,16 @@ def _thickness_change_point(tilt, m, z, alpha):
 
 
 @loop
+def _row_thickness_change(out, tilt_values, prepared, exact):
+    for i in range(out.size):
+        tilt = float(tilt_values[i])
+
+        value = _thickness_change(tilt, *prepared, exact)
+        out[i] = value
+
+
+@loop
 def _fill_thickness_change(out, tilt_values, m, z, alpha):
-    count = out.size
     if not (
         (m > 0)
         & is_finite(m)
@@ -692,49 +692,39 @@ def _fill_thickness_change(out, tilt_values, m, z, alpha):
         return
     prepared = _prepare_thickness_change(m, z, alpha, True)
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            tilt = float(tilt_values[i])
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        tilt = tilt_values[start:stop]
+        _row_thickness_change(block, tilt, prepared, None)
+        if has_nan(block):
+            _row_thickness_change(block, tilt, prepared, True)
 
-            value = _thickness_change(tilt, *prepared, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                tilt = float(tilt_values[i])
+@loop
+def _row_each_thickness_change(out, tilt_values, m_values, z_values, alpha_values, exact):
+    for i in range(out.size):
+        tilt = float(tilt_values[i])
+        m = float(m_values[i])
+        z = float(z_values[i])
+        alpha = float(alpha_values[i])
 
-                value = _thickness_change(tilt, *prepared, True)
-                out[i] = value
+        value = _thickness_change_at(tilt, m, z, alpha, exact)
+        out[i] = value
 
 
 @loop
 def _fill_each_thickness_change(out, tilt_values, m_values, z_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            tilt = float(tilt_values[i])
-            m = float(m_values[i])
-            z = float(z_values[i])
-            alpha = float(alpha_values[i])
-
-            value = _thickness_change_at(tilt, m, z, alpha, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                tilt = float(tilt_values[i])
-                m = float(m_values[i])
-                z = float(z_values[i])
-                alpha = float(alpha_values[i])
-
-                value = _thickness_change_at(tilt, m, z, alpha, True)
-                out[i] = value
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        tilt = tilt_values[start:stop]
+        m = m_values[start:stop]
+        z = z_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_thickness_change(block, tilt, m, z, alpha, None)
+        if has_nan(block):
+            _row_each_thickness_change(block, tilt, m, z, alpha, True)
 
 
 def thickness_change(
@@ -749,6 +739,14 @@ def thickness_change(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_change` has all words.
     """
+    if type(m) is type(z) is type(alpha) is float:
+        if type(tilt) is ndarray:
+            row = take_row(tilt, out)
+            if row is not None:
+                _fill_thickness_change(row, tilt, m, z, alpha)
+                return row
+        elif type(tilt) is float and out is None:
+            return float64(_thickness_change_point(tilt, m, z, alpha))
     return run(
         _THICKNESS_CHANGE,
         (
@@ -823,52 +821,50 @@ def _thickness_change_linear_point(dh, alpha):
 
 
 @loop
+def _row_thickness_change_linear(out, dh_values, prepared, exact):
+    for i in range(out.size):
+        dh = float(dh_values[i])
+
+        value = _thickness_change_linear(dh, *prepared, exact)
+        out[i] = value
+
+
+@loop
 def _fill_thickness_change_linear(out, dh_values, alpha):
-    count = out.size
     if not ((alpha > 0) & (alpha < np.pi / 4)):
         out[:] = math.nan
         return
     prepared = _prepare_thickness_change_linear(alpha, True)
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            dh = float(dh_values[i])
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        dh = dh_values[start:stop]
+        _row_thickness_change_linear(block, dh, prepared, None)
+        if has_nan(block):
+            _row_thickness_change_linear(block, dh, prepared, True)
 
-            value = _thickness_change_linear(dh, *prepared, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                dh = float(dh_values[i])
+@loop
+def _row_each_thickness_change_linear(out, dh_values, alpha_values, exact):
+    for i in range(out.size):
+        dh = float(dh_values[i])
+        alpha = float(alpha_values[i])
 
-                value = _thickness_change_linear(dh, *prepared, True)
-                out[i] = value
+        value = _thickness_change_linear_at(dh, alpha, exact)
+        out[i] = value
 
 
 @loop
 def _fill_each_thickness_change_linear(out, dh_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            dh = float(dh_values[i])
-            alpha = float(alpha_values[i])
-
-            value = _thickness_change_linear_at(dh, alpha, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                dh = float(dh_values[i])
-                alpha = float(alpha_values[i])
-
-                value = _thickness_change_linear_at(dh, alpha, True)
-                out[i] = value
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        dh = dh_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_thickness_change_linear(block, dh, alpha, None)
+        if has_nan(block):
+            _row_each_thickness_change_linear(block, dh, alpha, True)
 
 
 def thickness_change_linear(
@@ -878,6 +874,14 @@ def thickness_change_linear(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_change_linear` has all words.
     """
+    if type(alpha) is float:
+        if type(dh) is ndarray:
+            row = take_row(dh, out)
+            if row is not None:
+                _fill_thickness_change_linear(row, dh, alpha)
+                return row
+        elif type(dh) is float and out is None:
+            return float64(_thickness_change_linear_point(dh, alpha))
     return run(
         _THICKNESS_CHANGE_LINEAR,
         (
@@ -959,8 +963,16 @@ def _linearisation_bound_point(dh, m, z, alpha):
 
 
 @loop
+def _row_linearisation_bound(out, dh_values, prepared, exact):
+    for i in range(out.size):
+        dh = float(dh_values[i])
+
+        value = _linearisation_bound(dh, *prepared, exact)
+        out[i] = value
+
+
+@loop
 def _fill_linearisation_bound(out, dh_values, m, z, alpha):
-    count = out.size
     if not (
         (m > 0)
         & is_finite(m)
@@ -974,49 +986,39 @@ def _fill_linearisation_bound(out, dh_values, m, z, alpha):
         return
     prepared = _prepare_linearisation_bound(m, z, alpha, True)
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            dh = float(dh_values[i])
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        dh = dh_values[start:stop]
+        _row_linearisation_bound(block, dh, prepared, None)
+        if has_nan(block):
+            _row_linearisation_bound(block, dh, prepared, True)
 
-            value = _linearisation_bound(dh, *prepared, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                dh = float(dh_values[i])
+@loop
+def _row_each_linearisation_bound(out, dh_values, m_values, z_values, alpha_values, exact):
+    for i in range(out.size):
+        dh = float(dh_values[i])
+        m = float(m_values[i])
+        z = float(z_values[i])
+        alpha = float(alpha_values[i])
 
-                value = _linearisation_bound(dh, *prepared, True)
-                out[i] = value
+        value = _linearisation_bound_at(dh, m, z, alpha, exact)
+        out[i] = value
 
 
 @loop
 def _fill_each_linearisation_bound(out, dh_values, m_values, z_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            dh = float(dh_values[i])
-            m = float(m_values[i])
-            z = float(z_values[i])
-            alpha = float(alpha_values[i])
-
-            value = _linearisation_bound_at(dh, m, z, alpha, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                dh = float(dh_values[i])
-                m = float(m_values[i])
-                z = float(z_values[i])
-                alpha = float(alpha_values[i])
-
-                value = _linearisation_bound_at(dh, m, z, alpha, True)
-                out[i] = value
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        dh = dh_values[start:stop]
+        m = m_values[start:stop]
+        z = z_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_linearisation_bound(block, dh, m, z, alpha, None)
+        if has_nan(block):
+            _row_each_linearisation_bound(block, dh, m, z, alpha, True)
 
 
 def linearisation_bound(
@@ -1026,6 +1028,14 @@ def linearisation_bound(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.linearisation_bound` has all words.
     """
+    if type(m) is type(z) is type(alpha) is float:
+        if type(dh) is ndarray:
+            row = take_row(dh, out)
+            if row is not None:
+                _fill_linearisation_bound(row, dh, m, z, alpha)
+                return row
+        elif type(dh) is float and out is None:
+            return float64(_linearisation_bound_point(dh, m, z, alpha))
     return run(
         _LINEARISATION_BOUND,
         (
@@ -1100,54 +1110,52 @@ def _thickness_error_point(e_tip, height_error, alpha):
 
 
 @loop
+def _row_thickness_error(out, e_tip_values, prepared, exact):
+    for i in range(out.size):
+        e_tip = float(e_tip_values[i])
+
+        value = _thickness_error(e_tip, *prepared, exact)
+        out[i] = value
+
+
+@loop
 def _fill_thickness_error(out, e_tip_values, height_error, alpha):
-    count = out.size
     if not ((alpha > 0) & (alpha < np.pi / 4)):
         out[:] = math.nan
         return
     prepared = _prepare_thickness_error(height_error, alpha, True)
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            e_tip = float(e_tip_values[i])
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        e_tip = e_tip_values[start:stop]
+        _row_thickness_error(block, e_tip, prepared, None)
+        if has_nan(block):
+            _row_thickness_error(block, e_tip, prepared, True)
 
-            value = _thickness_error(e_tip, *prepared, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                e_tip = float(e_tip_values[i])
+@loop
+def _row_each_thickness_error(out, e_tip_values, height_error_values, alpha_values, exact):
+    for i in range(out.size):
+        e_tip = float(e_tip_values[i])
+        height_error = float(height_error_values[i])
+        alpha = float(alpha_values[i])
 
-                value = _thickness_error(e_tip, *prepared, True)
-                out[i] = value
+        value = _thickness_error_at(e_tip, height_error, alpha, exact)
+        out[i] = value
 
 
 @loop
 def _fill_each_thickness_error(out, e_tip_values, height_error_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            e_tip = float(e_tip_values[i])
-            height_error = float(height_error_values[i])
-            alpha = float(alpha_values[i])
-
-            value = _thickness_error_at(e_tip, height_error, alpha, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                e_tip = float(e_tip_values[i])
-                height_error = float(height_error_values[i])
-                alpha = float(alpha_values[i])
-
-                value = _thickness_error_at(e_tip, height_error, alpha, True)
-                out[i] = value
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        e_tip = e_tip_values[start:stop]
+        height_error = height_error_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_thickness_error(block, e_tip, height_error, alpha, None)
+        if has_nan(block):
+            _row_each_thickness_error(block, e_tip, height_error, alpha, True)
 
 
 def thickness_error(
@@ -1157,6 +1165,14 @@ def thickness_error(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_error` has all words.
     """
+    if type(height_error) is type(alpha) is float:
+        if type(e_tip) is ndarray:
+            row = take_row(e_tip, out)
+            if row is not None:
+                _fill_thickness_error(row, e_tip, height_error, alpha)
+                return row
+        elif type(e_tip) is float and out is None:
+            return float64(_thickness_error_point(e_tip, height_error, alpha))
     return run(
         _THICKNESS_ERROR,
         (
