@@ -42,7 +42,8 @@ def as_floats(**arguments: ArrayLike) -> tuple[NDArray[Any], ...]:
 
     """
     # What most calls give is told by its type alone: nothing below could change it.
-    arrays = []
+    arrays: list[Any] = []
+    value: Any
     for value in arguments.values():
         kind = type(value)
         if kind is float:
@@ -55,7 +56,7 @@ def as_floats(**arguments: ArrayLike) -> tuple[NDArray[Any], ...]:
 
 
 def _convert(arguments: Mapping[str, Any]) -> tuple[NDArray[Any], ...]:
-    arrays = [np.float64(v) if type(v) is float else _as_array(v) for v in arguments.values()]
+    arrays = [_as_array(value) for value in arguments.values()]
     for name, array in zip(arguments, arrays, strict=True):
         if not hasattr(array, "dtype"):
             raise TypeError(f"{name}: expected numbers with a dtype, got {type(array).__name__}")
@@ -72,6 +73,8 @@ def _convert(arguments: Mapping[str, Any]) -> tuple[NDArray[Any], ...]:
 
 def _as_array(value: Any) -> Any:
     """Return an array, a NumPy scalar if it has no axes, or what brings ufuncs of its own."""
+    if type(value) is float:
+        return np.float64(value)
     if type(value) in PLAIN:
         return value if value.shape else value[()]
     if not hasattr(value, "__array_ufunc__") or isinstance(value, AS_ARRAYS):
