@@ -271,7 +271,6 @@ def _ratio_at(phi1, R1, R2, e, exact):
     if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
         return math.nan
     prepared = _prepare_ratio(R1, R2, e, exact)
-
     return _ratio(phi1, *prepared, exact)
 
 
@@ -281,36 +280,40 @@ def _ratio_point(phi1, R1, R2, e):
 
 
 @loop
-def _row_ratio(out, phi1_values, prepared, exact):
+def _row_ratio(out, phi1_values, R1, R2, e, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
-        value = _ratio(phi1, *prepared, exact)
+        value = _ratio_at(phi1, R1, R2, e, exact)
         out[i] = value
 
 
 @loop
-def _fill_ratio(out, phi1_values, R1, R2, e):
-    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_ratio(R1, R2, e, True)
-
+def _fill_ratio(
+    out,
+    phi1_values,
+    R1,
+    R2,
+    e,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        _row_ratio(block, phi1, prepared, None)
+        phi1_block = phi1_values[start:stop]
+        _row_ratio(block, phi1_block, R1, R2, e, None)
         if has_nan(block):
-            _row_ratio(block, phi1, prepared, True)
+            _row_ratio(block, phi1_block, R1, R2, e, True)
 
 
 @loop
 def _row_each_ratio(out, phi1_values, R1_values, R2_values, e_values, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
+
         R1 = float(R1_values[i])
+
         R2 = float(R2_values[i])
+
         e = float(e_values[i])
 
         value = _ratio_at(phi1, R1, R2, e, exact)
@@ -318,17 +321,23 @@ def _row_each_ratio(out, phi1_values, R1_values, R2_values, e_values, exact):
 
 
 @loop
-def _fill_each_ratio(out, phi1_values, R1_values, R2_values, e_values):
+def _fill_each_ratio(
+    out,
+    phi1_values,
+    R1_values,
+    R2_values,
+    e_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        R1 = R1_values[start:stop]
-        R2 = R2_values[start:stop]
-        e = e_values[start:stop]
-        _row_each_ratio(block, phi1, R1, R2, e, None)
+        phi1_block = phi1_values[start:stop]
+        R1_block = R1_values[start:stop]
+        R2_block = R2_values[start:stop]
+        e_block = e_values[start:stop]
+        _row_each_ratio(block, phi1_block, R1_block, R2_block, e_block, None)
         if has_nan(block):
-            _row_each_ratio(block, phi1, R1, R2, e, True)
+            _row_each_ratio(block, phi1_block, R1_block, R2_block, e_block, True)
 
 
 def ratio(
@@ -441,10 +450,9 @@ def _position_at(phi1, R1, R2, e, exact):
         return math.nan
     if e <= 0.5:
         prepared = _prepare_position_1(R1, R2, e, exact)
-
         return _position_1(phi1, *prepared, exact)
-    prepared = _prepare_position(R1, R2, e, exact)
 
+    prepared = _prepare_position(R1, R2, e, exact)
     return _position(phi1, *prepared, exact)
 
 
@@ -454,57 +462,40 @@ def _position_point(phi1, R1, R2, e):
 
 
 @loop
-def _row_position_1(out, phi1_values, prepared, exact):
+def _row_position(out, phi1_values, R1, R2, e, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
-        value = _position_1(phi1, *prepared, exact)
+        value = _position_at(phi1, R1, R2, e, exact)
         out[i] = value
 
 
 @loop
-def _row_position(out, phi1_values, prepared, exact):
-    for i in range(out.size):
-        phi1 = float(phi1_values[i])
-
-        value = _position(phi1, *prepared, exact)
-        out[i] = value
-
-
-@loop
-def _fill_position(out, phi1_values, R1, R2, e):
-    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
-        out[:] = math.nan
-        return
-    if e <= 0.5:
-        prepared = _prepare_position_1(R1, R2, e, True)
-
-        for start in range(0, out.size, BLOCK):
-            stop = min(start + BLOCK, out.size)
-            block = out[start:stop]
-            phi1 = phi1_values[start:stop]
-            _row_position_1(block, phi1, prepared, None)
-            if has_nan(block):
-                _row_position_1(block, phi1, prepared, True)
-
-        return
-    prepared = _prepare_position(R1, R2, e, True)
-
+def _fill_position(
+    out,
+    phi1_values,
+    R1,
+    R2,
+    e,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        _row_position(block, phi1, prepared, None)
+        phi1_block = phi1_values[start:stop]
+        _row_position(block, phi1_block, R1, R2, e, None)
         if has_nan(block):
-            _row_position(block, phi1, prepared, True)
+            _row_position(block, phi1_block, R1, R2, e, True)
 
 
 @loop
 def _row_each_position(out, phi1_values, R1_values, R2_values, e_values, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
+
         R1 = float(R1_values[i])
+
         R2 = float(R2_values[i])
+
         e = float(e_values[i])
 
         value = _position_at(phi1, R1, R2, e, exact)
@@ -512,17 +503,23 @@ def _row_each_position(out, phi1_values, R1_values, R2_values, e_values, exact):
 
 
 @loop
-def _fill_each_position(out, phi1_values, R1_values, R2_values, e_values):
+def _fill_each_position(
+    out,
+    phi1_values,
+    R1_values,
+    R2_values,
+    e_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        R1 = R1_values[start:stop]
-        R2 = R2_values[start:stop]
-        e = e_values[start:stop]
-        _row_each_position(block, phi1, R1, R2, e, None)
+        phi1_block = phi1_values[start:stop]
+        R1_block = R1_values[start:stop]
+        R2_block = R2_values[start:stop]
+        e_block = e_values[start:stop]
+        _row_each_position(block, phi1_block, R1_block, R2_block, e_block, None)
         if has_nan(block):
-            _row_each_position(block, phi1, R1, R2, e, True)
+            _row_each_position(block, phi1_block, R1_block, R2_block, e_block, True)
 
 
 def position(
@@ -626,7 +623,6 @@ def _acceleration_at(phi1, R1, R2, e, exact):
     if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
         return math.nan
     prepared = _prepare_acceleration(R1, R2, e, exact)
-
     return _acceleration(phi1, *prepared, exact)
 
 
@@ -636,36 +632,40 @@ def _acceleration_point(phi1, R1, R2, e):
 
 
 @loop
-def _row_acceleration(out, phi1_values, prepared, exact):
+def _row_acceleration(out, phi1_values, R1, R2, e, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
-        value = _acceleration(phi1, *prepared, exact)
+        value = _acceleration_at(phi1, R1, R2, e, exact)
         out[i] = value
 
 
 @loop
-def _fill_acceleration(out, phi1_values, R1, R2, e):
-    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_acceleration(R1, R2, e, True)
-
+def _fill_acceleration(
+    out,
+    phi1_values,
+    R1,
+    R2,
+    e,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        _row_acceleration(block, phi1, prepared, None)
+        phi1_block = phi1_values[start:stop]
+        _row_acceleration(block, phi1_block, R1, R2, e, None)
         if has_nan(block):
-            _row_acceleration(block, phi1, prepared, True)
+            _row_acceleration(block, phi1_block, R1, R2, e, True)
 
 
 @loop
 def _row_each_acceleration(out, phi1_values, R1_values, R2_values, e_values, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
+
         R1 = float(R1_values[i])
+
         R2 = float(R2_values[i])
+
         e = float(e_values[i])
 
         value = _acceleration_at(phi1, R1, R2, e, exact)
@@ -673,17 +673,23 @@ def _row_each_acceleration(out, phi1_values, R1_values, R2_values, e_values, exa
 
 
 @loop
-def _fill_each_acceleration(out, phi1_values, R1_values, R2_values, e_values):
+def _fill_each_acceleration(
+    out,
+    phi1_values,
+    R1_values,
+    R2_values,
+    e_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        R1 = R1_values[start:stop]
-        R2 = R2_values[start:stop]
-        e = e_values[start:stop]
-        _row_each_acceleration(block, phi1, R1, R2, e, None)
+        phi1_block = phi1_values[start:stop]
+        R1_block = R1_values[start:stop]
+        R2_block = R2_values[start:stop]
+        e_block = e_values[start:stop]
+        _row_each_acceleration(block, phi1_block, R1_block, R2_block, e_block, None)
         if has_nan(block):
-            _row_each_acceleration(block, phi1, R1, R2, e, True)
+            _row_each_acceleration(block, phi1_block, R1_block, R2_block, e_block, True)
 
 
 def acceleration(
@@ -766,7 +772,6 @@ def _largest_ratio_at(R1, R2, e):
     if not ((R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)):
         return math.nan
     prepared = _prepare_largest_ratio(R2, e)
-
     return _largest_ratio(R1, *prepared)
 
 
@@ -781,37 +786,41 @@ def _row_largest_ratio(
     R1_values,
     R2,
     e,
-    prepared,
 ):
     for i in range(out.size):
         R1 = float(R1_values[i])
 
-        value = (
-            _largest_ratio(R1, *prepared)
-            if (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
-            else math.nan
-        )
+        value = _largest_ratio_at(R1, R2, e)
         out[i] = value
 
 
 @loop
-def _fill_largest_ratio(out, R1_values, R2, e):
-    prepared = _prepare_largest_ratio(R2, e)
-
+def _fill_largest_ratio(
+    out,
+    R1_values,
+    R2,
+    e,
+):
     _row_largest_ratio(
         out,
         R1_values,
         R2,
         e,
-        prepared,
     )
 
 
 @loop
-def _row_each_largest_ratio(out, R1_values, R2_values, e_values):
+def _row_each_largest_ratio(
+    out,
+    R1_values,
+    R2_values,
+    e_values,
+):
     for i in range(out.size):
         R1 = float(R1_values[i])
+
         R2 = float(R2_values[i])
+
         e = float(e_values[i])
 
         value = _largest_ratio_at(R1, R2, e)
@@ -819,7 +828,12 @@ def _row_each_largest_ratio(out, R1_values, R2_values, e_values):
 
 
 @loop
-def _fill_each_largest_ratio(out, R1_values, R2_values, e_values):
+def _fill_each_largest_ratio(
+    out,
+    R1_values,
+    R2_values,
+    e_values,
+):
     _row_each_largest_ratio(
         out,
         R1_values,
@@ -903,7 +917,6 @@ def _smallest_ratio_at(R1, R2, e):
     if not ((R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)):
         return math.nan
     prepared = _prepare_smallest_ratio(R2, e)
-
     return _smallest_ratio(R1, *prepared)
 
 
@@ -918,37 +931,41 @@ def _row_smallest_ratio(
     R1_values,
     R2,
     e,
-    prepared,
 ):
     for i in range(out.size):
         R1 = float(R1_values[i])
 
-        value = (
-            _smallest_ratio(R1, *prepared)
-            if (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
-            else math.nan
-        )
+        value = _smallest_ratio_at(R1, R2, e)
         out[i] = value
 
 
 @loop
-def _fill_smallest_ratio(out, R1_values, R2, e):
-    prepared = _prepare_smallest_ratio(R2, e)
-
+def _fill_smallest_ratio(
+    out,
+    R1_values,
+    R2,
+    e,
+):
     _row_smallest_ratio(
         out,
         R1_values,
         R2,
         e,
-        prepared,
     )
 
 
 @loop
-def _row_each_smallest_ratio(out, R1_values, R2_values, e_values):
+def _row_each_smallest_ratio(
+    out,
+    R1_values,
+    R2_values,
+    e_values,
+):
     for i in range(out.size):
         R1 = float(R1_values[i])
+
         R2 = float(R2_values[i])
+
         e = float(e_values[i])
 
         value = _smallest_ratio_at(R1, R2, e)
@@ -956,7 +973,12 @@ def _row_each_smallest_ratio(out, R1_values, R2_values, e_values):
 
 
 @loop
-def _fill_each_smallest_ratio(out, R1_values, R2_values, e_values):
+def _fill_each_smallest_ratio(
+    out,
+    R1_values,
+    R2_values,
+    e_values,
+):
     _row_each_smallest_ratio(
         out,
         R1_values,

@@ -386,7 +386,6 @@ def _ratio_at(phi1, e1, e2, mount, exact):
     if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
         return math.nan
     prepared = _prepare_ratio(e1, e2, mount, exact)
-
     return _ratio(phi1, *prepared, exact)
 
 
@@ -396,36 +395,40 @@ def _ratio_point(phi1, e1, e2, mount):
 
 
 @loop
-def _row_ratio(out, phi1_values, prepared, exact):
+def _row_ratio(out, phi1_values, e1, e2, mount, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
-        value = _ratio(phi1, *prepared, exact)
+        value = _ratio_at(phi1, e1, e2, mount, exact)
         out[i] = value
 
 
 @loop
-def _fill_ratio(out, phi1_values, e1, e2, mount):
-    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_ratio(e1, e2, mount, True)
-
+def _fill_ratio(
+    out,
+    phi1_values,
+    e1,
+    e2,
+    mount,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        _row_ratio(block, phi1, prepared, None)
+        phi1_block = phi1_values[start:stop]
+        _row_ratio(block, phi1_block, e1, e2, mount, None)
         if has_nan(block):
-            _row_ratio(block, phi1, prepared, True)
+            _row_ratio(block, phi1_block, e1, e2, mount, True)
 
 
 @loop
 def _row_each_ratio(out, phi1_values, e1_values, e2_values, mount_values, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
+
         e1 = float(e1_values[i])
+
         e2 = float(e2_values[i])
+
         mount = float(mount_values[i])
 
         value = _ratio_at(phi1, e1, e2, mount, exact)
@@ -433,17 +436,23 @@ def _row_each_ratio(out, phi1_values, e1_values, e2_values, mount_values, exact)
 
 
 @loop
-def _fill_each_ratio(out, phi1_values, e1_values, e2_values, mount_values):
+def _fill_each_ratio(
+    out,
+    phi1_values,
+    e1_values,
+    e2_values,
+    mount_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        e1 = e1_values[start:stop]
-        e2 = e2_values[start:stop]
-        mount = mount_values[start:stop]
-        _row_each_ratio(block, phi1, e1, e2, mount, None)
+        phi1_block = phi1_values[start:stop]
+        e1_block = e1_values[start:stop]
+        e2_block = e2_values[start:stop]
+        mount_block = mount_values[start:stop]
+        _row_each_ratio(block, phi1_block, e1_block, e2_block, mount_block, None)
         if has_nan(block):
-            _row_each_ratio(block, phi1, e1, e2, mount, True)
+            _row_each_ratio(block, phi1_block, e1_block, e2_block, mount_block, True)
 
 
 def ratio(
@@ -542,7 +551,6 @@ def _position_at(phi1, e1, e2, mount, exact):
     if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
         return math.nan
     prepared = _prepare_position(e1, e2, mount, exact)
-
     return _position(phi1, *prepared, exact)
 
 
@@ -552,36 +560,40 @@ def _position_point(phi1, e1, e2, mount):
 
 
 @loop
-def _row_position(out, phi1_values, prepared, exact):
+def _row_position(out, phi1_values, e1, e2, mount, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
-        value = _position(phi1, *prepared, exact)
+        value = _position_at(phi1, e1, e2, mount, exact)
         out[i] = value
 
 
 @loop
-def _fill_position(out, phi1_values, e1, e2, mount):
-    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_position(e1, e2, mount, True)
-
+def _fill_position(
+    out,
+    phi1_values,
+    e1,
+    e2,
+    mount,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        _row_position(block, phi1, prepared, None)
+        phi1_block = phi1_values[start:stop]
+        _row_position(block, phi1_block, e1, e2, mount, None)
         if has_nan(block):
-            _row_position(block, phi1, prepared, True)
+            _row_position(block, phi1_block, e1, e2, mount, True)
 
 
 @loop
 def _row_each_position(out, phi1_values, e1_values, e2_values, mount_values, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
+
         e1 = float(e1_values[i])
+
         e2 = float(e2_values[i])
+
         mount = float(mount_values[i])
 
         value = _position_at(phi1, e1, e2, mount, exact)
@@ -589,17 +601,23 @@ def _row_each_position(out, phi1_values, e1_values, e2_values, mount_values, exa
 
 
 @loop
-def _fill_each_position(out, phi1_values, e1_values, e2_values, mount_values):
+def _fill_each_position(
+    out,
+    phi1_values,
+    e1_values,
+    e2_values,
+    mount_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        e1 = e1_values[start:stop]
-        e2 = e2_values[start:stop]
-        mount = mount_values[start:stop]
-        _row_each_position(block, phi1, e1, e2, mount, None)
+        phi1_block = phi1_values[start:stop]
+        e1_block = e1_values[start:stop]
+        e2_block = e2_values[start:stop]
+        mount_block = mount_values[start:stop]
+        _row_each_position(block, phi1_block, e1_block, e2_block, mount_block, None)
         if has_nan(block):
-            _row_each_position(block, phi1, e1, e2, mount, True)
+            _row_each_position(block, phi1_block, e1_block, e2_block, mount_block, True)
 
 
 def position(
@@ -727,7 +745,6 @@ def _acceleration_at(phi1, e1, e2, mount, exact):
     if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
         return math.nan
     prepared = _prepare_acceleration(e1, e2, mount, exact)
-
     return _acceleration(phi1, *prepared, exact)
 
 
@@ -737,36 +754,40 @@ def _acceleration_point(phi1, e1, e2, mount):
 
 
 @loop
-def _row_acceleration(out, phi1_values, prepared, exact):
+def _row_acceleration(out, phi1_values, e1, e2, mount, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
-        value = _acceleration(phi1, *prepared, exact)
+        value = _acceleration_at(phi1, e1, e2, mount, exact)
         out[i] = value
 
 
 @loop
-def _fill_acceleration(out, phi1_values, e1, e2, mount):
-    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_acceleration(e1, e2, mount, True)
-
+def _fill_acceleration(
+    out,
+    phi1_values,
+    e1,
+    e2,
+    mount,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        _row_acceleration(block, phi1, prepared, None)
+        phi1_block = phi1_values[start:stop]
+        _row_acceleration(block, phi1_block, e1, e2, mount, None)
         if has_nan(block):
-            _row_acceleration(block, phi1, prepared, True)
+            _row_acceleration(block, phi1_block, e1, e2, mount, True)
 
 
 @loop
 def _row_each_acceleration(out, phi1_values, e1_values, e2_values, mount_values, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
+
         e1 = float(e1_values[i])
+
         e2 = float(e2_values[i])
+
         mount = float(mount_values[i])
 
         value = _acceleration_at(phi1, e1, e2, mount, exact)
@@ -774,17 +795,23 @@ def _row_each_acceleration(out, phi1_values, e1_values, e2_values, mount_values,
 
 
 @loop
-def _fill_each_acceleration(out, phi1_values, e1_values, e2_values, mount_values):
+def _fill_each_acceleration(
+    out,
+    phi1_values,
+    e1_values,
+    e2_values,
+    mount_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        e1 = e1_values[start:stop]
-        e2 = e2_values[start:stop]
-        mount = mount_values[start:stop]
-        _row_each_acceleration(block, phi1, e1, e2, mount, None)
+        phi1_block = phi1_values[start:stop]
+        e1_block = e1_values[start:stop]
+        e2_block = e2_values[start:stop]
+        mount_block = mount_values[start:stop]
+        _row_each_acceleration(block, phi1_block, e1_block, e2_block, mount_block, None)
         if has_nan(block):
-            _row_each_acceleration(block, phi1, e1, e2, mount, True)
+            _row_each_acceleration(block, phi1_block, e1_block, e2_block, mount_block, True)
 
 
 def acceleration(
@@ -885,7 +912,6 @@ def _ratio_cylindrical_at(phi1, R4, R5, e2, exact):
     if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
         return math.nan
     prepared = _prepare_ratio_cylindrical(R4, R5, e2, exact)
-
     return _ratio_cylindrical(phi1, *prepared, exact)
 
 
@@ -895,36 +921,40 @@ def _ratio_cylindrical_point(phi1, R4, R5, e2):
 
 
 @loop
-def _row_ratio_cylindrical(out, phi1_values, prepared, exact):
+def _row_ratio_cylindrical(out, phi1_values, R4, R5, e2, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
-        value = _ratio_cylindrical(phi1, *prepared, exact)
+        value = _ratio_cylindrical_at(phi1, R4, R5, e2, exact)
         out[i] = value
 
 
 @loop
-def _fill_ratio_cylindrical(out, phi1_values, R4, R5, e2):
-    if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_ratio_cylindrical(R4, R5, e2, True)
-
+def _fill_ratio_cylindrical(
+    out,
+    phi1_values,
+    R4,
+    R5,
+    e2,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        _row_ratio_cylindrical(block, phi1, prepared, None)
+        phi1_block = phi1_values[start:stop]
+        _row_ratio_cylindrical(block, phi1_block, R4, R5, e2, None)
         if has_nan(block):
-            _row_ratio_cylindrical(block, phi1, prepared, True)
+            _row_ratio_cylindrical(block, phi1_block, R4, R5, e2, True)
 
 
 @loop
 def _row_each_ratio_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
+
         R4 = float(R4_values[i])
+
         R5 = float(R5_values[i])
+
         e2 = float(e2_values[i])
 
         value = _ratio_cylindrical_at(phi1, R4, R5, e2, exact)
@@ -932,17 +962,23 @@ def _row_each_ratio_cylindrical(out, phi1_values, R4_values, R5_values, e2_value
 
 
 @loop
-def _fill_each_ratio_cylindrical(out, phi1_values, R4_values, R5_values, e2_values):
+def _fill_each_ratio_cylindrical(
+    out,
+    phi1_values,
+    R4_values,
+    R5_values,
+    e2_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        R4 = R4_values[start:stop]
-        R5 = R5_values[start:stop]
-        e2 = e2_values[start:stop]
-        _row_each_ratio_cylindrical(block, phi1, R4, R5, e2, None)
+        phi1_block = phi1_values[start:stop]
+        R4_block = R4_values[start:stop]
+        R5_block = R5_values[start:stop]
+        e2_block = e2_values[start:stop]
+        _row_each_ratio_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, None)
         if has_nan(block):
-            _row_each_ratio_cylindrical(block, phi1, R4, R5, e2, True)
+            _row_each_ratio_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, True)
 
 
 def ratio_cylindrical(
@@ -1054,10 +1090,9 @@ def _position_cylindrical_at(phi1, R4, R5, e2, exact):
         return math.nan
     if e2 * R4 <= (1 - e2) * abs(R4 - R5):
         prepared = _prepare_position_cylindrical_1(R4, R5, e2, exact)
-
         return _position_cylindrical_1(phi1, *prepared, exact)
-    prepared = _prepare_position_cylindrical(R4, R5, e2, exact)
 
+    prepared = _prepare_position_cylindrical(R4, R5, e2, exact)
     return _position_cylindrical(phi1, *prepared, exact)
 
 
@@ -1067,57 +1102,40 @@ def _position_cylindrical_point(phi1, R4, R5, e2):
 
 
 @loop
-def _row_position_cylindrical_1(out, phi1_values, prepared, exact):
+def _row_position_cylindrical(out, phi1_values, R4, R5, e2, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
-        value = _position_cylindrical_1(phi1, *prepared, exact)
+        value = _position_cylindrical_at(phi1, R4, R5, e2, exact)
         out[i] = value
 
 
 @loop
-def _row_position_cylindrical(out, phi1_values, prepared, exact):
-    for i in range(out.size):
-        phi1 = float(phi1_values[i])
-
-        value = _position_cylindrical(phi1, *prepared, exact)
-        out[i] = value
-
-
-@loop
-def _fill_position_cylindrical(out, phi1_values, R4, R5, e2):
-    if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
-        out[:] = math.nan
-        return
-    if e2 * R4 <= (1 - e2) * abs(R4 - R5):
-        prepared = _prepare_position_cylindrical_1(R4, R5, e2, True)
-
-        for start in range(0, out.size, BLOCK):
-            stop = min(start + BLOCK, out.size)
-            block = out[start:stop]
-            phi1 = phi1_values[start:stop]
-            _row_position_cylindrical_1(block, phi1, prepared, None)
-            if has_nan(block):
-                _row_position_cylindrical_1(block, phi1, prepared, True)
-
-        return
-    prepared = _prepare_position_cylindrical(R4, R5, e2, True)
-
+def _fill_position_cylindrical(
+    out,
+    phi1_values,
+    R4,
+    R5,
+    e2,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        _row_position_cylindrical(block, phi1, prepared, None)
+        phi1_block = phi1_values[start:stop]
+        _row_position_cylindrical(block, phi1_block, R4, R5, e2, None)
         if has_nan(block):
-            _row_position_cylindrical(block, phi1, prepared, True)
+            _row_position_cylindrical(block, phi1_block, R4, R5, e2, True)
 
 
 @loop
 def _row_each_position_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
+
         R4 = float(R4_values[i])
+
         R5 = float(R5_values[i])
+
         e2 = float(e2_values[i])
 
         value = _position_cylindrical_at(phi1, R4, R5, e2, exact)
@@ -1125,17 +1143,23 @@ def _row_each_position_cylindrical(out, phi1_values, R4_values, R5_values, e2_va
 
 
 @loop
-def _fill_each_position_cylindrical(out, phi1_values, R4_values, R5_values, e2_values):
+def _fill_each_position_cylindrical(
+    out,
+    phi1_values,
+    R4_values,
+    R5_values,
+    e2_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        R4 = R4_values[start:stop]
-        R5 = R5_values[start:stop]
-        e2 = e2_values[start:stop]
-        _row_each_position_cylindrical(block, phi1, R4, R5, e2, None)
+        phi1_block = phi1_values[start:stop]
+        R4_block = R4_values[start:stop]
+        R5_block = R5_values[start:stop]
+        e2_block = e2_values[start:stop]
+        _row_each_position_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, None)
         if has_nan(block):
-            _row_each_position_cylindrical(block, phi1, R4, R5, e2, True)
+            _row_each_position_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, True)
 
 
 def position_cylindrical(
@@ -1239,7 +1263,6 @@ def _acceleration_cylindrical_at(phi1, R4, R5, e2, exact):
     if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
         return math.nan
     prepared = _prepare_acceleration_cylindrical(R4, R5, e2, exact)
-
     return _acceleration_cylindrical(phi1, *prepared, exact)
 
 
@@ -1249,36 +1272,40 @@ def _acceleration_cylindrical_point(phi1, R4, R5, e2):
 
 
 @loop
-def _row_acceleration_cylindrical(out, phi1_values, prepared, exact):
+def _row_acceleration_cylindrical(out, phi1_values, R4, R5, e2, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
-        value = _acceleration_cylindrical(phi1, *prepared, exact)
+        value = _acceleration_cylindrical_at(phi1, R4, R5, e2, exact)
         out[i] = value
 
 
 @loop
-def _fill_acceleration_cylindrical(out, phi1_values, R4, R5, e2):
-    if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_acceleration_cylindrical(R4, R5, e2, True)
-
+def _fill_acceleration_cylindrical(
+    out,
+    phi1_values,
+    R4,
+    R5,
+    e2,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        _row_acceleration_cylindrical(block, phi1, prepared, None)
+        phi1_block = phi1_values[start:stop]
+        _row_acceleration_cylindrical(block, phi1_block, R4, R5, e2, None)
         if has_nan(block):
-            _row_acceleration_cylindrical(block, phi1, prepared, True)
+            _row_acceleration_cylindrical(block, phi1_block, R4, R5, e2, True)
 
 
 @loop
 def _row_each_acceleration_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
     for i in range(out.size):
         phi1 = float(phi1_values[i])
+
         R4 = float(R4_values[i])
+
         R5 = float(R5_values[i])
+
         e2 = float(e2_values[i])
 
         value = _acceleration_cylindrical_at(phi1, R4, R5, e2, exact)
@@ -1286,17 +1313,25 @@ def _row_each_acceleration_cylindrical(out, phi1_values, R4_values, R5_values, e
 
 
 @loop
-def _fill_each_acceleration_cylindrical(out, phi1_values, R4_values, R5_values, e2_values):
+def _fill_each_acceleration_cylindrical(
+    out,
+    phi1_values,
+    R4_values,
+    R5_values,
+    e2_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi1 = phi1_values[start:stop]
-        R4 = R4_values[start:stop]
-        R5 = R5_values[start:stop]
-        e2 = e2_values[start:stop]
-        _row_each_acceleration_cylindrical(block, phi1, R4, R5, e2, None)
+        phi1_block = phi1_values[start:stop]
+        R4_block = R4_values[start:stop]
+        R5_block = R5_values[start:stop]
+        e2_block = e2_values[start:stop]
+        _row_each_acceleration_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, None)
         if has_nan(block):
-            _row_each_acceleration_cylindrical(block, phi1, R4, R5, e2, True)
+            _row_each_acceleration_cylindrical(
+                block, phi1_block, R4_block, R5_block, e2_block, True
+            )
 
 
 def acceleration_cylindrical(

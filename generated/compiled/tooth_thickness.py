@@ -219,7 +219,6 @@ def _constant_chord_at(m, alpha, exact):
     if not ((alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)):
         return math.nan
     prepared = _prepare_constant_chord(alpha, exact)
-
     return _constant_chord(m, *prepared, exact)
 
 
@@ -229,35 +228,34 @@ def _constant_chord_point(m, alpha):
 
 
 @loop
-def _row_constant_chord(out, m_values, alpha, prepared, exact):
+def _row_constant_chord(out, m_values, alpha, exact):
     for i in range(out.size):
         m = float(m_values[i])
 
-        value = (
-            _constant_chord(m, *prepared, exact)
-            if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-            else math.nan
-        )
+        value = _constant_chord_at(m, alpha, exact)
         out[i] = value
 
 
 @loop
-def _fill_constant_chord(out, m_values, alpha):
-    prepared = _prepare_constant_chord(alpha, True)
-
+def _fill_constant_chord(
+    out,
+    m_values,
+    alpha,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        m = m_values[start:stop]
-        _row_constant_chord(block, m, alpha, prepared, None)
+        m_block = m_values[start:stop]
+        _row_constant_chord(block, m_block, alpha, None)
         if has_nan(block):
-            _row_constant_chord(block, m, alpha, prepared, True)
+            _row_constant_chord(block, m_block, alpha, True)
 
 
 @loop
 def _row_each_constant_chord(out, m_values, alpha_values, exact):
     for i in range(out.size):
         m = float(m_values[i])
+
         alpha = float(alpha_values[i])
 
         value = _constant_chord_at(m, alpha, exact)
@@ -265,15 +263,19 @@ def _row_each_constant_chord(out, m_values, alpha_values, exact):
 
 
 @loop
-def _fill_each_constant_chord(out, m_values, alpha_values):
+def _fill_each_constant_chord(
+    out,
+    m_values,
+    alpha_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        m = m_values[start:stop]
-        alpha = alpha_values[start:stop]
-        _row_each_constant_chord(block, m, alpha, None)
+        m_block = m_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_constant_chord(block, m_block, alpha_block, None)
         if has_nan(block):
-            _row_each_constant_chord(block, m, alpha, True)
+            _row_each_constant_chord(block, m_block, alpha_block, True)
 
 
 def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -343,7 +345,6 @@ def _chord_height_at(m, alpha, exact):
     if not ((alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)):
         return math.nan
     prepared = _prepare_chord_height(alpha, exact)
-
     return _chord_height(m, *prepared, exact)
 
 
@@ -353,35 +354,34 @@ def _chord_height_point(m, alpha):
 
 
 @loop
-def _row_chord_height(out, m_values, alpha, prepared, exact):
+def _row_chord_height(out, m_values, alpha, exact):
     for i in range(out.size):
         m = float(m_values[i])
 
-        value = (
-            _chord_height(m, *prepared, exact)
-            if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-            else math.nan
-        )
+        value = _chord_height_at(m, alpha, exact)
         out[i] = value
 
 
 @loop
-def _fill_chord_height(out, m_values, alpha):
-    prepared = _prepare_chord_height(alpha, True)
-
+def _fill_chord_height(
+    out,
+    m_values,
+    alpha,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        m = m_values[start:stop]
-        _row_chord_height(block, m, alpha, prepared, None)
+        m_block = m_values[start:stop]
+        _row_chord_height(block, m_block, alpha, None)
         if has_nan(block):
-            _row_chord_height(block, m, alpha, prepared, True)
+            _row_chord_height(block, m_block, alpha, True)
 
 
 @loop
 def _row_each_chord_height(out, m_values, alpha_values, exact):
     for i in range(out.size):
         m = float(m_values[i])
+
         alpha = float(alpha_values[i])
 
         value = _chord_height_at(m, alpha, exact)
@@ -389,15 +389,19 @@ def _row_each_chord_height(out, m_values, alpha_values, exact):
 
 
 @loop
-def _fill_each_chord_height(out, m_values, alpha_values):
+def _fill_each_chord_height(
+    out,
+    m_values,
+    alpha_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        m = m_values[start:stop]
-        alpha = alpha_values[start:stop]
-        _row_each_chord_height(block, m, alpha, None)
+        m_block = m_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_chord_height(block, m_block, alpha_block, None)
         if has_nan(block):
-            _row_each_chord_height(block, m, alpha, True)
+            _row_each_chord_height(block, m_block, alpha_block, True)
 
 
 def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -485,7 +489,6 @@ def _height_change_at(tilt, m, z, alpha, exact):
     ):
         return math.nan
     prepared = _prepare_height_change(m, z, alpha, exact)
-
     return _height_change(tilt, *prepared, exact)
 
 
@@ -495,44 +498,40 @@ def _height_change_point(tilt, m, z, alpha):
 
 
 @loop
-def _row_height_change(out, tilt_values, prepared, exact):
+def _row_height_change(out, tilt_values, m, z, alpha, exact):
     for i in range(out.size):
         tilt = float(tilt_values[i])
 
-        value = _height_change(tilt, *prepared, exact)
+        value = _height_change_at(tilt, m, z, alpha, exact)
         out[i] = value
 
 
 @loop
-def _fill_height_change(out, tilt_values, m, z, alpha):
-    if not (
-        (m > 0)
-        & is_finite(m)
-        & (z >= 1)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_height_change(m, z, alpha, True)
-
+def _fill_height_change(
+    out,
+    tilt_values,
+    m,
+    z,
+    alpha,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        tilt = tilt_values[start:stop]
-        _row_height_change(block, tilt, prepared, None)
+        tilt_block = tilt_values[start:stop]
+        _row_height_change(block, tilt_block, m, z, alpha, None)
         if has_nan(block):
-            _row_height_change(block, tilt, prepared, True)
+            _row_height_change(block, tilt_block, m, z, alpha, True)
 
 
 @loop
 def _row_each_height_change(out, tilt_values, m_values, z_values, alpha_values, exact):
     for i in range(out.size):
         tilt = float(tilt_values[i])
+
         m = float(m_values[i])
+
         z = float(z_values[i])
+
         alpha = float(alpha_values[i])
 
         value = _height_change_at(tilt, m, z, alpha, exact)
@@ -540,17 +539,23 @@ def _row_each_height_change(out, tilt_values, m_values, z_values, alpha_values, 
 
 
 @loop
-def _fill_each_height_change(out, tilt_values, m_values, z_values, alpha_values):
+def _fill_each_height_change(
+    out,
+    tilt_values,
+    m_values,
+    z_values,
+    alpha_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        tilt = tilt_values[start:stop]
-        m = m_values[start:stop]
-        z = z_values[start:stop]
-        alpha = alpha_values[start:stop]
-        _row_each_height_change(block, tilt, m, z, alpha, None)
+        tilt_block = tilt_values[start:stop]
+        m_block = m_values[start:stop]
+        z_block = z_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_height_change(block, tilt_block, m_block, z_block, alpha_block, None)
         if has_nan(block):
-            _row_each_height_change(block, tilt, m, z, alpha, True)
+            _row_each_height_change(block, tilt_block, m_block, z_block, alpha_block, True)
 
 
 def height_change(
@@ -659,7 +664,6 @@ def _thickness_change_at(tilt, m, z, alpha, exact):
     ):
         return math.nan
     prepared = _prepare_thickness_change(m, z, alpha, exact)
-
     return _thickness_change(tilt, *prepared, exact)
 
 
@@ -669,44 +673,40 @@ def _thickness_change_point(tilt, m, z, alpha):
 
 
 @loop
-def _row_thickness_change(out, tilt_values, prepared, exact):
+def _row_thickness_change(out, tilt_values, m, z, alpha, exact):
     for i in range(out.size):
         tilt = float(tilt_values[i])
 
-        value = _thickness_change(tilt, *prepared, exact)
+        value = _thickness_change_at(tilt, m, z, alpha, exact)
         out[i] = value
 
 
 @loop
-def _fill_thickness_change(out, tilt_values, m, z, alpha):
-    if not (
-        (m > 0)
-        & is_finite(m)
-        & (z >= 1)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_thickness_change(m, z, alpha, True)
-
+def _fill_thickness_change(
+    out,
+    tilt_values,
+    m,
+    z,
+    alpha,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        tilt = tilt_values[start:stop]
-        _row_thickness_change(block, tilt, prepared, None)
+        tilt_block = tilt_values[start:stop]
+        _row_thickness_change(block, tilt_block, m, z, alpha, None)
         if has_nan(block):
-            _row_thickness_change(block, tilt, prepared, True)
+            _row_thickness_change(block, tilt_block, m, z, alpha, True)
 
 
 @loop
 def _row_each_thickness_change(out, tilt_values, m_values, z_values, alpha_values, exact):
     for i in range(out.size):
         tilt = float(tilt_values[i])
+
         m = float(m_values[i])
+
         z = float(z_values[i])
+
         alpha = float(alpha_values[i])
 
         value = _thickness_change_at(tilt, m, z, alpha, exact)
@@ -714,17 +714,23 @@ def _row_each_thickness_change(out, tilt_values, m_values, z_values, alpha_value
 
 
 @loop
-def _fill_each_thickness_change(out, tilt_values, m_values, z_values, alpha_values):
+def _fill_each_thickness_change(
+    out,
+    tilt_values,
+    m_values,
+    z_values,
+    alpha_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        tilt = tilt_values[start:stop]
-        m = m_values[start:stop]
-        z = z_values[start:stop]
-        alpha = alpha_values[start:stop]
-        _row_each_thickness_change(block, tilt, m, z, alpha, None)
+        tilt_block = tilt_values[start:stop]
+        m_block = m_values[start:stop]
+        z_block = z_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_thickness_change(block, tilt_block, m_block, z_block, alpha_block, None)
         if has_nan(block):
-            _row_each_thickness_change(block, tilt, m, z, alpha, True)
+            _row_each_thickness_change(block, tilt_block, m_block, z_block, alpha_block, True)
 
 
 def thickness_change(
@@ -811,7 +817,6 @@ def _thickness_change_linear_at(dh, alpha, exact):
     if not ((alpha > 0) & (alpha < np.pi / 4)):
         return math.nan
     prepared = _prepare_thickness_change_linear(alpha, exact)
-
     return _thickness_change_linear(dh, *prepared, exact)
 
 
@@ -821,34 +826,34 @@ def _thickness_change_linear_point(dh, alpha):
 
 
 @loop
-def _row_thickness_change_linear(out, dh_values, prepared, exact):
+def _row_thickness_change_linear(out, dh_values, alpha, exact):
     for i in range(out.size):
         dh = float(dh_values[i])
 
-        value = _thickness_change_linear(dh, *prepared, exact)
+        value = _thickness_change_linear_at(dh, alpha, exact)
         out[i] = value
 
 
 @loop
-def _fill_thickness_change_linear(out, dh_values, alpha):
-    if not ((alpha > 0) & (alpha < np.pi / 4)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_thickness_change_linear(alpha, True)
-
+def _fill_thickness_change_linear(
+    out,
+    dh_values,
+    alpha,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        dh = dh_values[start:stop]
-        _row_thickness_change_linear(block, dh, prepared, None)
+        dh_block = dh_values[start:stop]
+        _row_thickness_change_linear(block, dh_block, alpha, None)
         if has_nan(block):
-            _row_thickness_change_linear(block, dh, prepared, True)
+            _row_thickness_change_linear(block, dh_block, alpha, True)
 
 
 @loop
 def _row_each_thickness_change_linear(out, dh_values, alpha_values, exact):
     for i in range(out.size):
         dh = float(dh_values[i])
+
         alpha = float(alpha_values[i])
 
         value = _thickness_change_linear_at(dh, alpha, exact)
@@ -856,15 +861,19 @@ def _row_each_thickness_change_linear(out, dh_values, alpha_values, exact):
 
 
 @loop
-def _fill_each_thickness_change_linear(out, dh_values, alpha_values):
+def _fill_each_thickness_change_linear(
+    out,
+    dh_values,
+    alpha_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        dh = dh_values[start:stop]
-        alpha = alpha_values[start:stop]
-        _row_each_thickness_change_linear(block, dh, alpha, None)
+        dh_block = dh_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_thickness_change_linear(block, dh_block, alpha_block, None)
         if has_nan(block):
-            _row_each_thickness_change_linear(block, dh, alpha, True)
+            _row_each_thickness_change_linear(block, dh_block, alpha_block, True)
 
 
 def thickness_change_linear(
@@ -953,7 +962,6 @@ def _linearisation_bound_at(dh, m, z, alpha, exact):
     ):
         return math.nan
     prepared = _prepare_linearisation_bound(m, z, alpha, exact)
-
     return _linearisation_bound(dh, *prepared, exact)
 
 
@@ -963,44 +971,40 @@ def _linearisation_bound_point(dh, m, z, alpha):
 
 
 @loop
-def _row_linearisation_bound(out, dh_values, prepared, exact):
+def _row_linearisation_bound(out, dh_values, m, z, alpha, exact):
     for i in range(out.size):
         dh = float(dh_values[i])
 
-        value = _linearisation_bound(dh, *prepared, exact)
+        value = _linearisation_bound_at(dh, m, z, alpha, exact)
         out[i] = value
 
 
 @loop
-def _fill_linearisation_bound(out, dh_values, m, z, alpha):
-    if not (
-        (m > 0)
-        & is_finite(m)
-        & (z >= 1)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_linearisation_bound(m, z, alpha, True)
-
+def _fill_linearisation_bound(
+    out,
+    dh_values,
+    m,
+    z,
+    alpha,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        dh = dh_values[start:stop]
-        _row_linearisation_bound(block, dh, prepared, None)
+        dh_block = dh_values[start:stop]
+        _row_linearisation_bound(block, dh_block, m, z, alpha, None)
         if has_nan(block):
-            _row_linearisation_bound(block, dh, prepared, True)
+            _row_linearisation_bound(block, dh_block, m, z, alpha, True)
 
 
 @loop
 def _row_each_linearisation_bound(out, dh_values, m_values, z_values, alpha_values, exact):
     for i in range(out.size):
         dh = float(dh_values[i])
+
         m = float(m_values[i])
+
         z = float(z_values[i])
+
         alpha = float(alpha_values[i])
 
         value = _linearisation_bound_at(dh, m, z, alpha, exact)
@@ -1008,17 +1012,23 @@ def _row_each_linearisation_bound(out, dh_values, m_values, z_values, alpha_valu
 
 
 @loop
-def _fill_each_linearisation_bound(out, dh_values, m_values, z_values, alpha_values):
+def _fill_each_linearisation_bound(
+    out,
+    dh_values,
+    m_values,
+    z_values,
+    alpha_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        dh = dh_values[start:stop]
-        m = m_values[start:stop]
-        z = z_values[start:stop]
-        alpha = alpha_values[start:stop]
-        _row_each_linearisation_bound(block, dh, m, z, alpha, None)
+        dh_block = dh_values[start:stop]
+        m_block = m_values[start:stop]
+        z_block = z_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_linearisation_bound(block, dh_block, m_block, z_block, alpha_block, None)
         if has_nan(block):
-            _row_each_linearisation_bound(block, dh, m, z, alpha, True)
+            _row_each_linearisation_bound(block, dh_block, m_block, z_block, alpha_block, True)
 
 
 def linearisation_bound(
@@ -1100,7 +1110,6 @@ def _thickness_error_at(e_tip, height_error, alpha, exact):
     if not ((alpha > 0) & (alpha < np.pi / 4)):
         return math.nan
     prepared = _prepare_thickness_error(height_error, alpha, exact)
-
     return _thickness_error(e_tip, *prepared, exact)
 
 
@@ -1110,35 +1119,37 @@ def _thickness_error_point(e_tip, height_error, alpha):
 
 
 @loop
-def _row_thickness_error(out, e_tip_values, prepared, exact):
+def _row_thickness_error(out, e_tip_values, height_error, alpha, exact):
     for i in range(out.size):
         e_tip = float(e_tip_values[i])
 
-        value = _thickness_error(e_tip, *prepared, exact)
+        value = _thickness_error_at(e_tip, height_error, alpha, exact)
         out[i] = value
 
 
 @loop
-def _fill_thickness_error(out, e_tip_values, height_error, alpha):
-    if not ((alpha > 0) & (alpha < np.pi / 4)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_thickness_error(height_error, alpha, True)
-
+def _fill_thickness_error(
+    out,
+    e_tip_values,
+    height_error,
+    alpha,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        e_tip = e_tip_values[start:stop]
-        _row_thickness_error(block, e_tip, prepared, None)
+        e_tip_block = e_tip_values[start:stop]
+        _row_thickness_error(block, e_tip_block, height_error, alpha, None)
         if has_nan(block):
-            _row_thickness_error(block, e_tip, prepared, True)
+            _row_thickness_error(block, e_tip_block, height_error, alpha, True)
 
 
 @loop
 def _row_each_thickness_error(out, e_tip_values, height_error_values, alpha_values, exact):
     for i in range(out.size):
         e_tip = float(e_tip_values[i])
+
         height_error = float(height_error_values[i])
+
         alpha = float(alpha_values[i])
 
         value = _thickness_error_at(e_tip, height_error, alpha, exact)
@@ -1146,16 +1157,21 @@ def _row_each_thickness_error(out, e_tip_values, height_error_values, alpha_valu
 
 
 @loop
-def _fill_each_thickness_error(out, e_tip_values, height_error_values, alpha_values):
+def _fill_each_thickness_error(
+    out,
+    e_tip_values,
+    height_error_values,
+    alpha_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        e_tip = e_tip_values[start:stop]
-        height_error = height_error_values[start:stop]
-        alpha = alpha_values[start:stop]
-        _row_each_thickness_error(block, e_tip, height_error, alpha, None)
+        e_tip_block = e_tip_values[start:stop]
+        height_error_block = height_error_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_thickness_error(block, e_tip_block, height_error_block, alpha_block, None)
         if has_nan(block):
-            _row_each_thickness_error(block, e_tip, height_error, alpha, True)
+            _row_each_thickness_error(block, e_tip_block, height_error_block, alpha_block, True)
 
 
 def thickness_error(

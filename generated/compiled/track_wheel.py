@@ -250,7 +250,6 @@ def _rotation(alpha, cos_beta, cos_gamma, sin_gamma, sin_beta, exact):
 @scalar
 def _rotation_at(alpha, beta, gamma, exact):
     prepared = _prepare_rotation(beta, gamma, exact)
-
     return _rotation(alpha, *prepared, exact)
 
 
@@ -260,11 +259,11 @@ def _rotation_point(alpha, beta, gamma):
 
 
 @loop
-def _row_rotation(out, alpha_values, prepared, exact):
+def _row_rotation(out, alpha_values, beta, gamma, exact):
     for i in range(out.size // 9):
         alpha = float(alpha_values[i])
 
-        value = _rotation(alpha, *prepared, exact)
+        value = _rotation_at(alpha, beta, gamma, exact)
         out[9 * i + 0] = value[0]
         out[9 * i + 1] = value[1]
         out[9 * i + 2] = value[2]
@@ -277,23 +276,28 @@ def _row_rotation(out, alpha_values, prepared, exact):
 
 
 @loop
-def _fill_rotation(out, alpha_values, beta, gamma):
-    prepared = _prepare_rotation(beta, gamma, True)
-
+def _fill_rotation(
+    out,
+    alpha_values,
+    beta,
+    gamma,
+):
     for start in range(0, out.size // 9, BLOCK):
-        stop = min(start + BLOCK, out.size // 9)
+        stop = start + BLOCK
         block = out[9 * start : 9 * stop]
-        alpha = alpha_values[start:stop]
-        _row_rotation(block, alpha, prepared, None)
+        alpha_block = alpha_values[start:stop]
+        _row_rotation(block, alpha_block, beta, gamma, None)
         if has_nan(block):
-            _row_rotation(block, alpha, prepared, True)
+            _row_rotation(block, alpha_block, beta, gamma, True)
 
 
 @loop
 def _row_each_rotation(out, alpha_values, beta_values, gamma_values, exact):
     for i in range(out.size // 9):
         alpha = float(alpha_values[i])
+
         beta = float(beta_values[i])
+
         gamma = float(gamma_values[i])
 
         value = _rotation_at(alpha, beta, gamma, exact)
@@ -309,16 +313,21 @@ def _row_each_rotation(out, alpha_values, beta_values, gamma_values, exact):
 
 
 @loop
-def _fill_each_rotation(out, alpha_values, beta_values, gamma_values):
+def _fill_each_rotation(
+    out,
+    alpha_values,
+    beta_values,
+    gamma_values,
+):
     for start in range(0, out.size // 9, BLOCK):
-        stop = min(start + BLOCK, out.size // 9)
+        stop = start + BLOCK
         block = out[9 * start : 9 * stop]
-        alpha = alpha_values[start:stop]
-        beta = beta_values[start:stop]
-        gamma = gamma_values[start:stop]
-        _row_each_rotation(block, alpha, beta, gamma, None)
+        alpha_block = alpha_values[start:stop]
+        beta_block = beta_values[start:stop]
+        gamma_block = gamma_values[start:stop]
+        _row_each_rotation(block, alpha_block, beta_block, gamma_block, None)
         if has_nan(block):
-            _row_each_rotation(block, alpha, beta, gamma, True)
+            _row_each_rotation(block, alpha_block, beta_block, gamma_block, True)
 
 
 def rotation(
@@ -419,7 +428,6 @@ def _displacement_at(
     points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact
 ):
     prepared = _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact)
-
     return _displacement(points_0, points_1, points_2, *prepared, exact)
 
 
@@ -433,29 +441,53 @@ def _displacement_point(
 
 
 @loop
-def _row_displacement(out, points_values, prepared, exact):
+def _row_displacement(
+    out, points_values, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact
+):
     for i in range(out.size // 3):
         points_0 = float(points_values[3 * i + 0])
         points_1 = float(points_values[3 * i + 1])
         points_2 = float(points_values[3 * i + 2])
 
-        value = _displacement(points_0, points_1, points_2, *prepared, exact)
+        value = _displacement_at(
+            points_0,
+            points_1,
+            points_2,
+            angles_0,
+            angles_1,
+            angles_2,
+            shift_0,
+            shift_1,
+            shift_2,
+            exact,
+        )
         out[3 * i + 0] = value[0]
         out[3 * i + 1] = value[1]
         out[3 * i + 2] = value[2]
 
 
 @loop
-def _fill_displacement(out, points_values, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2):
-    prepared = _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, True)
-
+def _fill_displacement(
+    out,
+    points_values,
+    angles_0,
+    angles_1,
+    angles_2,
+    shift_0,
+    shift_1,
+    shift_2,
+):
     for start in range(0, out.size // 3, BLOCK):
-        stop = min(start + BLOCK, out.size // 3)
+        stop = start + BLOCK
         block = out[3 * start : 3 * stop]
-        points = points_values[3 * start : 3 * stop]
-        _row_displacement(block, points, prepared, None)
+        points_block = points_values[3 * start : 3 * stop]
+        _row_displacement(
+            block, points_block, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, None
+        )
         if has_nan(block):
-            _row_displacement(block, points, prepared, True)
+            _row_displacement(
+                block, points_block, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, True
+            )
 
 
 @loop
@@ -464,9 +496,11 @@ def _row_each_displacement(out, points_values, angles_values, shift_values, exac
         points_0 = float(points_values[3 * i + 0])
         points_1 = float(points_values[3 * i + 1])
         points_2 = float(points_values[3 * i + 2])
+
         angles_0 = float(angles_values[3 * i + 0])
         angles_1 = float(angles_values[3 * i + 1])
         angles_2 = float(angles_values[3 * i + 2])
+
         shift_0 = float(shift_values[3 * i + 0])
         shift_1 = float(shift_values[3 * i + 1])
         shift_2 = float(shift_values[3 * i + 2])
@@ -489,16 +523,21 @@ def _row_each_displacement(out, points_values, angles_values, shift_values, exac
 
 
 @loop
-def _fill_each_displacement(out, points_values, angles_values, shift_values):
+def _fill_each_displacement(
+    out,
+    points_values,
+    angles_values,
+    shift_values,
+):
     for start in range(0, out.size // 3, BLOCK):
-        stop = min(start + BLOCK, out.size // 3)
+        stop = start + BLOCK
         block = out[3 * start : 3 * stop]
-        points = points_values[3 * start : 3 * stop]
-        angles = angles_values[3 * start : 3 * stop]
-        shift = shift_values[3 * start : 3 * stop]
-        _row_each_displacement(block, points, angles, shift, None)
+        points_block = points_values[3 * start : 3 * stop]
+        angles_block = angles_values[3 * start : 3 * stop]
+        shift_block = shift_values[3 * start : 3 * stop]
+        _row_each_displacement(block, points_block, angles_block, shift_block, None)
         if has_nan(block):
-            _row_each_displacement(block, points, angles, shift, True)
+            _row_each_displacement(block, points_block, angles_block, shift_block, True)
 
 
 def displacement(
@@ -563,17 +602,13 @@ def _planar_error(displacement_0, displacement_1):
 
 
 @scalar
-def _planar_error_at(displacement_0, displacement_1, displacement_2):
-
-    return _planar_error(
-        displacement_0,
-        displacement_1,
-    )
+def _planar_error_at(displacement_0, displacement_1):
+    return _planar_error(displacement_0, displacement_1)
 
 
 @scalar
 def _planar_error_point(displacement_0, displacement_1, displacement_2):
-    return _planar_error_at(displacement_0, displacement_1, displacement_2)
+    return _planar_error_at(displacement_0, displacement_1)
 
 
 @loop
@@ -585,16 +620,15 @@ def _row_planar_error(
         displacement_0 = float(displacement_values[3 * i + 0])
         displacement_1 = float(displacement_values[3 * i + 1])
 
-        value = _planar_error(
-            displacement_0,
-            displacement_1,
-        )
+        value = _planar_error_at(displacement_0, displacement_1)
         out[i] = value
 
 
 @loop
-def _fill_planar_error(out, displacement_values):
-
+def _fill_planar_error(
+    out,
+    displacement_values,
+):
     _row_planar_error(
         out,
         displacement_values,
@@ -602,18 +636,23 @@ def _fill_planar_error(out, displacement_values):
 
 
 @loop
-def _row_each_planar_error(out, displacement_values):
+def _row_each_planar_error(
+    out,
+    displacement_values,
+):
     for i in range(out.size):
         displacement_0 = float(displacement_values[3 * i + 0])
         displacement_1 = float(displacement_values[3 * i + 1])
-        displacement_2 = float(displacement_values[3 * i + 2])
 
-        value = _planar_error_at(displacement_0, displacement_1, displacement_2)
+        value = _planar_error_at(displacement_0, displacement_1)
         out[i] = value
 
 
 @loop
-def _fill_each_planar_error(out, displacement_values):
+def _fill_each_planar_error(
+    out,
+    displacement_values,
+):
     _row_each_planar_error(
         out,
         displacement_values,
@@ -657,12 +696,7 @@ def _spatial_error(displacement_0, displacement_1, displacement_2):
 
 @scalar
 def _spatial_error_at(displacement_0, displacement_1, displacement_2):
-
-    return _spatial_error(
-        displacement_0,
-        displacement_1,
-        displacement_2,
-    )
+    return _spatial_error(displacement_0, displacement_1, displacement_2)
 
 
 @scalar
@@ -680,17 +714,15 @@ def _row_spatial_error(
         displacement_1 = float(displacement_values[3 * i + 1])
         displacement_2 = float(displacement_values[3 * i + 2])
 
-        value = _spatial_error(
-            displacement_0,
-            displacement_1,
-            displacement_2,
-        )
+        value = _spatial_error_at(displacement_0, displacement_1, displacement_2)
         out[i] = value
 
 
 @loop
-def _fill_spatial_error(out, displacement_values):
-
+def _fill_spatial_error(
+    out,
+    displacement_values,
+):
     _row_spatial_error(
         out,
         displacement_values,
@@ -698,7 +730,10 @@ def _fill_spatial_error(out, displacement_values):
 
 
 @loop
-def _row_each_spatial_error(out, displacement_values):
+def _row_each_spatial_error(
+    out,
+    displacement_values,
+):
     for i in range(out.size):
         displacement_0 = float(displacement_values[3 * i + 0])
         displacement_1 = float(displacement_values[3 * i + 1])
@@ -709,7 +744,10 @@ def _row_each_spatial_error(out, displacement_values):
 
 
 @loop
-def _fill_each_spatial_error(out, displacement_values):
+def _fill_each_spatial_error(
+    out,
+    displacement_values,
+):
     _row_each_spatial_error(
         out,
         displacement_values,
@@ -767,7 +805,6 @@ def _radius_at(phi, R, A, z, exact):
     if not ((R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)):
         return math.nan
     prepared = _prepare_radius(R, A, z, exact)
-
     return _radius(phi, *prepared, exact)
 
 
@@ -777,36 +814,40 @@ def _radius_point(phi, R, A, z):
 
 
 @loop
-def _row_radius(out, phi_values, prepared, exact):
+def _row_radius(out, phi_values, R, A, z, exact):
     for i in range(out.size):
         phi = float(phi_values[i])
 
-        value = _radius(phi, *prepared, exact)
+        value = _radius_at(phi, R, A, z, exact)
         out[i] = value
 
 
 @loop
-def _fill_radius(out, phi_values, R, A, z):
-    if not ((R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_radius(R, A, z, True)
-
+def _fill_radius(
+    out,
+    phi_values,
+    R,
+    A,
+    z,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi = phi_values[start:stop]
-        _row_radius(block, phi, prepared, None)
+        phi_block = phi_values[start:stop]
+        _row_radius(block, phi_block, R, A, z, None)
         if has_nan(block):
-            _row_radius(block, phi, prepared, True)
+            _row_radius(block, phi_block, R, A, z, True)
 
 
 @loop
 def _row_each_radius(out, phi_values, R_values, A_values, z_values, exact):
     for i in range(out.size):
         phi = float(phi_values[i])
+
         R = float(R_values[i])
+
         A = float(A_values[i])
+
         z = float(z_values[i])
 
         value = _radius_at(phi, R, A, z, exact)
@@ -814,17 +855,23 @@ def _row_each_radius(out, phi_values, R_values, A_values, z_values, exact):
 
 
 @loop
-def _fill_each_radius(out, phi_values, R_values, A_values, z_values):
+def _fill_each_radius(
+    out,
+    phi_values,
+    R_values,
+    A_values,
+    z_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi = phi_values[start:stop]
-        R = R_values[start:stop]
-        A = A_values[start:stop]
-        z = z_values[start:stop]
-        _row_each_radius(block, phi, R, A, z, None)
+        phi_block = phi_values[start:stop]
+        R_block = R_values[start:stop]
+        A_block = A_values[start:stop]
+        z_block = z_values[start:stop]
+        _row_each_radius(block, phi_block, R_block, A_block, z_block, None)
         if has_nan(block):
-            _row_each_radius(block, phi, R, A, z, True)
+            _row_each_radius(block, phi_block, R_block, A_block, z_block, True)
 
 
 def radius(
@@ -925,7 +972,6 @@ def _track_at(phi, R, A, z, H, exact):
     ):
         return (math.nan, math.nan, math.nan)
     prepared = _prepare_track(R, A, z, H, exact)
-
     return _track(phi, *prepared, exact)
 
 
@@ -935,48 +981,45 @@ def _track_point(phi, R, A, z, H):
 
 
 @loop
-def _row_track(out, phi_values, prepared, exact):
+def _row_track(out, phi_values, R, A, z, H, exact):
     for i in range(out.size // 3):
         phi = float(phi_values[i])
 
-        value = _track(phi, *prepared, exact)
+        value = _track_at(phi, R, A, z, H, exact)
         out[3 * i + 0] = value[0]
         out[3 * i + 1] = value[1]
         out[3 * i + 2] = value[2]
 
 
 @loop
-def _fill_track(out, phi_values, R, A, z, H):
-    if not (
-        (R > 0)
-        & is_finite(R)
-        & (H > 0)
-        & is_finite(H)
-        & (z >= 1)
-        & is_finite(z)
-        & (z == floor(z))
-        & (abs(A) <= R)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_track(R, A, z, H, True)
-
+def _fill_track(
+    out,
+    phi_values,
+    R,
+    A,
+    z,
+    H,
+):
     for start in range(0, out.size // 3, BLOCK):
-        stop = min(start + BLOCK, out.size // 3)
+        stop = start + BLOCK
         block = out[3 * start : 3 * stop]
-        phi = phi_values[start:stop]
-        _row_track(block, phi, prepared, None)
+        phi_block = phi_values[start:stop]
+        _row_track(block, phi_block, R, A, z, H, None)
         if has_nan(block):
-            _row_track(block, phi, prepared, True)
+            _row_track(block, phi_block, R, A, z, H, True)
 
 
 @loop
 def _row_each_track(out, phi_values, R_values, A_values, z_values, H_values, exact):
     for i in range(out.size // 3):
         phi = float(phi_values[i])
+
         R = float(R_values[i])
+
         A = float(A_values[i])
+
         z = float(z_values[i])
+
         H = float(H_values[i])
 
         value = _track_at(phi, R, A, z, H, exact)
@@ -986,18 +1029,25 @@ def _row_each_track(out, phi_values, R_values, A_values, z_values, H_values, exa
 
 
 @loop
-def _fill_each_track(out, phi_values, R_values, A_values, z_values, H_values):
+def _fill_each_track(
+    out,
+    phi_values,
+    R_values,
+    A_values,
+    z_values,
+    H_values,
+):
     for start in range(0, out.size // 3, BLOCK):
-        stop = min(start + BLOCK, out.size // 3)
+        stop = start + BLOCK
         block = out[3 * start : 3 * stop]
-        phi = phi_values[start:stop]
-        R = R_values[start:stop]
-        A = A_values[start:stop]
-        z = z_values[start:stop]
-        H = H_values[start:stop]
-        _row_each_track(block, phi, R, A, z, H, None)
+        phi_block = phi_values[start:stop]
+        R_block = R_values[start:stop]
+        A_block = A_values[start:stop]
+        z_block = z_values[start:stop]
+        H_block = H_values[start:stop]
+        _row_each_track(block, phi_block, R_block, A_block, z_block, H_block, None)
         if has_nan(block):
-            _row_each_track(block, phi, R, A, z, H, True)
+            _row_each_track(block, phi_block, R_block, A_block, z_block, H_block, True)
 
 
 def track(
@@ -1082,7 +1132,6 @@ def _largest_radius_at(R, A):
     if not ((R > 0) & is_finite(R) & (abs(A) <= R)):
         return math.nan
     prepared = _prepare_largest_radius(A)
-
     return _largest_radius(R, *prepared)
 
 
@@ -1096,33 +1145,36 @@ def _row_largest_radius(
     out,
     R_values,
     A,
-    prepared,
 ):
     for i in range(out.size):
         R = float(R_values[i])
 
-        value = (
-            _largest_radius(R, *prepared) if (R > 0) & is_finite(R) & (abs(A) <= R) else math.nan
-        )
+        value = _largest_radius_at(R, A)
         out[i] = value
 
 
 @loop
-def _fill_largest_radius(out, R_values, A):
-    prepared = _prepare_largest_radius(A)
-
+def _fill_largest_radius(
+    out,
+    R_values,
+    A,
+):
     _row_largest_radius(
         out,
         R_values,
         A,
-        prepared,
     )
 
 
 @loop
-def _row_each_largest_radius(out, R_values, A_values):
+def _row_each_largest_radius(
+    out,
+    R_values,
+    A_values,
+):
     for i in range(out.size):
         R = float(R_values[i])
+
         A = float(A_values[i])
 
         value = _largest_radius_at(R, A)
@@ -1130,7 +1182,11 @@ def _row_each_largest_radius(out, R_values, A_values):
 
 
 @loop
-def _fill_each_largest_radius(out, R_values, A_values):
+def _fill_each_largest_radius(
+    out,
+    R_values,
+    A_values,
+):
     _row_each_largest_radius(
         out,
         R_values,
@@ -1205,7 +1261,6 @@ def _smallest_radius_at(R, A):
     if not ((R > 0) & is_finite(R) & (abs(A) <= R)):
         return math.nan
     prepared = _prepare_smallest_radius(A)
-
     return _smallest_radius(R, *prepared)
 
 
@@ -1219,33 +1274,36 @@ def _row_smallest_radius(
     out,
     R_values,
     A,
-    prepared,
 ):
     for i in range(out.size):
         R = float(R_values[i])
 
-        value = (
-            _smallest_radius(R, *prepared) if (R > 0) & is_finite(R) & (abs(A) <= R) else math.nan
-        )
+        value = _smallest_radius_at(R, A)
         out[i] = value
 
 
 @loop
-def _fill_smallest_radius(out, R_values, A):
-    prepared = _prepare_smallest_radius(A)
-
+def _fill_smallest_radius(
+    out,
+    R_values,
+    A,
+):
     _row_smallest_radius(
         out,
         R_values,
         A,
-        prepared,
     )
 
 
 @loop
-def _row_each_smallest_radius(out, R_values, A_values):
+def _row_each_smallest_radius(
+    out,
+    R_values,
+    A_values,
+):
     for i in range(out.size):
         R = float(R_values[i])
+
         A = float(A_values[i])
 
         value = _smallest_radius_at(R, A)
@@ -1253,7 +1311,11 @@ def _row_each_smallest_radius(out, R_values, A_values):
 
 
 @loop
-def _fill_each_smallest_radius(out, R_values, A_values):
+def _fill_each_smallest_radius(
+    out,
+    R_values,
+    A_values,
+):
     _row_each_smallest_radius(
         out,
         R_values,

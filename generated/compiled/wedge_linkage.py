@@ -251,7 +251,6 @@ def _guide_radicand_at(x1, l_AB, l_BC, l_CD):
     ):
         return math.nan
     prepared = _prepare_guide_radicand(l_AB, l_BC, l_CD)
-
     return _guide_radicand(x1, *prepared)
 
 
@@ -264,37 +263,49 @@ def _guide_radicand_point(x1, l_AB, l_BC, l_CD):
 def _row_guide_radicand(
     out,
     x1_values,
-    prepared,
+    l_AB,
+    l_BC,
+    l_CD,
 ):
     for i in range(out.size):
         x1 = float(x1_values[i])
 
-        value = _guide_radicand(x1, *prepared)
+        value = _guide_radicand_at(x1, l_AB, l_BC, l_CD)
         out[i] = value
 
 
 @loop
-def _fill_guide_radicand(out, x1_values, l_AB, l_BC, l_CD):
-    if not (
-        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_guide_radicand(l_AB, l_BC, l_CD)
-
+def _fill_guide_radicand(
+    out,
+    x1_values,
+    l_AB,
+    l_BC,
+    l_CD,
+):
     _row_guide_radicand(
         out,
         x1_values,
-        prepared,
+        l_AB,
+        l_BC,
+        l_CD,
     )
 
 
 @loop
-def _row_each_guide_radicand(out, x1_values, l_AB_values, l_BC_values, l_CD_values):
+def _row_each_guide_radicand(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+):
     for i in range(out.size):
         x1 = float(x1_values[i])
+
         l_AB = float(l_AB_values[i])
+
         l_BC = float(l_BC_values[i])
+
         l_CD = float(l_CD_values[i])
 
         value = _guide_radicand_at(x1, l_AB, l_BC, l_CD)
@@ -302,7 +313,13 @@ def _row_each_guide_radicand(out, x1_values, l_AB_values, l_BC_values, l_CD_valu
 
 
 @loop
-def _fill_each_guide_radicand(out, x1_values, l_AB_values, l_BC_values, l_CD_values):
+def _fill_each_guide_radicand(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+):
     _row_each_guide_radicand(
         out,
         x1_values,
@@ -401,7 +418,6 @@ def _lever_angle_at(x1, l_AB, l_BC, l_CD):
     ):
         return math.nan
     prepared = _prepare_lever_angle(l_AB, l_BC, l_CD)
-
     return _lever_angle(x1, *prepared)
 
 
@@ -414,37 +430,49 @@ def _lever_angle_point(x1, l_AB, l_BC, l_CD):
 def _row_lever_angle(
     out,
     x1_values,
-    prepared,
+    l_AB,
+    l_BC,
+    l_CD,
 ):
     for i in range(out.size):
         x1 = float(x1_values[i])
 
-        value = _lever_angle(x1, *prepared)
+        value = _lever_angle_at(x1, l_AB, l_BC, l_CD)
         out[i] = value
 
 
 @loop
-def _fill_lever_angle(out, x1_values, l_AB, l_BC, l_CD):
-    if not (
-        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_lever_angle(l_AB, l_BC, l_CD)
-
+def _fill_lever_angle(
+    out,
+    x1_values,
+    l_AB,
+    l_BC,
+    l_CD,
+):
     _row_lever_angle(
         out,
         x1_values,
-        prepared,
+        l_AB,
+        l_BC,
+        l_CD,
     )
 
 
 @loop
-def _row_each_lever_angle(out, x1_values, l_AB_values, l_BC_values, l_CD_values):
+def _row_each_lever_angle(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+):
     for i in range(out.size):
         x1 = float(x1_values[i])
+
         l_AB = float(l_AB_values[i])
+
         l_BC = float(l_BC_values[i])
+
         l_CD = float(l_CD_values[i])
 
         value = _lever_angle_at(x1, l_AB, l_BC, l_CD)
@@ -452,7 +480,13 @@ def _row_each_lever_angle(out, x1_values, l_AB_values, l_BC_values, l_CD_values)
 
 
 @loop
-def _fill_each_lever_angle(out, x1_values, l_AB_values, l_BC_values, l_CD_values):
+def _fill_each_lever_angle(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+):
     _row_each_lever_angle(
         out,
         x1_values,
@@ -546,7 +580,6 @@ def _rod_displacement_at(phi3, l_DE, alpha_DE, exact):
     if not ((l_DE > 0) & is_finite(l_DE)):
         return math.nan
     prepared = _prepare_rod_displacement(l_DE, alpha_DE, exact)
-
     return _rod_displacement(phi3, *prepared, exact)
 
 
@@ -556,35 +589,37 @@ def _rod_displacement_point(phi3, l_DE, alpha_DE):
 
 
 @loop
-def _row_rod_displacement(out, phi3_values, prepared, exact):
+def _row_rod_displacement(out, phi3_values, l_DE, alpha_DE, exact):
     for i in range(out.size):
         phi3 = float(phi3_values[i])
 
-        value = _rod_displacement(phi3, *prepared, exact)
+        value = _rod_displacement_at(phi3, l_DE, alpha_DE, exact)
         out[i] = value
 
 
 @loop
-def _fill_rod_displacement(out, phi3_values, l_DE, alpha_DE):
-    if not ((l_DE > 0) & is_finite(l_DE)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_rod_displacement(l_DE, alpha_DE, True)
-
+def _fill_rod_displacement(
+    out,
+    phi3_values,
+    l_DE,
+    alpha_DE,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi3 = phi3_values[start:stop]
-        _row_rod_displacement(block, phi3, prepared, None)
+        phi3_block = phi3_values[start:stop]
+        _row_rod_displacement(block, phi3_block, l_DE, alpha_DE, None)
         if has_nan(block):
-            _row_rod_displacement(block, phi3, prepared, True)
+            _row_rod_displacement(block, phi3_block, l_DE, alpha_DE, True)
 
 
 @loop
 def _row_each_rod_displacement(out, phi3_values, l_DE_values, alpha_DE_values, exact):
     for i in range(out.size):
         phi3 = float(phi3_values[i])
+
         l_DE = float(l_DE_values[i])
+
         alpha_DE = float(alpha_DE_values[i])
 
         value = _rod_displacement_at(phi3, l_DE, alpha_DE, exact)
@@ -592,16 +627,21 @@ def _row_each_rod_displacement(out, phi3_values, l_DE_values, alpha_DE_values, e
 
 
 @loop
-def _fill_each_rod_displacement(out, phi3_values, l_DE_values, alpha_DE_values):
+def _fill_each_rod_displacement(
+    out,
+    phi3_values,
+    l_DE_values,
+    alpha_DE_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi3 = phi3_values[start:stop]
-        l_DE = l_DE_values[start:stop]
-        alpha_DE = alpha_DE_values[start:stop]
-        _row_each_rod_displacement(block, phi3, l_DE, alpha_DE, None)
+        phi3_block = phi3_values[start:stop]
+        l_DE_block = l_DE_values[start:stop]
+        alpha_DE_block = alpha_DE_values[start:stop]
+        _row_each_rod_displacement(block, phi3_block, l_DE_block, alpha_DE_block, None)
         if has_nan(block):
-            _row_each_rod_displacement(block, phi3, l_DE, alpha_DE, True)
+            _row_each_rod_displacement(block, phi3_block, l_DE_block, alpha_DE_block, True)
 
 
 def rod_displacement(
@@ -678,7 +718,6 @@ def _clearance_at(x5, l_GH):
     if not ((l_GH > 0) & is_finite(l_GH)):
         return math.nan
     prepared = _prepare_clearance(l_GH)
-
     return _clearance(x5, *prepared)
 
 
@@ -691,33 +730,37 @@ def _clearance_point(x5, l_GH):
 def _row_clearance(
     out,
     x5_values,
-    prepared,
+    l_GH,
 ):
     for i in range(out.size):
         x5 = float(x5_values[i])
 
-        value = _clearance(x5, *prepared)
+        value = _clearance_at(x5, l_GH)
         out[i] = value
 
 
 @loop
-def _fill_clearance(out, x5_values, l_GH):
-    if not ((l_GH > 0) & is_finite(l_GH)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_clearance(l_GH)
-
+def _fill_clearance(
+    out,
+    x5_values,
+    l_GH,
+):
     _row_clearance(
         out,
         x5_values,
-        prepared,
+        l_GH,
     )
 
 
 @loop
-def _row_each_clearance(out, x5_values, l_GH_values):
+def _row_each_clearance(
+    out,
+    x5_values,
+    l_GH_values,
+):
     for i in range(out.size):
         x5 = float(x5_values[i])
+
         l_GH = float(l_GH_values[i])
 
         value = _clearance_at(x5, l_GH)
@@ -725,7 +768,11 @@ def _row_each_clearance(out, x5_values, l_GH_values):
 
 
 @loop
-def _fill_each_clearance(out, x5_values, l_GH_values):
+def _fill_each_clearance(
+    out,
+    x5_values,
+    l_GH_values,
+):
     _row_each_clearance(
         out,
         x5_values,
@@ -800,7 +847,6 @@ def _roller_offset_at(x5, l_KL, alpha_KL, exact):
     if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
         return math.nan
     prepared = _prepare_roller_offset(l_KL, alpha_KL, exact)
-
     return _roller_offset(x5, *prepared, exact)
 
 
@@ -810,35 +856,37 @@ def _roller_offset_point(x5, l_KL, alpha_KL):
 
 
 @loop
-def _row_roller_offset(out, x5_values, prepared, exact):
+def _row_roller_offset(out, x5_values, l_KL, alpha_KL, exact):
     for i in range(out.size):
         x5 = float(x5_values[i])
 
-        value = _roller_offset(x5, *prepared, exact)
+        value = _roller_offset_at(x5, l_KL, alpha_KL, exact)
         out[i] = value
 
 
 @loop
-def _fill_roller_offset(out, x5_values, l_KL, alpha_KL):
-    if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_roller_offset(l_KL, alpha_KL, True)
-
+def _fill_roller_offset(
+    out,
+    x5_values,
+    l_KL,
+    alpha_KL,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        x5 = x5_values[start:stop]
-        _row_roller_offset(block, x5, prepared, None)
+        x5_block = x5_values[start:stop]
+        _row_roller_offset(block, x5_block, l_KL, alpha_KL, None)
         if has_nan(block):
-            _row_roller_offset(block, x5, prepared, True)
+            _row_roller_offset(block, x5_block, l_KL, alpha_KL, True)
 
 
 @loop
 def _row_each_roller_offset(out, x5_values, l_KL_values, alpha_KL_values, exact):
     for i in range(out.size):
         x5 = float(x5_values[i])
+
         l_KL = float(l_KL_values[i])
+
         alpha_KL = float(alpha_KL_values[i])
 
         value = _roller_offset_at(x5, l_KL, alpha_KL, exact)
@@ -846,16 +894,21 @@ def _row_each_roller_offset(out, x5_values, l_KL_values, alpha_KL_values, exact)
 
 
 @loop
-def _fill_each_roller_offset(out, x5_values, l_KL_values, alpha_KL_values):
+def _fill_each_roller_offset(
+    out,
+    x5_values,
+    l_KL_values,
+    alpha_KL_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        x5 = x5_values[start:stop]
-        l_KL = l_KL_values[start:stop]
-        alpha_KL = alpha_KL_values[start:stop]
-        _row_each_roller_offset(block, x5, l_KL, alpha_KL, None)
+        x5_block = x5_values[start:stop]
+        l_KL_block = l_KL_values[start:stop]
+        alpha_KL_block = alpha_KL_values[start:stop]
+        _row_each_roller_offset(block, x5_block, l_KL_block, alpha_KL_block, None)
         if has_nan(block):
-            _row_each_roller_offset(block, x5, l_KL, alpha_KL, True)
+            _row_each_roller_offset(block, x5_block, l_KL_block, alpha_KL_block, True)
 
 
 def roller_offset(
@@ -941,7 +994,6 @@ def _roller_lever_angle_at(x5, l_KL, alpha_KL, exact):
     if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
         return math.nan
     prepared = _prepare_roller_lever_angle(l_KL, alpha_KL, exact)
-
     return _roller_lever_angle(x5, *prepared, exact)
 
 
@@ -951,35 +1003,37 @@ def _roller_lever_angle_point(x5, l_KL, alpha_KL):
 
 
 @loop
-def _row_roller_lever_angle(out, x5_values, prepared, exact):
+def _row_roller_lever_angle(out, x5_values, l_KL, alpha_KL, exact):
     for i in range(out.size):
         x5 = float(x5_values[i])
 
-        value = _roller_lever_angle(x5, *prepared, exact)
+        value = _roller_lever_angle_at(x5, l_KL, alpha_KL, exact)
         out[i] = value
 
 
 @loop
-def _fill_roller_lever_angle(out, x5_values, l_KL, alpha_KL):
-    if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_roller_lever_angle(l_KL, alpha_KL, True)
-
+def _fill_roller_lever_angle(
+    out,
+    x5_values,
+    l_KL,
+    alpha_KL,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        x5 = x5_values[start:stop]
-        _row_roller_lever_angle(block, x5, prepared, None)
+        x5_block = x5_values[start:stop]
+        _row_roller_lever_angle(block, x5_block, l_KL, alpha_KL, None)
         if has_nan(block):
-            _row_roller_lever_angle(block, x5, prepared, True)
+            _row_roller_lever_angle(block, x5_block, l_KL, alpha_KL, True)
 
 
 @loop
 def _row_each_roller_lever_angle(out, x5_values, l_KL_values, alpha_KL_values, exact):
     for i in range(out.size):
         x5 = float(x5_values[i])
+
         l_KL = float(l_KL_values[i])
+
         alpha_KL = float(alpha_KL_values[i])
 
         value = _roller_lever_angle_at(x5, l_KL, alpha_KL, exact)
@@ -987,16 +1041,21 @@ def _row_each_roller_lever_angle(out, x5_values, l_KL_values, alpha_KL_values, e
 
 
 @loop
-def _fill_each_roller_lever_angle(out, x5_values, l_KL_values, alpha_KL_values):
+def _fill_each_roller_lever_angle(
+    out,
+    x5_values,
+    l_KL_values,
+    alpha_KL_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        x5 = x5_values[start:stop]
-        l_KL = l_KL_values[start:stop]
-        alpha_KL = alpha_KL_values[start:stop]
-        _row_each_roller_lever_angle(block, x5, l_KL, alpha_KL, None)
+        x5_block = x5_values[start:stop]
+        l_KL_block = l_KL_values[start:stop]
+        alpha_KL_block = alpha_KL_values[start:stop]
+        _row_each_roller_lever_angle(block, x5_block, l_KL_block, alpha_KL_block, None)
         if has_nan(block):
-            _row_each_roller_lever_angle(block, x5, l_KL, alpha_KL, True)
+            _row_each_roller_lever_angle(block, x5_block, l_KL_block, alpha_KL_block, True)
 
 
 def roller_lever_angle(
@@ -1073,7 +1132,6 @@ def _wedge_displacement_at(phi7, l_LM, alpha_LM, exact):
     if not ((l_LM > 0) & is_finite(l_LM)):
         return math.nan
     prepared = _prepare_wedge_displacement(l_LM, alpha_LM, exact)
-
     return _wedge_displacement(phi7, *prepared, exact)
 
 
@@ -1083,35 +1141,37 @@ def _wedge_displacement_point(phi7, l_LM, alpha_LM):
 
 
 @loop
-def _row_wedge_displacement(out, phi7_values, prepared, exact):
+def _row_wedge_displacement(out, phi7_values, l_LM, alpha_LM, exact):
     for i in range(out.size):
         phi7 = float(phi7_values[i])
 
-        value = _wedge_displacement(phi7, *prepared, exact)
+        value = _wedge_displacement_at(phi7, l_LM, alpha_LM, exact)
         out[i] = value
 
 
 @loop
-def _fill_wedge_displacement(out, phi7_values, l_LM, alpha_LM):
-    if not ((l_LM > 0) & is_finite(l_LM)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_wedge_displacement(l_LM, alpha_LM, True)
-
+def _fill_wedge_displacement(
+    out,
+    phi7_values,
+    l_LM,
+    alpha_LM,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi7 = phi7_values[start:stop]
-        _row_wedge_displacement(block, phi7, prepared, None)
+        phi7_block = phi7_values[start:stop]
+        _row_wedge_displacement(block, phi7_block, l_LM, alpha_LM, None)
         if has_nan(block):
-            _row_wedge_displacement(block, phi7, prepared, True)
+            _row_wedge_displacement(block, phi7_block, l_LM, alpha_LM, True)
 
 
 @loop
 def _row_each_wedge_displacement(out, phi7_values, l_LM_values, alpha_LM_values, exact):
     for i in range(out.size):
         phi7 = float(phi7_values[i])
+
         l_LM = float(l_LM_values[i])
+
         alpha_LM = float(alpha_LM_values[i])
 
         value = _wedge_displacement_at(phi7, l_LM, alpha_LM, exact)
@@ -1119,16 +1179,21 @@ def _row_each_wedge_displacement(out, phi7_values, l_LM_values, alpha_LM_values,
 
 
 @loop
-def _fill_each_wedge_displacement(out, phi7_values, l_LM_values, alpha_LM_values):
+def _fill_each_wedge_displacement(
+    out,
+    phi7_values,
+    l_LM_values,
+    alpha_LM_values,
+):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        phi7 = phi7_values[start:stop]
-        l_LM = l_LM_values[start:stop]
-        alpha_LM = alpha_LM_values[start:stop]
-        _row_each_wedge_displacement(block, phi7, l_LM, alpha_LM, None)
+        phi7_block = phi7_values[start:stop]
+        l_LM_block = l_LM_values[start:stop]
+        alpha_LM_block = alpha_LM_values[start:stop]
+        _row_each_wedge_displacement(block, phi7_block, l_LM_block, alpha_LM_block, None)
         if has_nan(block):
-            _row_each_wedge_displacement(block, phi7, l_LM, alpha_LM, True)
+            _row_each_wedge_displacement(block, phi7_block, l_LM_block, alpha_LM_block, True)
 
 
 def wedge_displacement(
@@ -1270,7 +1335,6 @@ def _position_at(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_K
     prepared = _prepare_position(
         l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
     )
-
     return _position(x1, *prepared, exact)
 
 
@@ -1282,49 +1346,68 @@ def _position_point(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alph
 
 
 @loop
-def _row_position(out, x1_values, prepared, exact):
+def _row_position(
+    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+):
     for i in range(out.size):
         x1 = float(x1_values[i])
 
-        value = _position(x1, *prepared, exact)
+        value = _position_at(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        )
         out[i] = value
 
 
 @loop
 def _fill_position(
-    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+    out,
+    x1_values,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
 ):
-    if not (
-        (l_AB > 0)
-        & is_finite(l_AB)
-        & (l_BC > 0)
-        & is_finite(l_BC)
-        & (l_CD > 0)
-        & is_finite(l_CD)
-        & (l_DE > 0)
-        & is_finite(l_DE)
-        & (l_GH > 0)
-        & is_finite(l_GH)
-        & (l_KL > 0)
-        & is_finite(l_KL)
-        & (l_LM > 0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0)
-        & (alpha_KL < np.pi)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_position(
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
-    )
-
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        x1 = x1_values[start:stop]
-        _row_position(block, x1, prepared, None)
+        x1_block = x1_values[start:stop]
+        _row_position(
+            block,
+            x1_block,
+            l_AB,
+            l_BC,
+            l_CD,
+            l_DE,
+            l_GH,
+            l_KL,
+            l_LM,
+            alpha_DE,
+            alpha_KL,
+            alpha_LM,
+            None,
+        )
         if has_nan(block):
-            _row_position(block, x1, prepared, True)
+            _row_position(
+                block,
+                x1_block,
+                l_AB,
+                l_BC,
+                l_CD,
+                l_DE,
+                l_GH,
+                l_KL,
+                l_LM,
+                alpha_DE,
+                alpha_KL,
+                alpha_LM,
+                True,
+            )
 
 
 @loop
@@ -1345,15 +1428,25 @@ def _row_each_position(
 ):
     for i in range(out.size):
         x1 = float(x1_values[i])
+
         l_AB = float(l_AB_values[i])
+
         l_BC = float(l_BC_values[i])
+
         l_CD = float(l_CD_values[i])
+
         l_DE = float(l_DE_values[i])
+
         l_GH = float(l_GH_values[i])
+
         l_KL = float(l_KL_values[i])
+
         l_LM = float(l_LM_values[i])
+
         alpha_DE = float(alpha_DE_values[i])
+
         alpha_KL = float(alpha_KL_values[i])
+
         alpha_LM = float(alpha_LM_values[i])
 
         value = _position_at(
@@ -1378,36 +1471,48 @@ def _fill_each_position(
     alpha_LM_values,
 ):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        x1 = x1_values[start:stop]
-        l_AB = l_AB_values[start:stop]
-        l_BC = l_BC_values[start:stop]
-        l_CD = l_CD_values[start:stop]
-        l_DE = l_DE_values[start:stop]
-        l_GH = l_GH_values[start:stop]
-        l_KL = l_KL_values[start:stop]
-        l_LM = l_LM_values[start:stop]
-        alpha_DE = alpha_DE_values[start:stop]
-        alpha_KL = alpha_KL_values[start:stop]
-        alpha_LM = alpha_LM_values[start:stop]
+        x1_block = x1_values[start:stop]
+        l_AB_block = l_AB_values[start:stop]
+        l_BC_block = l_BC_values[start:stop]
+        l_CD_block = l_CD_values[start:stop]
+        l_DE_block = l_DE_values[start:stop]
+        l_GH_block = l_GH_values[start:stop]
+        l_KL_block = l_KL_values[start:stop]
+        l_LM_block = l_LM_values[start:stop]
+        alpha_DE_block = alpha_DE_values[start:stop]
+        alpha_KL_block = alpha_KL_values[start:stop]
+        alpha_LM_block = alpha_LM_values[start:stop]
         _row_each_position(
-            block, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, None
+            block,
+            x1_block,
+            l_AB_block,
+            l_BC_block,
+            l_CD_block,
+            l_DE_block,
+            l_GH_block,
+            l_KL_block,
+            l_LM_block,
+            alpha_DE_block,
+            alpha_KL_block,
+            alpha_LM_block,
+            None,
         )
         if has_nan(block):
             _row_each_position(
                 block,
-                x1,
-                l_AB,
-                l_BC,
-                l_CD,
-                l_DE,
-                l_GH,
-                l_KL,
-                l_LM,
-                alpha_DE,
-                alpha_KL,
-                alpha_LM,
+                x1_block,
+                l_AB_block,
+                l_BC_block,
+                l_CD_block,
+                l_DE_block,
+                l_GH_block,
+                l_KL_block,
+                l_LM_block,
+                alpha_DE_block,
+                alpha_KL_block,
+                alpha_LM_block,
                 True,
             )
 
@@ -1629,7 +1734,6 @@ def _velocity_at(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_K
     prepared = _prepare_velocity(
         l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
     )
-
     return _velocity(x1, *prepared, exact)
 
 
@@ -1641,49 +1745,68 @@ def _velocity_point(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alph
 
 
 @loop
-def _row_velocity(out, x1_values, prepared, exact):
+def _row_velocity(
+    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+):
     for i in range(out.size):
         x1 = float(x1_values[i])
 
-        value = _velocity(x1, *prepared, exact)
+        value = _velocity_at(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        )
         out[i] = value
 
 
 @loop
 def _fill_velocity(
-    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+    out,
+    x1_values,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
 ):
-    if not (
-        (l_AB > 0)
-        & is_finite(l_AB)
-        & (l_BC > 0)
-        & is_finite(l_BC)
-        & (l_CD > 0)
-        & is_finite(l_CD)
-        & (l_DE > 0)
-        & is_finite(l_DE)
-        & (l_GH > 0)
-        & is_finite(l_GH)
-        & (l_KL > 0)
-        & is_finite(l_KL)
-        & (l_LM > 0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0)
-        & (alpha_KL < np.pi)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_velocity(
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
-    )
-
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        x1 = x1_values[start:stop]
-        _row_velocity(block, x1, prepared, None)
+        x1_block = x1_values[start:stop]
+        _row_velocity(
+            block,
+            x1_block,
+            l_AB,
+            l_BC,
+            l_CD,
+            l_DE,
+            l_GH,
+            l_KL,
+            l_LM,
+            alpha_DE,
+            alpha_KL,
+            alpha_LM,
+            None,
+        )
         if has_nan(block):
-            _row_velocity(block, x1, prepared, True)
+            _row_velocity(
+                block,
+                x1_block,
+                l_AB,
+                l_BC,
+                l_CD,
+                l_DE,
+                l_GH,
+                l_KL,
+                l_LM,
+                alpha_DE,
+                alpha_KL,
+                alpha_LM,
+                True,
+            )
 
 
 @loop
@@ -1704,15 +1827,25 @@ def _row_each_velocity(
 ):
     for i in range(out.size):
         x1 = float(x1_values[i])
+
         l_AB = float(l_AB_values[i])
+
         l_BC = float(l_BC_values[i])
+
         l_CD = float(l_CD_values[i])
+
         l_DE = float(l_DE_values[i])
+
         l_GH = float(l_GH_values[i])
+
         l_KL = float(l_KL_values[i])
+
         l_LM = float(l_LM_values[i])
+
         alpha_DE = float(alpha_DE_values[i])
+
         alpha_KL = float(alpha_KL_values[i])
+
         alpha_LM = float(alpha_LM_values[i])
 
         value = _velocity_at(
@@ -1737,36 +1870,48 @@ def _fill_each_velocity(
     alpha_LM_values,
 ):
     for start in range(0, out.size, BLOCK):
-        stop = min(start + BLOCK, out.size)
+        stop = start + BLOCK
         block = out[start:stop]
-        x1 = x1_values[start:stop]
-        l_AB = l_AB_values[start:stop]
-        l_BC = l_BC_values[start:stop]
-        l_CD = l_CD_values[start:stop]
-        l_DE = l_DE_values[start:stop]
-        l_GH = l_GH_values[start:stop]
-        l_KL = l_KL_values[start:stop]
-        l_LM = l_LM_values[start:stop]
-        alpha_DE = alpha_DE_values[start:stop]
-        alpha_KL = alpha_KL_values[start:stop]
-        alpha_LM = alpha_LM_values[start:stop]
+        x1_block = x1_values[start:stop]
+        l_AB_block = l_AB_values[start:stop]
+        l_BC_block = l_BC_values[start:stop]
+        l_CD_block = l_CD_values[start:stop]
+        l_DE_block = l_DE_values[start:stop]
+        l_GH_block = l_GH_values[start:stop]
+        l_KL_block = l_KL_values[start:stop]
+        l_LM_block = l_LM_values[start:stop]
+        alpha_DE_block = alpha_DE_values[start:stop]
+        alpha_KL_block = alpha_KL_values[start:stop]
+        alpha_LM_block = alpha_LM_values[start:stop]
         _row_each_velocity(
-            block, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, None
+            block,
+            x1_block,
+            l_AB_block,
+            l_BC_block,
+            l_CD_block,
+            l_DE_block,
+            l_GH_block,
+            l_KL_block,
+            l_LM_block,
+            alpha_DE_block,
+            alpha_KL_block,
+            alpha_LM_block,
+            None,
         )
         if has_nan(block):
             _row_each_velocity(
                 block,
-                x1,
-                l_AB,
-                l_BC,
-                l_CD,
-                l_DE,
-                l_GH,
-                l_KL,
-                l_LM,
-                alpha_DE,
-                alpha_KL,
-                alpha_LM,
+                x1_block,
+                l_AB_block,
+                l_BC_block,
+                l_CD_block,
+                l_DE_block,
+                l_GH_block,
+                l_KL_block,
+                l_LM_block,
+                alpha_DE_block,
+                alpha_KL_block,
+                alpha_LM_block,
                 True,
             )
 
@@ -2016,7 +2161,6 @@ def _sensitivities_at(
     prepared = _prepare_sensitivities(
         l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
     )
-
     return _sensitivities(x1, *prepared, exact)
 
 
@@ -2030,11 +2174,15 @@ def _sensitivities_point(
 
 
 @loop
-def _row_sensitivities(out, x1_values, prepared, exact):
+def _row_sensitivities(
+    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+):
     for i in range(out.size // 10):
         x1 = float(x1_values[i])
 
-        value = _sensitivities(x1, *prepared, exact)
+        value = _sensitivities_at(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        )
         out[10 * i + 0] = value[0]
         out[10 * i + 1] = value[1]
         out[10 * i + 2] = value[2]
@@ -2049,39 +2197,54 @@ def _row_sensitivities(out, x1_values, prepared, exact):
 
 @loop
 def _fill_sensitivities(
-    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+    out,
+    x1_values,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
 ):
-    if not (
-        (l_AB > 0)
-        & is_finite(l_AB)
-        & (l_BC > 0)
-        & is_finite(l_BC)
-        & (l_CD > 0)
-        & is_finite(l_CD)
-        & (l_DE > 0)
-        & is_finite(l_DE)
-        & (l_GH > 0)
-        & is_finite(l_GH)
-        & (l_KL > 0)
-        & is_finite(l_KL)
-        & (l_LM > 0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0)
-        & (alpha_KL < np.pi)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_sensitivities(
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
-    )
-
     for start in range(0, out.size // 10, BLOCK):
-        stop = min(start + BLOCK, out.size // 10)
+        stop = start + BLOCK
         block = out[10 * start : 10 * stop]
-        x1 = x1_values[start:stop]
-        _row_sensitivities(block, x1, prepared, None)
+        x1_block = x1_values[start:stop]
+        _row_sensitivities(
+            block,
+            x1_block,
+            l_AB,
+            l_BC,
+            l_CD,
+            l_DE,
+            l_GH,
+            l_KL,
+            l_LM,
+            alpha_DE,
+            alpha_KL,
+            alpha_LM,
+            None,
+        )
         if has_nan(block):
-            _row_sensitivities(block, x1, prepared, True)
+            _row_sensitivities(
+                block,
+                x1_block,
+                l_AB,
+                l_BC,
+                l_CD,
+                l_DE,
+                l_GH,
+                l_KL,
+                l_LM,
+                alpha_DE,
+                alpha_KL,
+                alpha_LM,
+                True,
+            )
 
 
 @loop
@@ -2102,15 +2265,25 @@ def _row_each_sensitivities(
 ):
     for i in range(out.size // 10):
         x1 = float(x1_values[i])
+
         l_AB = float(l_AB_values[i])
+
         l_BC = float(l_BC_values[i])
+
         l_CD = float(l_CD_values[i])
+
         l_DE = float(l_DE_values[i])
+
         l_GH = float(l_GH_values[i])
+
         l_KL = float(l_KL_values[i])
+
         l_LM = float(l_LM_values[i])
+
         alpha_DE = float(alpha_DE_values[i])
+
         alpha_KL = float(alpha_KL_values[i])
+
         alpha_LM = float(alpha_LM_values[i])
 
         value = _sensitivities_at(
@@ -2144,36 +2317,48 @@ def _fill_each_sensitivities(
     alpha_LM_values,
 ):
     for start in range(0, out.size // 10, BLOCK):
-        stop = min(start + BLOCK, out.size // 10)
+        stop = start + BLOCK
         block = out[10 * start : 10 * stop]
-        x1 = x1_values[start:stop]
-        l_AB = l_AB_values[start:stop]
-        l_BC = l_BC_values[start:stop]
-        l_CD = l_CD_values[start:stop]
-        l_DE = l_DE_values[start:stop]
-        l_GH = l_GH_values[start:stop]
-        l_KL = l_KL_values[start:stop]
-        l_LM = l_LM_values[start:stop]
-        alpha_DE = alpha_DE_values[start:stop]
-        alpha_KL = alpha_KL_values[start:stop]
-        alpha_LM = alpha_LM_values[start:stop]
+        x1_block = x1_values[start:stop]
+        l_AB_block = l_AB_values[start:stop]
+        l_BC_block = l_BC_values[start:stop]
+        l_CD_block = l_CD_values[start:stop]
+        l_DE_block = l_DE_values[start:stop]
+        l_GH_block = l_GH_values[start:stop]
+        l_KL_block = l_KL_values[start:stop]
+        l_LM_block = l_LM_values[start:stop]
+        alpha_DE_block = alpha_DE_values[start:stop]
+        alpha_KL_block = alpha_KL_values[start:stop]
+        alpha_LM_block = alpha_LM_values[start:stop]
         _row_each_sensitivities(
-            block, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, None
+            block,
+            x1_block,
+            l_AB_block,
+            l_BC_block,
+            l_CD_block,
+            l_DE_block,
+            l_GH_block,
+            l_KL_block,
+            l_LM_block,
+            alpha_DE_block,
+            alpha_KL_block,
+            alpha_LM_block,
+            None,
         )
         if has_nan(block):
             _row_each_sensitivities(
                 block,
-                x1,
-                l_AB,
-                l_BC,
-                l_CD,
-                l_DE,
-                l_GH,
-                l_KL,
-                l_LM,
-                alpha_DE,
-                alpha_KL,
-                alpha_LM,
+                x1_block,
+                l_AB_block,
+                l_BC_block,
+                l_CD_block,
+                l_DE_block,
+                l_GH_block,
+                l_KL_block,
+                l_LM_block,
+                alpha_DE_block,
+                alpha_KL_block,
+                alpha_LM_block,
                 True,
             )
 

@@ -18,7 +18,7 @@ except ImportError as error:
     ) from error
 
 # What a fast loop leaves as NaN is looked at again after so many points.
-BLOCK = 4096
+BLOCK = 1024
 _REAL = types.float64
 
 scalar = njit(error_model="numpy", nogil=True, cache=True, forceinline=True)
@@ -86,6 +86,6 @@ def maximum(a: float, b: float) -> float:
 def has_nan(values: Any) -> bool:
     """Say whether there is a NaN among the numbers of a flat array."""
     count = 0
-    for value in values:
-        count += value != value
+    for i in range(values.size):
+        count += values[i] != values[i]
     return count > 0
