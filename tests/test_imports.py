@@ -61,7 +61,7 @@ LOADED = {
         *("mechproof.codegen", "mechproof.proof", "mechproof.record"),
     },
     "lab": {
-        *("numpy", "sympy", "flint", "matplotlib"),
+        *("numpy", "sympy", "flint", "matplotlib", "PIL"),
         *("mechproof.lab", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
         *("mechproof.kernel_support", "mechproof.derivation", "mechproof.measured"),
     },

@@ -11,7 +11,7 @@ import sympy as sp
 from typer.testing import CliRunner
 
 from mechproof.cli import app
-from mechproof.lab.chart import Dot, draw_charts, find_front
+from mechproof.lab.chart import draw_charts
 from mechproof.lab.jumps import draw_jumps
 from mechproof.lab.machine import describe_machine
 from mechproof.lab.measure import describe_ways, measure
@@ -109,46 +109,6 @@ def test_what_is_too_slow_is_not_timed() -> None:
     kernel = [row for row in rows if row.way == "evaluate_type_a"]
     assert kernel
     assert all(row.ratio in (1.0, None) for row in kernel)
-
-
-def test_the_front_has_what_nothing_beats() -> None:
-    dots = [
-        Dot(name, "form", time, 0.0, error, 1000)
-        for name, time, error in (("a", 1, 9), ("b", 2, 9), ("c", 3, 1), ("d", 4, 2), ("e", 9, 0.5))
-    ]
-    assert [dot.way for dot in find_front(dots)] == ["a", "c", "e"]
-
-
-def test_charts_are_drawn_twice_alike(record: Record, tmp_path: Path) -> None:
-    first = draw_charts(record, None, tmp_path / "a")
-    second = draw_charts(record, None, tmp_path / "b")
-    assert [file.name for file in first] == [
-        "track_wheel.planar_error.N_values_of_displacement.png",
-        "track_wheel.planar_error.N_values_of_displacement.svg",
-    ]
-    for one, two in zip(first, second, strict=True):
-        assert one.read_bytes() == two.read_bytes()
-
-
-def test_charts_from_the_command_line(tmp_path: Path, record: Record) -> None:
-    out = tmp_path / "charts"
-    # A user's own records, of a quantity that this installation has not.
-    write_record(replace(record, quantity="gear.angle"), tmp_path / "own")
-    done = CliRunner().invoke(
-        app, ["chart", "--measured", str(tmp_path / "own"), "--out", str(out)]
-    )
-    assert done.exit_code == 0, done.output
-    assert (out / "gear.angle.N_values_of_displacement.png").is_file()
-
-
-@pytest.mark.parametrize(
-    ("arguments", "says"),
-    [(["torque"], "torque"), (["--measured", "nowhere"], "no folder with records")],
-)
-def test_charts_of_what_was_not_measured(arguments: list[str], says: str) -> None:
-    done = CliRunner().invoke(app, ["chart", *arguments])
-    assert done.exit_code == 2
-    assert says in " ".join(done.output.split())
 
 
 def test_a_broken_record_is_named(tmp_path: Path) -> None:

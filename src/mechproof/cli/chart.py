@@ -21,18 +21,26 @@ def chart(
         Path | None,
         typer.Option(help="A folder of records; left out: those that come with the package."),
     ] = None,
+    overview: Annotated[
+        bool, typer.Option("--overview", help="One picture of all instead of one for each.")
+    ] = False,
 ) -> None:
     """Draw time against error from the records, and jumps between branches.
 
     Records hold no jumps: they are computed anew, for the quantities of this installation. Every
-    picture is written as PNG and SVG.
+    picture is written as PNG and SVG; the overview has a small panel for each quantity.
 
     Exit status 0: drawn; 2: bad usage.
     """
     from mechproof.lab.chart import draw_charts
+    from mechproof.lab.overview import draw_overview
     from mechproof.lab.subject import find_subjects
 
     records = _read(measured, tuple(quantities or ()))
+    if overview:
+        for file in draw_overview(records, out):
+            say(str(file))
+        return
     subjects = {subject.name: subject for subject in find_subjects()}
     for record in records:
         for file in draw_charts(record, subjects.get(record.quantity), out):

@@ -1,50 +1,38 @@
-"""Charts of a record: time per point against worst error, with the Pareto front."""
+"""Charts of a record: time per point against error, for usual calls and at the worst."""
 
 from __future__ import annotations
 
-import math
 import textwrap
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import matplotlib as mpl
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from PIL import Image
+from PIL.PngImagePlugin import PngInfo
 
 from mechproof.lab.jumps import draw_jumps
-from mechproof.lab.subject import Subject
-from mechproof.measured import COPY, Kind, Record
-
-# What is below this is drawn here: an exact result has no place on a logarithmic axis.
-SMALLEST_ERROR = 0.1
-# Lost results stand here, right of every finite error.
-LOST = 1e19
-# Where the number of a dot may stand, in pixels from it, nearest first.
-PLACES = sorted(
-    ((dx, dy) for dx in range(-90, 91, 15) for dy in range(-90, 91, 15) if (dx, dy) != (0, 0)),
-    key=lambda p: (math.hypot(*p), -p[0], -p[1]),
+from mechproof.lab.marks import (
+    Family,
+    Mark,
+    collect_marks,
+    find_copy,
+    find_usual_set,
+    list_workloads,
+    write_headline,
 )
-MARKERS: Mapping[Kind, str] = {"kernel": "s", "form": "o", "peer": "^"}
-SIGNS: Mapping[Kind, str] = {"kernel": "square", "form": "circle", "peer": "triangle"}
-# The largest size drawn, where caches and pages both count.
-LARGEST = 100_000
+from mechproof.lab.names import name_marks
+from mechproof.lab.panel import LOOKS, draw_panel, set_ticks
+from mechproof.lab.subject import Subject
+from mechproof.measured import Record
+
+# As many pixels as a README is wide.
+DPI, WIDTH = 110, 9.2
+COLOURS = 256
 STYLE: Any = {"svg.hashsalt": "mechproof", "svg.fonttype": "none", "font.size": 9}
-
-
-@dataclass(frozen=True)
-class Dot:
-    """A way on the chart: nanoseconds at `count`, errors on its best and worst point set.
-
-    `error` is the one it is drawn at: of the worst set, or of one set.
-    """
-
-    way: str
-    kind: Kind
-    time: float
-    best: float
-    error: float
-    count: int
 
 
 def draw_charts(record: Record, subject: Subject | None, folder: Path) -> list[Path]:
@@ -54,157 +42,129 @@ def draw_charts(record: Record, subject: Subject | None, folder: Path) -> list[P
     it is there.
     """
     files: list[Path] = []
-    with mpl.rc_context(STYLE):
-        for workload, count in _largest_sizes(record):
-            name = f"{record.quantity}.{_as_file_name(workload)}"
-            files += save(draw_front(record, workload, count), folder / name)
-        if subject is not None and (jumps := draw_jumps(subject)):
-            files += save(jumps, folder / f"{record.quantity}.jumps")
+    for workload, count in list_workloads(record):
+        with mpl.rc_context(STYLE):
+            figure = draw_chart(record, workload, count)
+        name = f"{record.quantity}.{_as_file_name(workload)}"
+        says = write_headline(collect_marks(record, workload, count))
+        files += save(figure, folder / name, says, [record])
+    if subject is not None and (jumps := draw_jumps(subject)):
+        files += save(jumps, folder / f"{record.quantity}.jumps", "whole periods lost", [record])
     return files
 
 
-def save(figure: Figure, stem: Path) -> list[Path]:
-    """Write a figure as PNG and SVG; the same data give the same SVG."""
+def save(figure: Figure, stem: Path, says: str, records: Sequence[Record]) -> list[Path]:
+    """Write a figure as PNG and SVG, which tell what they say and of which records.
+
+    The same data give the same files.
+    """
     files = [stem.with_name(f"{stem.name}.{kind}") for kind in ("png", "svg")]
     stem.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(files[0], dpi=130)
-    figure.savefig(files[1], metadata={"Date": None})
+    about = {"Title": says, "Description": date_records(records)}
+    with mpl.rc_context(STYLE):
+        write_small_png(figure, files[0], about)
+        figure.savefig(files[1], metadata={**about, "Date": None})
     return files
+
+
+def write_small_png(figure: Figure, file: Path, about: Mapping[str, str]) -> None:
+    """Write a PNG of few colours: a quarter of the bytes, and no difference to the eye."""
+    buffer, info = BytesIO(), PngInfo()
+    figure.savefig(buffer, format="png", dpi=DPI)
+    for key, text in about.items():
+        info.add_text(key, text)
+    # The median cut would give small marks the mean of their neighbours.
+    few = Image.open(buffer).convert("RGB").quantize(COLOURS, Image.Quantize.FASTOCTREE)
+    few.save(file, optimize=True, pnginfo=info)
+
+
+def date_records(records: Sequence[Record]) -> str:
+    """Say when the records that are drawn were taken."""
+    return "measured " + ", ".join(sorted({record.taken for record in records}))
 
 
 def _as_file_name(text: str) -> str:
     return "".join(c if c.isalnum() else "_" for c in text)
 
 
-def _largest_sizes(record: Record) -> list[tuple[str, int]]:
-    """Return for each workload the largest size that is drawn."""
-    sizes: dict[str, int] = {}
-    for row in record.times:
-        if row.count <= LARGEST:
-            sizes[row.workload] = max(row.count, sizes.get(row.workload, 0))
-    return list(sizes.items())
-
-
-def collect_dots(
-    record: Record, workload: str, count: int, only: str | None = None
-) -> Iterator[Dot]:
-    """Pair time and error of every way that has both, on all point sets or on one."""
-    for way in record.ways:
-        rows = [row for row in record.errors_of(way.name) if only in (None, row.set)]
-        errors = [row.worst_scaled for row in rows if row.worst_scaled is not None]
-        found = find_time(record, way.name, workload, count)
-        if errors and found:
-            kept = [min(max(e, SMALLEST_ERROR), LOST) for e in errors]
-            yield Dot(way.name, way.kind, found[1], min(kept), max(kept), found[0])
-
-
-def find_time(record: Record, way: str, workload: str, count: int) -> tuple[int, float] | None:
-    """Return size and time at this size, or at the largest size below that was worth it."""
-    rows = [r for r in record.times if (r.way, r.workload) == (way, workload) and r.count <= count]
-    best = max(rows, key=lambda r: r.count, default=None)
-    return (best.count, best.median) if best else None
-
-
-def find_front(dots: list[Dot]) -> list[Dot]:
-    """Return the dots that no other beats in both time and worst error, fastest first.
-
-    A way that lost results is not on it.
-    """
-    front: list[Dot] = []
-    kept = [dot for dot in dots if dot.error < LOST]
-    for dot in sorted(kept, key=lambda d: (d.time, d.error)):
-        if not front or dot.error < front[-1].error:
-            front.append(dot)
-    return front
-
-
-def draw_front(record: Record, workload: str, count: int) -> Figure:
-    """Draw time against worst error, both logarithmic, numbered, with the front and the copy.
-
-    The errors on a typical point set are drawn in a panel of their own.
-    """
-    chosen = [record.typical, None] if record.typical else [None]
-    panels = [_sorted_dots(record, workload, count, only) for only in chosen]
-    figure = Figure(figsize=(5.2 + 4.8 * len(panels), 5.2), layout="constrained")
-    *axes, listing = figure.subplots(1, len(panels) + 1, width_ratios=[*[4.8] * len(panels), 3.2])
-    copy = find_time(record, COPY, workload, count)
-    for panel, only, dots in zip(axes, chosen, panels, strict=True):
-        _draw_panel(panel, dots, copy)
-        panel.set_title(only or "worst of all point sets", fontsize=9)
-        panel.sharey(axes[0])
-    axes[0].set_ylabel("ns per point, median")
-    label = "\n".join(textwrap.wrap(f"worst error, {record.error_unit}", 90))
-    axes[0].set_xlabel(label, fontsize=8)
-    title = f"{record.quantity}: {workload}, N = {count:.0e}"
-    figure.suptitle(f"{title}; {record.machine.processor}, {record.taken[:10]}")
-    _list_dots(listing, panels[-1], count)
-    figure.draw_without_rendering()
-    numbers = {dot.way: n for n, dot in enumerate(panels[-1], start=1)}
-    for panel, dots in zip(axes, panels, strict=True):
-        _number_dots(panel, dots, numbers)
+def draw_chart(record: Record, workload: str, count: int) -> Figure:
+    """Draw a panel of the usual point set and, below, one of the worst of all, with a headline."""
+    usual = find_usual_set(record)
+    worst = collect_marks(record, workload, count)
+    points = sum(row.points for row in record.errors_of(record.ways[0].name))
+    panels = {
+        f"Usual calls ({usual})": collect_marks(record, workload, count, usual),
+        f"The worst of {points:,} points, chosen to hurt": worst,
+    }
+    figure = Figure(figsize=(WIDTH, 8), dpi=DPI, layout="constrained")
+    figure.suptitle("\n".join(textwrap.wrap(write_headline(worst), 92)), weight="bold", fontsize=11)
+    rows = figure.subplots(2, 1, sharex=True)
+    copy = find_copy(record, workload, count)
+    rows[0].set_xlim(find_limits([mark for marks in panels.values() for mark in marks], copy))
+    for axes, (title, marks) in zip(rows, panels.items(), strict=True):
+        axes.set_title(title, loc="left", fontsize=9)
+        draw_panel(axes, marks, copy)
+        _name_copy(axes, copy)
+        set_ticks(axes, marks)
+        axes.set_ylabel("worst error, eps")
+    rows[-1].set_xlabel(_describe(record, workload, count))
+    draw_key(figure, {mark.family for marks in panels.values() for mark in marks})
+    _write_names(figure, rows, list(panels.values()), count, copy)
     return figure
 
 
-def _sorted_dots(record: Record, workload: str, count: int, only: str | None) -> list[Dot]:
-    return sorted(collect_dots(record, workload, count, only), key=lambda d: d.time)
+def _describe(record: Record, workload: str, count: int) -> str:
+    what = (
+        f"{record.quantity}, {workload}, N = {count:,}, one call; {record.machine.processor}, "
+        f"{record.taken[:10]}. Errors in {record.error_unit}."
+    )
+    return "\n".join(
+        [
+            "time per point, ns (in brackets: over that of the shipped kernel)",
+            *textwrap.wrap(what, 120),
+        ]
+    )
 
 
-def _draw_panel(axes: Any, dots: list[Dot], copy: tuple[int, float] | None) -> None:
-    front = find_front(dots)
-    for dot in dots:
-        _draw_dot(axes, dot, dot in front)
-    axes.step([d.error for d in front], [d.time for d in front], "k-", where="pre", lw=1.2)
-    _draw_copy(axes, copy)
-    axes.set(xscale="log", yscale="log")
-    axes.margins(x=0.08, y=0.08)
-    axes.grid(which="major", color="0.9")
+def find_limits(marks: Sequence[Mark], copy: float | None) -> tuple[float, float]:
+    """Return the ends of the axis of time: all marks and the copy, and room beside them."""
+    times = [mark.time for mark in marks] + ([copy] if copy else [])
+    low, high = min(times), max(times)
+    room = (2 * high / low) ** 0.05
+    return low / room, high * room
 
 
-def _draw_copy(axes: Any, found: tuple[int, float] | None) -> None:
-    if found:
-        axes.axhline(found[1], color="0.4", ls=":", lw=1.2)
-        place = (0.01, found[1])
-        axes.annotate("memory copy", place, xycoords=("axes fraction", "data"), va="bottom")
-
-
-def _draw_dot(axes: Any, dot: Dot, on_front: bool) -> None:
-    """Draw a dot, and a thin line from its best point set."""
-    face = "k" if on_front else "w"
-    axes.plot([dot.best, dot.error], [dot.time, dot.time], "-", color="0.7", lw=0.8, zorder=1)
-    marker = MARKERS[dot.kind]
-    axes.plot(dot.error, dot.time, marker, color="k", markerfacecolor=face, ms=7, zorder=2)
-
-
-def _number_dots(axes: Any, dots: list[Dot], numbers: Mapping[str, int]) -> None:
-    """Put a number at each dot; it gives way to those before it and is then tied to its dot."""
-    dpi = axes.figure.dpi
-    spots = [axes.transData.transform((dot.error, dot.time)) for dot in dots]
-    taken: list[tuple[float, float]] = [(float(x), float(y)) for x, y in spots]
-    for dot, (x, y) in zip(dots, spots, strict=True):
-        free = (p for p in PLACES if _is_free((x + p[0], y + p[1]), taken))
-        place = next(free, PLACES[-1])
-        taken.append((x + place[0], y + place[1]))
-        tie = {"arrowstyle": "-", "color": "0.5", "lw": 0.5} if math.hypot(*place) > 20 else None
-        offset = place[0] * 72 / dpi, place[1] * 72 / dpi
-        axes.annotate(
-            str(numbers[dot.way]), (dot.error, dot.time), offset,
-            textcoords="offset points", ha="center", va="center", arrowprops=tie,
-        )  # fmt: skip
-
-
-def _is_free(spot: tuple[float, float], taken: list[tuple[float, float]]) -> bool:
-    return all(abs(spot[0] - x) > 14 or abs(spot[1] - y) > 12 for x, y in taken)
-
-
-def _list_dots(axes: Any, dots: list[Dot], count: int) -> None:
-    axes.axis("off")
-    front = find_front(dots)
-    lines = [
-        f"{n:2} {'*' if d in front else ' '} {d.way}"
-        + (f" (N = {d.count})" if d.count != count else "")
-        for n, d in enumerate(dots, start=1)
+def draw_key(figure: Figure, families: Collection[Family], title: str = "") -> None:
+    """Explain shapes and lines below the panels."""
+    handles = [
+        Line2D([], [], ls="", marker=look.marker, c="k", mfc=look.face, mew=0.7, label=look.says)
+        for family, look in LOOKS.items()
+        if family in families
     ]
-    key = ", ".join(f"{sign}: {kind}" for kind, sign in SIGNS.items())
-    notes = ["", "filled: Pareto front (*: of all sets)", key, "thin line: from its best point set",
-             f"at {LOST:.0e}: result lost (nan, inf)"]  # fmt: skip
-    axes.text(0, 1, "\n".join(lines + notes), va="top", family="monospace", fontsize=8)
+    handles.append(Line2D([], [], color="k", label="Pareto front; nothing reaches the grey"))
+    figure.legend(handles=handles, loc="outside lower center", ncols=3, frameon=False, title=title)
+
+
+def _name_copy(axes: Any, copy: float | None) -> None:
+    if copy is not None:
+        place = (copy, 0.3)
+        kept = {"xycoords": ("data", "axes fraction"), "fontsize": 8, "rotation": 90}
+        axes.annotate(
+            "memory limit:\ntime of a copy", place, (4, 0), textcoords="offset points", **kept
+        )
+
+
+def _write_names(
+    figure: Figure,
+    rows: Sequence[Any],
+    panels: Sequence[Sequence[Mark]],
+    count: int,
+    copy: float | None,
+) -> None:
+    """Name marks after the layout, which gives the room that there is, and count the rest."""
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    for axes, marks in zip(rows, panels, strict=True):
+        rest = len(marks) - len(name_marks(axes, marks, count, copy))
+        title = f"{len(marks)} ways" + (f", {rest} of them without a name here" if rest else "")
+        axes.set_title(title, loc="right", fontsize=8)

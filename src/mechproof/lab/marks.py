@@ -1,0 +1,188 @@
+"""Marks of a chart: what a record says of time and error, the Pareto front, and a sentence."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from mechproof.measured import COPY, MeasuredWay, Record
+
+Family = Literal["shipped", "written", "installed", "approximate"]
+FAMILIES: tuple[Family, ...] = ("shipped", "written", "installed", "approximate")
+# An exact result has no place on a logarithmic axis: what is below this many eps is drawn here.
+SMALLEST_ERROR = 0.1
+# With an error of a tenth of the scale no digit is right, however large the error.
+NO_DIGIT = 0.1 / 2.0**-52
+# Where the two lanes stand that are no errors in eps, in digits lost.
+LOST_LANE, TURNS_LANE = 16.2, 18.6
+# The largest size drawn, where caches and pages both count.
+LARGEST = 100_000
+# Fewer eps than this are told in eps, more in digits lost.
+FEW_EPS = 1000
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A way on the chart: nanoseconds per point in calls of `count`, and its worst error.
+
+    error is scaled (`Record.error_unit`), infinite where a result with a bound is lost; turns says
+    that some result is wrong by whole turns.
+    """
+
+    name: str
+    family: Family
+    time: float
+    error: float
+    turns: bool
+    count: int
+
+    @property
+    def has_digits(self) -> bool:
+        """Say whether a digit of every result is right."""
+        return not self.turns and self.error < NO_DIGIT
+
+    @property
+    def height(self) -> float:
+        """Return the digits lost, or the lane of those of which none is right."""
+        if self.turns:
+            return TURNS_LANE
+        return math.log10(max(self.error, SMALLEST_ERROR)) if self.has_digits else LOST_LANE
+
+    def tell_error(self) -> str:
+        """Say what the way loses, in the words of a sentence."""
+        if self.turns:
+            return "is somewhere wrong by whole turns"
+        if not self.has_digits:
+            return "somewhere has no digit right"
+        if self.error < FEW_EPS:
+            return f"is off by at most {self.error:.2g} eps"
+        return f"loses {int(math.log10(self.error))} digits"
+
+
+def list_workloads(record: Record) -> list[tuple[str, int]]:
+    """List the workloads, each with the largest size that is drawn."""
+    sizes: dict[str, int] = {}
+    for row in record.times:
+        if row.count <= LARGEST:
+            sizes[row.workload] = max(row.count, sizes.get(row.workload, 0))
+    return list(sizes.items())
+
+
+def find_usual_set(record: Record) -> str:
+    """Return the set on which most ways were measured, the typical one if it is among them."""
+    names = [errors.set for errors in record.sets]
+    return max(dict.fromkeys(names), key=lambda name: (names.count(name), name == record.typical))
+
+
+def collect_marks(record: Record, workload: str, count: int, only: str = "") -> list[Mark]:
+    """Pair time and error on one point set, or on all; the shipped way is the first.
+
+    On all sets, ways that were not measured on each of those of the first are left out.
+    """
+    wanted = {only} if only else {row.set for row in record.errors_of(record.ways[0].name)}
+    marks = (_make_mark(record, way, workload, count, wanted) for way in record.ways)
+    return [mark for mark in marks if mark is not None]
+
+
+def _make_mark(
+    record: Record, way: MeasuredWay, workload: str, count: int, wanted: set[str]
+) -> Mark | None:
+    rows = [row for row in record.errors_of(way.name) if row.set in wanted]
+    errors = [row.worst_scaled for row in rows if row.worst_scaled is not None]
+    found = find_time(record, way.name, workload, count)
+    if found is None or not errors or {row.set for row in rows} != wanted:
+        return None
+    turns = any(row.wrong_branch > _count_small_turns(record, row.set) for row in rows)
+    return Mark(way.name, _find_family(record, way), found[1], max(errors), turns, found[0])
+
+
+def _count_small_turns(record: Record, name: str) -> int:
+    """Count the points of a set at which a turn is a few eps: an accurate way is off by one."""
+    accurate = (
+        row.wrong_branch
+        for row in record.sets
+        if row.set == name and row.worst_scaled is not None and row.worst_scaled < FEW_EPS
+    )
+    return max(accurate, default=0)
+
+
+def _find_family(record: Record, way: MeasuredWay) -> Family:
+    if way.kind == "kernel" or way.name.partition(",")[0] == record.ways[0].name:
+        return "shipped"
+    if way.kind == "peer":
+        return "installed"
+    return "approximate" if way.bound else "written"
+
+
+def find_time(record: Record, way: str, workload: str, count: int) -> tuple[int, float] | None:
+    """Return size and time at this size, or at the largest size below that was worth it."""
+    rows = [r for r in record.times if (r.way, r.workload) == (way, workload) and r.count <= count]
+    best = max(rows, key=lambda r: r.count, default=None)
+    return (best.count, best.median) if best else None
+
+
+def find_copy(record: Record, workload: str, count: int) -> float | None:
+    """Return what copying the result takes, in nanoseconds per point."""
+    found = find_time(record, COPY, workload, count)
+    return found[1] if found else None
+
+
+def find_front(marks: Sequence[Mark]) -> list[Mark]:
+    """Return the marks that no other beats in both time and error, fastest first.
+
+    What has no digit right is not on it.
+    """
+    front: list[Mark] = []
+    for mark in sorted(marks, key=lambda m: (m.time, m.error)):
+        if mark.has_digits and (not front or mark.error < front[-1].error):
+            front.append(mark)
+    return front
+
+
+def find_best(marks: Sequence[Mark], most: int = 1) -> list[Mark]:
+    """Return the most accurate marks of each family, of equals the fastest; the shipped one first.
+
+    The first mark stands for its family.
+    """
+    best = [marks[0]]
+    for family in FAMILIES[1:]:
+        best += sorted((mark for mark in marks if mark.family == family), key=rank)[:most]
+    return best
+
+
+def rank(mark: Mark) -> tuple[float, float]:
+    """Order by what is lost, then by time."""
+    return (mark.height, mark.time)
+
+
+def write_headline(marks: Sequence[Mark]) -> str:
+    """Say in one sentence how the first mark, the shipped way, stands among the others."""
+    shipped, others = marks[0], [mark for mark in marks if mark.family != "shipped"]
+    subject = "The shipped kernel" if shipped.name == "kernel" else shipped.name
+    if not others:
+        return f"{subject} {shipped.tell_error()}"
+    best = min(others, key=rank)
+    if best.error < shipped.error and best.has_digits:
+        accuracy = f"{shipped.tell_error()}, {best.name} by {best.error:.2g}"
+    elif (best.height, best.error) == (shipped.height, shipped.error):
+        accuracy = f"{shipped.tell_error()}, as is the best of {len(others)} other ways"
+    else:
+        accuracy = f"{shipped.tell_error()}, the least of {1 + len(others)} ways"
+    return f"{subject} {accuracy}; {_compare_times(shipped, others)}"
+
+
+def _compare_times(shipped: Mark, others: Sequence[Mark]) -> str:
+    faster = [mark for mark in others if mark.time < shipped.time]
+    if not faster:
+        return "none is faster"
+    best = min(faster, key=rank)
+    if len(faster) == 1:
+        return f"the only faster one {best.tell_error()}"
+    if not best.has_digits:
+        kinds = {True: "whole turns", False: "every digit"}
+        found = {mark.turns for mark in faster}
+        lost = " or ".join(text for turns, text in kinds.items() if turns in found)
+        return f"each of the {len(faster)} faster ones somewhere loses {lost}"
+    return f"the best of the {len(faster)} faster ones {best.tell_error()}"

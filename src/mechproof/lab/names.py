@@ -1,0 +1,165 @@
+"""Names beside the marks of a panel, where there is room."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Any
+
+from matplotlib.transforms import Bbox
+
+from mechproof.lab.marks import LOST_LANE, TURNS_LANE, Mark, find_best, find_front
+from mechproof.lab.panel import LANE, LOWEST, draw_mark, find_top, trace_front
+
+Spot = tuple[float, float]
+TIMES = "\N{MULTIPLICATION SIGN}"
+# More names than this crowd a panel.
+NAMES = 12
+# How small the marks without a name are, and from how many pixels on two marks are told apart.
+SMALL, APART = 0.6, 16
+# Where a name may stand: the shift of its box from its mark in points, and the part of its width
+# and height that it is shifted by, nearest first.
+PLACES = [
+    (reach * dx, reach * dy, fx, fy)
+    for reach in (8, 13, 18, 24, 32)
+    for dx, dy, fx, fy in (
+        (1, 0, 0, -0.5), (-1, 0, -1, -0.5), (0.7, 0.8, 0, 0), (0.7, -0.8, 0, -1),
+        (-0.7, 0.8, -1, 0), (-0.7, -0.8, -1, -1), (0, 1, -0.5, 0), (0, -1, -0.5, -1),
+    )
+]  # fmt: skip
+
+
+def choose_names(marks: Sequence[Mark], spots: Mapping[Mark, Spot]) -> list[Mark]:
+    """Order what shall be named: the front, two of each family, then what is far from these.
+
+    spots are places in pixels; what lies on a mark before it is left out.
+    """
+    chosen = list(dict.fromkeys([*find_front(marks), *find_best(marks, 2)]))
+    rest = [mark for mark in marks if mark not in chosen]
+    while rest:
+        gaps = [min(math.dist(spots[mark], spots[other]) for other in chosen) for mark in rest]
+        if max(gaps) < APART:
+            break
+        chosen.append(rest.pop(gaps.index(max(gaps))))
+    return chosen
+
+
+def name_marks(axes: Any, marks: Sequence[Mark], count: int, copy: float | None) -> list[Mark]:
+    """Draw marks after the layout, with names where these have room; return the named.
+
+    The others are drawn small.
+    """
+    spots = {mark: _as_spot(axes.transData.transform((mark.time, mark.height))) for mark in marks}
+    room = Room(axes, [_box_around(spot, spot, 7) for spot in spots.values()])
+    room.taken += _list_lines(axes, find_front(marks), copy)
+    room.taken += [text.get_window_extent().padded(2) for text in axes.texts]
+    named: list[Mark] = []
+    for mark in choose_names(marks, spots):
+        label = write_name(mark, marks[0], count)
+        is_first = mark is marks[0]
+        if len(named) < NAMES and room.write(spots[mark], _find_band(axes, mark), label, is_first):
+            named.append(mark)
+    for mark in marks:
+        draw_mark(axes, mark, 1 if mark in named else SMALL)
+    return named
+
+
+def write_name(mark: Mark, shipped: Mark, count: int) -> str:
+    """Return the name of a way and its time over that of the shipped way.
+
+    The size that it was timed at is told where it is another.
+    """
+    size = "" if mark.count == count else f", N = {mark.count:,}"
+    if mark is shipped:
+        return mark.name + size
+    ratio = mark.time / shipped.time
+    told = f"{ratio:.0f}" if ratio >= 10 else f"{ratio:.2g}"
+    return f"{mark.name} ({told}{TIMES}{size})"
+
+
+@dataclass
+class Room:
+    """What is free in a panel, in pixels: `taken` has marks and lines, `names` also their ties."""
+
+    axes: Any
+    taken: list[Bbox]
+    names: list[Bbox] = field(default_factory=list)
+
+    def write(self, spot: Spot, band: Spot, label: str, is_bold: bool) -> bool:
+        """Write a text at the nearest free place in a band of heights, tied to its spot."""
+        text = self.axes.annotate(
+            label, self._find_place(*spot), xycoords="axes fraction",
+            xytext=self._find_place(*spot), textcoords="axes fraction",
+            fontsize=8, weight="bold" if is_bold else "normal", zorder=4,
+            arrowprops={"arrowstyle": "-", "color": "0.4", "lw": 0.6, "shrinkA": 0, "shrinkB": 3},
+        )  # fmt: skip
+        extent = text.get_window_extent()
+        for box in _find_places(spot, extent, self.axes.figure.dpi / 72):
+            tie = _trace_tie(spot, box)
+            if self._is_free(box, band, tie):
+                text.set_position(self._find_place(box.x0, box.y0))
+                self.names += [box, *tie]
+                return True
+        text.remove()
+        return False
+
+    def _find_place(self, x: float, y: float) -> Spot:
+        """Return a place in parts of the panel, which a picture of other pixels shares."""
+        return _as_spot(self.axes.transAxes.inverted().transform((x, y)))
+
+    def _is_free(self, box: Bbox, band: Spot, tie: Sequence[Bbox]) -> bool:
+        inside = self.axes.bbox.x0 < box.x0 and box.x1 < self.axes.bbox.x1
+        inside = inside and band[0] < box.y0 and box.y1 < band[1]
+        clear = not any(box.overlaps(other) for other in [*self.taken, *self.names])
+        return inside and clear and not any(t.overlaps(b) for t in tie for b in self.names)
+
+
+def _find_band(axes: Any, mark: Mark) -> Spot:
+    """Return between which heights a name may stand: no name in the lane of others."""
+    lost, turns = LOST_LANE - LANE / 2, TURNS_LANE - LANE / 2
+    band = (turns, find_top([mark])) if mark.turns else (LOWEST, lost if mark.has_digits else turns)
+    low, high = (axes.transData.transform((mark.time, height))[1] for height in band)
+    return float(low), float(high)
+
+
+def _trace_tie(spot: Spot, box: Bbox) -> list[Bbox]:
+    """Return small boxes along the line from a spot to the middle of a text, up to its edge."""
+    x, y = (box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2
+    parts = [n / 20 for n in range(1, 20)]
+    line = [(spot[0] + part * (x - spot[0]), spot[1] + part * (y - spot[1])) for part in parts]
+    return [_box_around(point, point, 2) for point in line if not box.contains(*point)]
+
+
+def _find_places(spot: Spot, extent: Bbox, pixels: float) -> Iterator[Bbox]:
+    """Yield the boxes that a text may fill, nearest first."""
+    for dx, dy, fx, fy in PLACES:
+        left = spot[0] + dx * pixels + fx * extent.width
+        low = spot[1] + dy * pixels + fy * extent.height
+        yield Bbox.from_bounds(left, low, extent.width, extent.height)
+
+
+def _list_lines(axes: Any, front: Sequence[Mark], copy: float | None) -> list[Bbox]:
+    """Return boxes around the front, the borders of the lanes and the time of a copy."""
+    lost, turns = LOST_LANE - LANE / 2, TURNS_LANE - LANE / 2
+    lines = [[(end, lane) for end in axes.get_xlim()] for lane in (lost, turns)]
+    if copy is not None:
+        lines.append([(copy, end) for end in axes.get_ylim()])
+    if front:
+        times, heights = trace_front(axes, front)
+        corners = [(times[0], lost), (times[0], heights[0])]
+        for time, height in zip(times[1:], heights[1:], strict=True):
+            corners += [(time, corners[-1][1]), (time, height)]
+        lines += [[one, two] for one, two in pairwise(corners)]
+    ends = [[_as_spot(axes.transData.transform(point)) for point in line] for line in lines]
+    return [_box_around(one, two, 1) for one, two in ends]
+
+
+def _as_spot(point: Sequence[float]) -> Spot:
+    return float(point[0]), float(point[1])
+
+
+def _box_around(one: Spot, two: Spot, reach: float) -> Bbox:
+    (left, right), (low, high) = (sorted(ends) for ends in zip(one, two, strict=True))
+    return Bbox.from_extents(left - reach, low - reach, right + reach, high + reach)
