@@ -41,9 +41,15 @@ LOADED = {
     },
     "arguments": {"numpy", "mechproof.arguments"},
     "laws": {"numpy", "mechproof.arguments", "mechproof.laws"},
-    "conformity": {"numpy", "mechproof.arguments", "mechproof.conformity", "mechproof.laws"},
+    "conformity": {
+        *("numpy", "mechproof.arguments", "mechproof.conformity", "mechproof.executors"),
+        "mechproof.laws",
+    },
     "measurement": {"numpy", "mechproof.arguments", "mechproof.measurement"},
-    "tolerance": {"numpy", "mechproof.arguments", "mechproof.laws", "mechproof.tolerance"},
+    "tolerance": {
+        *("numpy", "mechproof.arguments", "mechproof.executors", "mechproof.laws"),
+        "mechproof.tolerance",
+    },
     "mechanisms": {
         "numpy",
         "mechproof.arguments",
@@ -64,6 +70,7 @@ LOADED = {
         *("numpy", "sympy", "flint", "matplotlib"),
         *("mechproof.lab", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
         *("mechproof.kernel_support", "mechproof.derivation", "mechproof.measured"),
+        "mechproof.executors",
     },
 }
 INSIDE = {

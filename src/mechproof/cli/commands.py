@@ -158,19 +158,24 @@ def measure(
     quick: Annotated[
         bool, typer.Option("--quick", help="Few points, short times: under a minute.")
     ] = False,
+    processes: Annotated[
+        int,
+        typer.Option("--processes", metavar="N", min=1, help="Measure accuracy in N processes."),
+    ] = 1,
     derivations: DerivationsOption = None,
     root: RootOption = None,
 ) -> None:
     """Measure accuracy and time of all ways to compute; write DIR/../generated/measured.
 
     `mechproof chart` draws what was measured. A quick run writes into its folder `quick`, which
-    `chart` and `choose` read only when told to.
+    `chart` and `choose` read only when told to. Times are taken alone, whatever N is.
 
     Exit status 0: measured; 1: a derivation fails; 2: bad usage.
     """
     places = find_places(derivations, root)
     if not places.generated.is_dir():
         refuse(f"there is no folder {places.generated}: `mechproof regenerate` writes it")
+    from mechproof.executors import start_executor
     from mechproof.lab.measure import measure as measure_subject
     from mechproof.lab.subject import find_subjects
     from mechproof.lab.table import headline, write_tables
@@ -184,11 +189,12 @@ def measure(
         fail(str(error))
     except ValueError as error:
         refuse(str(error))
-    for number, subject in enumerate(subjects, start=1):
-        title = f"{subject.name} ({number} of {len(subjects)})"
-        with show_progress(f"{title}: measuring") as report:
-            record = measure_subject(subject, quick=quick, report=report)
-        say(f"{write_record(record, target)}: {headline(record)}")
+    with start_executor(processes) as executor:
+        for number, subject in enumerate(subjects, start=1):
+            title = f"{subject.name} ({number} of {len(subjects)})"
+            with show_progress(f"{title}: measuring") as report:
+                record = measure_subject(subject, quick=quick, report=report, executor=executor)
+            say(f"{write_record(record, target)}: {headline(record)}")
     say(str(write_tables(target)))
 
 
