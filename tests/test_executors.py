@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 from distributed import Client, LocalCluster
 from typer.testing import CliRunner
 
@@ -26,11 +27,26 @@ from mechproof.lab import measure as measuring
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.measured import Record
 from mechproof.processes import START, WorkerError
+from mechproof.record import Argument, Form, Paper, Quantity, Variable
 from mechproof.tolerance import Size, certified_range, corner_range, monte_carlo_range
 from mechproof.tolerance.scatter import DRAWN
 
+# One worker of pytest: it has the one cluster.
+pytestmark = pytest.mark.xdist_group("cluster")
+
 SIZES = WedgeLinkage.published_sizes(1)
 WHEEL = {"R": Size(41.5, 0.1, -0.1), "A": Size(3.75, 0.2, -0.1), "z": Size(6)}
+x, a, b = sp.symbols("x a b", real=True)
+ARGUMENTS = tuple(Argument(str(s), (s,), str(s)) for s in (x, a, b))
+VALUE = x * b + sp.Max(0, a - a**2 / 2)
+OWN = Paper(
+    "own",
+    "",
+    tuple(Variable(s, str(s)) for s in (x, a, b)),
+    (),
+    quantities=(Quantity("f", "Compute f.", ARGUMENTS, VALUE, (Form("f", VALUE),), "here"),),
+)
+BOX = {"a": Size(0.0, 1.5, -1.0), "b": Size(2.0, 0.5, -0.5)}
 X1 = np.array([-40.0, -37.1, np.nan, -20.0, -1.0, 0.0])
 KINDS = ("threads", "one process", "processes", "cluster")
 
@@ -86,6 +102,10 @@ def bounds(executor: Executor | None) -> Any:
     return certified_range("track_wheel", "radius", angles, WHEEL, executor=executor)
 
 
+def own(executor: Executor | None) -> Any:
+    return certified_range(OWN, "f", [0.0, 1.0], BOX, executor=executor)
+
+
 def shares(executor: Executor | None) -> Any:
     gauge = Normal.from_width(0, 0.004, 4)
     inspection = ThicknessInspection.published(
@@ -104,7 +124,7 @@ def accuracy(executor: Executor | None) -> Any:
     return record.sets, record.cells, record.cell_errors, record.ranges, record.searched
 
 
-JOBS = (corners, boundaries, scatter, bounds, shares, accuracy)
+JOBS = (corners, boundaries, scatter, bounds, own, shares, accuracy)
 SERIAL: dict[str, Any] = {}
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 import sympy as sp
 from flint import arb
 
+from mechproof.derivations.wedge_linkage import PAPER
 from mechproof.proof.balls import evaluate
 from mechproof.tolerance.programs import BITS, Program
 
@@ -104,3 +106,14 @@ def test_what_is_given_is_a_symbol_no_more() -> None:
     program = Program(g * h, GIVEN)
     assert program.symbols == {x, y}
     assert Program(h, {}).symbols == {h}
+
+
+def test_what_was_sent_is_the_same_operations() -> None:
+    given = {v.symbol: v.given for v in PAPER.variables if v.given is not None}
+    (position,) = (q for q in PAPER.quantities if q.name == "position")
+    for expression in (position.definition, position.shipped[-1].expression):
+        program = Program(expression, given)
+        again = pickle.loads(pickle.dumps(program))
+        values = {s: arb(k + 1) / 7 for k, s in enumerate(sorted(program.symbols, key=str))}
+        ours, theirs = (p.differentiate(values, [*values]) for p in (program, again))
+        assert str(ours) == str(theirs)

@@ -16,12 +16,12 @@ True
 
 from __future__ import annotations
 
+import pickle
 from collections.abc import Mapping
 from concurrent.futures import Executor
-from dataclasses import dataclass, field
-from functools import lru_cache
-from typing import TYPE_CHECKING
-from uuid import uuid4
+from dataclasses import dataclass
+from functools import cached_property, lru_cache, partial
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -107,8 +107,8 @@ def certified_range(
     progress
         Called as progress(done, total) after every input.
     executor
-        Any executor of `concurrent.futures`; the result is the same to the last bit. Each process
-        loads the derivation once. Threads gain nothing: ball arithmetic has one precision.
+        Any executor of `concurrent.futures`; the result is the same to the last bit. Processes are
+        sent the quantity, not the paper. Threads gain nothing: they take turns at ball arithmetic.
 
     Returns
     -------
@@ -130,12 +130,12 @@ def certified_range(
     require(check_number("gap", gap) >= 0, "gap", gap, "must not be negative")
     points = check_array("inputs", inputs)
     check_executor(executor)
-    question = _Question(uuid4().hex, system, quantity, dict(sizes), gap, budget)
     with BALLS:
-        problem = _prepare(question)
+        problem = Problem(_load(system), quantity, sizes)
+    bound = partial(_bound, _Sent(problem), gap, budget)
     report = Report(points.size, progress)
     results = []
-    for bounds in run_in_order(question.answer, points.ravel().tolist(), executor, batch=INPUTS):
+    for bounds in run_in_order(bound, points.ravel().tolist(), executor, batch=INPUTS):
         results.append(bounds)
         report.add(1)
     ends = np.array([r[:4] for r in results], np.float64).reshape(-1, 4)
@@ -155,25 +155,27 @@ def certified_range(
 
 
 @dataclass(frozen=True)
-class _Question:
-    """What is asked at every input; equal by its key alone, wherever it is sent."""
+class _Sent:
+    """A problem as it is sent: written once, read once by every process."""
 
-    key: str
-    system: str | Paper = field(compare=False)
-    quantity: str = field(compare=False)
-    sizes: Mapping[str, Size] = field(compare=False)
-    gap: float = field(compare=False)
-    budget: int = field(compare=False)
+    problem: Problem
 
-    def answer(self, x: float) -> Bounds:
-        """Return the bounds at an input."""
-        with BALLS:
-            return _prepare(self).bound(x, self.gap, self.budget)
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _receive, (self._written,)
+
+    @cached_property
+    def _written(self) -> bytes:
+        return pickle.dumps(self.problem)
 
 
-@lru_cache(maxsize=4)
-def _prepare(question: _Question) -> Problem:
-    return Problem(_load(question.system), question.quantity, question.sizes)
+@lru_cache(maxsize=2)
+def _receive(written: bytes) -> _Sent:
+    return _Sent(pickle.loads(written))
+
+
+def _bound(sent: _Sent, gap: float, budget: int, x: float) -> Bounds:
+    with BALLS:
+        return sent.problem.bound(x, gap, budget)
 
 
 def _load(system: str | Paper) -> Paper:

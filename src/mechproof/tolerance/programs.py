@@ -38,7 +38,7 @@ class Program:
     """An expression of symbols, of which some are given by others, as a list of operations."""
 
     def __init__(self, expression: Any, given: Mapping[Any, Any]) -> None:
-        self._given = given
+        self._expression, self._given = expression, given
         self._slots: dict[Any, int] = {}
         self._steps: list[Step] = []
         self._symbols: dict[int, Any] = {}
@@ -47,6 +47,10 @@ class Program:
         for slot, step in enumerate(self._steps):
             own = {self._symbols[slot]} if slot in self._symbols else set()
             self._needs.append(frozenset(own.union(*(self._needs[k] for k in step.arguments))))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Send the expression: operations cannot be sent."""
+        return Program, (self._expression, dict(self._given))
 
     @property
     def symbols(self) -> frozenset[Any]:
