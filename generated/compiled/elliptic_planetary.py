@@ -16,19 +16,23 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from numpy import float64, ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
+    choose,
     copysign,
     fma,
+    has_nan,
     is_finite,
     loop,
     overload,
     rint,
     run,
     scalar,
+    take_row,
 )
 
 __all__ = [
@@ -54,23 +58,25 @@ def _tan(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = (
+    v4 = v3 * v3
+    v5 = (
         fma(
-            fma(fma(v3, -7.482425926557501e-06, 0.00280579332473998), v3, -0.1282823491413398),
-            v3,
-            1.0,
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
         )
         * v2
     )
-    v5 = fma(
-        fma(fma(v3, -0.00020843011349081395, 0.023344354149567717), v3, -0.46161568247467066),
-        v3,
-        1.0,
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
     )
-    v6 = v1 * 0.5
-    v7 = rint(v6) == v6
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
 
-    value = (v4 if v7 else -v5) / (v5 if v7 else v4)
+    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -87,25 +93,27 @@ def _tangent_quotient(y, a, b, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = (
+    v4 = v3 * v3
+    v5 = (
         fma(
-            fma(fma(v3, -7.482425926557501e-06, 0.00280579332473998), v3, -0.1282823491413398),
-            v3,
-            1.0,
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
         )
         * v2
     )
-    v5 = fma(
-        fma(fma(v3, -0.00020843011349081395, 0.023344354149567717), v3, -0.46161568247467066),
-        v3,
-        1.0,
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
     )
-    v6 = v1 * 0.5
-    v7 = rint(v6) == v6
-    v8 = v4 if v7 else -v5
-    v9 = v5 if v7 else v4
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
+    v10 = choose(v9, v5, -v7)
+    v11 = choose(v9, v7, v5)
 
-    value = v8 * v9 / fma(a * v9, v9, b * v8 * v8)
+    value = v10 * v11 / fma(a * v11, v11, b * v10 * v10)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -115,89 +123,100 @@ def _tangent_quotient(y, a, b, exact):
     return v1 / (a + b * v1 * v1)
 
 
-# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.036 eps
+# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
 @scalar
 def _arctan(y):
     v1 = abs(y)
     v2 = v1 > 1.0
-    v3 = 1.0 / v1 if v2 else v1
+    v3 = choose(v2, 1.0 / v1, v1)
     v4 = v3 * v3
-    v5 = fma(
+    v5 = v4 * v4
+    v6 = v5 * v5
+    v7 = v6 * v6
+    v8 = v7 * v7
+    v9 = fma(
         v3 * v4,
         fma(
+            v8,
             fma(
+                v6,
+                fma(v4, 7.767532298566822e-06, -9.371091633560781e-05),
                 fma(
-                    fma(
-                        fma(
-                            fma(v4, -2.2297625903724207e-06, -0.0021043841889903303),
-                            v4,
-                            -0.04325109363258728,
-                        ),
-                        v4,
-                        -0.27257768176992825,
-                    ),
-                    v4,
-                    -0.7123411520866144,
+                    v5,
+                    fma(v4, 0.0005376794060869381, -0.001961242117363609),
+                    fma(v4, 0.005140885854032265, -0.010412113196030874),
                 ),
-                v4,
-                -0.8116410741980923,
             ),
-            v4,
-            -0.3333333333333333,
-        )
-        / fma(
             fma(
+                v7,
                 fma(
+                    v6,
                     fma(
-                        fma(
-                            fma(v4, 0.0024454490824068215, 0.06453288730795323),
-                            v4,
-                            0.536881672373973,
-                        ),
-                        v4,
-                        1.9680285742582135,
+                        v5,
+                        fma(v4, 0.01718393672751917, -0.02419130675591347),
+                        fma(v4, 0.030330692745374102, -0.03527131689273554),
                     ),
-                    v4,
-                    3.5294059612458244,
+                    fma(
+                        v5,
+                        fma(v4, 0.039386869439826874, -0.04330653645791128),
+                        fma(v4, 0.04758080032858198, -0.05262492218979753),
+                    ),
                 ),
-                v4,
-                3.034923222594262,
+                fma(
+                    v6,
+                    fma(
+                        v5,
+                        fma(v4, 0.05882264415278073, -0.06666657934409811),
+                        fma(v4, 0.07692307078814367, -0.09090909061934628),
+                    ),
+                    fma(
+                        v5,
+                        fma(v4, 0.11111111110268276, -0.14285714285701234),
+                        fma(v4, 0.1999999999999992, -0.3333333333333333),
+                    ),
+                ),
             ),
-            v4,
-            1.0,
         ),
         v3,
     )
 
-    return copysign(1.5707963267948966 - (v5 - 6.123233995736766e-17) if v2 else v5, y)
+    return copysign(choose(v2, 1.5707963267948966 - (v9 - 6.123233995736766e-17), v9), y)
 
 
-# (atan(y)/y - 1)/y**2 in powers of y**2: the whole is off by at most 0.296 eps
+# (atan(y)/y - 1)/y**2 in powers of y**2: the whole is off by at most 0.039 eps
 @scalar
 def _small_arctan(y):
     v1 = y * y
+    v2 = v1 * v1
+    v3 = v2 * v2
+    v4 = v3 * v3
 
     return fma(
         y * v1,
         fma(
+            v4,
             fma(
+                v3,
+                fma(v1, 0.004874344370582316, -0.016659150283803603),
                 fma(
-                    fma(v1, -0.00014839242515389607, -0.034672159668541744), v1, -0.2613626368664646
+                    v2,
+                    fma(v1, 0.029952645730746047, -0.0399373154528896),
+                    fma(v1, 0.04672178312032516, -0.05246779764226303),
                 ),
-                v1,
-                -0.5450762850257569,
             ),
-            v1,
-            -0.333333333333333,
-        )
-        / fma(
             fma(
-                fma(fma(v1, 0.04408898987456305, 0.4973868644715952), v1, 1.696653795115032),
-                v1,
-                2.2352288550767723,
+                v3,
+                fma(
+                    v2,
+                    fma(v1, 0.05880212501481828, -0.06666469622709092),
+                    fma(v1, 0.07692295286707518, -0.09090908582071015),
+                ),
+                fma(
+                    v2,
+                    fma(v1, 0.11111111098553708, -0.14285714285551976),
+                    fma(v1, 0.1999999999999917, -0.3333333333333333),
+                ),
             ),
-            v1,
-            1.0,
         ),
         y,
     )
@@ -206,7 +225,7 @@ def _small_arctan(y):
 @scalar
 def _small_tangent(y):
 
-    return -1.0 if (y < -1.0) else (1.0 if (y > 1.0) else y)
+    return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
 
 
 @scalar
@@ -252,7 +271,6 @@ def _ratio_at(phi1, R1, R2, e, exact):
     if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
         return math.nan
     prepared = _prepare_ratio(R1, R2, e, exact)
-
     return _ratio(phi1, *prepared, exact)
 
 
@@ -262,56 +280,64 @@ def _ratio_point(phi1, R1, R2, e):
 
 
 @loop
-def _fill_ratio(out, phi1_values, R1, R2, e):
-    count = out.size
-    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_ratio(R1, R2, e, True)
+def _row_ratio(out, phi1_values, R1, R2, e, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-
-            value = _ratio(phi1, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-
-                value = _ratio(phi1, *prepared, True)
-                out[i] = value
+        value = _ratio_at(phi1, R1, R2, e, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_ratio(out, phi1_values, R1_values, R2_values, e_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-            R1 = float(R1_values[i])
-            R2 = float(R2_values[i])
-            e = float(e_values[i])
+def _fill_ratio(
+    out,
+    phi1_values,
+    R1,
+    R2,
+    e,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_ratio(block, phi1_block, R1, R2, e, None)
+        if has_nan(block):
+            _row_ratio(block, phi1_block, R1, R2, e, True)
 
-            value = _ratio_at(phi1, R1, R2, e, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-                R1 = float(R1_values[i])
-                R2 = float(R2_values[i])
-                e = float(e_values[i])
+@loop
+def _row_each_ratio(out, phi1_values, R1_values, R2_values, e_values, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-                value = _ratio_at(phi1, R1, R2, e, True)
-                out[i] = value
+        R1 = float(R1_values[i])
+
+        R2 = float(R2_values[i])
+
+        e = float(e_values[i])
+
+        value = _ratio_at(phi1, R1, R2, e, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_ratio(
+    out,
+    phi1_values,
+    R1_values,
+    R2_values,
+    e_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        R1_block = R1_values[start:stop]
+        R2_block = R2_values[start:stop]
+        e_block = e_values[start:stop]
+        _row_each_ratio(block, phi1_block, R1_block, R2_block, e_block, None)
+        if has_nan(block):
+            _row_each_ratio(block, phi1_block, R1_block, R2_block, e_block, True)
 
 
 def ratio(
@@ -321,6 +347,14 @@ def ratio(
 
     Compiled. The help of `mechproof.kernels.elliptic_planetary.ratio` has all words.
     """
+    if type(R1) is type(R2) is type(e) is float:
+        if type(phi1) is ndarray:
+            row = take_row(phi1, out)
+            if row is not None:
+                _fill_ratio(row, phi1, R1, R2, e)
+                return row
+        elif type(phi1) is float and out is None:
+            return float64(_ratio_point(phi1, R1, R2, e))
     return run(
         _RATIO,
         (
@@ -416,10 +450,9 @@ def _position_at(phi1, R1, R2, e, exact):
         return math.nan
     if e <= 0.5:
         prepared = _prepare_position_1(R1, R2, e, exact)
-
         return _position_1(phi1, *prepared, exact)
-    prepared = _prepare_position(R1, R2, e, exact)
 
+    prepared = _prepare_position(R1, R2, e, exact)
     return _position(phi1, *prepared, exact)
 
 
@@ -429,77 +462,64 @@ def _position_point(phi1, R1, R2, e):
 
 
 @loop
-def _fill_position(out, phi1_values, R1, R2, e):
-    count = out.size
-    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
-        out[:] = math.nan
-        return
-    if e <= 0.5:
-        prepared = _prepare_position_1(R1, R2, e, True)
+def _row_position(out, phi1_values, R1, R2, e, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-        for start in range(0, count, BLOCK):
-            stop = min(start + BLOCK, count)
-            missing = 0
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-
-                value = _position_1(phi1, *prepared, None)
-                out[i] = value
-
-                missing += value != value
-            if missing:
-                for i in range(start, stop):
-                    phi1 = float(phi1_values[i])
-
-                    value = _position_1(phi1, *prepared, True)
-                    out[i] = value
-
-        return
-    prepared = _prepare_position(R1, R2, e, True)
-
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-
-            value = _position(phi1, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-
-                value = _position(phi1, *prepared, True)
-                out[i] = value
+        value = _position_at(phi1, R1, R2, e, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_position(out, phi1_values, R1_values, R2_values, e_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-            R1 = float(R1_values[i])
-            R2 = float(R2_values[i])
-            e = float(e_values[i])
+def _fill_position(
+    out,
+    phi1_values,
+    R1,
+    R2,
+    e,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_position(block, phi1_block, R1, R2, e, None)
+        if has_nan(block):
+            _row_position(block, phi1_block, R1, R2, e, True)
 
-            value = _position_at(phi1, R1, R2, e, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-                R1 = float(R1_values[i])
-                R2 = float(R2_values[i])
-                e = float(e_values[i])
+@loop
+def _row_each_position(out, phi1_values, R1_values, R2_values, e_values, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-                value = _position_at(phi1, R1, R2, e, True)
-                out[i] = value
+        R1 = float(R1_values[i])
+
+        R2 = float(R2_values[i])
+
+        e = float(e_values[i])
+
+        value = _position_at(phi1, R1, R2, e, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_position(
+    out,
+    phi1_values,
+    R1_values,
+    R2_values,
+    e_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        R1_block = R1_values[start:stop]
+        R2_block = R2_values[start:stop]
+        e_block = e_values[start:stop]
+        _row_each_position(block, phi1_block, R1_block, R2_block, e_block, None)
+        if has_nan(block):
+            _row_each_position(block, phi1_block, R1_block, R2_block, e_block, True)
 
 
 def position(
@@ -509,6 +529,14 @@ def position(
 
     Compiled. The help of `mechproof.kernels.elliptic_planetary.position` has all words.
     """
+    if type(R1) is type(R2) is type(e) is float:
+        if type(phi1) is ndarray:
+            row = take_row(phi1, out)
+            if row is not None:
+                _fill_position(row, phi1, R1, R2, e)
+                return row
+        elif type(phi1) is float and out is None:
+            return float64(_position_point(phi1, R1, R2, e))
     return run(
         _POSITION,
         (
@@ -595,7 +623,6 @@ def _acceleration_at(phi1, R1, R2, e, exact):
     if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
         return math.nan
     prepared = _prepare_acceleration(R1, R2, e, exact)
-
     return _acceleration(phi1, *prepared, exact)
 
 
@@ -605,56 +632,64 @@ def _acceleration_point(phi1, R1, R2, e):
 
 
 @loop
-def _fill_acceleration(out, phi1_values, R1, R2, e):
-    count = out.size
-    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_acceleration(R1, R2, e, True)
+def _row_acceleration(out, phi1_values, R1, R2, e, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-
-            value = _acceleration(phi1, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-
-                value = _acceleration(phi1, *prepared, True)
-                out[i] = value
+        value = _acceleration_at(phi1, R1, R2, e, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_acceleration(out, phi1_values, R1_values, R2_values, e_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-            R1 = float(R1_values[i])
-            R2 = float(R2_values[i])
-            e = float(e_values[i])
+def _fill_acceleration(
+    out,
+    phi1_values,
+    R1,
+    R2,
+    e,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_acceleration(block, phi1_block, R1, R2, e, None)
+        if has_nan(block):
+            _row_acceleration(block, phi1_block, R1, R2, e, True)
 
-            value = _acceleration_at(phi1, R1, R2, e, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-                R1 = float(R1_values[i])
-                R2 = float(R2_values[i])
-                e = float(e_values[i])
+@loop
+def _row_each_acceleration(out, phi1_values, R1_values, R2_values, e_values, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-                value = _acceleration_at(phi1, R1, R2, e, True)
-                out[i] = value
+        R1 = float(R1_values[i])
+
+        R2 = float(R2_values[i])
+
+        e = float(e_values[i])
+
+        value = _acceleration_at(phi1, R1, R2, e, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_acceleration(
+    out,
+    phi1_values,
+    R1_values,
+    R2_values,
+    e_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        R1_block = R1_values[start:stop]
+        R2_block = R2_values[start:stop]
+        e_block = e_values[start:stop]
+        _row_each_acceleration(block, phi1_block, R1_block, R2_block, e_block, None)
+        if has_nan(block):
+            _row_each_acceleration(block, phi1_block, R1_block, R2_block, e_block, True)
 
 
 def acceleration(
@@ -664,6 +699,14 @@ def acceleration(
 
     Compiled. The help of `mechproof.kernels.elliptic_planetary.acceleration` has all words.
     """
+    if type(R1) is type(R2) is type(e) is float:
+        if type(phi1) is ndarray:
+            row = take_row(phi1, out)
+            if row is not None:
+                _fill_acceleration(row, phi1, R1, R2, e)
+                return row
+        elif type(phi1) is float and out is None:
+            return float64(_acceleration_point(phi1, R1, R2, e))
     return run(
         _ACCELERATION,
         (
@@ -729,7 +772,6 @@ def _largest_ratio_at(R1, R2, e):
     if not ((R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)):
         return math.nan
     prepared = _prepare_largest_ratio(R2, e)
-
     return _largest_ratio(R1, *prepared)
 
 
@@ -739,31 +781,65 @@ def _largest_ratio_point(R1, R2, e):
 
 
 @loop
-def _fill_largest_ratio(out, R1_values, R2, e):
-    count = out.size
-    prepared = _prepare_largest_ratio(R2, e)
-
-    for i in range(count):
+def _row_largest_ratio(
+    out,
+    R1_values,
+    R2,
+    e,
+):
+    for i in range(out.size):
         R1 = float(R1_values[i])
 
-        value = (
-            _largest_ratio(R1, *prepared)
-            if (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
-            else math.nan
-        )
+        value = _largest_ratio_at(R1, R2, e)
         out[i] = value
 
 
 @loop
-def _fill_each_largest_ratio(out, R1_values, R2_values, e_values):
-    count = out.size
-    for i in range(count):
+def _fill_largest_ratio(
+    out,
+    R1_values,
+    R2,
+    e,
+):
+    _row_largest_ratio(
+        out,
+        R1_values,
+        R2,
+        e,
+    )
+
+
+@loop
+def _row_each_largest_ratio(
+    out,
+    R1_values,
+    R2_values,
+    e_values,
+):
+    for i in range(out.size):
         R1 = float(R1_values[i])
+
         R2 = float(R2_values[i])
+
         e = float(e_values[i])
 
         value = _largest_ratio_at(R1, R2, e)
         out[i] = value
+
+
+@loop
+def _fill_each_largest_ratio(
+    out,
+    R1_values,
+    R2_values,
+    e_values,
+):
+    _row_each_largest_ratio(
+        out,
+        R1_values,
+        R2_values,
+        e_values,
+    )
 
 
 def largest_ratio(
@@ -773,6 +849,14 @@ def largest_ratio(
 
     Compiled. The help of `mechproof.kernels.elliptic_planetary.largest_ratio` has all words.
     """
+    if type(R2) is type(e) is float:
+        if type(R1) is ndarray:
+            row = take_row(R1, out)
+            if row is not None:
+                _fill_largest_ratio(row, R1, R2, e)
+                return row
+        elif type(R1) is float and out is None:
+            return float64(_largest_ratio_point(R1, R2, e))
     return run(
         _LARGEST_RATIO,
         (
@@ -833,7 +917,6 @@ def _smallest_ratio_at(R1, R2, e):
     if not ((R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)):
         return math.nan
     prepared = _prepare_smallest_ratio(R2, e)
-
     return _smallest_ratio(R1, *prepared)
 
 
@@ -843,31 +926,65 @@ def _smallest_ratio_point(R1, R2, e):
 
 
 @loop
-def _fill_smallest_ratio(out, R1_values, R2, e):
-    count = out.size
-    prepared = _prepare_smallest_ratio(R2, e)
-
-    for i in range(count):
+def _row_smallest_ratio(
+    out,
+    R1_values,
+    R2,
+    e,
+):
+    for i in range(out.size):
         R1 = float(R1_values[i])
 
-        value = (
-            _smallest_ratio(R1, *prepared)
-            if (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
-            else math.nan
-        )
+        value = _smallest_ratio_at(R1, R2, e)
         out[i] = value
 
 
 @loop
-def _fill_each_smallest_ratio(out, R1_values, R2_values, e_values):
-    count = out.size
-    for i in range(count):
+def _fill_smallest_ratio(
+    out,
+    R1_values,
+    R2,
+    e,
+):
+    _row_smallest_ratio(
+        out,
+        R1_values,
+        R2,
+        e,
+    )
+
+
+@loop
+def _row_each_smallest_ratio(
+    out,
+    R1_values,
+    R2_values,
+    e_values,
+):
+    for i in range(out.size):
         R1 = float(R1_values[i])
+
         R2 = float(R2_values[i])
+
         e = float(e_values[i])
 
         value = _smallest_ratio_at(R1, R2, e)
         out[i] = value
+
+
+@loop
+def _fill_each_smallest_ratio(
+    out,
+    R1_values,
+    R2_values,
+    e_values,
+):
+    _row_each_smallest_ratio(
+        out,
+        R1_values,
+        R2_values,
+        e_values,
+    )
 
 
 def smallest_ratio(
@@ -877,6 +994,14 @@ def smallest_ratio(
 
     Compiled. The help of `mechproof.kernels.elliptic_planetary.smallest_ratio` has all words.
     """
+    if type(R2) is type(e) is float:
+        if type(R1) is ndarray:
+            row = take_row(R1, out)
+            if row is not None:
+                _fill_smallest_ratio(row, R1, R2, e)
+                return row
+        elif type(R1) is float and out is None:
+            return float64(_smallest_ratio_point(R1, R2, e))
     return run(
         _SMALLEST_RATIO,
         (

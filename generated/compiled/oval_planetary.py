@@ -16,20 +16,24 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from numpy import float64, ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
+    choose,
     copysign,
     floor,
     fma,
+    has_nan,
     is_finite,
     loop,
     overload,
     rint,
     run,
     scalar,
+    take_row,
 )
 
 __all__ = [
@@ -56,23 +60,25 @@ def _tan(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = (
+    v4 = v3 * v3
+    v5 = (
         fma(
-            fma(fma(v3, -7.482425926557501e-06, 0.00280579332473998), v3, -0.1282823491413398),
-            v3,
-            1.0,
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
         )
         * v2
     )
-    v5 = fma(
-        fma(fma(v3, -0.00020843011349081395, 0.023344354149567717), v3, -0.46161568247467066),
-        v3,
-        1.0,
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
     )
-    v6 = v1 * 0.5
-    v7 = rint(v6) == v6
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
 
-    value = (v4 if v7 else -v5) / (v5 if v7 else v4)
+    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -90,58 +96,46 @@ def _sin(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = v3 * 0.5
-    v5 = 1.0 - v4
-    v6 = v1 * 0.5
-    v7 = (
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
         fma(
             v2 * v3,
             fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                            v3,
-                            2.7557316102534617e-06,
-                        ),
-                        v3,
-                        -0.0001984126983675854,
-                    ),
-                    v3,
-                    0.008333333333330948,
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
                 ),
-                v3,
-                -0.16666666666666666,
             ),
             v2,
-        )
-        if (rint(v6) == v6)
-        else v5
+        ),
+        v7
         + fma(
             v3 * v3,
             fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                            v3,
-                            -2.7557317271718644e-07,
-                        ),
-                        v3,
-                        2.4801587298765665e-05,
-                    ),
-                    v3,
-                    -0.0013888888888887398,
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
                 ),
-                v3,
-                0.041666666666666664,
             ),
-            1.0 - v5 - v4,
-        )
+            1.0 - v7 - v6,
+        ),
     )
-    v8 = floor(v6) * 0.5
+    v12 = floor(v10) * 0.5
 
-    value = v7 if (floor(v8) == v8) else -v7
+    value = choose(floor(v12) == v12, v11, -v11)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -159,58 +153,46 @@ def _cos(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = v3 * 0.5
-    v5 = 1.0 - v4
-    v6 = v1 * 0.5
-    v7 = (
-        v5
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        v7
         + fma(
             v3 * v3,
             fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                            v3,
-                            -2.7557317271718644e-07,
-                        ),
-                        v3,
-                        2.4801587298765665e-05,
-                    ),
-                    v3,
-                    -0.0013888888888887398,
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
                 ),
-                v3,
-                0.041666666666666664,
             ),
-            1.0 - v5 - v4,
-        )
-        if (rint(v6) == v6)
-        else fma(
+            1.0 - v7 - v6,
+        ),
+        fma(
             v2 * v3,
             fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                            v3,
-                            2.7557316102534617e-06,
-                        ),
-                        v3,
-                        -0.0001984126983675854,
-                    ),
-                    v3,
-                    0.008333333333330948,
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
                 ),
-                v3,
-                -0.16666666666666666,
             ),
             v2,
-        )
+        ),
     )
-    v8 = floor((v1 + 1.0) * 0.5) * 0.5
+    v12 = floor((v1 + 1.0) * 0.5) * 0.5
 
-    value = v7 if (floor(v8) == v8) else -v7
+    value = choose(floor(v12) == v12, v11, -v11)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -219,125 +201,131 @@ def _cos(y, exact):
     return math.cos(y)
 
 
-# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.036 eps
+# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
 @scalar
 def _arctan(y):
     v1 = abs(y)
     v2 = v1 > 1.0
-    v3 = 1.0 / v1 if v2 else v1
+    v3 = choose(v2, 1.0 / v1, v1)
     v4 = v3 * v3
-    v5 = fma(
+    v5 = v4 * v4
+    v6 = v5 * v5
+    v7 = v6 * v6
+    v8 = v7 * v7
+    v9 = fma(
         v3 * v4,
         fma(
+            v8,
             fma(
+                v6,
+                fma(v4, 7.767532298566822e-06, -9.371091633560781e-05),
                 fma(
-                    fma(
-                        fma(
-                            fma(v4, -2.2297625903724207e-06, -0.0021043841889903303),
-                            v4,
-                            -0.04325109363258728,
-                        ),
-                        v4,
-                        -0.27257768176992825,
-                    ),
-                    v4,
-                    -0.7123411520866144,
+                    v5,
+                    fma(v4, 0.0005376794060869381, -0.001961242117363609),
+                    fma(v4, 0.005140885854032265, -0.010412113196030874),
                 ),
-                v4,
-                -0.8116410741980923,
             ),
-            v4,
-            -0.3333333333333333,
-        )
-        / fma(
             fma(
+                v7,
                 fma(
+                    v6,
                     fma(
-                        fma(
-                            fma(v4, 0.0024454490824068215, 0.06453288730795323),
-                            v4,
-                            0.536881672373973,
-                        ),
-                        v4,
-                        1.9680285742582135,
+                        v5,
+                        fma(v4, 0.01718393672751917, -0.02419130675591347),
+                        fma(v4, 0.030330692745374102, -0.03527131689273554),
                     ),
-                    v4,
-                    3.5294059612458244,
+                    fma(
+                        v5,
+                        fma(v4, 0.039386869439826874, -0.04330653645791128),
+                        fma(v4, 0.04758080032858198, -0.05262492218979753),
+                    ),
                 ),
-                v4,
-                3.034923222594262,
+                fma(
+                    v6,
+                    fma(
+                        v5,
+                        fma(v4, 0.05882264415278073, -0.06666657934409811),
+                        fma(v4, 0.07692307078814367, -0.09090909061934628),
+                    ),
+                    fma(
+                        v5,
+                        fma(v4, 0.11111111110268276, -0.14285714285701234),
+                        fma(v4, 0.1999999999999992, -0.3333333333333333),
+                    ),
+                ),
             ),
-            v4,
-            1.0,
         ),
         v3,
     )
 
-    return copysign(1.5707963267948966 - (v5 - 6.123233995736766e-17) if v2 else v5, y)
+    return copysign(choose(v2, 1.5707963267948966 - (v9 - 6.123233995736766e-17), v9), y)
 
 
-# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.036 eps
+# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
 @scalar
 def _arctan2(a, b):
     v1 = abs(a)
     v2 = abs(b)
     v3 = v1 > v2
-    v4 = v1 if v3 else v2
-    v5 = (v2 if v3 else v1) / (1.0 if (v4 == 0.0) else v4)
+    v4 = choose(v3, v1, v2)
+    v5 = choose(v3, v2, v1) / choose(v4 == 0.0, 1.0, v4)
     v6 = v5 * v5
-    v7 = fma(
+    v7 = v6 * v6
+    v8 = v7 * v7
+    v9 = v8 * v8
+    v10 = v9 * v9
+    v11 = fma(
         v5 * v6,
         fma(
+            v10,
             fma(
+                v8,
+                fma(v6, 7.767532298566822e-06, -9.371091633560781e-05),
                 fma(
-                    fma(
-                        fma(
-                            fma(v6, -2.2297625903724207e-06, -0.0021043841889903303),
-                            v6,
-                            -0.04325109363258728,
-                        ),
-                        v6,
-                        -0.27257768176992825,
-                    ),
-                    v6,
-                    -0.7123411520866144,
+                    v7,
+                    fma(v6, 0.0005376794060869381, -0.001961242117363609),
+                    fma(v6, 0.005140885854032265, -0.010412113196030874),
                 ),
-                v6,
-                -0.8116410741980923,
             ),
-            v6,
-            -0.3333333333333333,
-        )
-        / fma(
             fma(
+                v9,
                 fma(
+                    v8,
                     fma(
-                        fma(
-                            fma(v6, 0.0024454490824068215, 0.06453288730795323),
-                            v6,
-                            0.536881672373973,
-                        ),
-                        v6,
-                        1.9680285742582135,
+                        v7,
+                        fma(v6, 0.01718393672751917, -0.02419130675591347),
+                        fma(v6, 0.030330692745374102, -0.03527131689273554),
                     ),
-                    v6,
-                    3.5294059612458244,
+                    fma(
+                        v7,
+                        fma(v6, 0.039386869439826874, -0.04330653645791128),
+                        fma(v6, 0.04758080032858198, -0.05262492218979753),
+                    ),
                 ),
-                v6,
-                3.034923222594262,
+                fma(
+                    v8,
+                    fma(
+                        v7,
+                        fma(v6, 0.05882264415278073, -0.06666657934409811),
+                        fma(v6, 0.07692307078814367, -0.09090909061934628),
+                    ),
+                    fma(
+                        v7,
+                        fma(v6, 0.11111111110268276, -0.14285714285701234),
+                        fma(v6, 0.1999999999999992, -0.3333333333333333),
+                    ),
+                ),
             ),
-            v6,
-            1.0,
         ),
         v5,
     )
-    v8 = copysign(1.0, b) < 0.0
+    v12 = copysign(1.0, b) < 0.0
 
     return copysign(
-        (1.5707963267948966 if v3 else (3.141592653589793 if v8 else 0.0))
+        choose(v3, 1.5707963267948966, choose(v12, 3.141592653589793, 0.0))
         + (
-            (6.123233995736766e-17 if v3 else (1.2246467991473532e-16 if v8 else 0.0))
-            + ((v7 if v8 else -v7) if v3 else (-v7 if v8 else v7))
+            choose(v3, 6.123233995736766e-17, choose(v12, 1.2246467991473532e-16, 0.0))
+            + choose(v3, choose(v12, v11, -v11), choose(v12, -v11, v11))
         ),
         a,
     )
@@ -346,7 +334,7 @@ def _arctan2(a, b):
 @scalar
 def _small_tangent(y):
 
-    return -1.0 if (y < -1.0) else (1.0 if (y > 1.0) else y)
+    return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
 
 
 @scalar
@@ -398,7 +386,6 @@ def _ratio_at(phi1, e1, e2, mount, exact):
     if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
         return math.nan
     prepared = _prepare_ratio(e1, e2, mount, exact)
-
     return _ratio(phi1, *prepared, exact)
 
 
@@ -408,56 +395,64 @@ def _ratio_point(phi1, e1, e2, mount):
 
 
 @loop
-def _fill_ratio(out, phi1_values, e1, e2, mount):
-    count = out.size
-    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_ratio(e1, e2, mount, True)
+def _row_ratio(out, phi1_values, e1, e2, mount, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-
-            value = _ratio(phi1, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-
-                value = _ratio(phi1, *prepared, True)
-                out[i] = value
+        value = _ratio_at(phi1, e1, e2, mount, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_ratio(out, phi1_values, e1_values, e2_values, mount_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-            e1 = float(e1_values[i])
-            e2 = float(e2_values[i])
-            mount = float(mount_values[i])
+def _fill_ratio(
+    out,
+    phi1_values,
+    e1,
+    e2,
+    mount,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_ratio(block, phi1_block, e1, e2, mount, None)
+        if has_nan(block):
+            _row_ratio(block, phi1_block, e1, e2, mount, True)
 
-            value = _ratio_at(phi1, e1, e2, mount, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-                e1 = float(e1_values[i])
-                e2 = float(e2_values[i])
-                mount = float(mount_values[i])
+@loop
+def _row_each_ratio(out, phi1_values, e1_values, e2_values, mount_values, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-                value = _ratio_at(phi1, e1, e2, mount, True)
-                out[i] = value
+        e1 = float(e1_values[i])
+
+        e2 = float(e2_values[i])
+
+        mount = float(mount_values[i])
+
+        value = _ratio_at(phi1, e1, e2, mount, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_ratio(
+    out,
+    phi1_values,
+    e1_values,
+    e2_values,
+    mount_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        e1_block = e1_values[start:stop]
+        e2_block = e2_values[start:stop]
+        mount_block = mount_values[start:stop]
+        _row_each_ratio(block, phi1_block, e1_block, e2_block, mount_block, None)
+        if has_nan(block):
+            _row_each_ratio(block, phi1_block, e1_block, e2_block, mount_block, True)
 
 
 def ratio(
@@ -472,6 +467,14 @@ def ratio(
 
     Compiled. The help of `mechproof.kernels.oval_planetary.ratio` has all words.
     """
+    if type(e1) is type(e2) is type(mount) is float:
+        if type(phi1) is ndarray:
+            row = take_row(phi1, out)
+            if row is not None:
+                _fill_ratio(row, phi1, e1, e2, mount)
+                return row
+        elif type(phi1) is float and out is None:
+            return float64(_ratio_point(phi1, e1, e2, mount))
     return run(
         _RATIO,
         (
@@ -548,7 +551,6 @@ def _position_at(phi1, e1, e2, mount, exact):
     if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
         return math.nan
     prepared = _prepare_position(e1, e2, mount, exact)
-
     return _position(phi1, *prepared, exact)
 
 
@@ -558,56 +560,64 @@ def _position_point(phi1, e1, e2, mount):
 
 
 @loop
-def _fill_position(out, phi1_values, e1, e2, mount):
-    count = out.size
-    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_position(e1, e2, mount, True)
+def _row_position(out, phi1_values, e1, e2, mount, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-
-            value = _position(phi1, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-
-                value = _position(phi1, *prepared, True)
-                out[i] = value
+        value = _position_at(phi1, e1, e2, mount, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_position(out, phi1_values, e1_values, e2_values, mount_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-            e1 = float(e1_values[i])
-            e2 = float(e2_values[i])
-            mount = float(mount_values[i])
+def _fill_position(
+    out,
+    phi1_values,
+    e1,
+    e2,
+    mount,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_position(block, phi1_block, e1, e2, mount, None)
+        if has_nan(block):
+            _row_position(block, phi1_block, e1, e2, mount, True)
 
-            value = _position_at(phi1, e1, e2, mount, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-                e1 = float(e1_values[i])
-                e2 = float(e2_values[i])
-                mount = float(mount_values[i])
+@loop
+def _row_each_position(out, phi1_values, e1_values, e2_values, mount_values, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-                value = _position_at(phi1, e1, e2, mount, True)
-                out[i] = value
+        e1 = float(e1_values[i])
+
+        e2 = float(e2_values[i])
+
+        mount = float(mount_values[i])
+
+        value = _position_at(phi1, e1, e2, mount, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_position(
+    out,
+    phi1_values,
+    e1_values,
+    e2_values,
+    mount_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        e1_block = e1_values[start:stop]
+        e2_block = e2_values[start:stop]
+        mount_block = mount_values[start:stop]
+        _row_each_position(block, phi1_block, e1_block, e2_block, mount_block, None)
+        if has_nan(block):
+            _row_each_position(block, phi1_block, e1_block, e2_block, mount_block, True)
 
 
 def position(
@@ -622,6 +632,14 @@ def position(
 
     Compiled. The help of `mechproof.kernels.oval_planetary.position` has all words.
     """
+    if type(e1) is type(e2) is type(mount) is float:
+        if type(phi1) is ndarray:
+            row = take_row(phi1, out)
+            if row is not None:
+                _fill_position(row, phi1, e1, e2, mount)
+                return row
+        elif type(phi1) is float and out is None:
+            return float64(_position_point(phi1, e1, e2, mount))
     return run(
         _POSITION,
         (
@@ -727,7 +745,6 @@ def _acceleration_at(phi1, e1, e2, mount, exact):
     if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
         return math.nan
     prepared = _prepare_acceleration(e1, e2, mount, exact)
-
     return _acceleration(phi1, *prepared, exact)
 
 
@@ -737,56 +754,64 @@ def _acceleration_point(phi1, e1, e2, mount):
 
 
 @loop
-def _fill_acceleration(out, phi1_values, e1, e2, mount):
-    count = out.size
-    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_acceleration(e1, e2, mount, True)
+def _row_acceleration(out, phi1_values, e1, e2, mount, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-
-            value = _acceleration(phi1, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-
-                value = _acceleration(phi1, *prepared, True)
-                out[i] = value
+        value = _acceleration_at(phi1, e1, e2, mount, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_acceleration(out, phi1_values, e1_values, e2_values, mount_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-            e1 = float(e1_values[i])
-            e2 = float(e2_values[i])
-            mount = float(mount_values[i])
+def _fill_acceleration(
+    out,
+    phi1_values,
+    e1,
+    e2,
+    mount,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_acceleration(block, phi1_block, e1, e2, mount, None)
+        if has_nan(block):
+            _row_acceleration(block, phi1_block, e1, e2, mount, True)
 
-            value = _acceleration_at(phi1, e1, e2, mount, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-                e1 = float(e1_values[i])
-                e2 = float(e2_values[i])
-                mount = float(mount_values[i])
+@loop
+def _row_each_acceleration(out, phi1_values, e1_values, e2_values, mount_values, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-                value = _acceleration_at(phi1, e1, e2, mount, True)
-                out[i] = value
+        e1 = float(e1_values[i])
+
+        e2 = float(e2_values[i])
+
+        mount = float(mount_values[i])
+
+        value = _acceleration_at(phi1, e1, e2, mount, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_acceleration(
+    out,
+    phi1_values,
+    e1_values,
+    e2_values,
+    mount_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        e1_block = e1_values[start:stop]
+        e2_block = e2_values[start:stop]
+        mount_block = mount_values[start:stop]
+        _row_each_acceleration(block, phi1_block, e1_block, e2_block, mount_block, None)
+        if has_nan(block):
+            _row_each_acceleration(block, phi1_block, e1_block, e2_block, mount_block, True)
 
 
 def acceleration(
@@ -801,6 +826,14 @@ def acceleration(
 
     Compiled. The help of `mechproof.kernels.oval_planetary.acceleration` has all words.
     """
+    if type(e1) is type(e2) is type(mount) is float:
+        if type(phi1) is ndarray:
+            row = take_row(phi1, out)
+            if row is not None:
+                _fill_acceleration(row, phi1, e1, e2, mount)
+                return row
+        elif type(phi1) is float and out is None:
+            return float64(_acceleration_point(phi1, e1, e2, mount))
     return run(
         _ACCELERATION,
         (
@@ -879,7 +912,6 @@ def _ratio_cylindrical_at(phi1, R4, R5, e2, exact):
     if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
         return math.nan
     prepared = _prepare_ratio_cylindrical(R4, R5, e2, exact)
-
     return _ratio_cylindrical(phi1, *prepared, exact)
 
 
@@ -889,56 +921,64 @@ def _ratio_cylindrical_point(phi1, R4, R5, e2):
 
 
 @loop
-def _fill_ratio_cylindrical(out, phi1_values, R4, R5, e2):
-    count = out.size
-    if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_ratio_cylindrical(R4, R5, e2, True)
+def _row_ratio_cylindrical(out, phi1_values, R4, R5, e2, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-
-            value = _ratio_cylindrical(phi1, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-
-                value = _ratio_cylindrical(phi1, *prepared, True)
-                out[i] = value
+        value = _ratio_cylindrical_at(phi1, R4, R5, e2, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_ratio_cylindrical(out, phi1_values, R4_values, R5_values, e2_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-            R4 = float(R4_values[i])
-            R5 = float(R5_values[i])
-            e2 = float(e2_values[i])
+def _fill_ratio_cylindrical(
+    out,
+    phi1_values,
+    R4,
+    R5,
+    e2,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_ratio_cylindrical(block, phi1_block, R4, R5, e2, None)
+        if has_nan(block):
+            _row_ratio_cylindrical(block, phi1_block, R4, R5, e2, True)
 
-            value = _ratio_cylindrical_at(phi1, R4, R5, e2, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-                R4 = float(R4_values[i])
-                R5 = float(R5_values[i])
-                e2 = float(e2_values[i])
+@loop
+def _row_each_ratio_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-                value = _ratio_cylindrical_at(phi1, R4, R5, e2, True)
-                out[i] = value
+        R4 = float(R4_values[i])
+
+        R5 = float(R5_values[i])
+
+        e2 = float(e2_values[i])
+
+        value = _ratio_cylindrical_at(phi1, R4, R5, e2, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_ratio_cylindrical(
+    out,
+    phi1_values,
+    R4_values,
+    R5_values,
+    e2_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        R4_block = R4_values[start:stop]
+        R5_block = R5_values[start:stop]
+        e2_block = e2_values[start:stop]
+        _row_each_ratio_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, None)
+        if has_nan(block):
+            _row_each_ratio_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, True)
 
 
 def ratio_cylindrical(
@@ -948,6 +988,14 @@ def ratio_cylindrical(
 
     Compiled. The help of `mechproof.kernels.oval_planetary.ratio_cylindrical` has all words.
     """
+    if type(R4) is type(R5) is type(e2) is float:
+        if type(phi1) is ndarray:
+            row = take_row(phi1, out)
+            if row is not None:
+                _fill_ratio_cylindrical(row, phi1, R4, R5, e2)
+                return row
+        elif type(phi1) is float and out is None:
+            return float64(_ratio_cylindrical_point(phi1, R4, R5, e2))
     return run(
         _RATIO_CYLINDRICAL,
         (
@@ -1042,10 +1090,9 @@ def _position_cylindrical_at(phi1, R4, R5, e2, exact):
         return math.nan
     if e2 * R4 <= (1 - e2) * abs(R4 - R5):
         prepared = _prepare_position_cylindrical_1(R4, R5, e2, exact)
-
         return _position_cylindrical_1(phi1, *prepared, exact)
-    prepared = _prepare_position_cylindrical(R4, R5, e2, exact)
 
+    prepared = _prepare_position_cylindrical(R4, R5, e2, exact)
     return _position_cylindrical(phi1, *prepared, exact)
 
 
@@ -1055,77 +1102,64 @@ def _position_cylindrical_point(phi1, R4, R5, e2):
 
 
 @loop
-def _fill_position_cylindrical(out, phi1_values, R4, R5, e2):
-    count = out.size
-    if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
-        out[:] = math.nan
-        return
-    if e2 * R4 <= (1 - e2) * abs(R4 - R5):
-        prepared = _prepare_position_cylindrical_1(R4, R5, e2, True)
+def _row_position_cylindrical(out, phi1_values, R4, R5, e2, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-        for start in range(0, count, BLOCK):
-            stop = min(start + BLOCK, count)
-            missing = 0
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-
-                value = _position_cylindrical_1(phi1, *prepared, None)
-                out[i] = value
-
-                missing += value != value
-            if missing:
-                for i in range(start, stop):
-                    phi1 = float(phi1_values[i])
-
-                    value = _position_cylindrical_1(phi1, *prepared, True)
-                    out[i] = value
-
-        return
-    prepared = _prepare_position_cylindrical(R4, R5, e2, True)
-
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-
-            value = _position_cylindrical(phi1, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-
-                value = _position_cylindrical(phi1, *prepared, True)
-                out[i] = value
+        value = _position_cylindrical_at(phi1, R4, R5, e2, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_position_cylindrical(out, phi1_values, R4_values, R5_values, e2_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-            R4 = float(R4_values[i])
-            R5 = float(R5_values[i])
-            e2 = float(e2_values[i])
+def _fill_position_cylindrical(
+    out,
+    phi1_values,
+    R4,
+    R5,
+    e2,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_position_cylindrical(block, phi1_block, R4, R5, e2, None)
+        if has_nan(block):
+            _row_position_cylindrical(block, phi1_block, R4, R5, e2, True)
 
-            value = _position_cylindrical_at(phi1, R4, R5, e2, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-                R4 = float(R4_values[i])
-                R5 = float(R5_values[i])
-                e2 = float(e2_values[i])
+@loop
+def _row_each_position_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-                value = _position_cylindrical_at(phi1, R4, R5, e2, True)
-                out[i] = value
+        R4 = float(R4_values[i])
+
+        R5 = float(R5_values[i])
+
+        e2 = float(e2_values[i])
+
+        value = _position_cylindrical_at(phi1, R4, R5, e2, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_position_cylindrical(
+    out,
+    phi1_values,
+    R4_values,
+    R5_values,
+    e2_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        R4_block = R4_values[start:stop]
+        R5_block = R5_values[start:stop]
+        e2_block = e2_values[start:stop]
+        _row_each_position_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, None)
+        if has_nan(block):
+            _row_each_position_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, True)
 
 
 def position_cylindrical(
@@ -1135,6 +1169,14 @@ def position_cylindrical(
 
     Compiled. The help of `mechproof.kernels.oval_planetary.position_cylindrical` has all words.
     """
+    if type(R4) is type(R5) is type(e2) is float:
+        if type(phi1) is ndarray:
+            row = take_row(phi1, out)
+            if row is not None:
+                _fill_position_cylindrical(row, phi1, R4, R5, e2)
+                return row
+        elif type(phi1) is float and out is None:
+            return float64(_position_cylindrical_point(phi1, R4, R5, e2))
     return run(
         _POSITION_CYLINDRICAL,
         (
@@ -1221,7 +1263,6 @@ def _acceleration_cylindrical_at(phi1, R4, R5, e2, exact):
     if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
         return math.nan
     prepared = _prepare_acceleration_cylindrical(R4, R5, e2, exact)
-
     return _acceleration_cylindrical(phi1, *prepared, exact)
 
 
@@ -1231,56 +1272,66 @@ def _acceleration_cylindrical_point(phi1, R4, R5, e2):
 
 
 @loop
-def _fill_acceleration_cylindrical(out, phi1_values, R4, R5, e2):
-    count = out.size
-    if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_acceleration_cylindrical(R4, R5, e2, True)
+def _row_acceleration_cylindrical(out, phi1_values, R4, R5, e2, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-
-            value = _acceleration_cylindrical(phi1, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-
-                value = _acceleration_cylindrical(phi1, *prepared, True)
-                out[i] = value
+        value = _acceleration_cylindrical_at(phi1, R4, R5, e2, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_acceleration_cylindrical(out, phi1_values, R4_values, R5_values, e2_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi1 = float(phi1_values[i])
-            R4 = float(R4_values[i])
-            R5 = float(R5_values[i])
-            e2 = float(e2_values[i])
+def _fill_acceleration_cylindrical(
+    out,
+    phi1_values,
+    R4,
+    R5,
+    e2,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_acceleration_cylindrical(block, phi1_block, R4, R5, e2, None)
+        if has_nan(block):
+            _row_acceleration_cylindrical(block, phi1_block, R4, R5, e2, True)
 
-            value = _acceleration_cylindrical_at(phi1, R4, R5, e2, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi1 = float(phi1_values[i])
-                R4 = float(R4_values[i])
-                R5 = float(R5_values[i])
-                e2 = float(e2_values[i])
+@loop
+def _row_each_acceleration_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
 
-                value = _acceleration_cylindrical_at(phi1, R4, R5, e2, True)
-                out[i] = value
+        R4 = float(R4_values[i])
+
+        R5 = float(R5_values[i])
+
+        e2 = float(e2_values[i])
+
+        value = _acceleration_cylindrical_at(phi1, R4, R5, e2, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_acceleration_cylindrical(
+    out,
+    phi1_values,
+    R4_values,
+    R5_values,
+    e2_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi1_block = phi1_values[start:stop]
+        R4_block = R4_values[start:stop]
+        R5_block = R5_values[start:stop]
+        e2_block = e2_values[start:stop]
+        _row_each_acceleration_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, None)
+        if has_nan(block):
+            _row_each_acceleration_cylindrical(
+                block, phi1_block, R4_block, R5_block, e2_block, True
+            )
 
 
 def acceleration_cylindrical(
@@ -1290,6 +1341,14 @@ def acceleration_cylindrical(
 
     Compiled. The help of `mechproof.kernels.oval_planetary.acceleration_cylindrical` has all words.
     """
+    if type(R4) is type(R5) is type(e2) is float:
+        if type(phi1) is ndarray:
+            row = take_row(phi1, out)
+            if row is not None:
+                _fill_acceleration_cylindrical(row, phi1, R4, R5, e2)
+                return row
+        elif type(phi1) is float and out is None:
+            return float64(_acceleration_cylindrical_point(phi1, R4, R5, e2))
     return run(
         _ACCELERATION_CYLINDRICAL,
         (

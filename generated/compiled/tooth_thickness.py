@@ -17,19 +17,23 @@ import math
 from typing import Any
 
 import numpy as np
+from numpy import float64, ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
+    choose,
     floor,
     fma,
+    has_nan,
     is_finite,
     loop,
     overload,
     rint,
     run,
     scalar,
+    take_row,
 )
 
 __all__ = [
@@ -57,23 +61,25 @@ def _tan(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = (
+    v4 = v3 * v3
+    v5 = (
         fma(
-            fma(fma(v3, -7.482425926557501e-06, 0.00280579332473998), v3, -0.1282823491413398),
-            v3,
-            1.0,
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
         )
         * v2
     )
-    v5 = fma(
-        fma(fma(v3, -0.00020843011349081395, 0.023344354149567717), v3, -0.46161568247467066),
-        v3,
-        1.0,
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
     )
-    v6 = v1 * 0.5
-    v7 = rint(v6) == v6
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
 
-    value = (v4 if v7 else -v5) / (v5 if v7 else v4)
+    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -91,58 +97,46 @@ def _sin(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = v3 * 0.5
-    v5 = 1.0 - v4
-    v6 = v1 * 0.5
-    v7 = (
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
         fma(
             v2 * v3,
             fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                            v3,
-                            2.7557316102534617e-06,
-                        ),
-                        v3,
-                        -0.0001984126983675854,
-                    ),
-                    v3,
-                    0.008333333333330948,
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
                 ),
-                v3,
-                -0.16666666666666666,
             ),
             v2,
-        )
-        if (rint(v6) == v6)
-        else v5
+        ),
+        v7
         + fma(
             v3 * v3,
             fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                            v3,
-                            -2.7557317271718644e-07,
-                        ),
-                        v3,
-                        2.4801587298765665e-05,
-                    ),
-                    v3,
-                    -0.0013888888888887398,
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
                 ),
-                v3,
-                0.041666666666666664,
             ),
-            1.0 - v5 - v4,
-        )
+            1.0 - v7 - v6,
+        ),
     )
-    v8 = floor(v6) * 0.5
+    v12 = floor(v10) * 0.5
 
-    value = v7 if (floor(v8) == v8) else -v7
+    value = choose(floor(v12) == v12, v11, -v11)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -160,58 +154,46 @@ def _cos(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = v3 * 0.5
-    v5 = 1.0 - v4
-    v6 = v1 * 0.5
-    v7 = (
-        v5
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        v7
         + fma(
             v3 * v3,
             fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                            v3,
-                            -2.7557317271718644e-07,
-                        ),
-                        v3,
-                        2.4801587298765665e-05,
-                    ),
-                    v3,
-                    -0.0013888888888887398,
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
                 ),
-                v3,
-                0.041666666666666664,
             ),
-            1.0 - v5 - v4,
-        )
-        if (rint(v6) == v6)
-        else fma(
+            1.0 - v7 - v6,
+        ),
+        fma(
             v2 * v3,
             fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                            v3,
-                            2.7557316102534617e-06,
-                        ),
-                        v3,
-                        -0.0001984126983675854,
-                    ),
-                    v3,
-                    0.008333333333330948,
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
                 ),
-                v3,
-                -0.16666666666666666,
             ),
             v2,
-        )
+        ),
     )
-    v8 = floor((v1 + 1.0) * 0.5) * 0.5
+    v12 = floor((v1 + 1.0) * 0.5) * 0.5
 
-    value = v7 if (floor(v8) == v8) else -v7
+    value = choose(floor(v12) == v12, v11, -v11)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -237,7 +219,6 @@ def _constant_chord_at(m, alpha, exact):
     if not ((alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)):
         return math.nan
     prepared = _prepare_constant_chord(alpha, exact)
-
     return _constant_chord(m, *prepared, exact)
 
 
@@ -247,57 +228,54 @@ def _constant_chord_point(m, alpha):
 
 
 @loop
-def _fill_constant_chord(out, m_values, alpha):
-    count = out.size
-    prepared = _prepare_constant_chord(alpha, True)
+def _row_constant_chord(out, m_values, alpha, exact):
+    for i in range(out.size):
+        m = float(m_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            m = float(m_values[i])
-
-            value = (
-                _constant_chord(m, *prepared, None)
-                if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-                else math.nan
-            )
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                m = float(m_values[i])
-
-                value = (
-                    _constant_chord(m, *prepared, True)
-                    if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-                    else math.nan
-                )
-                out[i] = value
+        value = _constant_chord_at(m, alpha, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_constant_chord(out, m_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            m = float(m_values[i])
-            alpha = float(alpha_values[i])
+def _fill_constant_chord(
+    out,
+    m_values,
+    alpha,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        m_block = m_values[start:stop]
+        _row_constant_chord(block, m_block, alpha, None)
+        if has_nan(block):
+            _row_constant_chord(block, m_block, alpha, True)
 
-            value = _constant_chord_at(m, alpha, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                m = float(m_values[i])
-                alpha = float(alpha_values[i])
+@loop
+def _row_each_constant_chord(out, m_values, alpha_values, exact):
+    for i in range(out.size):
+        m = float(m_values[i])
 
-                value = _constant_chord_at(m, alpha, True)
-                out[i] = value
+        alpha = float(alpha_values[i])
+
+        value = _constant_chord_at(m, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_constant_chord(
+    out,
+    m_values,
+    alpha_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        m_block = m_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_constant_chord(block, m_block, alpha_block, None)
+        if has_nan(block):
+            _row_each_constant_chord(block, m_block, alpha_block, True)
 
 
 def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -305,6 +283,14 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.constant_chord` has all words.
     """
+    if type(alpha) is float:
+        if type(m) is ndarray:
+            row = take_row(m, out)
+            if row is not None:
+                _fill_constant_chord(row, m, alpha)
+                return row
+        elif type(m) is float and out is None:
+            return float64(_constant_chord_point(m, alpha))
     return run(
         _CONSTANT_CHORD,
         (
@@ -359,7 +345,6 @@ def _chord_height_at(m, alpha, exact):
     if not ((alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)):
         return math.nan
     prepared = _prepare_chord_height(alpha, exact)
-
     return _chord_height(m, *prepared, exact)
 
 
@@ -369,57 +354,54 @@ def _chord_height_point(m, alpha):
 
 
 @loop
-def _fill_chord_height(out, m_values, alpha):
-    count = out.size
-    prepared = _prepare_chord_height(alpha, True)
+def _row_chord_height(out, m_values, alpha, exact):
+    for i in range(out.size):
+        m = float(m_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            m = float(m_values[i])
-
-            value = (
-                _chord_height(m, *prepared, None)
-                if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-                else math.nan
-            )
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                m = float(m_values[i])
-
-                value = (
-                    _chord_height(m, *prepared, True)
-                    if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-                    else math.nan
-                )
-                out[i] = value
+        value = _chord_height_at(m, alpha, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_chord_height(out, m_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            m = float(m_values[i])
-            alpha = float(alpha_values[i])
+def _fill_chord_height(
+    out,
+    m_values,
+    alpha,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        m_block = m_values[start:stop]
+        _row_chord_height(block, m_block, alpha, None)
+        if has_nan(block):
+            _row_chord_height(block, m_block, alpha, True)
 
-            value = _chord_height_at(m, alpha, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                m = float(m_values[i])
-                alpha = float(alpha_values[i])
+@loop
+def _row_each_chord_height(out, m_values, alpha_values, exact):
+    for i in range(out.size):
+        m = float(m_values[i])
 
-                value = _chord_height_at(m, alpha, True)
-                out[i] = value
+        alpha = float(alpha_values[i])
+
+        value = _chord_height_at(m, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_chord_height(
+    out,
+    m_values,
+    alpha_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        m_block = m_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_chord_height(block, m_block, alpha_block, None)
+        if has_nan(block):
+            _row_each_chord_height(block, m_block, alpha_block, True)
 
 
 def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -427,6 +409,14 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.chord_height` has all words.
     """
+    if type(alpha) is float:
+        if type(m) is ndarray:
+            row = take_row(m, out)
+            if row is not None:
+                _fill_chord_height(row, m, alpha)
+                return row
+        elif type(m) is float and out is None:
+            return float64(_chord_height_point(m, alpha))
     return run(
         _CHORD_HEIGHT,
         (
@@ -499,7 +489,6 @@ def _height_change_at(tilt, m, z, alpha, exact):
     ):
         return math.nan
     prepared = _prepare_height_change(m, z, alpha, exact)
-
     return _height_change(tilt, *prepared, exact)
 
 
@@ -509,64 +498,64 @@ def _height_change_point(tilt, m, z, alpha):
 
 
 @loop
-def _fill_height_change(out, tilt_values, m, z, alpha):
-    count = out.size
-    if not (
-        (m > 0)
-        & is_finite(m)
-        & (z >= 1)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_height_change(m, z, alpha, True)
+def _row_height_change(out, tilt_values, m, z, alpha, exact):
+    for i in range(out.size):
+        tilt = float(tilt_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            tilt = float(tilt_values[i])
-
-            value = _height_change(tilt, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                tilt = float(tilt_values[i])
-
-                value = _height_change(tilt, *prepared, True)
-                out[i] = value
+        value = _height_change_at(tilt, m, z, alpha, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_height_change(out, tilt_values, m_values, z_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            tilt = float(tilt_values[i])
-            m = float(m_values[i])
-            z = float(z_values[i])
-            alpha = float(alpha_values[i])
+def _fill_height_change(
+    out,
+    tilt_values,
+    m,
+    z,
+    alpha,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        tilt_block = tilt_values[start:stop]
+        _row_height_change(block, tilt_block, m, z, alpha, None)
+        if has_nan(block):
+            _row_height_change(block, tilt_block, m, z, alpha, True)
 
-            value = _height_change_at(tilt, m, z, alpha, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                tilt = float(tilt_values[i])
-                m = float(m_values[i])
-                z = float(z_values[i])
-                alpha = float(alpha_values[i])
+@loop
+def _row_each_height_change(out, tilt_values, m_values, z_values, alpha_values, exact):
+    for i in range(out.size):
+        tilt = float(tilt_values[i])
 
-                value = _height_change_at(tilt, m, z, alpha, True)
-                out[i] = value
+        m = float(m_values[i])
+
+        z = float(z_values[i])
+
+        alpha = float(alpha_values[i])
+
+        value = _height_change_at(tilt, m, z, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_height_change(
+    out,
+    tilt_values,
+    m_values,
+    z_values,
+    alpha_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        tilt_block = tilt_values[start:stop]
+        m_block = m_values[start:stop]
+        z_block = z_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_height_change(block, tilt_block, m_block, z_block, alpha_block, None)
+        if has_nan(block):
+            _row_each_height_change(block, tilt_block, m_block, z_block, alpha_block, True)
 
 
 def height_change(
@@ -581,6 +570,14 @@ def height_change(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.height_change` has all words.
     """
+    if type(m) is type(z) is type(alpha) is float:
+        if type(tilt) is ndarray:
+            row = take_row(tilt, out)
+            if row is not None:
+                _fill_height_change(row, tilt, m, z, alpha)
+                return row
+        elif type(tilt) is float and out is None:
+            return float64(_height_change_point(tilt, m, z, alpha))
     return run(
         _HEIGHT_CHANGE,
         (
@@ -667,7 +664,6 @@ def _thickness_change_at(tilt, m, z, alpha, exact):
     ):
         return math.nan
     prepared = _prepare_thickness_change(m, z, alpha, exact)
-
     return _thickness_change(tilt, *prepared, exact)
 
 
@@ -677,64 +673,64 @@ def _thickness_change_point(tilt, m, z, alpha):
 
 
 @loop
-def _fill_thickness_change(out, tilt_values, m, z, alpha):
-    count = out.size
-    if not (
-        (m > 0)
-        & is_finite(m)
-        & (z >= 1)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_thickness_change(m, z, alpha, True)
+def _row_thickness_change(out, tilt_values, m, z, alpha, exact):
+    for i in range(out.size):
+        tilt = float(tilt_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            tilt = float(tilt_values[i])
-
-            value = _thickness_change(tilt, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                tilt = float(tilt_values[i])
-
-                value = _thickness_change(tilt, *prepared, True)
-                out[i] = value
+        value = _thickness_change_at(tilt, m, z, alpha, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_thickness_change(out, tilt_values, m_values, z_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            tilt = float(tilt_values[i])
-            m = float(m_values[i])
-            z = float(z_values[i])
-            alpha = float(alpha_values[i])
+def _fill_thickness_change(
+    out,
+    tilt_values,
+    m,
+    z,
+    alpha,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        tilt_block = tilt_values[start:stop]
+        _row_thickness_change(block, tilt_block, m, z, alpha, None)
+        if has_nan(block):
+            _row_thickness_change(block, tilt_block, m, z, alpha, True)
 
-            value = _thickness_change_at(tilt, m, z, alpha, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                tilt = float(tilt_values[i])
-                m = float(m_values[i])
-                z = float(z_values[i])
-                alpha = float(alpha_values[i])
+@loop
+def _row_each_thickness_change(out, tilt_values, m_values, z_values, alpha_values, exact):
+    for i in range(out.size):
+        tilt = float(tilt_values[i])
 
-                value = _thickness_change_at(tilt, m, z, alpha, True)
-                out[i] = value
+        m = float(m_values[i])
+
+        z = float(z_values[i])
+
+        alpha = float(alpha_values[i])
+
+        value = _thickness_change_at(tilt, m, z, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_thickness_change(
+    out,
+    tilt_values,
+    m_values,
+    z_values,
+    alpha_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        tilt_block = tilt_values[start:stop]
+        m_block = m_values[start:stop]
+        z_block = z_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_thickness_change(block, tilt_block, m_block, z_block, alpha_block, None)
+        if has_nan(block):
+            _row_each_thickness_change(block, tilt_block, m_block, z_block, alpha_block, True)
 
 
 def thickness_change(
@@ -749,6 +745,14 @@ def thickness_change(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_change` has all words.
     """
+    if type(m) is type(z) is type(alpha) is float:
+        if type(tilt) is ndarray:
+            row = take_row(tilt, out)
+            if row is not None:
+                _fill_thickness_change(row, tilt, m, z, alpha)
+                return row
+        elif type(tilt) is float and out is None:
+            return float64(_thickness_change_point(tilt, m, z, alpha))
     return run(
         _THICKNESS_CHANGE,
         (
@@ -813,7 +817,6 @@ def _thickness_change_linear_at(dh, alpha, exact):
     if not ((alpha > 0) & (alpha < np.pi / 4)):
         return math.nan
     prepared = _prepare_thickness_change_linear(alpha, exact)
-
     return _thickness_change_linear(dh, *prepared, exact)
 
 
@@ -823,52 +826,54 @@ def _thickness_change_linear_point(dh, alpha):
 
 
 @loop
-def _fill_thickness_change_linear(out, dh_values, alpha):
-    count = out.size
-    if not ((alpha > 0) & (alpha < np.pi / 4)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_thickness_change_linear(alpha, True)
+def _row_thickness_change_linear(out, dh_values, alpha, exact):
+    for i in range(out.size):
+        dh = float(dh_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            dh = float(dh_values[i])
-
-            value = _thickness_change_linear(dh, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                dh = float(dh_values[i])
-
-                value = _thickness_change_linear(dh, *prepared, True)
-                out[i] = value
+        value = _thickness_change_linear_at(dh, alpha, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_thickness_change_linear(out, dh_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            dh = float(dh_values[i])
-            alpha = float(alpha_values[i])
+def _fill_thickness_change_linear(
+    out,
+    dh_values,
+    alpha,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        dh_block = dh_values[start:stop]
+        _row_thickness_change_linear(block, dh_block, alpha, None)
+        if has_nan(block):
+            _row_thickness_change_linear(block, dh_block, alpha, True)
 
-            value = _thickness_change_linear_at(dh, alpha, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                dh = float(dh_values[i])
-                alpha = float(alpha_values[i])
+@loop
+def _row_each_thickness_change_linear(out, dh_values, alpha_values, exact):
+    for i in range(out.size):
+        dh = float(dh_values[i])
 
-                value = _thickness_change_linear_at(dh, alpha, True)
-                out[i] = value
+        alpha = float(alpha_values[i])
+
+        value = _thickness_change_linear_at(dh, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_thickness_change_linear(
+    out,
+    dh_values,
+    alpha_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        dh_block = dh_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_thickness_change_linear(block, dh_block, alpha_block, None)
+        if has_nan(block):
+            _row_each_thickness_change_linear(block, dh_block, alpha_block, True)
 
 
 def thickness_change_linear(
@@ -878,6 +883,14 @@ def thickness_change_linear(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_change_linear` has all words.
     """
+    if type(alpha) is float:
+        if type(dh) is ndarray:
+            row = take_row(dh, out)
+            if row is not None:
+                _fill_thickness_change_linear(row, dh, alpha)
+                return row
+        elif type(dh) is float and out is None:
+            return float64(_thickness_change_linear_point(dh, alpha))
     return run(
         _THICKNESS_CHANGE_LINEAR,
         (
@@ -949,7 +962,6 @@ def _linearisation_bound_at(dh, m, z, alpha, exact):
     ):
         return math.nan
     prepared = _prepare_linearisation_bound(m, z, alpha, exact)
-
     return _linearisation_bound(dh, *prepared, exact)
 
 
@@ -959,64 +971,64 @@ def _linearisation_bound_point(dh, m, z, alpha):
 
 
 @loop
-def _fill_linearisation_bound(out, dh_values, m, z, alpha):
-    count = out.size
-    if not (
-        (m > 0)
-        & is_finite(m)
-        & (z >= 1)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_linearisation_bound(m, z, alpha, True)
+def _row_linearisation_bound(out, dh_values, m, z, alpha, exact):
+    for i in range(out.size):
+        dh = float(dh_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            dh = float(dh_values[i])
-
-            value = _linearisation_bound(dh, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                dh = float(dh_values[i])
-
-                value = _linearisation_bound(dh, *prepared, True)
-                out[i] = value
+        value = _linearisation_bound_at(dh, m, z, alpha, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_linearisation_bound(out, dh_values, m_values, z_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            dh = float(dh_values[i])
-            m = float(m_values[i])
-            z = float(z_values[i])
-            alpha = float(alpha_values[i])
+def _fill_linearisation_bound(
+    out,
+    dh_values,
+    m,
+    z,
+    alpha,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        dh_block = dh_values[start:stop]
+        _row_linearisation_bound(block, dh_block, m, z, alpha, None)
+        if has_nan(block):
+            _row_linearisation_bound(block, dh_block, m, z, alpha, True)
 
-            value = _linearisation_bound_at(dh, m, z, alpha, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                dh = float(dh_values[i])
-                m = float(m_values[i])
-                z = float(z_values[i])
-                alpha = float(alpha_values[i])
+@loop
+def _row_each_linearisation_bound(out, dh_values, m_values, z_values, alpha_values, exact):
+    for i in range(out.size):
+        dh = float(dh_values[i])
 
-                value = _linearisation_bound_at(dh, m, z, alpha, True)
-                out[i] = value
+        m = float(m_values[i])
+
+        z = float(z_values[i])
+
+        alpha = float(alpha_values[i])
+
+        value = _linearisation_bound_at(dh, m, z, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_linearisation_bound(
+    out,
+    dh_values,
+    m_values,
+    z_values,
+    alpha_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        dh_block = dh_values[start:stop]
+        m_block = m_values[start:stop]
+        z_block = z_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_linearisation_bound(block, dh_block, m_block, z_block, alpha_block, None)
+        if has_nan(block):
+            _row_each_linearisation_bound(block, dh_block, m_block, z_block, alpha_block, True)
 
 
 def linearisation_bound(
@@ -1026,6 +1038,14 @@ def linearisation_bound(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.linearisation_bound` has all words.
     """
+    if type(m) is type(z) is type(alpha) is float:
+        if type(dh) is ndarray:
+            row = take_row(dh, out)
+            if row is not None:
+                _fill_linearisation_bound(row, dh, m, z, alpha)
+                return row
+        elif type(dh) is float and out is None:
+            return float64(_linearisation_bound_point(dh, m, z, alpha))
     return run(
         _LINEARISATION_BOUND,
         (
@@ -1090,7 +1110,6 @@ def _thickness_error_at(e_tip, height_error, alpha, exact):
     if not ((alpha > 0) & (alpha < np.pi / 4)):
         return math.nan
     prepared = _prepare_thickness_error(height_error, alpha, exact)
-
     return _thickness_error(e_tip, *prepared, exact)
 
 
@@ -1100,54 +1119,59 @@ def _thickness_error_point(e_tip, height_error, alpha):
 
 
 @loop
-def _fill_thickness_error(out, e_tip_values, height_error, alpha):
-    count = out.size
-    if not ((alpha > 0) & (alpha < np.pi / 4)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_thickness_error(height_error, alpha, True)
+def _row_thickness_error(out, e_tip_values, height_error, alpha, exact):
+    for i in range(out.size):
+        e_tip = float(e_tip_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            e_tip = float(e_tip_values[i])
-
-            value = _thickness_error(e_tip, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                e_tip = float(e_tip_values[i])
-
-                value = _thickness_error(e_tip, *prepared, True)
-                out[i] = value
+        value = _thickness_error_at(e_tip, height_error, alpha, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_thickness_error(out, e_tip_values, height_error_values, alpha_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            e_tip = float(e_tip_values[i])
-            height_error = float(height_error_values[i])
-            alpha = float(alpha_values[i])
+def _fill_thickness_error(
+    out,
+    e_tip_values,
+    height_error,
+    alpha,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        e_tip_block = e_tip_values[start:stop]
+        _row_thickness_error(block, e_tip_block, height_error, alpha, None)
+        if has_nan(block):
+            _row_thickness_error(block, e_tip_block, height_error, alpha, True)
 
-            value = _thickness_error_at(e_tip, height_error, alpha, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                e_tip = float(e_tip_values[i])
-                height_error = float(height_error_values[i])
-                alpha = float(alpha_values[i])
+@loop
+def _row_each_thickness_error(out, e_tip_values, height_error_values, alpha_values, exact):
+    for i in range(out.size):
+        e_tip = float(e_tip_values[i])
 
-                value = _thickness_error_at(e_tip, height_error, alpha, True)
-                out[i] = value
+        height_error = float(height_error_values[i])
+
+        alpha = float(alpha_values[i])
+
+        value = _thickness_error_at(e_tip, height_error, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_thickness_error(
+    out,
+    e_tip_values,
+    height_error_values,
+    alpha_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        e_tip_block = e_tip_values[start:stop]
+        height_error_block = height_error_values[start:stop]
+        alpha_block = alpha_values[start:stop]
+        _row_each_thickness_error(block, e_tip_block, height_error_block, alpha_block, None)
+        if has_nan(block):
+            _row_each_thickness_error(block, e_tip_block, height_error_block, alpha_block, True)
 
 
 def thickness_error(
@@ -1157,6 +1181,14 @@ def thickness_error(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_error` has all words.
     """
+    if type(height_error) is type(alpha) is float:
+        if type(e_tip) is ndarray:
+            row = take_row(e_tip, out)
+            if row is not None:
+                _fill_thickness_error(row, e_tip, height_error, alpha)
+                return row
+        elif type(e_tip) is float and out is None:
+            return float64(_thickness_error_point(e_tip, height_error, alpha))
     return run(
         _THICKNESS_ERROR,
         (

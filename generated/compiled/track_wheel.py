@@ -17,19 +17,23 @@ import math
 from typing import Any
 
 import numpy as np
+from numpy import float64, ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
+    choose,
     floor,
     fma,
+    has_nan,
     is_finite,
     loop,
     overload,
     rint,
     run,
     scalar,
+    take_row,
 )
 
 __all__ = [
@@ -58,23 +62,25 @@ def _tan(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = (
+    v4 = v3 * v3
+    v5 = (
         fma(
-            fma(fma(v3, -7.482425926557501e-06, 0.00280579332473998), v3, -0.1282823491413398),
-            v3,
-            1.0,
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
         )
         * v2
     )
-    v5 = fma(
-        fma(fma(v3, -0.00020843011349081395, 0.023344354149567717), v3, -0.46161568247467066),
-        v3,
-        1.0,
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
     )
-    v6 = v1 * 0.5
-    v7 = rint(v6) == v6
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
 
-    value = (v4 if v7 else -v5) / (v5 if v7 else v4)
+    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -92,58 +98,46 @@ def _sin(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = v3 * 0.5
-    v5 = 1.0 - v4
-    v6 = v1 * 0.5
-    v7 = (
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
         fma(
             v2 * v3,
             fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                            v3,
-                            2.7557316102534617e-06,
-                        ),
-                        v3,
-                        -0.0001984126983675854,
-                    ),
-                    v3,
-                    0.008333333333330948,
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
                 ),
-                v3,
-                -0.16666666666666666,
             ),
             v2,
-        )
-        if (rint(v6) == v6)
-        else v5
+        ),
+        v7
         + fma(
             v3 * v3,
             fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                            v3,
-                            -2.7557317271718644e-07,
-                        ),
-                        v3,
-                        2.4801587298765665e-05,
-                    ),
-                    v3,
-                    -0.0013888888888887398,
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
                 ),
-                v3,
-                0.041666666666666664,
             ),
-            1.0 - v5 - v4,
-        )
+            1.0 - v7 - v6,
+        ),
     )
-    v8 = floor(v6) * 0.5
+    v12 = floor(v10) * 0.5
 
-    value = v7 if (floor(v8) == v8) else -v7
+    value = choose(floor(v12) == v12, v11, -v11)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -161,58 +155,46 @@ def _cos(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = v3 * 0.5
-    v5 = 1.0 - v4
-    v6 = v1 * 0.5
-    v7 = (
-        v5
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        v7
         + fma(
             v3 * v3,
             fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                            v3,
-                            -2.7557317271718644e-07,
-                        ),
-                        v3,
-                        2.4801587298765665e-05,
-                    ),
-                    v3,
-                    -0.0013888888888887398,
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
                 ),
-                v3,
-                0.041666666666666664,
             ),
-            1.0 - v5 - v4,
-        )
-        if (rint(v6) == v6)
-        else fma(
+            1.0 - v7 - v6,
+        ),
+        fma(
             v2 * v3,
             fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                            v3,
-                            2.7557316102534617e-06,
-                        ),
-                        v3,
-                        -0.0001984126983675854,
-                    ),
-                    v3,
-                    0.008333333333330948,
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
                 ),
-                v3,
-                -0.16666666666666666,
             ),
             v2,
-        )
+        ),
     )
-    v8 = floor((v1 + 1.0) * 0.5) * 0.5
+    v12 = floor((v1 + 1.0) * 0.5) * 0.5
 
-    value = v7 if (floor(v8) == v8) else -v7
+    value = choose(floor(v12) == v12, v11, -v11)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -225,11 +207,11 @@ def _cos(y, exact):
 def _hypot(a, b):
     v1 = abs(a)
     v2 = abs(b)
-    v3 = v1 if (v1 > v2) else v2
-    v4 = (
-        2.409919865102884e-181
-        if (v3 > 3.273390607896142e150)
-        else (4.149515568880993e180 if (v3 < 3.054936363499605e-151) else 1.0)
+    v3 = choose(v1 > v2, v1, v2)
+    v4 = choose(
+        v3 > 3.273390607896142e150,
+        2.409919865102884e-181,
+        choose(v3 < 3.054936363499605e-151, 4.149515568880993e180, 1.0),
     )
     v5 = v1 * v4
     v6 = v2 * v4
@@ -268,7 +250,6 @@ def _rotation(alpha, cos_beta, cos_gamma, sin_gamma, sin_beta, exact):
 @scalar
 def _rotation_at(alpha, beta, gamma, exact):
     prepared = _prepare_rotation(beta, gamma, exact)
-
     return _rotation(alpha, *prepared, exact)
 
 
@@ -278,103 +259,75 @@ def _rotation_point(alpha, beta, gamma):
 
 
 @loop
-def _fill_rotation(out, alpha_values, beta, gamma):
-    count = out.size // 9
-    prepared = _prepare_rotation(beta, gamma, True)
+def _row_rotation(out, alpha_values, beta, gamma, exact):
+    for i in range(out.size // 9):
+        alpha = float(alpha_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            alpha = float(alpha_values[i])
-
-            value = _rotation(alpha, *prepared, None)
-            out[9 * i + 0] = value[0]
-            out[9 * i + 1] = value[1]
-            out[9 * i + 2] = value[2]
-            out[9 * i + 3] = value[3]
-            out[9 * i + 4] = value[4]
-            out[9 * i + 5] = value[5]
-            out[9 * i + 6] = value[6]
-            out[9 * i + 7] = value[7]
-            out[9 * i + 8] = value[8]
-
-            missing += (
-                (value[0] != value[0])
-                | (value[1] != value[1])
-                | (value[2] != value[2])
-                | (value[3] != value[3])
-                | (value[4] != value[4])
-                | (value[5] != value[5])
-                | (value[6] != value[6])
-                | (value[7] != value[7])
-                | (value[8] != value[8])
-            )
-        if missing:
-            for i in range(start, stop):
-                alpha = float(alpha_values[i])
-
-                value = _rotation(alpha, *prepared, True)
-                out[9 * i + 0] = value[0]
-                out[9 * i + 1] = value[1]
-                out[9 * i + 2] = value[2]
-                out[9 * i + 3] = value[3]
-                out[9 * i + 4] = value[4]
-                out[9 * i + 5] = value[5]
-                out[9 * i + 6] = value[6]
-                out[9 * i + 7] = value[7]
-                out[9 * i + 8] = value[8]
+        value = _rotation_at(alpha, beta, gamma, exact)
+        out[9 * i + 0] = value[0]
+        out[9 * i + 1] = value[1]
+        out[9 * i + 2] = value[2]
+        out[9 * i + 3] = value[3]
+        out[9 * i + 4] = value[4]
+        out[9 * i + 5] = value[5]
+        out[9 * i + 6] = value[6]
+        out[9 * i + 7] = value[7]
+        out[9 * i + 8] = value[8]
 
 
 @loop
-def _fill_each_rotation(out, alpha_values, beta_values, gamma_values):
-    count = out.size // 9
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            alpha = float(alpha_values[i])
-            beta = float(beta_values[i])
-            gamma = float(gamma_values[i])
+def _fill_rotation(
+    out,
+    alpha_values,
+    beta,
+    gamma,
+):
+    for start in range(0, out.size // 9, BLOCK):
+        stop = start + BLOCK
+        block = out[9 * start : 9 * stop]
+        alpha_block = alpha_values[start:stop]
+        _row_rotation(block, alpha_block, beta, gamma, None)
+        if has_nan(block):
+            _row_rotation(block, alpha_block, beta, gamma, True)
 
-            value = _rotation_at(alpha, beta, gamma, None)
-            out[9 * i + 0] = value[0]
-            out[9 * i + 1] = value[1]
-            out[9 * i + 2] = value[2]
-            out[9 * i + 3] = value[3]
-            out[9 * i + 4] = value[4]
-            out[9 * i + 5] = value[5]
-            out[9 * i + 6] = value[6]
-            out[9 * i + 7] = value[7]
-            out[9 * i + 8] = value[8]
 
-            missing += (
-                (value[0] != value[0])
-                | (value[1] != value[1])
-                | (value[2] != value[2])
-                | (value[3] != value[3])
-                | (value[4] != value[4])
-                | (value[5] != value[5])
-                | (value[6] != value[6])
-                | (value[7] != value[7])
-                | (value[8] != value[8])
-            )
-        if missing:
-            for i in range(start, stop):
-                alpha = float(alpha_values[i])
-                beta = float(beta_values[i])
-                gamma = float(gamma_values[i])
+@loop
+def _row_each_rotation(out, alpha_values, beta_values, gamma_values, exact):
+    for i in range(out.size // 9):
+        alpha = float(alpha_values[i])
 
-                value = _rotation_at(alpha, beta, gamma, True)
-                out[9 * i + 0] = value[0]
-                out[9 * i + 1] = value[1]
-                out[9 * i + 2] = value[2]
-                out[9 * i + 3] = value[3]
-                out[9 * i + 4] = value[4]
-                out[9 * i + 5] = value[5]
-                out[9 * i + 6] = value[6]
-                out[9 * i + 7] = value[7]
-                out[9 * i + 8] = value[8]
+        beta = float(beta_values[i])
+
+        gamma = float(gamma_values[i])
+
+        value = _rotation_at(alpha, beta, gamma, exact)
+        out[9 * i + 0] = value[0]
+        out[9 * i + 1] = value[1]
+        out[9 * i + 2] = value[2]
+        out[9 * i + 3] = value[3]
+        out[9 * i + 4] = value[4]
+        out[9 * i + 5] = value[5]
+        out[9 * i + 6] = value[6]
+        out[9 * i + 7] = value[7]
+        out[9 * i + 8] = value[8]
+
+
+@loop
+def _fill_each_rotation(
+    out,
+    alpha_values,
+    beta_values,
+    gamma_values,
+):
+    for start in range(0, out.size // 9, BLOCK):
+        stop = start + BLOCK
+        block = out[9 * start : 9 * stop]
+        alpha_block = alpha_values[start:stop]
+        beta_block = beta_values[start:stop]
+        gamma_block = gamma_values[start:stop]
+        _row_each_rotation(block, alpha_block, beta_block, gamma_block, None)
+        if has_nan(block):
+            _row_each_rotation(block, alpha_block, beta_block, gamma_block, True)
 
 
 def rotation(
@@ -475,7 +428,6 @@ def _displacement_at(
     points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact
 ):
     prepared = _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact)
-
     return _displacement(points_0, points_1, points_2, *prepared, exact)
 
 
@@ -489,97 +441,103 @@ def _displacement_point(
 
 
 @loop
-def _fill_displacement(out, points_values, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2):
-    count = out.size // 3
-    prepared = _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, True)
+def _row_displacement(
+    out, points_values, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact
+):
+    for i in range(out.size // 3):
+        points_0 = float(points_values[3 * i + 0])
+        points_1 = float(points_values[3 * i + 1])
+        points_2 = float(points_values[3 * i + 2])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            points_0 = float(points_values[3 * i + 0])
-            points_1 = float(points_values[3 * i + 1])
-            points_2 = float(points_values[3 * i + 2])
-
-            value = _displacement(points_0, points_1, points_2, *prepared, None)
-            out[3 * i + 0] = value[0]
-            out[3 * i + 1] = value[1]
-            out[3 * i + 2] = value[2]
-
-            missing += (value[0] != value[0]) | (value[1] != value[1]) | (value[2] != value[2])
-        if missing:
-            for i in range(start, stop):
-                points_0 = float(points_values[3 * i + 0])
-                points_1 = float(points_values[3 * i + 1])
-                points_2 = float(points_values[3 * i + 2])
-
-                value = _displacement(points_0, points_1, points_2, *prepared, True)
-                out[3 * i + 0] = value[0]
-                out[3 * i + 1] = value[1]
-                out[3 * i + 2] = value[2]
+        value = _displacement_at(
+            points_0,
+            points_1,
+            points_2,
+            angles_0,
+            angles_1,
+            angles_2,
+            shift_0,
+            shift_1,
+            shift_2,
+            exact,
+        )
+        out[3 * i + 0] = value[0]
+        out[3 * i + 1] = value[1]
+        out[3 * i + 2] = value[2]
 
 
 @loop
-def _fill_each_displacement(out, points_values, angles_values, shift_values):
-    count = out.size // 3
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            points_0 = float(points_values[3 * i + 0])
-            points_1 = float(points_values[3 * i + 1])
-            points_2 = float(points_values[3 * i + 2])
-            angles_0 = float(angles_values[3 * i + 0])
-            angles_1 = float(angles_values[3 * i + 1])
-            angles_2 = float(angles_values[3 * i + 2])
-            shift_0 = float(shift_values[3 * i + 0])
-            shift_1 = float(shift_values[3 * i + 1])
-            shift_2 = float(shift_values[3 * i + 2])
-
-            value = _displacement_at(
-                points_0,
-                points_1,
-                points_2,
-                angles_0,
-                angles_1,
-                angles_2,
-                shift_0,
-                shift_1,
-                shift_2,
-                None,
+def _fill_displacement(
+    out,
+    points_values,
+    angles_0,
+    angles_1,
+    angles_2,
+    shift_0,
+    shift_1,
+    shift_2,
+):
+    for start in range(0, out.size // 3, BLOCK):
+        stop = start + BLOCK
+        block = out[3 * start : 3 * stop]
+        points_block = points_values[3 * start : 3 * stop]
+        _row_displacement(
+            block, points_block, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, None
+        )
+        if has_nan(block):
+            _row_displacement(
+                block, points_block, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, True
             )
-            out[3 * i + 0] = value[0]
-            out[3 * i + 1] = value[1]
-            out[3 * i + 2] = value[2]
 
-            missing += (value[0] != value[0]) | (value[1] != value[1]) | (value[2] != value[2])
-        if missing:
-            for i in range(start, stop):
-                points_0 = float(points_values[3 * i + 0])
-                points_1 = float(points_values[3 * i + 1])
-                points_2 = float(points_values[3 * i + 2])
-                angles_0 = float(angles_values[3 * i + 0])
-                angles_1 = float(angles_values[3 * i + 1])
-                angles_2 = float(angles_values[3 * i + 2])
-                shift_0 = float(shift_values[3 * i + 0])
-                shift_1 = float(shift_values[3 * i + 1])
-                shift_2 = float(shift_values[3 * i + 2])
 
-                value = _displacement_at(
-                    points_0,
-                    points_1,
-                    points_2,
-                    angles_0,
-                    angles_1,
-                    angles_2,
-                    shift_0,
-                    shift_1,
-                    shift_2,
-                    True,
-                )
-                out[3 * i + 0] = value[0]
-                out[3 * i + 1] = value[1]
-                out[3 * i + 2] = value[2]
+@loop
+def _row_each_displacement(out, points_values, angles_values, shift_values, exact):
+    for i in range(out.size // 3):
+        points_0 = float(points_values[3 * i + 0])
+        points_1 = float(points_values[3 * i + 1])
+        points_2 = float(points_values[3 * i + 2])
+
+        angles_0 = float(angles_values[3 * i + 0])
+        angles_1 = float(angles_values[3 * i + 1])
+        angles_2 = float(angles_values[3 * i + 2])
+
+        shift_0 = float(shift_values[3 * i + 0])
+        shift_1 = float(shift_values[3 * i + 1])
+        shift_2 = float(shift_values[3 * i + 2])
+
+        value = _displacement_at(
+            points_0,
+            points_1,
+            points_2,
+            angles_0,
+            angles_1,
+            angles_2,
+            shift_0,
+            shift_1,
+            shift_2,
+            exact,
+        )
+        out[3 * i + 0] = value[0]
+        out[3 * i + 1] = value[1]
+        out[3 * i + 2] = value[2]
+
+
+@loop
+def _fill_each_displacement(
+    out,
+    points_values,
+    angles_values,
+    shift_values,
+):
+    for start in range(0, out.size // 3, BLOCK):
+        stop = start + BLOCK
+        block = out[3 * start : 3 * stop]
+        points_block = points_values[3 * start : 3 * stop]
+        angles_block = angles_values[3 * start : 3 * stop]
+        shift_block = shift_values[3 * start : 3 * stop]
+        _row_each_displacement(block, points_block, angles_block, shift_block, None)
+        if has_nan(block):
+            _row_each_displacement(block, points_block, angles_block, shift_block, True)
 
 
 def displacement(
@@ -644,44 +602,61 @@ def _planar_error(displacement_0, displacement_1):
 
 
 @scalar
-def _planar_error_at(displacement_0, displacement_1, displacement_2):
-
-    return _planar_error(
-        displacement_0,
-        displacement_1,
-    )
+def _planar_error_at(displacement_0, displacement_1):
+    return _planar_error(displacement_0, displacement_1)
 
 
 @scalar
 def _planar_error_point(displacement_0, displacement_1, displacement_2):
-    return _planar_error_at(displacement_0, displacement_1, displacement_2)
+    return _planar_error_at(displacement_0, displacement_1)
 
 
 @loop
-def _fill_planar_error(out, displacement_values):
-    count = out.size
-
-    for i in range(count):
+def _row_planar_error(
+    out,
+    displacement_values,
+):
+    for i in range(out.size):
         displacement_0 = float(displacement_values[3 * i + 0])
         displacement_1 = float(displacement_values[3 * i + 1])
 
-        value = _planar_error(
-            displacement_0,
-            displacement_1,
-        )
+        value = _planar_error_at(displacement_0, displacement_1)
         out[i] = value
 
 
 @loop
-def _fill_each_planar_error(out, displacement_values):
-    count = out.size
-    for i in range(count):
+def _fill_planar_error(
+    out,
+    displacement_values,
+):
+    _row_planar_error(
+        out,
+        displacement_values,
+    )
+
+
+@loop
+def _row_each_planar_error(
+    out,
+    displacement_values,
+):
+    for i in range(out.size):
         displacement_0 = float(displacement_values[3 * i + 0])
         displacement_1 = float(displacement_values[3 * i + 1])
-        displacement_2 = float(displacement_values[3 * i + 2])
 
-        value = _planar_error_at(displacement_0, displacement_1, displacement_2)
+        value = _planar_error_at(displacement_0, displacement_1)
         out[i] = value
+
+
+@loop
+def _fill_each_planar_error(
+    out,
+    displacement_values,
+):
+    _row_each_planar_error(
+        out,
+        displacement_values,
+    )
 
 
 def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -721,12 +696,7 @@ def _spatial_error(displacement_0, displacement_1, displacement_2):
 
 @scalar
 def _spatial_error_at(displacement_0, displacement_1, displacement_2):
-
-    return _spatial_error(
-        displacement_0,
-        displacement_1,
-        displacement_2,
-    )
+    return _spatial_error(displacement_0, displacement_1, displacement_2)
 
 
 @scalar
@@ -735,32 +705,53 @@ def _spatial_error_point(displacement_0, displacement_1, displacement_2):
 
 
 @loop
-def _fill_spatial_error(out, displacement_values):
-    count = out.size
-
-    for i in range(count):
-        displacement_0 = float(displacement_values[3 * i + 0])
-        displacement_1 = float(displacement_values[3 * i + 1])
-        displacement_2 = float(displacement_values[3 * i + 2])
-
-        value = _spatial_error(
-            displacement_0,
-            displacement_1,
-            displacement_2,
-        )
-        out[i] = value
-
-
-@loop
-def _fill_each_spatial_error(out, displacement_values):
-    count = out.size
-    for i in range(count):
+def _row_spatial_error(
+    out,
+    displacement_values,
+):
+    for i in range(out.size):
         displacement_0 = float(displacement_values[3 * i + 0])
         displacement_1 = float(displacement_values[3 * i + 1])
         displacement_2 = float(displacement_values[3 * i + 2])
 
         value = _spatial_error_at(displacement_0, displacement_1, displacement_2)
         out[i] = value
+
+
+@loop
+def _fill_spatial_error(
+    out,
+    displacement_values,
+):
+    _row_spatial_error(
+        out,
+        displacement_values,
+    )
+
+
+@loop
+def _row_each_spatial_error(
+    out,
+    displacement_values,
+):
+    for i in range(out.size):
+        displacement_0 = float(displacement_values[3 * i + 0])
+        displacement_1 = float(displacement_values[3 * i + 1])
+        displacement_2 = float(displacement_values[3 * i + 2])
+
+        value = _spatial_error_at(displacement_0, displacement_1, displacement_2)
+        out[i] = value
+
+
+@loop
+def _fill_each_spatial_error(
+    out,
+    displacement_values,
+):
+    _row_each_spatial_error(
+        out,
+        displacement_values,
+    )
 
 
 def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -806,7 +797,7 @@ def _radius(phi, A, z, w, exact):
     u = A * _cos(z * phi, exact)
     q = abs(u) + _hypot(np.sqrt(w), u)
 
-    return q if (u >= 0) else w / q
+    return choose(u >= 0, q, w / q)
 
 
 @scalar
@@ -814,7 +805,6 @@ def _radius_at(phi, R, A, z, exact):
     if not ((R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)):
         return math.nan
     prepared = _prepare_radius(R, A, z, exact)
-
     return _radius(phi, *prepared, exact)
 
 
@@ -824,56 +814,64 @@ def _radius_point(phi, R, A, z):
 
 
 @loop
-def _fill_radius(out, phi_values, R, A, z):
-    count = out.size
-    if not ((R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_radius(R, A, z, True)
+def _row_radius(out, phi_values, R, A, z, exact):
+    for i in range(out.size):
+        phi = float(phi_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi = float(phi_values[i])
-
-            value = _radius(phi, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi = float(phi_values[i])
-
-                value = _radius(phi, *prepared, True)
-                out[i] = value
+        value = _radius_at(phi, R, A, z, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_radius(out, phi_values, R_values, A_values, z_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi = float(phi_values[i])
-            R = float(R_values[i])
-            A = float(A_values[i])
-            z = float(z_values[i])
+def _fill_radius(
+    out,
+    phi_values,
+    R,
+    A,
+    z,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi_block = phi_values[start:stop]
+        _row_radius(block, phi_block, R, A, z, None)
+        if has_nan(block):
+            _row_radius(block, phi_block, R, A, z, True)
 
-            value = _radius_at(phi, R, A, z, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi = float(phi_values[i])
-                R = float(R_values[i])
-                A = float(A_values[i])
-                z = float(z_values[i])
+@loop
+def _row_each_radius(out, phi_values, R_values, A_values, z_values, exact):
+    for i in range(out.size):
+        phi = float(phi_values[i])
 
-                value = _radius_at(phi, R, A, z, True)
-                out[i] = value
+        R = float(R_values[i])
+
+        A = float(A_values[i])
+
+        z = float(z_values[i])
+
+        value = _radius_at(phi, R, A, z, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_radius(
+    out,
+    phi_values,
+    R_values,
+    A_values,
+    z_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi_block = phi_values[start:stop]
+        R_block = R_values[start:stop]
+        A_block = A_values[start:stop]
+        z_block = z_values[start:stop]
+        _row_each_radius(block, phi_block, R_block, A_block, z_block, None)
+        if has_nan(block):
+            _row_each_radius(block, phi_block, R_block, A_block, z_block, True)
 
 
 def radius(
@@ -883,6 +881,14 @@ def radius(
 
     Compiled. The help of `mechproof.kernels.track_wheel.radius` has all words.
     """
+    if type(R) is type(A) is type(z) is float:
+        if type(phi) is ndarray:
+            row = take_row(phi, out)
+            if row is not None:
+                _fill_radius(row, phi, R, A, z)
+                return row
+        elif type(phi) is float and out is None:
+            return float64(_radius_point(phi, R, A, z))
     return run(
         _RADIUS,
         (
@@ -943,7 +949,7 @@ def _prepare_track(R, A, z, H, exact):
 def _track(phi, A, z, H, w, exact):
     u = A * _cos(z * phi, exact)
     q = abs(u) + _hypot(np.sqrt(w), u)
-    term = q if (u >= 0) else w / q
+    term = choose(u >= 0, q, w / q)
 
     return (
         term * _cos(phi, exact),
@@ -966,7 +972,6 @@ def _track_at(phi, R, A, z, H, exact):
     ):
         return (math.nan, math.nan, math.nan)
     prepared = _prepare_track(R, A, z, H, exact)
-
     return _track(phi, *prepared, exact)
 
 
@@ -976,75 +981,73 @@ def _track_point(phi, R, A, z, H):
 
 
 @loop
-def _fill_track(out, phi_values, R, A, z, H):
-    count = out.size // 3
-    if not (
-        (R > 0)
-        & is_finite(R)
-        & (H > 0)
-        & is_finite(H)
-        & (z >= 1)
-        & is_finite(z)
-        & (z == floor(z))
-        & (abs(A) <= R)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_track(R, A, z, H, True)
+def _row_track(out, phi_values, R, A, z, H, exact):
+    for i in range(out.size // 3):
+        phi = float(phi_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi = float(phi_values[i])
-
-            value = _track(phi, *prepared, None)
-            out[3 * i + 0] = value[0]
-            out[3 * i + 1] = value[1]
-            out[3 * i + 2] = value[2]
-
-            missing += (value[0] != value[0]) | (value[1] != value[1]) | (value[2] != value[2])
-        if missing:
-            for i in range(start, stop):
-                phi = float(phi_values[i])
-
-                value = _track(phi, *prepared, True)
-                out[3 * i + 0] = value[0]
-                out[3 * i + 1] = value[1]
-                out[3 * i + 2] = value[2]
+        value = _track_at(phi, R, A, z, H, exact)
+        out[3 * i + 0] = value[0]
+        out[3 * i + 1] = value[1]
+        out[3 * i + 2] = value[2]
 
 
 @loop
-def _fill_each_track(out, phi_values, R_values, A_values, z_values, H_values):
-    count = out.size // 3
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi = float(phi_values[i])
-            R = float(R_values[i])
-            A = float(A_values[i])
-            z = float(z_values[i])
-            H = float(H_values[i])
+def _fill_track(
+    out,
+    phi_values,
+    R,
+    A,
+    z,
+    H,
+):
+    for start in range(0, out.size // 3, BLOCK):
+        stop = start + BLOCK
+        block = out[3 * start : 3 * stop]
+        phi_block = phi_values[start:stop]
+        _row_track(block, phi_block, R, A, z, H, None)
+        if has_nan(block):
+            _row_track(block, phi_block, R, A, z, H, True)
 
-            value = _track_at(phi, R, A, z, H, None)
-            out[3 * i + 0] = value[0]
-            out[3 * i + 1] = value[1]
-            out[3 * i + 2] = value[2]
 
-            missing += (value[0] != value[0]) | (value[1] != value[1]) | (value[2] != value[2])
-        if missing:
-            for i in range(start, stop):
-                phi = float(phi_values[i])
-                R = float(R_values[i])
-                A = float(A_values[i])
-                z = float(z_values[i])
-                H = float(H_values[i])
+@loop
+def _row_each_track(out, phi_values, R_values, A_values, z_values, H_values, exact):
+    for i in range(out.size // 3):
+        phi = float(phi_values[i])
 
-                value = _track_at(phi, R, A, z, H, True)
-                out[3 * i + 0] = value[0]
-                out[3 * i + 1] = value[1]
-                out[3 * i + 2] = value[2]
+        R = float(R_values[i])
+
+        A = float(A_values[i])
+
+        z = float(z_values[i])
+
+        H = float(H_values[i])
+
+        value = _track_at(phi, R, A, z, H, exact)
+        out[3 * i + 0] = value[0]
+        out[3 * i + 1] = value[1]
+        out[3 * i + 2] = value[2]
+
+
+@loop
+def _fill_each_track(
+    out,
+    phi_values,
+    R_values,
+    A_values,
+    z_values,
+    H_values,
+):
+    for start in range(0, out.size // 3, BLOCK):
+        stop = start + BLOCK
+        block = out[3 * start : 3 * stop]
+        phi_block = phi_values[start:stop]
+        R_block = R_values[start:stop]
+        A_block = A_values[start:stop]
+        z_block = z_values[start:stop]
+        H_block = H_values[start:stop]
+        _row_each_track(block, phi_block, R_block, A_block, z_block, H_block, None)
+        if has_nan(block):
+            _row_each_track(block, phi_block, R_block, A_block, z_block, H_block, True)
 
 
 def track(
@@ -1129,7 +1132,6 @@ def _largest_radius_at(R, A):
     if not ((R > 0) & is_finite(R) & (abs(A) <= R)):
         return math.nan
     prepared = _prepare_largest_radius(A)
-
     return _largest_radius(R, *prepared)
 
 
@@ -1139,28 +1141,57 @@ def _largest_radius_point(R, A):
 
 
 @loop
-def _fill_largest_radius(out, R_values, A):
-    count = out.size
-    prepared = _prepare_largest_radius(A)
-
-    for i in range(count):
+def _row_largest_radius(
+    out,
+    R_values,
+    A,
+):
+    for i in range(out.size):
         R = float(R_values[i])
 
-        value = (
-            _largest_radius(R, *prepared) if (R > 0) & is_finite(R) & (abs(A) <= R) else math.nan
-        )
+        value = _largest_radius_at(R, A)
         out[i] = value
 
 
 @loop
-def _fill_each_largest_radius(out, R_values, A_values):
-    count = out.size
-    for i in range(count):
+def _fill_largest_radius(
+    out,
+    R_values,
+    A,
+):
+    _row_largest_radius(
+        out,
+        R_values,
+        A,
+    )
+
+
+@loop
+def _row_each_largest_radius(
+    out,
+    R_values,
+    A_values,
+):
+    for i in range(out.size):
         R = float(R_values[i])
+
         A = float(A_values[i])
 
         value = _largest_radius_at(R, A)
         out[i] = value
+
+
+@loop
+def _fill_each_largest_radius(
+    out,
+    R_values,
+    A_values,
+):
+    _row_each_largest_radius(
+        out,
+        R_values,
+        A_values,
+    )
 
 
 def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -1168,6 +1199,14 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
 
     Compiled. The help of `mechproof.kernels.track_wheel.largest_radius` has all words.
     """
+    if type(A) is float:
+        if type(R) is ndarray:
+            row = take_row(R, out)
+            if row is not None:
+                _fill_largest_radius(row, R, A)
+                return row
+        elif type(R) is float and out is None:
+            return float64(_largest_radius_point(R, A))
     return run(
         _LARGEST_RADIUS,
         (
@@ -1222,7 +1261,6 @@ def _smallest_radius_at(R, A):
     if not ((R > 0) & is_finite(R) & (abs(A) <= R)):
         return math.nan
     prepared = _prepare_smallest_radius(A)
-
     return _smallest_radius(R, *prepared)
 
 
@@ -1232,28 +1270,57 @@ def _smallest_radius_point(R, A):
 
 
 @loop
-def _fill_smallest_radius(out, R_values, A):
-    count = out.size
-    prepared = _prepare_smallest_radius(A)
-
-    for i in range(count):
+def _row_smallest_radius(
+    out,
+    R_values,
+    A,
+):
+    for i in range(out.size):
         R = float(R_values[i])
 
-        value = (
-            _smallest_radius(R, *prepared) if (R > 0) & is_finite(R) & (abs(A) <= R) else math.nan
-        )
+        value = _smallest_radius_at(R, A)
         out[i] = value
 
 
 @loop
-def _fill_each_smallest_radius(out, R_values, A_values):
-    count = out.size
-    for i in range(count):
+def _fill_smallest_radius(
+    out,
+    R_values,
+    A,
+):
+    _row_smallest_radius(
+        out,
+        R_values,
+        A,
+    )
+
+
+@loop
+def _row_each_smallest_radius(
+    out,
+    R_values,
+    A_values,
+):
+    for i in range(out.size):
         R = float(R_values[i])
+
         A = float(A_values[i])
 
         value = _smallest_radius_at(R, A)
         out[i] = value
+
+
+@loop
+def _fill_each_smallest_radius(
+    out,
+    R_values,
+    A_values,
+):
+    _row_each_smallest_radius(
+        out,
+        R_values,
+        A_values,
+    )
 
 
 def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -1261,6 +1328,14 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
 
     Compiled. The help of `mechproof.kernels.track_wheel.smallest_radius` has all words.
     """
+    if type(A) is float:
+        if type(R) is ndarray:
+            row = take_row(R, out)
+            if row is not None:
+                _fill_smallest_radius(row, R, A)
+                return row
+        elif type(R) is float and out is None:
+            return float64(_smallest_radius_point(R, A))
     return run(
         _SMALLEST_RADIUS,
         (

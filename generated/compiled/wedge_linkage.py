@@ -17,14 +17,17 @@ import math
 from typing import Any
 
 import numpy as np
+from numpy import float64, ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
+    choose,
     copysign,
     floor,
     fma,
+    has_nan,
     is_finite,
     loop,
     maximum,
@@ -32,6 +35,7 @@ from mechproof.compiled_support import (
     rint,
     run,
     scalar,
+    take_row,
 )
 
 __all__ = [
@@ -63,58 +67,46 @@ def _sin(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = v3 * 0.5
-    v5 = 1.0 - v4
-    v6 = v1 * 0.5
-    v7 = (
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
         fma(
             v2 * v3,
             fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                            v3,
-                            2.7557316102534617e-06,
-                        ),
-                        v3,
-                        -0.0001984126983675854,
-                    ),
-                    v3,
-                    0.008333333333330948,
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
                 ),
-                v3,
-                -0.16666666666666666,
             ),
             v2,
-        )
-        if (rint(v6) == v6)
-        else v5
+        ),
+        v7
         + fma(
             v3 * v3,
             fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                            v3,
-                            -2.7557317271718644e-07,
-                        ),
-                        v3,
-                        2.4801587298765665e-05,
-                    ),
-                    v3,
-                    -0.0013888888888887398,
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
                 ),
-                v3,
-                0.041666666666666664,
             ),
-            1.0 - v5 - v4,
-        )
+            1.0 - v7 - v6,
+        ),
     )
-    v8 = floor(v6) * 0.5
+    v12 = floor(v10) * 0.5
 
-    value = v7 if (floor(v8) == v8) else -v7
+    value = choose(floor(v12) == v12, v11, -v11)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -132,58 +124,46 @@ def _cos(y, exact):
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
     )
     v3 = v2 * v2
-    v4 = v3 * 0.5
-    v5 = 1.0 - v4
-    v6 = v1 * 0.5
-    v7 = (
-        v5
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        v7
         + fma(
             v3 * v3,
             fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                            v3,
-                            -2.7557317271718644e-07,
-                        ),
-                        v3,
-                        2.4801587298765665e-05,
-                    ),
-                    v3,
-                    -0.0013888888888887398,
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
                 ),
-                v3,
-                0.041666666666666664,
             ),
-            1.0 - v5 - v4,
-        )
-        if (rint(v6) == v6)
-        else fma(
+            1.0 - v7 - v6,
+        ),
+        fma(
             v2 * v3,
             fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
                 fma(
-                    fma(
-                        fma(
-                            fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                            v3,
-                            2.7557316102534617e-06,
-                        ),
-                        v3,
-                        -0.0001984126983675854,
-                    ),
-                    v3,
-                    0.008333333333330948,
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
                 ),
-                v3,
-                -0.16666666666666666,
             ),
             v2,
-        )
+        ),
     )
-    v8 = floor((v1 + 1.0) * 0.5) * 0.5
+    v12 = floor((v1 + 1.0) * 0.5) * 0.5
 
-    value = v7 if (floor(v8) == v8) else -v7
+    value = choose(floor(v12) == v12, v11, -v11)
     if abs(y) <= LARGEST:
         return value
     if exact is None:
@@ -192,61 +172,64 @@ def _cos(y, exact):
     return math.cos(y)
 
 
-# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.036 eps
+# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
 @scalar
 def _arctan(y):
     v1 = abs(y)
     v2 = v1 > 1.0
-    v3 = 1.0 / v1 if v2 else v1
+    v3 = choose(v2, 1.0 / v1, v1)
     v4 = v3 * v3
-    v5 = fma(
+    v5 = v4 * v4
+    v6 = v5 * v5
+    v7 = v6 * v6
+    v8 = v7 * v7
+    v9 = fma(
         v3 * v4,
         fma(
+            v8,
             fma(
+                v6,
+                fma(v4, 7.767532298566822e-06, -9.371091633560781e-05),
                 fma(
-                    fma(
-                        fma(
-                            fma(v4, -2.2297625903724207e-06, -0.0021043841889903303),
-                            v4,
-                            -0.04325109363258728,
-                        ),
-                        v4,
-                        -0.27257768176992825,
-                    ),
-                    v4,
-                    -0.7123411520866144,
+                    v5,
+                    fma(v4, 0.0005376794060869381, -0.001961242117363609),
+                    fma(v4, 0.005140885854032265, -0.010412113196030874),
                 ),
-                v4,
-                -0.8116410741980923,
             ),
-            v4,
-            -0.3333333333333333,
-        )
-        / fma(
             fma(
+                v7,
                 fma(
+                    v6,
                     fma(
-                        fma(
-                            fma(v4, 0.0024454490824068215, 0.06453288730795323),
-                            v4,
-                            0.536881672373973,
-                        ),
-                        v4,
-                        1.9680285742582135,
+                        v5,
+                        fma(v4, 0.01718393672751917, -0.02419130675591347),
+                        fma(v4, 0.030330692745374102, -0.03527131689273554),
                     ),
-                    v4,
-                    3.5294059612458244,
+                    fma(
+                        v5,
+                        fma(v4, 0.039386869439826874, -0.04330653645791128),
+                        fma(v4, 0.04758080032858198, -0.05262492218979753),
+                    ),
                 ),
-                v4,
-                3.034923222594262,
+                fma(
+                    v6,
+                    fma(
+                        v5,
+                        fma(v4, 0.05882264415278073, -0.06666657934409811),
+                        fma(v4, 0.07692307078814367, -0.09090909061934628),
+                    ),
+                    fma(
+                        v5,
+                        fma(v4, 0.11111111110268276, -0.14285714285701234),
+                        fma(v4, 0.1999999999999992, -0.3333333333333333),
+                    ),
+                ),
             ),
-            v4,
-            1.0,
         ),
         v3,
     )
 
-    return copysign(1.5707963267948966 - (v5 - 6.123233995736766e-17) if v2 else v5, y)
+    return copysign(choose(v2, 1.5707963267948966 - (v9 - 6.123233995736766e-17), v9), y)
 
 
 @scalar
@@ -268,7 +251,6 @@ def _guide_radicand_at(x1, l_AB, l_BC, l_CD):
     ):
         return math.nan
     prepared = _prepare_guide_radicand(l_AB, l_BC, l_CD)
-
     return _guide_radicand(x1, *prepared)
 
 
@@ -278,33 +260,73 @@ def _guide_radicand_point(x1, l_AB, l_BC, l_CD):
 
 
 @loop
-def _fill_guide_radicand(out, x1_values, l_AB, l_BC, l_CD):
-    count = out.size
-    if not (
-        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_guide_radicand(l_AB, l_BC, l_CD)
-
-    for i in range(count):
+def _row_guide_radicand(
+    out,
+    x1_values,
+    l_AB,
+    l_BC,
+    l_CD,
+):
+    for i in range(out.size):
         x1 = float(x1_values[i])
 
-        value = _guide_radicand(x1, *prepared)
+        value = _guide_radicand_at(x1, l_AB, l_BC, l_CD)
         out[i] = value
 
 
 @loop
-def _fill_each_guide_radicand(out, x1_values, l_AB_values, l_BC_values, l_CD_values):
-    count = out.size
-    for i in range(count):
+def _fill_guide_radicand(
+    out,
+    x1_values,
+    l_AB,
+    l_BC,
+    l_CD,
+):
+    _row_guide_radicand(
+        out,
+        x1_values,
+        l_AB,
+        l_BC,
+        l_CD,
+    )
+
+
+@loop
+def _row_each_guide_radicand(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+):
+    for i in range(out.size):
         x1 = float(x1_values[i])
+
         l_AB = float(l_AB_values[i])
+
         l_BC = float(l_BC_values[i])
+
         l_CD = float(l_CD_values[i])
 
         value = _guide_radicand_at(x1, l_AB, l_BC, l_CD)
         out[i] = value
+
+
+@loop
+def _fill_each_guide_radicand(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+):
+    _row_each_guide_radicand(
+        out,
+        x1_values,
+        l_AB_values,
+        l_BC_values,
+        l_CD_values,
+    )
 
 
 def guide_radicand(
@@ -319,6 +341,14 @@ def guide_radicand(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.guide_radicand` has all words.
     """
+    if type(l_AB) is type(l_BC) is type(l_CD) is float:
+        if type(x1) is ndarray:
+            row = take_row(x1, out)
+            if row is not None:
+                _fill_guide_radicand(row, x1, l_AB, l_BC, l_CD)
+                return row
+        elif type(x1) is float and out is None:
+            return float64(_guide_radicand_point(x1, l_AB, l_BC, l_CD))
     return run(
         _GUIDE_RADICAND,
         (
@@ -388,7 +418,6 @@ def _lever_angle_at(x1, l_AB, l_BC, l_CD):
     ):
         return math.nan
     prepared = _prepare_lever_angle(l_AB, l_BC, l_CD)
-
     return _lever_angle(x1, *prepared)
 
 
@@ -398,33 +427,73 @@ def _lever_angle_point(x1, l_AB, l_BC, l_CD):
 
 
 @loop
-def _fill_lever_angle(out, x1_values, l_AB, l_BC, l_CD):
-    count = out.size
-    if not (
-        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_lever_angle(l_AB, l_BC, l_CD)
-
-    for i in range(count):
+def _row_lever_angle(
+    out,
+    x1_values,
+    l_AB,
+    l_BC,
+    l_CD,
+):
+    for i in range(out.size):
         x1 = float(x1_values[i])
 
-        value = _lever_angle(x1, *prepared)
+        value = _lever_angle_at(x1, l_AB, l_BC, l_CD)
         out[i] = value
 
 
 @loop
-def _fill_each_lever_angle(out, x1_values, l_AB_values, l_BC_values, l_CD_values):
-    count = out.size
-    for i in range(count):
+def _fill_lever_angle(
+    out,
+    x1_values,
+    l_AB,
+    l_BC,
+    l_CD,
+):
+    _row_lever_angle(
+        out,
+        x1_values,
+        l_AB,
+        l_BC,
+        l_CD,
+    )
+
+
+@loop
+def _row_each_lever_angle(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+):
+    for i in range(out.size):
         x1 = float(x1_values[i])
+
         l_AB = float(l_AB_values[i])
+
         l_BC = float(l_BC_values[i])
+
         l_CD = float(l_CD_values[i])
 
         value = _lever_angle_at(x1, l_AB, l_BC, l_CD)
         out[i] = value
+
+
+@loop
+def _fill_each_lever_angle(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+):
+    _row_each_lever_angle(
+        out,
+        x1_values,
+        l_AB_values,
+        l_BC_values,
+        l_CD_values,
+    )
 
 
 def lever_angle(
@@ -439,6 +508,14 @@ def lever_angle(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.lever_angle` has all words.
     """
+    if type(l_AB) is type(l_BC) is type(l_CD) is float:
+        if type(x1) is ndarray:
+            row = take_row(x1, out)
+            if row is not None:
+                _fill_lever_angle(row, x1, l_AB, l_BC, l_CD)
+                return row
+        elif type(x1) is float and out is None:
+            return float64(_lever_angle_point(x1, l_AB, l_BC, l_CD))
     return run(
         _LEVER_ANGLE,
         (
@@ -503,7 +580,6 @@ def _rod_displacement_at(phi3, l_DE, alpha_DE, exact):
     if not ((l_DE > 0) & is_finite(l_DE)):
         return math.nan
     prepared = _prepare_rod_displacement(l_DE, alpha_DE, exact)
-
     return _rod_displacement(phi3, *prepared, exact)
 
 
@@ -513,54 +589,59 @@ def _rod_displacement_point(phi3, l_DE, alpha_DE):
 
 
 @loop
-def _fill_rod_displacement(out, phi3_values, l_DE, alpha_DE):
-    count = out.size
-    if not ((l_DE > 0) & is_finite(l_DE)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_rod_displacement(l_DE, alpha_DE, True)
+def _row_rod_displacement(out, phi3_values, l_DE, alpha_DE, exact):
+    for i in range(out.size):
+        phi3 = float(phi3_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi3 = float(phi3_values[i])
-
-            value = _rod_displacement(phi3, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi3 = float(phi3_values[i])
-
-                value = _rod_displacement(phi3, *prepared, True)
-                out[i] = value
+        value = _rod_displacement_at(phi3, l_DE, alpha_DE, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_rod_displacement(out, phi3_values, l_DE_values, alpha_DE_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi3 = float(phi3_values[i])
-            l_DE = float(l_DE_values[i])
-            alpha_DE = float(alpha_DE_values[i])
+def _fill_rod_displacement(
+    out,
+    phi3_values,
+    l_DE,
+    alpha_DE,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi3_block = phi3_values[start:stop]
+        _row_rod_displacement(block, phi3_block, l_DE, alpha_DE, None)
+        if has_nan(block):
+            _row_rod_displacement(block, phi3_block, l_DE, alpha_DE, True)
 
-            value = _rod_displacement_at(phi3, l_DE, alpha_DE, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi3 = float(phi3_values[i])
-                l_DE = float(l_DE_values[i])
-                alpha_DE = float(alpha_DE_values[i])
+@loop
+def _row_each_rod_displacement(out, phi3_values, l_DE_values, alpha_DE_values, exact):
+    for i in range(out.size):
+        phi3 = float(phi3_values[i])
 
-                value = _rod_displacement_at(phi3, l_DE, alpha_DE, True)
-                out[i] = value
+        l_DE = float(l_DE_values[i])
+
+        alpha_DE = float(alpha_DE_values[i])
+
+        value = _rod_displacement_at(phi3, l_DE, alpha_DE, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_rod_displacement(
+    out,
+    phi3_values,
+    l_DE_values,
+    alpha_DE_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi3_block = phi3_values[start:stop]
+        l_DE_block = l_DE_values[start:stop]
+        alpha_DE_block = alpha_DE_values[start:stop]
+        _row_each_rod_displacement(block, phi3_block, l_DE_block, alpha_DE_block, None)
+        if has_nan(block):
+            _row_each_rod_displacement(block, phi3_block, l_DE_block, alpha_DE_block, True)
 
 
 def rod_displacement(
@@ -570,6 +651,14 @@ def rod_displacement(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.rod_displacement` has all words.
     """
+    if type(l_DE) is type(alpha_DE) is float:
+        if type(phi3) is ndarray:
+            row = take_row(phi3, out)
+            if row is not None:
+                _fill_rod_displacement(row, phi3, l_DE, alpha_DE)
+                return row
+        elif type(phi3) is float and out is None:
+            return float64(_rod_displacement_point(phi3, l_DE, alpha_DE))
     return run(
         _ROD_DISPLACEMENT,
         (
@@ -629,7 +718,6 @@ def _clearance_at(x5, l_GH):
     if not ((l_GH > 0) & is_finite(l_GH)):
         return math.nan
     prepared = _prepare_clearance(l_GH)
-
     return _clearance(x5, *prepared)
 
 
@@ -639,29 +727,57 @@ def _clearance_point(x5, l_GH):
 
 
 @loop
-def _fill_clearance(out, x5_values, l_GH):
-    count = out.size
-    if not ((l_GH > 0) & is_finite(l_GH)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_clearance(l_GH)
-
-    for i in range(count):
+def _row_clearance(
+    out,
+    x5_values,
+    l_GH,
+):
+    for i in range(out.size):
         x5 = float(x5_values[i])
 
-        value = _clearance(x5, *prepared)
+        value = _clearance_at(x5, l_GH)
         out[i] = value
 
 
 @loop
-def _fill_each_clearance(out, x5_values, l_GH_values):
-    count = out.size
-    for i in range(count):
+def _fill_clearance(
+    out,
+    x5_values,
+    l_GH,
+):
+    _row_clearance(
+        out,
+        x5_values,
+        l_GH,
+    )
+
+
+@loop
+def _row_each_clearance(
+    out,
+    x5_values,
+    l_GH_values,
+):
+    for i in range(out.size):
         x5 = float(x5_values[i])
+
         l_GH = float(l_GH_values[i])
 
         value = _clearance_at(x5, l_GH)
         out[i] = value
+
+
+@loop
+def _fill_each_clearance(
+    out,
+    x5_values,
+    l_GH_values,
+):
+    _row_each_clearance(
+        out,
+        x5_values,
+        l_GH_values,
+    )
 
 
 def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -669,6 +785,14 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.clearance` has all words.
     """
+    if type(l_GH) is float:
+        if type(x5) is ndarray:
+            row = take_row(x5, out)
+            if row is not None:
+                _fill_clearance(row, x5, l_GH)
+                return row
+        elif type(x5) is float and out is None:
+            return float64(_clearance_point(x5, l_GH))
     return run(
         _CLEARANCE,
         (
@@ -723,7 +847,6 @@ def _roller_offset_at(x5, l_KL, alpha_KL, exact):
     if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
         return math.nan
     prepared = _prepare_roller_offset(l_KL, alpha_KL, exact)
-
     return _roller_offset(x5, *prepared, exact)
 
 
@@ -733,54 +856,59 @@ def _roller_offset_point(x5, l_KL, alpha_KL):
 
 
 @loop
-def _fill_roller_offset(out, x5_values, l_KL, alpha_KL):
-    count = out.size
-    if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_roller_offset(l_KL, alpha_KL, True)
+def _row_roller_offset(out, x5_values, l_KL, alpha_KL, exact):
+    for i in range(out.size):
+        x5 = float(x5_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            x5 = float(x5_values[i])
-
-            value = _roller_offset(x5, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                x5 = float(x5_values[i])
-
-                value = _roller_offset(x5, *prepared, True)
-                out[i] = value
+        value = _roller_offset_at(x5, l_KL, alpha_KL, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_roller_offset(out, x5_values, l_KL_values, alpha_KL_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            x5 = float(x5_values[i])
-            l_KL = float(l_KL_values[i])
-            alpha_KL = float(alpha_KL_values[i])
+def _fill_roller_offset(
+    out,
+    x5_values,
+    l_KL,
+    alpha_KL,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        x5_block = x5_values[start:stop]
+        _row_roller_offset(block, x5_block, l_KL, alpha_KL, None)
+        if has_nan(block):
+            _row_roller_offset(block, x5_block, l_KL, alpha_KL, True)
 
-            value = _roller_offset_at(x5, l_KL, alpha_KL, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                x5 = float(x5_values[i])
-                l_KL = float(l_KL_values[i])
-                alpha_KL = float(alpha_KL_values[i])
+@loop
+def _row_each_roller_offset(out, x5_values, l_KL_values, alpha_KL_values, exact):
+    for i in range(out.size):
+        x5 = float(x5_values[i])
 
-                value = _roller_offset_at(x5, l_KL, alpha_KL, True)
-                out[i] = value
+        l_KL = float(l_KL_values[i])
+
+        alpha_KL = float(alpha_KL_values[i])
+
+        value = _roller_offset_at(x5, l_KL, alpha_KL, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_roller_offset(
+    out,
+    x5_values,
+    l_KL_values,
+    alpha_KL_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        x5_block = x5_values[start:stop]
+        l_KL_block = l_KL_values[start:stop]
+        alpha_KL_block = alpha_KL_values[start:stop]
+        _row_each_roller_offset(block, x5_block, l_KL_block, alpha_KL_block, None)
+        if has_nan(block):
+            _row_each_roller_offset(block, x5_block, l_KL_block, alpha_KL_block, True)
 
 
 def roller_offset(
@@ -790,6 +918,14 @@ def roller_offset(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.roller_offset` has all words.
     """
+    if type(l_KL) is type(alpha_KL) is float:
+        if type(x5) is ndarray:
+            row = take_row(x5, out)
+            if row is not None:
+                _fill_roller_offset(row, x5, l_KL, alpha_KL)
+                return row
+        elif type(x5) is float and out is None:
+            return float64(_roller_offset_point(x5, l_KL, alpha_KL))
     return run(
         _ROLLER_OFFSET,
         (
@@ -858,7 +994,6 @@ def _roller_lever_angle_at(x5, l_KL, alpha_KL, exact):
     if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
         return math.nan
     prepared = _prepare_roller_lever_angle(l_KL, alpha_KL, exact)
-
     return _roller_lever_angle(x5, *prepared, exact)
 
 
@@ -868,54 +1003,59 @@ def _roller_lever_angle_point(x5, l_KL, alpha_KL):
 
 
 @loop
-def _fill_roller_lever_angle(out, x5_values, l_KL, alpha_KL):
-    count = out.size
-    if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_roller_lever_angle(l_KL, alpha_KL, True)
+def _row_roller_lever_angle(out, x5_values, l_KL, alpha_KL, exact):
+    for i in range(out.size):
+        x5 = float(x5_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            x5 = float(x5_values[i])
-
-            value = _roller_lever_angle(x5, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                x5 = float(x5_values[i])
-
-                value = _roller_lever_angle(x5, *prepared, True)
-                out[i] = value
+        value = _roller_lever_angle_at(x5, l_KL, alpha_KL, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_roller_lever_angle(out, x5_values, l_KL_values, alpha_KL_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            x5 = float(x5_values[i])
-            l_KL = float(l_KL_values[i])
-            alpha_KL = float(alpha_KL_values[i])
+def _fill_roller_lever_angle(
+    out,
+    x5_values,
+    l_KL,
+    alpha_KL,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        x5_block = x5_values[start:stop]
+        _row_roller_lever_angle(block, x5_block, l_KL, alpha_KL, None)
+        if has_nan(block):
+            _row_roller_lever_angle(block, x5_block, l_KL, alpha_KL, True)
 
-            value = _roller_lever_angle_at(x5, l_KL, alpha_KL, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                x5 = float(x5_values[i])
-                l_KL = float(l_KL_values[i])
-                alpha_KL = float(alpha_KL_values[i])
+@loop
+def _row_each_roller_lever_angle(out, x5_values, l_KL_values, alpha_KL_values, exact):
+    for i in range(out.size):
+        x5 = float(x5_values[i])
 
-                value = _roller_lever_angle_at(x5, l_KL, alpha_KL, True)
-                out[i] = value
+        l_KL = float(l_KL_values[i])
+
+        alpha_KL = float(alpha_KL_values[i])
+
+        value = _roller_lever_angle_at(x5, l_KL, alpha_KL, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_roller_lever_angle(
+    out,
+    x5_values,
+    l_KL_values,
+    alpha_KL_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        x5_block = x5_values[start:stop]
+        l_KL_block = l_KL_values[start:stop]
+        alpha_KL_block = alpha_KL_values[start:stop]
+        _row_each_roller_lever_angle(block, x5_block, l_KL_block, alpha_KL_block, None)
+        if has_nan(block):
+            _row_each_roller_lever_angle(block, x5_block, l_KL_block, alpha_KL_block, True)
 
 
 def roller_lever_angle(
@@ -925,6 +1065,14 @@ def roller_lever_angle(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.roller_lever_angle` has all words.
     """
+    if type(l_KL) is type(alpha_KL) is float:
+        if type(x5) is ndarray:
+            row = take_row(x5, out)
+            if row is not None:
+                _fill_roller_lever_angle(row, x5, l_KL, alpha_KL)
+                return row
+        elif type(x5) is float and out is None:
+            return float64(_roller_lever_angle_point(x5, l_KL, alpha_KL))
     return run(
         _ROLLER_LEVER_ANGLE,
         (
@@ -984,7 +1132,6 @@ def _wedge_displacement_at(phi7, l_LM, alpha_LM, exact):
     if not ((l_LM > 0) & is_finite(l_LM)):
         return math.nan
     prepared = _prepare_wedge_displacement(l_LM, alpha_LM, exact)
-
     return _wedge_displacement(phi7, *prepared, exact)
 
 
@@ -994,54 +1141,59 @@ def _wedge_displacement_point(phi7, l_LM, alpha_LM):
 
 
 @loop
-def _fill_wedge_displacement(out, phi7_values, l_LM, alpha_LM):
-    count = out.size
-    if not ((l_LM > 0) & is_finite(l_LM)):
-        out[:] = math.nan
-        return
-    prepared = _prepare_wedge_displacement(l_LM, alpha_LM, True)
+def _row_wedge_displacement(out, phi7_values, l_LM, alpha_LM, exact):
+    for i in range(out.size):
+        phi7 = float(phi7_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi7 = float(phi7_values[i])
-
-            value = _wedge_displacement(phi7, *prepared, None)
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi7 = float(phi7_values[i])
-
-                value = _wedge_displacement(phi7, *prepared, True)
-                out[i] = value
+        value = _wedge_displacement_at(phi7, l_LM, alpha_LM, exact)
+        out[i] = value
 
 
 @loop
-def _fill_each_wedge_displacement(out, phi7_values, l_LM_values, alpha_LM_values):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            phi7 = float(phi7_values[i])
-            l_LM = float(l_LM_values[i])
-            alpha_LM = float(alpha_LM_values[i])
+def _fill_wedge_displacement(
+    out,
+    phi7_values,
+    l_LM,
+    alpha_LM,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi7_block = phi7_values[start:stop]
+        _row_wedge_displacement(block, phi7_block, l_LM, alpha_LM, None)
+        if has_nan(block):
+            _row_wedge_displacement(block, phi7_block, l_LM, alpha_LM, True)
 
-            value = _wedge_displacement_at(phi7, l_LM, alpha_LM, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                phi7 = float(phi7_values[i])
-                l_LM = float(l_LM_values[i])
-                alpha_LM = float(alpha_LM_values[i])
+@loop
+def _row_each_wedge_displacement(out, phi7_values, l_LM_values, alpha_LM_values, exact):
+    for i in range(out.size):
+        phi7 = float(phi7_values[i])
 
-                value = _wedge_displacement_at(phi7, l_LM, alpha_LM, True)
-                out[i] = value
+        l_LM = float(l_LM_values[i])
+
+        alpha_LM = float(alpha_LM_values[i])
+
+        value = _wedge_displacement_at(phi7, l_LM, alpha_LM, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_wedge_displacement(
+    out,
+    phi7_values,
+    l_LM_values,
+    alpha_LM_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        phi7_block = phi7_values[start:stop]
+        l_LM_block = l_LM_values[start:stop]
+        alpha_LM_block = alpha_LM_values[start:stop]
+        _row_each_wedge_displacement(block, phi7_block, l_LM_block, alpha_LM_block, None)
+        if has_nan(block):
+            _row_each_wedge_displacement(block, phi7_block, l_LM_block, alpha_LM_block, True)
 
 
 def wedge_displacement(
@@ -1051,6 +1203,14 @@ def wedge_displacement(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.wedge_displacement` has all words.
     """
+    if type(l_LM) is type(alpha_LM) is float:
+        if type(phi7) is ndarray:
+            row = take_row(phi7, out)
+            if row is not None:
+                _fill_wedge_displacement(row, phi7, l_LM, alpha_LM)
+                return row
+        elif type(phi7) is float and out is None:
+            return float64(_wedge_displacement_point(phi7, l_LM, alpha_LM))
     return run(
         _WEDGE_DISPLACEMENT,
         (
@@ -1175,7 +1335,6 @@ def _position_at(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_K
     prepared = _prepare_position(
         l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
     )
-
     return _position(x1, *prepared, exact)
 
 
@@ -1187,50 +1346,113 @@ def _position_point(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alph
 
 
 @loop
-def _fill_position(
-    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+def _row_position(
+    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
 ):
-    count = out.size
-    if not (
-        (l_AB > 0)
-        & is_finite(l_AB)
-        & (l_BC > 0)
-        & is_finite(l_BC)
-        & (l_CD > 0)
-        & is_finite(l_CD)
-        & (l_DE > 0)
-        & is_finite(l_DE)
-        & (l_GH > 0)
-        & is_finite(l_GH)
-        & (l_KL > 0)
-        & is_finite(l_KL)
-        & (l_LM > 0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0)
-        & (alpha_KL < np.pi)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_position(
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
-    )
+    for i in range(out.size):
+        x1 = float(x1_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            x1 = float(x1_values[i])
+        value = _position_at(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        )
+        out[i] = value
 
-            value = _position(x1, *prepared, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                x1 = float(x1_values[i])
+@loop
+def _fill_position(
+    out,
+    x1_values,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        x1_block = x1_values[start:stop]
+        _row_position(
+            block,
+            x1_block,
+            l_AB,
+            l_BC,
+            l_CD,
+            l_DE,
+            l_GH,
+            l_KL,
+            l_LM,
+            alpha_DE,
+            alpha_KL,
+            alpha_LM,
+            None,
+        )
+        if has_nan(block):
+            _row_position(
+                block,
+                x1_block,
+                l_AB,
+                l_BC,
+                l_CD,
+                l_DE,
+                l_GH,
+                l_KL,
+                l_LM,
+                alpha_DE,
+                alpha_KL,
+                alpha_LM,
+                True,
+            )
 
-                value = _position(x1, *prepared, True)
-                out[i] = value
+
+@loop
+def _row_each_position(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+    l_DE_values,
+    l_GH_values,
+    l_KL_values,
+    l_LM_values,
+    alpha_DE_values,
+    alpha_KL_values,
+    alpha_LM_values,
+    exact,
+):
+    for i in range(out.size):
+        x1 = float(x1_values[i])
+
+        l_AB = float(l_AB_values[i])
+
+        l_BC = float(l_BC_values[i])
+
+        l_CD = float(l_CD_values[i])
+
+        l_DE = float(l_DE_values[i])
+
+        l_GH = float(l_GH_values[i])
+
+        l_KL = float(l_KL_values[i])
+
+        l_LM = float(l_LM_values[i])
+
+        alpha_DE = float(alpha_DE_values[i])
+
+        alpha_KL = float(alpha_KL_values[i])
+
+        alpha_LM = float(alpha_LM_values[i])
+
+        value = _position_at(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        )
+        out[i] = value
 
 
 @loop
@@ -1248,47 +1470,51 @@ def _fill_each_position(
     alpha_KL_values,
     alpha_LM_values,
 ):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            x1 = float(x1_values[i])
-            l_AB = float(l_AB_values[i])
-            l_BC = float(l_BC_values[i])
-            l_CD = float(l_CD_values[i])
-            l_DE = float(l_DE_values[i])
-            l_GH = float(l_GH_values[i])
-            l_KL = float(l_KL_values[i])
-            l_LM = float(l_LM_values[i])
-            alpha_DE = float(alpha_DE_values[i])
-            alpha_KL = float(alpha_KL_values[i])
-            alpha_LM = float(alpha_LM_values[i])
-
-            value = _position_at(
-                x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, None
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        x1_block = x1_values[start:stop]
+        l_AB_block = l_AB_values[start:stop]
+        l_BC_block = l_BC_values[start:stop]
+        l_CD_block = l_CD_values[start:stop]
+        l_DE_block = l_DE_values[start:stop]
+        l_GH_block = l_GH_values[start:stop]
+        l_KL_block = l_KL_values[start:stop]
+        l_LM_block = l_LM_values[start:stop]
+        alpha_DE_block = alpha_DE_values[start:stop]
+        alpha_KL_block = alpha_KL_values[start:stop]
+        alpha_LM_block = alpha_LM_values[start:stop]
+        _row_each_position(
+            block,
+            x1_block,
+            l_AB_block,
+            l_BC_block,
+            l_CD_block,
+            l_DE_block,
+            l_GH_block,
+            l_KL_block,
+            l_LM_block,
+            alpha_DE_block,
+            alpha_KL_block,
+            alpha_LM_block,
+            None,
+        )
+        if has_nan(block):
+            _row_each_position(
+                block,
+                x1_block,
+                l_AB_block,
+                l_BC_block,
+                l_CD_block,
+                l_DE_block,
+                l_GH_block,
+                l_KL_block,
+                l_LM_block,
+                alpha_DE_block,
+                alpha_KL_block,
+                alpha_LM_block,
+                True,
             )
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                x1 = float(x1_values[i])
-                l_AB = float(l_AB_values[i])
-                l_BC = float(l_BC_values[i])
-                l_CD = float(l_CD_values[i])
-                l_DE = float(l_DE_values[i])
-                l_GH = float(l_GH_values[i])
-                l_KL = float(l_KL_values[i])
-                l_LM = float(l_LM_values[i])
-                alpha_DE = float(alpha_DE_values[i])
-                alpha_KL = float(alpha_KL_values[i])
-                alpha_LM = float(alpha_LM_values[i])
-
-                value = _position_at(
-                    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
-                )
-                out[i] = value
 
 
 def position(
@@ -1310,6 +1536,32 @@ def position(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.position` has all words.
     """
+    if (
+        type(l_AB)
+        is type(l_BC)
+        is type(l_CD)
+        is type(l_DE)
+        is type(l_GH)
+        is type(l_KL)
+        is type(l_LM)
+        is type(alpha_DE)
+        is type(alpha_KL)
+        is type(alpha_LM)
+        is float
+    ):
+        if type(x1) is ndarray:
+            row = take_row(x1, out)
+            if row is not None:
+                _fill_position(
+                    row, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+                )
+                return row
+        elif type(x1) is float and out is None:
+            return float64(
+                _position_point(
+                    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+                )
+            )
     return run(
         _POSITION,
         (
@@ -1452,7 +1704,7 @@ def _velocity(
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = cos_wedge * (0 if (run < l_GH) else l_LM) / rise
+    gain = cos_wedge * choose(run < l_GH, 0, l_LM) / rise
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
 
     return l_DE / guide_length * cos_lever * gain * sin_arm
@@ -1482,7 +1734,6 @@ def _velocity_at(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_K
     prepared = _prepare_velocity(
         l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
     )
-
     return _velocity(x1, *prepared, exact)
 
 
@@ -1494,50 +1745,113 @@ def _velocity_point(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alph
 
 
 @loop
-def _fill_velocity(
-    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+def _row_velocity(
+    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
 ):
-    count = out.size
-    if not (
-        (l_AB > 0)
-        & is_finite(l_AB)
-        & (l_BC > 0)
-        & is_finite(l_BC)
-        & (l_CD > 0)
-        & is_finite(l_CD)
-        & (l_DE > 0)
-        & is_finite(l_DE)
-        & (l_GH > 0)
-        & is_finite(l_GH)
-        & (l_KL > 0)
-        & is_finite(l_KL)
-        & (l_LM > 0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0)
-        & (alpha_KL < np.pi)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_velocity(
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
-    )
+    for i in range(out.size):
+        x1 = float(x1_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            x1 = float(x1_values[i])
+        value = _velocity_at(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        )
+        out[i] = value
 
-            value = _velocity(x1, *prepared, None)
-            out[i] = value
 
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                x1 = float(x1_values[i])
+@loop
+def _fill_velocity(
+    out,
+    x1_values,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        x1_block = x1_values[start:stop]
+        _row_velocity(
+            block,
+            x1_block,
+            l_AB,
+            l_BC,
+            l_CD,
+            l_DE,
+            l_GH,
+            l_KL,
+            l_LM,
+            alpha_DE,
+            alpha_KL,
+            alpha_LM,
+            None,
+        )
+        if has_nan(block):
+            _row_velocity(
+                block,
+                x1_block,
+                l_AB,
+                l_BC,
+                l_CD,
+                l_DE,
+                l_GH,
+                l_KL,
+                l_LM,
+                alpha_DE,
+                alpha_KL,
+                alpha_LM,
+                True,
+            )
 
-                value = _velocity(x1, *prepared, True)
-                out[i] = value
+
+@loop
+def _row_each_velocity(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+    l_DE_values,
+    l_GH_values,
+    l_KL_values,
+    l_LM_values,
+    alpha_DE_values,
+    alpha_KL_values,
+    alpha_LM_values,
+    exact,
+):
+    for i in range(out.size):
+        x1 = float(x1_values[i])
+
+        l_AB = float(l_AB_values[i])
+
+        l_BC = float(l_BC_values[i])
+
+        l_CD = float(l_CD_values[i])
+
+        l_DE = float(l_DE_values[i])
+
+        l_GH = float(l_GH_values[i])
+
+        l_KL = float(l_KL_values[i])
+
+        l_LM = float(l_LM_values[i])
+
+        alpha_DE = float(alpha_DE_values[i])
+
+        alpha_KL = float(alpha_KL_values[i])
+
+        alpha_LM = float(alpha_LM_values[i])
+
+        value = _velocity_at(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        )
+        out[i] = value
 
 
 @loop
@@ -1555,47 +1869,51 @@ def _fill_each_velocity(
     alpha_KL_values,
     alpha_LM_values,
 ):
-    count = out.size
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            x1 = float(x1_values[i])
-            l_AB = float(l_AB_values[i])
-            l_BC = float(l_BC_values[i])
-            l_CD = float(l_CD_values[i])
-            l_DE = float(l_DE_values[i])
-            l_GH = float(l_GH_values[i])
-            l_KL = float(l_KL_values[i])
-            l_LM = float(l_LM_values[i])
-            alpha_DE = float(alpha_DE_values[i])
-            alpha_KL = float(alpha_KL_values[i])
-            alpha_LM = float(alpha_LM_values[i])
-
-            value = _velocity_at(
-                x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, None
+    for start in range(0, out.size, BLOCK):
+        stop = start + BLOCK
+        block = out[start:stop]
+        x1_block = x1_values[start:stop]
+        l_AB_block = l_AB_values[start:stop]
+        l_BC_block = l_BC_values[start:stop]
+        l_CD_block = l_CD_values[start:stop]
+        l_DE_block = l_DE_values[start:stop]
+        l_GH_block = l_GH_values[start:stop]
+        l_KL_block = l_KL_values[start:stop]
+        l_LM_block = l_LM_values[start:stop]
+        alpha_DE_block = alpha_DE_values[start:stop]
+        alpha_KL_block = alpha_KL_values[start:stop]
+        alpha_LM_block = alpha_LM_values[start:stop]
+        _row_each_velocity(
+            block,
+            x1_block,
+            l_AB_block,
+            l_BC_block,
+            l_CD_block,
+            l_DE_block,
+            l_GH_block,
+            l_KL_block,
+            l_LM_block,
+            alpha_DE_block,
+            alpha_KL_block,
+            alpha_LM_block,
+            None,
+        )
+        if has_nan(block):
+            _row_each_velocity(
+                block,
+                x1_block,
+                l_AB_block,
+                l_BC_block,
+                l_CD_block,
+                l_DE_block,
+                l_GH_block,
+                l_KL_block,
+                l_LM_block,
+                alpha_DE_block,
+                alpha_KL_block,
+                alpha_LM_block,
+                True,
             )
-            out[i] = value
-
-            missing += value != value
-        if missing:
-            for i in range(start, stop):
-                x1 = float(x1_values[i])
-                l_AB = float(l_AB_values[i])
-                l_BC = float(l_BC_values[i])
-                l_CD = float(l_CD_values[i])
-                l_DE = float(l_DE_values[i])
-                l_GH = float(l_GH_values[i])
-                l_KL = float(l_KL_values[i])
-                l_LM = float(l_LM_values[i])
-                alpha_DE = float(alpha_DE_values[i])
-                alpha_KL = float(alpha_KL_values[i])
-                alpha_LM = float(alpha_LM_values[i])
-
-                value = _velocity_at(
-                    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
-                )
-                out[i] = value
 
 
 def velocity(
@@ -1617,6 +1935,32 @@ def velocity(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.velocity` has all words.
     """
+    if (
+        type(l_AB)
+        is type(l_BC)
+        is type(l_CD)
+        is type(l_DE)
+        is type(l_GH)
+        is type(l_KL)
+        is type(l_LM)
+        is type(alpha_DE)
+        is type(alpha_KL)
+        is type(alpha_LM)
+        is float
+    ):
+        if type(x1) is ndarray:
+            row = take_row(x1, out)
+            if row is not None:
+                _fill_velocity(
+                    row, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+                )
+                return row
+        elif type(x1) is float and out is None:
+            return float64(
+                _velocity_point(
+                    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+                )
+            )
     return run(
         _VELOCITY,
         (
@@ -1761,7 +2105,7 @@ def _sensitivities(
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = cos_wedge * (0 if (run < l_GH) else l_LM) / rise
+    gain = cos_wedge * choose(run < l_GH, 0, l_LM) / rise
     cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
     term = -2 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared
@@ -1817,7 +2161,6 @@ def _sensitivities_at(
     prepared = _prepare_sensitivities(
         l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
     )
-
     return _sensitivities(x1, *prepared, exact)
 
 
@@ -1831,79 +2174,131 @@ def _sensitivities_point(
 
 
 @loop
-def _fill_sensitivities(
-    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+def _row_sensitivities(
+    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
 ):
-    count = out.size // 10
-    if not (
-        (l_AB > 0)
-        & is_finite(l_AB)
-        & (l_BC > 0)
-        & is_finite(l_BC)
-        & (l_CD > 0)
-        & is_finite(l_CD)
-        & (l_DE > 0)
-        & is_finite(l_DE)
-        & (l_GH > 0)
-        & is_finite(l_GH)
-        & (l_KL > 0)
-        & is_finite(l_KL)
-        & (l_LM > 0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0)
-        & (alpha_KL < np.pi)
-    ):
-        out[:] = math.nan
-        return
-    prepared = _prepare_sensitivities(
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
-    )
+    for i in range(out.size // 10):
+        x1 = float(x1_values[i])
 
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            x1 = float(x1_values[i])
+        value = _sensitivities_at(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        )
+        out[10 * i + 0] = value[0]
+        out[10 * i + 1] = value[1]
+        out[10 * i + 2] = value[2]
+        out[10 * i + 3] = value[3]
+        out[10 * i + 4] = value[4]
+        out[10 * i + 5] = value[5]
+        out[10 * i + 6] = value[6]
+        out[10 * i + 7] = value[7]
+        out[10 * i + 8] = value[8]
+        out[10 * i + 9] = value[9]
 
-            value = _sensitivities(x1, *prepared, None)
-            out[10 * i + 0] = value[0]
-            out[10 * i + 1] = value[1]
-            out[10 * i + 2] = value[2]
-            out[10 * i + 3] = value[3]
-            out[10 * i + 4] = value[4]
-            out[10 * i + 5] = value[5]
-            out[10 * i + 6] = value[6]
-            out[10 * i + 7] = value[7]
-            out[10 * i + 8] = value[8]
-            out[10 * i + 9] = value[9]
 
-            missing += (
-                (value[0] != value[0])
-                | (value[1] != value[1])
-                | (value[2] != value[2])
-                | (value[3] != value[3])
-                | (value[4] != value[4])
-                | (value[5] != value[5])
-                | (value[6] != value[6])
-                | (value[7] != value[7])
-                | (value[8] != value[8])
-                | (value[9] != value[9])
+@loop
+def _fill_sensitivities(
+    out,
+    x1_values,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+):
+    for start in range(0, out.size // 10, BLOCK):
+        stop = start + BLOCK
+        block = out[10 * start : 10 * stop]
+        x1_block = x1_values[start:stop]
+        _row_sensitivities(
+            block,
+            x1_block,
+            l_AB,
+            l_BC,
+            l_CD,
+            l_DE,
+            l_GH,
+            l_KL,
+            l_LM,
+            alpha_DE,
+            alpha_KL,
+            alpha_LM,
+            None,
+        )
+        if has_nan(block):
+            _row_sensitivities(
+                block,
+                x1_block,
+                l_AB,
+                l_BC,
+                l_CD,
+                l_DE,
+                l_GH,
+                l_KL,
+                l_LM,
+                alpha_DE,
+                alpha_KL,
+                alpha_LM,
+                True,
             )
-        if missing:
-            for i in range(start, stop):
-                x1 = float(x1_values[i])
 
-                value = _sensitivities(x1, *prepared, True)
-                out[10 * i + 0] = value[0]
-                out[10 * i + 1] = value[1]
-                out[10 * i + 2] = value[2]
-                out[10 * i + 3] = value[3]
-                out[10 * i + 4] = value[4]
-                out[10 * i + 5] = value[5]
-                out[10 * i + 6] = value[6]
-                out[10 * i + 7] = value[7]
-                out[10 * i + 8] = value[8]
-                out[10 * i + 9] = value[9]
+
+@loop
+def _row_each_sensitivities(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+    l_DE_values,
+    l_GH_values,
+    l_KL_values,
+    l_LM_values,
+    alpha_DE_values,
+    alpha_KL_values,
+    alpha_LM_values,
+    exact,
+):
+    for i in range(out.size // 10):
+        x1 = float(x1_values[i])
+
+        l_AB = float(l_AB_values[i])
+
+        l_BC = float(l_BC_values[i])
+
+        l_CD = float(l_CD_values[i])
+
+        l_DE = float(l_DE_values[i])
+
+        l_GH = float(l_GH_values[i])
+
+        l_KL = float(l_KL_values[i])
+
+        l_LM = float(l_LM_values[i])
+
+        alpha_DE = float(alpha_DE_values[i])
+
+        alpha_KL = float(alpha_KL_values[i])
+
+        alpha_LM = float(alpha_LM_values[i])
+
+        value = _sensitivities_at(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        )
+        out[10 * i + 0] = value[0]
+        out[10 * i + 1] = value[1]
+        out[10 * i + 2] = value[2]
+        out[10 * i + 3] = value[3]
+        out[10 * i + 4] = value[4]
+        out[10 * i + 5] = value[5]
+        out[10 * i + 6] = value[6]
+        out[10 * i + 7] = value[7]
+        out[10 * i + 8] = value[8]
+        out[10 * i + 9] = value[9]
 
 
 @loop
@@ -1921,76 +2316,51 @@ def _fill_each_sensitivities(
     alpha_KL_values,
     alpha_LM_values,
 ):
-    count = out.size // 10
-    for start in range(0, count, BLOCK):
-        stop = min(start + BLOCK, count)
-        missing = 0
-        for i in range(start, stop):
-            x1 = float(x1_values[i])
-            l_AB = float(l_AB_values[i])
-            l_BC = float(l_BC_values[i])
-            l_CD = float(l_CD_values[i])
-            l_DE = float(l_DE_values[i])
-            l_GH = float(l_GH_values[i])
-            l_KL = float(l_KL_values[i])
-            l_LM = float(l_LM_values[i])
-            alpha_DE = float(alpha_DE_values[i])
-            alpha_KL = float(alpha_KL_values[i])
-            alpha_LM = float(alpha_LM_values[i])
-
-            value = _sensitivities_at(
-                x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, None
+    for start in range(0, out.size // 10, BLOCK):
+        stop = start + BLOCK
+        block = out[10 * start : 10 * stop]
+        x1_block = x1_values[start:stop]
+        l_AB_block = l_AB_values[start:stop]
+        l_BC_block = l_BC_values[start:stop]
+        l_CD_block = l_CD_values[start:stop]
+        l_DE_block = l_DE_values[start:stop]
+        l_GH_block = l_GH_values[start:stop]
+        l_KL_block = l_KL_values[start:stop]
+        l_LM_block = l_LM_values[start:stop]
+        alpha_DE_block = alpha_DE_values[start:stop]
+        alpha_KL_block = alpha_KL_values[start:stop]
+        alpha_LM_block = alpha_LM_values[start:stop]
+        _row_each_sensitivities(
+            block,
+            x1_block,
+            l_AB_block,
+            l_BC_block,
+            l_CD_block,
+            l_DE_block,
+            l_GH_block,
+            l_KL_block,
+            l_LM_block,
+            alpha_DE_block,
+            alpha_KL_block,
+            alpha_LM_block,
+            None,
+        )
+        if has_nan(block):
+            _row_each_sensitivities(
+                block,
+                x1_block,
+                l_AB_block,
+                l_BC_block,
+                l_CD_block,
+                l_DE_block,
+                l_GH_block,
+                l_KL_block,
+                l_LM_block,
+                alpha_DE_block,
+                alpha_KL_block,
+                alpha_LM_block,
+                True,
             )
-            out[10 * i + 0] = value[0]
-            out[10 * i + 1] = value[1]
-            out[10 * i + 2] = value[2]
-            out[10 * i + 3] = value[3]
-            out[10 * i + 4] = value[4]
-            out[10 * i + 5] = value[5]
-            out[10 * i + 6] = value[6]
-            out[10 * i + 7] = value[7]
-            out[10 * i + 8] = value[8]
-            out[10 * i + 9] = value[9]
-
-            missing += (
-                (value[0] != value[0])
-                | (value[1] != value[1])
-                | (value[2] != value[2])
-                | (value[3] != value[3])
-                | (value[4] != value[4])
-                | (value[5] != value[5])
-                | (value[6] != value[6])
-                | (value[7] != value[7])
-                | (value[8] != value[8])
-                | (value[9] != value[9])
-            )
-        if missing:
-            for i in range(start, stop):
-                x1 = float(x1_values[i])
-                l_AB = float(l_AB_values[i])
-                l_BC = float(l_BC_values[i])
-                l_CD = float(l_CD_values[i])
-                l_DE = float(l_DE_values[i])
-                l_GH = float(l_GH_values[i])
-                l_KL = float(l_KL_values[i])
-                l_LM = float(l_LM_values[i])
-                alpha_DE = float(alpha_DE_values[i])
-                alpha_KL = float(alpha_KL_values[i])
-                alpha_LM = float(alpha_LM_values[i])
-
-                value = _sensitivities_at(
-                    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
-                )
-                out[10 * i + 0] = value[0]
-                out[10 * i + 1] = value[1]
-                out[10 * i + 2] = value[2]
-                out[10 * i + 3] = value[3]
-                out[10 * i + 4] = value[4]
-                out[10 * i + 5] = value[5]
-                out[10 * i + 6] = value[6]
-                out[10 * i + 7] = value[7]
-                out[10 * i + 8] = value[8]
-                out[10 * i + 9] = value[9]
 
 
 def sensitivities(

@@ -266,7 +266,7 @@ def test_reading_knows_public_functions_only(tmp_path: Path) -> None:
         ("k_low * phi1 + _product_rest", "_product_rest"),
         ("+ t_low", "- t_low"),
         ("fma(a, b, -p)", "fma(a, b, p)"),
-        ("v4 if v7 else -v5", "-v5 if v7 else v4"),
+        ("choose(v9, v5, -v7)", "choose(v9, -v7, v5)"),
         ("-1.5707963267948966", "-1.5707963267948968"),
     ],
 )

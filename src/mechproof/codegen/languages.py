@@ -69,7 +69,10 @@ NUMBA = Syntax(
                     "quotient_rest", "small_tangent", "tangent_quotient", "small_arctan",
                 )
             },
-            **{n: n for n in ("floor", "rint", "fma", "copysign", "is_finite", "maximum")},
+            **{
+                n: n
+                for n in ("floor", "rint", "fma", "copysign", "is_finite", "maximum", "choose")
+            },
             "sqrt": "np.sqrt",
             "absolute": "abs",
         }
@@ -79,7 +82,6 @@ NUMBA = Syntax(
         {
             "negate": ("-{}", SIGN, SIGN),
             "square": ("{} ** 2", ATOM, POWER),
-            "choose": ("{1} if {0} else {2}", EITHER, CHOICE),
         }
     ),
     constants=NUMPY.constants,

@@ -135,8 +135,6 @@ class _ProgramReader:
                 return self._add(BINARY[type(op)], self.read(left), self.read(right))
             case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in COMPARED:
                 return self._add(COMPARED[type(op)], self.read(left), self.read(right))
-            case ast.IfExp(test=test, body=body, orelse=other):
-                return self._add("choose", *map(self.read, (test, body, other)))
             case ast.Subscript():
                 return self._view(node)
             case ast.Call():

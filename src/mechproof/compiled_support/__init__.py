@@ -5,12 +5,14 @@ Needs numba; only the generated package `kernels.compiled` imports it.
 
 from numba.extending import overload
 
-from mechproof.compiled_support.loops import Loops, run
+from mechproof.compiled_support.loops import Loops, run, take_row
 from mechproof.compiled_support.machine import (
     BLOCK,
+    choose,
     copysign,
     floor,
     fma,
+    has_nan,
     is_finite,
     loop,
     maximum,
@@ -21,9 +23,11 @@ from mechproof.compiled_support.machine import (
 __all__ = [
     "BLOCK",
     "Loops",
+    "choose",
     "copysign",
     "floor",
     "fma",
+    "has_nan",
     "is_finite",
     "loop",
     "maximum",
@@ -31,4 +35,5 @@ __all__ = [
     "rint",
     "run",
     "scalar",
+    "take_row",
 ]

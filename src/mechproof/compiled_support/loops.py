@@ -37,6 +37,22 @@ class Loops(NamedTuple):
     each: Callable[..., None]
 
 
+def take_row(first: NDArray[Any], out: NDArray[Any] | None) -> NDArray[Any] | None:
+    """Return what a short row of doubles is computed into at once, None where there is more to do.
+
+    The first test of a call: nothing here may cost as much as the loop over ten points.
+    """
+    if first.dtype is not DOUBLE or first.ndim != 1 or not first.flags.c_contiguous:
+        return None
+    if first.size >= THREADED:
+        return None
+    if out is None:
+        return np.empty(first.size)
+    is_plain = type(out) is np.ndarray and out.dtype is DOUBLE and out.shape == first.shape
+    is_ready = is_plain and out.flags.carray and not np.may_share_memory(out, first)
+    return out if is_ready else None
+
+
 def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> Any:
     """Return a kernel's values, in `out` if there is one.
 
@@ -46,37 +62,11 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
         As the kernels of NumPy; TypeError for arrays with ufuncs of their own, too.
 
     """
-    first, *parameters = arguments
-    if (
-        type(first) is np.ndarray
-        and first.dtype is DOUBLE
-        and first.flags.c_contiguous
-        and first.ndim
-        and all(type(p) is float for p in parameters)
-        and not any(loops.widths)
-        and (out is None or _can_take(out, first, loops.shape))
-    ):
-        target = np.empty(first.shape + loops.shape) if out is None else out
-        _fill_uniformly(loops, target.reshape(-1), first.reshape(-1), parameters)
-        return target
-    if out is None and not any(loops.widths) and all(type(a) is float for a in arguments):
-        return _shape_point(loops.at(*arguments), loops.shape)
-    return _run(loops, as_floats(**dict(zip(loops.names, arguments, strict=True))), out)
-
-
-def _can_take(out: Any, first: NDArray[Any], shape: tuple[int, ...]) -> bool:
-    return (
-        type(out) is np.ndarray
-        and out.dtype is DOUBLE
-        and out.shape == first.shape + shape
-        and out.flags.c_contiguous
-        and out.flags.writeable
-        and not np.may_share_memory(out, first)
-    )
-
-
-def _shape_point(value: Any, shape: tuple[int, ...]) -> Any:
-    return np.array(value).reshape(shape) if shape else np.float64(value)
+    arrays = as_floats(**dict(zip(loops.names, arguments, strict=True)))
+    if not any(loops.widths) and all(isinstance(a, np.generic) for a in arrays) and out is None:
+        value = loops.at(*map(float, arrays))
+        return np.array(value).reshape(loops.shape) if loops.shape else arrays[0].dtype.type(value)
+    return _run(loops, arrays, out)
 
 
 def _run(loops: Loops, arrays: tuple[Any, ...], out: NDArray[Any] | None) -> Any:

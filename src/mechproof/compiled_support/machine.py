@@ -18,10 +18,10 @@ except ImportError as error:
     ) from error
 
 # What a fast loop leaves as NaN is looked at again after so many points.
-BLOCK = 4096
+BLOCK = 1024
 _REAL = types.float64
 
-scalar = njit(error_model="numpy", nogil=True, cache=True)
+scalar = njit(error_model="numpy", nogil=True, cache=True, forceinline=True)
 loop = njit(error_model="numpy", nogil=True, cache=True)
 
 
@@ -60,6 +60,16 @@ def copysign(typingctx: Any, a: Any, b: Any) -> Any:
     return _machine("llvm.copysign", 2)
 
 
+@intrinsic
+def choose(typingctx: Any, condition: Any, a: Any, b: Any) -> Any:
+    """Return a where the condition holds, b elsewhere, without a branch."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return builder.select(*arguments)
+
+    return _REAL(types.boolean, _REAL, _REAL), generate
+
+
 @scalar
 def is_finite(a: float) -> bool:
     """Say whether a number is neither infinite nor NaN."""
@@ -70,3 +80,12 @@ def is_finite(a: float) -> bool:
 def maximum(a: float, b: float) -> float:
     """Return the larger number, NaN if one is."""
     return a if a >= b or a != a else b
+
+
+@loop
+def has_nan(values: Any) -> bool:
+    """Say whether there is a NaN among the numbers of a flat array."""
+    count = 0
+    for i in range(values.size):
+        count += values[i] != values[i]
+    return count > 0

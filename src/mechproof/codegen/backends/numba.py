@@ -23,8 +23,8 @@ from mechproof.codegen.reading import TranslationError, read_scalars
 from mechproof.record import Paper
 
 SUPPORT = (
-    "BLOCK", "Loops", "copysign", "floor", "fma", "is_finite", "loop", "maximum", "overload",
-    "rint", "run", "scalar",
+    "BLOCK", "Loops", "choose", "copysign", "floor", "fma", "has_nan", "is_finite", "loop",
+    "maximum", "overload", "rint", "run", "scalar", "take_row",
 )  # fmt: skip
 
 
@@ -38,7 +38,7 @@ def render_compiled(paper: Paper) -> dict[str, str]:
         "sympy_version": sp.__version__,
         "largest": DOUBLE.largest,
         "support": SUPPORT,
-        "numpy": "",
+        "numpy": [],
         "functions": [
             write_elementary(kind, DOUBLE, NUMBA, NUMBA_FAR) for kind in list_elementary(kernels)
         ],
@@ -47,7 +47,10 @@ def render_compiled(paper: Paper) -> dict[str, str]:
     # What the body names is imported.
     _, _, used = render_template("numba_module.py.jinja", data).partition("__all__")
     data["support"] = tuple(name for name in SUPPORT if name in used)
-    data["numpy"] = "import numpy as np" if "np." in used else ""
+    data["numpy"] = [
+        *(["import numpy as np"] if "np." in used else []),
+        *(["from numpy import float64, ndarray"] if "float64(" in used else []),
+    ]
     source = format_source(render_template("numba_module.py.jinja", data))
     check_translation(source, kernels)
     return {f"compiled/{paper.system}.py": source}

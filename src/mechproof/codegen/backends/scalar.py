@@ -74,15 +74,15 @@ class ScalarKernel:
         return not self.checked.isdisjoint(self.arguments[0].components)
 
     @property
-    def moving(self) -> frozenset[str]:
-        """Return the components of the first argument that a value or the domain depends on."""
-        return self.taken.intersection(self.arguments[0].components)
-
-    @property
     def taken(self) -> frozenset[str]:
         """Return the components that a value or the domain depends on."""
         used = {n for stage in self.stages for n in (*stage.running, *stage.parameters)}
         return frozenset(used) | {n for n in self.names if n in self.checked}
+
+    @property
+    def taken_names(self) -> tuple[str, ...]:
+        """Return the components that a value or the domain depends on, in their order."""
+        return tuple(name for name in self.names if name in self.taken)
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -18,7 +18,7 @@ from mechproof.codegen.elementary.trace import (
     copysign,
     floor,
     fma,
-    horner,
+    polynomial,
     rint,
     root,
     trace,
@@ -76,7 +76,7 @@ class _Maker:
         n, r = self.reduce(y)
         fitted = self.fit(fits.TANGENT, *self.form.tangent)
         z = r * r
-        above, below = horner(z, fitted.above) * r, horner(z, fitted.below)
+        above, below = polynomial(z, fitted.above) * r, polynomial(z, fitted.below)
         half = n * 0.5
         is_even = rint(half).equals(half)
         return choose(is_even, above, -below), choose(is_even, below, above)
@@ -96,10 +96,10 @@ class _Maker:
         odd = self.fit(fits.SINE, self.form.sine)
         even = self.fit(fits.COSINE, self.form.cosine)
         z = r * r
-        sine = fma(r * z, horner(z, odd.above), r)
+        sine = fma(r * z, polynomial(z, odd.above), r)
         half = z * 0.5
         near = 1.0 - half
-        cosine = near + fma(z * z, horner(z, even.above), (1.0 - near) - half)
+        cosine = near + fma(z * z, polynomial(z, even.above), (1.0 - near) - half)
         return sine, cosine
 
     def sin(self, y: Value) -> Value:
@@ -139,15 +139,15 @@ class _Maker:
 
     def arc(self, w: Value) -> Value:
         """Return atan(w) for 0 <= w <= 1."""
-        fitted = self.fit(fits.ARCTANGENT, *self.form.arctangent)
+        fitted = self.fit(fits.ARCTANGENT, self.form.arctangent)
         z = w * w
-        return fma(w * z, horner(z, fitted.above) / horner(z, fitted.below), w)
+        return fma(w * z, polynomial(z, fitted.above), w)
 
     def small_arctan(self, y: Value) -> Value:
         """Return atan(y) for |y| <= 1/sqrt(3)."""
-        fitted = self.fit(fits.SMALL_ARCTANGENT, *self.form.small_arctangent)
+        fitted = self.fit(fits.SMALL_ARCTANGENT, self.form.small_arctangent)
         z = y * y
-        return fma(y * z, horner(z, fitted.above) / horner(z, fitted.below), y)
+        return fma(y * z, polynomial(z, fitted.above), y)
 
     def split_turn(self, part: float) -> tuple[float, ...]:
         """Return a part of pi as two numbers of the format."""
