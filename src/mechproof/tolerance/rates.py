@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from dataclasses import dataclass
+from typing import Any
 
 
-class Rated(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Rated:
     """A ball and a ball of its derivative; a plain ball beside it is constant."""
 
     value: Any
     rate: Any
 
-    def __add__(self, other: Any) -> Rated:  # type: ignore[override]
+    def __add__(self, other: Any) -> Rated:
         value, rate = split(other)
         return Rated(self.value + value, self.rate + rate)
 
-    def __mul__(self, other: Any) -> Rated:  # type: ignore[override]
+    def __mul__(self, other: Any) -> Rated:
         value, rate = split(other)
         return Rated(self.value * value, self.rate * value + self.value * rate)
 
     __radd__ = __add__
-    __rmul__ = __mul__  # type: ignore[assignment]
+    __rmul__ = __mul__
 
 
 def split(ball: Any) -> tuple[Any, Any]:
