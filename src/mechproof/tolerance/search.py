@@ -70,13 +70,14 @@ class Search:
         self.boxes += 1
         holds = inside or self._holds(box)
         if not holds:
-            self._attain(find_middle(box))
+            self._attain(find_middle(box), inside=False)
             cut = None if holds is False else find_widest(box, self.problem.limits)
             return Part(np.inf, box, cut, inside=False)
         face, natural, slopes = self._descend(box)
         middle = find_middle(face)
-        linear, steep = self._attain(middle), {}
-        self._attain(self._climb(face, slopes))
+        linear, steep = self._attain(middle, inside=True), {}
+        if face != middle:
+            self._attain(self._climb(face, slopes), inside=True)
         for symbol in open_symbols(face):
             deviation = enclose_interval(face[symbol]) - enclose_interval(middle[symbol])
             linear = linear + hull(slopes[symbol]) * deviation
@@ -155,9 +156,9 @@ class Search:
             box = put_to_limit(box, symbol, upper=float(hull(slopes[symbol]).mid()) > 0)
         return box
 
-    def _attain(self, point: Box) -> Any:
+    def _attain(self, point: Box, inside: bool) -> Any:
         """Return the value at a point and note it, unless it may lie outside the domain."""
         value = self.direction * self.problem.programs[-1].evaluate(to_values(self.known, point))
-        if self._holds(point):
+        if inside or self._holds(point):
             self.attained = max(self.attained, round_down(value))
         return value
