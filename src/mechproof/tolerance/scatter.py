@@ -91,7 +91,7 @@ def monte_carlo_range(
         Number of samples, at least 2.
     chunk
         Values per call. Memory is a few times this, and `count` numbers for every size and
-        for a few inputs at a time.
+        for a few inputs at a time; with an executor, up to 32 chunks of every size are under way.
 
     Raises
     ------
