@@ -217,3 +217,16 @@ def test_public_names() -> None:
     for package in (mechproof, mechanisms):
         with pytest.raises(AttributeError, match="no attribute 'Gearbox'"):
             _ = package.Gearbox
+
+
+def test_compiled_kernels_say_what_they_need() -> None:
+    code = """
+import sys
+sys.modules["numba"] = None
+try:
+    import mechproof.kernels.compiled.elliptic_planetary
+except ImportError as error:
+    print(error)
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert "pip install '.[fast]'" in done.stdout
