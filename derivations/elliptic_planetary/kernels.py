@@ -8,13 +8,16 @@ from sympy import (
     Expr,
     Ge,
     Integer,
+    Interval,
     Or,
     Rational,
+    Symbol,
     atan,
     atan2,
     cos,
     diff,
     floor,
+    oo,
     pi,
     sin,
     tan,
@@ -23,6 +26,7 @@ from sympy import (
 from mechproof.record import (
     Accuracy,
     Argument,
+    Chart,
     Conjunction,
     Equality,
     Form,
@@ -97,6 +101,12 @@ ACCELERATION_SCALE = Scale(
 # whatever phi1 and R1/R2. The ratio and the acceleration lose some |x| times 2*e/(1 - e)
 # eps, however small the eccentricity: they have no such threshold but e = 0.
 PLAIN_PRODUCT = e <= Rational(1, 2)
+
+# Coordinates of the rounding errors: x, the inverse of k, and the radius that scales both.
+INVERSE, RADIUS, ANGLE_X = Symbol("1/k", positive=True), Symbol("R", positive=True), Symbol("x")
+SIZES = {R1: RADIUS, R2: INVERSE * RADIUS, phi1: INVERSE * ANGLE_X}
+RANGES = {INVERSE: Interval(0, 1), RADIUS: Interval(0, oo), ANGLE_X: Interval(0, 2**26)}
+ROUND_ORIGIN = Chart({**SIZES, e: e}, {**RANGES, e: Interval(0, Rational(1, 2))}, ANGLE_X)
 
 HALF_ANGLE = (1 - e) ** 2 + 4 * e * sin(x / 2) ** 2
 
@@ -217,6 +227,7 @@ QUANTITIES = (
                 position_closed,
                 ("positive_atan2", "half_angle_tangent", "small_arc"),
                 when=PLAIN_PRODUCT,
+                charts=(ROUND_ORIGIN,),
             ),
             Form(
                 "half-angle atan with low word",

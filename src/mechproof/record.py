@@ -542,6 +542,19 @@ class Written(Protocol):
 
 
 @dataclass(frozen=True)
+class Chart:
+    """Coordinates over which rounding errors are bounded: the arguments by them, and their ranges.
+
+    What vanishes at an end of a range does so as a product of powers of coordinates. `angle` is
+    the coordinate that is taken off by whole turns, its range being that of its size.
+    """
+
+    arguments: Mapping[sp.Basic, sp.Expr]
+    within: Mapping[sp.Symbol, sp.Interval]
+    angle: sp.Symbol | None = None
+
+
+@dataclass(frozen=True)
 class Form:
     """One algebraic way to compute: an expression and the named rewrites applied to it in order.
 
@@ -549,7 +562,8 @@ class Form:
     the relation on the parameters under which it is taken instead of the forms after it. `bound`
     is set for an approximation: a bound of |form - definition|. `states` makes the statement
     that proves it from what was emitted (left out: it equals the definition), decided on `on`;
-    where false, `holds_on` may say where it is true. `source` is where it is printed.
+    where false, `holds_on` may say where it is true. `source` is where it is printed. `charts`
+    cover the arguments for which it is taken and its accuracy is stated.
     """
 
     name: str
@@ -563,6 +577,7 @@ class Form:
     holds_on: Part | None = None
     source: str = ""
     note: str = ""
+    charts: tuple[Chart, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,58 @@
+"""Cover: branch and bound over the boxes of a region, the worst first."""
+
+from __future__ import annotations
+
+import heapq
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from mechproof.roundoff.regions import Box, put_side
+
+Bound = Callable[[Box], float]
+# No side is cut to less than this share of the whole while another is longer.
+FINEST = 2.0**-9
+
+
+@dataclass(frozen=True)
+class Cover:
+    """The largest bound over all boxes, where it is, and how many boxes there are."""
+
+    bound: float
+    worst: tuple[Box, ...]
+    count: int
+
+
+def lower_bound(bound: Bound, box: Box, most: int, aim: float = 0.0) -> Cover:
+    """Halve the box with the largest bound until it is below an aim or there are enough boxes."""
+    heap = [(-bound(box), 0, box)]
+    number = 1
+    while len(heap) < most and -heap[0][0] > aim:
+        height, _, worst = heapq.heappop(heap)
+        for half in halve(worst, choose_side(bound, worst, -height, box)):
+            heapq.heappush(heap, (-bound(half), number, half))
+            number += 1
+    return Cover(-heap[0][0], tuple(entry[2] for entry in heapq.nsmallest(8, heap)), len(heap))
+
+
+def choose_side(bound: Bound, box: Box, height: float, whole: Box) -> int:
+    """Choose the side without whose length the bound is lowest, or the longest of the box."""
+    spans = {i: end - start for i, (start, end) in enumerate(whole) if start < end < math.inf}
+    shares = {i: (box[i][1] - box[i][0]) / span for i, span in spans.items()}
+    long = [i for i in shares if shares[i] > FINEST]
+    if len(long) > 1:
+        thin = {i: bound(put_side(box, i, (middle := _halfway(*box[i]), middle))) for i in long}
+        if min(thin.values()) < height:
+            return min(long, key=lambda i: thin[i])
+    return max(shares, key=lambda i: shares[i])
+
+
+def halve(box: Box, index: int) -> tuple[Box, Box]:
+    """Cut a side of a box in two."""
+    low, high = box[index]
+    middle = _halfway(low, high)
+    return put_side(box, index, (low, middle)), put_side(box, index, (middle, high))
+
+
+def _halfway(low: float, high: float) -> float:
+    return low + (high - low) / 2
