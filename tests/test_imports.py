@@ -48,7 +48,7 @@ LOADED = {
     "latex": {"sympy", "mechproof.latex", "mechproof.record"},
     "proof": {"sympy", "flint", "mechproof.proof", "mechproof.record"},
     "codegen": {
-        *("sympy", "jinja2", "mpmath"),
+        *("sympy", "jinja2", "mpmath", "flint"),
         *("mechproof.codegen", "mechproof.proof", "mechproof.record"),
     },
     "lab": {

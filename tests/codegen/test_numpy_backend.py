@@ -15,14 +15,14 @@ import sympy as sp
 from trial import load_paper, paper_of, quantity_of
 
 import mechproof.kernels.elliptic_planetary as shipped
-from mechproof.codegen.domain import set_relations
-from mechproof.codegen.kernel import list_functions
-from mechproof.codegen.numpy_backend import (
+from mechproof.codegen.backends.numpy import (
     TEMPLATES,
     format_source,
     render_modules,
     render_template,
 )
+from mechproof.codegen.domain import set_relations
+from mechproof.codegen.kernel import list_functions
 from mechproof.codegen.reading import read_module
 from mechproof.derivations import elliptic_planetary
 from mechproof.derivations.elliptic_planetary.paper import k
@@ -120,7 +120,7 @@ def test_published_sizes_and_the_domain_are_plain_data() -> None:
 
 def test_rendering_does_not_depend_on_the_hash_seed() -> None:
     script = (
-        "import hashlib; from mechproof.codegen.numpy_backend import render_modules;"
+        "import hashlib; from mechproof.codegen.backends.numpy import render_modules;"
         "from mechproof.derivations import elliptic_planetary as e, track_wheel as t;"
         "texts = {**render_modules(e.PAPER), **render_modules(t.PAPER)};"
         "print(hashlib.sha256(repr(texts).encode()).hexdigest())"

@@ -12,16 +12,17 @@ import pytest
 import sympy as sp
 from trial import load_paper, load_source, paper_of, quantity_of
 
-from mechproof.codegen import numpy_syntax
+from mechproof.codegen import syntax
+from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.error_free import WholeTurnsOff
 from mechproof.codegen.forms import TranslationError, form_rows, read_back
 from mechproof.codegen.kernel import list_functions
+from mechproof.codegen.languages import C99, NUMBA, NUMPY
 from mechproof.codegen.lowering import FUNCTIONS, lower_steps
-from mechproof.codegen.numpy_backend import render_modules
-from mechproof.codegen.numpy_syntax import CALLS, write_program
 from mechproof.codegen.program import MEANINGS, Operation, Program
 from mechproof.codegen.raising import WrittenForm
 from mechproof.codegen.reading import ReadingError, read_module
+from mechproof.codegen.syntax import write_program
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Form, Paper, Variable
@@ -58,19 +59,23 @@ def lower(expression: sp.Expr) -> Program:
     ],
 )
 def test_the_text_of_an_expression(expression: sp.Expr, text: str) -> None:
-    assert write_program(lower(expression)).outputs == (text,)
+    assert write_program(lower(expression), NUMPY).outputs == (text,)
 
 
 def test_a_cube_of_a_sum_computes_the_sum_once() -> None:
-    written = write_program(lower(1 / (1 + x) ** 3))
+    written = write_program(lower(1 / (1 + x) ** 3), NUMPY)
     assert written.steps == (("one_plus_x", "1 + x"),)
     assert written.outputs == ("1 / (one_plus_x * one_plus_x ** 2)",)
 
 
 def test_every_operation_has_a_meaning_and_a_text() -> None:
-    written = {*numpy_syntax.INFIX, *CALLS, "negate", "square", "power", "copy", "is_finite"}
-    assert set(FUNCTIONS.values()) <= set(MEANINGS) & written
-    assert set(MEANINGS) <= written
+    numpy, numba, c99 = (
+        {*language.infix, *language.calls, *language.patterns, "copy"}
+        for language in (NUMPY, NUMBA, C99)
+    )
+    assert set(FUNCTIONS.values()) <= set(MEANINGS) & numpy
+    assert set(MEANINGS) <= numpy | numba
+    assert numba == c99
 
 
 def test_what_has_no_operation_is_refused() -> None:
@@ -185,9 +190,7 @@ def test_a_text_that_no_kernel_has_is_refused(
 def test_a_printer_that_forgets_a_bracket_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     paper = paper_of(quantity_of(a * (b + x), *MECHANISM))
     form_rows(paper)
-    monkeypatch.setattr(
-        numpy_syntax, "_enclose", lambda o, level, written: numpy_syntax._show(o, written)[0]
-    )
+    monkeypatch.setattr(syntax._Writer, "enclose", lambda self, o, level: self.show(o)[0])
     with pytest.raises(TranslationError, match="stages"):
         form_rows(paper)
 

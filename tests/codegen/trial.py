@@ -9,7 +9,7 @@ from types import ModuleType
 
 import sympy as sp
 
-from mechproof.codegen.numpy_backend import render_modules
+from mechproof.codegen.backends.numpy import render_modules
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 
 

@@ -2,21 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
-from flint import arb, arb_series, ctx
 
-from mechproof.codegen.polynomials import (
-    LARGEST_SQUARE,
-    MARGIN,
-    Rational,
-    fit_arctangent,
-    fit_tangent,
-)
+from mechproof.codegen.elementary.fits import HALF_TANGENT, SMALL_ARCTANGENT, fit
 from mechproof.derivations.elliptic_planetary.kernels import PLAIN_PRODUCT
 from mechproof.derivations.elliptic_planetary.paper import e
 from mechproof.kernel_support import polynomials
@@ -28,7 +19,6 @@ from mechproof.lab.subject import find_subjects
 
 EPS = float(np.finfo(float).eps)
 RADII = (66.0, 16.0)
-PIECES, ORDER = 64, 24
 
 
 @pytest.fixture(autouse=True)
@@ -38,71 +28,13 @@ def always(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(polynomials, "LONG", 1)
 
 
-@pytest.fixture
-def many_digits() -> Iterator[None]:
-    precision, length = ctx.prec, ctx.cap
-    ctx.prec, ctx.cap = 400, ORDER + 2
-    yield
-    ctx.prec, ctx.cap = precision, length
-
-
-def evaluate(coefficients: tuple[float, ...], z: arb_series) -> arb_series:
-    value = arb_series([0])
-    for number in reversed(coefficients):
-        value = value * z + arb(number)
-    return value
-
-
-def tangent_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
-    """Fit and tan(r/2), both times the fit's denominator and cos(r/2)."""
-    half = r / 2
-    below = evaluate(fit.below, r * r)
-    return r * evaluate(fit.above, r * r) * half.cos(), below * half.sin()
-
-
-def arctangent_sides(fit: Rational, y: arb_series) -> tuple[arb_series, arb_series]:
-    """Fit and atan(y), both times the fit's denominator."""
-    z = y * y
-    below = evaluate(fit.below, z)
-    return y * below + y * z * evaluate(fit.above, z), below * y.atan()
-
-
-CASES = {
-    "tangent": (tangent_sides, fit_tangent(), (1 + MARGIN) * np.pi / 2, 0.25),
-    "arctangent": (arctangent_sides, fit_arctangent(), np.sqrt(LARGEST_SQUARE * (1 + MARGIN)), 0.6),
-}
-
-
-def enclose(name: str, fit: Rational) -> float:
-    """Bound the relative error from 0 to the end: Taylor polynomials, remainders from balls."""
-    sides, _, end, _ = CASES[name]
-    worst = 0.0
-    half = arb(end) / (2 * PIECES)
-    for i in range(PIECES):
-        # The first piece is expanded at 0, where both sides vanish with their argument.
-        middle, reach, lowest = (half * (2 * i + 1), half, 0) if i else (arb(0), 2 * half, 1)
-        ball = arb(middle.mid(), reach)
-        found, true = sides(fit, arb_series([middle, 1]))
-        near = (found - true).coeffs()
-        found, true = sides(fit, arb_series([ball, 1]))
-        terms = [abs(c) * reach ** (k - lowest) for k, c in enumerate(near[:ORDER]) if k >= lowest]
-        rest = abs((found - true).coeffs()[ORDER]) * reach ** (ORDER - lowest)
-        worst = max(worst, float((sum(terms, rest) / true.coeffs()[lowest].abs_lower()).upper()))
-    return worst
-
-
-@pytest.mark.usefixtures("many_digits")
-@pytest.mark.parametrize("name", CASES)
-def test_the_approximation_is_proved(name: str) -> None:
-    _, fit, _, bound = CASES[name]
-    assert enclose(name, fit) <= bound * EPS
-    changed = Rational((*fit.above[:-1], fit.above[-1] * (1 + 2.0**-20)), fit.below)
-    assert enclose(name, changed) > bound * EPS
-
-
 def test_the_shipped_coefficients_are_the_fitted() -> None:
-    assert (fit_tangent().above, fit_tangent().below) == kernels.TANGENT
-    assert (fit_arctangent().above, fit_arctangent().below) == kernels.ARCTANGENT
+    for shipped, target, degrees in (
+        (kernels.TANGENT, HALF_TANGENT, (3, 3)),
+        (kernels.ARCTANGENT, SMALL_ARCTANGENT, (4, 4)),
+    ):
+        fitted = fit(target, *degrees)
+        assert (fitted.above, fitted.below) == shipped
 
 
 def test_pi_is_split_into_28_bits_and_the_double_next_to_the_rest() -> None:

@@ -10,8 +10,9 @@ from mechproof.codegen.domain import checked_relations
 from mechproof.codegen.evaluation import input_symbols
 from mechproof.codegen.formula_text import chain_relations, write_formula
 from mechproof.codegen.kernel import input_names
+from mechproof.codegen.languages import NUMPY
 from mechproof.codegen.lowering import lower_conditions
-from mechproof.codegen.numpy_syntax import write_program
+from mechproof.codegen.syntax import write_program
 from mechproof.record import Paper, Toleranced
 
 ORDERS = (sp.LessThan, sp.StrictLessThan, sp.GreaterThan, sp.StrictGreaterThan)
@@ -64,7 +65,7 @@ def _describe(
     spelled: dict[sp.Basic, str],
 ) -> Condition:
     text = ", ".join(chain_relations([write_formula(r, spelled) for r in relations]))
-    (test,) = write_program(lower_conditions(spelled, names, relations)).outputs
+    (test,) = write_program(lower_conditions(spelled, names, relations), NUMPY).outputs
     is_order = len(names) > 1 and isinstance(relations[0], ORDERS)
     smaller = relations[0].lts.free_symbols if is_order else set()
     blamed = sorted(spelled[s] for s in smaller) or list(names)

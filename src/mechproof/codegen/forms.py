@@ -7,9 +7,9 @@ from dataclasses import fields
 
 import sympy as sp
 
+from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.kernel import Kernel, list_functions
-from mechproof.codegen.numpy_backend import render_modules
 from mechproof.codegen.raising import WrittenForm
 from mechproof.codegen.reading import read_module
 from mechproof.record import (

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from mechproof.codegen.numpy_backend import render_init, render_modules
+from mechproof.codegen.backends.numpy import render_init, render_modules
 from mechproof.record import Paper
 
 # What was generated, and may be replaced and removed: these, and modules with this line.

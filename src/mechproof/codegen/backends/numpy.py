@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -15,14 +15,22 @@ from jinja2 import meta
 
 from mechproof.codegen.code import Stage
 from mechproof.codegen.docstrings import describe_kernel, describe_module
+from mechproof.codegen.elementary.fits import (
+    HALF_TANGENT,
+    SMALL_ARCTANGENT,
+    Target,
+    enclose,
+    fit,
+)
+from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.facts import Condition, Sizes, list_conditions, list_sizes
 from mechproof.codegen.kernel import Kernel, list_functions
-from mechproof.codegen.numpy_syntax import Text, write_program
-from mechproof.codegen.polynomials import Rational, fit_arctangent, fit_tangent
+from mechproof.codegen.languages import NUMPY
 from mechproof.codegen.program import Program
+from mechproof.codegen.syntax import Text, write_program
 from mechproof.record import Form, Paper
 
-TEMPLATES = Path(__file__).parent / "templates"
+TEMPLATES = Path(__file__).parents[1] / "templates"
 LINE_LENGTH = 100
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -53,11 +61,8 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     }
 )
 # Constants that functions of the support package take as their last argument.
-FITS: Mapping[str, tuple[str, Callable[[], Rational]]] = MappingProxyType(
-    {
-        "TANGENT": ("tan(r/2)/r in powers of r**2", fit_tangent),
-        "ARCTANGENT": ("(atan(y)/y - 1)/y**2 in powers of y**2", fit_arctangent),
-    }
+FITS: Mapping[str, tuple[Target, tuple[int, int]]] = MappingProxyType(
+    {"TANGENT": (HALF_TANGENT, (3, 3)), "ARCTANGENT": (SMALL_ARCTANGENT, (4, 4))}
 )
 RESERVED = frozenset({"np", "inside", "out", *FITS, *(n for ns in SUPPORT.values() for n in ns)})
 
@@ -126,7 +131,10 @@ def _render(
         if (used := [name for name in names if f"{name}(" in body])
     }
     data["constants"] = [
-        (name, meaning, fit()) for name, (meaning, fit) in FITS.items() if name in body
+        (name, target, fitted, enclose(target, fitted) / DOUBLE.eps)
+        for name, (target, degrees) in FITS.items()
+        if name in body
+        for fitted in [fit(target, *degrees)]
     ]
     return format_source(render_template("numpy_module.py.jinja", data))
 
@@ -148,8 +156,8 @@ def write_kernel(kernel: Kernel, paper: Paper) -> KernelText:
                 "" if last else f"_{number + 1}",
                 _write_condition(stage.when),
                 stage,
-                write_program(stage.prepare),
-                write_program(stage.evaluate) if stage.evaluate else Text((), ()),
+                write_program(stage.prepare, NUMPY),
+                write_program(stage.evaluate, NUMPY) if stage.evaluate else Text((), ()),
             )
         )
     return KernelText(
@@ -160,7 +168,7 @@ def write_kernel(kernel: Kernel, paper: Paper) -> KernelText:
 def _write_condition(program: Program | None) -> str:
     if program is None:
         return ""
-    (text,) = write_program(program).outputs
+    (text,) = write_program(program, NUMPY).outputs
     return text
 
 

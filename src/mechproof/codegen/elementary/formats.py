@@ -1,0 +1,50 @@
+"""Float formats: how many bits, how far angles are reduced, which degrees suffice."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mpmath as mp
+
+DIGITS = 60
+
+
+@dataclass(frozen=True)
+class Format:
+    """A binary format with `bits` of precision and the degrees of its approximations.
+
+    `largest` is the largest angle, and the reciprocal of `margin` the number of quarter turns,
+    up to which the reduction is as exact as an ulp of what it leaves.
+    """
+
+    name: str
+    bits: int
+    largest: float
+    tangent: tuple[int, int]
+    sine: int
+    cosine: int
+    arctangent: tuple[int, int]
+    small_arctangent: tuple[int, int]
+    scale: int
+
+    @property
+    def eps(self) -> float:
+        """Return the spacing of the numbers next to 1."""
+        return float(2.0 ** (1 - self.bits))
+
+    def round(self, value: mp.mpf) -> float:
+        """Return the number of the format that is next to `value`."""
+        with mp.workprec(self.bits):
+            return float(+value)
+
+    def split(self, value: mp.mpf, count: int) -> tuple[float, ...]:
+        """Return `count` numbers of the format that add up to `value`, the largest first."""
+        words: list[float] = []
+        with mp.workdps(DIGITS):
+            for _ in range(count):
+                words.append(self.round(value - mp.fsum(words)))
+        return tuple(words)
+
+
+DOUBLE = Format("double", 53, 2.0**26, (3, 3), 5, 5, (6, 6), (4, 4), 600)
+SINGLE = Format("single", 24, 2.0**11, (1, 2), 2, 2, (2, 2), (1, 2), 70)

@@ -1,0 +1,219 @@
+"""The elementary functions: how each is computed in plain arithmetic, for a float format."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from types import MappingProxyType
+
+import mpmath as mp
+
+from mechproof.codegen.elementary import fits
+from mechproof.codegen.elementary.fits import Rational, Target, fit
+from mechproof.codegen.elementary.formats import DIGITS, Format
+from mechproof.codegen.elementary.trace import (
+    Value,
+    choose,
+    copysign,
+    floor,
+    fma,
+    horner,
+    rint,
+    root,
+    trace,
+)
+from mechproof.codegen.program import Program
+
+Body = Callable[..., Value]
+Fitted = tuple[Target, Rational]
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function as a program. `fits` are the approximations in it.
+
+    A `limited` one is right where the absolute value of its first argument is at most the
+    format's `largest`; farther out a backend has to take another way.
+    """
+
+    program: Program
+    fits: tuple[Fitted, ...]
+    limited: bool
+
+
+class _Maker:
+    """Builds the functions of one format."""
+
+    def __init__(self, form: Format) -> None:
+        self.form = form
+        self.fits: list[Fitted] = []
+
+    def fit(self, target: Target, above: int, below: int = 0) -> Rational:
+        """Fit a target and remember it."""
+        fitted = fit(target, above, below, self.form)
+        self.fits.append((target, fitted))
+        return fitted
+
+    def reduce(self, y: Value) -> tuple[Value, Value]:
+        """Return the nearest number n of quarter turns and y less them, to an ulp of itself.
+
+        The first fma is exact: both products are multiples of one unit, their difference is
+        small. The second rounds once; three words of pi/2 leave less than an ulp of the smallest
+        difference that a number up to `largest` has from a multiple of pi/2.
+        """
+        with mp.workdps(DIGITS):
+            quarter = self.form.split(mp.pi / 2, 3)
+            per_quarter = self.form.round(2 / mp.pi)
+        n = rint(y * per_quarter)
+        r = y
+        for word in quarter:
+            r = fma(n, -word, r)
+        return n, r
+
+    def tangent_parts(self, y: Value) -> tuple[Value, Value]:
+        """Return two values whose quotient is tan(y)."""
+        n, r = self.reduce(y)
+        fitted = self.fit(fits.TANGENT, *self.form.tangent)
+        z = r * r
+        above, below = horner(z, fitted.above) * r, horner(z, fitted.below)
+        half = n * 0.5
+        is_even = rint(half).equals(half)
+        return choose(is_even, above, -below), choose(is_even, below, above)
+
+    def tan(self, y: Value) -> Value:
+        """Return tan(y)."""
+        above, below = self.tangent_parts(y)
+        return above / below
+
+    def tangent_quotient(self, y: Value, a: Value, b: Value) -> Value:
+        """Return t/(a + b*t**2), t = tan(y)."""
+        above, below = self.tangent_parts(y)
+        return above * below / fma(a * below, below, b * above * above)
+
+    def sine_and_cosine(self, r: Value) -> tuple[Value, Value]:
+        """Return both of an angle of at most pi/4."""
+        odd = self.fit(fits.SINE, self.form.sine)
+        even = self.fit(fits.COSINE, self.form.cosine)
+        z = r * r
+        sine = fma(r * z, horner(z, odd.above), r)
+        half = z * 0.5
+        near = 1.0 - half
+        cosine = near + fma(z * z, horner(z, even.above), (1.0 - near) - half)
+        return sine, cosine
+
+    def sin(self, y: Value) -> Value:
+        """Return sin(y)."""
+        n, r = self.reduce(y)
+        sine, cosine = self.sine_and_cosine(r)
+        half = n * 0.5
+        return _turn(choose(rint(half).equals(half), sine, cosine), floor(half))
+
+    def cos(self, y: Value) -> Value:
+        """Return cos(y)."""
+        n, r = self.reduce(y)
+        sine, cosine = self.sine_and_cosine(r)
+        half = n * 0.5
+        return _turn(choose(rint(half).equals(half), cosine, sine), floor((n + 1.0) * 0.5))
+
+    def arctan(self, y: Value) -> Value:
+        """Return atan(y)."""
+        size = abs(y)
+        is_large = size > 1.0
+        arc = self.arc(choose(is_large, 1.0 / size, size))
+        high, low = self.split(mp.pi / 2)
+        return copysign(choose(is_large, high - (arc - low), arc), y)
+
+    def arctan2(self, a: Value, b: Value) -> Value:
+        """Return atan2(a, b)."""
+        rise, run = abs(a), abs(b)
+        is_steep = rise > run
+        below = choose(is_steep, rise, run)
+        arc = self.arc(choose(is_steep, run, rise) / choose(below.equals(0.0), 1.0, below))
+        is_behind = copysign(1.0, b) < 0.0
+        (half, half_low), (whole, whole_low) = (self.split(v) for v in (mp.pi / 2, mp.pi))
+        high = choose(is_steep, half, choose(is_behind, whole, 0.0))
+        low = choose(is_steep, half_low, choose(is_behind, whole_low, 0.0))
+        turned = choose(is_steep, choose(is_behind, arc, -arc), choose(is_behind, -arc, arc))
+        return copysign(high + (low + turned), a)
+
+    def arc(self, w: Value) -> Value:
+        """Return atan(w) for 0 <= w <= 1."""
+        fitted = self.fit(fits.ARCTANGENT, *self.form.arctangent)
+        z = w * w
+        return fma(w * z, horner(z, fitted.above) / horner(z, fitted.below), w)
+
+    def small_arctan(self, y: Value) -> Value:
+        """Return atan(y) for |y| <= 1/sqrt(3)."""
+        fitted = self.fit(fits.SMALL_ARCTANGENT, *self.form.small_arctangent)
+        z = y * y
+        return fma(y * z, horner(z, fitted.above) / horner(z, fitted.below), y)
+
+    def split(self, value: mp.mpf) -> tuple[float, ...]:
+        """Return a value as two numbers of the format."""
+        return self.form.split(value, 2)
+
+    def hypot(self, a: Value, b: Value) -> Value:
+        """Return sqrt(a**2 + b**2), scaled where squares would leave the range."""
+        one, other = abs(a), abs(b)
+        size = choose(one > other, one, other)
+        large, small = 2.0 ** (self.form.scale - 100), 2.0 ** (100 - self.form.scale)
+        factor = choose(
+            size > large,
+            2.0**-self.form.scale,
+            choose(size < small, 2.0**self.form.scale, 1.0),
+        )
+        x, y = one * factor, other * factor
+        return root(fma(x, x, y * y)) / factor
+
+    def small_tangent(self, y: Value) -> Value:
+        """Return tan(y) for y the half of a low word."""
+        return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
+
+    def product_rest(self, a: Value, b: Value, p: Value) -> Value:
+        """Return a*b - p."""
+        return fma(a, b, -p)
+
+    def quotient_rest(self, a: Value, b: Value, q: Value) -> Value:
+        """Return a/b - q."""
+        return fma(-q, b, a) / b
+
+    def sum_rest(self, a: Value, b: Value, s: Value) -> Value:
+        """Return a + b - s."""
+        return b - (s - a)
+
+
+def _turn(value: Value, half_turns: Value) -> Value:
+    """Return a value with the sign that a whole number of half turns gives it."""
+    half = half_turns * 0.5
+    return choose(floor(half).equals(half), value, -value)
+
+
+BODIES: Mapping[str, tuple[Callable[..., Value], tuple[str, ...], bool]] = MappingProxyType(
+    {
+        "tan": (_Maker.tan, ("y",), True),
+        "tangent_quotient": (_Maker.tangent_quotient, ("y", "a", "b"), True),
+        "sin": (_Maker.sin, ("y",), True),
+        "cos": (_Maker.cos, ("y",), True),
+        "arctan": (_Maker.arctan, ("y",), False),
+        "arctan2": (_Maker.arctan2, ("a", "b"), False),
+        "small_arctan": (_Maker.small_arctan, ("y",), False),
+        "small_tangent": (_Maker.small_tangent, ("y",), False),
+        "hypot": (_Maker.hypot, ("a", "b"), False),
+        "product_rest": (_Maker.product_rest, ("a", "b", "p"), False),
+        "quotient_rest": (_Maker.quotient_rest, ("a", "b", "q"), False),
+        "sum_rest": (_Maker.sum_rest, ("a", "b", "s"), False),
+    }
+)
+
+
+@cache
+def build(kind: str, form: Format) -> Function:
+    """Return the function of a kind of operation in a format.
+
+    Raises `KeyError` for a kind that is an operation of the machine.
+    """
+    body, inputs, limited = BODIES[kind]
+    maker = _Maker(form)
+    program = trace(lambda *values: body(maker, *values), inputs)
+    return Function(program, tuple(maker.fits), limited)

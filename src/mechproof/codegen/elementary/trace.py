@@ -1,0 +1,129 @@
+"""Tracing: in, a Python function of values; out, its program, operation by operation.
+
+Arithmetic on a `Value` adds an operation; what is used more than once gets a name.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+
+from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
+
+
+class Value:
+    """A number that a program computes."""
+
+    def __init__(self, operations: list[Operation], operand: Operand) -> None:
+        self._operations = operations
+        self.operand = operand
+
+    def apply(self, kind: str, *operands: Value | float) -> Value:
+        """Add an operation and return its result."""
+        result = f"{TEMPORARY}{len(self._operations) + 1}"
+        used = tuple(o.operand if isinstance(o, Value) else o for o in operands)
+        self._operations.append(Operation(result, kind, used))
+        return Value(self._operations, result)
+
+    def __add__(self, other: Value | float) -> Value:
+        return self.apply("add", self, other)
+
+    def __radd__(self, other: float) -> Value:
+        return self.apply("add", other, self)
+
+    def __sub__(self, other: Value | float) -> Value:
+        return self.apply("subtract", self, other)
+
+    def __rsub__(self, other: float) -> Value:
+        return self.apply("subtract", other, self)
+
+    def __mul__(self, other: Value | float) -> Value:
+        return self.apply("multiply", self, other)
+
+    def __rmul__(self, other: float) -> Value:
+        return self.apply("multiply", other, self)
+
+    def __truediv__(self, other: Value | float) -> Value:
+        return self.apply("divide", self, other)
+
+    def __rtruediv__(self, other: float) -> Value:
+        return self.apply("divide", other, self)
+
+    def __neg__(self) -> Value:
+        return self.apply("negate", self)
+
+    def __abs__(self) -> Value:
+        return self.apply("absolute", self)
+
+    def __gt__(self, other: Value | float) -> Value:
+        return self.apply("greater", self, other)
+
+    def __lt__(self, other: Value | float) -> Value:
+        return self.apply("less", self, other)
+
+    def equals(self, other: Value | float) -> Value:
+        """Return the operation that compares; `==` compares the values of this class."""
+        return self.apply("equal", self, other)
+
+
+def fma(a: Value, b: Value | float, c: Value | float) -> Value:
+    """Return a*b + c with one rounding."""
+    return a.apply("fma", a, b, c)
+
+
+def rint(a: Value) -> Value:
+    """Return the whole number next to a."""
+    return a.apply("rint", a)
+
+
+def floor(a: Value) -> Value:
+    """Return the largest whole number that is not above a."""
+    return a.apply("floor", a)
+
+
+def root(a: Value) -> Value:
+    """Return the square root of a."""
+    return a.apply("sqrt", a)
+
+
+def choose(condition: Value, a: Value | float, b: Value | float) -> Value:
+    """Return a where the condition holds, b elsewhere."""
+    return condition.apply("choose", condition, a, b)
+
+
+def copysign(a: Value | float, b: Value) -> Value:
+    """Return |a| with the sign of b."""
+    return b.apply("copysign", a, b)
+
+
+def horner(z: Value, coefficients: tuple[float, ...]) -> Value:
+    """Return the polynomial in z, coefficients lowest power first."""
+    *others, last, first = coefficients
+    value = fma(z, first, last)
+    for number in reversed(others):
+        value = fma(value, z, number)
+    return value
+
+
+def trace(function: Callable[..., Value], inputs: tuple[str, ...]) -> Program:
+    """Return the program of a function of values."""
+    operations: list[Operation] = []
+    result = function(*(Value(operations, name) for name in inputs)).operand
+    return _name_repeated(Program(inputs, tuple(operations), (result,))).normal_form()
+
+
+def _name_repeated(program: Program) -> Program:
+    """Name what is used more than once: a temporary stands where it is used, and only there."""
+    uses = Counter(o for step in program.operations for o in step.operands)
+    repeated = [s.result for s in program.operations if uses[s.result] > 1]
+    names: dict[Operand, str] = {name: f"v{i}" for i, name in enumerate(repeated, start=1)}
+    operations = tuple(
+        Operation(
+            names.get(step.result, step.result),
+            step.kind,
+            tuple(names.get(o, o) for o in step.operands),
+        )
+        for step in program.operations
+    )
+    outputs = tuple(names.get(o, o) for o in program.outputs)
+    return Program(program.inputs, operations, outputs)

@@ -1,0 +1,120 @@
+"""Languages: how NumPy, numba and C spell the operations of a program."""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+
+from mechproof.codegen.syntax import (
+    ATOM,
+    BOTH,
+    CHOICE,
+    EITHER,
+    INFIX,
+    POWER,
+    SIGN,
+    Syntax,
+)
+
+NUMPY = Syntax(
+    infix=INFIX,
+    calls=MappingProxyType(
+        {
+            **{
+                name: f"np.{name}"
+                for name in (
+                    "sqrt", "sin", "cos", "tan", "arcsin", "arccos", "arctan", "arctan2", "exp",
+                    "log", "hypot", "floor", "sign", "maximum",
+                )
+            },
+            "absolute": "np.abs",
+            "choose": "choose_where",
+            **{
+                name: name
+                for name in (
+                    "is_finite", "product_rest", "sum_rest", "quotient_rest", "small_tangent",
+                    "tangent_quotient", "small_arctan", "single", "whole_turns_off",
+                )
+            },
+        }
+    ),
+    # The constants of the module that a function takes.
+    last=MappingProxyType({"small_arctan": "ARCTANGENT", "tangent_quotient": "TANGENT"}),
+    patterns=MappingProxyType(
+        {
+            "negate": ("-{}", SIGN, SIGN),
+            "square": ("{} ** 2", ATOM, POWER),
+            "power": ("{} ** {}", ATOM, POWER),
+            "along_first": ("{}[..., :, np.newaxis]", ATOM, ATOM),
+            "along_last": ("{}[..., np.newaxis, :]", ATOM, ATOM),
+            "transpose": ("np.swapaxes({}, -1, -2)", CHOICE, ATOM),
+            "diagonal": ("np.diagonal({}, axis1=-2, axis2=-1)", CHOICE, ATOM),
+        }
+    ),
+    constants=MappingProxyType(
+        {"#pi": "np.pi", "#e": "np.e", "#inf": "np.inf", "#nan": "np.nan"}
+    ),
+)  # fmt: skip
+LIMITED = ("tan", "sin", "cos", "tangent_quotient")
+# One number at a time; `exact` says whether what angles far out give is wanted, however long it
+# takes, or NaN.
+NUMBA = Syntax(
+    infix=INFIX,
+    calls=MappingProxyType(
+        {
+            **{
+                name: name
+                for name in (
+                    "sin", "cos", "tan", "arctan", "arctan2", "hypot", "floor", "rint", "fma",
+                    "copysign", "product_rest", "sum_rest", "quotient_rest", "small_tangent",
+                    "tangent_quotient", "small_arctan", "is_finite", "maximum",
+                )
+            },
+            "sqrt": "np.sqrt",
+            "absolute": "abs",
+        }
+    ),
+    last=MappingProxyType(dict.fromkeys(LIMITED, "exact")),
+    patterns=MappingProxyType(
+        {
+            "negate": ("-{}", SIGN, SIGN),
+            "square": ("{} ** 2", ATOM, POWER),
+            "choose": ("{1} if {0} else {2}", EITHER, CHOICE),
+        }
+    ),
+    constants=NUMPY.constants,
+)  # fmt: skip
+C99 = Syntax(
+    infix=MappingProxyType({**INFIX, "both": ("&&", BOTH), "either": ("||", EITHER)}),
+    calls=MappingProxyType(
+        {
+            **{
+                name: f"mp_{name}"
+                for name in (
+                    "sin", "cos", "tan", "arctan", "arctan2", "hypot", "product_rest", "sum_rest",
+                    "quotient_rest", "small_tangent", "tangent_quotient", "small_arctan", "square",
+                    "maximum",
+                )
+            },
+            "sqrt": "sqrt",
+            "floor": "floor",
+            "rint": "rint",
+            "fma": "fma",
+            "copysign": "copysign",
+            "absolute": "fabs",
+            "is_finite": "isfinite",
+        }
+    ),
+    last=MappingProxyType({}),
+    patterns=MappingProxyType(
+        {"negate": ("-{}", SIGN, SIGN), "choose": ("{} ? {} : {}", EITHER, CHOICE)}
+    ),
+    constants=MappingProxyType(
+        {
+            "#pi": "3.141592653589793",
+            "#e": "2.718281828459045",
+            "#inf": "HUGE_VAL",
+            "#nan": "NAN",
+        }
+    ),
+    number=lambda number: repr(float(number)),
+)  # fmt: skip

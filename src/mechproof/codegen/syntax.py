@@ -1,0 +1,112 @@
+"""Syntax: in, a program and a language's table; out, its text. Nothing is decided but brackets."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
+
+ATOM, POWER, SIGN, PRODUCT, SUM, BOTH, EITHER, COMPARISON, CHOICE = range(9, 0, -1)
+Level = int
+# Sign and level of operations between two operands, the left one taken first.
+INFIX: Mapping[str, tuple[str, Level]] = MappingProxyType(
+    {
+        "add": ("+", SUM),
+        "subtract": ("-", SUM),
+        "multiply": ("*", PRODUCT),
+        "divide": ("/", PRODUCT),
+        "both": ("&", BOTH),
+        "either": ("|", EITHER),
+        "less": ("<", COMPARISON),
+        "less_equal": ("<=", COMPARISON),
+        "greater": (">", COMPARISON),
+        "greater_equal": (">=", COMPARISON),
+        "equal": ("==", COMPARISON),
+    }
+)
+
+
+@dataclass(frozen=True)
+class Syntax:
+    """How a language spells operations.
+
+    `calls` are functions by the kind of operation, `last` what is put after their arguments.
+    `patterns` spell the other kinds: a text for the operands, as they stand or in brackets if
+    they bind less than the level, and the level of the whole.
+    """
+
+    infix: Mapping[str, tuple[str, Level]]
+    calls: Mapping[str, str]
+    last: Mapping[str, str]
+    patterns: Mapping[str, tuple[str, Level, Level]]
+    constants: Mapping[str, str]
+    number: Callable[[float], str] = repr
+
+
+@dataclass(frozen=True)
+class Text:
+    """The text of a program: an assignment for each named result, and the outputs."""
+
+    steps: tuple[tuple[str, str], ...]
+    outputs: tuple[str, ...]
+
+
+def write_program(program: Program, syntax: Syntax) -> Text:
+    """Write a program; what has no name stands where it is used."""
+    writer = _Writer(syntax)
+    steps = []
+    for operation in program.operations:
+        text, level = writer.write(operation)
+        if operation.result.startswith(TEMPORARY):
+            writer.written[operation.result] = text, level
+        else:
+            steps.append((operation.result, text))
+    return Text(tuple(steps), tuple(writer.show(output)[0] for output in program.outputs))
+
+
+class _Writer:
+    def __init__(self, syntax: Syntax) -> None:
+        self.written: dict[str, tuple[str, Level]] = {}
+        self._syntax = syntax
+
+    def show(self, operand: Operand) -> tuple[str, Level]:
+        if isinstance(operand, str):
+            constants = self._syntax.constants
+            return self.written.get(operand, (constants.get(operand, operand), ATOM))
+        return self._syntax.number(operand), ATOM if operand >= 0 else SIGN
+
+    def enclose(self, operand: Operand, level: Level) -> str:
+        """Show an operand, in brackets if it binds less than `level`."""
+        text, own = self.show(operand)
+        return text if own >= level else f"({text})"
+
+    def write(self, operation: Operation) -> tuple[str, Level]:
+        syntax, kind, operands = self._syntax, operation.kind, operation.operands
+        if kind in syntax.infix:
+            return self._write_infix(kind, *operands)
+        if kind == "copy":
+            return self.show(operands[0])
+        if kind in syntax.patterns:
+            pattern, inner, outer = syntax.patterns[kind]
+            return pattern.format(*(self.enclose(o, inner) for o in operands)), outer
+        if kind in REDUCTIONS:
+            return self._write_reduction(kind, *operands), ATOM
+        arguments = [self.show(operand)[0] for operand in operands]
+        arguments += [syntax.last[kind]] if kind in syntax.last else []
+        return f"{syntax.calls[kind]}({', '.join(arguments)})", ATOM
+
+    def _write_infix(self, kind: str, one: Operand, other: Operand) -> tuple[str, Level]:
+        sign, level = self._syntax.infix[kind]
+        # Comparisons do not chain: both sides bind more.
+        left = level + 1 if level == COMPARISON else level
+        return f"{self.enclose(one, left)} {sign} {self.enclose(other, level + 1)}", level
+
+    def _write_reduction(self, kind: str, value: Operand, axes: Operand) -> str:
+        assert isinstance(axes, int)
+        where = "-1" if axes == 1 else str(tuple(range(-axes, 0)))
+        return f"{REDUCTIONS[kind]}({self.show(value)[0]}, axis={where})"
+
+
+REDUCTIONS: Mapping[str, str] = MappingProxyType({"sum": "np.sum", "every": "np.all"})
