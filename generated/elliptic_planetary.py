@@ -216,6 +216,9 @@ def position(
 
     Accuracy: 6 eps of the value, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|).
 
+    Proved of half-angle atan: at most 4.38 eps with np.arctan within 1 ulp and np.tan within 1
+    ulp, found 3.2; at most 6.75 eps by polynomials, found 4.03.
+
     Source: Prikhodko et al. 2024, integral (9) of equation (8).
 
     """

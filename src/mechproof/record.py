@@ -563,7 +563,8 @@ class Form:
     is set for an approximation: a bound of |form - definition|. `states` makes the statement
     that proves it from what was emitted (left out: it equals the definition), decided on `on`;
     where false, `holds_on` may say where it is true. `source` is where it is printed. `charts`
-    cover the arguments for which it is taken and its accuracy is stated.
+    cover the arguments for which it is taken and its accuracy is stated; `proved` says what is
+    certified of its roundings over them and is filled in when it is printed.
     """
 
     name: str
@@ -578,6 +579,7 @@ class Form:
     source: str = ""
     note: str = ""
     charts: tuple[Chart, ...] = ()
+    proved: str = ""
 
 
 @dataclass(frozen=True)

@@ -92,5 +92,3 @@ def _odd_or_reduced(
     if turn and germ.powers == turn.powers:
         return germ.frame.constant(function(z))
     return take_odd(germ, z, function, end)
-
-

@@ -131,5 +131,3 @@ def _limit(step: Step, exact: Germ) -> Ball | None:
         # A power of two is a double: what is hardly above it is off by less than what is below.
         exponent -= 1
     return arb(step.ulps * 2.0 ** (exponent - BITS))
-
-

@@ -12,6 +12,8 @@ from mechproof.roundoff.regions import Box, put_side
 Bound = Callable[[Box], float]
 # No side is cut to less than this share of the whole while another is longer.
 FINEST = 2.0**-9
+# So many of the boxes with the largest bounds are kept.
+WORST = 32
 
 
 @dataclass(frozen=True)
@@ -32,7 +34,25 @@ def lower_bound(bound: Bound, box: Box, most: int, aim: float = 0.0) -> Cover:
         for half in halve(worst, choose_side(bound, worst, -height, box)):
             heapq.heappush(heap, (-bound(half), number, half))
             number += 1
-    return Cover(-heap[0][0], tuple(entry[2] for entry in heapq.nsmallest(8, heap)), len(heap))
+    return Cover(-heap[0][0], tuple(entry[2] for entry in heapq.nsmallest(WORST, heap)), len(heap))
+
+
+def cover_below(bound: Bound, box: Box, aim: float, most: int) -> tuple[int, Box | None]:
+    """Divide a box until every part is below an aim; the number of parts, and one that is not.
+
+    A part whose middle alone is above the aim cannot be divided into parts below it.
+    """
+    waiting, count = [box], 0
+    while waiting:
+        part = waiting.pop()
+        height = bound(part)
+        if height <= aim:
+            count += 1
+            continue
+        if count + len(waiting) >= most or bound(_middle(part)) > aim:
+            return count, part
+        waiting.extend(halve(part, choose_side(bound, part, height, box)))
+    return count, None
 
 
 def choose_side(bound: Bound, box: Box, height: float, whole: Box) -> int:
@@ -52,6 +72,12 @@ def halve(box: Box, index: int) -> tuple[Box, Box]:
     low, high = box[index]
     middle = _halfway(low, high)
     return put_side(box, index, (low, middle)), put_side(box, index, (middle, high))
+
+
+def _middle(box: Box) -> Box:
+    return tuple(
+        (low, high) if math.isinf(high) else (_halfway(low, high),) * 2 for low, high in box
+    )
 
 
 def _halfway(low: float, high: float) -> float:

@@ -9,12 +9,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from mechproof.codegen.polynomials import fit_arctangent, fit_tangent
+from mechproof.codegen.backends.numpy import FITS
+from mechproof.codegen.elementary.fits import enclose, fit
 from mechproof.codegen.program import Operand, Operation, Program
 
-# By how many eps of itself each approximation is off: the tests enclose it.
-TANGENT_ERROR = 0.24
-ARCTANGENT_ERROR = 0.14
+EPS = 2.0**-52
 
 
 @dataclass(frozen=True)
@@ -46,6 +45,8 @@ def _evaluate(name: str, z: str, coefficients: Sequence[float]) -> list[Line]:
     return [*lines[:-1], (name, *lines[-1][1:])]
 
 
+TANGENT, ARC = (fit(target, *degrees) for target, degrees in FITS.values())
+TANGENT_ERROR, ARC_ERROR = (enclose(t, fit(t, *degrees)) / EPS for t, degrees in FITS.values())
 PLAIN_QUOTIENT = _write(
     "y a b",
     ("t", "tan", ("y",)),
@@ -59,10 +60,10 @@ QUOTIENT = _write(
     "y a b",
     ("r", "pi_off", ("y",)),
     ("z", "square", ("r",)),
-    *_evaluate("above", "z", fit_tangent().above),
+    *_evaluate("above", "z", TANGENT.above),
     ("fit", "multiply", ("above", "r")),
     ("u", "approximate", ("fit",)),
-    *_evaluate("v", "z", fit_tangent().below),
+    *_evaluate("v", "z", TANGENT.below),
     ("w", "multiply", ("u", "v")),
     ("uu", "square", ("u",)),
     ("vv", "square", ("v",)),
@@ -80,8 +81,8 @@ QUOTIENT = _write(
 ARCTANGENT = _write(
     "y",
     ("z", "square", ("y",)),
-    *_evaluate("u", "z", fit_arctangent().above),
-    *_evaluate("v", "z", fit_arctangent().below),
+    *_evaluate("u", "z", ARC.above),
+    *_evaluate("v", "z", ARC.below),
     ("ratio", "divide", ("u", "v")),
     ("rest", "multiply", ("ratio", "z")),
     ("arc", "multiply", ("rest", "y")),
@@ -95,9 +96,9 @@ WAYS: Mapping[str, Mapping[str, Expansion]] = MappingProxyType(
             "tangent_quotient": Expansion(PLAIN_QUOTIENT),
             "small_arctan": Expansion(PLAIN_ARCTANGENT),
         },
-        "polynomials": {
+        "by polynomials": {
             "tangent_quotient": Expansion(QUOTIENT, {"u": TANGENT_ERROR}),
-            "small_arctan": Expansion(ARCTANGENT, {"q": ARCTANGENT_ERROR}),
+            "small_arctan": Expansion(ARCTANGENT, {"q": ARC_ERROR}),
         },
     }
 )

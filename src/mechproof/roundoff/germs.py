@@ -103,9 +103,7 @@ class Germ:
         if powers is none:
             powers = others
         elif others is not none:
-            powers = self.frame.intern(
-                tuple([a + b for a, b in zip(powers, others, strict=True)])
-            )
+            powers = self.frame.intern(tuple([a + b for a, b in zip(powers, others, strict=True)]))
         return Germ(self.frame, self.ball * other.ball, powers)
 
     def __truediv__(self, other: Germ) -> Germ:

@@ -52,17 +52,18 @@ class Region:
             frame = Frame(balls, poles)
             germs = {name: frame.variable(i) for i, name in enumerate(self.names)}
             return frame, self._name_arguments(frame, germs), None
-        index = self.names.index(self._angle)
+        index = self.names.index(self.angle)
         rest = balls[index]
         inverse = balls.pop() if self.turns is None else 1 / (2 * arb.pi() * self.turns + rest)
         frame = Frame([*balls, inverse], poles)
         germs = {name: frame.variable(i) for i, name in enumerate(self.names)}
         whole = frame.variable(len(balls), -1)
-        germs[self._angle] = whole
+        germs[self.angle] = whole
         return frame, self._name_arguments(frame, germs), Turn(whole.powers, rest, 1 / inverse)
 
     @property
-    def _angle(self) -> sp.Symbol:
+    def angle(self) -> sp.Symbol:
+        """Return the angle that is taken off by whole turns."""
         assert self.chart.angle is not None
         return self.chart.angle
 
@@ -119,13 +120,19 @@ def list_regions(chart: Chart) -> Iterator[Region]:
 def _enclose(interval: sp.Interval) -> Side:
     """Return doubles on or beyond the ends of an interval."""
     start, end = float(interval.inf), float(interval.sup)
-    start = start if interval.inf.is_infinite or sp.Rational(start) <= interval.inf else math.nextafter(start, -math.inf)
-    end = end if interval.sup.is_infinite or sp.Rational(end) >= interval.sup else math.nextafter(end, math.inf)
+    start = (
+        start
+        if interval.inf.is_infinite or sp.Rational(start) <= interval.inf
+        else math.nextafter(start, -math.inf)
+    )
+    end = (
+        end
+        if interval.sup.is_infinite or sp.Rational(end) >= interval.sup
+        else math.nextafter(end, math.inf)
+    )
     return start, end
 
 
 def put_side(box: Sequence[Side], index: int, side: Side) -> Box:
     """Return a box with another side."""
     return (*box[:index], side, *box[index + 1 :])
-
-

@@ -13,7 +13,9 @@ from mechproof.roundoff.expansions import Expansion
 
 HALF = 0.5
 EXACT = 0.0
-ALWAYS_EXACT = frozenset({"negate", "absolute", "maximum", "minimum", "copy", "approximate", "product_rest"})
+ALWAYS_EXACT = frozenset(
+    {"negate", "absolute", "maximum", "minimum", "copy", "approximate", "product_rest"}
+)
 
 
 @dataclass(frozen=True)

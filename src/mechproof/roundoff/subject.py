@@ -2,35 +2,66 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
+import numpy as np
+from flint import arb
+from numpy.typing import NDArray
+
+from mechproof.codegen.code import Stage
 from mechproof.codegen.kernel import Kernel, input_names
+from mechproof.proof.balls import working_precision
 from mechproof.record import Form
-from mechproof.roundoff.bound import Evaluation
+from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL
+from mechproof.roundoff.bound import EPS, Evaluation
 from mechproof.roundoff.expansions import WAYS
 from mechproof.roundoff.regions import Box, Region
+from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import Straight, flatten_stage
+from mechproof.roundoff.symmetry import check_symmetry
+
+BITS = 64
 
 
 @dataclass(frozen=True)
 class Subject:
-    """A stage of a kernel in one of the ways in which it is computed."""
+    """A stage of a kernel in one of the ways in which it is computed.
+
+    `exact` are the steps whose values without rounding are the truth.
+    """
 
     kernel: Kernel
     form: Form
+    stage: Stage
     way: str
     straight: Straight
+    exact: Straight
+
+    @property
+    def digest(self) -> str:
+        """Return the SHA-256 of the steps and of the coordinates."""
+        text = f"{self.straight}\n{self.form.charts}"
+        return hashlib.sha256(text.encode()).hexdigest()
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """List what the bound rests on."""
+        kinds = {step.kind for step in self.straight.steps}
+        return (*(FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys())), NORMAL)
 
     def bound(self, region: Region, box: Box) -> float:
         """Bound the error in eps of the scale over a box; infinite where it cannot be bounded."""
-        try:
-            evaluation = self.evaluate(region, box)
-        except (ZeroDivisionError, IndexError):
-            return math.inf
-        (output,) = self.straight.outputs
-        return evaluation.sum_errors(output, evaluation.value(output))
+        with working_precision(BITS):
+            try:
+                evaluation = self.evaluate(region, box)
+            except (ZeroDivisionError, IndexError):
+                return math.inf
+            (output,) = self.straight.outputs
+            return evaluation.sum_errors(output, evaluation.value(output))
 
     def evaluate(self, region: Region, box: Box) -> Evaluation:
         """Return all values over a box."""
@@ -39,6 +70,17 @@ class Subject:
         names = input_names(self.kernel.quantity)
         given = {names[symbol]: germ for symbol, germ in arguments.items()}
         return Evaluation(self.straight, frame, given, turn)
+
+    def weigh(self, found: NDArray[np.float64], exact: Sequence[Any], given: Any) -> float:
+        """Return the error of outputs in eps of the scale."""
+        ((value, true),) = zip(found.tolist(), exact, strict=True)
+        return float(abs(arb(value) - true) / abs(true) / EPS) if true != 0 else 0.0
+
+    def holds(self, points: Mapping[str, Any]) -> Any:
+        """Say where the stage is taken."""
+        programs = [p for p in (self.kernel.code.inside, self.stage.when) if p]
+        inside = [run(p, points, IN_DOUBLES)[0] for p in programs]
+        return np.logical_and.reduce(inside) if inside else True
 
 
 def list_subjects(kernel: Kernel) -> Iterator[Subject]:
@@ -51,4 +93,7 @@ def list_subjects(kernel: Kernel) -> Iterator[Subject]:
             straight = flatten_stage(stage, expansions)
             if straight not in known:
                 known.append(straight)
-                yield Subject(kernel, form, way, straight)
+                for chart in form.charts:
+                    if chart.angle is not None:
+                        check_symmetry(straight, chart, input_names(kernel.quantity))
+                yield Subject(kernel, form, stage, way, straight, known[0])

@@ -1,0 +1,184 @@
+"""Certificates: what is proved of the rounding errors of a system's kernels, as data.
+
+A claim of a kernel's stage is the largest bound over all boxes; who checks it divides the domain
+anew until every box is below it. The worst input found stands beside it.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from itertools import islice
+
+import numpy as np
+
+from mechproof.codegen.kernel import list_functions
+from mechproof.json_rows import read_fields, write_lines
+from mechproof.record import Form, Paper, Quantity
+from mechproof.roundoff.assumptions import NORMAL
+from mechproof.roundoff.cover import Cover, cover_below, lower_bound
+from mechproof.roundoff.regions import Region, list_regions
+from mechproof.roundoff.subject import Subject, list_subjects
+from mechproof.roundoff.worst import Found, find_worst, measure
+
+# Boxes of a region when a bound is looked for, and when a claim is checked.
+MOST, MOST_CHECKED = 1500, 20000
+# A claim is so much above what the search for it came down to, so that fewer boxes show it.
+SLACK = 1.01
+DIGITS = 2
+SEEDS = (1, 2, 3)
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A bound of the error of a stage in eps of its scale, and the worst error found.
+
+    `program` is the hash of steps and coordinates, `boxes` how many show the bound, `open` what is
+    not shown; `at` has the arguments as hexadecimal texts.
+    """
+
+    quantity: str
+    form: str
+    way: str
+    proved: float
+    found: float
+    at: Mapping[str, str]
+    boxes: int
+    open: str
+    assumptions: tuple[str, ...]
+    program: str
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """All claims of a system."""
+
+    system: str
+    claims: tuple[Claim, ...]
+
+
+def write_certificate(certificate: Certificate) -> str:
+    """Return the text of a certificate."""
+    return "\n".join(write_lines(certificate))
+
+
+def read_certificate(text: str, where: str) -> Certificate:
+    """Read a certificate; ValueError names what it should not have."""
+    return read_fields(Certificate, json.loads(text), where)
+
+
+def certify(paper: Paper, known: Certificate | None) -> Certificate | None:
+    """Prove a bound of every stage with charts; what is known and holds stays as it is.
+
+    None for a paper without charts.
+    """
+    kept = {(c.quantity, c.form, c.way): c for c in known.claims} if known else {}
+    claims = []
+    for subject in _list_all(paper):
+        claim = kept.get(_key(subject))
+        claims.append(claim if claim and holds(subject, claim) else make_claim(subject))
+    return Certificate(paper.system, tuple(claims)) if claims else None
+
+
+def list_digests(paper: Paper) -> list[str]:
+    """List the hashes of all that a paper's certificate is about."""
+    return [subject.digest for subject in _list_all(paper)]
+
+
+def tell_proofs(paper: Paper, certificate: Certificate | None) -> Paper:
+    """Return the paper with what is proved told by its forms."""
+    if certificate is None:
+        return paper
+    texts: dict[tuple[str, str], list[str]] = {}
+    for claim in certificate.claims:
+        texts.setdefault((claim.quantity, claim.form), []).append(_tell(claim))
+    quantities = tuple(
+        replace(q, forms=tuple(_tell_form(q, form, texts) for form in q.forms))
+        for q in paper.quantities
+    )
+    return replace(paper, quantities=quantities)
+
+
+def _tell_form(quantity: Quantity, form: Form, texts: Mapping[tuple[str, str], list[str]]) -> Form:
+    told = texts.get((quantity.name, form.name))
+    if not told:
+        return form
+    where = f" of {form.name}" if len(quantity.shipped) > 1 else ""
+    return replace(form, proved=f"Proved{where}: {'; '.join(told)}.")
+
+
+def _tell(claim: Claim) -> str:
+    if claim.open:
+        return f"nothing {claim.way}, open at {claim.open}"
+    rests = [text for text in claim.assumptions if text != NORMAL]
+    given = f" with {' and '.join(rests)}" if rests else f" {claim.way}"
+    return f"at most {claim.proved:g} eps{given}, found {claim.found:g}"
+
+
+def _list_all(paper: Paper) -> Iterator[Subject]:
+    return (s for kernel in list_functions(paper) for s in list_subjects(kernel))
+
+
+def _key(subject: Subject) -> tuple[str, str, str]:
+    return subject.kernel.name, subject.form.name, subject.way
+
+
+def holds(subject: Subject, claim: Claim) -> bool:
+    """Say whether a claim is about these steps and proved, and its input not off by more."""
+    if claim.program != subject.digest or claim.assumptions != subject.assumptions:
+        return False
+    points = {name: np.array([float.fromhex(text)]) for name, text in claim.at.items()}
+    off = float(measure(subject, points)[0])
+    if not 0 <= off <= claim.proved or claim.found > claim.proved:
+        return False
+    count, stays_open = count_boxes(subject, claim.proved)
+    return (count, stays_open) == (claim.boxes, claim.open)
+
+
+def count_boxes(subject: Subject, claimed: float) -> tuple[int, str]:
+    """Return how many boxes show that the error is at most as claimed, and what stays open."""
+    total = 0
+    for region in _list_regions(subject):
+        count, worst = cover_below(
+            lambda box, region=region: subject.bound(region, box), region.box, claimed, MOST_CHECKED
+        )
+        total += count
+        if worst is not None:
+            return total, f"{region.describe()}: {worst}"
+    return total, ""
+
+
+def make_claim(subject: Subject) -> Claim:
+    """Look for the lowest bound that can be shown and for the input that comes nearest to it."""
+    covers = [(region, _lower(subject, region)) for region in _list_regions(subject)]
+    covers.sort(key=lambda pair: -pair[1].bound)
+    bound = covers[0][1].bound * SLACK
+    proved = math.ceil(bound * 10**DIGITS) / 10**DIGITS if math.isfinite(bound) else math.inf
+    worst = max(_search(subject, covers), key=lambda found: found.eps)
+    count, stays_open = count_boxes(subject, proved)
+    return Claim(
+        *_key(subject),
+        proved=proved,
+        found=math.floor(worst.eps * 10**DIGITS) / 10**DIGITS,
+        at={name: float(value).hex() for name, value in worst.at.items()},
+        boxes=count,
+        open=stays_open,
+        assumptions=subject.assumptions,
+        program=subject.digest,
+    )
+
+
+def _list_regions(subject: Subject) -> Iterator[Region]:
+    return (region for chart in subject.form.charts for region in list_regions(chart))
+
+
+def _lower(subject: Subject, region: Region) -> Cover:
+    return lower_bound(lambda box: subject.bound(region, box), region.box, MOST)
+
+
+def _search(subject: Subject, covers: list[tuple[Region, Cover]]) -> Iterator[Found]:
+    for region, cover in islice(covers, 2):
+        for seed in SEEDS:
+            yield find_worst(subject, region, cover.worst, seed)

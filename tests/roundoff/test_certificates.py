@@ -1,0 +1,163 @@
+"""Certificates of rounding errors: they hold, they are checked, and what is wrong is refused."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mechproof.kernels
+from mechproof.codegen.kernel import list_functions
+from mechproof.derivations.elliptic_planetary import PAPER
+from mechproof.kernel_support import polynomials
+from mechproof.kernels import elliptic_planetary as kernels
+from mechproof.roundoff.certificate import Certificate, Claim, holds, read_certificate
+from mechproof.roundoff.expansions import ARCTANGENT, QUOTIENT
+from mechproof.roundoff.regions import list_regions
+from mechproof.roundoff.running import IN_DOUBLES, run
+from mechproof.roundoff.subject import Subject, list_subjects
+from mechproof.roundoff.worst import draw, measure
+
+FOLDER = Path(next(iter(mechproof.kernels.__path__)), "certificates")
+SYSTEMS = sorted(path.stem for path in FOLDER.glob("*.json"))
+# Found by a search along the boxes with the largest bounds, all roundings nearly aligned.
+WORST = {
+    "phi1": "0x1.062538db1ff9cp-20",
+    "R1": "0x1.dfd4f2f5f08ebp+14",
+    "R2": "0x1.de9265fc3a102p+0",
+    "e": "0x1.ffeff7ed00001p-2",
+}
+
+
+@cache
+def certificate(system: str) -> Certificate:
+    path = FOLDER / f"{system}.json"
+    return read_certificate(path.read_text(encoding="utf-8"), str(path))
+
+
+@cache
+def subjects() -> Mapping[tuple[str, str, str], Subject]:
+    found = (s for kernel in list_functions(PAPER) for s in list_subjects(kernel))
+    return {(s.kernel.name, s.form.name, s.way): s for s in found}
+
+
+def claims() -> list[Claim]:
+    return list(certificate("elliptic_planetary").claims)
+
+
+def subject_of(claim: Claim) -> Subject:
+    return subjects()[claim.quantity, claim.form, claim.way]
+
+
+def name_claim(claim: Claim) -> str:
+    return f"{claim.quantity}: {claim.form}, {claim.way}"
+
+
+def by_polynomials() -> tuple[Claim, Subject]:
+    (claim,) = (c for c in claims() if c.way == "by polynomials")
+    return claim, subject_of(claim)
+
+
+@pytest.mark.parametrize("claim", claims(), ids=name_claim)
+def test_random_inputs_are_off_by_no_more_than_is_proved(claim: Claim) -> None:
+    subject, rng = subject_of(claim), np.random.default_rng(4711)
+    for chart in subject.form.charts:
+        for region in list_regions(chart):
+            errors = measure(subject, draw(subject, region, region.box, 1000, rng))
+            assert np.sum(errors >= 0) > 300
+            assert 0 < errors.max() <= claim.proved
+
+
+def test_the_known_worst_is_below_the_bound() -> None:
+    claim, subject = by_polynomials()
+    points = {name: np.array([float.fromhex(text)]) for name, text in WORST.items()}
+    assert 4.5 < measure(subject, points)[0] <= claim.proved
+
+
+def test_a_bound_lowered_by_a_tenth_is_refused() -> None:
+    claim = claims()[0]
+    assert not holds(subject_of(claim), replace(claim, proved=0.9 * claim.proved))
+
+
+def test_an_endless_bound_is_refused() -> None:
+    claim = claims()[0]
+    assert not holds(subject_of(claim), replace(claim, proved=math.inf))
+
+
+def test_another_number_of_boxes_is_refused() -> None:
+    claim = claims()[0]
+    assert not holds(subject_of(claim), replace(claim, boxes=claim.boxes - 1))
+
+
+def test_a_left_out_assumption_is_refused() -> None:
+    claim = claims()[0]
+    assert not holds(subject_of(claim), replace(claim, assumptions=claim.assumptions[1:]))
+
+
+def test_a_changed_step_is_refused() -> None:
+    claim, subject = by_polynomials()
+    steps = subject.straight.steps
+    rounded = next(i for i, step in enumerate(steps) if step.ulps)
+    for changed in (
+        steps[:-1],
+        (*steps[:rounded], replace(steps[rounded], ulps=0.0), *steps[rounded + 1 :]),
+    ):
+        other = replace(subject, straight=replace(subject.straight, steps=changed))
+        assert not holds(other, claim)
+
+
+def test_a_wrong_coefficient_is_refused_even_under_its_own_hash() -> None:
+    claim, subject = by_polynomials()
+    last = kernels.ARCTANGENT[0][0]
+    steps = tuple(
+        replace(s, operands=tuple(o * (1 + 2.0**-40) if o == last else o for o in s.operands))
+        for s in subject.straight.steps
+    )
+    assert steps != subject.straight.steps
+    wrong = replace(subject, straight=replace(subject.straight, steps=steps))
+    forged = replace(claim, program=wrong.digest)
+    region = next(list_regions(subject.form.charts[0]))
+    points = draw(wrong, region, region.box, 300, np.random.default_rng(1))
+    assert measure(wrong, points).max() > forged.proved
+
+
+def test_every_rounding_counts() -> None:
+    """Without one of its roundings a program has a lower bound, without an operation another."""
+    claim, subject = by_polynomials()
+    region = next(list_regions(subject.form.charts[0]))
+    box = tuple((0.3, 0.31) if math.isfinite(high) else (low, high) for low, high in region.box)
+    whole = subject.bound(region, box)
+    for i, step in enumerate(subject.straight.steps):
+        if step.ulps:
+            steps = list(subject.straight.steps)
+            steps[i] = replace(step, ulps=0.0)
+            other = replace(subject, straight=replace(subject.straight, steps=tuple(steps)))
+            assert other.bound(region, box) < whole
+
+
+@pytest.mark.parametrize(
+    ("program", "compute"),
+    [
+        (
+            QUOTIENT,
+            lambda y, a, b: polynomials.tangent_quotient(y, a, b, kernels.TANGENT),
+        ),
+        (ARCTANGENT, lambda y, a, b: polynomials.small_arctan(y, kernels.ARCTANGENT)),
+    ],
+)
+def test_expansions_are_what_the_support_computes(
+    program: object, compute: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(polynomials, "IS_WORTH_IT", True)
+    monkeypatch.setattr(polynomials, "LONG", 1)
+    rng = np.random.default_rng(7)
+    limit = 1e5 if program is QUOTIENT else 0.57
+    y = rng.uniform(-limit, limit, 5000) * 2.0 ** -rng.integers(0, 30, 5000)
+    given = {"y": y, "a": np.float64(0.7), "b": np.float64(1.3)}
+    (found,) = run(program, given, IN_DOUBLES)
+    assert np.array_equal(found, compute(**given))
