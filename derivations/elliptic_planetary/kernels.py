@@ -1,6 +1,6 @@
 """What can be computed of paper 1: ratio, position and acceleration, and every form of them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from sympy import (
     Abs,
@@ -105,8 +105,25 @@ PLAIN_PRODUCT = e <= Rational(1, 2)
 # Coordinates of the rounding errors: x, the inverse of k, and the radius that scales both.
 INVERSE, RADIUS, ANGLE_X = Symbol("1/k", positive=True), Symbol("R", positive=True), Symbol("x")
 SIZES = {R1: RADIUS, R2: INVERSE * RADIUS, phi1: INVERSE * ANGLE_X}
+UP_TO_HALF = Interval(0, Rational(1, 2))
 RANGES = {INVERSE: Interval(0, 1), RADIUS: Interval(0, oo), ANGLE_X: Interval(0, 2**26)}
-ROUND_ORIGIN = Chart({**SIZES, e: e}, {**RANGES, e: Interval(0, Rational(1, 2))}, ANGLE_X)
+# With e = 1 - d near 1, x and d are small together: which of x, d and x**2 is the smallest?
+PLAIN_CHART = Chart({**SIZES, e: e}, {**RANGES, e: UP_TO_HALF}, ANGLE_X)
+D, V, W, Y, Z = (Symbol(name) for name in ("d", "d/x**2", "x**2/d", "x/d", "d/x"))
+FREE = {INVERSE: Interval(0, 1), RADIUS: Interval(0, oo)}
+
+
+def near_one(x: Expr, d: Expr, within: Mapping[Symbol, Interval]) -> Chart:
+    """Make the chart of x and d by coordinates that may vanish."""
+    return Chart({**SIZES, phi1: INVERSE * x, e: 1 - d}, {**FREE, **within})
+
+
+ECCENTRIC = (
+    near_one(D * Y, D, {D: UP_TO_HALF, Y: Interval(0, 8)}),
+    near_one(Z * W, Z**2 * W, {Z: Interval(0, Rational(1, 8)), W: Interval(0, 1)}),
+    near_one(ANGLE_X, ANGLE_X**2 * V, {ANGLE_X: Interval(0, Rational(3, 4)), V: Interval(0, 1)}),
+    near_one(ANGLE_X, D, {ANGLE_X: Interval(Rational(2, 3), Rational(22, 7)), D: UP_TO_HALF}),
+)
 
 HALF_ANGLE = (1 - e) ** 2 + 4 * e * sin(x / 2) ** 2
 
@@ -227,12 +244,13 @@ QUANTITIES = (
                 position_closed,
                 ("positive_atan2", "half_angle_tangent", "small_arc"),
                 when=PLAIN_PRODUCT,
-                charts=(ROUND_ORIGIN,),
+                charts=(PLAIN_CHART,),
             ),
             Form(
                 "half-angle atan with low word",
                 position_closed,
                 ("positive_atan2", "low_word", "half_angle_tangent"),
+                charts=ECCENTRIC,
             ),
             Form(
                 "printed (12)",

@@ -128,7 +128,7 @@ def test_a_wrong_coefficient_is_refused_even_under_its_own_hash() -> None:
 
 def test_every_rounding_counts() -> None:
     """Without one of its roundings a program has a lower bound, without an operation another."""
-    claim, subject = by_polynomials()
+    _, subject = by_polynomials()
     region = next(list_regions(subject.form.charts[0]))
     box = tuple((0.3, 0.31) if math.isfinite(high) else (low, high) for low, high in region.box)
     whole = subject.bound(region, box)

@@ -8,15 +8,16 @@ in reverse over balls that hold every such d, so no term of second order is left
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from flint import arb
 
 from mechproof.codegen.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
-from mechproof.roundoff.germs import Ball, Frame, Germ
-from mechproof.roundoff.rules import RULES
+from mechproof.roundoff.germs import Ball, Frame, Germ, ball_between
+from mechproof.roundoff.running import ARITHMETIC
+from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.steps import HALF, Step, Straight
 
 UNIT = 2.0**-53
@@ -25,6 +26,8 @@ BITS = 53
 # Of a power of two: less than a quarter of the spacing below it.
 HARDLY = 56
 # What 28 bits of pi leave of it, which the reduction multiplies by the number of half turns.
+# Where they are exact or a rounding away from it: `compensation` shows that nothing moves them.
+RESTS = ("product_rest", "quotient_rest")
 PI_REST = 2.0**-26
 
 
@@ -34,7 +37,7 @@ class Moving:
 
     step: Step
     exact: Germ
-    slopes: tuple[Germ, ...]
+    slopes: Slopes
     relative: Ball
     absolute: Ball | None
 
@@ -43,13 +46,20 @@ class Evaluation:
     """The steps over one box: values forward, derivatives in reverse."""
 
     def __init__(
-        self, straight: Straight, frame: Frame, given: Mapping[str, Germ], turn: Turn | None
+        self,
+        straight: Straight,
+        frame: Frame,
+        given: Mapping[str, Germ],
+        stated: Mapping[str, Germ],
+        turn: Turn | None,
     ) -> None:
-        self.frame, self.turn = frame, turn
+        self.frame, self.turn, self.held = frame, turn, straight.held
         self.values: dict[str, Germ] = dict(given)
+        # What is computed, its rounding known to be monotone; not what lies on the way to it.
+        self.computed = {name: germ.expanded() for name, germ in given.items()}
         self.moving: list[Moving] = []
         for step in straight.steps:
-            self.values[step.result] = self._move(step)
+            self.values[step.result] = self._move(step, stated.get(step.result))
 
     def value(self, operand: Operand) -> Germ:
         """Return the germ of a result, an input or a number."""
@@ -57,30 +67,62 @@ class Evaluation:
             return self.values[operand]
         return self.frame.constant(arb(operand))
 
-    def _move(self, step: Step) -> Germ:
+    def _move(self, step: Step, stated: Germ | None) -> Germ:
         given = [self.value(operand) for operand in step.operands]
         if step.kind == "pi_off":
             return self._take_half_turns_off(step, given[0])
+        if step.kind == "small_tangent":
+            return self._take_small_tangent(step, given[0])
+        if step.kind in RESTS:
+            # Of what is compensated: a rounding of its own, which nothing here moves.
+            rest = given[2].scaled(arb(0, UNIT * (1 + EPS)))
+            return self._round(step, rest, (None, None, None))
         if step.kind in ("copy", "approximate"):
             exact, slopes = given[0], (self.frame.constant(arb(1)),)
         else:
             exact, slopes = RULES[step.kind](given, self.turn)
-        relative = EPS * step.ulps
-        self.moving.append(Moving(step, exact, slopes, arb(relative), _limit(step, exact)))
+        is_exact = step.kind == "subtract" and _is_near(*given)
+        return self._round(step, stated or exact, slopes, is_exact)
+
+    def _round(self, step: Step, exact: Germ, slopes: Slopes, is_exact: bool = False) -> Germ:
+        relative = 0.0 if is_exact else EPS * step.ulps
+        before = self._compute(step, exact)
+        limit = None if is_exact or step.kind == "approximate" else _limit(step, before)
+        self.computed[step.result] = _round_ends(before, step.ulps)
+        self.moving.append(Moving(step, exact, slopes, arb(relative), limit))
         return exact.scaled(arb(1, relative)) if relative else exact
+
+    def _compute(self, step: Step, exact: Germ) -> Ball:
+        """Enclose the operation at the computed operands."""
+        whole = exact.expanded()
+        if step.kind not in ARITHMETIC:
+            return whole
+        given = [self.computed[o] if isinstance(o, str) else arb(o) for o in step.operands]
+        found = ARITHMETIC[step.kind](*given)
+        return found if found.is_finite() and not found.rad() > whole.rad() else whole
+
+    def _take_small_tangent(self, step: Step, angle: Germ) -> Germ:
+        """Take y for tan(y), off by at most y**2 of itself where |y| <= 1."""
+        size = abs(angle.expanded()).upper()
+        off = size**2 if size <= 1 else arb("nan")
+        exact = angle.scaled(1 + off.union(arb(0)))
+        slope = self.frame.constant(arb(1)) + exact.squared()
+        self.moving.append(Moving(step, exact, (slope,), off, None))
+        value = exact.scaled(1 + arb(0, 1) * off)
+        self.computed[step.result] = value.expanded()
+        return value
 
     def _take_half_turns_off(self, step: Step, angle: Germ) -> Germ:
         """Reduce as the support does: exact without a turn, else off by two roundings."""
-        one = self.frame.constant(arb(1))
-        if self.turn is None:
-            self.moving.append(Moving(step, angle, (one,), arb(0), None))
-            return angle
-        rest = reduce(angle, self.turn, 2)
-        turns = abs(angle.expanded()).upper() / 3 + 1
-        error = (abs(rest).upper() + 2 * PI_REST * turns) * UNIT
-        exact = self.frame.constant(rest)
-        self.moving.append(Moving(step, exact, (one,), arb(0), error))
-        return self.frame.constant(rest + arb(0, error))
+        exact, error = angle, None
+        if self.turn is not None:
+            turns = abs(angle.expanded()).upper() / 3 + 1
+            exact = self.frame.constant(reduce(angle, self.turn, 2))
+            error = (abs(exact.ball).upper() + 2 * PI_REST * turns) * UNIT
+        self.moving.append(Moving(step, exact, (self.frame.constant(arb(1)),), arb(0), error))
+        value = exact if error is None else self.frame.constant(exact.ball + arb(0, error))
+        self.computed[step.result] = value.expanded()
+        return value
 
     def sum_errors(self, output: Operand, scale: Germ) -> float:
         """Bound the error of an output in eps of a scale; infinite where it cannot be bounded."""
@@ -93,13 +135,13 @@ class Evaluation:
         errors = {}
         for moving in reversed(self.moving):
             slope = slopes.pop(moving.step.result, None)
-            if slope is None:
+            if slope is None or moving.step.result in self.held:
                 continue
             errors[moving.step.result] = _weigh(slope, moving)
-            if moving.step.ulps:
-                slope = slope.scaled(arb(1, EPS * moving.step.ulps))
+            if moving.relative != 0:
+                slope = slope.scaled(1 + arb(0, 1) * moving.relative)
             for operand, own in zip(moving.step.operands, moving.slopes, strict=True):
-                if isinstance(operand, str):
+                if own is not None and isinstance(operand, str):
                     part = slope * own
                     slopes[operand] = slopes[operand] + part if operand in slopes else part
         return errors
@@ -118,16 +160,31 @@ def _weigh(slope: Germ, moving: Moving) -> Ball:
     return min(finite) if finite else bounds[0]
 
 
-def _limit(step: Step, exact: Germ) -> Ball | None:
+def _is_near(a: Germ, b: Germ) -> bool:
+    """Say whether two doubles differ by at most a factor of two: their difference is exact."""
+    one, other = a.expanded(), b.expanded()
+    return bool(2 * other.lower() >= one.upper() and other.upper() <= 2 * one.lower())
+
+
+def _limit(step: Step, before: Ball) -> Ball | None:
     """Bound a rounding by the spacing of doubles at the largest result."""
-    if not step.ulps or step.kind == "approximate":
-        return None
-    largest = abs(exact.expanded()).upper()
-    if not largest.is_finite() or largest == 0:
+    largest = abs(before).upper()
+    if not step.ulps or not largest.is_finite() or largest == 0:
         return None
     share, exponent = math.frexp(float(largest))
     excess = largest - 2.0 ** (exponent - 1)
     if step.ulps <= HALF == share and excess <= 2.0 ** (exponent - HARDLY):
         # A power of two is a double: what is hardly above it is off by less than what is below.
         exponent -= 1
-    return arb(step.ulps * 2.0 ** (exponent - BITS))
+    spacing = arb(step.ulps * 2.0 ** (exponent - BITS))
+    low, high = float(before.lower()), float(before.upper())
+    return abs(before - low).upper() if low == high and step.ulps <= HALF else spacing
+
+
+def _round_ends(before: Ball, ulps: float) -> Ball:
+    """Enclose the rounded value: to round to nearest keeps the order."""
+    if not ulps or not before.is_finite():
+        return before
+    if ulps > HALF:
+        return before * arb(1, EPS * ulps)
+    return ball_between(float(before.lower()), float(before.upper()))

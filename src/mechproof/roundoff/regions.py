@@ -16,7 +16,7 @@ from flint import arb
 from mechproof.proof.balls import to_ball
 from mechproof.record import Chart
 from mechproof.roundoff.angles import Turn
-from mechproof.roundoff.germs import Ball, Frame, Germ, ball_between, raise_ball
+from mechproof.roundoff.germs import Frame, Germ, ball_between, raise_ball
 
 Side = tuple[float, float]
 Box = tuple[Side, ...]
@@ -45,33 +45,27 @@ class Region:
             return "no turn" if self.chart.angle else "all"
         return f"{self.turns} turns" if self.turns else f"{APART} turns and more"
 
-    def enter(self, box: Box, poles: int) -> tuple[Frame, dict[sp.Basic, Germ], Turn | None]:
-        """Return the frame of a box, its arguments as germs and the angle's turn."""
+    def enter(self, box: Box, poles: int) -> tuple[Frame, dict[sp.Symbol, Germ], Turn | None]:
+        """Return the frame of a box, its coordinates as germs and the angle's turn."""
         balls = [ball_between(*side) for side in box]
         if not self.is_turned:
             frame = Frame(balls, poles)
-            germs = {name: frame.variable(i) for i, name in enumerate(self.names)}
-            return frame, self._name_arguments(frame, germs), None
-        index = self.names.index(self.angle)
-        rest = balls[index]
+            return frame, self._name(frame), None
+        rest = balls[self.names.index(self.angle)]
         inverse = balls.pop() if self.turns is None else 1 / (2 * arb.pi() * self.turns + rest)
         frame = Frame([*balls, inverse], poles)
-        germs = {name: frame.variable(i) for i, name in enumerate(self.names)}
         whole = frame.variable(len(balls), -1)
-        germs[self.angle] = whole
-        return frame, self._name_arguments(frame, germs), Turn(whole.powers, rest, 1 / inverse)
+        germs = {**self._name(frame), self.angle: whole}
+        return frame, germs, Turn(whole.powers, rest, 1 / inverse)
+
+    def _name(self, frame: Frame) -> dict[sp.Symbol, Germ]:
+        return {name: frame.variable(i) for i, name in enumerate(self.names)}
 
     @property
     def angle(self) -> sp.Symbol:
         """Return the angle that is taken off by whole turns."""
         assert self.chart.angle is not None
         return self.chart.angle
-
-    def _name_arguments(
-        self, frame: Frame, germs: Mapping[sp.Symbol, Germ]
-    ) -> dict[sp.Basic, Germ]:
-        arguments = self.chart.arguments.items()
-        return {name: express(value, frame, germs) for name, value in arguments}
 
 
 def express(value: sp.Expr, frame: Frame, germs: Mapping[sp.Symbol, Germ]) -> Germ:

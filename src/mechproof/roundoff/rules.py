@@ -10,8 +10,9 @@ from flint import arb
 from mechproof.roundoff.angles import Turn, take_arctangent, take_cosine, take_sine, take_tangent
 from mechproof.roundoff.germs import Germ
 
-# The value of an operation, and how it moves with each operand.
-Moved = tuple[Germ, tuple[Germ, ...]]
+# How the value of an operation moves with each operand; None where it does not.
+Slopes = tuple[Germ | None, ...]
+Moved = tuple[Germ, Slopes]
 Rule = Callable[[Sequence[Germ], Turn | None], Moved]
 
 
@@ -63,8 +64,8 @@ def _sqrt(given: Sequence[Germ], turn: Turn | None) -> Moved:
 
 def _hypot(given: Sequence[Germ], turn: Turn | None) -> Moved:
     a, b = given
-    root, (slope,) = _sqrt((a.squared() + b.squared(),), turn)
-    return root, tuple((slope * side).scaled(arb(2)) for side in given)
+    root, _ = _sqrt((a.squared() + b.squared(),), turn)
+    return root, (a / root, b / root)
 
 
 def _absolute(given: Sequence[Germ], turn: Turn | None) -> Moved:
@@ -87,11 +88,11 @@ def _minimum(given: Sequence[Germ], turn: Turn | None) -> Moved:
 def _either(given: Sequence[Germ], lead: arb) -> Moved:
     """Return the first where it leads, the second where it does not, both where undecided."""
     a, b = given
-    one, none = _one(a), a.frame.constant(arb(0))
+    one = _one(a)
     if lead >= 0:
-        return a, (one, none)
+        return a, (one, None)
     if lead <= 0:
-        return b, (none, one)
+        return b, (None, one)
     some = a.frame.constant(arb(0.5, 0.5))
     return a.united(b), (some, some)
 

@@ -30,11 +30,15 @@ class Step:
 
 @dataclass(frozen=True)
 class Straight:
-    """All steps of a stage; inputs are the arguments, outputs results or inputs."""
+    """All steps of a stage; inputs are the arguments, outputs results or inputs.
+
+    The rounding of what is `held` moves no output: a low word has it.
+    """
 
     inputs: tuple[str, ...]
     steps: tuple[Step, ...]
     outputs: tuple[Operand, ...]
+    held: frozenset[str] = frozenset()
 
 
 def flatten_stage(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight:

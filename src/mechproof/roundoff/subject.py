@@ -6,20 +6,24 @@ import hashlib
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
+import sympy as sp
 from flint import arb
 from numpy.typing import NDArray
 
 from mechproof.codegen.code import Stage
 from mechproof.codegen.kernel import Kernel, input_names
+from mechproof.codegen.program import MEANINGS
 from mechproof.proof.balls import working_precision
-from mechproof.record import Form
+from mechproof.record import Chart, Form
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL
 from mechproof.roundoff.bound import EPS, Evaluation
+from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.expansions import WAYS
-from mechproof.roundoff.regions import Box, Region
+from mechproof.roundoff.regions import Box, Region, express
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import Straight, flatten_stage
 from mechproof.roundoff.symmetry import check_symmetry
@@ -66,10 +70,22 @@ class Subject:
     def evaluate(self, region: Region, box: Box) -> Evaluation:
         """Return all values over a box."""
         poles = sum(step.kind == "tan" for step in self.straight.steps)
-        frame, arguments, turn = region.enter(box, poles)
+        frame, germs, turn = region.enter(box, poles)
         names = input_names(self.kernel.quantity)
-        given = {names[symbol]: germ for symbol, germ in arguments.items()}
-        return Evaluation(self.straight, frame, given, turn)
+        arguments = region.chart.arguments.items()
+        given = {names[symbol]: express(value, frame, germs) for symbol, value in arguments}
+        plain = next(plain for chart, plain in self.plain if chart is region.chart)
+        stated = {result: express(value, frame, germs) for result, value in plain.items()}
+        return Evaluation(self.straight, frame, given, stated, turn)
+
+    @cached_property
+    def plain(self) -> tuple[tuple[Chart, Mapping[str, sp.Expr]], ...]:
+        """List by charts the sums of arguments and numbers, written in coordinates.
+
+        What cancels there, 1 - e for e = 1 - d, does so before balls are put in.
+        """
+        names = input_names(self.kernel.quantity)
+        return tuple((chart, _add_up(self.straight, chart, names)) for chart in self.form.charts)
 
     def weigh(self, found: NDArray[np.float64], exact: Sequence[Any], given: Any) -> float:
         """Return the error of outputs in eps of the scale."""
@@ -83,6 +99,18 @@ class Subject:
         return np.logical_and.reduce(inside) if inside else True
 
 
+def _add_up(
+    straight: Straight, chart: Chart, names: Mapping[sp.Basic, str]
+) -> Mapping[str, sp.Expr]:
+    values = {names[symbol]: value for symbol, value in chart.arguments.items()}
+    sums: dict[str, sp.Expr] = {}
+    for step in straight.steps:
+        given = [values.get(o) if isinstance(o, str) else sp.Rational(o) for o in step.operands]
+        if step.kind in ("add", "subtract") and all(value is not None for value in given):
+            sums[step.result] = sp.expand(MEANINGS[step.kind](*given))
+    return sums
+
+
 def list_subjects(kernel: Kernel) -> Iterator[Subject]:
     """List the stages of a kernel that have charts, in every way of computing them."""
     for form, stage in zip(kernel.forms, kernel.code.stages, strict=True):
@@ -90,7 +118,7 @@ def list_subjects(kernel: Kernel) -> Iterator[Subject]:
             continue
         known: list[Straight] = []
         for way, expansions in WAYS.items():
-            straight = flatten_stage(stage, expansions)
+            straight = hold_compensated(flatten_stage(stage, expansions))
             if straight not in known:
                 known.append(straight)
                 for chart in form.charts:
