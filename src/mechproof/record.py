@@ -546,9 +546,11 @@ class Chart:
     """Coordinates over which rounding errors are bounded: the arguments by them, and their ranges.
 
     What vanishes at an end of a range does so as a product of powers of coordinates. `angle` is
-    the coordinate that is taken off by whole turns, its range being that of its size.
+    the coordinate that is taken off by whole turns, its range being that of its size. `text` says
+    where the arguments are that this and the charts with the same text cover together.
     """
 
+    text: str
     arguments: Mapping[sp.Basic, sp.Expr]
     within: Mapping[sp.Symbol, sp.Interval]
     angle: sp.Symbol | None = None

@@ -12,15 +12,18 @@ import numpy as np
 import pytest
 
 import mechproof.kernels
-from mechproof.codegen.kernel import list_functions
-from mechproof.derivations.elliptic_planetary import PAPER
+from mechproof.codegen.kernel import input_names, list_functions
+from mechproof.derivation import load_paper, packaged_directory
 from mechproof.kernel_support import polynomials
 from mechproof.kernels import elliptic_planetary as kernels
 from mechproof.roundoff.certificate import Certificate, Claim, holds, read_certificate
+from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.expansions import ARCTANGENT, QUOTIENT
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_DOUBLES, run
+from mechproof.roundoff.steps import Step
 from mechproof.roundoff.subject import Subject, list_subjects
+from mechproof.roundoff.symmetry import check_symmetry
 from mechproof.roundoff.worst import draw, measure
 
 FOLDER = Path(next(iter(mechproof.kernels.__path__)), "certificates")
@@ -42,16 +45,23 @@ def certificate(system: str) -> Certificate:
 
 @cache
 def subjects() -> Mapping[tuple[str, str, str], Subject]:
-    found = (s for kernel in list_functions(PAPER) for s in list_subjects(kernel))
+    papers = (load_paper(packaged_directory() / system) for system in SYSTEMS)
+    kernels = ((kernel, paper) for paper in papers for kernel in list_functions(paper))
+    found = (s for kernel, paper in kernels for s in list_subjects(kernel, paper))
     return {(s.kernel.name, s.form.name, s.way): s for s in found}
 
 
 def claims() -> list[Claim]:
-    return list(certificate("elliptic_planetary").claims)
+    return [claim for system in sorted(SYSTEMS) for claim in certificate(system).claims]
 
 
 def subject_of(claim: Claim) -> Subject:
     return subjects()[claim.quantity, claim.form, claim.way]
+
+
+def plain() -> tuple[Claim, Subject]:
+    (claim,) = (c for c in claims() if c.form == "half-angle atan" and c.way.startswith("NumPy"))
+    return claim, subject_of(claim)
 
 
 def name_claim(claim: Claim) -> str:
@@ -80,23 +90,23 @@ def test_the_known_worst_is_below_the_bound() -> None:
 
 
 def test_a_bound_lowered_by_a_tenth_is_refused() -> None:
-    claim = claims()[0]
-    assert not holds(subject_of(claim), replace(claim, proved=0.9 * claim.proved))
+    claim, subject = plain()
+    assert not holds(subject, replace(claim, proved=0.9 * claim.proved))
 
 
 def test_an_endless_bound_is_refused() -> None:
-    claim = claims()[0]
-    assert not holds(subject_of(claim), replace(claim, proved=math.inf))
+    claim, subject = plain()
+    assert not holds(subject, replace(claim, proved=math.inf))
 
 
 def test_another_number_of_boxes_is_refused() -> None:
-    claim = claims()[0]
-    assert not holds(subject_of(claim), replace(claim, boxes=claim.boxes - 1))
+    claim, subject = plain()
+    assert not holds(subject, replace(claim, boxes=claim.boxes - 1))
 
 
 def test_a_left_out_assumption_is_refused() -> None:
-    claim = claims()[0]
-    assert not holds(subject_of(claim), replace(claim, assumptions=claim.assumptions[1:]))
+    claim, subject = plain()
+    assert not holds(subject, replace(claim, assumptions=claim.assumptions[1:]))
 
 
 def test_a_changed_step_is_refused() -> None:
@@ -161,3 +171,35 @@ def test_expansions_are_what_the_support_computes(
     given = {"y": y, "a": np.float64(0.7), "b": np.float64(1.3)}
     (found,) = run(program, given, IN_DOUBLES)
     assert np.array_equal(found, compute(**given))
+
+
+def test_certificates_are_what_the_derivations_say() -> None:
+    told = {name: (c.program, c.where, c.open) for c in claims() for name in [name_claim(c)]}
+    for subject in subjects().values():
+        name = f"{subject.kernel.name}: {subject.form.name}, {subject.way}"
+        assert told[name] == (subject.digest, subject.where, "")
+
+
+def test_a_rest_that_is_not_added_is_refused() -> None:
+    """Without its low word the angle's rounding moves the output: nothing may hold it."""
+    (subject,) = (s for s in subjects().values() if s.form.name == "half-angle atan with low word")
+    free = replace(subject.straight, held=frozenset())
+    assert hold_compensated(free) == subject.straight
+    steps = tuple(
+        replace(step, kind="subtract") if step.result == "x_low" else step for step in free.steps
+    )
+    with pytest.raises(ValueError, match="depends on the rounding of"):
+        hold_compensated(replace(free, steps=steps))
+
+
+def test_an_angle_without_symmetry_is_refused() -> None:
+    _, subject = plain()
+    (chart,) = subject.form.charts
+    first, *others = subject.straight.steps
+    lopsided = Step("odd", "add", ("phi1", 1), 0.5)
+    with pytest.raises(ValueError, match="negated"):
+        check_symmetry(
+            replace(subject.straight, steps=(first, lopsided, *others)),
+            chart,
+            input_names(subject.kernel.quantity),
+        )

@@ -8,7 +8,7 @@ in reverse over balls that hold every such d, so no term of second order is left
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from flint import arb
@@ -16,8 +16,8 @@ from flint import arb
 from mechproof.codegen.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
 from mechproof.roundoff.germs import Ball, Frame, Germ, ball_between
-from mechproof.roundoff.running import ARITHMETIC
 from mechproof.roundoff.rules import RULES, Slopes
+from mechproof.roundoff.running import ARITHMETIC
 from mechproof.roundoff.steps import HALF, Step, Straight
 
 UNIT = 2.0**-53
@@ -29,6 +29,14 @@ HARDLY = 56
 # Where they are exact or a rounding away from it: `compensation` shows that nothing moves them.
 RESTS = ("product_rest", "quotient_rest")
 PI_REST = 2.0**-26
+
+
+@dataclass(frozen=True)
+class Bar:
+    """What errors are relative to: a scale, or the value; whether it is at least the value."""
+
+    scale: Germ | None
+    holds_value: bool
 
 
 @dataclass
@@ -105,7 +113,9 @@ class Evaluation:
         """Take y for tan(y), off by at most y**2 of itself where |y| <= 1."""
         size = abs(angle.expanded()).upper()
         off = size**2 if size <= 1 else arb("nan")
-        exact = angle.scaled(1 + off.union(arb(0)))
+        # Beyond a turn it is small as a number, not as a share of the angle.
+        small = self.frame.constant(angle.expanded()) if self.turn else angle
+        exact = small.scaled(1 + off.union(arb(0)))
         slope = self.frame.constant(arb(1)) + exact.squared()
         self.moving.append(Moving(step, exact, (slope,), off, None))
         value = exact.scaled(1 + arb(0, 1) * off)
@@ -124,39 +134,60 @@ class Evaluation:
         self.computed[step.result] = value.expanded()
         return value
 
-    def sum_errors(self, output: Operand, scale: Germ) -> float:
+    def sum_errors(self, output: Operand, bar: Bar) -> float:
         """Bound the error of an output in eps of a scale; infinite where it cannot be bounded."""
-        total = sum(self.list_errors(output, scale).values(), arb(0))
+        total = sum(self.list_errors(output, bar).values(), arb(0))
         return float(total.upper()) if total.is_finite() else math.inf
 
-    def list_errors(self, output: Operand, scale: Germ) -> dict[str, Ball]:
-        """Bound what each step adds to the error of an output, in eps of a scale."""
-        slopes = {output: self.frame.constant(arb(1)) / scale}
+    def list_errors(self, output: Operand, bar: Bar) -> dict[str, Ball]:
+        """Bound what each step adds to the error of an output, in eps of the scale."""
+        one = self.frame.constant(arb(1))
+        inverses = [one / scale for scale in self._list_scales(output, bar)]
+        slopes = {output: one}
         errors = {}
         for moving in reversed(self.moving):
             slope = slopes.pop(moving.step.result, None)
             if slope is None or moving.step.result in self.held:
                 continue
-            errors[moving.step.result] = _weigh(slope, moving)
+            errors[moving.step.result] = _weigh([slope * over for over in inverses], moving)
             if moving.relative != 0:
                 slope = slope.scaled(1 + arb(0, 1) * moving.relative)
+            if moving.step.result == output and bar.holds_value:
+                # The rounding of the value itself, of which the scale has no less.
+                errors[output] = _least([errors[output], moving.relative / EPS])
             for operand, own in zip(moving.step.operands, moving.slopes, strict=True):
                 if own is not None and isinstance(operand, str):
                     part = slope * own
                     slopes[operand] = slopes[operand] + part if operand in slopes else part
         return errors
 
+    def _list_scales(self, output: Operand, bar: Bar) -> list[Germ]:
+        """List what the scale is at least: the value, and each of two terms of one sign."""
+        scales = [bar.scale] if bar.scale else []
+        value = self.value(output)
+        if not bar.holds_value:
+            return scales
+        last = next((m.step for m in self.moving if m.step.result == output), None)
+        terms = [self.value(o) for o in last.operands] if last and last.kind == "add" else []
+        signs = {term.sign for term in terms}
+        return [*scales, value, *(terms if signs in ({1}, {-1}) else [])]
 
-def _weigh(slope: Germ, moving: Moving) -> Ball:
+
+def _weigh(slopes: Sequence[Germ], moving: Moving) -> Ball:
     """Bound a step's share by the size of its result and by the spacing of doubles there."""
     bounds = []
-    if moving.relative != 0:
-        bounds.append(abs((slope * moving.exact).expanded()) * (moving.relative / EPS))
-    if moving.absolute is not None:
-        bounds.append(abs(slope.expanded()) * (moving.absolute / EPS))
+    for slope in slopes:
+        if moving.relative != 0:
+            share = abs((slope * moving.exact).expanded())
+            bounds.append(share * (moving.relative / EPS))
+        if moving.absolute is not None:
+            bounds.append(abs(slope.expanded()) * (moving.absolute / EPS))
+    return _least(bounds) if bounds else arb(0)
+
+
+def _least(bounds: Sequence[Ball]) -> Ball:
+    """Return the lowest of bounds of one thing; those that are not finite say nothing."""
     finite = [bound.upper() for bound in bounds if bound.is_finite()]
-    if not bounds:
-        return arb(0)
     return min(finite) if finite else bounds[0]
 
 

@@ -24,7 +24,7 @@ from mechproof.roundoff.subject import Subject, list_subjects
 from mechproof.roundoff.worst import Found, find_worst, measure
 
 # Boxes of a region when a bound is looked for, and when a claim is checked.
-MOST, MOST_CHECKED = 1500, 20000
+MOST, MOST_CHECKED = 2500, 20000
 # A claim is so much above what the search for it came down to, so that fewer boxes show it.
 SLACK = 1.01
 DIGITS = 2
@@ -35,13 +35,14 @@ SEEDS = (1, 2, 3)
 class Claim:
     """A bound of the error of a stage in eps of its scale, and the worst error found.
 
-    `program` is the hash of steps and coordinates, `boxes` how many show the bound, `open` what is
-    not shown; `at` has the arguments as hexadecimal texts.
+    `where` says for which arguments, `program` is the hash of steps and coordinates, `boxes` how
+    many show the bound, `open` what is not shown; `at` has the arguments as hexadecimal texts.
     """
 
     quantity: str
     form: str
     way: str
+    where: tuple[str, ...]
     proved: float
     found: float
     at: Mapping[str, str]
@@ -91,9 +92,9 @@ def tell_proofs(paper: Paper, certificate: Certificate | None) -> Paper:
     """Return the paper with what is proved told by its forms."""
     if certificate is None:
         return paper
-    texts: dict[tuple[str, str], list[str]] = {}
+    texts: dict[tuple[str, str], list[Claim]] = {}
     for claim in certificate.claims:
-        texts.setdefault((claim.quantity, claim.form), []).append(_tell(claim))
+        texts.setdefault((claim.quantity, claim.form), []).append(claim)
     quantities = tuple(
         replace(q, forms=tuple(_tell_form(q, form, texts) for form in q.forms))
         for q in paper.quantities
@@ -101,12 +102,16 @@ def tell_proofs(paper: Paper, certificate: Certificate | None) -> Paper:
     return replace(paper, quantities=quantities)
 
 
-def _tell_form(quantity: Quantity, form: Form, texts: Mapping[tuple[str, str], list[str]]) -> Form:
-    told = texts.get((quantity.name, form.name))
-    if not told:
+def _tell_form(
+    quantity: Quantity, form: Form, texts: Mapping[tuple[str, str], list[Claim]]
+) -> Form:
+    claims = texts.get((quantity.name, form.name))
+    if not claims:
         return form
-    where = f" of {form.name}" if len(quantity.shipped) > 1 else ""
-    return replace(form, proved=f"Proved{where}: {'; '.join(told)}.")
+    name = f" of {form.name}" if len(quantity.shipped) > 1 else ""
+    where = " or ".join(claims[0].where)
+    told = "; ".join(map(_tell, claims))
+    return replace(form, proved=f"Proved{name}, where {where}: {told}.")
 
 
 def _tell(claim: Claim) -> str:
@@ -118,7 +123,7 @@ def _tell(claim: Claim) -> str:
 
 
 def _list_all(paper: Paper) -> Iterator[Subject]:
-    return (s for kernel in list_functions(paper) for s in list_subjects(kernel))
+    return (s for kernel in list_functions(paper) for s in list_subjects(kernel, paper))
 
 
 def _key(subject: Subject) -> tuple[str, str, str]:
@@ -127,7 +132,8 @@ def _key(subject: Subject) -> tuple[str, str, str]:
 
 def holds(subject: Subject, claim: Claim) -> bool:
     """Say whether a claim is about these steps and proved, and its input not off by more."""
-    if claim.program != subject.digest or claim.assumptions != subject.assumptions:
+    told = claim.program, claim.assumptions, claim.where
+    if told != (subject.digest, subject.assumptions, subject.where):
         return False
     points = {name: np.array([float.fromhex(text)]) for name, text in claim.at.items()}
     off = float(measure(subject, points)[0])
@@ -160,6 +166,7 @@ def make_claim(subject: Subject) -> Claim:
     count, stays_open = count_boxes(subject, proved)
     return Claim(
         *_key(subject),
+        where=subject.where,
         proved=proved,
         found=math.floor(worst.eps * 10**DIGITS) / 10**DIGITS,
         at={name: float(value).hex() for name, value in worst.at.items()},

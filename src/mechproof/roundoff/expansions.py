@@ -92,7 +92,7 @@ ARCTANGENT = _write(
 # The ways in which an operation is computed, on one host or another.
 WAYS: Mapping[str, Mapping[str, Expansion]] = MappingProxyType(
     {
-        "np.tan, np.arctan": {
+        "NumPy's functions": {
             "tangent_quotient": Expansion(PLAIN_QUOTIENT),
             "small_arctan": Expansion(PLAIN_ARCTANGENT),
         },

@@ -40,9 +40,10 @@ def raise_ball(ball: Ball, power: int) -> Ball:
 
 
 class Frame:
-    """The variables of one evaluation, and the balls they are in."""
+    """The variables of one evaluation, the balls they are in, and which are never negative."""
 
-    def __init__(self, balls: Sequence[Ball], poles: int = 0) -> None:
+    def __init__(self, balls: Sequence[Ball], positive: Sequence[bool], poles: int = 0) -> None:
+        self._positive = (*positive, *(False,) * poles)
         self.balls = list(balls)
         self._free = list(range(len(balls), len(balls) + poles))
         self.none: Powers = (0,) * (len(balls) + poles)
@@ -56,6 +57,13 @@ class Frame:
         """Return a variable, or a power of it."""
         powers = tuple(power if i == index else 0 for i in range(len(self.none)))
         return Germ(self, arb(1), powers)
+
+    def is_positive(self, powers: Powers) -> bool:
+        """Say whether a product of powers is never negative."""
+        return all(
+            power % 2 == 0 or positive
+            for power, positive in zip(powers, self._positive, strict=True)
+        )
 
     def intern(self, powers: Powers) -> Powers:
         """Return no powers as the one object that says so."""
@@ -130,6 +138,13 @@ class Germ:
         if self.powers is self.frame.none:
             return self.ball
         return self.ball * self.frame.expand(self.powers)
+
+    @property
+    def sign(self) -> int:
+        """Return the sign of the value, where it vanishes too, 0 if it is not known."""
+        if not self.frame.is_positive(self.powers):
+            return 0
+        return 1 if self.ball >= 0 else -1 if self.ball <= 0 else 0
 
     def united(self, other: Germ) -> Germ:
         """Return a germ that holds the values of both."""

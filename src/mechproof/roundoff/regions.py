@@ -48,12 +48,13 @@ class Region:
     def enter(self, box: Box, poles: int) -> tuple[Frame, dict[sp.Symbol, Germ], Turn | None]:
         """Return the frame of a box, its coordinates as germs and the angle's turn."""
         balls = [ball_between(*side) for side in box]
+        positive = [low >= 0 for low, _ in box]
         if not self.is_turned:
-            frame = Frame(balls, poles)
+            frame = Frame(balls, positive, poles)
             return frame, self._name(frame), None
         rest = balls[self.names.index(self.angle)]
         inverse = balls.pop() if self.turns is None else 1 / (2 * arb.pi() * self.turns + rest)
-        frame = Frame([*balls, inverse], poles)
+        frame = Frame([*balls, inverse], [*positive[: len(balls)], True], poles)
         whole = frame.variable(len(balls), -1)
         germs = {**self._name(frame), self.angle: whole}
         return frame, germs, Turn(whole.powers, rest, 1 / inverse)
@@ -100,9 +101,10 @@ def list_regions(chart: Chart) -> Iterator[Region]:
         return
     index = names.index(chart.angle)
     low, high = box[index]
-    if low > 0 or high <= HALF_TURN:
-        raise ValueError(f"chart: the angle {chart.angle} must reach from 0 beyond half a turn")
-    yield Region(chart, names, put_side(box, index, (0.0, HALF_TURN)))
+    if not 0 <= low <= math.pi < HALF_TURN < high:
+        raise ValueError(f"chart: the angle {chart.angle} must reach beyond half a turn")
+    if low == 0:
+        yield Region(chart, names, put_side(box, index, (0.0, HALF_TURN)))
     rest = put_side(box, index, (-HALF_TURN, HALF_TURN))
     for turns in range(1, APART):
         yield Region(chart, names, rest, True, turns)

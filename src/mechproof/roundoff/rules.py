@@ -70,11 +70,10 @@ def _hypot(given: Sequence[Germ], turn: Turn | None) -> Moved:
 
 def _absolute(given: Sequence[Germ], turn: Turn | None) -> Moved:
     (a,) = given
-    value = a.expanded()
-    if value > 0 or value < 0:
-        sign = a.frame.constant(value.sgn())
+    if a.sign:
+        sign = a.frame.constant(arb(a.sign))
         return a * sign, (sign,)
-    return a.frame.constant(abs(value)), (a.frame.constant(arb(0, 1)),)
+    return a.frame.constant(abs(a.expanded())), (a.frame.constant(arb(0, 1)),)
 
 
 def _maximum(given: Sequence[Germ], turn: Turn | None) -> Moved:
