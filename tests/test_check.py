@@ -59,7 +59,13 @@ CHECKED = [
     ([r"\sum_{k=1}^{n-1}k=\frac{n(n-1)}{2}"], ["PROVED"]),
     ([r"$\sin^2x+\cos^2x=1.$"], ["PROVED"]),
     ([r"\begin{equation}\sin 30°=\tfrac12,\label{eq}\end{equation}"], ["PROVED"]),
-    ([r"\left|x\left|y\right|z\right|=\left|xyz\right|"], ["ENCLOSED"]),
+    ([r"\left|x\left|y\right|z\right|=\left|xyz\right|"], ["PROVED"]),
+    ([r"\left|xy\right|=\left|x\right|\left|y\right|"], ["PROVED"]),
+    ([r"\left|xy\right|=\left|x\right|y"], ["REFUTED"]),
+    ([r"\left|\frac xy\right|=\frac{\left|x\right|}{\left|y\right|}"], ["PROVED"]),
+    ([r"\left|\frac xy\right|=\frac{x}{\left|y\right|}"], ["REFUTED"]),
+    ([r"\sqrt{x^2y^2}=\left|xy\right|"], ["PROVED"]),
+    ([r"\sqrt{x^2y^2}=xy"], ["REFUTED"]),
     ([r"\mathop{\mathrm{ch}}\nolimits x+\operatorname{sh}x=\mathrm{e}^x"], ["PROVED"]),
     ([r"\mathrm{ch}^2x+\mathrm{sh}^2x=1"], ["REFUTED"]),
     ([r"\exp(x+y)=\exp x\exp y"], ["PROVED"]),
@@ -70,6 +76,15 @@ CHECKED = [
     ([r"z_1d_1=d_1z_1"], ["PROVED"]),
     ([r"r_b(x+1)=r_bx+r_b", "--factor", "r_b"], ["PROVED"]),
 ]
+
+
+def test_the_answer_says_where_it_is_judged(tmp_path: Path) -> None:
+    file = tmp_path / "rows.json"
+    print_ = r"\sqrt{(x-y)^2}=x-y\text{ for }y>0"
+    done = run(print_, "--where", "x>y", "--json", str(file))
+    (row,) = json.loads(file.read_text(encoding="utf-8"))["rows"]
+    assert (row["verdict"], row["on"]) == ("PROVED", "y > 0 and x>y")
+    assert "on y > 0 and x>y" in done.output
 
 
 @pytest.mark.parametrize(("arguments", "verdicts"), CHECKED, ids=[c[0][0] for c in CHECKED])
@@ -93,8 +108,7 @@ REFUSED = [
     (["f(x)=1"], "--factor 'f'"),
     (["e^x=1"], "--name 'e'"),
     ([r"\int_0^1 e^x\,dx=1"], "--name 'e'"),
-    ([r"\frac{d}{dx}x=1"], "--name 'd'"),
-    ([r"x\pm y=1"], "no meaning"),
+    ([r"x\pm y=1"], "both signs, or either"),
     ([r"\int\cos x\,dx=\sin x"], "--from 0"),
     ([r"\int\cos x\,dx=\sin x+C", "--from", "0"], "--let 'C=0'"),
     (["9^{9^{9^9}}=1"], "not worked out"),
@@ -110,7 +124,6 @@ REFUSED = [
     (["cosx=1"], "in italics"),
     ([r"\Delta x=x_2-x_1"], r"--name '\Delta x'"),
     ([r"\vec v=\vec w\times\vec r"], "components"),
-    ([r"\frac{\mathrm d}{\mathrm dx}x=1"], "derivative"),
     ([r"e^x=1"], r"\mathrm{e}"),
     ([r"A^TA=1"], "transposed"),
     ([r"|x|y|z|=1"], r"\left|"),

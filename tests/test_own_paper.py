@@ -94,7 +94,7 @@ def test_measured_quantities_are_offered_and_charted(workshop: Path) -> None:
     measured = workshop / "generated" / "measured" / "quick"
     choice = choose("universal_joint.ratio", error=1e-6, beta=(0, 0.5), measured=measured)
     assert choice.error <= 1e-6
-    assert "misprinted" not in {choice.form, *(other.form for other in choice.others)}
+    assert "misprinted" not in {choice.way, *(other.way for other in choice.others)}
     position = choose("position", error=1e-9, beta=(0, 0.5), measured=measured)
     assert position.quantity == "universal_joint.position"
     done = run(workshop, "chart", "--measured", str(measured), "--out", "charts")

@@ -5,8 +5,12 @@ from mechproof.record import Paper, Published
 from .claims import POSITION_CLAIMS
 from .findings import FINDINGS
 from .kernels import QUANTITIES
-from .paper import NOTATION, R1, R2, ROWS, TYPE_A_ROWS, VARIABLES, VARIANTS, e
+from .position_rows import POSITION_ROWS
+from .ratio_rows import RATIO_ROWS
 from .readings import TABLE_CLAIMS
+from .symbols import R1, R2, VARIANTS, e
+from .type_a_rows import TYPE_A_ROWS
+from .variables import NOTATION, VARIABLES
 
 PAPER = Paper(
     system="elliptic_planetary",
@@ -17,7 +21,7 @@ PAPER = Paper(
     variables=VARIABLES,
     notation=NOTATION,
     where=(R2 < R1,),
-    rows=ROWS + POSITION_CLAIMS + TYPE_A_ROWS + TABLE_CLAIMS,
+    rows=RATIO_ROWS + POSITION_ROWS + POSITION_CLAIMS + TYPE_A_ROWS + TABLE_CLAIMS,
     quantities=QUANTITIES,
     published=tuple(
         Published(f"Table 1, variant {number}", dict(zip((R1, R2, e), sizes, strict=True)))

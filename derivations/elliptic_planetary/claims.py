@@ -25,26 +25,10 @@ from mechproof.record import (
     Reading,
 )
 
-from .paper import (
-    BRANCH,
-    CORRECT_12,
-    R1,
-    R2,
-    VARIANTS,
-    U,
-    e,
-    k,
-    phi1,
-    phi5,
-    position,
-    position_closed,
-    position_principal,
-    print_8,
-    print_12,
-    ratio_symbol,
-    tau,
-    x,
-)
+from .mechanics import position, position_closed, position_principal
+from .position_rows import CORRECT_12, print_12
+from .ratio_rows import print_8
+from .symbols import BRANCH, R1, R2, VARIANTS, U, e, k, phi1, phi5, ratio_symbol, tau, x
 
 # What (12) lacks on its first branch, by U = tg(x/2), and where that ends, in degrees.
 ROOT = sqrt((1 - e) / (1 + e))

@@ -4,8 +4,10 @@ from sympy import Expr, Rational, Symbol, pi
 
 from mechproof.record import Cost, Finding
 
-from .paper import DX_SUPPLIED, R1, R2, READER, VARIANTS, e, phi1
+from .position_rows import DX_SUPPLIED
 from .readings import HALF_WIDTHS, LIMITS, READINGS, implied_scatter
+from .symbols import R1, R2, VARIANTS, e, phi1
+from .variables import READER
 
 DEGREE = pi / 180
 

@@ -38,27 +38,10 @@ from mechproof.record import (
     Written,
 )
 
-from .paper import (
-    BRANCH,
-    R1,
-    R2,
-    E,
-    T,
-    e,
-    k,
-    largest,
-    nearest,
-    nu,
-    phi1,
-    phi5,
-    position_closed,
-    position_principal,
-    print_8,
-    print_12,
-    smallest,
-    turns,
-    x,
-)
+from .mechanics import largest, position_closed, position_principal, smallest
+from .position_rows import print_12
+from .ratio_rows import print_8
+from .symbols import BRANCH, R1, R2, E, T, e, k, nearest, nu, phi1, phi5, turns, x
 
 ARGUMENTS = (
     Argument("phi1", (phi1,), "carrier angle, any number of turns", "rad", usual=(0, 10, 1000)),

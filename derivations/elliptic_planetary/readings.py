@@ -36,17 +36,10 @@ from .._readings import (
 )
 from .._relations import less
 from .claims import of_variant
-from .paper import (
-    R1,
-    R2,
-    READER,
-    TYPE_A_EQUATIONS,
-    VARIANTS,
-    e,
-    k,
-    largest,
-    non_uniformity,
-)
+from .mechanics import largest, non_uniformity
+from .symbols import R1, R2, VARIANTS, e, k
+from .type_a_rows import TYPE_A_EQUATIONS
+from .variables import READER
 
 # Table 3: n, mean error and u in degrees; and the half-width of the printed interval.
 READINGS = {

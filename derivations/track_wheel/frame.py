@@ -8,7 +8,7 @@ import sympy as sp
 
 from mechproof.record import ANGLE, Variable
 
-from .notation import coordinates, real
+from .notation import UNIT_INTERVAL, coordinates, real
 
 alpha, beta, gamma = ANGLES = real("alpha beta gamma")
 SHIFT = sp.ImmutableMatrix(real("a b c"))
@@ -69,7 +69,6 @@ def cross_product_matrix(vector: sp.Matrix) -> sp.ImmutableMatrix:
 
 
 MATRIX_A, MATRIX_K = sp.MatrixSymbol("matrix_A", 3, 3), sp.MatrixSymbol("matrix_K", 3, 3)
-TURNED_BY_A = see_from_turned_frame(0, alpha)
 MATRIX_B, MATRIX_C = see_from_turned_frame(1, beta), see_from_turned_frame(2, gamma)
 IN_ORDER = tuple(enumerate(ANGLES))
 TURNED_BY_ALPHA = turn_about_own_axes(IN_ORDER[:1])
@@ -120,10 +119,10 @@ FRAME_VARIABLES = (
         }
     ),
     *(
-        Variable(symbol, "element of A", given=value, latex=(f"a_{{{str(symbol)[2:]}}}",))
-        for symbol, value in zip(ELEMENTS, TURNED_BY_A, strict=True)
+        Variable(symbol, "element of A", within=UNIT_INTERVAL, latex=(f"a_{{{str(symbol)[2:]}}}",))
+        for symbol in ELEMENTS
     ),
-    Variable(MATRIX_A, "matrix of the turn by alpha"),
+    Variable(MATRIX_A, "matrix of the turn by alpha", given=ELEMENTS),
     Variable(MATRIX_K, "matrix of the three turns"),
     Variable(parameter, "parameter of the line (s alpha, s beta, s gamma)"),
     *(

@@ -19,6 +19,7 @@ from mechproof.record import (
 
 from .frame import (
     ANGLES,
+    ELEMENTS,
     FROM_ORIGIN,
     IDENTITY,
     IN_ORDER,
@@ -63,9 +64,9 @@ def coordinate_row(number: str, name: str, row: int) -> Equation:
         number,
         rf"{name}_{{1N}}=(x_{{0N}}-a){elements[0]}+(y_{{0N}}-b){elements[1]}"
         rf"+(z_{{0N}}-c){elements[2]}",
-        derived={PART_POINT[row]: TURNED_BY_ALPHA[row].dot(FROM_ORIGIN)},
-        note="The elements are those of (8); the other side is the dot product with the turned "
-        "unit vector.",
+        derived={PART_POINT[row]: compose(UNIT_VECTORS, ELEMENTS[row, :]).dot(FROM_ORIGIN)},
+        note="The other side is the dot product with a unit vector whose projections are the "
+        "elements. It holds whatever they are: those that are 0 in (8) hide no factor.",
     )
 
 

@@ -63,7 +63,6 @@ EQUATION_8 = Equation(
     r"A=\begin{pmatrix}a_{11}&a_{12}&a_{13}\\a_{21}&a_{22}&a_{23}\\a_{31}&a_{32}&a_{33}"
     r"\end{pmatrix}=\begin{pmatrix}1&0&0\\0&\cos\alpha&\sin\alpha\\0&-\sin\alpha&\cos\alpha"
     r"\end{pmatrix}",
-    defines=(MATRIX_A,),
     signs={
         2: Sign(
             derived=dict(zip(ELEMENTS, see_from_turned_frame(0, alpha), strict=True)),

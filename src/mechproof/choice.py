@@ -1,7 +1,7 @@
-"""Choice of model: the cheapest form whose error over stated ranges meets a request.
+"""Choice of model: the cheapest way to compute whose error over stated ranges meets a request.
 
 Decided from what `mechproof measure` found and proved: for cells of argument sizes the worst error
-of every form and, for an approximation, its proved bound; and the time per point.
+of every way, a form or a peer, and, for an approximation, its proved bound; and the time per point.
 
 >>> from mechproof import choose
 >>> choice = choose("displacement", error=1e-3, points=(0, 50), angles=(0, 1e-3))
@@ -14,37 +14,42 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from math import nan
-from numbers import Real
 from pathlib import Path
 
-from mechproof.measured import Cell, Record, Timing, Way, find_files, read_record
+from mechproof.arguments.scalars import (
+    check_count,
+    check_items,
+    check_number,
+    refuse,
+    require,
+)
+from mechproof.measured import Cell, MeasuredWay, Record, Timing, find_files, read_record
 
 __all__ = ["Choice", "choose"]
 
 Size = float | Sequence[float]
-# Forms of these verdicts compute something else somewhere in the domain.
+# Ways of these verdicts compute something else somewhere in the domain.
 NOT_EQUAL = ("REFUTED", "CONDITIONAL", "ILL_FORMED", "UNDECIDED", "ENCLOSED")
 SIZE = 100_000
-# The next better form loses at most half as much.
+# The next better way loses at most half as much.
 BETTER = 2
 
 
 @dataclass(frozen=True)
 class Choice:
-    """A form, its error over the stated ranges, and its time.
+    """A way to compute, its error over the stated ranges, and its time.
 
     `error` is in the unit of the quantity: the larger of the worst measured and the proved bound;
     `bound` is the latter, rounding apart, None without. `function` is the dotted name under which
     a form of the package is imported, empty for other libraries and the like. `asked` is the
     largest error permitted. `time` is nanoseconds per point at `count` points on the
     machine of the record, the median of rounds with these `quartiles`. `better` is the cheapest
-    form with at most half the error, `others` are all forms that could have been chosen, cheapest
+    way with at most half the error, `others` are all ways that could have been chosen, cheapest
     first.
     """
 
     quantity: str
-    form: str
+    way: str
     error: float
     bound: float | None
     time: float
@@ -61,7 +66,7 @@ class Choice:
         return "\n".join([str(self), *map(self._compare, self.others)])
 
     def _compare(self, other: Choice) -> str:
-        """Say that a form is slower, no better, or too coarse."""
+        """Say that a way is slower, no better, or too coarse."""
         if other.error > self.asked:
             reason = "not accurate enough"
         elif other._may_be_as_fast_as(self) or other.time < self.time:
@@ -85,7 +90,7 @@ class Choice:
     def _describe(self) -> str:
         how = "proved bound" if self.bound == self.error else "measured"
         unit = "" if self.unit == "1" else f" {self.unit}"
-        return f"{self.form}, error {self.error:.2g}{unit} ({how}), {self.time:.3g} ns per point"
+        return f"{self.way}, error {self.error:.2g}{unit} ({how}), {self.time:.3g} ns per point"
 
 
 def choose(
@@ -96,7 +101,7 @@ def choose(
     measured: str | os.PathLike[str] | None = None,
     **ranges: Size,
 ) -> Choice:
-    """Return the cheapest form whose error over the ranges is at most `error`.
+    """Return the cheapest way whose error over the ranges is at most `error`.
 
     Parameters
     ----------
@@ -116,55 +121,50 @@ def choose(
     Raises
     ------
     TypeError
-        For an error that is no real number.
+        For an error or a size that is no real number, and for ranges that are no pairs.
     ValueError
         For an unknown quantity or argument, for ranges that were not measured, for a folder
-        without records or with a broken one, and where no form is accurate enough; the message
+        without records or with a broken one, and where no way is accurate enough; the message
         says what is reachable.
 
     Notes
     -----
-    A measured error is the worst at points chosen to hurt, not a bound; a form that lost a single
+    A measured error is the worst at points chosen to hurt, not a bound; a way that lost a single
     result (NaN, infinity) in the ranges is left out, and so is one that the ledger refutes or
     proves on a part of the domain only. Peers (other libraries, solvers, simulations), of which
-    nothing is proved, count by what was measured. Of forms whose times cannot be told apart, their
+    nothing is proved, count by what was measured. Of ways whose times cannot be told apart, their
     quartiles overlapping, the most accurate is taken.
 
     """
     record = _find_record(quantity, measured)
-    if isinstance(error, bool) or not isinstance(error, Real):
-        raise TypeError(f"error = {error!r}: must be a real number, not {type(error).__name__}")
-    if not error > 0:
-        raise ValueError(f"error = {error!r}: must be positive")
-    if not size >= 1:
-        raise ValueError(f"size = {size!r}: must be at least 1")
+    require(check_number("error", error) > 0, "error", error, "must be positive")
+    check_count("size", size)
     cells = list(_overlapping(record, _as_pairs(record, ranges)))
     rated = list(_rate_ways(record, cells, size, error))
-    forms = sorted(rated, key=lambda c: c.time)
-    good = [form for form in rated if form.error <= error]
+    ways = sorted(rated, key=lambda c: c.time)
+    good = [way for way in rated if way.error <= error]
     if not good:
-        best = min(forms, key=lambda c: c.error)
-        raise ValueError(f"error = {error!r}: no form of {record.quantity} reaches it; {best}")
+        best = min(ways, key=lambda c: c.error)
+        refuse("error", error, f"no way of computing {record.quantity} reaches it; {best}")
     fastest = min(good, key=lambda c: c.time)
-    alike = [form for form in good if form._may_be_as_fast_as(fastest)]
+    alike = [way for way in good if way._may_be_as_fast_as(fastest)]
     first = min(alike, key=lambda c: c.error)
-    better = [form for form in forms if form.error < first.error / BETTER]
-    others = tuple(form for form in forms if form is not first)
+    better = [way for way in ways if way.error < first.error / BETTER]
+    others = tuple(way for way in ways if way is not first)
     return replace(first, better=better[0] if better else None, others=others)
 
 
 def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Record:
     """Read the record of a quantity, from the package or from a folder."""
     files = find_files(None if measured is None else Path(measured))
-    if measured is not None and not files:
-        raise ValueError(f"measured = {measured!r}: no folder with records of `mechproof measure`")
+    found = measured is None or files
+    require(found, "measured", measured, "no folder with records of `mechproof measure`")
     named = [name for name in files if quantity in (name, name.partition(".")[2])]
     if len(named) != 1:
         known = ", ".join(files) or "none; run `mechproof measure`"
-        raise ValueError(f"quantity = {quantity!r}: must be one of those measured: {known}")
+        refuse("quantity", quantity, f"must be one of those measured: {known}")
     record = read_record(files[named[0]])
-    if not record.cells:
-        raise ValueError(f"quantity = {quantity!r}: was not measured over ranges of its arguments")
+    require(record.cells, "quantity", quantity, "was not measured over ranges of its arguments")
     return record
 
 
@@ -172,24 +172,24 @@ def _as_pairs(record: Record, ranges: Mapping[str, Size]) -> dict[str, tuple[flo
     """Check the ranges against what was measured."""
     pairs = {}
     for name, given in ranges.items():
-        if name not in record.ranges:
-            known = ", ".join(record.ranges)
-            raise ValueError(f"{name} = {given!r}: {record.quantity} has the arguments {known}")
-        low, high = _as_pair(given)
+        known = ", ".join(record.ranges)
+        require(name in record.ranges, name, given, f"{record.quantity} has the arguments {known}")
+        low, high = _as_pair(name, given)
         least, most = record.ranges[name]
-        if not 0 <= low <= high:
-            raise ValueError(f"{name} = {given!r}: must be a size, or two in order")
-        if not (least <= low and high <= most):
-            raise ValueError(f"{name} = {given!r}: measured were sizes from {least!r} to {most!r}")
-        pairs[name] = float(low), float(high)
+        require(0 <= low <= high, name, given, "must be a size, or two in order")
+        measured = f"measured were sizes from {least!r} to {most!r}"
+        require(least <= low and high <= most, name, given, measured)
+        pairs[name] = low, high
     return pairs
 
 
-def _as_pair(given: Size) -> tuple[float, float]:
-    """Return both ends; NaN, which is in no range, for what is neither a number nor a pair."""
-    if isinstance(given, Sequence):
-        return (given[0], given[1]) if len(given) == 2 else (nan, nan)
-    return abs(given), abs(given)
+def _as_pair(name: str, given: Size) -> tuple[float, float]:
+    """Return both ends."""
+    if not isinstance(given, Sequence):
+        return (size := abs(check_number(name, given))), size
+    items = check_items(name, given, 2, "must be a size, or two in order")
+    low, high = (check_number(f"{name}[{i}]", item) for i, item in enumerate(items))
+    return low, high
 
 
 def _overlapping(record: Record, pairs: Mapping[str, tuple[float, float]]) -> Iterator[int]:
@@ -231,7 +231,7 @@ def _rate_ways(record: Record, cells: list[int], size: int, asked: float) -> Ite
         error = max([f.worst for f in found] + ([] if bound is None else [bound]))
         yield Choice(
             quantity=record.quantity,
-            form=way.name,
+            way=way.name,
             error=error,
             bound=bound,
             time=timed.median,
@@ -243,7 +243,7 @@ def _rate_ways(record: Record, cells: list[int], size: int, asked: float) -> Ite
         )
 
 
-def _locate(quantity: str, way: Way) -> str:
+def _locate(quantity: str, way: MeasuredWay) -> str:
     """Return the dotted name of a generated function; empty for what is none."""
     system, _, name = quantity.partition(".")
     if way.kind == "form":
@@ -251,7 +251,7 @@ def _locate(quantity: str, way: Way) -> str:
     return f"mechproof.kernels.{system}.{name}" if way.kind == "kernel" else ""
 
 
-def _is_the_quantity(way: Way, shipped: Way) -> bool:
+def _is_the_quantity(way: MeasuredWay, shipped: MeasuredWay) -> bool:
     """Say that single points can be computed, and that nothing speaks against its being equal."""
     part = way.proved_on not in ("", shipped.proved_on)
     return not (way.ordered or way.verdict in NOT_EQUAL or part)

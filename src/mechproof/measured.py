@@ -31,11 +31,11 @@ __all__ = [
     "Cell",
     "CellErrors",
     "Machine",
+    "MeasuredWay",
     "Record",
     "Searched",
     "SetErrors",
     "Timing",
-    "Way",
     "find_files",
     "goes_by",
     "read_record",
@@ -60,8 +60,8 @@ SUFFIX = ".json"
 
 
 @dataclass(frozen=True)
-class Way:
-    """One way of computing a quantity.
+class MeasuredWay:
+    """One way of computing a quantity, as it was measured.
 
     kind: "kernel" (generated, shipped), "form" (a rival form) or "peer" (a solver, a library, a
     simulation, hand-written code). verdict and rung: what is proved of it on `proved_on` (empty:
@@ -206,7 +206,7 @@ class Record:
     ranges: Mapping[str, Span]
     searched: Searched
     ufuncs: Mapping[str, float]
-    ways: tuple[Way, ...]
+    ways: tuple[MeasuredWay, ...]
     sets: tuple[SetErrors, ...]
     cells: tuple[Cell, ...]
     cell_errors: tuple[CellErrors, ...]

@@ -18,7 +18,7 @@ from mechproof.latex.values import depends
 from mechproof.processes import WorkerError, run_tasks
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement
-from mechproof.record import Definition, Equation, Notation, Paper, Row, Variable
+from mechproof.record import Definition, Equation, Notation, Paper, Part, Row, Variable
 
 COMMAND = Remedies(
     name="Say --name '{0}'.",
@@ -103,9 +103,10 @@ def judge_pasted(pasted: Pasted) -> Checked:
     reader = Reader(variables, notation, COMMAND)
     free = tuple(v.symbol for v in variables if v.given is None and isinstance(v.symbol, sp.Symbol))
     _refuse_constant(variables, pasted, reader)
-    rows = read_row(Equation(NUMBER, pasted.latex, defines=free), reader)
+    on = Part(" and ".join(pasted.where), where=where) if relations else None
+    rows = read_row(Equation(NUMBER, pasted.latex, defines=free, on=on), reader)
     _refuse_definitions(rows, said)
-    paper = Paper("pasted", "", variables, (), where)
+    paper = Paper("pasted", "", variables, ())
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
     return Checked(read, {v.latex[0]: _describe(v) for v in variables})
 
@@ -169,14 +170,26 @@ def _count(variable: Variable) -> Variable:
 
 
 def _find_counts(pasted: Pasted) -> tuple[str, ...]:
-    r"""Return the letters up to which sums go, n also in \sum_{k=1}^{n-1}."""
+    r"""Return the letters of n! and up to which sums go, n also in \sum_{k=1}^{n-1}."""
     found: dict[str, None] = dict.fromkeys(pasted.natural)
     for latex in (pasted.latex, *pasted.where, *pasted.values):
         texts = [token.text for token in tokenize(latex)]
         for place, text in enumerate(texts):
             if text in (r"\sum", r"\prod"):
                 found |= dict.fromkeys(_letters_of_limit(texts[place + 1 :]))
+            if text == "!":
+                found |= dict.fromkeys(_letters_of_factorial(texts[:place]))
     return tuple(x for x in found if x not in pasted.names)
+
+
+def _letters_of_factorial(texts: list[str]) -> Iterator[str]:
+    """Yield the letter before the sign, or those of the plain sum in the bracket before it."""
+    start = len(texts) - 1
+    if texts[-1:] == [")"] and "(" in texts:
+        start = len(texts) - texts[::-1].index("(")
+    inside = texts[start:]
+    if all(text.isalnum() or text in ("+", "-", ")") for text in inside):
+        yield from (text for text in inside if text.isalpha())
 
 
 def _letters_of_limit(texts: list[str]) -> Iterator[str]:
@@ -205,7 +218,7 @@ def _read_limit(pasted: Pasted) -> sp.Expr | None:
 def _refuse_constant(variables: Sequence[Variable], pasted: Pasted, reader: Reader) -> None:
     """Refuse a C beside an integral without limits: it depends on where the integral starts."""
     has_constant = any(v.symbol.name == "C" and v.given is None for v in variables)
-    parts = list(walk(reader.parse(pasted.latex).chains))
+    parts = list(walk(reader.parse(pasted.latex, upper=1).chains))
     if has_constant and any(isinstance(p, Integration) and p.low is None for p in parts):
         raise ValueError(
             "C beside an integral without limits: what is it? Say --let 'C=0', or its value where "

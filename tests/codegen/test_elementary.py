@@ -107,7 +107,7 @@ CASES = {
     "tan": (ANGLES, mp.tan, 2.5),
     "sin": (ANGLES, mp.sin, 1.7),
     "cos": (ANGLES, mp.cos, 1.7),
-    "arctan": (SLOPES, mp.atan, 1.7),
+    "arctan": (SLOPES, mp.atan, 1.1),
     "small_arctan": ([s for s in SLOPES if s < 0.57], mp.atan, 1.2),
 }
 

@@ -25,7 +25,7 @@ from mechproof.codegen.domain import set_relations
 from mechproof.codegen.kernel import list_functions
 from mechproof.codegen.reading import read_module
 from mechproof.derivations import elliptic_planetary
-from mechproof.derivations.elliptic_planetary.paper import k
+from mechproof.derivations.elliptic_planetary.symbols import k
 from mechproof.record import Accuracy, Part, Quantity, Variable
 
 a, b, x = sp.symbols("a b x", real=True)

@@ -13,15 +13,17 @@ import sympy as sp
 from trial import load_paper, load_source, paper_of, quantity_of
 
 from mechproof.codegen import syntax
+from mechproof.codegen.backends.numba import check_translation, render_compiled
 from mechproof.codegen.backends.numpy import render_modules
+from mechproof.codegen.backends.scalar import list_scalars
 from mechproof.codegen.error_free import WholeTurnsOff
-from mechproof.codegen.forms import TranslationError, form_rows, read_back
+from mechproof.codegen.forms import form_rows, read_back
 from mechproof.codegen.kernel import list_functions
 from mechproof.codegen.languages import C99, NUMBA, NUMPY
 from mechproof.codegen.lowering import FUNCTIONS, lower_steps
 from mechproof.codegen.program import MEANINGS, Operation, Program
 from mechproof.codegen.raising import WrittenForm
-from mechproof.codegen.reading import ReadingError, read_module
+from mechproof.codegen.reading import ReadingError, TranslationError, read_module
 from mechproof.codegen.syntax import write_program
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
@@ -256,3 +258,24 @@ def test_reading_knows_public_functions_only(tmp_path: Path) -> None:
     source = render_modules(paper_of(TRIALS["difference"]))["system.py"]
     assert set(read_module(source)) == {"f"}
     assert load_source(source, tmp_path).__all__ == ["f"]
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        ("k_low * phi1 + _product_rest", "_product_rest"),
+        ("+ t_low", "- t_low"),
+        ("fma(a, b, -p)", "fma(a, b, p)"),
+        ("choose(v9, v5, -v7)", "choose(v9, -v7, v5)"),
+        ("-1.5707963267948966", "-1.5707963267948968"),
+    ],
+)
+def test_a_compiled_source_that_computes_something_else_is_caught(right: str, wrong: str) -> None:
+    from mechproof.derivations.elliptic_planetary import PAPER
+
+    (source,) = render_compiled(PAPER).values()
+    kernels = list_scalars(PAPER)
+    check_translation(source, kernels)
+    assert right in source
+    with pytest.raises(TranslationError, match="meant"):
+        check_translation(source.replace(right, wrong, 1), kernels)

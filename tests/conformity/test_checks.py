@@ -40,8 +40,8 @@ NO_NUMBERS = [
     (np.array([1j]), "must be a real number"),
     (np.array(["1"]), "must be a real number"),
     (np.longdouble(1), "must be a real number"),
-    (np.ma.masked_array([1.0, 2.0], [True, False]), "is a masked array: give NaN"),
-    (np.ma.masked, "is a masked array: give NaN"),
+    (np.ma.masked_array([1.0, 2.0], [True, False]), "is a masked array; give NaN"),
+    (np.ma.masked, "is a masked array; give NaN"),
     (Millimetres(), "carries a unit"),
 ]
 

@@ -36,6 +36,7 @@ LAWS: dict[str, tuple[Law, Any]] = {
     "rectangular": (Uniform.from_width(1, 4), stats.uniform(-1, 4)),
     "truncated": (TruncatedNormal(1, 2, -1, 6), stats.truncnorm(-1, 2.5, 1, 2)),
     "truncated tail": (TruncatedNormal(0, 1, 8, INF), stats.truncnorm(8, INF)),
+    "truncated far below": (TruncatedNormal(0, 1, -30, -29), stats.truncnorm(-30, -29)),
 }
 
 
@@ -48,6 +49,30 @@ def test_laws_match_scipy_and_their_samples(name: str) -> None:
     values = law.sample(np.random.default_rng(5), 20000)
     # False alarm with probability 1e-6 per law.
     assert stats.kstest(values, reference.cdf).pvalue > 1e-6
+
+
+@pytest.mark.parametrize("width", [1e-4, 1e-6, 1e-9, 1e-12])
+@pytest.mark.parametrize("start", [-3.0, -1e-13, 0.0, 0.5, 5.0])
+def test_a_narrow_window_is_sampled_all_over(start: float, width: float) -> None:
+    """Where masses of tails hardly differ; the density changes by less than 6e-4 across it."""
+    law = TruncatedNormal(0, 1, start, start + width)
+    values = law.sample(np.random.default_rng(6), 20000)
+    assert (law.lower <= values).all()
+    assert (values <= law.upper).all()
+    # False alarm with probability 1e-6 per law.
+    assert stats.kstest(values, stats.uniform(start, width).cdf).pvalue > 1e-6
+
+
+def test_samples_of_several_parameter_sets_are_their_own() -> None:
+    law = TruncatedNormal([0.0, 5.0, 0.0], [1.0, 1.0, 1e9], [[-1.0], [8.0]], [[1.0], [9.0]])
+    values = law.sample(np.random.default_rng(7), (1000, 2, 3))
+    for at in np.ndindex(2, 3):
+        ends = [
+            (end[at[0], 0] - law.mean[at[1]]) / law.std[at[1]] for end in (law.lower, law.upper)
+        ]
+        reference = stats.truncnorm(*ends, law.mean[at[1]], law.std[at[1]])
+        # False alarm with probability 1e-6 per law.
+        assert stats.kstest(values[:, *at], reference.cdf).pvalue > 1e-6
 
 
 @pytest.mark.parametrize(

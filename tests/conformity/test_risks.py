@@ -23,8 +23,8 @@ from mechproof.conformity import (
     Uniform,
     shares,
 )
-from mechproof.conformity.laws import parameters
 from mechproof.conformity.quadrature import law_masses
+from mechproof.laws.kinds import list_parameters
 
 INF = np.inf
 BAR = 1e-12
@@ -306,7 +306,11 @@ def test_broadcasting_scalars_and_nan() -> None:
     column, row = np.array([[-4.0], [np.nan]]), np.array([0.3, 0.4, 0.5])
     for true in (Normal(column, 1), Uniform(column, 4)):
         many = shares(true, Normal(0, row), (-3, 3))
-        single = shares(type(true)(*(p.flat[0] for p in parameters(true))), Normal(0, 0.4), (-3, 3))
+        single = shares(
+            type(true)(*(p.flat[0] for p in list_parameters(true))),
+            Normal(0, 0.4),
+            (-3, 3),
+        )
         for values, value in zip(four(many), four(single), strict=True):
             assert values.shape == (2, 3)
             assert np.isnan(values[1]).all()

@@ -9,13 +9,13 @@ import sympy as sp
 
 from mechproof.codegen.elementary.fits import HALF_TANGENT, SMALL_ARCTANGENT, fit
 from mechproof.derivations.elliptic_planetary.kernels import PLAIN_PRODUCT
-from mechproof.derivations.elliptic_planetary.paper import e
+from mechproof.derivations.elliptic_planetary.symbols import e
 from mechproof.kernel_support import polynomials
 from mechproof.kernels import elliptic_planetary as kernels
 from mechproof.kernels.elliptic_planetary import position
-from mechproof.lab.method import Array
 from mechproof.lab.search import find_worst
 from mechproof.lab.subject import find_subjects
+from mechproof.lab.ways import Array
 
 EPS = float(np.finfo(float).eps)
 RADII = (66.0, 16.0)

@@ -15,9 +15,9 @@ import pytest
 import sympy as sp
 
 from mechproof.kernel_support import arrays, polynomials
-from mechproof.lab.method import Arguments
 from mechproof.lab.sets import list_workloads
 from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.ways import Arguments
 
 SUBJECTS = {subject.name: subject for subject in find_subjects() if subject.quantity.forms}
 PUSHED = (np.nan, -np.inf, -1e9, -1.0, -1e-9, 0.0, 0.5, 1.0, 1.5, 20.0, 1e9, np.inf)

@@ -14,9 +14,9 @@ import pytest
 import sympy as sp
 
 from mechproof.kernel_support import polynomials
-from mechproof.lab.method import Arguments, Compute
 from mechproof.lab.search import find_worst, scaled_errors
 from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.ways import Arguments, Compute
 
 SUBJECTS = {subject.name: subject for subject in find_subjects()}
 BOUNDED = sorted(name for name, subject in SUBJECTS.items() if subject.quantity.accuracy)

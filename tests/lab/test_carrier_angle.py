@@ -9,10 +9,10 @@ import pytest
 
 from mechproof import CylindricalPair as Pair
 from mechproof import EllipticPlanetary, OvalPlanetary
-from mechproof.lab.method import Array
 from mechproof.lab.oracle import Truth, find_truth
 from mechproof.lab.points import step_ulps
 from mechproof.lab.subject import find_subjects
+from mechproof.lab.ways import Array
 
 EPS = float(np.finfo(float).eps)
 TINIEST = float(np.finfo(float).smallest_subnormal)

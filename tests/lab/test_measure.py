@@ -15,10 +15,10 @@ from mechproof.lab.chart import Dot, draw_charts, find_front
 from mechproof.lab.jumps import draw_jumps
 from mechproof.lab.machine import describe_machine
 from mechproof.lab.measure import describe_ways, measure
-from mechproof.lab.method import list_methods
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.table import PAGE, headline, list_lines, write_tables
 from mechproof.lab.timing import Effort, interleave, time_subject
+from mechproof.lab.ways import list_ways
 from mechproof.measured import COPY, Record, read_record, read_records, write_record
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 
@@ -181,8 +181,8 @@ def test_a_kernel_with_out_is_listed_twice() -> None:
 
     module = ModuleType("kernels")
     module.planar_error = planar_error  # type: ignore[attr-defined]
-    listed = list_methods(subject.quantity, subject.domain, (), (module, None), ())
-    found = {method.name: method for method in listed}
+    listed = list_ways(subject.quantity, subject.domain, (), (module, None), ())
+    found = {way.name: way for way in listed}
     assert list(found)[:3] == ["kernel", "kernel, out=", "kernel, float32"]
     points = np.array([[3.0, 4.0, 0.0]])
     first, second = (found["kernel, out="].compute(points) for _ in range(2))

@@ -9,21 +9,20 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from mechproof.derivations.elliptic_planetary import paper as elliptic
+from mechproof.derivations.elliptic_planetary.symbols import R1, R2, e, phi1, x
 from mechproof.lab.draws import draw_mixed
 from mechproof.lab.error import find_errors
 from mechproof.lab.facts import Facts
-from mechproof.lab.method import Arguments, Array
 from mechproof.lab.oracle import find_truth
 from mechproof.lab.points import REPORT, TUNE, draw_points, step_ulps
 from mechproof.lab.roots import Place, find_roots
 from mechproof.lab.singular_points import list_point_sets
 from mechproof.lab.sizes import draw_cell, make_workload
 from mechproof.lab.subject import find_subjects
+from mechproof.lab.ways import Arguments, Array
 from mechproof.proof.domain import Domain
 from mechproof.record import Argument, Published, Singular, Toleranced
 
-phi1, R1, R2, e, x = elliptic.phi1, elliptic.R1, elliptic.R2, elliptic.e, elliptic.x
 turns = sp.Symbol("m_turns", integer=True)
 DOMAIN = Domain.of(find_subjects(("elliptic_planetary.ratio",))[0].paper)
 PEAK = Singular(sp.Eq(x, 2 * sp.pi * turns), "the ratio is steep")
@@ -155,7 +154,7 @@ def worst_of_the_print(row: Singular) -> float:
     points = draw_points(list_point_sets(Facts(calm, DOMAIN, (row,), (PUBLISHED,)))[1], REPORT)
     kept = np.abs(points[0] * points[1] / points[2]) < 1e3
     points = tuple(column[kept & (points[3] < 0.999)] for column in points)
-    printed = next(m for m in subject.methods if m.key == "printed")
+    printed = next(w for w in subject.ways if w.key == "printed")
     errors = find_errors(printed.compute(*points), find_truth(subject, points))
     return float(np.nanmax(errors.ulp))
 

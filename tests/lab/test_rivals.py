@@ -14,8 +14,8 @@ import pytest
 from ways import EPS, bound_of, compare, draw_set, find_subject, find_way, run, sum_up, truth_of
 
 from mechproof.lab.bounds import bound_over
-from mechproof.lab.method import Arguments
 from mechproof.lab.subject import find_subjects
+from mechproof.lab.ways import Arguments
 from mechproof.lab.within import mark_within
 
 ELLIPTIC, OVAL = "elliptic_planetary.position", "oval_planetary.position"

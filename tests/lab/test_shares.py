@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from mechproof.lab.error import Errors, find_errors
-from mechproof.lab.method import Arguments
 from mechproof.lab.oracle import Truth, find_truth
 from mechproof.lab.points import REPORT, draw_points
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.ways import Arguments
 
 EPS = float(np.finfo(float).eps)
 BOUND = 1e-12
@@ -43,9 +43,9 @@ def truth_of_ladder(name: str) -> Truth:
 
 
 def run(name: str, form: str, arguments: Arguments, truth: Truth) -> Errors:
-    method = next(s for s in subject(name).methods if s.name == form)
+    way = next(s for s in subject(name).ways if s.name == form)
     with np.errstate(all="ignore"):
-        return find_errors(method.compute(*arguments), truth)
+        return find_errors(way.compute(*arguments), truth)
 
 
 def relative(errors: Errors) -> np.ndarray:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mechproof.codegen.forms import TranslationError
+from mechproof.codegen.reading import TranslationError
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.validation import validate
 

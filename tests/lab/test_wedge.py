@@ -9,7 +9,7 @@ from ways import find_subject, find_way, run, truth_of
 
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.lab.error import Errors
-from mechproof.lab.method import Arguments
+from mechproof.lab.ways import Arguments
 from mechproof.lab.within import mark_within
 
 CHAIN = ("position", "velocity", "sensitivities")

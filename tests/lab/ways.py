@@ -7,11 +7,11 @@ from functools import cache
 import numpy as np
 
 from mechproof.lab.error import Errors, Summary, find_errors, summarise
-from mechproof.lab.method import Arguments, Method
 from mechproof.lab.oracle import Truth, find_truth
 from mechproof.lab.points import REPORT, draw_points
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.ways import Arguments, Way
 
 EPS = float(np.finfo(float).eps)
 
@@ -22,8 +22,8 @@ def find_subject(name: str) -> Subject:
     return found
 
 
-def find_way(quantity: str, name: str) -> Method:
-    return next(m for m in find_subject(quantity).methods if m.name == name)
+def find_way(quantity: str, name: str) -> Way:
+    return next(w for w in find_subject(quantity).ways if w.name == name)
 
 
 def bound_of(quantity: str) -> float:

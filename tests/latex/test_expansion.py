@@ -165,8 +165,35 @@ def test_a_printed_condition_narrows_where_it_is_meant() -> None:
     assert row.read_as == "|w| = w if w > 0"
     (judgement,) = verdicts(r"|w|=w\text{ if }w>0")
     assert judgement.verdict is Verdict.PROVED
-    part = Part("w > 1", {w: sp.Interval.open(1, sp.oo)})
-    assert expand(r"|w|=w\text{ if }w>0", on=part)[0].on is part
+
+
+def test_a_printed_condition_and_that_of_the_row_narrow_together() -> None:
+    within = {w: sp.Interval.open(-1, sp.oo)}
+    part = Part("w > -1 and x < w", within, (sp.Lt(x, w),))
+    printed = sp.Gt(w, 0, evaluate=False)
+    (row,) = expand(r"|w|=w\text{ if }w>0", on=part)
+    assert row.on == Part("w > 0 and w > -1 and x < w", within, (printed, sp.Lt(x, w)))
+    # Without the printed condition it would be refuted at w = -1/2.
+    (judgement,) = verdicts(r"|w|=w\text{ if }w>0", on=part)
+    assert judgement.verdict is Verdict.PROVED
+    assert judgement.on == "w > 0 and w > -1 and x < w"
+    assert "on w > 0 and w > -1 and x < w" in judgement.reason
+    (judgement,) = verdicts(r"|w|=-w\text{ if }w>0", on=part)
+    assert judgement.verdict is Verdict.REFUTED
+    # What a sign has instead of its row does not hide the print either; one text is shown once.
+    again = Part("w > 0", within)
+    (row,) = expand(r"|w|=w\text{ if }w>0", signs={1: Sign(on=again)})
+    assert row.on == Part("w > 0", within, (printed,))
+
+
+def test_a_correction_has_the_condition_of_its_print() -> None:
+    right = Correction(r"-w\text{ if }w<0")
+    with pytest.raises(ValueError, match="a condition of its own"):
+        expand(r"z=2w\text{ if }w>0", derived={z: w}, corrected=right)
+    same = Correction(r"w\text{ if }w>0")
+    (row,) = expand(r"z=2w\text{ if }w>0", derived={z: w}, corrected=same)
+    assert row.corrected is not None
+    assert row.corrected.says == Equality(w, w)
 
 
 def test_cases() -> None:

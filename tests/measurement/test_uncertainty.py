@@ -244,13 +244,17 @@ def test_measured_nan_propagates_to_the_result() -> None:
 NO_MECHANISM: Any = object()
 
 BAD_CALLS = [
-    (lambda: evaluate_type_a([]), ValueError, r"readings has shape \(0,\)"),
-    (lambda: evaluate_type_a([1.0]), ValueError, r"readings has shape \(1,\).*at least two"),
-    (lambda: evaluate_type_a(1.0), ValueError, r"readings has shape \(\)"),
-    (lambda: evaluate_type_a(np.ones((2, 2))), ValueError, r"\(2, 2\): one dimension"),
+    (lambda: evaluate_type_a([]), ValueError, r"readings = \[\]: .*not shape \(0,\)"),
+    (
+        lambda: evaluate_type_a([1.0]),
+        ValueError,
+        r"= \[1.0\]: .*at least two, not shape \(1,\)",
+    ),
+    (lambda: evaluate_type_a(1.0), ValueError, r"readings = 1.0: .*not shape \(\)"),
+    (lambda: evaluate_type_a(np.ones((2, 2))), ValueError, r"must have one dimension .*\(2, 2\)"),
     (lambda: evaluate_type_a([1.0, math.inf]), ValueError, r"readings\[1\] = inf"),
     (lambda: evaluate_type_a([1.0, 1j]), TypeError, "complex128"),
-    (lambda: evaluate_type_a(["a", "b"]), TypeError, "readings has dtype"),
+    (lambda: evaluate_type_a(["a", "b"]), TypeError, r"readings = \['a', 'b'\]: must be a real"),
     (lambda: Estimate(0, -1), ValueError, "uncertainty = -1"),
     (lambda: Estimate(0, math.inf), ValueError, "uncertainty = inf"),
     (lambda: Estimate(0, 1, 0), ValueError, "degrees_of_freedom = 0"),

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from mechproof import ThicknessInspection, ToothThickness
-from mechproof.conformity import Law, Normal, Shares, TruncatedNormal, Uniform, shares
+from mechproof.conformity import Shares, shares
+from mechproof.laws import Law, Normal, TruncatedNormal, Uniform
 from mechproof.mechanisms.tooth_thickness_errors import exact_shares, scale_law, shift_law
 from mechproof.mechanisms.tooth_thickness_inspection import IT_120_TO_180
 

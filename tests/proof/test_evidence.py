@@ -70,7 +70,7 @@ def evidence(printed, rebuilt, domain=DOMAIN):
 def test_published_sizes_and_round_angles_come_first() -> None:
     found = evidence(R * sp.cos(phi) * e, R * e)
     assert found.at == {"R": "66", "e": "0.28", "phi": "pi/6 (30°)"}
-    assert found.what == "the two sides, sizes of Table 1"
+    assert found.what == "the two sides, sizes of Table 1; chosen: phi"
 
 
 def test_published_counts_come_first() -> None:
@@ -88,7 +88,7 @@ def test_sizes_that_do_not_separate_give_way_to_the_next_and_to_any() -> None:
     zero = e - sp.Rational(28, 100)
     assert evidence(zero, sp.S.Zero).what == "the two sides, sizes of Table 2"
     other = evidence(zero * (e - sp.Rational(1, 2)), sp.S.Zero)
-    assert other.what == "the two sides"
+    assert other.what == "the two sides, all values chosen"
     assert other.at["e"] not in ("0.28", "0.5")
 
 

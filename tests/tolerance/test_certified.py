@@ -12,7 +12,8 @@ import sympy as sp
 
 from mechproof import WedgeLinkage
 from mechproof.derivations import elliptic_planetary as elliptic
-from mechproof.derivations.elliptic_planetary.paper import R1, R2, phi1, position_principal
+from mechproof.derivations.elliptic_planetary.mechanics import position_principal
+from mechproof.derivations.elliptic_planetary.symbols import R1, R2, phi1
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.record import Argument, Form, Paper, Part, Quantity, Variable
 from mechproof.tolerance import Size, certified_range, corner_range
@@ -141,7 +142,7 @@ def test_shapes_and_nan() -> None:
     [
         ({"system": "gearbox"}, "system = 'gearbox': must be one of"),
         ({"quantity": "g"}, r"quantity = 'g': must be one of"),
-        ({"sizes": {"l_AB": Size(6.25)}}, "sizes: missing .*'l_BC'"),
+        ({"sizes": {"l_AB": Size(6.25)}}, r"sizes = \['l_AB'\]: missing .*'l_BC'"),
         ({"sizes": SIZES | {"l_XY": Size(1)}}, r"unknown \['l_XY'\]"),
         ({"gap": -1.0}, "gap = -1.0: must not be negative"),
         ({"budget": 0}, "budget = 0: must be at least 1"),

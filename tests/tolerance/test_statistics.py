@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mechproof import conformity, laws, tolerance
 from mechproof.tolerance import (
     Law,
     Normal,
     Size,
-    TruncatedNormal,
     Uniform,
     contributions,
     monte_carlo_range,
@@ -31,7 +31,7 @@ def test_results_have_the_shape_of_the_inputs(shape: tuple[int, ...]) -> None:
     inputs = np.ones(shape)
     firsts = contributions(linear, inputs, LINEAR)
     rng = np.random.default_rng(0)
-    result = monte_carlo_range(linear, inputs, LINEAR, laws=Uniform(), rng=rng, count=10)
+    result = monte_carlo_range(linear, inputs, LINEAR, laws=Size.uniform, rng=rng, count=10)
     ends = (*root_sum_square(firsts), result.lower, result.upper)
     for value in (*ends, firsts.nominal, firsts.middle, result.mean, result.undefined):
         assert np.shape(value) == shape
@@ -95,7 +95,7 @@ def test_normal_sizes_agree_with_root_sum_square() -> None:
         lambda x, a, b: x + a + b,
         [1.0, -4.0],
         sizes,
-        laws=Normal(6),
+        laws=lambda size: size.normal(6),
         rng=np.random.default_rng(11),
         count=count,
     )
@@ -109,15 +109,12 @@ def test_normal_sizes_agree_with_root_sum_square() -> None:
     assert result.undefined.tolist() == [0, 0]
 
 
+# In units of half the tolerance, about the middle.
+UNIT = Size(0, 1, -1)
 LAW_VARIANCES = [
-    (Uniform(), 1 / 3),
-    (Normal(6), 1 / 9),
-    (Normal(2.5), 0.64),
-    # 1 - 2 a φ(a)/(2 Φ(a) - 1), over a², with a = multiple/2; computed below.
-    (TruncatedNormal(1e-3), None),
-    (TruncatedNormal(2), None),
-    (TruncatedNormal(6), None),
-    (TruncatedNormal(70), None),
+    (UNIT.uniform(), 1 / 3),
+    (UNIT.normal(6), 1 / 9),
+    (UNIT.normal(2.5), 0.64),
 ]
 
 
@@ -125,31 +122,35 @@ def truncated_variance(end: float) -> float:
     if end < 0.01:
         # The first terms of the series, to 1e-8: the closed form cancels.
         return 1 / 3 - 2 * end**2 / 45
+    # 1 - 2 a φ(a)/(2 Φ(a) - 1), over a².
     density = math.exp(-(end**2) / 2) / math.sqrt(2 * math.pi)
     return (1 - 2 * end * density / math.erf(end / math.sqrt(2))) / end**2
 
 
-@pytest.mark.parametrize(("law", "variance"), LAW_VARIANCES)
-def test_laws_have_their_variance(law: Law, variance: float | None) -> None:
+# Down to a law that is flat to rounding, and up to one whose limits are never met.
+MULTIPLES = (1e-100, 1e-9, 1e-5, 1e-4, 1e-3, 2.0, 6.0, 70.0, 1e3)
+
+
+@pytest.mark.parametrize(
+    ("law", "variance"),
+    [*LAW_VARIANCES, *((UNIT.truncated_normal(m), truncated_variance(m / 2)) for m in MULTIPLES)],
+)
+def test_laws_have_their_variance(law: Law, variance: float) -> None:
     count = 100_000
     drawn = law.sample(np.random.default_rng(12), count)
-    if isinstance(law, TruncatedNormal):
-        variance = truncated_variance(law.multiple / 2)
-    assert variance is not None
     assert drawn.shape == (count,)
     # Kurtosis is at most 3: the variance's relative standard error is at most √(2/n). Mean and
     # variance are held to 6 standard errors.
     assert abs(drawn.mean()) <= 6 * math.sqrt(variance / count)
     assert abs(drawn.var() / variance - 1) <= 6 * math.sqrt(2 / count)
     if not isinstance(law, Normal):
-        # A few roundings of the inverse distribution function beyond the limit.
-        assert np.abs(drawn).max() <= 1 + 1e-9
+        assert np.abs(drawn).max() <= 1
 
 
 def test_normal_law_exceeds_the_limits_and_truncated_does_not() -> None:
     rng = np.random.default_rng(13)
-    assert np.abs(Normal(4).sample(rng, 10_000)).max() > 1
-    assert np.abs(TruncatedNormal(4).sample(rng, 10_000)).max() < 1
+    assert np.abs(UNIT.normal(4).sample(rng, 10_000)).max() > 1
+    assert np.abs(UNIT.truncated_normal(4).sample(rng, 10_000)).max() < 1
 
 
 def test_sizes_lie_about_the_middle_of_their_limits() -> None:
@@ -158,7 +159,7 @@ def test_sizes_lie_about_the_middle_of_their_limits() -> None:
         lambda x, s, t: s + 0 * x * t,
         0.0,
         sizes,
-        laws={"s": Uniform()},
+        laws={"s": sizes["s"].uniform()},
         rng=np.random.default_rng(14),
         probability=0.5,
     )
@@ -166,6 +167,26 @@ def test_sizes_lie_about_the_middle_of_their_limits() -> None:
     bound = 6 * 0.25 * math.sqrt(3 / 16 / 1e5)
     assert abs(result.lower - 10.3125) <= bound
     assert abs(result.upper - 10.4375) <= bound
+
+
+def test_any_source_of_values_is_a_law() -> None:
+    """Readings of the parts themselves, drawn again."""
+
+    class Parts:
+        def sample(self, rng: np.random.Generator, size: int) -> Any:
+            return rng.choice([1.25, 1.5], size)
+
+    result = monte_carlo_range(
+        identity, 1.0, ONE, laws={"s": Parts()}, rng=np.random.default_rng(18), count=100
+    )
+    assert (result.lower, result.upper) == (1.25, 1.5)
+
+
+def test_the_laws_are_those_of_conformity() -> None:
+    assert tolerance.Normal is conformity.Normal is laws.Normal
+    assert ONE["s"].normal(6) == laws.Normal.from_width(1.5, 1, 6)
+    assert ONE["s"].uniform() == laws.Uniform(1, 2)
+    assert ONE["s"].truncated_normal(6) == laws.TruncatedNormal(1.5, 1 / 6, 1, 2)
 
 
 @pytest.mark.parametrize("chunk", [1, 100, 1000, 2**16])
@@ -177,7 +198,7 @@ def test_scatter_does_not_depend_on_the_chunk(chunk: int) -> None:
             linear,
             [1.0, 2.0, 3.0],
             LINEAR,
-            laws=Uniform(),
+            laws=Size.uniform,
             rng=rng,
             count=500,
             chunk=size,
@@ -191,7 +212,7 @@ def test_scatter_does_not_depend_on_the_chunk(chunk: int) -> None:
 
 def test_standard_deviation_is_that_of_a_sample() -> None:
     rng = np.random.default_rng(17)
-    result = monte_carlo_range(linear, 1.0, LINEAR, laws=Uniform(), rng=rng, count=2)
+    result = monte_carlo_range(linear, 1.0, LINEAR, laws=Size.uniform, rng=rng, count=2)
     # Of two values a distance d apart: d/√2; the quantiles cut 0.00135 d off at both ends.
     distance = (result.upper - result.lower) / 0.9973
     assert result.standard_deviation == pytest.approx(distance / math.sqrt(2), rel=1e-12)
@@ -205,7 +226,7 @@ def test_undefined_samples_are_counted() -> None:
         half,
         [-2.0, 0.0],
         {"s": Size(0, 1, -1)},
-        laws=Uniform(),
+        laws=Size.uniform,
         rng=np.random.default_rng(16),
         count=1000,
     )
@@ -229,12 +250,22 @@ RNG = np.random.default_rng(0)
 ONE = {"s": Size(1, 1, 0)}
 
 
+class Pair:
+    """A law that draws two values, however many are wanted."""
+
+    def __repr__(self) -> str:
+        return "a pair"
+
+    def sample(self, rng: np.random.Generator, size: int) -> Any:
+        return rng.random(2)
+
+
 def identity(x: Any, s: Any) -> Any:
     return x * s
 
 
 def scatter(**changes: Any) -> Any:
-    settings: dict[str, Any] = {"laws": Uniform(), "rng": RNG, "count": 10} | changes
+    settings: dict[str, Any] = {"laws": Size.uniform, "rng": RNG, "count": 10} | changes
     return monte_carlo_range(identity, 1.0, ONE, **settings)
 
 
@@ -242,19 +273,28 @@ BAD_CALLS = [
     (
         lambda: contributions(identity, 1.0, ONE, sensitivities={"t": 1}),
         ValueError,
-        r"sensitivities are given for \['t'\]",
+        r"sensitivities = \['t'\]: must be given for .*\['s'\]",
     ),
     (
         lambda: contributions(identity, [1.0, 2.0], ONE, sensitivities={"s": [1, 2, 3]}),
         ValueError,
-        r"sensitivities\['s'\] has shape \(3,\)",
+        r"sensitivities\['s'\] = .*: has shape \(3,\)",
     ),
-    (lambda: Normal(0), ValueError, "multiple = 0"),
-    (lambda: Normal(math.inf), ValueError, "multiple = inf"),
-    (lambda: TruncatedNormal(1e-9), ValueError, "multiple = 1e-09.*Uniform"),
-    (lambda: TruncatedNormal(100), ValueError, "multiple = 100.*Normal"),
+    (lambda: ONE["s"].normal(0), ValueError, "multiple = 0: must be positive"),
+    (lambda: ONE["s"].normal(math.inf), ValueError, "multiple = inf: must be finite"),
+    (lambda: ONE["s"].truncated_normal(-1), ValueError, "multiple = -1: must be positive"),
+    (lambda: Size(3).uniform(), ValueError, r"\(lower, upper\) = .*must be below"),
     (lambda: scatter(rng=1), TypeError, "rng = 1"),
-    (lambda: scatter(laws={"t": Uniform()}), ValueError, r"laws are given for \['t'\]"),
+    (
+        lambda: scatter(laws={"t": Uniform(0, 1)}),
+        ValueError,
+        r"laws = \['t'\]: must be given for .*\['s'\]",
+    ),
+    (lambda: scatter(laws=6), TypeError, "laws = 6: must be laws by the names of sizes"),
+    (lambda: scatter(laws=Uniform(0, 1)), TypeError, "laws = Uniform.*a function of a Size"),
+    (lambda: scatter(laws={"s": 6}), TypeError, r"laws\['s'\] = 6: must be a law"),
+    (lambda: scatter(laws={"s": Normal([0, 1], 1)}), ValueError, r"laws\['s'\] = .*one number"),
+    (lambda: scatter(laws={"s": Pair()}), ValueError, r"laws\['s'\] = a pair: gave shape \(2,\)"),
     (lambda: scatter(count=1), ValueError, "count = 1"),
     (lambda: scatter(count=True), TypeError, "count = True"),
     (lambda: scatter(chunk=0), ValueError, "chunk = 0"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from importlib.metadata import version
 from pathlib import Path
 from typing import Annotated
@@ -12,8 +12,9 @@ import typer
 from mechproof.cli.chart import chart
 from mechproof.cli.check import check
 from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.cli.emit import app as emit_app
 from mechproof.cli.ledger import print_ledger
-from mechproof.cli.places import RULE, Places, find_location, find_places
+from mechproof.cli.places import RULE, DerivationsOption, Places, find_locations, find_places
 from mechproof.codegen.regenerate import (
     Change,
     ForeignFileError,
@@ -21,7 +22,7 @@ from mechproof.codegen.regenerate import (
     render_package,
     update_files,
 )
-from mechproof.derivation import DerivationError, find_systems
+from mechproof.derivation import DerivationError
 from mechproof.proof.ledger import Ledger, to_json, to_markdown
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Paper
@@ -38,11 +39,8 @@ app = typer.Typer(
 )
 app.command()(chart)
 app.command()(check)
+app.add_typer(emit_app, name="emit")
 
-DerivationsOption = Annotated[
-    Path | None,
-    typer.Option("--derivations", metavar="DIR", help="The folder that holds the derivations."),
-]
 RootOption = Annotated[
     Path | None,
     typer.Option(
@@ -100,7 +98,7 @@ def verify(
     1: a row is UNDECIDED without that, a row hangs or crashes, or a derivation fails;
     2: bad usage.
     """
-    locations = _find_locations(papers or (), find_places(derivations, root))
+    locations = find_locations(papers or (), find_places(derivations, root))
     if json_file and json_file.is_dir():
         refuse(f"--json {json_file}: is a folder, a file is needed")
     if json_file and not json_file.absolute().parent.is_dir():
@@ -139,7 +137,7 @@ def regenerate(
     places = find_places(derivations, root)
     if not (derivations or root) and not Path("derivations").is_dir():
         refuse("there is no folder derivations: run it where it lies, or give --derivations DIR")
-    locations = _find_locations((), places)
+    locations = find_locations((), places)
     ledgers = _judge(locations, use_cache=not no_cache, limit=limit)
     _refuse_failures(ledgers)
     papers = [ledger.paper for ledger in ledgers]
@@ -196,18 +194,6 @@ def measure(
             record = measure_subject(subject, quick=quick, report=report)
         say(f"{write_record(record, target)}: {headline(record)}")
     say(str(write_tables(target)))
-
-
-def _find_locations(names: Iterable[str], places: Places) -> list[Path]:
-    try:
-        if names:
-            return [find_location(name, places.derivations) for name in dict.fromkeys(names)]
-        locations = list(find_systems(places.derivations).values())
-    except DerivationError as error:
-        fail(str(error))
-    if not locations:
-        refuse(f"there is no derivation in {places.derivations}")
-    return locations
 
 
 def _judge(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[Ledger]:

@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated
 
-from mechproof.cli.console import refuse
-from mechproof.derivation import find_systems, packaged_directory
+import typer
 
+from mechproof.cli.console import fail, refuse
+from mechproof.derivation import DerivationError, find_systems, packaged_directory
+
+DerivationsOption = Annotated[
+    Path | None,
+    typer.Option("--derivations", metavar="DIR", help="The folder that holds the derivations."),
+]
 RULE = (
     "Derivations are those of --derivations DIR (or of ROOT/derivations with --root ROOT), else "
     "those of the folder ./derivations if there is one, else those that come with the package. "
@@ -61,3 +69,16 @@ def find_location(name: str, directory: Path) -> Path:
         f"{name!r} is neither a file FILE.py, nor a folder with an __init__.py, nor one of the "
         f"systems of {directory}: {known}"
     )
+
+
+def find_locations(names: Iterable[str], places: Places) -> list[Path]:
+    """Return the places of named derivations, of all if none is named."""
+    try:
+        if names:
+            return [find_location(name, places.derivations) for name in dict.fromkeys(names)]
+        locations = list(find_systems(places.derivations).values())
+    except DerivationError as error:
+        fail(str(error))
+    if not locations:
+        refuse(f"there is no derivation in {places.derivations}")
+    return locations

@@ -11,7 +11,7 @@ from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.raising import WrittenForm
-from mechproof.codegen.reading import read_module
+from mechproof.codegen.reading import TranslationError, read_module
 from mechproof.record import (
     Claim,
     Conjunction,
@@ -24,10 +24,6 @@ from mechproof.record import (
     Row,
     Statement,
 )
-
-
-class TranslationError(ValueError):
-    """The emitted source does not compute the program that was meant."""
 
 
 def form_rows(paper: Paper) -> tuple[Row, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import MappingProxyType
 
 from mechproof.codegen.syntax import (
@@ -62,12 +63,15 @@ NUMBA = Syntax(
     calls=MappingProxyType(
         {
             **{
-                name: name
+                name: f"_{name}"
                 for name in (
-                    "sin", "cos", "tan", "arctan", "arctan2", "hypot", "floor", "rint", "fma",
-                    "copysign", "product_rest", "sum_rest", "quotient_rest", "small_tangent",
-                    "tangent_quotient", "small_arctan", "is_finite", "maximum",
+                    "sin", "cos", "tan", "arctan", "arctan2", "hypot", "product_rest", "sum_rest",
+                    "quotient_rest", "small_tangent", "tangent_quotient", "small_arctan",
                 )
+            },
+            **{
+                n: n
+                for n in ("floor", "rint", "fma", "copysign", "is_finite", "maximum", "choose")
             },
             "sqrt": "np.sqrt",
             "absolute": "abs",
@@ -78,11 +82,17 @@ NUMBA = Syntax(
         {
             "negate": ("-{}", SIGN, SIGN),
             "square": ("{} ** 2", ATOM, POWER),
-            "choose": ("{1} if {0} else {2}", EITHER, CHOICE),
         }
     ),
     constants=NUMPY.constants,
 )  # fmt: skip
+NUMBA_FAR = replace(
+    NUMBA,
+    calls=MappingProxyType(
+        {**NUMBA.calls, **{name: f"math.{name}" for name in ("tan", "sin", "cos")}}
+    ),
+    last=MappingProxyType({}),
+)
 C99 = Syntax(
     infix=MappingProxyType({**INFIX, "both": ("&&", BOTH), "either": ("||", EITHER)}),
     calls=MappingProxyType(
@@ -118,3 +128,27 @@ C99 = Syntax(
     ),
     number=lambda number: repr(float(number)),
 )  # fmt: skip
+_LIBRARY = ("tan", "sin", "cos")
+C99_FAR = replace(C99, calls=MappingProxyType({**C99.calls, **{n: n for n in _LIBRARY}}))
+
+
+def _write_single(number: float) -> str:
+    digits = f"{number:.9g}"
+    return f"{digits}f" if "." in digits or "e" in digits else f"{digits}.0f"
+
+
+_SINGLE = {
+    kind: f"{C99.calls[kind]}f" for kind in ("sqrt", "floor", "rint", "fma", "copysign", "absolute")
+}
+C99_SINGLE = replace(
+    C99,
+    calls=MappingProxyType({**C99.calls, **_SINGLE}),
+    constants=MappingProxyType(
+        {**C99.constants, "#pi": "3.1415927f", "#e": "2.7182817f", "#inf": "HUGE_VALF"}
+    ),
+    number=_write_single,
+)
+C99_SINGLE_FAR = replace(
+    C99_SINGLE,
+    calls=MappingProxyType({**C99_SINGLE.calls, **{n: f"{n}f" for n in _LIBRARY}}),
+)

@@ -40,8 +40,16 @@ LAST_CONSTANT: Mapping[str, str] = MappingProxyType(
 )
 
 
+# The last argument of a compiled function that is right up to the largest angle only.
+EXACT = "exact"
+
+
 class ReadingError(ValueError):
     """The emitted source has something that no kernel has."""
+
+
+class TranslationError(ValueError):
+    """The emitted source does not compute the program that was meant."""
 
 
 def read_module(source: str) -> dict[str, KernelCode]:
@@ -58,6 +66,39 @@ def read_module(source: str) -> dict[str, KernelCode]:
         if not name.startswith("_") and any(arg.arg == "out" for arg in node.args.kwonlyargs)
     }
     return {name: _KernelReader(node, functions).read() for name, node in public.items()}
+
+
+def read_scalars(source: str) -> dict[str, Program]:
+    """Return the programs of the private functions of a compiled module that compute one point.
+
+    What follows after `value = ...` says where the value is taken, and is not read.
+    """
+    functions = (n for n in ast.parse(source).body if isinstance(n, ast.FunctionDef))
+    return {
+        node.name: _read_scalar(node)
+        for node in functions
+        if any(ast.unparse(d) == "scalar" for d in node.decorator_list)
+        and not any(isinstance(s, ast.If) for s in node.body[:1])
+        and not any(isinstance(n, ast.Starred) for n in ast.walk(node))
+    }
+
+
+def _read_scalar(node: ast.FunctionDef) -> Program:
+    assigned: list[tuple[str, ast.expr]] = []
+    inputs = tuple(a.arg for a in node.args.args if a.arg != EXACT)
+    for statement in node.body:
+        match statement:
+            case ast.Assign(targets=[ast.Name(id="value")], value=value):
+                return read_program(inputs, assigned, (value,))
+            case ast.Assign(targets=[ast.Name(id=name)], value=value):
+                assigned.append((name, value))
+            case ast.Return(value=ast.Tuple(elts=outputs)):
+                return read_program(inputs, assigned, outputs)
+            case ast.Return(value=ast.expr() as output):
+                return read_program(inputs, assigned, (output,))
+            case _:
+                break
+    raise ReadingError(f"line {node.lineno}: {node.name} computes no point")
 
 
 class _ProgramReader:
@@ -114,7 +155,7 @@ class _ProgramReader:
         return self._add(kind, self.read(node.value))
 
     def _call(self, node: ast.Call) -> Operand:
-        name = ast.unparse(node.func).removeprefix("np.")
+        name = ast.unparse(node.func).removeprefix("np.").removeprefix("_")
         keywords = {k.arg: ast.unparse(k.value) for k in node.keywords}
         if name in ("sum", "all") and set(keywords) == {"axis"}:
             count = {"-1": 1, "(-2, -1)": 2}[keywords["axis"]]
@@ -129,8 +170,12 @@ class _ProgramReader:
         arguments = list(node.args)
         if keywords:
             raise ReadingError(f"line {node.lineno}: no operation is written {ast.unparse(node)!r}")
-        if name in LAST_CONSTANT and ast.unparse(arguments.pop()) != LAST_CONSTANT[name]:
+        is_scalar = ast.unparse(node.func).startswith("_")
+        constant = None if is_scalar else LAST_CONSTANT.get(name)
+        if constant and ast.unparse(arguments.pop()) != constant:
             raise ReadingError(f"line {node.lineno}: {name} takes {LAST_CONSTANT[name]} last")
+        if arguments and ast.unparse(arguments[-1]) == EXACT:
+            arguments.pop()
         return self._add(RENAMED.get(name, name), *map(self.read, arguments))
 
 

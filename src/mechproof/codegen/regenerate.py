@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from mechproof.codegen.backends.numba import render_compiled
 from mechproof.codegen.backends.numpy import render_init, render_modules
 from mechproof.record import Paper
 
@@ -29,10 +30,16 @@ def render_package(papers: Iterable[Paper]) -> dict[str, str]:
 
     Papers without forms have no module.
     """
-    files = {name: text for p in papers for name, text in render_modules(p).items()}
+    files = {
+        name: text
+        for paper in papers
+        for render in (render_modules, render_compiled)
+        for name, text in render(paper).items()
+    }
     return {
         "__init__.py": render_init("Generated kernels: one module per system."),
         "forms/__init__.py": render_init("Other forms of the kernels: one module per system."),
+        "compiled/__init__.py": render_init("Compiled kernels: one module per system."),
         **dict(sorted(files.items())),
     }
 

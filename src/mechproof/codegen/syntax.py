@@ -26,6 +26,7 @@ INFIX: Mapping[str, tuple[str, Level]] = MappingProxyType(
         "equal": ("==", COMPARISON),
     }
 )
+COMPARISONS = tuple(kind for kind, (_, level) in INFIX.items() if level == COMPARISON)
 
 
 @dataclass(frozen=True)

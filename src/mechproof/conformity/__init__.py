@@ -18,7 +18,6 @@ The mechanisms, the laboratory and users may import it; it imports NumPy, and Sc
 functions that need it.
 """
 
-from mechproof.conformity.laws import Law, Normal, TruncatedNormal, Uniform
 from mechproof.conformity.risks import (
     Shares,
     SimulatedShares,
@@ -26,6 +25,7 @@ from mechproof.conformity.risks import (
     shares,
     simulate_shares,
 )
+from mechproof.laws import Law, Normal, TruncatedNormal, Uniform
 
 __all__ = [
     "Law",

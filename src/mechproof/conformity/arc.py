@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 
-from mechproof.conformity.windows import Array
+from mechproof.laws.windows import Array
 
 DROP = 32.0  # nats; by log-concavity a part exp(-32) = 1.3e-14 of the integral is cut off
 BLOCK = 512  # corners at a time: nodes stay in the cache

@@ -28,8 +28,9 @@ from typing import Any
 import numpy as np
 
 from mechproof.conformity.arc import integrate_arc
-from mechproof.conformity.laws import Normal, parameters
-from mechproof.conformity.windows import (
+from mechproof.laws import Normal
+from mechproof.laws.kinds import list_parameters
+from mechproof.laws.windows import (
     UNIT_NODES,
     UNIT_WEIGHTS,
     Array,
@@ -94,7 +95,7 @@ def _subtract_twice(a: Array, b: Array, c: Array) -> Array:
 
 
 def _standard_plane(true: Normal, error: Normal, tolerance: Array, acceptance: Array) -> Plane:
-    (mu, sigma), (bias, s) = parameters(true), parameters(error)
+    (mu, sigma), (bias, s) = list_parameters(true), list_parameters(error)
     rho = np.hypot(sigma, s)
     tangent = np.where(rho == 0, 0.0, _divide(s, rho + sigma))
     edge = np.array([np.inf, -np.inf])[:, None]  # a fixed value on a limit is outside it

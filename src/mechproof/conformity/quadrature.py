@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from mechproof.conformity.laws import Law, select
-from mechproof.conformity.windows import Array
+from mechproof.laws import Law
+from mechproof.laws.kinds import select
+from mechproof.laws.windows import Array
 
 # Two overlapping steps of 18 nats fall by 36: 28 nodes integrate exp(-36 x) to rounding.
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(28)

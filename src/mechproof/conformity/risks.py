@@ -9,11 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.conformity.checks import require, require_finite, require_law, require_pair
-from mechproof.conformity.laws import LAWS, Law, Normal, parameters, select
+from mechproof.arguments.arrays import check_finite, check_pair
+from mechproof.arguments.scalars import check_count
 from mechproof.conformity.normal import normal_masses
 from mechproof.conformity.quadrature import law_masses
-from mechproof.conformity.windows import Array
+from mechproof.laws import Law, Normal
+from mechproof.laws.kinds import LAWS, check_law, list_parameters, select
+from mechproof.laws.windows import Array
 
 Limits = tuple[ArrayLike, ArrayLike]
 
@@ -66,9 +68,9 @@ def shares(true: Law, error: Law, tolerance: Limits, acceptance: Limits | None =
     Source: paper on tooth thickness, algorithm steps 1-10; JCGM 106:2012, 9.5.
     """
     for name, law in (("true", true), ("error", error)):
-        require_law(name, law, *LAWS)
+        check_law(name, law)
     limits = _check_limits(tolerance, acceptance)
-    inputs = [*parameters(true), *parameters(error), *limits]
+    inputs = [*list_parameters(true), *list_parameters(error), *limits]
     shape = np.broadcast_shapes(*(p.shape for p in inputs))
     missing = np.any(np.broadcast_arrays(*map(np.isnan, inputs)), axis=0)
     flat = [np.broadcast_to(p, shape).reshape(-1) for p in limits]
@@ -105,13 +107,13 @@ def conformance_probability(
     Source: JCGM 106:2012, 7.2 and 9.3.
     """
     for name, law in (("true", true), ("error", error)):
-        require_law(name, law, Normal)
-    low, high = require_pair("tolerance", tolerance)
+        check_law(name, law, Normal)
+    low, high = check_pair("tolerance", tolerance)
     rho = np.hypot(true.std, error.std)
     with np.errstate(invalid="ignore"):
         gain = np.where(rho == 0, 0.0, np.asarray(true.std) / rho)
         spread = np.where(rho == 0, 0.0, np.asarray(error.std) / rho)
-    surprise = require_finite("measured", measured) - true.mean - error.mean
+    surprise = check_finite("measured", measured) - true.mean - error.mean
     given = Normal(true.mean + gain**2 * surprise, np.asarray(true.std) * spread)
     return given.probability(low, high), given.outside(low, high)
 
@@ -134,14 +136,13 @@ def simulate_shares(
 
     Source: paper on tooth thickness, algorithm steps 1-10.
     """
-    require(count >= 1, "count", count, "must be at least 1")
-    require(chunk >= 1, "chunk", chunk, "must be at least 1")
+    count, chunk = check_count("count", count), check_count("chunk", chunk)
     errors = [error] if isinstance(error, LAWS) else list(error)
-    require_law("true", true, *LAWS)
+    check_law("true", true)
     for i, law in enumerate(errors):
-        require_law(f"error[{i}]", law, *LAWS)
+        check_law(f"error[{i}]", law)
     low, high, low_accepted, high_accepted = limits = _check_limits(tolerance, acceptance)
-    inputs = [p for law in (true, *errors) for p in parameters(law)] + list(limits)
+    inputs = [p for law in (true, *errors) for p in list_parameters(law)] + list(limits)
     shape = np.broadcast_shapes(*(p.shape for p in inputs))
     missing = np.any(np.broadcast_arrays(*map(np.isnan, inputs)), axis=0)
     parts = max(1, chunk // max(1, int(np.prod(shape))))
@@ -176,6 +177,6 @@ def _check_limits(tolerance: Limits, acceptance: Limits | None) -> list[Array]:
     """Lower and upper tolerance limit, lower and upper acceptance limit."""
     accepted = tolerance if acceptance is None else acceptance
     return [
-        *require_pair("tolerance", tolerance),
-        *require_pair("acceptance", accepted),
+        *check_pair("tolerance", tolerance),
+        *check_pair("acceptance", accepted),
     ]

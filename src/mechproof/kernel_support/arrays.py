@@ -156,14 +156,15 @@ def store(value: Any, out: NDArray[Any] | None) -> Any:
     """Return `value`, in `out` if there is one; TypeError, ValueError if it does not fit."""
     if out is None or out is value:
         return value
-    _check_out(out, np.shape(value), value.dtype)
+    check_out(out, np.shape(value), value.dtype)
     if isinstance(value, np.ma.MaskedArray) and not isinstance(out, np.ma.MaskedArray):
         raise TypeError("out: expected a masked array, as the result has a mask, got an array")
     out[...] = value
     return out
 
 
-def _check_out(out: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
+def check_out(out: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
+    """Raise TypeError or ValueError, naming `out`, unless it is an array of the type and shape."""
     if not isinstance(out, np.ndarray):
         raise TypeError(f"out: expected an array, got {type(out).__name__}")
     if out.dtype != dtype:
@@ -178,7 +179,7 @@ def _find_target(
     """Return `out` if results may be written while arguments are still read, None otherwise."""
     if out is None:
         return None
-    _check_out(out, shape, dtype)
+    check_out(out, shape, dtype)
     shared = (type(a) is np.ndarray and np.may_share_memory(out, a) for a in arrays)
     return None if any(shared) else out
 

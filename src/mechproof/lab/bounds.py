@@ -7,22 +7,22 @@ from functools import lru_cache
 import numpy as np
 import sympy as sp
 
-from mechproof.lab.method import Method
 from mechproof.lab.sizes import Sides
 from mechproof.lab.subject import Subject
+from mechproof.lab.ways import Way
 from mechproof.proof.balls import evaluate
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
 
 
-def bound_over(subject: Subject, method: Method, cell: Sides) -> float | None:
+def bound_over(subject: Subject, way: Way, cell: Sides) -> float | None:
     """Return what the error stays below on a cell of sizes.
 
     None without a bound, or for a bound that does not provably rise with every size.
     """
-    if method.bound is None:
+    if way.bound is None:
         return None
-    bound = subject.domain.resolve(method.bound)
+    bound = subject.domain.resolve(way.bound)
     sizes = {s: sp.Symbol(f"size_{s}", positive=True) for s in _needed(bound)}
     if not sizes.keys() <= _corner(subject, cell).keys() or not _rises(bound, subject, sizes):
         return None

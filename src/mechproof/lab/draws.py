@@ -8,8 +8,8 @@ import numpy as np
 import sympy as sp
 
 from mechproof.lab.facts import FEWEST, WIDE, Facts
-from mechproof.lab.method import Array
 from mechproof.lab.roots import Columns
+from mechproof.lab.ways import Array
 from mechproof.record import Argument
 
 Rng = np.random.Generator
@@ -69,11 +69,11 @@ def draw_sizes(rng: Rng, low: Array, high: Array, beyond: float = np.inf) -> Arr
     """Draw sizes between limits: evenly, by the logarithm, toward a place beyond, at the ends."""
     count = len(low)
     floor = np.where(low > 0, low, high * SMALL)
-    ways = [rng.uniform(low, high), np.exp(rng.uniform(np.log(floor), np.log(high)))]
+    drawn = [rng.uniform(low, high), np.exp(rng.uniform(np.log(floor), np.log(high)))]
     if np.isfinite(beyond):
         nearest = np.maximum(beyond - high, EPS)
-        ways.append(beyond - np.exp(rng.uniform(np.log(nearest), np.log(beyond - low))))
-    sizes = np.choose(rng.integers(0, len(ways), count), ways)
+        drawn.append(beyond - np.exp(rng.uniform(np.log(nearest), np.log(beyond - low))))
+    sizes = np.choose(rng.integers(0, len(drawn), count), drawn)
     ends = np.where(rng.random(count) < 0.5, low, high)
     return np.where(rng.random(count) < 0.05, ends, np.clip(sizes, low, high))
 
@@ -90,13 +90,13 @@ def _point_any_way(facts: Facts, rng: Rng, symbols: tuple[sp.Symbol, ...], sizes
     if len(symbols) == 1:
         return {symbols[0]: sign_randomly(facts, rng, symbols[0], sizes)}
     shape = (count, len(symbols))
-    ways = (
+    directions = (
         rng.uniform(-1, 1, shape),
         rng.choice([-1.0, 0.0, 1.0], shape),
         rng.choice([-1.0, 1.0], shape),
         rng.choice([-1.0, 1.0], shape) * 10 ** rng.uniform(-12, 0, shape),
     )
-    direction = np.choose(rng.integers(0, len(ways), (count, 1)), ways)
+    direction = np.choose(rng.integers(0, len(directions), (count, 1)), directions)
     largest = np.max(np.abs(direction), axis=1, keepdims=True)
     direction = direction / np.where(largest > 0, largest, 1) * sizes[:, np.newaxis]
     return dict(zip(symbols, direction.T, strict=True))

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from mechproof.lab.method import Array
 from mechproof.lab.oracle import Truth
+from mechproof.lab.ways import Array
 from mechproof.measured import ALL_BITS
 
 EPS = float(np.finfo(float).eps)

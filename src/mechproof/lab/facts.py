@@ -9,9 +9,9 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
-from mechproof.lab.method import Arguments, Array
 from mechproof.lab.region import Region
 from mechproof.lab.roots import Columns, Place
+from mechproof.lab.ways import Arguments, Array
 from mechproof.proof.domain import Domain
 from mechproof.record import Argument, Published, Singular, Toleranced
 

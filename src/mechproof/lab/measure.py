@@ -15,7 +15,6 @@ import numpy as np
 from mechproof.lab.bounds import bound_over
 from mechproof.lab.error import find_errors, summarise
 from mechproof.lab.machine import describe_machine, find_load
-from mechproof.lab.method import Arguments, Array, Method
 from mechproof.lab.oracle import Truth, count_points, find_truth
 from mechproof.lab.points import REPORT, TUNE, PointSet, choose_evenly, draw_points
 from mechproof.lab.search import find_worst
@@ -23,16 +22,17 @@ from mechproof.lab.sets import draw_in_cell, list_cells, list_sets
 from mechproof.lab.sizes import Sides
 from mechproof.lab.subject import Subject
 from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs
+from mechproof.lab.ways import Arguments, Array, Way
 from mechproof.lab.within import mark_within
 from mechproof.measured import (
     Cell,
     CellErrors,
+    MeasuredWay,
     Point,
     Record,
     Searched,
     SetErrors,
     Span,
-    Way,
     round_off,
     round_up,
 )
@@ -100,26 +100,26 @@ def _name_scale(accuracy: Accuracy | None) -> str:
     return accuracy.scale.name if accuracy.scale else "the value"
 
 
-def describe_ways(subject: Subject) -> tuple[Way, ...]:
+def describe_ways(subject: Subject) -> tuple[MeasuredWay, ...]:
     """Describe every way; what the ledger's rows say of its source is decided here."""
-    return tuple(_describe(subject, method) for method in subject.methods)
+    return tuple(_describe(subject, way) for way in subject.ways)
 
 
-def _describe(subject: Subject, method: Method) -> Way:
-    bound = "" if method.bound is None else str(method.bound)
-    about = Way(
-        method.name,
-        method.kind,
+def _describe(subject: Subject, way: Way) -> MeasuredWay:
+    bound = "" if way.bound is None else str(way.bound)
+    about = MeasuredWay(
+        way.name,
+        way.kind,
         bound=bound,
-        ordered=method.ordered,
-        key=method.key,
-        note=method.note,
+        ordered=way.ordered,
+        key=way.key,
+        note=way.note,
     )
-    if not method.rows:
+    if not way.rows:
         return about
-    judged = [judge(row, subject.paper) for row in method.rows]
+    judged = [judge(row, subject.paper) for row in way.rows]
     worst = next((j for j in judged if j.verdict is not Verdict.PROVED), judged[-1])
-    parts = {row.on.text for row in method.rows if row.on} if method.kind == "form" else set()
+    parts = {row.on.text for row in way.rows if row.on} if way.kind == "form" else set()
     return replace(
         about, verdict=worst.verdict.value, rung=worst.rung, proved_on="; ".join(sorted(parts))
     )
@@ -133,32 +133,32 @@ def _measure_set(subject: Subject, point_set: PointSet, depth: Depth) -> list[Se
     truth = find_truth(subject, arguments)
     held = mark_within(subject, arguments)
     return [
-        _measure_way(subject, method, point_set, arguments, truth, held)
-        for method in subject.methods
-        if method.ordered <= point_set.ordered
+        _measure_way(subject, way, point_set, arguments, truth, held)
+        for way in subject.ways
+        if way.ordered <= point_set.ordered
     ]
 
 
 def _measure_way(
     subject: Subject,
-    method: Method,
+    way: Way,
     point_set: PointSet,
     arguments: Arguments,
     truth: Truth,
     held: Array,
 ) -> SetErrors:
-    if method.slow and not point_set.ordered:
+    if way.slow and not point_set.ordered:
         chosen = choose_evenly(len(truth.high), SLOW_SAMPLE)
         arguments, truth, held = _take(subject, arguments, chosen), truth[chosen], held[chosen]
     with np.errstate(all="ignore"):
-        errors = find_errors(method.compute(*arguments), truth)
+        errors = find_errors(way.compute(*arguments), truth)
     found = summarise(errors, truth, subject.period)
     # The accuracy bound speaks of these points only.
     inside = errors.scaled[held & truth.decided]
-    keeps_point = method is subject.methods[0] and truth.decided.any()
+    keeps_point = way is subject.ways[0] and truth.decided.any()
     return SetErrors(
         set=point_set.name,
-        way=method.name,
+        way=way.name,
         points=found.points,
         undecided=found.undecided,
         nan=found.nan,
@@ -188,9 +188,9 @@ def _measure_cells(
         named = {name: (float(low), float(high)) for name, (low, high) in sides.items()}
         cells.append(Cell(named, len(truth.high), truth.undecided))
         errors += (
-            _measure_cell(subject, method, arguments, truth, (place, sides))
-            for method in subject.methods
-            if not method.ordered
+            _measure_cell(subject, way, arguments, truth, (place, sides))
+            for way in subject.ways
+            if not way.ordered
         )
     return cells, errors, _find_ranges(subject, spans)
 
@@ -209,21 +209,21 @@ def _find_ranges(subject: Subject, spans: list[list[Span]]) -> dict[str, Span]:
 
 def _measure_cell(
     subject: Subject,
-    method: Method,
+    way: Way,
     arguments: Arguments,
     truth: Truth,
     cell: tuple[int, Sides],
 ) -> CellErrors:
     place, sides = cell
-    if method.slow:
+    if way.slow:
         chosen = choose_evenly(len(truth.high), SLOW_SAMPLE)
         arguments, truth = _take(subject, arguments, chosen), truth[chosen]
     with np.errstate(all="ignore"):
-        found = summarise(find_errors(method.compute(*arguments), truth), truth)
-    bound = bound_over(subject, method, sides)
+        found = summarise(find_errors(way.compute(*arguments), truth), truth)
+    bound = bound_over(subject, way, sides)
     return CellErrors(
         cell=place,
-        way=method.name,
+        way=way.name,
         worst=round_up(found.worst_absolute),
         bound=None if bound is None else round_up(bound),
         lost=found.nan + found.infinite,

@@ -14,8 +14,8 @@ import numpy as np
 import sympy as sp
 
 from mechproof.codegen.evaluation import count_axes, entries, result_shape
-from mechproof.lab.method import Arguments, Array
 from mechproof.lab.subject import Subject
+from mechproof.lab.ways import Arguments, Array
 from mechproof.proof.balls import evaluate, evaluate_until, working_precision
 
 # 2**-12 ulp of a double: what the ball leaves open cannot be seen in an error of 1e-3 ulp.

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mechproof.kernel_support.order import from_order, to_order
-from mechproof.lab.method import Arguments, Array
+from mechproof.lab.ways import Arguments, Array
 
 TUNE, REPORT = 20240826, 20261231
 

@@ -9,8 +9,8 @@ import numpy as np
 import sympy as sp
 
 from mechproof.codegen.domain import set_relations
-from mechproof.lab.method import Array
 from mechproof.lab.roots import Columns, call
+from mechproof.lab.ways import Array
 from mechproof.proof import balls
 from mechproof.proof.domain import Domain
 

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.lab.method import Array
 from mechproof.lab.points import step_ulps
+from mechproof.lab.ways import Array
 from mechproof.proof.balls import evaluate
 
 # Symbol -> its values, one to a point.

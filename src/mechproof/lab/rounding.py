@@ -16,7 +16,7 @@ from flint import arb
 
 from mechproof.codegen.code import Stage
 from mechproof.codegen.program import VIEWS, Operand, Operation, Program
-from mechproof.lab.method import Array
+from mechproof.lab.ways import Array
 from mechproof.proof.balls import working_precision
 
 BITS = 192
@@ -24,8 +24,13 @@ BITS = 192
 UNIT, SINGLE_UNIT = 2.0**-53, 2.0**-24
 SMALLEST = 2.0**-1074
 LOOPS = 4
-ROUNDED = ("add", "subtract", "multiply", "divide", "square", "sqrt", "quotient_rest", "single")
-EXACT = ("negate", "absolute", "maximum", "floor", "sign", "copy", "product_rest", "sum_rest")
+ROUNDED = (
+    "add", "subtract", "multiply", "divide", "fma", "square", "sqrt", "quotient_rest", "single",
+)  # fmt: skip
+EXACT = (
+    "negate", "absolute", "copysign", "maximum", "floor", "rint", "sign", "copy", "product_rest",
+    "sum_rest",
+)  # fmt: skip
 # As the doubles that a kernel takes them for.
 CONSTANTS: Mapping[str, arb] = MappingProxyType(
     {"#pi": arb(np.pi), "#e": arb(np.e), "#inf": arb("inf"), "#nan": arb("nan")}
@@ -60,6 +65,7 @@ FUNCTIONS: Mapping[str, Callable[..., arb]] = MappingProxyType(
         "subtract": lambda a, b: a - b,
         "multiply": lambda a, b: a * b,
         "divide": lambda a, b: a / b,
+        "fma": lambda a, b, c: a * b + c,
         "negate": lambda a: -a,
         "square": lambda a: a * a,
         "power": lambda a, b: a**b,
@@ -77,6 +83,8 @@ FUNCTIONS: Mapping[str, Callable[..., arb]] = MappingProxyType(
         "absolute": abs,
         "maximum": lambda a, b: a.max(b),
         "floor": lambda a: a.floor(),
+        "rint": lambda a: (a + arb(0.5)).floor(),
+        "copysign": lambda a, b: abs(a) * b.sgn(),
         "sign": lambda a: a.sgn(),
         "copy": lambda a: a,
         "single": lambda a: a,

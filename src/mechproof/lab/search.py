@@ -11,11 +11,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from mechproof.lab.error import find_errors
-from mechproof.lab.method import Arguments, Array, Compute
 from mechproof.lab.oracle import find_truth
 from mechproof.lab.points import TUNE, choose_evenly, draw_points, join, step_ulps
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
+from mechproof.lab.ways import Arguments, Array, Compute
 from mechproof.lab.within import mark_within
 
 SURVIVORS = 24

@@ -11,11 +11,11 @@ import numpy as np
 import sympy as sp
 
 from mechproof.lab.facts import Facts
-from mechproof.lab.method import Arguments
 from mechproof.lab.points import PointSet
 from mechproof.lab.singular_points import list_point_sets
 from mechproof.lab.sizes import Sides, draw_cell, make_workload
 from mechproof.lab.subject import Subject
+from mechproof.lab.ways import Arguments
 
 Workload = tuple[str, Callable[[int], Arguments]]
 # A sweep ends after so many half turns of the running variable.

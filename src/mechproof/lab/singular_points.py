@@ -17,9 +17,9 @@ import sympy as sp
 
 from mechproof.lab.draws import Rng, count_points, draw_inside, draw_mixed
 from mechproof.lab.facts import FEWEST, Facts
-from mechproof.lab.method import Arguments, Array
 from mechproof.lab.points import PointSet, draw_ladder, step_ulps
 from mechproof.lab.roots import Columns, Place, find_integers, find_roots
+from mechproof.lab.ways import Arguments, Array
 
 GENERIC, ALONE, MEETING, FAR, TINY = 300, 80, 200, 300, 160
 MOST_OTHERS, PASSES, PARTS = 2, 3, 10

@@ -11,10 +11,10 @@ import sympy as sp
 
 from mechproof.lab.draws import UNKNOWN, Rng, count_points, draw_inside, draw_usual
 from mechproof.lab.facts import FEWEST, Facts
-from mechproof.lab.method import Arguments, Array
 from mechproof.lab.region import MARGIN
 from mechproof.lab.roots import Columns, call, solve_linear
 from mechproof.lab.singular_points import draw_about, list_targets
+from mechproof.lab.ways import Arguments, Array
 
 # A cell by its arguments' sizes, from and to; those of other arguments are open.
 Sides = Mapping[str, tuple[float, float]]

@@ -1,4 +1,4 @@
-"""Subjects: a quantity with its paper, every method of computing it, and where it is measured.
+"""Subjects: a quantity with its paper, every way of computing it, and where it is measured.
 
 All of it comes from the derivation: quantities with their forms, peers from the module `peers`
 beside them, point sets from singular sets, usual and published sizes. A module `points` may add
@@ -21,9 +21,9 @@ import sympy as sp
 from mechproof.codegen.forms import form_rows
 from mechproof.derivation import find_systems, load_paper, load_part, packaged_directory
 from mechproof.lab.facts import Facts
-from mechproof.lab.method import Arguments, Compute, Method, list_methods
 from mechproof.lab.points import PointSet
 from mechproof.lab.sizes import Sides
+from mechproof.lab.ways import Arguments, Compute, Way, list_ways
 from mechproof.measured import goes_by
 from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Peer, Quantity, Row
@@ -93,14 +93,14 @@ class Subject:
         return tuple(self.domain.resolve(form.expression) for form in forms)
 
     @cached_property
-    def methods(self) -> tuple[Method, ...]:
+    def ways(self) -> tuple[Way, ...]:
         """List every way of computing the quantity, the shipped one first."""
-        return list_methods(self.quantity, self.domain, self.list_rows(), self.modules, self.peers)
+        return list_ways(self.quantity, self.domain, self.list_rows(), self.modules, self.peers)
 
     @property
     def kernel(self) -> Compute:
         """Return the function that is shipped."""
-        return self.methods[0].compute
+        return self.ways[0].compute
 
     @cached_property
     def facts(self) -> Facts:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from mechproof.measured import COPY, MEASURED, Record, SetErrors, Timing, Way, read_records
+from mechproof.measured import COPY, MEASURED, MeasuredWay, Record, SetErrors, Timing, read_records
 
 PAGE = "TABLES.md"
 WAY_HEAD = (
@@ -83,7 +83,7 @@ def _describe_shipped(record: Record) -> Sequence[str]:
     return record.quantity, _number(record.bound) or "none", worst, searched
 
 
-def _describe_way(record: Record, way: Way) -> Sequence[str]:
+def _describe_way(record: Record, way: MeasuredWay) -> Sequence[str]:
     rows = record.errors_of(way.name)
     known = [row for row in rows if row.points > row.undecided]
     return (
@@ -103,7 +103,7 @@ def _describe_way(record: Record, way: Way) -> Sequence[str]:
     )
 
 
-def _describe_verdict(way: Way) -> str:
+def _describe_verdict(way: MeasuredWay) -> str:
     """Add the part of the domain, and where a bound was proved: with the verdict or apart."""
     part = f" on {way.proved_on}" if way.proved_on else ""
     if not way.bound:

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from mechproof.lab.method import Arguments, Method
 from mechproof.lab.sets import list_workloads
 from mechproof.lab.subject import Subject
+from mechproof.lab.ways import Arguments, Way
 from mechproof.measured import COPY, Timing, round_off
 
 # The entry of the paces with the number of points they were taken at.
@@ -46,31 +46,31 @@ def time_subject(subject: Subject, effort: Effort) -> list[Timing]:
     for name, workload in list_workloads(subject):
         pace = _probe(subject, workload(PROBE))
         # What is too slow for every size has at least the time of its few points.
-        slow = [m for m in subject.methods if not _is_worth(m, pace, effort, effort.sizes[0])]
-        rows += [_summarise(m.name, name, PROBE, [pace[m.name] * PROBE]) for m in slow]
+        slow = [w for w in subject.ways if not _is_worth(w, pace, effort, effort.sizes[0])]
+        rows += [_summarise(w.name, name, PROBE, [pace[w.name] * PROBE]) for w in slow]
         for count, rounds in zip(effort.sizes, effort.rounds, strict=True):
             arguments = workload(count)
-            methods = subject.methods if _fits(arguments, effort) else ()
-            worth = [m.name for m in methods if _is_worth(m, pace, effort, count)]
+            ways = subject.ways if _fits(arguments, effort) else ()
+            worth = [w.name for w in ways if _is_worth(w, pace, effort, count)]
             rows += _time_size(subject, name, arguments, worth, (count, rounds), pace)
     return rows
 
 
-def _is_worth(method: Method, pace: dict[str, float], effort: Effort, count: int) -> bool:
+def _is_worth(way: Way, pace: dict[str, float], effort: Effort, count: int) -> bool:
     """Estimate whether one call is short enough.
 
     Time goes with the number of points, but for a solver of a whole sweep with its range.
     """
-    if method.ordered:
+    if way.ordered:
         # The call before, on fewer points, may be a first one.
-        return pace[method.name] * pace[COUNTED] <= 2 * effort.longest
-    return pace[method.name] * count <= effort.longest
+        return pace[way.name] * pace[COUNTED] <= 2 * effort.longest
+    return pace[way.name] * count <= effort.longest
 
 
 def _probe(subject: Subject, arguments: Arguments) -> dict[str, float]:
     """Estimate seconds per point from one call on a few points."""
     with np.errstate(all="ignore"):
-        calls = {m.name: _bind(m.compute, arguments) for m in subject.methods}
+        calls = {w.name: _bind(w.compute, arguments) for w in subject.ways}
         times = {name: _time_call(call, 1) / PROBE for name, call in calls.items()}
     return {**times, COUNTED: PROBE}
 
@@ -91,12 +91,12 @@ def _time_size(
     """Time one size (points, rounds); `pace` has the seconds per point of smaller sizes."""
     count, rounds = size
     calls: dict[str, Callable[[], object]] = {
-        m.name: _bind(m.compute, arguments) for m in subject.methods if m.name in worth
+        w.name: _bind(w.compute, arguments) for w in subject.ways if w.name in worth
     }
     calls[COPY] = _copy_call(np.shape(subject.kernel(*arguments)))
     times = interleave(calls, rounds)
     pace |= {name: float(np.median(t)) / count for name, t in times.items()} | {COUNTED: count}
-    first = times.get(subject.methods[0].name)
+    first = times.get(subject.ways[0].name)
     return [_summarise(name, workload, count, times[name], first) for name in calls]
 
 

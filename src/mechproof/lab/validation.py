@@ -15,16 +15,16 @@ import numpy as np
 from flint import arb
 
 from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.forms import TranslationError
 from mechproof.codegen.kernel import Kernel, list_functions
+from mechproof.codegen.reading import TranslationError
 from mechproof.kernel_support import arrays, polynomials
 from mechproof.lab.error import find_errors
-from mechproof.lab.method import Arguments, Compute
 from mechproof.lab.oracle import count_points, find_truth
 from mechproof.lab.points import TUNE, PointSet, choose_evenly, draw_points
 from mechproof.lab.rounding import decide, enclose_stage
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
+from mechproof.lab.ways import Arguments, Compute
 from mechproof.lab.within import mark_within
 
 # Of the first set so many points are enclosed, of every set so many go to the oracle.

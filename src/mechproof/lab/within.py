@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.lab.method import Arguments, Array
 from mechproof.lab.oracle import PRECISIONS, count_points, give_balls, list_values
 from mechproof.lab.region import is_plain
 from mechproof.lab.subject import Subject
+from mechproof.lab.ways import Arguments, Array
 from mechproof.proof import balls
 
 

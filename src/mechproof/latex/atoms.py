@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from mechproof.latex import calculus, letters
+from mechproof.latex import calculus, derivatives, letters
 from mechproof.latex.tree import (
     Bracket,
     Call,
@@ -38,6 +38,8 @@ def read_atom(parser: Parser) -> Node:
         return read_number(parser)
     if match := parser.names.match(parser.tokens, parser.place):
         return letters.read_letter(parser, match)
+    if text == r"\frac" and derivatives.is_derivative(parser):
+        return derivatives.read_derivative(parser)
     if text == r"\frac":
         return _read_fraction(parser, start)
     if text == r"\sqrt":
@@ -53,6 +55,8 @@ def read_atom(parser: Parser) -> Node:
         return _read_table(parser, start)
     if text in (r"\sum", r"\prod"):
         return calculus.read_repeated(parser)
+    if text == r"\lim":
+        return derivatives.read_limit(parser)
     if text == r"\int":
         return calculus.read_integral(parser)
     return letters.read_letter(parser, None)

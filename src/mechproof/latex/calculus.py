@@ -100,8 +100,8 @@ def _read_integrand(parser: Parser, opened: Open) -> Node:
     terms = [(parser.read_sign(), parser.read_product())]
     _end_with_differential(parser, opened)
     place, bound = parser.place, len(opened.running)
-    while opened.differential is None and parser.text in ("+", "-"):
-        terms.append((1 if parser.take().text == "+" else -1, parser.read_product()))
+    while opened.differential is None and parser.text in parser.signs:
+        terms.append((parser.read_sign(), parser.read_product()))
         _end_with_differential(parser, opened)
     if opened.differential is None:
         parser.place, terms = place, terms[:1]

@@ -2,18 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from itertools import pairwise
 from typing import Any
 
+import sympy as sp
+
+from mechproof.latex.errors import Source
 from mechproof.latex.meaning import Meaning
 from mechproof.latex.reader import Print, Reader
 from mechproof.latex.statements import Members, state
 from mechproof.latex.text import write, write_sign
+from mechproof.latex.tokens import tokenize
 from mechproof.latex.tree import Chain, Letter, Node, Repeated, walk
-from mechproof.record import Correction, Paper, Part, Row, Sign, Statement
+from mechproof.record import (
+    Conjunction,
+    Correction,
+    Distinct,
+    Equality,
+    Holds,
+    Paper,
+    Part,
+    Row,
+    Sign,
+    Statement,
+)
 
+_DOUBLE = (r"\pm", r"\mp", "±", "∓")
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
 
 
@@ -33,7 +49,51 @@ def read_row(row: Row, reader: Reader) -> tuple[Row, ...]:
     """Return the rows of a print, one for each relation sign; a typed row as it stands."""
     if row.says is not None:
         return (_refuse_unread_correction(row),)
-    read = reader.parse(row.printed_latex, row.number)
+    upper = _read_signs(row, reader, 1)
+    signs = {token.text for token in tokenize(row.printed_latex)}
+    if not signs & {r"\pm", r"\mp"}:
+        return upper
+    lower = _read_signs(row, reader, -1)
+    pairs = zip(upper, lower, strict=True)
+    return tuple(_join_signs(one, other, row.printed_latex) for one, other in pairs)
+
+
+def _join_signs(upper: Row, lower: Row, latex: str) -> Row:
+    """Assert what a relation says with the upper of its double signs, and with the lower."""
+    if upper.says == lower.says:
+        return upper
+    says = (upper.statement, lower.statement)
+    pairs = zip(_list_sides(says[0]), _list_sides(says[1]), strict=True)
+    if upper.on != lower.on or not all(one != other for one, other in pairs):
+        place = min(found for sign in _DOUBLE if (found := latex.find(sign)) >= 0)
+        error = Source(latex).refuse(
+            place,
+            "a double sign on one side, or in the definition of a letter: both signs, or either?",
+            "It says two equations: print one after the other.",
+        )
+        error.row = upper.number
+        raise error
+    corrected = upper.corrected
+    if corrected and lower.corrected:
+        both = (corrected.statement, lower.corrected.statement)
+        corrected = replace(corrected, says=Conjunction(both))
+    text = f"{upper.read_as}; and {lower.read_as}"
+    return replace(upper, says=Conjunction(says), read_as=text, corrected=corrected)
+
+
+def _list_sides(says: Statement) -> Sequence[sp.Basic]:
+    """Return the sides of a statement; of a definition or a number one that is always the same."""
+    if isinstance(says, Equality):
+        return says.printed, says.rebuilt
+    if isinstance(says, Distinct):
+        return says.left, says.right
+    if isinstance(says, Holds):
+        return tuple(says.relation.args)
+    return (sp.S.Zero,)
+
+
+def _read_signs(row: Row, reader: Reader, upper: int) -> tuple[Row, ...]:
+    read = reader.parse(row.printed_latex, row.number, upper)
     places = list(_find_signs(read))
     if any(not chain.relations for chain in read.chains):
         raise ValueError(f"row {row.number!r}: a part of its print has no relation sign")
@@ -152,20 +212,32 @@ def _find_unused(place: _Place) -> Iterator[str]:
 
 
 def _narrow(row: Row, place: _Place) -> Part | None:
-    """Return where the sign is meant: a printed condition narrows it, if the row does not."""
+    """Return where the sign is meant: what the print says of it, and what the row says besides."""
     condition = place.chain.condition
-    if row.on is not None or condition is None:
+    if condition is None:
         return row.on
-    relations = place.read.meaning().relate(condition)
-    return Part(write(condition), where=relations)
+    text, relations = write(condition), place.read.meaning().relate(condition)
+    if row.on is None:
+        return Part(text, where=relations)
+    both = " and ".join(dict.fromkeys((text, row.on.text)))
+    return Part(both, row.on.within, (*relations, *row.on.where))
+
+
+def _refuse_other_condition(row: Row, chain: Chain, place: _Place) -> None:
+    """Refuse a correction under a condition that is not that of its print: it is judged there."""
+    if chain.condition not in (None, place.chain.condition):
+        raise ValueError(
+            f"row {row.number!r}: its correction has a condition of its own: say it in `on`"
+        )
 
 
 def _read_correction(correction: Correction, row: Row, place: _Place) -> Correction:
     """Read a correction: of the right member, or of both."""
     if correction.says is not None:
         return correction
-    read = place.read.reader.parse(correction.latex, row.number)
+    read = place.read.reader.parse(correction.latex, row.number, place.read.upper)
     (chain,) = read.chains
+    _refuse_other_condition(row, chain, place)
     right = replace(place, read=read, chain=chain, left=max(len(chain.members) - 2, 0))
     if len(chain.members) > 1:
         return replace(correction, says=_state(row, right))

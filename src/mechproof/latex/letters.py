@@ -23,15 +23,16 @@ _WORD = re.compile(r"[a-z]{2,}")
 UNSURE = {
     "e": r"Print \mathrm{e} for Euler's number.",
     "i": "The imaginary unit is not read.",
-    "d": "A derivative is not read: it needs a name of its own.",
+    "d": r"Print \frac{d}{dx}(…) for a derivative.",
 }
 # Before another letter they make one quantity of it, or a product.
 _INCREMENTS = (r"\Delta", r"\delta")
 _UNREAD = {
-    **dict.fromkeys((r"\pm", r"\mp"), "It says two equations: check one after the other."),
-    **dict.fromkeys((r"\lim", r"\to"), "Limits are not read."),
+    **dict.fromkeys((r"\pm", r"\mp"), "It says two equations: print one after the other."),
+    **dict.fromkeys((r"\lim", r"\to"), r"Print \lim_{x\to a}."),
     **dict.fromkeys((r"\partial", r"\nabla"), "A derivative needs a name of its own."),
-    **dict.fromkeys(("!", r"\binom"), r"Print it as a product, \prod_{k=1}^n k."),
+    "!": "Print n! or (…)!, and brackets around what is raised or follows.",
+    r"\binom": r"Print factorials, \frac{n!}{k!(n-k)!}.",
     **dict.fromkeys((":", r"\div", "÷"), r"Print \frac{…}{…}."),
     **dict.fromkeys((r"\vec", r"\mathbf", r"\bm"), "Vectors need their components: check these."),
 }

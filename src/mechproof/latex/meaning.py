@@ -14,12 +14,14 @@ from mechproof.latex.errors import Remedies, Source
 from mechproof.latex.tree import (
     AND,
     Add,
+    Approach,
     Bracket,
     Call,
     Cases,
     Chain,
     Constant,
     Degrees,
+    Derivation,
     Entries,
     Integration,
     Letter,
@@ -35,9 +37,11 @@ from mechproof.latex.tree import (
     Transposed,
 )
 from mechproof.latex.values import depends, settle
-from mechproof.record import FunctionWithoutArgument, IntegralWithoutDifferential
+from mechproof.record import FunctionWithoutArgument, IntegralWithoutDifferential, ValueWhere
 
 LARGEST_EXPONENT = 1000
+# Functions with kinks or steps, of which SymPy gives a derivative everywhere.
+_UNSMOOTH = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
 LARGEST_POWER_BITS = 100_000
 RELATIONS: Mapping[str, Callable[..., sp.Basic]] = {
     "=": sp.Eq,
@@ -176,6 +180,38 @@ class Meaning:
             )
         return sp.Integral(inside, (running, self.lower_limit, variable))
 
+    def _derivation(self, node: Derivation) -> sp.Expr:
+        variable = self._letter(node.by)
+        if not isinstance(variable, sp.Symbol) or variable in self.values:
+            raise self.source.refuse(
+                node.by.start, f"a derivative by {variable}, which is given by others or no letter"
+            )
+        value = settle(self.of(node.of), self.values, {variable: variable})
+        if value.free_symbols and variable not in value.free_symbols:
+            raise self.source.refuse(
+                node.of.start,
+                f"{variable} does not stand in what is differentiated: does it depend on it?",
+                self.remedies.name.format(self.source.latex[node.start : node.end]),
+            )
+        if any(variable in part.free_symbols for part in value.atoms(*_UNSMOOTH)):
+            raise self.source.refuse(
+                node.of.start,
+                "a derivative of a function with kinks or steps is not read",
+                "Say on which side of them it is meant, and print it without them.",
+            )
+        return ValueWhere(sp.diff(value, variable, node.order), value)
+
+    def _approach(self, node: Approach) -> sp.Expr:
+        variable, point = self._letter(node.by), self.of(node.point)
+        is_given = variable in self.values
+        if is_given or any(depends(s, {variable}, self.values) for s in point.free_symbols):
+            raise self.source.refuse(
+                node.by.start, f"{variable} goes to a limit, but is given by others or is in it"
+            )
+        running = sp.Symbol(f"{variable.name}_", real=True)
+        inside = settle(self.of(node.term), self.values, {variable: running})
+        return sp.Limit(inside, running, point, node.side)
+
     def _bind(
         self, node: Integration, integrand: sp.Expr, variable: sp.Expr
     ) -> tuple[sp.Symbol, sp.Expr]:
@@ -222,6 +258,8 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Call: Meaning._call,
     Repeated: Meaning._repeated,
     Integration: Meaning._integration,
+    Derivation: Meaning._derivation,
+    Approach: Meaning._approach,
     Table: Meaning._table,
     Entries: Meaning._entries,
     Transposed: lambda meaning, node: meaning.of(node.of).T,

@@ -11,7 +11,7 @@ from typing import TypeVar
 
 import sympy as sp
 
-from mechproof.latex import atoms, calculus, calls, letters
+from mechproof.latex import atoms, calculus, calls, derivatives, letters
 from mechproof.latex.errors import MODULE, ReadingError, Remedies, Source
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.names import Names, to_signs
@@ -27,7 +27,8 @@ ENDING = (*RELATIONS, "+", "-", ")", "]", "}", ",", ";", "&", r"\\", r"\rvert", 
 class Parser:
     """Reads one print with the names of its row.
 
-    `collected` gathers letters that are not declared, where that is allowed.
+    `collected` gathers letters that are not declared, where that is allowed. `upper` is 1 where
+    of ± and ∓ the upper signs are read, -1 where the lower ones, 0 where none may stand.
     """
 
     def __init__(
@@ -37,6 +38,7 @@ class Parser:
         notation: Notation,
         remedies: Remedies = MODULE,
         collected: list[str] | None = None,
+        upper: int = 0,
     ) -> None:
         self.source = Source(latex)
         self.tokens: Sequence[Token] = tokenize(latex)
@@ -48,6 +50,8 @@ class Parser:
         self.remedies = remedies
         self.collects = collected is not None
         self.collected = [] if collected is None else collected
+        double = {r"\pm": upper, r"\mp": -upper} if upper else {}
+        self.signs = {"+": 1, "-": -1, **double}
         self.place = 0
         self.bars = 0
         self.depth = 0
@@ -109,18 +113,15 @@ class Parser:
         """Read terms with their signs."""
         start = self.start
         terms = [(self.read_sign(), self.read_product())]
-        while self.text in ("+", "-"):
-            terms.append((1 if self.take().text == "+" else -1, self.read_product()))
+        while self.text in self.signs:
+            terms.append((self.read_sign(), self.read_product()))
         if len(terms) == 1 and terms[0][0] == 1:
             return terms[0][1]
         return Add(tuple(terms), start=start, end=self.end)
 
     def read_sign(self) -> int:
-        """Read the sign before the first term; a plus means nothing."""
-        if self.skip("-"):
-            return -1
-        self.skip("+")
-        return 1
+        """Read the sign before a term; that before the first may be left out."""
+        return self.signs[self.take().text] if self.text in self.signs else 1
 
     def read_product(self) -> Node:
         """Read factors side by side, with dots, or divided by a slash."""
@@ -143,7 +144,8 @@ class Parser:
         if self.text == "|":
             return self.bars > 0
         is_word = self.text.startswith((r"\text", r"\end"))
-        return is_word or self.text in ENDING or calculus.is_over(self)
+        ends = self.text in ENDING or self.text in self.signs
+        return is_word or ends or calculus.is_over(self)
 
     def _divide(self, factors: list[Node], start: int) -> Node:
         slash = self.take("/")
@@ -182,6 +184,8 @@ class Parser:
             return calls.read_call(self)
         start = self.start
         atom = atoms.read_atom(self)
+        if self.text == "!":
+            return derivatives.read_factorial(self, atom)
         if self.text != "^":
             return atom
         if isinstance(atom, Quotient):

@@ -26,6 +26,7 @@ class Print:
     source: Source
     chains: tuple[Chain, ...]
     reader: Reader
+    upper: int = 0
 
     def meaning(self, derived: Mapping[sp.Basic, sp.Basic] | None = None) -> Meaning:
         """Return what turns its trees into expressions, with these values of symbols changed."""
@@ -56,11 +57,14 @@ class Reader:
     def _build_names(self, row: str) -> Names:
         return build_names(self.variables, self.notation, row)
 
-    def parse(self, latex: str, row: str = "") -> Print:
-        """Read a print with the names of a row; `ReadingError` says what is ambiguous in it."""
+    def parse(self, latex: str, row: str = "", upper: int = 0) -> Print:
+        """Read a print with the names of a row; `ReadingError` says what is ambiguous in it.
+
+        `upper` says which double signs are meant, 1 the upper, -1 the lower; with 0 none is read.
+        """
         with _naming(row):
-            parser = Parser(latex, self._names(row), self.notation, self.remedies)
-            return Print(parser.source, read_print(parser), self)
+            parser = Parser(latex, self._names(row), self.notation, self.remedies, upper=upper)
+            return Print(parser.source, read_print(parser), self, upper)
 
     def collect(self, latex: str) -> list[str]:
         """Return the letters of a print that are not declared; `#` stands for bound indices.
@@ -68,7 +72,7 @@ class Reader:
         Raises `ReadingError`.
         """
         collected: list[str] = []
-        read_print(Parser(latex, self._names(""), self.notation, self.remedies, collected))
+        read_print(Parser(latex, self._names(""), self.notation, self.remedies, collected, 1))
         return list(dict.fromkeys(collected))
 
     def members(self, row: Row) -> tuple[Any, ...]:

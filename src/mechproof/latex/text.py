@@ -10,12 +10,14 @@ import sympy as sp
 from mechproof.latex.tree import (
     AND,
     Add,
+    Approach,
     Bracket,
     Call,
     Cases,
     Chain,
     Constant,
     Degrees,
+    Derivation,
     Entries,
     Integration,
     Letter,
@@ -33,7 +35,10 @@ from mechproof.latex.tree import (
 
 _SIGNS = {AND: "and", r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~", r"\equiv": "=="}
 # Written as they are wherever they stand; all else gets brackets within powers and products.
-_CLOSED = (Number, Constant, Letter, Call, Root, Repeated, Integration, Magnitude, Entries, Table)
+_CLOSED = (
+    *(Number, Constant, Letter, Call, Root, Repeated, Integration, Magnitude, Entries, Table),
+    Approach,
+)
 
 
 def write(node: Node) -> str:
@@ -55,7 +60,7 @@ def _closed(node: Node) -> str:
 
 def _factor(node: Node) -> str:
     node = _strip(node)
-    is_sum = isinstance(node, Add | Cases | Chain | Product | Quotient)
+    is_sum = isinstance(node, Add | Cases | Chain | Derivation | Product | Quotient)
     return f"({write(node)})" if is_sum else write(node)
 
 
@@ -101,6 +106,16 @@ def _integration(node: Integration) -> str:
     return f"integral{limits}({_factor(node.integrand)}{d})"
 
 
+def _derivation(node: Derivation) -> str:
+    order = f"^{node.order}" if node.order > 1 else ""
+    return f"d{order}({write(_strip(node.of))})/d({write(node.by)}){order}"
+
+
+def _approach(node: Approach) -> str:
+    side = {"+": " from above", "-": " from below"}.get(node.side, "")
+    return f"limit[{write(node.by)} -> {write(node.point)}{side}]({write(_strip(node.term))})"
+
+
 def _root(node: Root) -> str:
     inside = write(_strip(node.radicand))
     return f"root({inside}, {write(node.degree)})" if node.degree else f"sqrt({inside})"
@@ -136,6 +151,8 @@ _RULES: Mapping[type, Callable[[Any], str]] = {
     Call: _call,
     Repeated: _repeated,
     Integration: _integration,
+    Derivation: _derivation,
+    Approach: _approach,
     Table: _table,
     Entries: lambda node: f"({', '.join(map(write, node.parts))})",
     Transposed: lambda node: f"{_closed(node.of)}^T",

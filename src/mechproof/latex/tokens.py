@@ -33,6 +33,7 @@ _SAME = {
     **dict.fromkeys((r"\times", "*", "\u00b7", "\u00d7"), r"\cdot"),
     **dict.fromkeys((r"\vert",), "|"),
     **{"\u2212": "-", "\u2264": r"\le", "\u2265": r"\ge", "\u2260": r"\ne"},
+    **{"\u2192": r"\to", r"\rightarrow": r"\to", "\u00b1": r"\pm", "\u2213": r"\mp"},
     **{"\u2248": r"\approx", "\u221e": r"\infty", "\u2032": "'", "\u03c0": r"\pi"},
     **dict.fromkeys((r"\lbrack",), "["),
     **dict.fromkeys((r"\rbrack",), "]"),

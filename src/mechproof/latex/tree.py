@@ -128,6 +128,25 @@ class Integration(Node):
 
 
 @dataclass(frozen=True)
+class Derivation(Node):
+    """A derivative of some order by a letter."""
+
+    of: Node
+    by: Letter
+    order: int = 1
+
+
+@dataclass(frozen=True)
+class Approach(Node):
+    """A limit: a letter goes to a point, from above ("+"), from below ("-") or both ("+-")."""
+
+    term: Node
+    by: Letter
+    point: Node
+    side: str
+
+
+@dataclass(frozen=True)
 class Table(Node):
     """A matrix."""
 

@@ -5,19 +5,20 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from mechproof.arguments.scalars import (
+    check_not_negative,
+    check_number,
+    check_probability,
+    check_real,
+    require,
+)
 from mechproof.measurement.notation import format_expanded, format_shorthand
 
 
-def check_uncertainty(name: str, value: float) -> None:
-    """Raise ValueError if `value` is negative or infinite."""
-    if value < 0 or math.isinf(value):
-        raise ValueError(f"{name} = {value}: must be finite and not negative, or NaN")
-
-
 def check_degrees_of_freedom(value: float) -> None:
-    """Raise ValueError unless `value` is positive or NaN."""
-    if value <= 0:
-        raise ValueError(f"degrees_of_freedom = {value}: must be positive (inf is allowed)")
+    """Raise ValueError unless `value` is positive, infinite or NaN."""
+    allowed = not check_number("degrees_of_freedom", value) <= 0
+    require(allowed, "degrees_of_freedom", value, "must be positive (inf is allowed)")
 
 
 @dataclass(frozen=True)
@@ -53,7 +54,8 @@ class Estimate:
     """An estimate with its combined standard uncertainty (GUM 5) and degrees of freedom.
 
     A NaN uncertainty is one that is not known and makes every interval NaN. A negative or
-    infinite uncertainty and degrees of freedom that are not positive raise ValueError.
+    infinite uncertainty and degrees of freedom that are not positive raise ValueError, what is no
+    real number TypeError.
     """
 
     value: float
@@ -63,13 +65,12 @@ class Estimate:
 
     def __post_init__(self) -> None:
         """Check the uncertainty and its degrees of freedom."""
-        check_uncertainty("uncertainty", self.uncertainty)
+        check_not_negative("uncertainty", self.uncertainty)
         check_degrees_of_freedom(self.degrees_of_freedom)
 
     def expand(self, k: float) -> CoverageInterval:
         """Return value ± k·u for a stated coverage factor k > 0 (GUM 6.2.1)."""
-        if not 0 < k < math.inf:
-            raise ValueError(f"k = {k}: must be positive and finite")
+        require(check_real("k", k) > 0, "k", k, "must be positive")
         return CoverageInterval(self.value, k * self.uncertainty, k, unit=self.unit)
 
     def cover(self, probability: float) -> CoverageInterval:
@@ -78,15 +79,13 @@ class Estimate:
         The degrees of freedom are used as they are, not cut to an integer. The factor is
         SciPy's quantile; the tests hold it to 1e-12, relative, for p from 0.001 to 1 - 1e-9.
         """
-        if not 0 < probability < 1:
-            raise ValueError(f"probability = {probability}: must lie between 0 and 1")
+        check_probability("probability", probability)
         k = _student_factor(probability, self.degrees_of_freedom)
         return CoverageInterval(self.value, k * self.uncertainty, k, probability, self.unit)
 
     def in_degrees(self) -> Estimate:
         """Return the same estimate in degrees; ValueError unless the unit is "rad"."""
-        if self.unit != "rad":
-            raise ValueError(f"unit = {self.unit!r}: only 'rad' can be turned into degrees")
+        require(self.unit == "rad", "unit", self.unit, "only 'rad' can be turned into degrees")
         value, uncertainty = math.degrees(self.value), math.degrees(self.uncertainty)
         return Estimate(value, uncertainty, self.degrees_of_freedom, "°")
 

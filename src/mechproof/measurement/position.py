@@ -8,6 +8,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mechproof.arguments.scalars import require
 from mechproof.measurement.estimate import Estimate
 from mechproof.measurement.uncertainty import TypeB, combine, evaluate_type_a
 
@@ -37,8 +38,8 @@ def position_errors(mechanism: Mechanism, phi1: ArrayLike, measured: ArrayLike) 
     out. A mechanism without `position` raises TypeError; a position of another shape than
     `phi1`, ValueError.
     """
-    if not callable(getattr(mechanism, "position", None)):
-        raise TypeError(f"mechanism = {mechanism!r}: needs a method position(phi1)")
+    is_mechanism = callable(getattr(mechanism, "position", None))
+    require(is_mechanism, "mechanism", mechanism, "must have a method position(phi1)", TypeError)
     calculated = mechanism.position(phi1)
     if np.shape(calculated) != np.shape(phi1):
         raise ValueError(

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.measurement.estimate import Estimate, check_degrees_of_freedom, check_uncertainty
+from mechproof.arguments.arrays import check_array
+from mechproof.arguments.scalars import check_not_negative, refuse, require
+from mechproof.measurement.estimate import Estimate, check_degrees_of_freedom
 
 
 @dataclass(frozen=True)
@@ -42,19 +44,19 @@ class TypeB:
 
     def __post_init__(self) -> None:
         """Check the uncertainty and its degrees of freedom."""
-        check_uncertainty("uncertainty", self.uncertainty)
+        check_not_negative("uncertainty", self.uncertainty)
         check_degrees_of_freedom(self.degrees_of_freedom)
 
     @classmethod
     def rectangular(cls, half_width: float) -> TypeB:
         """Return the part of an error that lies anywhere within ± half_width (GUM 4.3.7)."""
-        check_uncertainty("half_width", half_width)
+        check_not_negative("half_width", half_width)
         return cls(half_width / math.sqrt(3))
 
     @classmethod
     def from_resolution(cls, resolution: float) -> TypeB:
         """Return the part of an indication with this step: resolution/√12 (GUM F.2.2.1)."""
-        check_uncertainty("resolution", resolution)
+        check_not_negative("resolution", resolution)
         return cls(resolution / math.sqrt(12))
 
 
@@ -78,19 +80,12 @@ def evaluate_type_a(readings: ArrayLike) -> TypeA:
 
 
 def _as_readings(readings: ArrayLike) -> NDArray[np.float64]:
-    if isinstance(readings, np.ma.MaskedArray):
-        raise TypeError("readings is a masked array: give readings.compressed()")
-    values = np.asarray(readings)
-    if values.ndim != 1 or values.size < 2:
-        raise ValueError(
-            f"readings has shape {values.shape}: one dimension of at least two is needed"
-        )
-    if values.dtype.kind not in "fiu":
-        raise TypeError(f"readings has dtype {values.dtype}: real numbers are needed")
-    values = values.astype(np.float64)
+    values = check_array("readings", readings)
+    allowed = f"must have one dimension of at least two, not shape {values.shape}"
+    require(values.ndim == 1 and values.size >= 2, "readings", readings, allowed)
     if np.isinf(values).any():
         index = int(np.argmax(np.isinf(values)))
-        raise ValueError(f"readings[{index}] = {values[index]}: must be finite or NaN")
+        refuse(f"readings[{index}]", float(values[index]), "must be finite or NaN")
     return values
 
 

@@ -14,36 +14,26 @@ from __future__ import annotations
 
 import math
 from dataclasses import asdict, dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mechproof.arguments.arrays import refuse_units
+from mechproof.arguments.scalars import check_real
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import elliptic_planetary as kernels
-from mechproof.mechanisms.checks import check_domain, check_real, choose_published
-from mechproof.mechanisms.inversion import follow_kind, invert, take_numbers
+from mechproof.mechanisms.extremes import Extremes
+from mechproof.mechanisms.facts import check_domain, choose_published
+from mechproof.mechanisms.inversion import follow_kind, invert
 
-__all__ = ["EllipticPlanetary", "RatioExtremes"]
+__all__ = ["EllipticPlanetary"]
 
 # The bracket of the inverse is widened by this relative amount: the accuracy bound of the position
 # kernel, 4 eps, and the rounding of the bounds, some ten operations of half an eps.
 WIDENING = 16 * np.finfo(float).eps
 # A carrier angle may be subnormal where phi3 is not; there the widening is absolute.
 FINEST = 4 * float(np.finfo(float).smallest_subnormal)
-
-
-class RatioExtremes(NamedTuple):
-    """Extremes of the transmission ratio and the carrier angles where they occur.
-
-    Each recurs with `period`: at_maximum + m*period, at_minimum + m*period.
-    """
-
-    maximum: float
-    at_maximum: float
-    minimum: float
-    at_minimum: float
-    period: float
 
 
 @dataclass(frozen=True)
@@ -102,14 +92,14 @@ class EllipticPlanetary:
         """Return d ratio/d phi1 at the carrier angles `phi1`."""
         return kernels.acceleration(phi1, self.R1, self.R2, self.e)
 
-    def extremes(self) -> RatioExtremes:
+    def extremes(self) -> Extremes:
         """Return the largest and the smallest ratio in closed form, and where they occur.
 
         The largest where the satellite has made whole turns relative to the carrier, the smallest
         half a turn later; see `kernels.elliptic_planetary`. With e = 0 the ratio is constant.
         """
         period = 2 * math.pi / self.radius_ratio
-        return RatioExtremes(
+        return Extremes(
             maximum=float(kernels.largest_ratio(self.R1, self.R2, self.e)),
             at_maximum=0.0,
             minimum=float(kernels.smallest_ratio(self.R1, self.R2, self.e)),
@@ -147,7 +137,8 @@ class EllipticPlanetary:
 
         """
         (given,) = as_floats(phi3=phi3)
-        target = take_numbers("phi3", given)
+        refuse_units("phi3", given)
+        target = np.asarray(given)
         proper = np.isfinite(target) & (target != 0)
         # The function is odd; its positive half is enough.
         size = np.where(proper, np.abs(target), 1.0).astype(np.float64)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from mechproof.kernel_support.order import from_order, to_order
 
-__all__ = ["follow_kind", "invert", "take_numbers"]
+__all__ = ["follow_kind", "invert"]
 
 Floats = NDArray[np.float64]
 Orders = NDArray[np.int64]
@@ -91,13 +91,6 @@ def _place(a: Orders, b: Orders, fa: Floats, fb: Floats, first: Floats, room: Fl
 def _count(a: Orders, b: Orders) -> Floats:
     """Return how many doubles b is above a; the difference may need all 64 bits."""
     return (b - a).view(np.uint64).astype(np.float64)
-
-
-def take_numbers(name: str, given: Any) -> NDArray[Any]:
-    """Return the plain array; TypeError for what carries a unit, which would be lost."""
-    if hasattr(given, "units"):
-        raise TypeError(f"{name} = {given!r} carries a unit: give plain numbers")
-    return np.asarray(given)
 
 
 def follow_kind(given: Any, values: NDArray[Any]) -> Any:

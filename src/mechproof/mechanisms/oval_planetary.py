@@ -24,10 +24,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mechproof.arguments.arrays import refuse_units
+from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import oval_planetary as kernels
-from mechproof.mechanisms.checks import check_domain, check_real, choose_published, require
-from mechproof.mechanisms.inversion import follow_kind, invert, take_numbers
+from mechproof.mechanisms.facts import check_domain, choose_published
+from mechproof.mechanisms.inversion import follow_kind, invert
 from mechproof.mechanisms.oval_planetary_motion import (
     Motion,
     Number,
@@ -121,7 +123,7 @@ class OvalPlanetary:
     def __post_init__(self) -> None:
         """Check the parameters and keep them exact where they are."""
         if not isinstance(self.pair, OvalPair | CylindricalPair):
-            raise TypeError(f"pair = {self.pair!r}: must be an OvalPair or a CylindricalPair")
+            refuse("pair", self.pair, "must be an OvalPair or a CylindricalPair", TypeError)
         object.__setattr__(self, "e2", _check_size("e2", self.e2))
 
     @classmethod
@@ -209,7 +211,8 @@ class OvalPlanetary:
         """
         sign = self._direction()
         (given,) = as_floats(phi3=phi3)
-        target = take_numbers("phi3", given)
+        refuse_units("phi3", given)
+        target = np.asarray(given)
         proper = np.isfinite(target) & (target != 0)
         # The function is odd; its positive half is enough.
         size = np.where(proper, np.abs(target), 1.0).astype(np.float64)
@@ -280,7 +283,7 @@ def _check_number(name: str, value: Any) -> Number:
         try:
             return Fraction(value)
         except (ValueError, OverflowError):
-            raise ValueError(f"{name} = {value!r}: must be a finite number") from None
+            refuse(name, value, "must be a finite number")
     return check_real(name, value)
 
 

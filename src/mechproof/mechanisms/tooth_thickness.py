@@ -22,10 +22,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mechproof.arguments.arrays import refuse_units
+from mechproof.arguments.scalars import check_count, check_real
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import tooth_thickness as kernels
-from mechproof.mechanisms.checks import check_count, check_domain, check_real, require
-from mechproof.mechanisms.inversion import follow_kind, invert, take_numbers
+from mechproof.mechanisms.facts import check_domain
+from mechproof.mechanisms.inversion import follow_kind, invert
 
 __all__ = ["ToothThickness"]
 
@@ -64,10 +66,9 @@ class ToothThickness:
         """Check the parameters and convert them."""
         for name in ("m", "alpha"):
             object.__setattr__(self, name, check_real(name, getattr(self, name)))
-        object.__setattr__(self, "z", check_count("z", self.z))
+        # From 4 on the flank's tangent is less than a right angle from the axis up to the tip.
+        object.__setattr__(self, "z", check_count("z", self.z, least=4))
         check_domain(kernels.DOMAIN, asdict(self))
-        # Then the flank's tangent is less than a right angle from the axis up to the tip circle.
-        require(self.z >= 4, "z", self.z, "must be at least 4")
 
     @classmethod
     def published(cls) -> ToothThickness:
@@ -122,7 +123,8 @@ class ToothThickness:
 
         """
         (given,) = as_floats(dh=dh)
-        depth = take_numbers("dh", given)
+        refuse_units("dh", given)
+        depth = np.asarray(given)
         proper = (depth >= -self.chord_height) & (depth <= self.deepest)
         tilt = self._invert(np.where(proper, depth, 0.0).astype(np.float64))
         change = kernels.thickness_change(tilt, self.m, self.z, self.alpha)

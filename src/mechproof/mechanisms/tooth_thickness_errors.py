@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from mechproof.conformity import Law, Normal, Shares, TruncatedNormal, Uniform, shares
-from mechproof.conformity.laws import parameters
+from mechproof.conformity import Shares, shares
 from mechproof.conformity.risks import Limits
-from mechproof.conformity.windows import Array
+from mechproof.laws import Law, Normal, TruncatedNormal, Uniform
+from mechproof.laws.kinds import list_parameters
+from mechproof.laws.windows import Array
 
 __all__ = ["add_normals", "exact_shares", "scale_law", "shift_law"]
 
@@ -78,7 +79,7 @@ def _average(
     from scipy.integrate import cubature
 
     supports = [(law.knots()[..., 0], law.knots()[..., -1]) for law in others]
-    inputs = [p for law in (true, whole, *others) for p in parameters(law)]
+    inputs = [p for law in (true, whole, *others) for p in list_parameters(law)]
     limits = [*tolerance, *(acceptance or ())]
     axes = len(np.broadcast_shapes(*(np.shape(p) for p in (*inputs, *limits))))
 

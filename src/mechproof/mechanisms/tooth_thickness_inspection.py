@@ -26,6 +26,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mechproof.arguments.arrays import check_pair
+from mechproof.arguments.scalars import refuse
 from mechproof.conformity import (
     Law,
     Normal,
@@ -34,10 +36,9 @@ from mechproof.conformity import (
     conformance_probability,
     simulate_shares,
 )
-from mechproof.conformity.checks import require_law, require_pair
-from mechproof.conformity.laws import LAWS
 from mechproof.conformity.risks import Limits
 from mechproof.kernels.forms import tooth_thickness as forms
+from mechproof.laws.kinds import check_law
 from mechproof.mechanisms.tooth_thickness import ToothThickness
 from mechproof.mechanisms.tooth_thickness_errors import add_normals, exact_shares, scale_law
 
@@ -97,9 +98,9 @@ class ThicknessInspection:
 
     def __post_init__(self) -> None:
         """Check the limits and the kinds of the laws, which have checked themselves."""
-        object.__setattr__(self, "tolerance", require_pair("tolerance", self.tolerance))
+        object.__setattr__(self, "tolerance", check_pair("tolerance", self.tolerance))
         for name in ("true", "tip_diameter", "height", "thickness"):
-            require_law(name, getattr(self, name), *LAWS)
+            check_law(name, getattr(self, name))
 
     @classmethod
     def published(
@@ -177,5 +178,5 @@ class ThicknessInspection:
         errors = [law for law in self.errors if isinstance(law, Normal)]
         if wrong or not isinstance(self.true, Normal):
             law = getattr(self, wrong[0])
-            raise TypeError(f"{wrong[0]} = {law!r}: must be Normal for a conformance probability")
+            refuse(wrong[0], law, "must be Normal for a conformance probability", TypeError)
         return conformance_probability(measured, self.true, add_normals(errors), self.tolerance)

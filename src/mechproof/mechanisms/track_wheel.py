@@ -16,29 +16,18 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 from numpy.typing import ArrayLike
 
+from mechproof.arguments.scalars import check_count, check_real, check_triple
 from mechproof.kernels import track_wheel as kernels
-from mechproof.mechanisms.checks import check_count, check_domain, check_real, check_triple
+from mechproof.mechanisms.extremes import Extremes
+from mechproof.mechanisms.facts import check_domain
 
-__all__ = ["RadiusExtremes", "TrackWheel"]
+__all__ = ["TrackWheel"]
 
 Triple = tuple[float, float, float]
-
-
-class RadiusExtremes(NamedTuple):
-    """Extremes of the track's radius and the polar angles where they occur.
-
-    Each recurs with `period`: at_maximum + m*period, at_minimum + m*period.
-    """
-
-    maximum: float
-    at_maximum: float
-    minimum: float
-    at_minimum: float
-    period: float
 
 
 @dataclass(frozen=True)
@@ -106,14 +95,14 @@ class TrackWheel:
         """Return the radius vector of the track (16) at polar angles `phi`."""
         return kernels.radius(phi, self.R, self.A, self.z)
 
-    def radius_extremes(self) -> RadiusExtremes:
+    def radius_extremes(self) -> Extremes:
         """Return the largest and the smallest radius in closed form, and where they occur.
 
         They are half a period apart; the largest is at phi = 0 if A >= 0.
         """
         period = 2 * math.pi / self.z
         first, second = (0.0, period / 2) if self.A >= 0 else (period / 2, 0.0)
-        return RadiusExtremes(
+        return Extremes(
             maximum=float(kernels.largest_radius(self.R, self.A)),
             at_maximum=first,
             minimum=float(kernels.smallest_radius(self.R, self.A)),

@@ -18,9 +18,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mechproof.arguments.scalars import check_items, check_real, require
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import wedge_linkage as kernels
-from mechproof.mechanisms.checks import check_domain, check_real, choose_published, require
+from mechproof.mechanisms.facts import check_domain, choose_published
 
 if TYPE_CHECKING:
     from mechproof.tolerance import CornerRange, Size
@@ -183,10 +184,5 @@ class WedgeLinkage:
 def _check_pair(name: str, pair: Any) -> tuple[float, float]:
     """Return the upper and the lower deviation of a size."""
     where = f"deviations[{name!r}]"
-    try:
-        upper, lower = pair
-    except (TypeError, ValueError):
-        raise TypeError(
-            f"{where} = {pair!r}: must be a pair, the upper and the lower deviation"
-        ) from None
+    upper, lower = check_items(where, pair, 2, "must be a pair, the upper and the lower deviation")
     return check_real(f"{where}[0]", upper), check_real(f"{where}[1]", lower)

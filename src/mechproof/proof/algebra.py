@@ -41,6 +41,7 @@ class Field:
         self._opaque: dict[sp.Basic, sp.Symbol] = {}
         self._meaning: dict[sp.Basic, sp.Basic] = {}
         self._relations: dict[sp.Symbol, sp.Expr] = {}
+        self._unsigned: list[sp.Expr] = []
 
     def vanishes(self, expression: sp.Basic) -> bool:
         """Decide whether the expression is identically zero; False means "not shown"."""
@@ -159,10 +160,8 @@ class Field:
         outside = 1 / (root * rest * self._direction(rest))
         inside = sp.Integer(1)
         for factor, power in factors:
-            if power > 1 and (power // 2) % 2:
-                outside *= (factor * self._direction(factor)) ** (power // 2)
-            elif power > 1:
-                outside *= factor ** (power // 2)
+            if power > 1:
+                outside *= self._size_of_power(factor, power // 2)
             if power % 2:
                 direction = self._known_direction(factor)
                 if direction is None:
@@ -177,10 +176,19 @@ class Field:
         rest, factors = sp.factor_list(sp.expand(denominator))
         root = sp.Integer(1)
         for factor, power in factors:
-            half = power // 2
-            root *= (factor * (self._direction(factor) if half % 2 else 1)) ** half
+            root *= self._size_of_power(factor, power // 2)
             rest *= factor ** (power % 2)
         return root, rest
+
+    def _size_of_power(self, factor: sp.Expr, power: int) -> sp.Expr:
+        """Return |factor|^power; the size of a factor of any sign is the root of its square."""
+        if power % 2 == 0:
+            return factor**power
+        direction = self._known_direction(factor)
+        if direction is not None:
+            return (direction * factor) ** power
+        self._unsigned.append(factor)
+        return self._root_of(sp.expand(factor**2)) * factor ** (power - 1)
 
     def _root_of_number_and(self, constant: sp.Expr, rest: sp.Expr) -> sp.Expr:
         if rest == 1:
@@ -217,6 +225,12 @@ class Field:
         for _ in range(len(self._meaning) + 1):
             expression = expression.subs(self._meaning)
         return expression
+
+    @property
+    def hindrance(self) -> str:
+        """Name the sign that was not shown, empty for none."""
+        shown = next(map(self._original, self._unsigned), None)
+        return f"the sign of {shown} is not shown" if shown is not None else ""
 
     def _translate_opaque(self, node: sp.Basic) -> sp.Symbol:
         """Give equal functions of provably equal arguments one symbol."""
@@ -259,13 +273,14 @@ def _find_rung(field: Field, difference: sp.Expr) -> str | None:
 
 def explain_unequal(left: sp.Expr, right: sp.Expr, domain: Domain) -> str:
     """Name what keeps the rung from proving left = right: a sign, a function, the identity."""
+    field = Field(domain)
     try:
-        Field(domain).vanishes(left - right)
+        field.vanishes(left - right)
     except (UnknownSignError, NotImplementedError) as error:
         return str(error)
     except sp.PolynomialError:
         pass
-    return f"that {left - right} is zero is not shown"
+    return field.hindrance or f"that {left - right} is zero is not shown"
 
 
 def _linear_terms(angle: sp.Expr) -> list[tuple[sp.Expr, sp.Rational]]:

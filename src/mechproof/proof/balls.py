@@ -18,6 +18,8 @@ import flint
 import sympy as sp
 from flint import acb, arb, fmpq
 
+from mechproof.record import ValueWhere
+
 Ball = Any
 Values = Mapping[sp.Basic, Any]
 Evaluator = Callable[[Values], Ball]
@@ -361,6 +363,8 @@ _FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.atanh: lambda x: x.atanh(),
     sp.erf: lambda x: x.erf(),
     sp.erfc: lambda x: x.erfc(),
+    sp.factorial: lambda x: (x + 1).gamma(),
+    ValueWhere: lambda value, needed: value,
     sp.floor: lambda x: x.floor(),
     sp.ceiling: lambda x: x.ceil(),
     sp.Abs: abs,
@@ -374,6 +378,7 @@ _FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
 
 # Of a complex ball, and whether the integration asks for an analytic function.
 _COMPLEX: dict[type[sp.Basic], Callable[..., Ball]] = {
+    ValueWhere: lambda z, needed, analytic: z if needed.is_finite() else NOT_ANALYTIC,
     sp.Abs: lambda z, analytic: z.real_abs(analytic),
     sp.sign: lambda z, analytic: z.real_sgn(analytic),
     sp.Pow: lambda z, exponent, analytic: acb(z).pow(exponent, analytic),

@@ -46,7 +46,7 @@ def cache_folder() -> Path:
 def prover_sources() -> list[Path]:
     """Return the source files that verdicts come from."""
     here = Path(__file__).parent
-    return [*sorted(here.rglob("*.py")), Path(record.__file__)]
+    return [*sorted(here.rglob("*.py")), *sorted(Path(record.__file__).parent.glob("*.py"))]
 
 
 @cache

@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.logic.boolalg import Boolean
 from sympy.matrices.expressions.matexpr import MatrixElement
 
-from mechproof.record import ANGLE, NUMBER, Dimension, Paper
+from mechproof.record import ANGLE, NUMBER, Dimension, Paper, ValueWhere
 
 Dimensions = Mapping[sp.Basic, Dimension]
 _OF_ANGLES = (sp.atan, sp.asin, sp.acos, sp.acot, sp.atan2)
@@ -68,6 +68,8 @@ def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
         for part in expression.args:
             infer(part, known)
         return NUMBER
+    if isinstance(expression, ValueWhere | sp.Limit):
+        return infer(expression.args[0], known)
     if isinstance(expression, sp.sign):
         infer(expression.args[0], known)
         return NUMBER

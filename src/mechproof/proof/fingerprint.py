@@ -78,7 +78,7 @@ def _describe_class(kind: type) -> tuple[str, ...]:
 
 def _name(kind: type) -> str:
     """Name a class whose code the key of the prover and its versions covers."""
-    if kind.__module__.partition(".")[0] != "sympy" and kind.__module__ != "mechproof.record":
+    if not f"{kind.__module__}.".startswith(("sympy.", "mechproof.record.")):
         raise NoFingerprintError(f"the class {kind.__module__}.{kind.__qualname__}")
     return f"{kind.__module__}.{kind.__qualname__}"
 

@@ -14,7 +14,9 @@ from mechproof.proof.antiderivative import decide_by_derivative, explain_break
 from mechproof.proof.arguments import decide_by_argument
 from mechproof.proof.bisection import holds_on_interval
 from mechproof.proof.domain import Domain
+from mechproof.proof.limits import settle_limits
 from mechproof.proof.numbers import decide_number
+from mechproof.proof.preparation import prepare
 from mechproof.proof.refutation import Comparison, compare, find_undefined, find_violation
 from mechproof.proof.showing import show_plainly
 from mechproof.proof.signs import find_sign
@@ -65,7 +67,9 @@ def _is_declaration(statement: Equality, domain: Domain) -> bool:
 
 
 def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer:
-    printed, rebuilt = domain.resolve(printed), domain.resolve(rebuilt)
+    printed, rebuilt = (settle_limits(domain.resolve(s), domain) for s in (printed, rebuilt))
+    if limits := sorted(map(str, printed.atoms(sp.Limit) | rebuilt.atoms(sp.Limit))):
+        return Answer(Verdict.UNDECIDED, "none", _clip(f"{limits[0]} is not worked out"))
     if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):
         return _decide_matrices(printed, rebuilt, domain)
     return _decide_scalars(printed, rebuilt, domain)
@@ -107,6 +111,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
 def _prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
     if printed == rebuilt:
         return IDENTICAL
+    printed, rebuilt = prepare(printed), prepare(rebuilt)
     rungs = (decide_equal, decide_by_argument, decide_by_derivative)
     return next(filter(None, (rung(printed, rebuilt, domain) for rung in rungs)), None)
 
@@ -141,6 +146,8 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
         reason = "SymPy evaluated the relation when it was written: build it with evaluate=False"
         return Answer(Verdict.UNDECIDED, "none", reason)
     relation = domain.resolve(statement.relation)
+    if relation.has(sp.Limit):
+        return Answer(Verdict.UNDECIDED, "none", _clip(f"{relation}: a limit is not worked out"))
     if isinstance(statement.relation, sp.And):
         parts = tuple(Holds(part) for part in sorted(statement.relation.args, key=str))
         return _decide_conjunction(Conjunction(parts), domain)

@@ -32,9 +32,7 @@ def describe(
     if is_angle(sides, domain.dimensions):
         degrees = show_plainly(*(value * 180 / balls.to_ball(sp.pi) for value in values))
         left, right = (f"{b} ({d}°)" for b, d in zip((left, right), degrees, strict=True))
-    source = _name_sizes(point, domain)
-    where = f"{what}, sizes of {source}" if source else what
-    return Evidence(where, show_point(point, domain), left, right)
+    return Evidence(f"{what}{_tell_sources(point, domain)}", show_point(point, domain), left, right)
 
 
 def show_plainly(*values: balls.Ball) -> tuple[str, ...]:
@@ -68,10 +66,11 @@ def _show_exactly(value: sp.Expr) -> str:
     return str(value) if not ends else f"{sp.Integer(value * 10**ends) / 10**ends:.{ends}f}"
 
 
-def _name_sizes(point: Point, domain: Domain) -> str:
-    """Return whose published sizes a point has, empty if it has none or others."""
+def _tell_sources(point: Point, domain: Domain) -> str:
+    """Tell which values of a point the paper has published, and which are chosen here."""
     for published in domain.published:
         met = {s: v for s, v in sizes_of(published).items() if s in point}
         if met and all(point[s] == v for s, v in met.items()):
-            return published.source
-    return ""
+            chosen = ", ".join(sorted(str(s) for s in point.keys() - met.keys()))
+            return f", sizes of {published.source}" + (f"; chosen: {chosen}" if chosen else "")
+    return ", all values chosen" if point and domain.published else ""

@@ -6,23 +6,18 @@ other; it must work point by point. All ranges are given at every input:
 - `corner_range`: smallest and largest value over all combinations of limits, and which
   combination gives them;
 - `contributions`: first-order effect of every size, and `root_sum_square` of them;
-- `monte_carlo_range`: the range of given probability for stated laws of the sizes;
+- `monte_carlo_range`: the range of given probability for stated laws of the sizes, which a `Size`
+  makes of its limits (`Size.uniform`, `Size.normal`, `Size.truncated_normal`);
 - `certified_range`: proved bounds over the whole box of limits, of a quantity of a derivation.
 
-The mechanisms and users may import it; it imports NumPy, SciPy inside the functions that need
-it, and the layers of the `derive` extra inside `certified_range`.
+The mechanisms and users may import it; it imports NumPy, and the layers of the `derive` extra
+inside `certified_range`.
 """
 
+from mechproof.laws import Law, Normal, TruncatedNormal, Uniform
 from mechproof.tolerance.certified import CertifiedRange, certified_range
 from mechproof.tolerance.corners import CornerRange, corner_range
-from mechproof.tolerance.scatter import (
-    Law,
-    MonteCarloRange,
-    Normal,
-    TruncatedNormal,
-    Uniform,
-    monte_carlo_range,
-)
+from mechproof.tolerance.scatter import MonteCarloRange, Scatter, monte_carlo_range
 from mechproof.tolerance.sensitivity import Contributions, contributions, root_sum_square
 from mechproof.tolerance.sizes import Size
 
@@ -33,6 +28,7 @@ __all__ = [
     "Law",
     "MonteCarloRange",
     "Normal",
+    "Scatter",
     "Size",
     "TruncatedNormal",
     "Uniform",

@@ -23,8 +23,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from mechproof.arguments.arrays import check_array
+from mechproof.arguments.scalars import check_count, check_number, require
 from mechproof.tolerance.problem import Problem
-from mechproof.tolerance.sizes import Floats, Size, check_count, check_inputs
+from mechproof.tolerance.sizes import Floats, Size
 
 if TYPE_CHECKING:
     from mechproof.record import Paper
@@ -108,10 +110,9 @@ def certified_range(
         Names the parameter: also a size of which a part lies outside the domain.
 
     """
-    check_count("budget", budget, 1)
-    if not gap >= 0:
-        raise ValueError(f"gap = {gap}: must not be negative")
-    points = check_inputs(inputs)
+    check_count("budget", budget)
+    require(check_number("gap", gap) >= 0, "gap", gap, "must not be negative")
+    points = check_array("inputs", inputs)
     problem = Problem(_load(system), quantity, sizes)
     results = [problem.bound(x, gap, budget) for x in points.ravel().tolist()]
     ends = np.array([r[:4] for r in results], np.float64).reshape(-1, 4)
@@ -143,7 +144,6 @@ def _load(system: str | Paper) -> Paper:
         return system
     if system not in _LOADED:
         places = find_systems(packaged_directory())
-        if system not in places:
-            raise ValueError(f"system = {system!r}: must be one of {sorted(places)}")
+        require(system in places, "system", system, f"must be one of {sorted(places)}")
         _LOADED[system] = load_paper(places[system])
     return _LOADED[system]

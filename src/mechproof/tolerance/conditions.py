@@ -9,6 +9,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from mechproof.arguments.scalars import require
 from mechproof.tolerance.boxes import (
     Box,
     Known,
@@ -102,8 +103,8 @@ def check_sets(sizes: Mapping[str, Size], sets: Mapping[str, Any]) -> None:
     for name, size in sizes.items():
         values = sets[name]
         whole = isinstance(values, sp.Interval) or values == sp.S.Reals or not size.tolerance
-        if not whole or not all(is_inside(values, limit) for limit in size.limits):
-            raise ValueError(f"sizes[{name!r}] = {size}: must lie in {values} with its limits")
+        inside = whole and all(is_inside(values, limit) for limit in size.limits)
+        require(inside, f"sizes[{name!r}]", size, f"must lie in {values} with its limits")
 
 
 def check_relation(

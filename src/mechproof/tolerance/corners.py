@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from mechproof.arguments.arrays import check_array
+from mechproof.arguments.scalars import check_count, refuse
 from mechproof.tolerance.sizes import (
     Floats,
     Function,
     Progress,
     Report,
     Size,
-    check_count,
-    check_inputs,
     check_sizes,
     evaluate,
     evaluate_nominal,
@@ -138,8 +138,8 @@ def corner_range(
     Source: Bazuev et al. 2021 (wedge_linkage), boundaries II to IV of the transfer function.
 
     """
-    check_count("chunk", chunk, 1)
-    points = check_inputs(inputs)
+    check_count("chunk", chunk)
+    points = check_array("inputs", inputs)
     box = _Box(function, sizes)
     report = Report(points.size * box.combinations, progress)
     rows, width = _block_shape(points.size, len(box.varying), chunk)
@@ -197,12 +197,12 @@ class _Box:
         self.function = function
         self.varying = check_sizes(sizes)
         if len(self.varying) > MOST_SIZES:
-            count = len(self.varying)
-            raise ValueError(
-                f"sizes has {count} sizes with a tolerance, {2**count:,} combinations: at most "
-                f"{MOST_SIZES} sizes; fix those whose `contributions` are small, or use "
-                "`monte_carlo_range` or `certified_range`"
+            combinations = f"{2 ** len(self.varying):,} combinations"
+            allowed = (
+                f"must be at most {MOST_SIZES} with a tolerance, not {combinations}; fix those "
+                "whose `contributions` are small, or use `monte_carlo_range` or `certified_range`"
             )
+            refuse("sizes", [*self.varying], allowed)
         self.nominal: dict[str, float | Floats] = {
             name: size.nominal for name, size in sizes.items()
         }

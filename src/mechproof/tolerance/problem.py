@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from mechproof.arguments.scalars import refuse, require
 from mechproof.tolerance.boxes import Box, differentiate
 from mechproof.tolerance.conditions import (
     Condition,
@@ -108,13 +109,12 @@ def _find_quantity(paper: Paper, name: str) -> Quantity:
     import sympy as sp
 
     found = {q.name: q for q in paper.quantities}
-    if name not in found:
-        raise ValueError(f"quantity = {name!r}: must be one of {sorted(found)}")
+    require(name in found, "quantity", name, f"must be one of {sorted(found)}")
     quantity = found[name]
     single = all(len(a.symbols) == 1 for a in quantity.arguments)
     indexed = any(isinstance(s, sp.IndexedBase) for a in quantity.arguments for s in a.symbols)
     if not single or indexed or isinstance(quantity.definition, sp.MatrixBase):
-        raise ValueError(f"quantity = {name!r}: must be a scalar function of scalars")
+        refuse("quantity", name, "must be a scalar function of scalars")
     return quantity
 
 
@@ -126,9 +126,8 @@ def _match_symbols(paper: Paper, quantity: Quantity, sizes: Mapping[str, Size]) 
     allowed = {n: s for n, s in symbols.items() if s != running.symbols[0]}
     missing = sorted({a.name for a in needed} - set(sizes))
     unknown = sorted(set(sizes) - set(allowed))
-    if missing or unknown:
-        names = [a.name for a in needed]
-        raise ValueError(f"sizes: missing {missing}, unknown {unknown}; needed are {names}")
+    needs = f"missing {missing}, unknown {unknown}; needed are {[a.name for a in needed]}"
+    require(not (missing or unknown), "sizes", sorted(sizes), needs)
     return {n: allowed[n] for n in sizes}
 
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mechproof.arguments.arrays import check_array
+from mechproof.arguments.scalars import check_count, check_probability, require
+from mechproof.laws.kinds import LAWS, list_parameters
 from mechproof.tolerance.sizes import (
     CHUNK,
     Floats,
@@ -16,71 +19,18 @@ from mechproof.tolerance.sizes import (
     Progress,
     Report,
     Size,
-    check_count,
-    check_inputs,
+    check_names,
     check_sizes,
     evaluate,
     slices,
 )
 
 
-class Law(Protocol):
-    """How a size scatters, about the middle between its limits."""
+class Scatter(Protocol):
+    """How a size scatters: a law of `mechproof.laws`, or whatever else can be sampled."""
 
-    def sample(self, rng: np.random.Generator, count: int) -> Floats:
-        """Draw deviations from the middle, in units of half the tolerance."""
-
-
-@dataclass(frozen=True)
-class Uniform:
-    """Equally likely anywhere between the limits."""
-
-    def sample(self, rng: np.random.Generator, count: int) -> Floats:
-        """Draw deviations in [-1, 1)."""
-        return rng.uniform(-1, 1, count)
-
-
-@dataclass(frozen=True)
-class Normal:
-    """Normal; the tolerance is `multiple` standard deviations wide, and limits are exceeded."""
-
-    multiple: float
-
-    def __post_init__(self) -> None:
-        """Check the multiple."""
-        if not 0 < self.multiple < np.inf:
-            raise ValueError(f"multiple = {self.multiple}: must be positive and finite")
-
-    def sample(self, rng: np.random.Generator, count: int) -> Floats:
-        """Draw deviations of standard deviation 2/multiple."""
-        return rng.normal(0, 2 / self.multiple, count)
-
-
-@dataclass(frozen=True)
-class TruncatedNormal:
-    """As `Normal`, of the sizes between the limits only (the others are sorted out).
-
-    Outside 1e-3 <= multiple <= 70 it cannot be told from `Uniform` or from `Normal`.
-    """
-
-    multiple: float
-
-    def __post_init__(self) -> None:
-        """Check the multiple."""
-        if not 1e-3 <= self.multiple <= 70:
-            raise ValueError(
-                f"multiple = {self.multiple}: must lie between 1e-3 (below: use Uniform) "
-                "and 70 (above: use Normal)"
-            )
-
-    def sample(self, rng: np.random.Generator, count: int) -> Floats:
-        """Draw deviations in [-1, 1] through the inverse distribution function."""
-        from scipy.special import ndtr, ndtri
-
-        end = self.multiple / 2
-        # Drawn in the lower half, where probabilities keep their digits, and mirrored.
-        half = ndtri(rng.uniform(ndtr(-end), 0.5, count)) / end
-        return np.asarray(np.where(rng.integers(2, size=count), half, -half))
+    def sample(self, rng: np.random.Generator, size: int, /) -> Any:
+        """Draw `size` independent values."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +55,7 @@ def monte_carlo_range(
     inputs: ArrayLike,
     sizes: Mapping[str, Size],
     *,
-    laws: Law | Mapping[str, Law],
+    laws: Callable[[Size], Scatter] | Mapping[str, Scatter],
     rng: np.random.Generator,
     probability: float = 0.9973,
     count: int = 100_000,
@@ -122,7 +72,8 @@ def monte_carlo_range(
     function, inputs, sizes, progress
         As in `corner_range`.
     laws
-        One law for all sizes with a tolerance, or one per name.
+        The law of every size with a tolerance, by name, or what makes it of a size: `Size.uniform`,
+        `lambda size: size.normal(6)`.
     rng
         Source of the samples, drawn in the order of `sizes`; the same samples serve all inputs.
     probability
@@ -139,11 +90,10 @@ def monte_carlo_range(
         Names the parameter.
 
     """
-    check_count("count", count, 2)
-    check_count("chunk", chunk, 1)
-    if not 0 < probability < 1:
-        raise ValueError(f"probability = {probability}: must lie between 0 and 1")
-    points = check_inputs(inputs)
+    check_count("count", count, least=2)
+    check_count("chunk", chunk)
+    check_probability("probability", probability)
+    points = check_array("inputs", inputs)
     report = Report(points.size * count, progress)
     samples = _draw(sizes, laws, rng, count)
     tail = (1 - probability) / 2
@@ -164,26 +114,40 @@ def monte_carlo_range(
 
 def _draw(
     sizes: Mapping[str, Size],
-    laws: Law | Mapping[str, Law],
+    laws: Callable[[Size], Scatter] | Mapping[str, Scatter],
     rng: np.random.Generator,
     count: int,
 ) -> dict[str, float | Floats]:
     """Return samples of the sizes with a tolerance and the numbers of the fixed ones."""
-    if not isinstance(rng, np.random.Generator):
-        raise TypeError(f"rng = {rng!r}: must be a numpy.random.Generator")
+    is_source = isinstance(rng, np.random.Generator)
+    require(is_source, "rng", rng, "must be a numpy.random.Generator", TypeError)
     varying = check_sizes(sizes)
-    law_of = laws if isinstance(laws, Mapping) else dict.fromkeys(varying, laws)
-    if set(law_of) != set(varying):
-        raise ValueError(
-            f"laws are given for {sorted(law_of)}: needed for the sizes with a tolerance, "
-            f"{sorted(varying)}"
-        )
+    law_of = _find_laws(laws, varying)
     samples: dict[str, float | Floats] = {name: size.nominal for name, size in sizes.items()}
-    for name, size in varying.items():
-        deviations = law_of[name].sample(rng, count)
-        middle = size.nominal + size.middle_deviation
-        samples[name] = middle + size.tolerance / 2 * deviations
+    for name in varying:
+        samples[name] = _sample(f"laws[{name!r}]", law_of[name], rng, count)
     return samples
+
+
+def _find_laws(
+    laws: Callable[[Size], Scatter] | Mapping[str, Scatter], varying: Mapping[str, Size]
+) -> Mapping[str, Scatter]:
+    if isinstance(laws, Mapping):
+        check_names("laws", laws, varying)
+        return laws
+    allowed = "must be laws by the names of sizes, or a function of a Size such as Size.uniform"
+    require(callable(laws), "laws", laws, allowed, TypeError)
+    return {name: laws(size) for name, size in varying.items()}
+
+
+def _sample(name: str, law: Scatter, rng: np.random.Generator, count: int) -> Floats:
+    is_law = callable(getattr(law, "sample", None))
+    require(is_law, name, law, "must be a law, or have a method sample(rng, size)", TypeError)
+    single = not isinstance(law, LAWS) or all(p.ndim == 0 for p in list_parameters(law))
+    require(single, name, law, "must have one number for each parameter")
+    values = np.asarray(law.sample(rng, count), np.float64)
+    require(values.shape == (count,), name, law, f"gave shape {values.shape} for {count} values")
+    return values
 
 
 def _evaluate_samples(

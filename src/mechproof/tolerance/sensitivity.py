@@ -9,11 +9,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from mechproof.arguments.arrays import check_array
+from mechproof.arguments.scalars import refuse
 from mechproof.tolerance.sizes import (
     Floats,
     Function,
     Size,
-    check_inputs,
+    check_names,
     check_sizes,
     evaluate,
     evaluate_nominal,
@@ -91,7 +93,7 @@ def contributions(
     Source: the sensitivities S_i of equation (3) of Kapitonov and Yakubovsky 2022 (track_wheel).
 
     """
-    points = check_inputs(inputs)
+    points = check_array("inputs", inputs)
     varying = check_sizes(sizes)
     nominal = evaluate_nominal(function, points, sizes)
     if sensitivities is None:
@@ -117,21 +119,16 @@ def _difference_quotient(
 def _check_sensitivities(
     given: Mapping[str, ArrayLike], varying: Mapping[str, Size], shape: tuple[int, ...]
 ) -> list[Floats]:
-    if set(given) != set(varying):
-        raise ValueError(
-            f"sensitivities are given for {sorted(given)}: needed for the sizes with a tolerance, "
-            f"{sorted(varying)}"
-        )
+    check_names("sensitivities", given, varying)
     columns = []
     for name in varying:
-        values = np.asarray(given[name], np.float64)
+        where = f"sensitivities[{name!r}]"
+        values = check_array(where, given[name])
         try:
             columns.append(np.broadcast_to(values, shape))
         except ValueError:
-            raise ValueError(
-                f"sensitivities[{name!r}] has shape {values.shape}: "
-                f"must broadcast to the inputs' {shape}"
-            ) from None
+            allowed = f"has shape {values.shape}; it must broadcast to the inputs' {shape}"
+            refuse(where, given[name], allowed)
     return columns
 
 

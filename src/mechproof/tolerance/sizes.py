@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
+
+from mechproof.arguments.scalars import check_real, require
+from mechproof.laws import Normal, TruncatedNormal, Uniform
 
 Floats = NDArray[np.float64]
 Function = Callable[..., Any]
@@ -23,8 +25,8 @@ class Size:
     """A nominal size with its upper and lower limit deviations, both signed.
 
     `Size(38, 0, -2.06)` lies between 35.94 and 38. Both deviations may have the same sign (a
-    fit). Without deviations the size is fixed. Values that are not finite raise ValueError, and
-    so do limits that are not apart as doubles (except for a fixed size).
+    fit). Without deviations the size is fixed. What is no real number raises TypeError, what is
+    not finite ValueError, and so do limits that are not apart as doubles (except for a fixed size).
     """
 
     nominal: float
@@ -34,8 +36,7 @@ class Size:
     def __post_init__(self) -> None:
         """Check the limits."""
         for name in ("nominal", "upper", "lower"):
-            if not math.isfinite(getattr(self, name)):
-                raise ValueError(f"{name} = {getattr(self, name)}: must be finite")
+            check_real(name, getattr(self, name))
         lowest, highest = self.limits
         if lowest >= highest and (self.upper, self.lower) != (0, 0):
             raise ValueError(
@@ -58,29 +59,36 @@ class Size:
         """The deviation of the middle between the limits from the nominal size."""
         return (self.upper + self.lower) / 2
 
+    def uniform(self) -> Uniform:
+        """Return the law by which the size lies anywhere between its limits, equally likely."""
+        return Uniform(*self.limits)
+
+    def normal(self, multiple: float) -> Normal:
+        """Return the normal law about the middle between the limits, which are exceeded.
+
+        The tolerance is `multiple` standard deviations wide, `multiple` > 0.
+        """
+        middle = self.nominal + self.middle_deviation
+        return Normal.from_width(middle, self.tolerance, multiple)
+
+    def truncated_normal(self, multiple: float) -> TruncatedNormal:
+        """Return the law `normal` of the sizes between the limits; the others are sorted out."""
+        law = self.normal(multiple)
+        return TruncatedNormal(law.mean, law.std, *self.limits)
+
 
 def check_sizes(sizes: Mapping[str, Size]) -> dict[str, Size]:
     """Return the toleranced sizes; TypeError names what is not a Size."""
     for name, size in sizes.items():
-        if not isinstance(name, str) or not isinstance(size, Size):
-            raise TypeError(f"sizes[{name!r}] = {size!r}: needs a name and a Size")
+        is_named = isinstance(name, str) and isinstance(size, Size)
+        require(is_named, f"sizes[{name!r}]", size, "must be a Size with a name", TypeError)
     return {name: size for name, size in sizes.items() if size.tolerance}
 
 
-def check_inputs(inputs: ArrayLike) -> Floats:
-    """Return the inputs as float64; TypeError unless they are real numbers."""
-    values = np.asarray(inputs)
-    if values.dtype.kind not in "fiu":
-        raise TypeError(f"inputs has dtype {values.dtype}: real numbers are needed")
-    return values.astype(np.float64)
-
-
-def check_count(name: str, value: int, least: int) -> None:
-    """Raise TypeError unless `value` is an integer, ValueError where it is below `least`."""
-    if not isinstance(value, int | np.integer) or isinstance(value, bool):
-        raise TypeError(f"{name} = {value!r}: must be an integer")
-    if value < least:
-        raise ValueError(f"{name} = {value}: must be at least {least}")
+def check_names(name: str, given: Mapping[str, object], varying: Mapping[str, Size]) -> None:
+    """Raise ValueError unless something is given for every size with a tolerance, and no other."""
+    allowed = f"must be given for the sizes with a tolerance, {sorted(varying)}"
+    require(set(given) == set(varying), name, sorted(map(str, given)), allowed)
 
 
 def evaluate(

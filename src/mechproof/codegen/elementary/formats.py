@@ -23,8 +23,8 @@ class Format:
     tangent: tuple[int, int]
     sine: int
     cosine: int
-    arctangent: tuple[int, int]
-    small_arctangent: tuple[int, int]
+    arctangent: int
+    small_arctangent: int
     scale: int
 
     @property
@@ -46,5 +46,5 @@ class Format:
         return tuple(words)
 
 
-DOUBLE = Format("double", 53, 2.0**26, (3, 3), 5, 5, (6, 6), (4, 4), 600)
-SINGLE = Format("single", 24, 2.0**11, (1, 2), 2, 2, (2, 2), (1, 2), 70)
+DOUBLE = Format("double", 53, 2.0**26, (3, 3), 5, 5, 21, 13, 600)
+SINGLE = Format("single", 24, 2.0**11, (1, 2), 2, 2, 8, 5, 70)

@@ -18,7 +18,7 @@ from mechproof.codegen.elementary.trace import (
     copysign,
     floor,
     fma,
-    horner,
+    polynomial,
     rint,
     root,
     trace,
@@ -33,13 +33,13 @@ Fitted = tuple[Target, Rational]
 class Function:
     """A function as a program. `fits` are the approximations in it.
 
-    A `limited` one is right where the absolute value of its first argument is at most the
-    format's `largest`; farther out a backend has to take another way.
+    Where the absolute value of the first argument is more than the format's `largest`, `program`
+    is wrong and `far`, where there is one, takes the functions of a backend's own library.
     """
 
     program: Program
     fits: tuple[Fitted, ...]
-    limited: bool
+    far: Program | None
 
 
 class _Maker:
@@ -76,7 +76,7 @@ class _Maker:
         n, r = self.reduce(y)
         fitted = self.fit(fits.TANGENT, *self.form.tangent)
         z = r * r
-        above, below = horner(z, fitted.above) * r, horner(z, fitted.below)
+        above, below = polynomial(z, fitted.above) * r, polynomial(z, fitted.below)
         half = n * 0.5
         is_even = rint(half).equals(half)
         return choose(is_even, above, -below), choose(is_even, below, above)
@@ -96,10 +96,10 @@ class _Maker:
         odd = self.fit(fits.SINE, self.form.sine)
         even = self.fit(fits.COSINE, self.form.cosine)
         z = r * r
-        sine = fma(r * z, horner(z, odd.above), r)
+        sine = fma(r * z, polynomial(z, odd.above), r)
         half = z * 0.5
         near = 1.0 - half
-        cosine = near + fma(z * z, horner(z, even.above), (1.0 - near) - half)
+        cosine = near + fma(z * z, polynomial(z, even.above), (1.0 - near) - half)
         return sine, cosine
 
     def sin(self, y: Value) -> Value:
@@ -121,7 +121,7 @@ class _Maker:
         size = abs(y)
         is_large = size > 1.0
         arc = self.arc(choose(is_large, 1.0 / size, size))
-        high, low = self.split(mp.pi / 2)
+        high, low = self.split_turn(0.5)
         return copysign(choose(is_large, high - (arc - low), arc), y)
 
     def arctan2(self, a: Value, b: Value) -> Value:
@@ -131,7 +131,7 @@ class _Maker:
         below = choose(is_steep, rise, run)
         arc = self.arc(choose(is_steep, run, rise) / choose(below.equals(0.0), 1.0, below))
         is_behind = copysign(1.0, b) < 0.0
-        (half, half_low), (whole, whole_low) = (self.split(v) for v in (mp.pi / 2, mp.pi))
+        (half, half_low), (whole, whole_low) = map(self.split_turn, (0.5, 1))
         high = choose(is_steep, half, choose(is_behind, whole, 0.0))
         low = choose(is_steep, half_low, choose(is_behind, whole_low, 0.0))
         turned = choose(is_steep, choose(is_behind, arc, -arc), choose(is_behind, -arc, arc))
@@ -139,19 +139,20 @@ class _Maker:
 
     def arc(self, w: Value) -> Value:
         """Return atan(w) for 0 <= w <= 1."""
-        fitted = self.fit(fits.ARCTANGENT, *self.form.arctangent)
+        fitted = self.fit(fits.ARCTANGENT, self.form.arctangent)
         z = w * w
-        return fma(w * z, horner(z, fitted.above) / horner(z, fitted.below), w)
+        return fma(w * z, polynomial(z, fitted.above), w)
 
     def small_arctan(self, y: Value) -> Value:
         """Return atan(y) for |y| <= 1/sqrt(3)."""
-        fitted = self.fit(fits.SMALL_ARCTANGENT, *self.form.small_arctangent)
+        fitted = self.fit(fits.SMALL_ARCTANGENT, self.form.small_arctangent)
         z = y * y
-        return fma(y * z, horner(z, fitted.above) / horner(z, fitted.below), y)
+        return fma(y * z, polynomial(z, fitted.above), y)
 
-    def split(self, value: mp.mpf) -> tuple[float, ...]:
-        """Return a value as two numbers of the format."""
-        return self.form.split(value, 2)
+    def split_turn(self, part: float) -> tuple[float, ...]:
+        """Return a part of pi as two numbers of the format."""
+        with mp.workdps(DIGITS):
+            return self.form.split(mp.pi * part, 2)
 
     def hypot(self, a: Value, b: Value) -> Value:
         """Return sqrt(a**2 + b**2), scaled where squares would leave the range."""
@@ -189,20 +190,29 @@ def _turn(value: Value, half_turns: Value) -> Value:
     return choose(floor(half).equals(half), value, -value)
 
 
-BODIES: Mapping[str, tuple[Callable[..., Value], tuple[str, ...], bool]] = MappingProxyType(
+def _far_quotient(y: Value, a: Value, b: Value) -> Value:
+    t = y.apply("tan", y)
+    return t / (a + b * t * t)
+
+
+def _far(kind: str) -> Body:
+    return lambda y: y.apply(kind, y)
+
+
+BODIES: Mapping[str, tuple[Body, tuple[str, ...], Body | None]] = MappingProxyType(
     {
-        "tan": (_Maker.tan, ("y",), True),
-        "tangent_quotient": (_Maker.tangent_quotient, ("y", "a", "b"), True),
-        "sin": (_Maker.sin, ("y",), True),
-        "cos": (_Maker.cos, ("y",), True),
-        "arctan": (_Maker.arctan, ("y",), False),
-        "arctan2": (_Maker.arctan2, ("a", "b"), False),
-        "small_arctan": (_Maker.small_arctan, ("y",), False),
-        "small_tangent": (_Maker.small_tangent, ("y",), False),
-        "hypot": (_Maker.hypot, ("a", "b"), False),
-        "product_rest": (_Maker.product_rest, ("a", "b", "p"), False),
-        "quotient_rest": (_Maker.quotient_rest, ("a", "b", "q"), False),
-        "sum_rest": (_Maker.sum_rest, ("a", "b", "s"), False),
+        "tan": (_Maker.tan, ("y",), _far("tan")),
+        "tangent_quotient": (_Maker.tangent_quotient, ("y", "a", "b"), _far_quotient),
+        "sin": (_Maker.sin, ("y",), _far("sin")),
+        "cos": (_Maker.cos, ("y",), _far("cos")),
+        "arctan": (_Maker.arctan, ("y",), None),
+        "arctan2": (_Maker.arctan2, ("a", "b"), None),
+        "small_arctan": (_Maker.small_arctan, ("y",), None),
+        "small_tangent": (_Maker.small_tangent, ("y",), None),
+        "hypot": (_Maker.hypot, ("a", "b"), None),
+        "product_rest": (_Maker.product_rest, ("a", "b", "p"), None),
+        "quotient_rest": (_Maker.quotient_rest, ("a", "b", "q"), None),
+        "sum_rest": (_Maker.sum_rest, ("a", "b", "s"), None),
     }
 )
 
@@ -213,7 +223,7 @@ def build(kind: str, form: Format) -> Function:
 
     Raises `KeyError` for a kind that is an operation of the machine.
     """
-    body, inputs, limited = BODIES[kind]
+    body, inputs, far = BODIES[kind]
     maker = _Maker(form)
     program = trace(lambda *values: body(maker, *values), inputs)
-    return Function(program, tuple(maker.fits), limited)
+    return Function(program, tuple(maker.fits), trace(far, inputs) if far else None)

@@ -96,12 +96,20 @@ def copysign(a: Value | float, b: Value) -> Value:
     return b.apply("copysign", a, b)
 
 
-def horner(z: Value, coefficients: tuple[float, ...]) -> Value:
-    """Return the polynomial in z, coefficients lowest power first."""
-    *others, last, first = coefficients
-    value = fma(z, first, last)
-    for number in reversed(others):
-        value = fma(value, z, number)
+def polynomial(z: Value, coefficients: tuple[float, ...]) -> Value:
+    """Return the polynomial in z, coefficients lowest power first, by halves (Estrin 1960).
+
+    Halves do not wait for each other, as the steps of Horner's scheme do.
+    """
+    terms: list[Value | float] = list(coefficients)
+    power = z
+    while len(terms) > 1:
+        pairs = zip(terms[::2], terms[1::2], strict=False)
+        joined: list[Value | float] = [fma(power, high, low) for low, high in pairs]
+        terms = joined + terms[len(terms) - len(terms) % 2 :]
+        power = power * power
+    (value,) = terms
+    assert isinstance(value, Value)
     return value
 
 

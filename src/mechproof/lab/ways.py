@@ -1,4 +1,4 @@
-"""Methods: every way of computing a quantity, as a function, with the rows that decide on it."""
+"""Ways: every way of computing a quantity, as a function, with the rows that decide on it."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ BEYOND_LAMBDIFY = (sp.Sum, sp.Integral, sp.Indexed)
 
 
 @dataclass(frozen=True)
-class Method:
-    """One way of computing a quantity.
+class Way:
+    """One way of computing a quantity: the kernel, a form or a peer.
 
     `rows` of the ledger say what its source computes; a peer has none, nothing is proved of it.
     `key` ends the name of its function, empty for the kernel and for peers.
@@ -45,13 +45,13 @@ class Method:
     note: str = ""
 
 
-def list_methods(
+def list_ways(
     quantity: Quantity,
     domain: Domain,
     rows: Iterable[Row],
     modules: tuple[ModuleType | None, ModuleType | None],
     peers: tuple[Peer, ...],
-) -> tuple[Method, ...]:
+) -> tuple[Way, ...]:
     """List the kernel, its rival forms, peers, and what SymPy prints; the shipped one first.
 
     `modules` are those of the kernels and of their rival forms.
@@ -67,31 +67,31 @@ def list_methods(
 
 def _list_kernel(
     quantity: Quantity, module: ModuleType | None, rows: tuple[Row, ...]
-) -> Iterator[Method]:
+) -> Iterator[Way]:
     """List the kernel, the same into a given array, and the same in float32."""
     if not quantity.forms or module is None:
         return
     kernel: Compute = getattr(module, quantity.name)
     bound, decided = quantity.shipped[-1].bound, _rows_of(quantity.name, rows)
-    own = Method("kernel", kernel, "kernel", decided, bound)
+    own = Way("kernel", kernel, "kernel", decided, bound)
     yield own
     if "out" in inspect.signature(kernel).parameters:
         yield replace(own, name="kernel, out=", compute=_into_buffer(kernel))
-    yield Method("kernel, float32", _in_single(kernel), "peer", note="inputs rounded too")
+    yield Way("kernel, float32", _in_single(kernel), "peer", note="inputs rounded too")
 
 
 def _list_rivals(
     quantity: Quantity, module: ModuleType | None, rows: tuple[Row, ...]
-) -> Iterator[Method]:
+) -> Iterator[Way]:
     for form in quantity.rivals if module is not None else ():
         name = name_rival(quantity, form)
         compute = getattr(module, name)
         decided = _rows_of(name, rows)
-        yield Method(form.name, compute, "form", decided, form.bound, key=form.key, note=form.note)
+        yield Way(form.name, compute, "form", decided, form.bound, key=form.key, note=form.note)
 
 
-def _from_peer(peer: Peer) -> Method:
-    return Method(
+def _from_peer(peer: Peer) -> Way:
+    return Way(
         peer.name, peer.compute, "peer", ordered=peer.ordered, slow=peer.slow, note=peer.note
     )
 
@@ -120,7 +120,7 @@ def _in_single(kernel: Compute) -> Compute:
     return lambda *arguments: kernel(*(np.asarray(a, np.float32) for a in arguments))
 
 
-def print_by_sympy(quantity: Quantity, domain: Domain) -> Iterator[Method]:
+def print_by_sympy(quantity: Quantity, domain: Domain) -> Iterator[Way]:
     """List `sympy.lambdify` of the definition, with common subexpressions and without.
 
     Sums and integrals have none: SymPy has no array code for them.
@@ -129,7 +129,7 @@ def print_by_sympy(quantity: Quantity, domain: Domain) -> Iterator[Method]:
     if definition.has(*BEYOND_LAMBDIFY):
         return
     for name, cse in (("sympy.lambdify", False), ("sympy.lambdify, cse", True)):
-        yield Method(name, _lambdify(quantity, definition, cse), "peer")
+        yield Way(name, _lambdify(quantity, definition, cse), "peer")
 
 
 def _lambdify(quantity: Quantity, definition: sp.Basic, cse: bool) -> Compute:

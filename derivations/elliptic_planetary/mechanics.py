@@ -1,0 +1,69 @@
+"""The mechanics of paper 1: velocity plan, inversion, ellipse, position."""
+
+from sympy import Eq, Expr, Integral, Matrix, atan, atan2, cos, diff, sin, solve, symbols, tan
+
+from .symbols import (
+    R1,
+    R2,
+    a,
+    at_b,
+    at_c,
+    at_d,
+    e,
+    focal_radius,
+    k,
+    omega1,
+    phi1,
+    rho,
+    tau,
+    theta,
+    x,
+)
+
+# Velocity plan on the line A-C at one instant. The carrier turns about A = E = 0, the satellite
+# rolls inside the fixed epicycle, so the point B at the coordinate R1 is at rest.
+s, omega_satellite, omega_out = symbols("s omega_5 omega_3", real=True)
+centre_c = solve(Eq(at_c + R2, R1), at_c)[0]
+satellite_velocity = omega1 * centre_c + omega_satellite * (s - centre_c)
+rolling = solve(satellite_velocity.subs(s, R1), omega_satellite)[0]
+point_d = centre_c - rho
+PLACES = {at_b: R1, at_c: centre_c, at_d: point_d}
+driven = Eq(omega_out * point_d, satellite_velocity.subs({s: point_d, omega_satellite: rolling}))
+ratio_by_plan = solve(driven, omega_out)[0] / omega1
+
+# Inversion (Willis), in units of omega1: seen from the carrier the epicycle turns with -1, an
+# internal mesh keeps the sense of rotation, an external one reverses it.
+satellite_against_carrier = -k
+wheel_3_against_carrier = -satellite_against_carrier * rho / (2 * a - rho)
+ratio_by_inversion = 1 + wheel_3_against_carrier
+
+
+def radius_of_mate(angle: Expr) -> Expr:
+    """Radius of the congruent ellipse at the angle it has reached by rolling from its far end.
+
+    It has turned by angle + 2 delta, tan(delta) = y/x below; its polar angle is measured from
+    the side away from its own centre of rotation.
+    """
+    y, x_ = e * sin(angle), 1 - e * cos(angle)
+    cos_2delta = (x_**2 - y**2) / (x_**2 + y**2)
+    sin_2delta = 2 * x_ * y / (x_**2 + y**2)
+    cos_turned = cos(angle) * cos_2delta - sin(angle) * sin_2delta
+    return a * (1 - e**2) / (1 + e * cos_turned)
+
+
+# Position: the ratio integrated from phi10 = 0, phi30 = 0, over any number of turns.
+position = Integral(ratio_by_inversion.subs(rho, focal_radius.subs(theta, k * tau)), (tau, 0, phi1))
+position_closed = (1 + k) * phi1 + 2 * atan2(e * sin(x), 1 - e * cos(x))
+position_principal = phi1 + 2 * atan((1 + e) / (1 - e) * tan(x / 2))
+
+# Planar vectors for the sentences of the velocity plan.
+axis_c = Matrix([cos(phi1), sin(phi1)]) * centre_c
+axis_b = Matrix([cos(phi1), sin(phi1)]) * R1
+quarter_turn = Matrix([[0, -1], [1, 0]])
+velocity_c = diff(axis_c, phi1)
+velocity_b = velocity_c + (rolling / omega1) * quarter_turn * (axis_b - axis_c)
+
+# Non-uniformity of the ratio, (largest - smallest)/mean.
+largest = 1 + k * (1 + e) / (1 - e)
+smallest = 1 + k * (1 - e) / (1 + e)
+non_uniformity = (largest - smallest) / (1 + k)

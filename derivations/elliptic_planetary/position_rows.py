@@ -1,0 +1,154 @@
+"""What paper 1 prints of the position function: the integral (9) and its steps to (12)."""
+
+from sympy import Gt, S, tan
+
+from mechproof.record import Claim, Correction, Definition, Equality, Equation, Holds, Sign
+
+from .mechanics import position, position_principal
+from .symbols import BELOW_ONE, BRANCH, R1, R2, UP_TO_ONE, U, a1, b1, phi1, phi3, x
+from .variables import READER
+
+CORRECT_FOURTH = (
+    r"\int\frac{dx}{\cos^2\frac x2\cdot\left[(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)\right]}"
+)
+LAST_OF_10 = (
+    r"\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
+    r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}"
+)
+CORRECT_12 = (
+    r"\varphi_3=\left(1+\frac{R_1}{R_2}\right)\varphi_1+2\,\mathrm{arctg}"
+    r"\frac{e\sin x}{1-e\cos x}"
+)
+EQUATION_12 = Equation(
+    "(12)",
+    r"\varphi_3=\varphi_1+2\cdot\sqrt{\frac{1-e}{1+e}}\;\mathrm{arctg}\left(\mathrm{tg}"
+    r"\left(\frac{R_1}{2R_2}\varphi_1\right)\cdot\sqrt{\frac{1+e}{1-e}}\right)",
+    note=(
+        "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1+e)/(1-e) itself, but (12) still has "
+        "the root of that. Without it the factor before the arctangent is 2 and the quotient "
+        "inside is (1+e)/(1-e). Besides, the arctangent falls back after each turn."
+    ),
+    corrected=Correction(CORRECT_12),
+    singular=("R1 phi1/R2 = (2m+1) pi",),
+    derived={phi3: position},
+)
+DX_SUPPLIED = Claim(
+    "(10), third equals sign, dx supplied",
+    r"\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}="
+    r"\int\frac{\cos^2\frac x2\,dx}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}",
+    note="With the missing differential supplied the numerator is still wrong.",
+    corrected=Correction(CORRECT_FOURTH),
+    on=BRANCH,
+    marks=("ours",),
+)
+_, print_12 = READER.members(EQUATION_12)
+
+POSITION_ROWS = (
+    Equation(
+        "(9)",
+        r"\varphi_3=\varphi_1+(1-e^2)\cdot\int\frac{1}{1+e^2-2e\cos\frac{R_1}{R_2}\varphi_1}"
+        r"\,d\frac{R_1}{R_2}\varphi_1",
+        derived={phi3: position},
+        note="Read from the initial conditions phi10 = phi30 = 0; holds over all turns.",
+    ),
+    *(
+        Equation(f"before (10), {name}", latex, says)
+        for name, latex, says in (
+            ("a_1", "a_1=1+e^2", None),
+            ("b_1", "b_1=2e", None),
+            ("x", r"x=\frac{R_1}{R_2}\varphi_1", Definition(x, R1 / R2 * phi1)),
+        )
+    ),
+    Equation(
+        "(10)",
+        r"\int\frac{dx}{a_1-b_1\cos x}"
+        r"=\int\frac{dx}{a_1\sin^2\frac x2+a_1\cos^2\frac x2-b_1\cos^2\frac x2+b_1\sin^2\frac x2}"
+        r"=\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}"
+        r"=\int\frac{\cos^2\frac x2}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}"
+        r"=\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
+        r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}",
+        signs={
+            3: Sign(
+                note="The factor 1/cos^2(x/2) has moved into the numerator and dx is missing.",
+                corrected=Correction(CORRECT_FOURTH),
+                on=BRANCH,
+            ),
+            4: Sign(
+                note="Its left-hand side is the ill-formed integral; the right-hand side is sound.",
+                corrected=Correction(f"{CORRECT_FOURTH}={LAST_OF_10}"),
+                on=BRANCH,
+            ),
+        },
+    ),
+    DX_SUPPLIED,
+    Claim(
+        "(10), first and last expression",
+        rf"\int\frac{{dx}}{{a_1-b_1\cos x}}={LAST_OF_10}",
+        note=(
+            "Read as integrals from 0. The chain's end is right although its fourth "
+            "expression is not."
+        ),
+        holds_on=BRANCH,
+        marks=("inferred",),
+    ),
+    Claim(
+        "since e <= 1",
+        r"\frac{a_1-b_1}{a_1+b_1}\ge0\text{ since }e\le1",
+        on=UP_TO_ONE,
+    ),
+    Claim(
+        "since e <= 1, used for (11)",
+        r"e\le1\text{ lets (11) divide by }\sqrt{\tfrac{a_1-b_1}{a_1+b_1}}",
+        Holds(Gt((a1 - b1) / (a1 + b1), 0)),
+        note="(11) divides by the root: e = 1 must be excluded.",
+        on=UP_TO_ONE,
+        holds_on=BELOW_ONE,
+        marks=("inferred",),
+    ),
+    Equation(
+        "(11)",
+        rf"{LAST_OF_10}=\frac{{2}}{{a_1+b_1}}\cdot\sqrt{{\frac{{a_1+b_1}}{{a_1-b_1}}}}\cdot"
+        r"\mathrm{arctg}\frac{\mathrm{tg}\frac x2}{\sqrt{\frac{a_1-b_1}{a_1+b_1}}}+C",
+        substituted={tan(x / 2): U},
+        note="As an integral over tg(x/2) = U; C = 0 for the lower limit 0.",
+    ),
+    Claim(
+        "(11) over all turns",
+        r"\int_0^x\frac{dx}{a_1-b_1\cos x}=\frac{2}{a_1+b_1}\sqrt{\frac{a_1+b_1}{a_1-b_1}}\,"
+        r"\mathrm{arctg}\frac{\mathrm{tg}\frac x2}{\sqrt{\frac{a_1-b_1}{a_1+b_1}}}",
+        note="With one constant C the right-hand side falls back at every odd multiple of pi.",
+        holds_on=BRANCH,
+        singular=("x = (2m+1) pi",),
+        corrected=Correction(
+            r"\frac{1}{1-e^2}\left(x+2\,\mathrm{arctg}\frac{e\sin x}{1-e\cos x}\right)"
+        ),
+        marks=("inferred",),
+    ),
+    EQUATION_12,
+    Claim(
+        "(12), first branch",
+        r"\text{(12) for }|x|<\pi",
+        Equality(print_12, position),
+        note="The error is not only one of branches.",
+        corrected=Correction(
+            r"\varphi_3=\varphi_1+2\,\mathrm{arctg}\left(\frac{1+e}{1-e}\,"
+            r"\mathrm{tg}\left(\frac{R_1}{2R_2}\varphi_1\right)\right)",
+            Equality(position_principal, position),
+        ),
+        on=BRANCH,
+        marks=("ours",),
+    ),
+    Claim(
+        "(12), initial conditions",
+        r"\varphi_{10}=0,\ \varphi_{30}=0",
+        Equality(print_12.subs(phi1, 0), S.Zero),
+    ),
+    Claim(
+        "half-angle arctangent without branches",
+        r"2\,\mathrm{arctg}\left(\tfrac{1+e}{1-e}\mathrm{tg}\tfrac x2\right)="
+        r"x+2\,\mathrm{arctg}\frac{e\sin x}{1-e\cos x}",
+        on=BRANCH,
+        note="The right-hand side goes on beyond the branch.",
+        marks=("ours",),
+    ),
+)

@@ -1,0 +1,45 @@
+"""Symbols of paper 1, parts of its domain and the sizes of its table 1.
+
+Angles are positive in the direction of the carrier's rotation; distances on the line A-C are
+positive from A towards C and B; lengths in mm, angles in rad.
+"""
+
+from sympy import Eq, Interval, Rational, Symbol, cos, pi, solve, symbols
+
+from mechproof.record import Part
+
+phi1 = Symbol("phi1", real=True)
+R1, R2 = symbols("R1 R2", positive=True)
+e = Symbol("e", real=True)
+a, rho = symbols("a rho", real=True)
+phi5, k, x, a1, b1, nearest = symbols("phi5 k x a1 b1 nearest", real=True)
+omega1, omega3 = symbols("omega1 omega3", real=True)
+VC, VD, AC, BC, BD, CD, DE = symbols("V_C V_D AC BC BD CD DE", real=True)
+at_b, at_c, at_d = symbols("s_B s_C s_D", real=True)
+U = Symbol("U", real=True)
+tau = Symbol("tau", real=True)
+turns = Symbol("m_turns", integer=True)
+nu, E = symbols("nu E", positive=True)
+T = Symbol("T", real=True)
+
+phi3 = Symbol("phi3", real=True)
+ratio_symbol = Symbol("phi3'", real=True)
+slope = Symbol("dphi3/dphi1", real=True)
+C = Symbol("C", real=True)
+
+# Ellipse seen from a focus: the distances to both foci (2 a e apart) add up to 2 a.
+r, theta = symbols("r theta", real=True)
+second_focus_squared = r**2 - 4 * a * e * r * cos(theta) + 4 * a**2 * e**2
+focal_radius = solve(Eq((2 * a - r) ** 2, second_focus_squared), r)[0]
+
+BRANCH = Part("|x| < pi, the first branch of the half-angle", {x: Interval.open(-pi, pi)})
+UP_TO_ONE = Part("0 <= e <= 1", {e: Interval(0, 1)})
+BELOW_ONE = Part("0 <= e < 1", {e: Interval.Ropen(0, 1)})
+
+# Table 1: R1, R2, e.
+VARIANTS = {
+    1: (66, 16, Rational("0.28")),
+    2: (66, 16, Rational("0.475")),
+    3: (80, 30, Rational("0.28")),
+    4: (80, 30, Rational("0.475")),
+}

@@ -1,0 +1,1022 @@
+"""Compiled kernels of the system `elliptic_planetary`: one loop for each, by numba.
+
+Names, arguments, domains, NaN and errors are those of `mechproof.kernels.elliptic_planetary`,
+and so are the formulas. Numbers and NumPy arrays are taken. With numbers,
+kernels can be called inside functions that numba compiles; arguments with components are then
+indexed, and so are results.
+
+Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
+
+Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from numpy import float64, ndarray
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.compiled_support import (
+    BLOCK,
+    Loops,
+    choose,
+    copysign,
+    fma,
+    has_nan,
+    is_finite,
+    loop,
+    overload,
+    rint,
+    run,
+    scalar,
+    take_row,
+)
+
+__all__ = [
+    "acceleration",
+    "largest_ratio",
+    "position",
+    "ratio",
+    "smallest_ratio",
+]
+
+LARGEST = 67108864.0
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
+@scalar
+def _tan(y, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = (
+        fma(
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
+        )
+        * v2
+    )
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
+    )
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
+
+    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+
+    return math.tan(y)
+
+
+# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
+@scalar
+def _tangent_quotient(y, a, b, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = (
+        fma(
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
+        )
+        * v2
+    )
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
+    )
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
+    v10 = choose(v9, v5, -v7)
+    v11 = choose(v9, v7, v5)
+
+    value = v10 * v11 / fma(a * v11, v11, b * v10 * v10)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+    v1 = math.tan(y)
+
+    return v1 / (a + b * v1 * v1)
+
+
+# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
+@scalar
+def _arctan(y):
+    v1 = abs(y)
+    v2 = v1 > 1.0
+    v3 = choose(v2, 1.0 / v1, v1)
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v5 * v5
+    v7 = v6 * v6
+    v8 = v7 * v7
+    v9 = fma(
+        v3 * v4,
+        fma(
+            v8,
+            fma(
+                v6,
+                fma(v4, 7.767532298566822e-06, -9.371091633560781e-05),
+                fma(
+                    v5,
+                    fma(v4, 0.0005376794060869381, -0.001961242117363609),
+                    fma(v4, 0.005140885854032265, -0.010412113196030874),
+                ),
+            ),
+            fma(
+                v7,
+                fma(
+                    v6,
+                    fma(
+                        v5,
+                        fma(v4, 0.01718393672751917, -0.02419130675591347),
+                        fma(v4, 0.030330692745374102, -0.03527131689273554),
+                    ),
+                    fma(
+                        v5,
+                        fma(v4, 0.039386869439826874, -0.04330653645791128),
+                        fma(v4, 0.04758080032858198, -0.05262492218979753),
+                    ),
+                ),
+                fma(
+                    v6,
+                    fma(
+                        v5,
+                        fma(v4, 0.05882264415278073, -0.06666657934409811),
+                        fma(v4, 0.07692307078814367, -0.09090909061934628),
+                    ),
+                    fma(
+                        v5,
+                        fma(v4, 0.11111111110268276, -0.14285714285701234),
+                        fma(v4, 0.1999999999999992, -0.3333333333333333),
+                    ),
+                ),
+            ),
+        ),
+        v3,
+    )
+
+    return copysign(choose(v2, 1.5707963267948966 - (v9 - 6.123233995736766e-17), v9), y)
+
+
+# (atan(y)/y - 1)/y**2 in powers of y**2: the whole is off by at most 0.039 eps
+@scalar
+def _small_arctan(y):
+    v1 = y * y
+    v2 = v1 * v1
+    v3 = v2 * v2
+    v4 = v3 * v3
+
+    return fma(
+        y * v1,
+        fma(
+            v4,
+            fma(
+                v3,
+                fma(v1, 0.004874344370582316, -0.016659150283803603),
+                fma(
+                    v2,
+                    fma(v1, 0.029952645730746047, -0.0399373154528896),
+                    fma(v1, 0.04672178312032516, -0.05246779764226303),
+                ),
+            ),
+            fma(
+                v3,
+                fma(
+                    v2,
+                    fma(v1, 0.05880212501481828, -0.06666469622709092),
+                    fma(v1, 0.07692295286707518, -0.09090908582071015),
+                ),
+                fma(
+                    v2,
+                    fma(v1, 0.11111111098553708, -0.14285714285551976),
+                    fma(v1, 0.1999999999999917, -0.3333333333333333),
+                ),
+            ),
+        ),
+        y,
+    )
+
+
+@scalar
+def _small_tangent(y):
+
+    return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
+
+
+@scalar
+def _product_rest(a, b, p):
+
+    return fma(a, b, -p)
+
+
+@scalar
+def _quotient_rest(a, b, q):
+
+    return fma(-q, b, a) / b
+
+
+@scalar
+def _prepare_ratio(R1, R2, e, exact):
+    k = R1 / R2
+    one_minus_e = 1 - e
+    one_plus_e = 1 + e
+    k_low = _quotient_rest(R1, R2, k)
+
+    return (k, one_minus_e, one_plus_e, k_low)
+
+
+@scalar
+def _ratio(phi1, k, one_minus_e, one_plus_e, k_low, exact):
+    x = k * phi1
+    t = _tan(x / 2, exact)
+    x_low = k_low * phi1 + _product_rest(k, phi1, x)
+    t_low = _small_tangent(x_low / 2)
+    adjacent = 1 - t * t_low
+    adjacent_squared = adjacent**2
+    opposite = t + t_low
+    opposite_squared = opposite**2
+
+    return 1 + k * one_minus_e * one_plus_e / (
+        one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared
+    ) * (adjacent_squared + opposite_squared)
+
+
+@scalar
+def _ratio_at(phi1, R1, R2, e, exact):
+    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
+        return math.nan
+    prepared = _prepare_ratio(R1, R2, e, exact)
+
+    return _ratio(phi1, *prepared, exact)
+
+
+@scalar
+def _ratio_point(phi1, R1, R2, e):
+    return _ratio_at(phi1, R1, R2, e, True)
+
+
+@loop
+def _row_ratio(out, phi1_values, prepared, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
+
+        value = _ratio(phi1, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_ratio(out, phi1_values, R1, R2, e):
+    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
+        out[:] = math.nan
+        return
+    prepared = _prepare_ratio(R1, R2, e, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        phi1 = phi1_values[start:stop]
+        _row_ratio(block, phi1, prepared, None)
+        if has_nan(block):
+            _row_ratio(block, phi1, prepared, True)
+
+
+@loop
+def _row_each_ratio(out, phi1_values, R1_values, R2_values, e_values, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
+        R1 = float(R1_values[i])
+        R2 = float(R2_values[i])
+        e = float(e_values[i])
+
+        value = _ratio_at(phi1, R1, R2, e, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_ratio(out, phi1_values, R1_values, R2_values, e_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        phi1 = phi1_values[start:stop]
+        R1 = R1_values[start:stop]
+        R2 = R2_values[start:stop]
+        e = e_values[start:stop]
+        _row_each_ratio(block, phi1, R1, R2, e, None)
+        if has_nan(block):
+            _row_each_ratio(block, phi1, R1, R2, e, True)
+
+
+def ratio(
+    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the transmission ratio d phi3/d phi1 of the output wheel to the carrier.
+
+    Compiled. The help of `mechproof.kernels.elliptic_planetary.ratio` has all words.
+    """
+    if type(R1) is type(R2) is type(e) is float:
+        if type(phi1) is ndarray:
+            row = take_row(phi1, out)
+            if row is not None:
+                _fill_ratio(row, phi1, R1, R2, e)
+                return row
+        elif type(phi1) is float and out is None:
+            return float64(_ratio_point(phi1, R1, R2, e))
+    return run(
+        _RATIO,
+        (
+            phi1,
+            R1,
+            R2,
+            e,
+        ),
+        out,
+    )
+
+
+_RATIO = Loops(
+    names=(
+        "phi1",
+        "R1",
+        "R2",
+        "e",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_ratio_point,
+    uniform=_fill_ratio,
+    each=_fill_each_ratio,
+)
+
+
+@overload(ratio)
+def _offer_ratio(
+    phi1,
+    R1,
+    R2,
+    e,
+):
+    return lambda phi1, R1, R2, e: _ratio_point(
+        float(phi1),
+        float(R1),
+        float(R2),
+        float(e),
+    )
+
+
+@scalar
+def _prepare_position_1(R1, R2, e, exact):
+    k = R1 / R2
+    one_minus_e = 1 - e
+    one_plus_e = 1 + e
+
+    return (e, k, one_minus_e, one_plus_e)
+
+
+@scalar
+def _position_1(phi1, e, k, one_minus_e, one_plus_e, exact):
+    x = k * phi1
+
+    return (1 + k) * phi1 + 2 * _small_arctan(
+        2 * e * _tangent_quotient(x / 2, one_minus_e, one_plus_e, exact)
+    )
+
+
+@scalar
+def _prepare_position(R1, R2, e, exact):
+    k = R1 / R2
+    k_low = _quotient_rest(R1, R2, k)
+    one_minus_e = 1 - e
+    one_plus_e = 1 + e
+
+    return (e, k, k_low, one_minus_e, one_plus_e)
+
+
+@scalar
+def _position(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
+    x = k * phi1
+    t = _tan(x / 2, exact)
+    x_low = k_low * phi1 + _product_rest(k, phi1, x)
+    t_low = _small_tangent(x_low / 2)
+    adjacent = 1 - t * t_low
+    opposite = t + t_low
+
+    return (1 + k) * phi1 + 2 * _arctan(
+        2 * e / (one_minus_e * adjacent**2 + one_plus_e * opposite**2) * adjacent * opposite
+    )
+
+
+@scalar
+def _position_at(phi1, R1, R2, e, exact):
+    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
+        return math.nan
+    if e <= 0.5:
+        prepared = _prepare_position_1(R1, R2, e, exact)
+
+        return _position_1(phi1, *prepared, exact)
+    prepared = _prepare_position(R1, R2, e, exact)
+
+    return _position(phi1, *prepared, exact)
+
+
+@scalar
+def _position_point(phi1, R1, R2, e):
+    return _position_at(phi1, R1, R2, e, True)
+
+
+@loop
+def _row_position_1(out, phi1_values, prepared, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
+
+        value = _position_1(phi1, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _row_position(out, phi1_values, prepared, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
+
+        value = _position(phi1, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_position(out, phi1_values, R1, R2, e):
+    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
+        out[:] = math.nan
+        return
+    if e <= 0.5:
+        prepared = _prepare_position_1(R1, R2, e, True)
+
+        for start in range(0, out.size, BLOCK):
+            stop = min(start + BLOCK, out.size)
+            block = out[start:stop]
+            phi1 = phi1_values[start:stop]
+            _row_position_1(block, phi1, prepared, None)
+            if has_nan(block):
+                _row_position_1(block, phi1, prepared, True)
+
+        return
+    prepared = _prepare_position(R1, R2, e, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        phi1 = phi1_values[start:stop]
+        _row_position(block, phi1, prepared, None)
+        if has_nan(block):
+            _row_position(block, phi1, prepared, True)
+
+
+@loop
+def _row_each_position(out, phi1_values, R1_values, R2_values, e_values, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
+        R1 = float(R1_values[i])
+        R2 = float(R2_values[i])
+        e = float(e_values[i])
+
+        value = _position_at(phi1, R1, R2, e, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_position(out, phi1_values, R1_values, R2_values, e_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        phi1 = phi1_values[start:stop]
+        R1 = R1_values[start:stop]
+        R2 = R2_values[start:stop]
+        e = e_values[start:stop]
+        _row_each_position(block, phi1, R1, R2, e, None)
+        if has_nan(block):
+            _row_each_position(block, phi1, R1, R2, e, True)
+
+
+def position(
+    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the position function phi3(phi1) of the output wheel, phi3(0) = 0.
+
+    Compiled. The help of `mechproof.kernels.elliptic_planetary.position` has all words.
+    """
+    if type(R1) is type(R2) is type(e) is float:
+        if type(phi1) is ndarray:
+            row = take_row(phi1, out)
+            if row is not None:
+                _fill_position(row, phi1, R1, R2, e)
+                return row
+        elif type(phi1) is float and out is None:
+            return float64(_position_point(phi1, R1, R2, e))
+    return run(
+        _POSITION,
+        (
+            phi1,
+            R1,
+            R2,
+            e,
+        ),
+        out,
+    )
+
+
+_POSITION = Loops(
+    names=(
+        "phi1",
+        "R1",
+        "R2",
+        "e",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_position_point,
+    uniform=_fill_position,
+    each=_fill_each_position,
+)
+
+
+@overload(position)
+def _offer_position(
+    phi1,
+    R1,
+    R2,
+    e,
+):
+    return lambda phi1, R1, R2, e: _position_point(
+        float(phi1),
+        float(R1),
+        float(R2),
+        float(e),
+    )
+
+
+@scalar
+def _prepare_acceleration(R1, R2, e, exact):
+    k = R1 / R2
+    k_low = _quotient_rest(R1, R2, k)
+    one_minus_e = 1 - e
+    one_plus_e = 1 + e
+
+    return (e, k, k_low, one_minus_e, one_plus_e)
+
+
+@scalar
+def _acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
+    x = k * phi1
+    t = _tan(x / 2, exact)
+    x_low = k_low * phi1 + _product_rest(k, phi1, x)
+    t_low = _small_tangent(x_low / 2)
+    adjacent = 1 - t * t_low
+    opposite = t + t_low
+    adjacent_squared = adjacent**2
+    opposite_squared = opposite**2
+
+    return (
+        -4
+        * e
+        * one_minus_e
+        * one_plus_e
+        * k**2
+        / (one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared) ** 2
+        * adjacent
+        * opposite
+        * (adjacent_squared + opposite_squared)
+    )
+
+
+@scalar
+def _acceleration_at(phi1, R1, R2, e, exact):
+    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
+        return math.nan
+    prepared = _prepare_acceleration(R1, R2, e, exact)
+
+    return _acceleration(phi1, *prepared, exact)
+
+
+@scalar
+def _acceleration_point(phi1, R1, R2, e):
+    return _acceleration_at(phi1, R1, R2, e, True)
+
+
+@loop
+def _row_acceleration(out, phi1_values, prepared, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
+
+        value = _acceleration(phi1, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_acceleration(out, phi1_values, R1, R2, e):
+    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
+        out[:] = math.nan
+        return
+    prepared = _prepare_acceleration(R1, R2, e, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        phi1 = phi1_values[start:stop]
+        _row_acceleration(block, phi1, prepared, None)
+        if has_nan(block):
+            _row_acceleration(block, phi1, prepared, True)
+
+
+@loop
+def _row_each_acceleration(out, phi1_values, R1_values, R2_values, e_values, exact):
+    for i in range(out.size):
+        phi1 = float(phi1_values[i])
+        R1 = float(R1_values[i])
+        R2 = float(R2_values[i])
+        e = float(e_values[i])
+
+        value = _acceleration_at(phi1, R1, R2, e, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_acceleration(out, phi1_values, R1_values, R2_values, e_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        phi1 = phi1_values[start:stop]
+        R1 = R1_values[start:stop]
+        R2 = R2_values[start:stop]
+        e = e_values[start:stop]
+        _row_each_acceleration(block, phi1, R1, R2, e, None)
+        if has_nan(block):
+            _row_each_acceleration(block, phi1, R1, R2, e, True)
+
+
+def acceleration(
+    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute d ratio/d phi1, the angular acceleration of the output at unit carrier speed.
+
+    Compiled. The help of `mechproof.kernels.elliptic_planetary.acceleration` has all words.
+    """
+    if type(R1) is type(R2) is type(e) is float:
+        if type(phi1) is ndarray:
+            row = take_row(phi1, out)
+            if row is not None:
+                _fill_acceleration(row, phi1, R1, R2, e)
+                return row
+        elif type(phi1) is float and out is None:
+            return float64(_acceleration_point(phi1, R1, R2, e))
+    return run(
+        _ACCELERATION,
+        (
+            phi1,
+            R1,
+            R2,
+            e,
+        ),
+        out,
+    )
+
+
+_ACCELERATION = Loops(
+    names=(
+        "phi1",
+        "R1",
+        "R2",
+        "e",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_acceleration_point,
+    uniform=_fill_acceleration,
+    each=_fill_each_acceleration,
+)
+
+
+@overload(acceleration)
+def _offer_acceleration(
+    phi1,
+    R1,
+    R2,
+    e,
+):
+    return lambda phi1, R1, R2, e: _acceleration_point(
+        float(phi1),
+        float(R1),
+        float(R2),
+        float(e),
+    )
+
+
+@scalar
+def _prepare_largest_ratio(R2, e):
+
+    return (R2, e)
+
+
+@scalar
+def _largest_ratio(R1, R2, e):
+    k = R1 / R2
+
+    return 1 + (1 + e) / (1 - e) * k
+
+
+@scalar
+def _largest_ratio_at(R1, R2, e):
+    if not ((R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)):
+        return math.nan
+    prepared = _prepare_largest_ratio(R2, e)
+
+    return _largest_ratio(R1, *prepared)
+
+
+@scalar
+def _largest_ratio_point(R1, R2, e):
+    return _largest_ratio_at(R1, R2, e)
+
+
+@loop
+def _row_largest_ratio(
+    out,
+    R1_values,
+    R2,
+    e,
+    prepared,
+):
+    for i in range(out.size):
+        R1 = float(R1_values[i])
+
+        value = (
+            _largest_ratio(R1, *prepared)
+            if (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
+            else math.nan
+        )
+        out[i] = value
+
+
+@loop
+def _fill_largest_ratio(out, R1_values, R2, e):
+    prepared = _prepare_largest_ratio(R2, e)
+
+    _row_largest_ratio(
+        out,
+        R1_values,
+        R2,
+        e,
+        prepared,
+    )
+
+
+@loop
+def _row_each_largest_ratio(out, R1_values, R2_values, e_values):
+    for i in range(out.size):
+        R1 = float(R1_values[i])
+        R2 = float(R2_values[i])
+        e = float(e_values[i])
+
+        value = _largest_ratio_at(R1, R2, e)
+        out[i] = value
+
+
+@loop
+def _fill_each_largest_ratio(out, R1_values, R2_values, e_values):
+    _row_each_largest_ratio(
+        out,
+        R1_values,
+        R2_values,
+        e_values,
+    )
+
+
+def largest_ratio(
+    R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the largest transmission ratio, met at phi1 = 0 and every period 2*pi*R2/R1 on.
+
+    Compiled. The help of `mechproof.kernels.elliptic_planetary.largest_ratio` has all words.
+    """
+    if type(R2) is type(e) is float:
+        if type(R1) is ndarray:
+            row = take_row(R1, out)
+            if row is not None:
+                _fill_largest_ratio(row, R1, R2, e)
+                return row
+        elif type(R1) is float and out is None:
+            return float64(_largest_ratio_point(R1, R2, e))
+    return run(
+        _LARGEST_RATIO,
+        (
+            R1,
+            R2,
+            e,
+        ),
+        out,
+    )
+
+
+_LARGEST_RATIO = Loops(
+    names=(
+        "R1",
+        "R2",
+        "e",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_largest_ratio_point,
+    uniform=_fill_largest_ratio,
+    each=_fill_each_largest_ratio,
+)
+
+
+@overload(largest_ratio)
+def _offer_largest_ratio(
+    R1,
+    R2,
+    e,
+):
+    return lambda R1, R2, e: _largest_ratio_point(
+        float(R1),
+        float(R2),
+        float(e),
+    )
+
+
+@scalar
+def _prepare_smallest_ratio(R2, e):
+
+    return (R2, e)
+
+
+@scalar
+def _smallest_ratio(R1, R2, e):
+    k = R1 / R2
+
+    return 1 + (1 - e) / (1 + e) * k
+
+
+@scalar
+def _smallest_ratio_at(R1, R2, e):
+    if not ((R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)):
+        return math.nan
+    prepared = _prepare_smallest_ratio(R2, e)
+
+    return _smallest_ratio(R1, *prepared)
+
+
+@scalar
+def _smallest_ratio_point(R1, R2, e):
+    return _smallest_ratio_at(R1, R2, e)
+
+
+@loop
+def _row_smallest_ratio(
+    out,
+    R1_values,
+    R2,
+    e,
+    prepared,
+):
+    for i in range(out.size):
+        R1 = float(R1_values[i])
+
+        value = (
+            _smallest_ratio(R1, *prepared)
+            if (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
+            else math.nan
+        )
+        out[i] = value
+
+
+@loop
+def _fill_smallest_ratio(out, R1_values, R2, e):
+    prepared = _prepare_smallest_ratio(R2, e)
+
+    _row_smallest_ratio(
+        out,
+        R1_values,
+        R2,
+        e,
+        prepared,
+    )
+
+
+@loop
+def _row_each_smallest_ratio(out, R1_values, R2_values, e_values):
+    for i in range(out.size):
+        R1 = float(R1_values[i])
+        R2 = float(R2_values[i])
+        e = float(e_values[i])
+
+        value = _smallest_ratio_at(R1, R2, e)
+        out[i] = value
+
+
+@loop
+def _fill_each_smallest_ratio(out, R1_values, R2_values, e_values):
+    _row_each_smallest_ratio(
+        out,
+        R1_values,
+        R2_values,
+        e_values,
+    )
+
+
+def smallest_ratio(
+    R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the smallest transmission ratio, met half a period after the largest.
+
+    Compiled. The help of `mechproof.kernels.elliptic_planetary.smallest_ratio` has all words.
+    """
+    if type(R2) is type(e) is float:
+        if type(R1) is ndarray:
+            row = take_row(R1, out)
+            if row is not None:
+                _fill_smallest_ratio(row, R1, R2, e)
+                return row
+        elif type(R1) is float and out is None:
+            return float64(_smallest_ratio_point(R1, R2, e))
+    return run(
+        _SMALLEST_RATIO,
+        (
+            R1,
+            R2,
+            e,
+        ),
+        out,
+    )
+
+
+_SMALLEST_RATIO = Loops(
+    names=(
+        "R1",
+        "R2",
+        "e",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_smallest_ratio_point,
+    uniform=_fill_smallest_ratio,
+    each=_fill_each_smallest_ratio,
+)
+
+
+@overload(smallest_ratio)
+def _offer_smallest_ratio(
+    R1,
+    R2,
+    e,
+):
+    return lambda R1, R2, e: _smallest_ratio_point(
+        float(R1),
+        float(R2),
+        float(e),
+    )

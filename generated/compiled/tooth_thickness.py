@@ -1,0 +1,1215 @@
+"""Compiled kernels of the system `tooth_thickness`: one loop for each, by numba.
+
+Names, arguments, domains, NaN and errors are those of `mechproof.kernels.tooth_thickness`,
+and so are the formulas. Numbers and NumPy arrays are taken. With numbers,
+kernels can be called inside functions that numba compiles; arguments with components are then
+indexed, and so are results.
+
+Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
+
+Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy import float64, ndarray
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.compiled_support import (
+    BLOCK,
+    Loops,
+    choose,
+    floor,
+    fma,
+    has_nan,
+    is_finite,
+    loop,
+    overload,
+    rint,
+    run,
+    scalar,
+    take_row,
+)
+
+__all__ = [
+    "chord_height",
+    "constant_chord",
+    "height_change",
+    "linearisation_bound",
+    "thickness_change",
+    "thickness_change_linear",
+    "thickness_error",
+]
+
+LARGEST = 67108864.0
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
+@scalar
+def _tan(y, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = (
+        fma(
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
+        )
+        * v2
+    )
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
+    )
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
+
+    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+
+    return math.tan(y)
+
+
+# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
+# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
+@scalar
+def _sin(y, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        fma(
+            v2 * v3,
+            fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
+                fma(
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
+                ),
+            ),
+            v2,
+        ),
+        v7
+        + fma(
+            v3 * v3,
+            fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
+                fma(
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
+                ),
+            ),
+            1.0 - v7 - v6,
+        ),
+    )
+    v12 = floor(v10) * 0.5
+
+    value = choose(floor(v12) == v12, v11, -v11)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+
+    return math.sin(y)
+
+
+# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
+# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
+@scalar
+def _cos(y, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        v7
+        + fma(
+            v3 * v3,
+            fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
+                fma(
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
+                ),
+            ),
+            1.0 - v7 - v6,
+        ),
+        fma(
+            v2 * v3,
+            fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
+                fma(
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
+                ),
+            ),
+            v2,
+        ),
+    )
+    v12 = floor((v1 + 1.0) * 0.5) * 0.5
+
+    value = choose(floor(v12) == v12, v11, -v11)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+
+    return math.cos(y)
+
+
+@scalar
+def _prepare_constant_chord(alpha, exact):
+
+    return (alpha,)
+
+
+@scalar
+def _constant_chord(m, alpha, exact):
+
+    return np.pi * _cos(alpha, exact) ** 2 / 2 * m
+
+
+@scalar
+def _constant_chord_at(m, alpha, exact):
+    if not ((alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)):
+        return math.nan
+    prepared = _prepare_constant_chord(alpha, exact)
+
+    return _constant_chord(m, *prepared, exact)
+
+
+@scalar
+def _constant_chord_point(m, alpha):
+    return _constant_chord_at(m, alpha, True)
+
+
+@loop
+def _row_constant_chord(out, m_values, alpha, prepared, exact):
+    for i in range(out.size):
+        m = float(m_values[i])
+
+        value = (
+            _constant_chord(m, *prepared, exact)
+            if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+            else math.nan
+        )
+        out[i] = value
+
+
+@loop
+def _fill_constant_chord(out, m_values, alpha):
+    prepared = _prepare_constant_chord(alpha, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        m = m_values[start:stop]
+        _row_constant_chord(block, m, alpha, prepared, None)
+        if has_nan(block):
+            _row_constant_chord(block, m, alpha, prepared, True)
+
+
+@loop
+def _row_each_constant_chord(out, m_values, alpha_values, exact):
+    for i in range(out.size):
+        m = float(m_values[i])
+        alpha = float(alpha_values[i])
+
+        value = _constant_chord_at(m, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_constant_chord(out, m_values, alpha_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        m = m_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_constant_chord(block, m, alpha, None)
+        if has_nan(block):
+            _row_each_constant_chord(block, m, alpha, True)
+
+
+def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the constant chord, between the points where a rack touches both flanks.
+
+    Compiled. The help of `mechproof.kernels.tooth_thickness.constant_chord` has all words.
+    """
+    if type(alpha) is float:
+        if type(m) is ndarray:
+            row = take_row(m, out)
+            if row is not None:
+                _fill_constant_chord(row, m, alpha)
+                return row
+        elif type(m) is float and out is None:
+            return float64(_constant_chord_point(m, alpha))
+    return run(
+        _CONSTANT_CHORD,
+        (
+            m,
+            alpha,
+        ),
+        out,
+    )
+
+
+_CONSTANT_CHORD = Loops(
+    names=(
+        "m",
+        "alpha",
+    ),
+    widths=(
+        0,
+        0,
+    ),
+    shape=(),
+    at=_constant_chord_point,
+    uniform=_fill_constant_chord,
+    each=_fill_each_constant_chord,
+)
+
+
+@overload(constant_chord)
+def _offer_constant_chord(
+    m,
+    alpha,
+):
+    return lambda m, alpha: _constant_chord_point(
+        float(m),
+        float(alpha),
+    )
+
+
+@scalar
+def _prepare_chord_height(alpha, exact):
+
+    return (alpha,)
+
+
+@scalar
+def _chord_height(m, alpha, exact):
+
+    return (1 - np.pi * _sin(2 * alpha, exact) / 8) * m
+
+
+@scalar
+def _chord_height_at(m, alpha, exact):
+    if not ((alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)):
+        return math.nan
+    prepared = _prepare_chord_height(alpha, exact)
+
+    return _chord_height(m, *prepared, exact)
+
+
+@scalar
+def _chord_height_point(m, alpha):
+    return _chord_height_at(m, alpha, True)
+
+
+@loop
+def _row_chord_height(out, m_values, alpha, prepared, exact):
+    for i in range(out.size):
+        m = float(m_values[i])
+
+        value = (
+            _chord_height(m, *prepared, exact)
+            if (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+            else math.nan
+        )
+        out[i] = value
+
+
+@loop
+def _fill_chord_height(out, m_values, alpha):
+    prepared = _prepare_chord_height(alpha, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        m = m_values[start:stop]
+        _row_chord_height(block, m, alpha, prepared, None)
+        if has_nan(block):
+            _row_chord_height(block, m, alpha, prepared, True)
+
+
+@loop
+def _row_each_chord_height(out, m_values, alpha_values, exact):
+    for i in range(out.size):
+        m = float(m_values[i])
+        alpha = float(alpha_values[i])
+
+        value = _chord_height_at(m, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_chord_height(out, m_values, alpha_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        m = m_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_chord_height(block, m, alpha, None)
+        if has_nan(block):
+            _row_each_chord_height(block, m, alpha, True)
+
+
+def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the height from the tip circle to the constant chord, addendum of one module.
+
+    Compiled. The help of `mechproof.kernels.tooth_thickness.chord_height` has all words.
+    """
+    if type(alpha) is float:
+        if type(m) is ndarray:
+            row = take_row(m, out)
+            if row is not None:
+                _fill_chord_height(row, m, alpha)
+                return row
+        elif type(m) is float and out is None:
+            return float64(_chord_height_point(m, alpha))
+    return run(
+        _CHORD_HEIGHT,
+        (
+            m,
+            alpha,
+        ),
+        out,
+    )
+
+
+_CHORD_HEIGHT = Loops(
+    names=(
+        "m",
+        "alpha",
+    ),
+    widths=(
+        0,
+        0,
+    ),
+    shape=(),
+    at=_chord_height_point,
+    uniform=_fill_chord_height,
+    each=_fill_each_chord_height,
+)
+
+
+@overload(chord_height)
+def _offer_chord_height(
+    m,
+    alpha,
+):
+    return lambda m, alpha: _chord_height_point(
+        float(m),
+        float(alpha),
+    )
+
+
+@scalar
+def _prepare_height_change(m, z, alpha, exact):
+    cosm1_alpha = -2 * _sin(alpha / 2, exact) ** 2
+    cos_alpha = 1 + cosm1_alpha
+    r_b = cos_alpha * m * z / 2
+    t_c = np.pi / (2 * z) + _tan(alpha, exact)
+
+    return (alpha, cos_alpha, r_b, t_c)
+
+
+@scalar
+def _height_change(tilt, alpha, cos_alpha, r_b, t_c, exact):
+    sin_tilt = _sin(tilt, exact)
+    cosm1_tilt = -2 * _sin(tilt / 2, exact) ** 2
+    cos_tilt = 1 + cosm1_tilt
+
+    return r_b * (
+        _sin(alpha, exact) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
+        - cos_alpha * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
+    )
+
+
+@scalar
+def _height_change_at(tilt, m, z, alpha, exact):
+    if not (
+        (m > 0)
+        & is_finite(m)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    ):
+        return math.nan
+    prepared = _prepare_height_change(m, z, alpha, exact)
+
+    return _height_change(tilt, *prepared, exact)
+
+
+@scalar
+def _height_change_point(tilt, m, z, alpha):
+    return _height_change_at(tilt, m, z, alpha, True)
+
+
+@loop
+def _row_height_change(out, tilt_values, prepared, exact):
+    for i in range(out.size):
+        tilt = float(tilt_values[i])
+
+        value = _height_change(tilt, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_height_change(out, tilt_values, m, z, alpha):
+    if not (
+        (m > 0)
+        & is_finite(m)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    ):
+        out[:] = math.nan
+        return
+    prepared = _prepare_height_change(m, z, alpha, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        tilt = tilt_values[start:stop]
+        _row_height_change(block, tilt, prepared, None)
+        if has_nan(block):
+            _row_height_change(block, tilt, prepared, True)
+
+
+@loop
+def _row_each_height_change(out, tilt_values, m_values, z_values, alpha_values, exact):
+    for i in range(out.size):
+        tilt = float(tilt_values[i])
+        m = float(m_values[i])
+        z = float(z_values[i])
+        alpha = float(alpha_values[i])
+
+        value = _height_change_at(tilt, m, z, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_height_change(out, tilt_values, m_values, z_values, alpha_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        tilt = tilt_values[start:stop]
+        m = m_values[start:stop]
+        z = z_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_height_change(block, tilt, m, z, alpha, None)
+        if has_nan(block):
+            _row_each_height_change(block, tilt, m, z, alpha, True)
+
+
+def height_change(
+    tilt: ArrayLike,
+    m: ArrayLike,
+    z: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute how much deeper than the constant chord the chord lies, by its flank's tangent.
+
+    Compiled. The help of `mechproof.kernels.tooth_thickness.height_change` has all words.
+    """
+    if type(m) is type(z) is type(alpha) is float:
+        if type(tilt) is ndarray:
+            row = take_row(tilt, out)
+            if row is not None:
+                _fill_height_change(row, tilt, m, z, alpha)
+                return row
+        elif type(tilt) is float and out is None:
+            return float64(_height_change_point(tilt, m, z, alpha))
+    return run(
+        _HEIGHT_CHANGE,
+        (
+            tilt,
+            m,
+            z,
+            alpha,
+        ),
+        out,
+    )
+
+
+_HEIGHT_CHANGE = Loops(
+    names=(
+        "tilt",
+        "m",
+        "z",
+        "alpha",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_height_change_point,
+    uniform=_fill_height_change,
+    each=_fill_each_height_change,
+)
+
+
+@overload(height_change)
+def _offer_height_change(
+    tilt,
+    m,
+    z,
+    alpha,
+):
+    return lambda tilt, m, z, alpha: _height_change_point(
+        float(tilt),
+        float(m),
+        float(z),
+        float(alpha),
+    )
+
+
+@scalar
+def _prepare_thickness_change(m, z, alpha, exact):
+    cosm1_alpha = -2 * _sin(alpha / 2, exact) ** 2
+    cos_alpha = 1 + cosm1_alpha
+    r_b = cos_alpha * m * z / 2
+    t_c = np.pi / (2 * z) + _tan(alpha, exact)
+
+    return (alpha, cos_alpha, r_b, t_c)
+
+
+@scalar
+def _thickness_change(tilt, alpha, cos_alpha, r_b, t_c, exact):
+    sin_tilt = _sin(tilt, exact)
+    cosm1_tilt = -2 * _sin(tilt / 2, exact) ** 2
+    cos_tilt = 1 + cosm1_tilt
+
+    return (
+        -2
+        * r_b
+        * (
+            cos_alpha * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
+            + _sin(alpha, exact) * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
+        )
+    )
+
+
+@scalar
+def _thickness_change_at(tilt, m, z, alpha, exact):
+    if not (
+        (m > 0)
+        & is_finite(m)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    ):
+        return math.nan
+    prepared = _prepare_thickness_change(m, z, alpha, exact)
+
+    return _thickness_change(tilt, *prepared, exact)
+
+
+@scalar
+def _thickness_change_point(tilt, m, z, alpha):
+    return _thickness_change_at(tilt, m, z, alpha, True)
+
+
+@loop
+def _row_thickness_change(out, tilt_values, prepared, exact):
+    for i in range(out.size):
+        tilt = float(tilt_values[i])
+
+        value = _thickness_change(tilt, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_thickness_change(out, tilt_values, m, z, alpha):
+    if not (
+        (m > 0)
+        & is_finite(m)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    ):
+        out[:] = math.nan
+        return
+    prepared = _prepare_thickness_change(m, z, alpha, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        tilt = tilt_values[start:stop]
+        _row_thickness_change(block, tilt, prepared, None)
+        if has_nan(block):
+            _row_thickness_change(block, tilt, prepared, True)
+
+
+@loop
+def _row_each_thickness_change(out, tilt_values, m_values, z_values, alpha_values, exact):
+    for i in range(out.size):
+        tilt = float(tilt_values[i])
+        m = float(m_values[i])
+        z = float(z_values[i])
+        alpha = float(alpha_values[i])
+
+        value = _thickness_change_at(tilt, m, z, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_thickness_change(out, tilt_values, m_values, z_values, alpha_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        tilt = tilt_values[start:stop]
+        m = m_values[start:stop]
+        z = z_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_thickness_change(block, tilt, m, z, alpha, None)
+        if has_nan(block):
+            _row_each_thickness_change(block, tilt, m, z, alpha, True)
+
+
+def thickness_change(
+    tilt: ArrayLike,
+    m: ArrayLike,
+    z: ArrayLike,
+    alpha: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute how much thicker than the constant chord the chord is, by its flank's tangent.
+
+    Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_change` has all words.
+    """
+    if type(m) is type(z) is type(alpha) is float:
+        if type(tilt) is ndarray:
+            row = take_row(tilt, out)
+            if row is not None:
+                _fill_thickness_change(row, tilt, m, z, alpha)
+                return row
+        elif type(tilt) is float and out is None:
+            return float64(_thickness_change_point(tilt, m, z, alpha))
+    return run(
+        _THICKNESS_CHANGE,
+        (
+            tilt,
+            m,
+            z,
+            alpha,
+        ),
+        out,
+    )
+
+
+_THICKNESS_CHANGE = Loops(
+    names=(
+        "tilt",
+        "m",
+        "z",
+        "alpha",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_thickness_change_point,
+    uniform=_fill_thickness_change,
+    each=_fill_each_thickness_change,
+)
+
+
+@overload(thickness_change)
+def _offer_thickness_change(
+    tilt,
+    m,
+    z,
+    alpha,
+):
+    return lambda tilt, m, z, alpha: _thickness_change_point(
+        float(tilt),
+        float(m),
+        float(z),
+        float(alpha),
+    )
+
+
+@scalar
+def _prepare_thickness_change_linear(alpha, exact):
+
+    return (alpha,)
+
+
+@scalar
+def _thickness_change_linear(dh, alpha, exact):
+
+    return 2 * _tan(alpha, exact) * dh
+
+
+@scalar
+def _thickness_change_linear_at(dh, alpha, exact):
+    if not ((alpha > 0) & (alpha < np.pi / 4)):
+        return math.nan
+    prepared = _prepare_thickness_change_linear(alpha, exact)
+
+    return _thickness_change_linear(dh, *prepared, exact)
+
+
+@scalar
+def _thickness_change_linear_point(dh, alpha):
+    return _thickness_change_linear_at(dh, alpha, True)
+
+
+@loop
+def _row_thickness_change_linear(out, dh_values, prepared, exact):
+    for i in range(out.size):
+        dh = float(dh_values[i])
+
+        value = _thickness_change_linear(dh, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_thickness_change_linear(out, dh_values, alpha):
+    if not ((alpha > 0) & (alpha < np.pi / 4)):
+        out[:] = math.nan
+        return
+    prepared = _prepare_thickness_change_linear(alpha, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        dh = dh_values[start:stop]
+        _row_thickness_change_linear(block, dh, prepared, None)
+        if has_nan(block):
+            _row_thickness_change_linear(block, dh, prepared, True)
+
+
+@loop
+def _row_each_thickness_change_linear(out, dh_values, alpha_values, exact):
+    for i in range(out.size):
+        dh = float(dh_values[i])
+        alpha = float(alpha_values[i])
+
+        value = _thickness_change_linear_at(dh, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_thickness_change_linear(out, dh_values, alpha_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        dh = dh_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_thickness_change_linear(block, dh, alpha, None)
+        if has_nan(block):
+            _row_each_thickness_change_linear(block, dh, alpha, True)
+
+
+def thickness_change_linear(
+    dh: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the change of thickness with the height to first order, on the rack exactly.
+
+    Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_change_linear` has all words.
+    """
+    if type(alpha) is float:
+        if type(dh) is ndarray:
+            row = take_row(dh, out)
+            if row is not None:
+                _fill_thickness_change_linear(row, dh, alpha)
+                return row
+        elif type(dh) is float and out is None:
+            return float64(_thickness_change_linear_point(dh, alpha))
+    return run(
+        _THICKNESS_CHANGE_LINEAR,
+        (
+            dh,
+            alpha,
+        ),
+        out,
+    )
+
+
+_THICKNESS_CHANGE_LINEAR = Loops(
+    names=(
+        "dh",
+        "alpha",
+    ),
+    widths=(
+        0,
+        0,
+    ),
+    shape=(),
+    at=_thickness_change_linear_point,
+    uniform=_fill_thickness_change_linear,
+    each=_fill_each_thickness_change_linear,
+)
+
+
+@overload(thickness_change_linear)
+def _offer_thickness_change_linear(
+    dh,
+    alpha,
+):
+    return lambda dh, alpha: _thickness_change_linear_point(
+        float(dh),
+        float(alpha),
+    )
+
+
+@scalar
+def _prepare_linearisation_bound(m, z, alpha, exact):
+    r_b = m * z * _cos(alpha, exact) / 2
+    y_c = m * (z / 2 + np.pi * _sin(2 * alpha, exact) / 8)
+    t_c = np.pi / (2 * z) + _tan(alpha, exact)
+
+    return (r_b, y_c, t_c)
+
+
+@scalar
+def _linearisation_bound(dh, r_b, y_c, t_c, exact):
+    abs_Delta_h = abs(dh)
+    abs_Delta_h_plus_y_c = abs_Delta_h + y_c
+
+    return (
+        dh**2
+        * (abs_Delta_h_plus_y_c * abs_Delta_h_plus_y_c**2)
+        / (r_b * r_b**2 * np.sqrt(r_b**2 * t_c**2 - abs_Delta_h * (2 * y_c - abs_Delta_h)))
+    )
+
+
+@scalar
+def _linearisation_bound_at(dh, m, z, alpha, exact):
+    if not (
+        (m > 0)
+        & is_finite(m)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    ):
+        return math.nan
+    prepared = _prepare_linearisation_bound(m, z, alpha, exact)
+
+    return _linearisation_bound(dh, *prepared, exact)
+
+
+@scalar
+def _linearisation_bound_point(dh, m, z, alpha):
+    return _linearisation_bound_at(dh, m, z, alpha, True)
+
+
+@loop
+def _row_linearisation_bound(out, dh_values, prepared, exact):
+    for i in range(out.size):
+        dh = float(dh_values[i])
+
+        value = _linearisation_bound(dh, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_linearisation_bound(out, dh_values, m, z, alpha):
+    if not (
+        (m > 0)
+        & is_finite(m)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == floor(z))
+        & (alpha > 0)
+        & (alpha < np.pi / 4)
+    ):
+        out[:] = math.nan
+        return
+    prepared = _prepare_linearisation_bound(m, z, alpha, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        dh = dh_values[start:stop]
+        _row_linearisation_bound(block, dh, prepared, None)
+        if has_nan(block):
+            _row_linearisation_bound(block, dh, prepared, True)
+
+
+@loop
+def _row_each_linearisation_bound(out, dh_values, m_values, z_values, alpha_values, exact):
+    for i in range(out.size):
+        dh = float(dh_values[i])
+        m = float(m_values[i])
+        z = float(z_values[i])
+        alpha = float(alpha_values[i])
+
+        value = _linearisation_bound_at(dh, m, z, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_linearisation_bound(out, dh_values, m_values, z_values, alpha_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        dh = dh_values[start:stop]
+        m = m_values[start:stop]
+        z = z_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_linearisation_bound(block, dh, m, z, alpha, None)
+        if has_nan(block):
+            _row_each_linearisation_bound(block, dh, m, z, alpha, True)
+
+
+def linearisation_bound(
+    dh: ArrayLike, m: ArrayLike, z: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Bound the excess of the first order over the exact change of thickness; it is >= 0.
+
+    Compiled. The help of `mechproof.kernels.tooth_thickness.linearisation_bound` has all words.
+    """
+    if type(m) is type(z) is type(alpha) is float:
+        if type(dh) is ndarray:
+            row = take_row(dh, out)
+            if row is not None:
+                _fill_linearisation_bound(row, dh, m, z, alpha)
+                return row
+        elif type(dh) is float and out is None:
+            return float64(_linearisation_bound_point(dh, m, z, alpha))
+    return run(
+        _LINEARISATION_BOUND,
+        (
+            dh,
+            m,
+            z,
+            alpha,
+        ),
+        out,
+    )
+
+
+_LINEARISATION_BOUND = Loops(
+    names=(
+        "dh",
+        "m",
+        "z",
+        "alpha",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_linearisation_bound_point,
+    uniform=_fill_linearisation_bound,
+    each=_fill_each_linearisation_bound,
+)
+
+
+@overload(linearisation_bound)
+def _offer_linearisation_bound(
+    dh,
+    m,
+    z,
+    alpha,
+):
+    return lambda dh, m, z, alpha: _linearisation_bound_point(
+        float(dh),
+        float(m),
+        float(z),
+        float(alpha),
+    )
+
+
+@scalar
+def _prepare_thickness_error(height_error, alpha, exact):
+
+    return (height_error, alpha)
+
+
+@scalar
+def _thickness_error(e_tip, height_error, alpha, exact):
+
+    return 2 * _tan(alpha, exact) * (height_error - e_tip / 2)
+
+
+@scalar
+def _thickness_error_at(e_tip, height_error, alpha, exact):
+    if not ((alpha > 0) & (alpha < np.pi / 4)):
+        return math.nan
+    prepared = _prepare_thickness_error(height_error, alpha, exact)
+
+    return _thickness_error(e_tip, *prepared, exact)
+
+
+@scalar
+def _thickness_error_point(e_tip, height_error, alpha):
+    return _thickness_error_at(e_tip, height_error, alpha, True)
+
+
+@loop
+def _row_thickness_error(out, e_tip_values, prepared, exact):
+    for i in range(out.size):
+        e_tip = float(e_tip_values[i])
+
+        value = _thickness_error(e_tip, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_thickness_error(out, e_tip_values, height_error, alpha):
+    if not ((alpha > 0) & (alpha < np.pi / 4)):
+        out[:] = math.nan
+        return
+    prepared = _prepare_thickness_error(height_error, alpha, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        e_tip = e_tip_values[start:stop]
+        _row_thickness_error(block, e_tip, prepared, None)
+        if has_nan(block):
+            _row_thickness_error(block, e_tip, prepared, True)
+
+
+@loop
+def _row_each_thickness_error(out, e_tip_values, height_error_values, alpha_values, exact):
+    for i in range(out.size):
+        e_tip = float(e_tip_values[i])
+        height_error = float(height_error_values[i])
+        alpha = float(alpha_values[i])
+
+        value = _thickness_error_at(e_tip, height_error, alpha, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_thickness_error(out, e_tip_values, height_error_values, alpha_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        e_tip = e_tip_values[start:stop]
+        height_error = height_error_values[start:stop]
+        alpha = alpha_values[start:stop]
+        _row_each_thickness_error(block, e_tip, height_error, alpha, None)
+        if has_nan(block):
+            _row_each_thickness_error(block, e_tip, height_error, alpha, True)
+
+
+def thickness_error(
+    e_tip: ArrayLike, height_error: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the error of thickness from the tip diameter and the gauge's height.
+
+    Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_error` has all words.
+    """
+    if type(height_error) is type(alpha) is float:
+        if type(e_tip) is ndarray:
+            row = take_row(e_tip, out)
+            if row is not None:
+                _fill_thickness_error(row, e_tip, height_error, alpha)
+                return row
+        elif type(e_tip) is float and out is None:
+            return float64(_thickness_error_point(e_tip, height_error, alpha))
+    return run(
+        _THICKNESS_ERROR,
+        (
+            e_tip,
+            height_error,
+            alpha,
+        ),
+        out,
+    )
+
+
+_THICKNESS_ERROR = Loops(
+    names=(
+        "e_tip",
+        "height_error",
+        "alpha",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_thickness_error_point,
+    uniform=_fill_thickness_error,
+    each=_fill_each_thickness_error,
+)
+
+
+@overload(thickness_error)
+def _offer_thickness_error(
+    e_tip,
+    height_error,
+    alpha,
+):
+    return lambda e_tip, height_error, alpha: _thickness_error_point(
+        float(e_tip),
+        float(height_error),
+        float(alpha),
+    )

@@ -1,0 +1,1311 @@
+"""Compiled kernels of the system `track_wheel`: one loop for each, by numba.
+
+Names, arguments, domains, NaN and errors are those of `mechproof.kernels.track_wheel`,
+and so are the formulas. Numbers and NumPy arrays are taken. With numbers,
+kernels can be called inside functions that numba compiles; arguments with components are then
+indexed, and so are results.
+
+Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
+
+Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy import float64, ndarray
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.compiled_support import (
+    BLOCK,
+    Loops,
+    choose,
+    floor,
+    fma,
+    has_nan,
+    is_finite,
+    loop,
+    overload,
+    rint,
+    run,
+    scalar,
+    take_row,
+)
+
+__all__ = [
+    "displacement",
+    "largest_radius",
+    "planar_error",
+    "radius",
+    "rotation",
+    "smallest_radius",
+    "spatial_error",
+    "track",
+]
+
+LARGEST = 67108864.0
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
+@scalar
+def _tan(y, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = (
+        fma(
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
+        )
+        * v2
+    )
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
+    )
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
+
+    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+
+    return math.tan(y)
+
+
+# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
+# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
+@scalar
+def _sin(y, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        fma(
+            v2 * v3,
+            fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
+                fma(
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
+                ),
+            ),
+            v2,
+        ),
+        v7
+        + fma(
+            v3 * v3,
+            fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
+                fma(
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
+                ),
+            ),
+            1.0 - v7 - v6,
+        ),
+    )
+    v12 = floor(v10) * 0.5
+
+    value = choose(floor(v12) == v12, v11, -v11)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+
+    return math.sin(y)
+
+
+# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
+# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
+@scalar
+def _cos(y, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        v7
+        + fma(
+            v3 * v3,
+            fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
+                fma(
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
+                ),
+            ),
+            1.0 - v7 - v6,
+        ),
+        fma(
+            v2 * v3,
+            fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
+                fma(
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
+                ),
+            ),
+            v2,
+        ),
+    )
+    v12 = floor((v1 + 1.0) * 0.5) * 0.5
+
+    value = choose(floor(v12) == v12, v11, -v11)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+
+    return math.cos(y)
+
+
+@scalar
+def _hypot(a, b):
+    v1 = abs(a)
+    v2 = abs(b)
+    v3 = choose(v1 > v2, v1, v2)
+    v4 = choose(
+        v3 > 3.273390607896142e150,
+        2.409919865102884e-181,
+        choose(v3 < 3.054936363499605e-151, 4.149515568880993e180, 1.0),
+    )
+    v5 = v1 * v4
+    v6 = v2 * v4
+
+    return np.sqrt(fma(v5, v5, v6 * v6)) / v4
+
+
+@scalar
+def _prepare_rotation(beta, gamma, exact):
+    cos_beta = _cos(beta, exact)
+    cos_gamma = _cos(gamma, exact)
+    sin_gamma = _sin(gamma, exact)
+    sin_beta = _sin(beta, exact)
+
+    return (cos_beta, cos_gamma, sin_gamma, sin_beta)
+
+
+@scalar
+def _rotation(alpha, cos_beta, cos_gamma, sin_gamma, sin_beta, exact):
+    cos_alpha = _cos(alpha, exact)
+    sin_alpha = _sin(alpha, exact)
+
+    return (
+        cos_beta * cos_gamma,
+        sin_gamma * cos_alpha + cos_gamma * sin_beta * sin_alpha,
+        sin_gamma * sin_alpha - cos_gamma * sin_beta * cos_alpha,
+        -cos_beta * sin_gamma,
+        cos_gamma * cos_alpha - sin_beta * sin_gamma * sin_alpha,
+        cos_gamma * sin_alpha + sin_beta * sin_gamma * cos_alpha,
+        sin_beta,
+        -cos_beta * sin_alpha,
+        cos_beta * cos_alpha,
+    )
+
+
+@scalar
+def _rotation_at(alpha, beta, gamma, exact):
+    prepared = _prepare_rotation(beta, gamma, exact)
+
+    return _rotation(alpha, *prepared, exact)
+
+
+@scalar
+def _rotation_point(alpha, beta, gamma):
+    return _rotation_at(alpha, beta, gamma, True)
+
+
+@loop
+def _row_rotation(out, alpha_values, prepared, exact):
+    for i in range(out.size // 9):
+        alpha = float(alpha_values[i])
+
+        value = _rotation(alpha, *prepared, exact)
+        out[9 * i + 0] = value[0]
+        out[9 * i + 1] = value[1]
+        out[9 * i + 2] = value[2]
+        out[9 * i + 3] = value[3]
+        out[9 * i + 4] = value[4]
+        out[9 * i + 5] = value[5]
+        out[9 * i + 6] = value[6]
+        out[9 * i + 7] = value[7]
+        out[9 * i + 8] = value[8]
+
+
+@loop
+def _fill_rotation(out, alpha_values, beta, gamma):
+    prepared = _prepare_rotation(beta, gamma, True)
+
+    for start in range(0, out.size // 9, BLOCK):
+        stop = min(start + BLOCK, out.size // 9)
+        block = out[9 * start : 9 * stop]
+        alpha = alpha_values[start:stop]
+        _row_rotation(block, alpha, prepared, None)
+        if has_nan(block):
+            _row_rotation(block, alpha, prepared, True)
+
+
+@loop
+def _row_each_rotation(out, alpha_values, beta_values, gamma_values, exact):
+    for i in range(out.size // 9):
+        alpha = float(alpha_values[i])
+        beta = float(beta_values[i])
+        gamma = float(gamma_values[i])
+
+        value = _rotation_at(alpha, beta, gamma, exact)
+        out[9 * i + 0] = value[0]
+        out[9 * i + 1] = value[1]
+        out[9 * i + 2] = value[2]
+        out[9 * i + 3] = value[3]
+        out[9 * i + 4] = value[4]
+        out[9 * i + 5] = value[5]
+        out[9 * i + 6] = value[6]
+        out[9 * i + 7] = value[7]
+        out[9 * i + 8] = value[8]
+
+
+@loop
+def _fill_each_rotation(out, alpha_values, beta_values, gamma_values):
+    for start in range(0, out.size // 9, BLOCK):
+        stop = min(start + BLOCK, out.size // 9)
+        block = out[9 * start : 9 * stop]
+        alpha = alpha_values[start:stop]
+        beta = beta_values[start:stop]
+        gamma = gamma_values[start:stop]
+        _row_each_rotation(block, alpha, beta, gamma, None)
+        if has_nan(block):
+            _row_each_rotation(block, alpha, beta, gamma, True)
+
+
+def rotation(
+    alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the matrix K of the turns alpha, beta, gamma: coordinates in the part's frame.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.rotation` has all words.
+    """
+    return run(
+        _ROTATION,
+        (
+            alpha,
+            beta,
+            gamma,
+        ),
+        out,
+    )
+
+
+_ROTATION = Loops(
+    names=(
+        "alpha",
+        "beta",
+        "gamma",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+    ),
+    shape=(
+        3,
+        3,
+    ),
+    at=_rotation_point,
+    uniform=_fill_rotation,
+    each=_fill_each_rotation,
+)
+
+
+@overload(rotation)
+def _offer_rotation(
+    alpha,
+    beta,
+    gamma,
+):
+    return lambda alpha, beta, gamma: _rotation_point(
+        float(alpha),
+        float(beta),
+        float(gamma),
+    )
+
+
+@scalar
+def _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact):
+    t_alpha = _tan(angles_0 / 2, exact)
+    t_beta = _tan(angles_1 / 2, exact)
+    t_gamma = _tan(angles_2 / 2, exact)
+    scale = 2 / ((1 + t_alpha**2) * (1 + t_beta**2) * (1 + t_gamma**2))
+    v_y = t_beta - t_alpha * t_gamma
+    v_y_squared = v_y**2
+    v_z = t_gamma + t_alpha * t_beta
+    v_z_squared = v_z**2
+    C11 = scale * (-v_y_squared - v_z_squared)
+    v_x = t_alpha + t_beta * t_gamma
+    v_x_v_y = v_x * v_y
+    w = 1 - t_alpha * t_beta * t_gamma
+    C12 = scale * (v_x_v_y - v_z * w)
+    v_x_v_z = v_x * v_z
+    C13 = scale * (v_x_v_z + v_y * w)
+    C21 = scale * (v_x_v_y + v_z * w)
+    v_x_squared = v_x**2
+    C22 = scale * (-v_x_squared - v_z_squared)
+    v_y_v_z = v_y * v_z
+    C23 = scale * (v_y_v_z - v_x * w)
+    C31 = scale * (v_x_v_z - v_y * w)
+    C32 = scale * (v_y_v_z + v_x * w)
+    C33 = scale * (-v_x_squared - v_y_squared)
+
+    return (C11, C12, C13, C21, C22, C23, C31, C32, C33, shift_0, shift_1, shift_2)
+
+
+@scalar
+def _displacement(
+    points_0, points_1, points_2, m00, m01, m02, m10, m11, m12, m20, m21, m22, v0, v1, v2, exact
+):
+
+    return (
+        fma(m00, points_0, fma(m01, points_1, fma(m02, points_2, v0))),
+        fma(m10, points_0, fma(m11, points_1, fma(m12, points_2, v1))),
+        fma(m20, points_0, fma(m21, points_1, fma(m22, points_2, v2))),
+    )
+
+
+@scalar
+def _displacement_at(
+    points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact
+):
+    prepared = _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact)
+
+    return _displacement(points_0, points_1, points_2, *prepared, exact)
+
+
+@scalar
+def _displacement_point(
+    points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2
+):
+    return _displacement_at(
+        points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, True
+    )
+
+
+@loop
+def _row_displacement(out, points_values, prepared, exact):
+    for i in range(out.size // 3):
+        points_0 = float(points_values[3 * i + 0])
+        points_1 = float(points_values[3 * i + 1])
+        points_2 = float(points_values[3 * i + 2])
+
+        value = _displacement(points_0, points_1, points_2, *prepared, exact)
+        out[3 * i + 0] = value[0]
+        out[3 * i + 1] = value[1]
+        out[3 * i + 2] = value[2]
+
+
+@loop
+def _fill_displacement(out, points_values, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2):
+    prepared = _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, True)
+
+    for start in range(0, out.size // 3, BLOCK):
+        stop = min(start + BLOCK, out.size // 3)
+        block = out[3 * start : 3 * stop]
+        points = points_values[3 * start : 3 * stop]
+        _row_displacement(block, points, prepared, None)
+        if has_nan(block):
+            _row_displacement(block, points, prepared, True)
+
+
+@loop
+def _row_each_displacement(out, points_values, angles_values, shift_values, exact):
+    for i in range(out.size // 3):
+        points_0 = float(points_values[3 * i + 0])
+        points_1 = float(points_values[3 * i + 1])
+        points_2 = float(points_values[3 * i + 2])
+        angles_0 = float(angles_values[3 * i + 0])
+        angles_1 = float(angles_values[3 * i + 1])
+        angles_2 = float(angles_values[3 * i + 2])
+        shift_0 = float(shift_values[3 * i + 0])
+        shift_1 = float(shift_values[3 * i + 1])
+        shift_2 = float(shift_values[3 * i + 2])
+
+        value = _displacement_at(
+            points_0,
+            points_1,
+            points_2,
+            angles_0,
+            angles_1,
+            angles_2,
+            shift_0,
+            shift_1,
+            shift_2,
+            exact,
+        )
+        out[3 * i + 0] = value[0]
+        out[3 * i + 1] = value[1]
+        out[3 * i + 2] = value[2]
+
+
+@loop
+def _fill_each_displacement(out, points_values, angles_values, shift_values):
+    for start in range(0, out.size // 3, BLOCK):
+        stop = min(start + BLOCK, out.size // 3)
+        block = out[3 * start : 3 * stop]
+        points = points_values[3 * start : 3 * stop]
+        angles = angles_values[3 * start : 3 * stop]
+        shift = shift_values[3 * start : 3 * stop]
+        _row_each_displacement(block, points, angles, shift, None)
+        if has_nan(block):
+            _row_each_displacement(block, points, angles, shift, True)
+
+
+def displacement(
+    points: ArrayLike, angles: ArrayLike, shift: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the position errors K^T*p - (p - t) of points p, turn K and shift t.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.displacement` has all words.
+    """
+    return run(
+        _DISPLACEMENT,
+        (
+            points,
+            angles,
+            shift,
+        ),
+        out,
+    )
+
+
+_DISPLACEMENT = Loops(
+    names=(
+        "points",
+        "angles",
+        "shift",
+    ),
+    widths=(
+        3,
+        3,
+        3,
+    ),
+    shape=(3,),
+    at=_displacement_point,
+    uniform=_fill_displacement,
+    each=_fill_each_displacement,
+)
+
+
+@overload(displacement)
+def _offer_displacement(
+    points,
+    angles,
+    shift,
+):
+    return lambda points, angles, shift: _displacement_point(
+        float(points[0]),
+        float(points[1]),
+        float(points[2]),
+        float(angles[0]),
+        float(angles[1]),
+        float(angles[2]),
+        float(shift[0]),
+        float(shift[1]),
+        float(shift[2]),
+    )
+
+
+@scalar
+def _planar_error(displacement_0, displacement_1):
+
+    return _hypot(displacement_0, displacement_1)
+
+
+@scalar
+def _planar_error_at(displacement_0, displacement_1, displacement_2):
+
+    return _planar_error(
+        displacement_0,
+        displacement_1,
+    )
+
+
+@scalar
+def _planar_error_point(displacement_0, displacement_1, displacement_2):
+    return _planar_error_at(displacement_0, displacement_1, displacement_2)
+
+
+@loop
+def _row_planar_error(
+    out,
+    displacement_values,
+):
+    for i in range(out.size):
+        displacement_0 = float(displacement_values[3 * i + 0])
+        displacement_1 = float(displacement_values[3 * i + 1])
+
+        value = _planar_error(
+            displacement_0,
+            displacement_1,
+        )
+        out[i] = value
+
+
+@loop
+def _fill_planar_error(out, displacement_values):
+
+    _row_planar_error(
+        out,
+        displacement_values,
+    )
+
+
+@loop
+def _row_each_planar_error(out, displacement_values):
+    for i in range(out.size):
+        displacement_0 = float(displacement_values[3 * i + 0])
+        displacement_1 = float(displacement_values[3 * i + 1])
+        displacement_2 = float(displacement_values[3 * i + 2])
+
+        value = _planar_error_at(displacement_0, displacement_1, displacement_2)
+        out[i] = value
+
+
+@loop
+def _fill_each_planar_error(out, displacement_values):
+    _row_each_planar_error(
+        out,
+        displacement_values,
+    )
+
+
+def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the error in the end plane X0Y0.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.planar_error` has all words.
+    """
+    return run(_PLANAR_ERROR, (displacement,), out)
+
+
+_PLANAR_ERROR = Loops(
+    names=("displacement",),
+    widths=(3,),
+    shape=(),
+    at=_planar_error_point,
+    uniform=_fill_planar_error,
+    each=_fill_each_planar_error,
+)
+
+
+@overload(planar_error)
+def _offer_planar_error(
+    displacement,
+):
+    return lambda displacement: _planar_error_point(
+        float(displacement[0]),
+        float(displacement[1]),
+        float(displacement[2]),
+    )
+
+
+@scalar
+def _spatial_error(displacement_0, displacement_1, displacement_2):
+
+    return _hypot(_hypot(displacement_0, displacement_1), displacement_2)
+
+
+@scalar
+def _spatial_error_at(displacement_0, displacement_1, displacement_2):
+
+    return _spatial_error(
+        displacement_0,
+        displacement_1,
+        displacement_2,
+    )
+
+
+@scalar
+def _spatial_error_point(displacement_0, displacement_1, displacement_2):
+    return _spatial_error_at(displacement_0, displacement_1, displacement_2)
+
+
+@loop
+def _row_spatial_error(
+    out,
+    displacement_values,
+):
+    for i in range(out.size):
+        displacement_0 = float(displacement_values[3 * i + 0])
+        displacement_1 = float(displacement_values[3 * i + 1])
+        displacement_2 = float(displacement_values[3 * i + 2])
+
+        value = _spatial_error(
+            displacement_0,
+            displacement_1,
+            displacement_2,
+        )
+        out[i] = value
+
+
+@loop
+def _fill_spatial_error(out, displacement_values):
+
+    _row_spatial_error(
+        out,
+        displacement_values,
+    )
+
+
+@loop
+def _row_each_spatial_error(out, displacement_values):
+    for i in range(out.size):
+        displacement_0 = float(displacement_values[3 * i + 0])
+        displacement_1 = float(displacement_values[3 * i + 1])
+        displacement_2 = float(displacement_values[3 * i + 2])
+
+        value = _spatial_error_at(displacement_0, displacement_1, displacement_2)
+        out[i] = value
+
+
+@loop
+def _fill_each_spatial_error(out, displacement_values):
+    _row_each_spatial_error(
+        out,
+        displacement_values,
+    )
+
+
+def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the error in space.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.spatial_error` has all words.
+    """
+    return run(_SPATIAL_ERROR, (displacement,), out)
+
+
+_SPATIAL_ERROR = Loops(
+    names=("displacement",),
+    widths=(3,),
+    shape=(),
+    at=_spatial_error_point,
+    uniform=_fill_spatial_error,
+    each=_fill_each_spatial_error,
+)
+
+
+@overload(spatial_error)
+def _offer_spatial_error(
+    displacement,
+):
+    return lambda displacement: _spatial_error_point(
+        float(displacement[0]),
+        float(displacement[1]),
+        float(displacement[2]),
+    )
+
+
+@scalar
+def _prepare_radius(R, A, z, exact):
+    A_plus_R = A + R
+    R_minus_A = R - A
+    w = A_plus_R * R_minus_A
+
+    return (A, z, w)
+
+
+@scalar
+def _radius(phi, A, z, w, exact):
+    u = A * _cos(z * phi, exact)
+    q = abs(u) + _hypot(np.sqrt(w), u)
+
+    return choose(u >= 0, q, w / q)
+
+
+@scalar
+def _radius_at(phi, R, A, z, exact):
+    if not ((R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)):
+        return math.nan
+    prepared = _prepare_radius(R, A, z, exact)
+
+    return _radius(phi, *prepared, exact)
+
+
+@scalar
+def _radius_point(phi, R, A, z):
+    return _radius_at(phi, R, A, z, True)
+
+
+@loop
+def _row_radius(out, phi_values, prepared, exact):
+    for i in range(out.size):
+        phi = float(phi_values[i])
+
+        value = _radius(phi, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_radius(out, phi_values, R, A, z):
+    if not ((R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)):
+        out[:] = math.nan
+        return
+    prepared = _prepare_radius(R, A, z, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        phi = phi_values[start:stop]
+        _row_radius(block, phi, prepared, None)
+        if has_nan(block):
+            _row_radius(block, phi, prepared, True)
+
+
+@loop
+def _row_each_radius(out, phi_values, R_values, A_values, z_values, exact):
+    for i in range(out.size):
+        phi = float(phi_values[i])
+        R = float(R_values[i])
+        A = float(A_values[i])
+        z = float(z_values[i])
+
+        value = _radius_at(phi, R, A, z, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_radius(out, phi_values, R_values, A_values, z_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        phi = phi_values[start:stop]
+        R = R_values[start:stop]
+        A = A_values[start:stop]
+        z = z_values[start:stop]
+        _row_each_radius(block, phi, R, A, z, None)
+        if has_nan(block):
+            _row_each_radius(block, phi, R, A, z, True)
+
+
+def radius(
+    phi: ArrayLike, R: ArrayLike, A: ArrayLike, z: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the radius vector of the track, a shifted circle repeated z times.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.radius` has all words.
+    """
+    if type(R) is type(A) is type(z) is float:
+        if type(phi) is ndarray:
+            row = take_row(phi, out)
+            if row is not None:
+                _fill_radius(row, phi, R, A, z)
+                return row
+        elif type(phi) is float and out is None:
+            return float64(_radius_point(phi, R, A, z))
+    return run(
+        _RADIUS,
+        (
+            phi,
+            R,
+            A,
+            z,
+        ),
+        out,
+    )
+
+
+_RADIUS = Loops(
+    names=(
+        "phi",
+        "R",
+        "A",
+        "z",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_radius_point,
+    uniform=_fill_radius,
+    each=_fill_each_radius,
+)
+
+
+@overload(radius)
+def _offer_radius(
+    phi,
+    R,
+    A,
+    z,
+):
+    return lambda phi, R, A, z: _radius_point(
+        float(phi),
+        float(R),
+        float(A),
+        float(z),
+    )
+
+
+@scalar
+def _prepare_track(R, A, z, H, exact):
+    A_plus_R = A + R
+    R_minus_A = R - A
+    w = A_plus_R * R_minus_A
+
+    return (A, z, H, w)
+
+
+@scalar
+def _track(phi, A, z, H, w, exact):
+    u = A * _cos(z * phi, exact)
+    q = abs(u) + _hypot(np.sqrt(w), u)
+    term = choose(u >= 0, q, w / q)
+
+    return (
+        term * _cos(phi, exact),
+        term * _sin(phi, exact),
+        H,
+    )
+
+
+@scalar
+def _track_at(phi, R, A, z, H, exact):
+    if not (
+        (R > 0)
+        & is_finite(R)
+        & (H > 0)
+        & is_finite(H)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == floor(z))
+        & (abs(A) <= R)
+    ):
+        return (math.nan, math.nan, math.nan)
+    prepared = _prepare_track(R, A, z, H, exact)
+
+    return _track(phi, *prepared, exact)
+
+
+@scalar
+def _track_point(phi, R, A, z, H):
+    return _track_at(phi, R, A, z, H, True)
+
+
+@loop
+def _row_track(out, phi_values, prepared, exact):
+    for i in range(out.size // 3):
+        phi = float(phi_values[i])
+
+        value = _track(phi, *prepared, exact)
+        out[3 * i + 0] = value[0]
+        out[3 * i + 1] = value[1]
+        out[3 * i + 2] = value[2]
+
+
+@loop
+def _fill_track(out, phi_values, R, A, z, H):
+    if not (
+        (R > 0)
+        & is_finite(R)
+        & (H > 0)
+        & is_finite(H)
+        & (z >= 1)
+        & is_finite(z)
+        & (z == floor(z))
+        & (abs(A) <= R)
+    ):
+        out[:] = math.nan
+        return
+    prepared = _prepare_track(R, A, z, H, True)
+
+    for start in range(0, out.size // 3, BLOCK):
+        stop = min(start + BLOCK, out.size // 3)
+        block = out[3 * start : 3 * stop]
+        phi = phi_values[start:stop]
+        _row_track(block, phi, prepared, None)
+        if has_nan(block):
+            _row_track(block, phi, prepared, True)
+
+
+@loop
+def _row_each_track(out, phi_values, R_values, A_values, z_values, H_values, exact):
+    for i in range(out.size // 3):
+        phi = float(phi_values[i])
+        R = float(R_values[i])
+        A = float(A_values[i])
+        z = float(z_values[i])
+        H = float(H_values[i])
+
+        value = _track_at(phi, R, A, z, H, exact)
+        out[3 * i + 0] = value[0]
+        out[3 * i + 1] = value[1]
+        out[3 * i + 2] = value[2]
+
+
+@loop
+def _fill_each_track(out, phi_values, R_values, A_values, z_values, H_values):
+    for start in range(0, out.size // 3, BLOCK):
+        stop = min(start + BLOCK, out.size // 3)
+        block = out[3 * start : 3 * stop]
+        phi = phi_values[start:stop]
+        R = R_values[start:stop]
+        A = A_values[start:stop]
+        z = z_values[start:stop]
+        H = H_values[start:stop]
+        _row_each_track(block, phi, R, A, z, H, None)
+        if has_nan(block):
+            _row_each_track(block, phi, R, A, z, H, True)
+
+
+def track(
+    phi: ArrayLike,
+    R: ArrayLike,
+    A: ArrayLike,
+    z: ArrayLike,
+    H: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute points of the track.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.track` has all words.
+    """
+    return run(
+        _TRACK,
+        (
+            phi,
+            R,
+            A,
+            z,
+            H,
+        ),
+        out,
+    )
+
+
+_TRACK = Loops(
+    names=(
+        "phi",
+        "R",
+        "A",
+        "z",
+        "H",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(3,),
+    at=_track_point,
+    uniform=_fill_track,
+    each=_fill_each_track,
+)
+
+
+@overload(track)
+def _offer_track(
+    phi,
+    R,
+    A,
+    z,
+    H,
+):
+    return lambda phi, R, A, z, H: _track_point(
+        float(phi),
+        float(R),
+        float(A),
+        float(z),
+        float(H),
+    )
+
+
+@scalar
+def _prepare_largest_radius(A):
+
+    return (A,)
+
+
+@scalar
+def _largest_radius(R, A):
+
+    return R + abs(A)
+
+
+@scalar
+def _largest_radius_at(R, A):
+    if not ((R > 0) & is_finite(R) & (abs(A) <= R)):
+        return math.nan
+    prepared = _prepare_largest_radius(A)
+
+    return _largest_radius(R, *prepared)
+
+
+@scalar
+def _largest_radius_point(R, A):
+    return _largest_radius_at(R, A)
+
+
+@loop
+def _row_largest_radius(
+    out,
+    R_values,
+    A,
+    prepared,
+):
+    for i in range(out.size):
+        R = float(R_values[i])
+
+        value = (
+            _largest_radius(R, *prepared) if (R > 0) & is_finite(R) & (abs(A) <= R) else math.nan
+        )
+        out[i] = value
+
+
+@loop
+def _fill_largest_radius(out, R_values, A):
+    prepared = _prepare_largest_radius(A)
+
+    _row_largest_radius(
+        out,
+        R_values,
+        A,
+        prepared,
+    )
+
+
+@loop
+def _row_each_largest_radius(out, R_values, A_values):
+    for i in range(out.size):
+        R = float(R_values[i])
+        A = float(A_values[i])
+
+        value = _largest_radius_at(R, A)
+        out[i] = value
+
+
+@loop
+def _fill_each_largest_radius(out, R_values, A_values):
+    _row_each_largest_radius(
+        out,
+        R_values,
+        A_values,
+    )
+
+
+def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the largest radius vector of the track.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.largest_radius` has all words.
+    """
+    if type(A) is float:
+        if type(R) is ndarray:
+            row = take_row(R, out)
+            if row is not None:
+                _fill_largest_radius(row, R, A)
+                return row
+        elif type(R) is float and out is None:
+            return float64(_largest_radius_point(R, A))
+    return run(
+        _LARGEST_RADIUS,
+        (
+            R,
+            A,
+        ),
+        out,
+    )
+
+
+_LARGEST_RADIUS = Loops(
+    names=(
+        "R",
+        "A",
+    ),
+    widths=(
+        0,
+        0,
+    ),
+    shape=(),
+    at=_largest_radius_point,
+    uniform=_fill_largest_radius,
+    each=_fill_each_largest_radius,
+)
+
+
+@overload(largest_radius)
+def _offer_largest_radius(
+    R,
+    A,
+):
+    return lambda R, A: _largest_radius_point(
+        float(R),
+        float(A),
+    )
+
+
+@scalar
+def _prepare_smallest_radius(A):
+
+    return (A,)
+
+
+@scalar
+def _smallest_radius(R, A):
+
+    return R - abs(A)
+
+
+@scalar
+def _smallest_radius_at(R, A):
+    if not ((R > 0) & is_finite(R) & (abs(A) <= R)):
+        return math.nan
+    prepared = _prepare_smallest_radius(A)
+
+    return _smallest_radius(R, *prepared)
+
+
+@scalar
+def _smallest_radius_point(R, A):
+    return _smallest_radius_at(R, A)
+
+
+@loop
+def _row_smallest_radius(
+    out,
+    R_values,
+    A,
+    prepared,
+):
+    for i in range(out.size):
+        R = float(R_values[i])
+
+        value = (
+            _smallest_radius(R, *prepared) if (R > 0) & is_finite(R) & (abs(A) <= R) else math.nan
+        )
+        out[i] = value
+
+
+@loop
+def _fill_smallest_radius(out, R_values, A):
+    prepared = _prepare_smallest_radius(A)
+
+    _row_smallest_radius(
+        out,
+        R_values,
+        A,
+        prepared,
+    )
+
+
+@loop
+def _row_each_smallest_radius(out, R_values, A_values):
+    for i in range(out.size):
+        R = float(R_values[i])
+        A = float(A_values[i])
+
+        value = _smallest_radius_at(R, A)
+        out[i] = value
+
+
+@loop
+def _fill_each_smallest_radius(out, R_values, A_values):
+    _row_each_smallest_radius(
+        out,
+        R_values,
+        A_values,
+    )
+
+
+def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the smallest radius vector of the track.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.smallest_radius` has all words.
+    """
+    if type(A) is float:
+        if type(R) is ndarray:
+            row = take_row(R, out)
+            if row is not None:
+                _fill_smallest_radius(row, R, A)
+                return row
+        elif type(R) is float and out is None:
+            return float64(_smallest_radius_point(R, A))
+    return run(
+        _SMALLEST_RADIUS,
+        (
+            R,
+            A,
+        ),
+        out,
+    )
+
+
+_SMALLEST_RADIUS = Loops(
+    names=(
+        "R",
+        "A",
+    ),
+    widths=(
+        0,
+        0,
+    ),
+    shape=(),
+    at=_smallest_radius_point,
+    uniform=_fill_smallest_radius,
+    each=_fill_each_smallest_radius,
+)
+
+
+@overload(smallest_radius)
+def _offer_smallest_radius(
+    R,
+    A,
+):
+    return lambda R, A: _smallest_radius_point(
+        float(R),
+        float(A),
+    )

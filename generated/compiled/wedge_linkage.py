@@ -1,0 +1,2281 @@
+"""Compiled kernels of the system `wedge_linkage`: one loop for each, by numba.
+
+Names, arguments, domains, NaN and errors are those of `mechproof.kernels.wedge_linkage`,
+and so are the formulas. Numbers and NumPy arrays are taken. With numbers,
+kernels can be called inside functions that numba compiles; arguments with components are then
+indexed, and so are results.
+
+Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
+
+Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy import float64, ndarray
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.compiled_support import (
+    BLOCK,
+    Loops,
+    choose,
+    copysign,
+    floor,
+    fma,
+    has_nan,
+    is_finite,
+    loop,
+    maximum,
+    overload,
+    rint,
+    run,
+    scalar,
+    take_row,
+)
+
+__all__ = [
+    "clearance",
+    "guide_radicand",
+    "lever_angle",
+    "position",
+    "rod_displacement",
+    "roller_lever_angle",
+    "roller_offset",
+    "sensitivities",
+    "velocity",
+    "wedge_displacement",
+]
+
+LARGEST = 67108864.0
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
+# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
+@scalar
+def _sin(y, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        fma(
+            v2 * v3,
+            fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
+                fma(
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
+                ),
+            ),
+            v2,
+        ),
+        v7
+        + fma(
+            v3 * v3,
+            fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
+                fma(
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
+                ),
+            ),
+            1.0 - v7 - v6,
+        ),
+    )
+    v12 = floor(v10) * 0.5
+
+    value = choose(floor(v12) == v12, v11, -v11)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+
+    return math.sin(y)
+
+
+# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
+# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
+@scalar
+def _cos(y, exact):
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        v7
+        + fma(
+            v3 * v3,
+            fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
+                fma(
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
+                ),
+            ),
+            1.0 - v7 - v6,
+        ),
+        fma(
+            v2 * v3,
+            fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
+                fma(
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
+                ),
+            ),
+            v2,
+        ),
+    )
+    v12 = floor((v1 + 1.0) * 0.5) * 0.5
+
+    value = choose(floor(v12) == v12, v11, -v11)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+
+    return math.cos(y)
+
+
+# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
+@scalar
+def _arctan(y):
+    v1 = abs(y)
+    v2 = v1 > 1.0
+    v3 = choose(v2, 1.0 / v1, v1)
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v5 * v5
+    v7 = v6 * v6
+    v8 = v7 * v7
+    v9 = fma(
+        v3 * v4,
+        fma(
+            v8,
+            fma(
+                v6,
+                fma(v4, 7.767532298566822e-06, -9.371091633560781e-05),
+                fma(
+                    v5,
+                    fma(v4, 0.0005376794060869381, -0.001961242117363609),
+                    fma(v4, 0.005140885854032265, -0.010412113196030874),
+                ),
+            ),
+            fma(
+                v7,
+                fma(
+                    v6,
+                    fma(
+                        v5,
+                        fma(v4, 0.01718393672751917, -0.02419130675591347),
+                        fma(v4, 0.030330692745374102, -0.03527131689273554),
+                    ),
+                    fma(
+                        v5,
+                        fma(v4, 0.039386869439826874, -0.04330653645791128),
+                        fma(v4, 0.04758080032858198, -0.05262492218979753),
+                    ),
+                ),
+                fma(
+                    v6,
+                    fma(
+                        v5,
+                        fma(v4, 0.05882264415278073, -0.06666657934409811),
+                        fma(v4, 0.07692307078814367, -0.09090909061934628),
+                    ),
+                    fma(
+                        v5,
+                        fma(v4, 0.11111111110268276, -0.14285714285701234),
+                        fma(v4, 0.1999999999999992, -0.3333333333333333),
+                    ),
+                ),
+            ),
+        ),
+        v3,
+    )
+
+    return copysign(choose(v2, 1.5707963267948966 - (v9 - 6.123233995736766e-17), v9), y)
+
+
+@scalar
+def _prepare_guide_radicand(l_AB, l_BC, l_CD):
+
+    return (l_AB, l_BC, l_CD)
+
+
+@scalar
+def _guide_radicand(x1, l_AB, l_BC, l_CD):
+
+    return l_BC**2 + x1 * (2 * l_AB + 2 * l_CD + x1)
+
+
+@scalar
+def _guide_radicand_at(x1, l_AB, l_BC, l_CD):
+    if not (
+        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+    ):
+        return math.nan
+    prepared = _prepare_guide_radicand(l_AB, l_BC, l_CD)
+
+    return _guide_radicand(x1, *prepared)
+
+
+@scalar
+def _guide_radicand_point(x1, l_AB, l_BC, l_CD):
+    return _guide_radicand_at(x1, l_AB, l_BC, l_CD)
+
+
+@loop
+def _row_guide_radicand(
+    out,
+    x1_values,
+    prepared,
+):
+    for i in range(out.size):
+        x1 = float(x1_values[i])
+
+        value = _guide_radicand(x1, *prepared)
+        out[i] = value
+
+
+@loop
+def _fill_guide_radicand(out, x1_values, l_AB, l_BC, l_CD):
+    if not (
+        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+    ):
+        out[:] = math.nan
+        return
+    prepared = _prepare_guide_radicand(l_AB, l_BC, l_CD)
+
+    _row_guide_radicand(
+        out,
+        x1_values,
+        prepared,
+    )
+
+
+@loop
+def _row_each_guide_radicand(out, x1_values, l_AB_values, l_BC_values, l_CD_values):
+    for i in range(out.size):
+        x1 = float(x1_values[i])
+        l_AB = float(l_AB_values[i])
+        l_BC = float(l_BC_values[i])
+        l_CD = float(l_CD_values[i])
+
+        value = _guide_radicand_at(x1, l_AB, l_BC, l_CD)
+        out[i] = value
+
+
+@loop
+def _fill_each_guide_radicand(out, x1_values, l_AB_values, l_BC_values, l_CD_values):
+    _row_each_guide_radicand(
+        out,
+        x1_values,
+        l_AB_values,
+        l_BC_values,
+        l_CD_values,
+    )
+
+
+def guide_radicand(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the radicand of Q, the square of BC: the guide follows where it is not negative.
+
+    Compiled. The help of `mechproof.kernels.wedge_linkage.guide_radicand` has all words.
+    """
+    if type(l_AB) is type(l_BC) is type(l_CD) is float:
+        if type(x1) is ndarray:
+            row = take_row(x1, out)
+            if row is not None:
+                _fill_guide_radicand(row, x1, l_AB, l_BC, l_CD)
+                return row
+        elif type(x1) is float and out is None:
+            return float64(_guide_radicand_point(x1, l_AB, l_BC, l_CD))
+    return run(
+        _GUIDE_RADICAND,
+        (
+            x1,
+            l_AB,
+            l_BC,
+            l_CD,
+        ),
+        out,
+    )
+
+
+_GUIDE_RADICAND = Loops(
+    names=(
+        "x1",
+        "l_AB",
+        "l_BC",
+        "l_CD",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_guide_radicand_point,
+    uniform=_fill_guide_radicand,
+    each=_fill_each_guide_radicand,
+)
+
+
+@overload(guide_radicand)
+def _offer_guide_radicand(
+    x1,
+    l_AB,
+    l_BC,
+    l_CD,
+):
+    return lambda x1, l_AB, l_BC, l_CD: _guide_radicand_point(
+        float(x1),
+        float(l_AB),
+        float(l_BC),
+        float(l_CD),
+    )
+
+
+@scalar
+def _prepare_lever_angle(l_AB, l_BC, l_CD):
+    arm = l_AB + l_CD
+
+    return (l_BC, arm)
+
+
+@scalar
+def _lever_angle(x1, l_BC, arm):
+    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_sum = guide_length + l_BC
+
+    return -2 * _arctan(x1 / guide_sum)
+
+
+@scalar
+def _lever_angle_at(x1, l_AB, l_BC, l_CD):
+    if not (
+        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+    ):
+        return math.nan
+    prepared = _prepare_lever_angle(l_AB, l_BC, l_CD)
+
+    return _lever_angle(x1, *prepared)
+
+
+@scalar
+def _lever_angle_point(x1, l_AB, l_BC, l_CD):
+    return _lever_angle_at(x1, l_AB, l_BC, l_CD)
+
+
+@loop
+def _row_lever_angle(
+    out,
+    x1_values,
+    prepared,
+):
+    for i in range(out.size):
+        x1 = float(x1_values[i])
+
+        value = _lever_angle(x1, *prepared)
+        out[i] = value
+
+
+@loop
+def _fill_lever_angle(out, x1_values, l_AB, l_BC, l_CD):
+    if not (
+        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+    ):
+        out[:] = math.nan
+        return
+    prepared = _prepare_lever_angle(l_AB, l_BC, l_CD)
+
+    _row_lever_angle(
+        out,
+        x1_values,
+        prepared,
+    )
+
+
+@loop
+def _row_each_lever_angle(out, x1_values, l_AB_values, l_BC_values, l_CD_values):
+    for i in range(out.size):
+        x1 = float(x1_values[i])
+        l_AB = float(l_AB_values[i])
+        l_BC = float(l_BC_values[i])
+        l_CD = float(l_CD_values[i])
+
+        value = _lever_angle_at(x1, l_AB, l_BC, l_CD)
+        out[i] = value
+
+
+@loop
+def _fill_each_lever_angle(out, x1_values, l_AB_values, l_BC_values, l_CD_values):
+    _row_each_lever_angle(
+        out,
+        x1_values,
+        l_AB_values,
+        l_BC_values,
+        l_CD_values,
+    )
+
+
+def lever_angle(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the rotation phi3 of the lever.
+
+    Compiled. The help of `mechproof.kernels.wedge_linkage.lever_angle` has all words.
+    """
+    if type(l_AB) is type(l_BC) is type(l_CD) is float:
+        if type(x1) is ndarray:
+            row = take_row(x1, out)
+            if row is not None:
+                _fill_lever_angle(row, x1, l_AB, l_BC, l_CD)
+                return row
+        elif type(x1) is float and out is None:
+            return float64(_lever_angle_point(x1, l_AB, l_BC, l_CD))
+    return run(
+        _LEVER_ANGLE,
+        (
+            x1,
+            l_AB,
+            l_BC,
+            l_CD,
+        ),
+        out,
+    )
+
+
+_LEVER_ANGLE = Loops(
+    names=(
+        "x1",
+        "l_AB",
+        "l_BC",
+        "l_CD",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_lever_angle_point,
+    uniform=_fill_lever_angle,
+    each=_fill_each_lever_angle,
+)
+
+
+@overload(lever_angle)
+def _offer_lever_angle(
+    x1,
+    l_AB,
+    l_BC,
+    l_CD,
+):
+    return lambda x1, l_AB, l_BC, l_CD: _lever_angle_point(
+        float(x1),
+        float(l_AB),
+        float(l_BC),
+        float(l_CD),
+    )
+
+
+@scalar
+def _prepare_rod_displacement(l_DE, alpha_DE, exact):
+
+    return (l_DE, alpha_DE)
+
+
+@scalar
+def _rod_displacement(phi3, l_DE, alpha_DE, exact):
+
+    return -2 * l_DE * _sin(phi3 / 2, exact) * _sin(alpha_DE + phi3 / 2, exact)
+
+
+@scalar
+def _rod_displacement_at(phi3, l_DE, alpha_DE, exact):
+    if not ((l_DE > 0) & is_finite(l_DE)):
+        return math.nan
+    prepared = _prepare_rod_displacement(l_DE, alpha_DE, exact)
+
+    return _rod_displacement(phi3, *prepared, exact)
+
+
+@scalar
+def _rod_displacement_point(phi3, l_DE, alpha_DE):
+    return _rod_displacement_at(phi3, l_DE, alpha_DE, True)
+
+
+@loop
+def _row_rod_displacement(out, phi3_values, prepared, exact):
+    for i in range(out.size):
+        phi3 = float(phi3_values[i])
+
+        value = _rod_displacement(phi3, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_rod_displacement(out, phi3_values, l_DE, alpha_DE):
+    if not ((l_DE > 0) & is_finite(l_DE)):
+        out[:] = math.nan
+        return
+    prepared = _prepare_rod_displacement(l_DE, alpha_DE, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        phi3 = phi3_values[start:stop]
+        _row_rod_displacement(block, phi3, prepared, None)
+        if has_nan(block):
+            _row_rod_displacement(block, phi3, prepared, True)
+
+
+@loop
+def _row_each_rod_displacement(out, phi3_values, l_DE_values, alpha_DE_values, exact):
+    for i in range(out.size):
+        phi3 = float(phi3_values[i])
+        l_DE = float(l_DE_values[i])
+        alpha_DE = float(alpha_DE_values[i])
+
+        value = _rod_displacement_at(phi3, l_DE, alpha_DE, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_rod_displacement(out, phi3_values, l_DE_values, alpha_DE_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        phi3 = phi3_values[start:stop]
+        l_DE = l_DE_values[start:stop]
+        alpha_DE = alpha_DE_values[start:stop]
+        _row_each_rod_displacement(block, phi3, l_DE, alpha_DE, None)
+        if has_nan(block):
+            _row_each_rod_displacement(block, phi3, l_DE, alpha_DE, True)
+
+
+def rod_displacement(
+    phi3: ArrayLike, l_DE: ArrayLike, alpha_DE: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the displacement x5 of the rod.
+
+    Compiled. The help of `mechproof.kernels.wedge_linkage.rod_displacement` has all words.
+    """
+    if type(l_DE) is type(alpha_DE) is float:
+        if type(phi3) is ndarray:
+            row = take_row(phi3, out)
+            if row is not None:
+                _fill_rod_displacement(row, phi3, l_DE, alpha_DE)
+                return row
+        elif type(phi3) is float and out is None:
+            return float64(_rod_displacement_point(phi3, l_DE, alpha_DE))
+    return run(
+        _ROD_DISPLACEMENT,
+        (
+            phi3,
+            l_DE,
+            alpha_DE,
+        ),
+        out,
+    )
+
+
+_ROD_DISPLACEMENT = Loops(
+    names=(
+        "phi3",
+        "l_DE",
+        "alpha_DE",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_rod_displacement_point,
+    uniform=_fill_rod_displacement,
+    each=_fill_each_rod_displacement,
+)
+
+
+@overload(rod_displacement)
+def _offer_rod_displacement(
+    phi3,
+    l_DE,
+    alpha_DE,
+):
+    return lambda phi3, l_DE, alpha_DE: _rod_displacement_point(
+        float(phi3),
+        float(l_DE),
+        float(alpha_DE),
+    )
+
+
+@scalar
+def _prepare_clearance(l_GH):
+
+    return (l_GH,)
+
+
+@scalar
+def _clearance(x5, l_GH):
+
+    return maximum(0, x5 - l_GH)
+
+
+@scalar
+def _clearance_at(x5, l_GH):
+    if not ((l_GH > 0) & is_finite(l_GH)):
+        return math.nan
+    prepared = _prepare_clearance(l_GH)
+
+    return _clearance(x5, *prepared)
+
+
+@scalar
+def _clearance_point(x5, l_GH):
+    return _clearance_at(x5, l_GH)
+
+
+@loop
+def _row_clearance(
+    out,
+    x5_values,
+    prepared,
+):
+    for i in range(out.size):
+        x5 = float(x5_values[i])
+
+        value = _clearance(x5, *prepared)
+        out[i] = value
+
+
+@loop
+def _fill_clearance(out, x5_values, l_GH):
+    if not ((l_GH > 0) & is_finite(l_GH)):
+        out[:] = math.nan
+        return
+    prepared = _prepare_clearance(l_GH)
+
+    _row_clearance(
+        out,
+        x5_values,
+        prepared,
+    )
+
+
+@loop
+def _row_each_clearance(out, x5_values, l_GH_values):
+    for i in range(out.size):
+        x5 = float(x5_values[i])
+        l_GH = float(l_GH_values[i])
+
+        value = _clearance_at(x5, l_GH)
+        out[i] = value
+
+
+@loop
+def _fill_each_clearance(out, x5_values, l_GH_values):
+    _row_each_clearance(
+        out,
+        x5_values,
+        l_GH_values,
+    )
+
+
+def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    """Compute the displacement x5' of the pushed link after the clearance.
+
+    Compiled. The help of `mechproof.kernels.wedge_linkage.clearance` has all words.
+    """
+    if type(l_GH) is float:
+        if type(x5) is ndarray:
+            row = take_row(x5, out)
+            if row is not None:
+                _fill_clearance(row, x5, l_GH)
+                return row
+        elif type(x5) is float and out is None:
+            return float64(_clearance_point(x5, l_GH))
+    return run(
+        _CLEARANCE,
+        (
+            x5,
+            l_GH,
+        ),
+        out,
+    )
+
+
+_CLEARANCE = Loops(
+    names=(
+        "x5",
+        "l_GH",
+    ),
+    widths=(
+        0,
+        0,
+    ),
+    shape=(),
+    at=_clearance_point,
+    uniform=_fill_clearance,
+    each=_fill_each_clearance,
+)
+
+
+@overload(clearance)
+def _offer_clearance(
+    x5,
+    l_GH,
+):
+    return lambda x5, l_GH: _clearance_point(
+        float(x5),
+        float(l_GH),
+    )
+
+
+@scalar
+def _prepare_roller_offset(l_KL, alpha_KL, exact):
+
+    return (l_KL, alpha_KL)
+
+
+@scalar
+def _roller_offset(x5, l_KL, alpha_KL, exact):
+
+    return l_KL * _cos(alpha_KL, exact) - x5
+
+
+@scalar
+def _roller_offset_at(x5, l_KL, alpha_KL, exact):
+    if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
+        return math.nan
+    prepared = _prepare_roller_offset(l_KL, alpha_KL, exact)
+
+    return _roller_offset(x5, *prepared, exact)
+
+
+@scalar
+def _roller_offset_point(x5, l_KL, alpha_KL):
+    return _roller_offset_at(x5, l_KL, alpha_KL, True)
+
+
+@loop
+def _row_roller_offset(out, x5_values, prepared, exact):
+    for i in range(out.size):
+        x5 = float(x5_values[i])
+
+        value = _roller_offset(x5, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_roller_offset(out, x5_values, l_KL, alpha_KL):
+    if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
+        out[:] = math.nan
+        return
+    prepared = _prepare_roller_offset(l_KL, alpha_KL, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        x5 = x5_values[start:stop]
+        _row_roller_offset(block, x5, prepared, None)
+        if has_nan(block):
+            _row_roller_offset(block, x5, prepared, True)
+
+
+@loop
+def _row_each_roller_offset(out, x5_values, l_KL_values, alpha_KL_values, exact):
+    for i in range(out.size):
+        x5 = float(x5_values[i])
+        l_KL = float(l_KL_values[i])
+        alpha_KL = float(alpha_KL_values[i])
+
+        value = _roller_offset_at(x5, l_KL, alpha_KL, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_roller_offset(out, x5_values, l_KL_values, alpha_KL_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        x5 = x5_values[start:stop]
+        l_KL = l_KL_values[start:stop]
+        alpha_KL = alpha_KL_values[start:stop]
+        _row_each_roller_offset(block, x5, l_KL, alpha_KL, None)
+        if has_nan(block):
+            _row_each_roller_offset(block, x5, l_KL, alpha_KL, True)
+
+
+def roller_offset(
+    x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute R, the projection of KL on Ox: the roller lever follows where |R| <= l_KL.
+
+    Compiled. The help of `mechproof.kernels.wedge_linkage.roller_offset` has all words.
+    """
+    if type(l_KL) is type(alpha_KL) is float:
+        if type(x5) is ndarray:
+            row = take_row(x5, out)
+            if row is not None:
+                _fill_roller_offset(row, x5, l_KL, alpha_KL)
+                return row
+        elif type(x5) is float and out is None:
+            return float64(_roller_offset_point(x5, l_KL, alpha_KL))
+    return run(
+        _ROLLER_OFFSET,
+        (
+            x5,
+            l_KL,
+            alpha_KL,
+        ),
+        out,
+    )
+
+
+_ROLLER_OFFSET = Loops(
+    names=(
+        "x5",
+        "l_KL",
+        "alpha_KL",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_roller_offset_point,
+    uniform=_fill_roller_offset,
+    each=_fill_each_roller_offset,
+)
+
+
+@overload(roller_offset)
+def _offer_roller_offset(
+    x5,
+    l_KL,
+    alpha_KL,
+):
+    return lambda x5, l_KL, alpha_KL: _roller_offset_point(
+        float(x5),
+        float(l_KL),
+        float(alpha_KL),
+    )
+
+
+@scalar
+def _prepare_roller_lever_angle(l_KL, alpha_KL, exact):
+
+    return (l_KL, alpha_KL)
+
+
+@scalar
+def _roller_lever_angle(x5, l_KL, alpha_KL, exact):
+
+    return 2 * _arctan(
+        x5
+        / (
+            l_KL * _sin(alpha_KL, exact)
+            + np.sqrt(
+                (x5 + 2 * l_KL * _sin(alpha_KL / 2, exact) ** 2)
+                * (2 * l_KL * _cos(alpha_KL / 2, exact) ** 2 - x5)
+            )
+        )
+    )
+
+
+@scalar
+def _roller_lever_angle_at(x5, l_KL, alpha_KL, exact):
+    if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
+        return math.nan
+    prepared = _prepare_roller_lever_angle(l_KL, alpha_KL, exact)
+
+    return _roller_lever_angle(x5, *prepared, exact)
+
+
+@scalar
+def _roller_lever_angle_point(x5, l_KL, alpha_KL):
+    return _roller_lever_angle_at(x5, l_KL, alpha_KL, True)
+
+
+@loop
+def _row_roller_lever_angle(out, x5_values, prepared, exact):
+    for i in range(out.size):
+        x5 = float(x5_values[i])
+
+        value = _roller_lever_angle(x5, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_roller_lever_angle(out, x5_values, l_KL, alpha_KL):
+    if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
+        out[:] = math.nan
+        return
+    prepared = _prepare_roller_lever_angle(l_KL, alpha_KL, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        x5 = x5_values[start:stop]
+        _row_roller_lever_angle(block, x5, prepared, None)
+        if has_nan(block):
+            _row_roller_lever_angle(block, x5, prepared, True)
+
+
+@loop
+def _row_each_roller_lever_angle(out, x5_values, l_KL_values, alpha_KL_values, exact):
+    for i in range(out.size):
+        x5 = float(x5_values[i])
+        l_KL = float(l_KL_values[i])
+        alpha_KL = float(alpha_KL_values[i])
+
+        value = _roller_lever_angle_at(x5, l_KL, alpha_KL, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_roller_lever_angle(out, x5_values, l_KL_values, alpha_KL_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        x5 = x5_values[start:stop]
+        l_KL = l_KL_values[start:stop]
+        alpha_KL = alpha_KL_values[start:stop]
+        _row_each_roller_lever_angle(block, x5, l_KL, alpha_KL, None)
+        if has_nan(block):
+            _row_each_roller_lever_angle(block, x5, l_KL, alpha_KL, True)
+
+
+def roller_lever_angle(
+    x5: ArrayLike, l_KL: ArrayLike, alpha_KL: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the rotation phi7 of the roller lever.
+
+    Compiled. The help of `mechproof.kernels.wedge_linkage.roller_lever_angle` has all words.
+    """
+    if type(l_KL) is type(alpha_KL) is float:
+        if type(x5) is ndarray:
+            row = take_row(x5, out)
+            if row is not None:
+                _fill_roller_lever_angle(row, x5, l_KL, alpha_KL)
+                return row
+        elif type(x5) is float and out is None:
+            return float64(_roller_lever_angle_point(x5, l_KL, alpha_KL))
+    return run(
+        _ROLLER_LEVER_ANGLE,
+        (
+            x5,
+            l_KL,
+            alpha_KL,
+        ),
+        out,
+    )
+
+
+_ROLLER_LEVER_ANGLE = Loops(
+    names=(
+        "x5",
+        "l_KL",
+        "alpha_KL",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_roller_lever_angle_point,
+    uniform=_fill_roller_lever_angle,
+    each=_fill_each_roller_lever_angle,
+)
+
+
+@overload(roller_lever_angle)
+def _offer_roller_lever_angle(
+    x5,
+    l_KL,
+    alpha_KL,
+):
+    return lambda x5, l_KL, alpha_KL: _roller_lever_angle_point(
+        float(x5),
+        float(l_KL),
+        float(alpha_KL),
+    )
+
+
+@scalar
+def _prepare_wedge_displacement(l_LM, alpha_LM, exact):
+
+    return (l_LM, alpha_LM)
+
+
+@scalar
+def _wedge_displacement(phi7, l_LM, alpha_LM, exact):
+
+    return 2 * l_LM * _cos(alpha_LM + phi7 / 2, exact) * _sin(phi7 / 2, exact)
+
+
+@scalar
+def _wedge_displacement_at(phi7, l_LM, alpha_LM, exact):
+    if not ((l_LM > 0) & is_finite(l_LM)):
+        return math.nan
+    prepared = _prepare_wedge_displacement(l_LM, alpha_LM, exact)
+
+    return _wedge_displacement(phi7, *prepared, exact)
+
+
+@scalar
+def _wedge_displacement_point(phi7, l_LM, alpha_LM):
+    return _wedge_displacement_at(phi7, l_LM, alpha_LM, True)
+
+
+@loop
+def _row_wedge_displacement(out, phi7_values, prepared, exact):
+    for i in range(out.size):
+        phi7 = float(phi7_values[i])
+
+        value = _wedge_displacement(phi7, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_wedge_displacement(out, phi7_values, l_LM, alpha_LM):
+    if not ((l_LM > 0) & is_finite(l_LM)):
+        out[:] = math.nan
+        return
+    prepared = _prepare_wedge_displacement(l_LM, alpha_LM, True)
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        phi7 = phi7_values[start:stop]
+        _row_wedge_displacement(block, phi7, prepared, None)
+        if has_nan(block):
+            _row_wedge_displacement(block, phi7, prepared, True)
+
+
+@loop
+def _row_each_wedge_displacement(out, phi7_values, l_LM_values, alpha_LM_values, exact):
+    for i in range(out.size):
+        phi7 = float(phi7_values[i])
+        l_LM = float(l_LM_values[i])
+        alpha_LM = float(alpha_LM_values[i])
+
+        value = _wedge_displacement_at(phi7, l_LM, alpha_LM, exact)
+        out[i] = value
+
+
+@loop
+def _fill_each_wedge_displacement(out, phi7_values, l_LM_values, alpha_LM_values):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        phi7 = phi7_values[start:stop]
+        l_LM = l_LM_values[start:stop]
+        alpha_LM = alpha_LM_values[start:stop]
+        _row_each_wedge_displacement(block, phi7, l_LM, alpha_LM, None)
+        if has_nan(block):
+            _row_each_wedge_displacement(block, phi7, l_LM, alpha_LM, True)
+
+
+def wedge_displacement(
+    phi7: ArrayLike, l_LM: ArrayLike, alpha_LM: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute the displacement y9 of the wedge.
+
+    Compiled. The help of `mechproof.kernels.wedge_linkage.wedge_displacement` has all words.
+    """
+    if type(l_LM) is type(alpha_LM) is float:
+        if type(phi7) is ndarray:
+            row = take_row(phi7, out)
+            if row is not None:
+                _fill_wedge_displacement(row, phi7, l_LM, alpha_LM)
+                return row
+        elif type(phi7) is float and out is None:
+            return float64(_wedge_displacement_point(phi7, l_LM, alpha_LM))
+    return run(
+        _WEDGE_DISPLACEMENT,
+        (
+            phi7,
+            l_LM,
+            alpha_LM,
+        ),
+        out,
+    )
+
+
+_WEDGE_DISPLACEMENT = Loops(
+    names=(
+        "phi7",
+        "l_LM",
+        "alpha_LM",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_wedge_displacement_point,
+    uniform=_fill_wedge_displacement,
+    each=_fill_each_wedge_displacement,
+)
+
+
+@overload(wedge_displacement)
+def _offer_wedge_displacement(
+    phi7,
+    l_LM,
+    alpha_LM,
+):
+    return lambda phi7, l_LM, alpha_LM: _wedge_displacement_point(
+        float(phi7),
+        float(l_LM),
+        float(alpha_LM),
+    )
+
+
+@scalar
+def _prepare_position(
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+):
+    arm = l_AB + l_CD
+    sin_DE = _sin(alpha_DE, exact)
+    cos_DE = _cos(alpha_DE, exact)
+    to_right = 2 * l_KL * _sin(alpha_KL / 2, exact) ** 2
+    to_left = 2 * l_KL * _cos(alpha_KL / 2, exact) ** 2
+    start_height = l_KL * _sin(alpha_KL, exact)
+    cos_LM = _cos(alpha_LM, exact)
+    sin_LM = _sin(alpha_LM, exact)
+
+    return (
+        l_BC,
+        l_DE,
+        l_GH,
+        l_LM,
+        arm,
+        sin_DE,
+        cos_DE,
+        to_right,
+        to_left,
+        start_height,
+        cos_LM,
+        sin_LM,
+    )
+
+
+@scalar
+def _position(
+    x1,
+    l_BC,
+    l_DE,
+    l_GH,
+    l_LM,
+    arm,
+    sin_DE,
+    cos_DE,
+    to_right,
+    to_left,
+    start_height,
+    cos_LM,
+    sin_LM,
+    exact,
+):
+    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_sum = guide_length + l_BC
+    lever_square = guide_sum**2 + x1**2
+    run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
+    push = maximum(0, run - l_GH)
+    rise = np.sqrt((push + to_right) * (to_left - push))
+    rise_sum = rise + start_height
+    roller_square = push**2 + rise_sum**2
+
+    return 2 * l_LM / roller_square * push * (cos_LM * rise_sum - sin_LM * push)
+
+
+@scalar
+def _position_at(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact):
+    if not (
+        (l_AB > 0)
+        & is_finite(l_AB)
+        & (l_BC > 0)
+        & is_finite(l_BC)
+        & (l_CD > 0)
+        & is_finite(l_CD)
+        & (l_DE > 0)
+        & is_finite(l_DE)
+        & (l_GH > 0)
+        & is_finite(l_GH)
+        & (l_KL > 0)
+        & is_finite(l_KL)
+        & (l_LM > 0)
+        & is_finite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    ):
+        return math.nan
+    prepared = _prepare_position(
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+    )
+
+    return _position(x1, *prepared, exact)
+
+
+@scalar
+def _position_point(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM):
+    return _position_at(
+        x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
+    )
+
+
+@loop
+def _row_position(out, x1_values, prepared, exact):
+    for i in range(out.size):
+        x1 = float(x1_values[i])
+
+        value = _position(x1, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_position(
+    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+):
+    if not (
+        (l_AB > 0)
+        & is_finite(l_AB)
+        & (l_BC > 0)
+        & is_finite(l_BC)
+        & (l_CD > 0)
+        & is_finite(l_CD)
+        & (l_DE > 0)
+        & is_finite(l_DE)
+        & (l_GH > 0)
+        & is_finite(l_GH)
+        & (l_KL > 0)
+        & is_finite(l_KL)
+        & (l_LM > 0)
+        & is_finite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    ):
+        out[:] = math.nan
+        return
+    prepared = _prepare_position(
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
+    )
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        x1 = x1_values[start:stop]
+        _row_position(block, x1, prepared, None)
+        if has_nan(block):
+            _row_position(block, x1, prepared, True)
+
+
+@loop
+def _row_each_position(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+    l_DE_values,
+    l_GH_values,
+    l_KL_values,
+    l_LM_values,
+    alpha_DE_values,
+    alpha_KL_values,
+    alpha_LM_values,
+    exact,
+):
+    for i in range(out.size):
+        x1 = float(x1_values[i])
+        l_AB = float(l_AB_values[i])
+        l_BC = float(l_BC_values[i])
+        l_CD = float(l_CD_values[i])
+        l_DE = float(l_DE_values[i])
+        l_GH = float(l_GH_values[i])
+        l_KL = float(l_KL_values[i])
+        l_LM = float(l_LM_values[i])
+        alpha_DE = float(alpha_DE_values[i])
+        alpha_KL = float(alpha_KL_values[i])
+        alpha_LM = float(alpha_LM_values[i])
+
+        value = _position_at(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        )
+        out[i] = value
+
+
+@loop
+def _fill_each_position(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+    l_DE_values,
+    l_GH_values,
+    l_KL_values,
+    l_LM_values,
+    alpha_DE_values,
+    alpha_KL_values,
+    alpha_LM_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        x1 = x1_values[start:stop]
+        l_AB = l_AB_values[start:stop]
+        l_BC = l_BC_values[start:stop]
+        l_CD = l_CD_values[start:stop]
+        l_DE = l_DE_values[start:stop]
+        l_GH = l_GH_values[start:stop]
+        l_KL = l_KL_values[start:stop]
+        l_LM = l_LM_values[start:stop]
+        alpha_DE = alpha_DE_values[start:stop]
+        alpha_KL = alpha_KL_values[start:stop]
+        alpha_LM = alpha_LM_values[start:stop]
+        _row_each_position(
+            block, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, None
+        )
+        if has_nan(block):
+            _row_each_position(
+                block,
+                x1,
+                l_AB,
+                l_BC,
+                l_CD,
+                l_DE,
+                l_GH,
+                l_KL,
+                l_LM,
+                alpha_DE,
+                alpha_KL,
+                alpha_LM,
+                True,
+            )
+
+
+def position(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    l_DE: ArrayLike,
+    l_GH: ArrayLike,
+    l_KL: ArrayLike,
+    l_LM: ArrayLike,
+    alpha_DE: ArrayLike,
+    alpha_KL: ArrayLike,
+    alpha_LM: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the displacement y9 of the wedge, the whole chain.
+
+    Compiled. The help of `mechproof.kernels.wedge_linkage.position` has all words.
+    """
+    if (
+        type(l_AB)
+        is type(l_BC)
+        is type(l_CD)
+        is type(l_DE)
+        is type(l_GH)
+        is type(l_KL)
+        is type(l_LM)
+        is type(alpha_DE)
+        is type(alpha_KL)
+        is type(alpha_LM)
+        is float
+    ):
+        if type(x1) is ndarray:
+            row = take_row(x1, out)
+            if row is not None:
+                _fill_position(
+                    row, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+                )
+                return row
+        elif type(x1) is float and out is None:
+            return float64(
+                _position_point(
+                    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+                )
+            )
+    return run(
+        _POSITION,
+        (
+            x1,
+            l_AB,
+            l_BC,
+            l_CD,
+            l_DE,
+            l_GH,
+            l_KL,
+            l_LM,
+            alpha_DE,
+            alpha_KL,
+            alpha_LM,
+        ),
+        out,
+    )
+
+
+_POSITION = Loops(
+    names=(
+        "x1",
+        "l_AB",
+        "l_BC",
+        "l_CD",
+        "l_DE",
+        "l_GH",
+        "l_KL",
+        "l_LM",
+        "alpha_DE",
+        "alpha_KL",
+        "alpha_LM",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_position_point,
+    uniform=_fill_position,
+    each=_fill_each_position,
+)
+
+
+@overload(position)
+def _offer_position(
+    x1,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+):
+    return lambda x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM: (
+        _position_point(
+            float(x1),
+            float(l_AB),
+            float(l_BC),
+            float(l_CD),
+            float(l_DE),
+            float(l_GH),
+            float(l_KL),
+            float(l_LM),
+            float(alpha_DE),
+            float(alpha_KL),
+            float(alpha_LM),
+        )
+    )
+
+
+@scalar
+def _prepare_velocity(
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+):
+    arm = l_AB + l_CD
+    sin_DE = _sin(alpha_DE, exact)
+    cos_DE = _cos(alpha_DE, exact)
+    to_right = 2 * l_KL * _sin(alpha_KL / 2, exact) ** 2
+    to_left = 2 * l_KL * _cos(alpha_KL / 2, exact) ** 2
+    start_height = l_KL * _sin(alpha_KL, exact)
+    cos_LM = _cos(alpha_LM, exact)
+    sin_LM = _sin(alpha_LM, exact)
+
+    return (
+        l_BC,
+        l_DE,
+        l_GH,
+        l_LM,
+        arm,
+        sin_DE,
+        cos_DE,
+        to_right,
+        to_left,
+        start_height,
+        cos_LM,
+        sin_LM,
+    )
+
+
+@scalar
+def _velocity(
+    x1,
+    l_BC,
+    l_DE,
+    l_GH,
+    l_LM,
+    arm,
+    sin_DE,
+    cos_DE,
+    to_right,
+    to_left,
+    start_height,
+    cos_LM,
+    sin_LM,
+    exact,
+):
+    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_sum = guide_length + l_BC
+    lever_square = guide_sum**2 + x1**2
+    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
+    run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
+    push = maximum(0, run - l_GH)
+    rise = np.sqrt((push + to_right) * (to_left - push))
+    rise_sum = rise + start_height
+    roller_square = push**2 + rise_sum**2
+    cos_wedge = (
+        cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
+    ) / roller_square
+    gain = cos_wedge * choose(run < l_GH, 0, l_LM) / rise
+    sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
+
+    return l_DE / guide_length * cos_lever * gain * sin_arm
+
+
+@scalar
+def _velocity_at(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact):
+    if not (
+        (l_AB > 0)
+        & is_finite(l_AB)
+        & (l_BC > 0)
+        & is_finite(l_BC)
+        & (l_CD > 0)
+        & is_finite(l_CD)
+        & (l_DE > 0)
+        & is_finite(l_DE)
+        & (l_GH > 0)
+        & is_finite(l_GH)
+        & (l_KL > 0)
+        & is_finite(l_KL)
+        & (l_LM > 0)
+        & is_finite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    ):
+        return math.nan
+    prepared = _prepare_velocity(
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+    )
+
+    return _velocity(x1, *prepared, exact)
+
+
+@scalar
+def _velocity_point(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM):
+    return _velocity_at(
+        x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
+    )
+
+
+@loop
+def _row_velocity(out, x1_values, prepared, exact):
+    for i in range(out.size):
+        x1 = float(x1_values[i])
+
+        value = _velocity(x1, *prepared, exact)
+        out[i] = value
+
+
+@loop
+def _fill_velocity(
+    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+):
+    if not (
+        (l_AB > 0)
+        & is_finite(l_AB)
+        & (l_BC > 0)
+        & is_finite(l_BC)
+        & (l_CD > 0)
+        & is_finite(l_CD)
+        & (l_DE > 0)
+        & is_finite(l_DE)
+        & (l_GH > 0)
+        & is_finite(l_GH)
+        & (l_KL > 0)
+        & is_finite(l_KL)
+        & (l_LM > 0)
+        & is_finite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    ):
+        out[:] = math.nan
+        return
+    prepared = _prepare_velocity(
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
+    )
+
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        x1 = x1_values[start:stop]
+        _row_velocity(block, x1, prepared, None)
+        if has_nan(block):
+            _row_velocity(block, x1, prepared, True)
+
+
+@loop
+def _row_each_velocity(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+    l_DE_values,
+    l_GH_values,
+    l_KL_values,
+    l_LM_values,
+    alpha_DE_values,
+    alpha_KL_values,
+    alpha_LM_values,
+    exact,
+):
+    for i in range(out.size):
+        x1 = float(x1_values[i])
+        l_AB = float(l_AB_values[i])
+        l_BC = float(l_BC_values[i])
+        l_CD = float(l_CD_values[i])
+        l_DE = float(l_DE_values[i])
+        l_GH = float(l_GH_values[i])
+        l_KL = float(l_KL_values[i])
+        l_LM = float(l_LM_values[i])
+        alpha_DE = float(alpha_DE_values[i])
+        alpha_KL = float(alpha_KL_values[i])
+        alpha_LM = float(alpha_LM_values[i])
+
+        value = _velocity_at(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        )
+        out[i] = value
+
+
+@loop
+def _fill_each_velocity(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+    l_DE_values,
+    l_GH_values,
+    l_KL_values,
+    l_LM_values,
+    alpha_DE_values,
+    alpha_KL_values,
+    alpha_LM_values,
+):
+    for start in range(0, out.size, BLOCK):
+        stop = min(start + BLOCK, out.size)
+        block = out[start:stop]
+        x1 = x1_values[start:stop]
+        l_AB = l_AB_values[start:stop]
+        l_BC = l_BC_values[start:stop]
+        l_CD = l_CD_values[start:stop]
+        l_DE = l_DE_values[start:stop]
+        l_GH = l_GH_values[start:stop]
+        l_KL = l_KL_values[start:stop]
+        l_LM = l_LM_values[start:stop]
+        alpha_DE = alpha_DE_values[start:stop]
+        alpha_KL = alpha_KL_values[start:stop]
+        alpha_LM = alpha_LM_values[start:stop]
+        _row_each_velocity(
+            block, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, None
+        )
+        if has_nan(block):
+            _row_each_velocity(
+                block,
+                x1,
+                l_AB,
+                l_BC,
+                l_CD,
+                l_DE,
+                l_GH,
+                l_KL,
+                l_LM,
+                alpha_DE,
+                alpha_KL,
+                alpha_LM,
+                True,
+            )
+
+
+def velocity(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    l_DE: ArrayLike,
+    l_GH: ArrayLike,
+    l_KL: ArrayLike,
+    l_LM: ArrayLike,
+    alpha_DE: ArrayLike,
+    alpha_KL: ArrayLike,
+    alpha_LM: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute dy9/dx1, the velocity of the wedge at unit speed of the pusher.
+
+    Compiled. The help of `mechproof.kernels.wedge_linkage.velocity` has all words.
+    """
+    if (
+        type(l_AB)
+        is type(l_BC)
+        is type(l_CD)
+        is type(l_DE)
+        is type(l_GH)
+        is type(l_KL)
+        is type(l_LM)
+        is type(alpha_DE)
+        is type(alpha_KL)
+        is type(alpha_LM)
+        is float
+    ):
+        if type(x1) is ndarray:
+            row = take_row(x1, out)
+            if row is not None:
+                _fill_velocity(
+                    row, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+                )
+                return row
+        elif type(x1) is float and out is None:
+            return float64(
+                _velocity_point(
+                    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+                )
+            )
+    return run(
+        _VELOCITY,
+        (
+            x1,
+            l_AB,
+            l_BC,
+            l_CD,
+            l_DE,
+            l_GH,
+            l_KL,
+            l_LM,
+            alpha_DE,
+            alpha_KL,
+            alpha_LM,
+        ),
+        out,
+    )
+
+
+_VELOCITY = Loops(
+    names=(
+        "x1",
+        "l_AB",
+        "l_BC",
+        "l_CD",
+        "l_DE",
+        "l_GH",
+        "l_KL",
+        "l_LM",
+        "alpha_DE",
+        "alpha_KL",
+        "alpha_LM",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_velocity_point,
+    uniform=_fill_velocity,
+    each=_fill_each_velocity,
+)
+
+
+@overload(velocity)
+def _offer_velocity(
+    x1,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+):
+    return lambda x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM: (
+        _velocity_point(
+            float(x1),
+            float(l_AB),
+            float(l_BC),
+            float(l_CD),
+            float(l_DE),
+            float(l_GH),
+            float(l_KL),
+            float(l_LM),
+            float(alpha_DE),
+            float(alpha_KL),
+            float(alpha_LM),
+        )
+    )
+
+
+@scalar
+def _prepare_sensitivities(
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+):
+    arm = l_AB + l_CD
+    sin_DE = _sin(alpha_DE, exact)
+    cos_DE = _cos(alpha_DE, exact)
+    to_right = 2 * l_KL * _sin(alpha_KL / 2, exact) ** 2
+    to_left = 2 * l_KL * _cos(alpha_KL / 2, exact) ** 2
+    start_height = l_KL * _sin(alpha_KL, exact)
+    cos_LM = _cos(alpha_LM, exact)
+    sin_LM = _sin(alpha_LM, exact)
+
+    return (
+        l_BC,
+        l_DE,
+        l_GH,
+        l_KL,
+        l_LM,
+        arm,
+        sin_DE,
+        cos_DE,
+        to_right,
+        to_left,
+        start_height,
+        cos_LM,
+        sin_LM,
+    )
+
+
+@scalar
+def _sensitivities(
+    x1,
+    l_BC,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    arm,
+    sin_DE,
+    cos_DE,
+    to_right,
+    to_left,
+    start_height,
+    cos_LM,
+    sin_LM,
+    exact,
+):
+    x1_squared = x1**2
+    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_sum = guide_length + l_BC
+    lever_square = guide_sum**2 + x1_squared
+    run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
+    push = maximum(0, run - l_GH)
+    rise = np.sqrt((push + to_right) * (to_left - push))
+    rise_sum = rise + start_height
+    roller_square = push**2 + rise_sum**2
+    cos_wedge = (
+        cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
+    ) / roller_square
+    gain = cos_wedge * choose(run < l_GH, 0, l_LM) / rise
+    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
+    sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
+    term = -2 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared
+
+    return (
+        term,
+        -2 * l_DE / (guide_length * lever_square) * gain * guide_sum * sin_arm * x1,
+        term,
+        gain * run / l_DE,
+        -gain,
+        -gain * push / l_KL,
+        2 / roller_square * push * (cos_LM * rise_sum - sin_LM * push),
+        2 * l_DE / lever_square * gain * x1 * (cos_DE * guide_sum + sin_DE * x1),
+        gain * push * (push + to_right - to_left) / rise_sum,
+        -2 * l_LM / roller_square * push * (cos_LM * push + sin_LM * rise_sum),
+    )
+
+
+@scalar
+def _sensitivities_at(
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+):
+    if not (
+        (l_AB > 0)
+        & is_finite(l_AB)
+        & (l_BC > 0)
+        & is_finite(l_BC)
+        & (l_CD > 0)
+        & is_finite(l_CD)
+        & (l_DE > 0)
+        & is_finite(l_DE)
+        & (l_GH > 0)
+        & is_finite(l_GH)
+        & (l_KL > 0)
+        & is_finite(l_KL)
+        & (l_LM > 0)
+        & is_finite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    ):
+        return (
+            math.nan,
+            math.nan,
+            math.nan,
+            math.nan,
+            math.nan,
+            math.nan,
+            math.nan,
+            math.nan,
+            math.nan,
+            math.nan,
+        )
+    prepared = _prepare_sensitivities(
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+    )
+
+    return _sensitivities(x1, *prepared, exact)
+
+
+@scalar
+def _sensitivities_point(
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+):
+    return _sensitivities_at(
+        x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
+    )
+
+
+@loop
+def _row_sensitivities(out, x1_values, prepared, exact):
+    for i in range(out.size // 10):
+        x1 = float(x1_values[i])
+
+        value = _sensitivities(x1, *prepared, exact)
+        out[10 * i + 0] = value[0]
+        out[10 * i + 1] = value[1]
+        out[10 * i + 2] = value[2]
+        out[10 * i + 3] = value[3]
+        out[10 * i + 4] = value[4]
+        out[10 * i + 5] = value[5]
+        out[10 * i + 6] = value[6]
+        out[10 * i + 7] = value[7]
+        out[10 * i + 8] = value[8]
+        out[10 * i + 9] = value[9]
+
+
+@loop
+def _fill_sensitivities(
+    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+):
+    if not (
+        (l_AB > 0)
+        & is_finite(l_AB)
+        & (l_BC > 0)
+        & is_finite(l_BC)
+        & (l_CD > 0)
+        & is_finite(l_CD)
+        & (l_DE > 0)
+        & is_finite(l_DE)
+        & (l_GH > 0)
+        & is_finite(l_GH)
+        & (l_KL > 0)
+        & is_finite(l_KL)
+        & (l_LM > 0)
+        & is_finite(l_LM)
+        & (alpha_KL > 0)
+        & (alpha_KL < np.pi)
+    ):
+        out[:] = math.nan
+        return
+    prepared = _prepare_sensitivities(
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
+    )
+
+    for start in range(0, out.size // 10, BLOCK):
+        stop = min(start + BLOCK, out.size // 10)
+        block = out[10 * start : 10 * stop]
+        x1 = x1_values[start:stop]
+        _row_sensitivities(block, x1, prepared, None)
+        if has_nan(block):
+            _row_sensitivities(block, x1, prepared, True)
+
+
+@loop
+def _row_each_sensitivities(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+    l_DE_values,
+    l_GH_values,
+    l_KL_values,
+    l_LM_values,
+    alpha_DE_values,
+    alpha_KL_values,
+    alpha_LM_values,
+    exact,
+):
+    for i in range(out.size // 10):
+        x1 = float(x1_values[i])
+        l_AB = float(l_AB_values[i])
+        l_BC = float(l_BC_values[i])
+        l_CD = float(l_CD_values[i])
+        l_DE = float(l_DE_values[i])
+        l_GH = float(l_GH_values[i])
+        l_KL = float(l_KL_values[i])
+        l_LM = float(l_LM_values[i])
+        alpha_DE = float(alpha_DE_values[i])
+        alpha_KL = float(alpha_KL_values[i])
+        alpha_LM = float(alpha_LM_values[i])
+
+        value = _sensitivities_at(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        )
+        out[10 * i + 0] = value[0]
+        out[10 * i + 1] = value[1]
+        out[10 * i + 2] = value[2]
+        out[10 * i + 3] = value[3]
+        out[10 * i + 4] = value[4]
+        out[10 * i + 5] = value[5]
+        out[10 * i + 6] = value[6]
+        out[10 * i + 7] = value[7]
+        out[10 * i + 8] = value[8]
+        out[10 * i + 9] = value[9]
+
+
+@loop
+def _fill_each_sensitivities(
+    out,
+    x1_values,
+    l_AB_values,
+    l_BC_values,
+    l_CD_values,
+    l_DE_values,
+    l_GH_values,
+    l_KL_values,
+    l_LM_values,
+    alpha_DE_values,
+    alpha_KL_values,
+    alpha_LM_values,
+):
+    for start in range(0, out.size // 10, BLOCK):
+        stop = min(start + BLOCK, out.size // 10)
+        block = out[10 * start : 10 * stop]
+        x1 = x1_values[start:stop]
+        l_AB = l_AB_values[start:stop]
+        l_BC = l_BC_values[start:stop]
+        l_CD = l_CD_values[start:stop]
+        l_DE = l_DE_values[start:stop]
+        l_GH = l_GH_values[start:stop]
+        l_KL = l_KL_values[start:stop]
+        l_LM = l_LM_values[start:stop]
+        alpha_DE = alpha_DE_values[start:stop]
+        alpha_KL = alpha_KL_values[start:stop]
+        alpha_LM = alpha_LM_values[start:stop]
+        _row_each_sensitivities(
+            block, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, None
+        )
+        if has_nan(block):
+            _row_each_sensitivities(
+                block,
+                x1,
+                l_AB,
+                l_BC,
+                l_CD,
+                l_DE,
+                l_GH,
+                l_KL,
+                l_LM,
+                alpha_DE,
+                alpha_KL,
+                alpha_LM,
+                True,
+            )
+
+
+def sensitivities(
+    x1: ArrayLike,
+    l_AB: ArrayLike,
+    l_BC: ArrayLike,
+    l_CD: ArrayLike,
+    l_DE: ArrayLike,
+    l_GH: ArrayLike,
+    l_KL: ArrayLike,
+    l_LM: ArrayLike,
+    alpha_DE: ArrayLike,
+    alpha_KL: ArrayLike,
+    alpha_LM: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the derivatives of y9 by the sizes, in the order of the arguments.
+
+    Compiled. The help of `mechproof.kernels.wedge_linkage.sensitivities` has all words.
+    """
+    return run(
+        _SENSITIVITIES,
+        (
+            x1,
+            l_AB,
+            l_BC,
+            l_CD,
+            l_DE,
+            l_GH,
+            l_KL,
+            l_LM,
+            alpha_DE,
+            alpha_KL,
+            alpha_LM,
+        ),
+        out,
+    )
+
+
+_SENSITIVITIES = Loops(
+    names=(
+        "x1",
+        "l_AB",
+        "l_BC",
+        "l_CD",
+        "l_DE",
+        "l_GH",
+        "l_KL",
+        "l_LM",
+        "alpha_DE",
+        "alpha_KL",
+        "alpha_LM",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(10,),
+    at=_sensitivities_point,
+    uniform=_fill_sensitivities,
+    each=_fill_each_sensitivities,
+)
+
+
+@overload(sensitivities)
+def _offer_sensitivities(
+    x1,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+):
+    return lambda x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM: (
+        _sensitivities_point(
+            float(x1),
+            float(l_AB),
+            float(l_BC),
+            float(l_CD),
+            float(l_DE),
+            float(l_GH),
+            float(l_KL),
+            float(l_LM),
+            float(alpha_DE),
+            float(alpha_KL),
+            float(alpha_LM),
+        )
+    )

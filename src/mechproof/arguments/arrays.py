@@ -1,0 +1,73 @@
+"""Checks of array-likes."""
+
+from __future__ import annotations
+
+from numbers import Real
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.arguments.scalars import check_items, check_number, refuse, require
+
+Array = NDArray[np.float64]
+
+# Beyond it squares and the widths of tails leave the range of a double.
+LARGEST = 1e150
+
+
+def check_array(name: str, value: Any) -> Array:
+    """`value` as float64; TypeError for what is no real number, has a mask or a unit."""
+    refuse_units(name, value)
+    if isinstance(value, np.ma.MaskedArray):
+        allowed = "is a masked array; give NaN for what is unknown, or compressed()"
+        refuse(name, value, allowed, TypeError)
+    exact = isinstance(value, Real) and not isinstance(value, np.generic)
+    array = np.asarray(check_number(name, value) if exact else value)
+    if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
+        refuse(name, value, f"must be a real number or an array, not {array.dtype}", TypeError)
+    return array.astype(np.float64, copy=False)
+
+
+def refuse_units(name: str, value: Any) -> None:
+    """Raise TypeError for what carries a unit, which would be lost."""
+    if hasattr(value, "units"):
+        refuse(name, value, "carries a unit; give plain numbers in one unit", TypeError)
+
+
+def check_finite(name: str, value: ArrayLike) -> Array:
+    """`value` as float64 if it is within +-1e150; NaN passes, an infinity does not."""
+    array = check_array(name, value)
+    require(not np.isinf(array).any(), name, value, "must be finite")
+    return check_range(name, array)
+
+
+def check_range(name: str, array: Array) -> Array:
+    """Return finite numbers within +-1e150, infinities and NaN as they are."""
+    beyond = (np.abs(array) > LARGEST) & ~np.isinf(array)
+    require(not beyond.any(), name, array, f"must be between -{LARGEST:g} and {LARGEST:g}")
+    return array
+
+
+def check_scale(name: str, value: ArrayLike) -> Array:
+    """`value` as float64 if it is finite and not negative (NaN passes)."""
+    array = check_finite(name, value)
+    require(not (array < 0).any(), name, value, "must not be negative")
+    return array
+
+
+def check_order(
+    what: str, lower: ArrayLike, upper: ArrayLike, names: tuple[str, str] = ("lower", "upper")
+) -> tuple[Array, Array]:
+    """Both limits as float64 if lower < upper everywhere (NaN passes)."""
+    low, high = (check_array(n, v) for n, v in zip(names, (lower, upper), strict=True))
+    apart = not np.any(low >= high)
+    require(apart, what, (lower, upper), "the lower limit must be below the upper limit")
+    return check_range(names[0], low), check_range(names[1], high)
+
+
+def check_pair(name: str, value: Any) -> tuple[Array, Array]:
+    """Both limits of a pair (lower, upper) as float64, as `check_order`."""
+    lower, upper = check_items(name, value, 2, "must be a pair (lower, upper)")
+    names = f"{name}[0]", f"{name}[1]"
+    return check_order(f"{name} (lower, upper)", lower, upper, names)

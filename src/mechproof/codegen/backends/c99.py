@@ -1,0 +1,74 @@
+"""C backend: in, a paper; out, a header and a source that need <math.h> alone."""
+
+from __future__ import annotations
+
+import textwrap
+
+from mechproof.codegen.backends.numpy import render_template
+from mechproof.codegen.backends.scalar import (
+    list_elementary,
+    list_scalars,
+    write_elementary,
+    write_scalar,
+)
+from mechproof.codegen.elementary.formats import DOUBLE, SINGLE
+from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
+from mechproof.record import Paper
+
+WIDTH = 90
+KEYWORDS = frozenset({
+    "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else",
+    "enum", "extern", "float", "for", "goto", "if", "inline", "int", "long", "register",
+    "restrict", "return", "short", "signed", "sizeof", "static", "struct", "switch", "typedef",
+    "union", "unsigned", "void", "volatile", "while", "out", "count", "prepared", "i", "j",
+})  # fmt: skip
+
+
+def render_c(paper: Paper, *, single: bool = False) -> dict[str, str]:
+    """Render the header and the source of a paper's kernels by their file names.
+
+    Raises ValueError if there is no kernel, or a name means something else in C.
+    """
+    kernels = list_scalars(paper)
+    if not kernels:
+        raise ValueError(f"{paper.system}: no kernel that C can compute point by point")
+    form, language, far = (SINGLE, C99_SINGLE, C99_SINGLE_FAR) if single else (DOUBLE, C99, C99_FAR)
+    file = f"{paper.system}_single" if single else paper.system
+    written = [write_scalar(kernel, language) for kernel in kernels]
+    for kernel in written:
+        if taken := sorted(KEYWORDS & set(kernel.names)):
+            raise ValueError(f"{paper.system}.{kernel.name}: {taken} mean something else in C")
+    common: dict[str, object] = {
+        "system": file,
+        "real": "float" if single else "double",
+        "kernels": written,
+    }
+    header = {
+        **common,
+        "citation": textwrap.wrap(paper.citation, WIDTH),
+        "guard": f"{file.upper()}_H",
+        "names": "FUNCTION",
+    }
+    source = {
+        **common,
+        "file": file,
+        "largest": form.largest,
+        "limit": language.number(form.largest),
+        "absolute": language.calls["absolute"],
+        "functions": [
+            write_elementary(kind, form, language, far) for kind in list_elementary(kernels)
+        ],
+    }
+    return {
+        f"{file}.h": _tidy(render_template("c_header.h.jinja", header)),
+        f"{file}.c": _tidy(render_template("c_source.c.jinja", source)),
+    }
+
+
+def _tidy(text: str) -> str:
+    """Leave no blank lines but single ones after what ends."""
+    lines = [""]
+    for line in map(str.rstrip, text.splitlines()):
+        if line or lines[-1].endswith(("}", "*/", ");")):
+            lines.append(line)
+    return "\n".join(lines).strip() + "\n"

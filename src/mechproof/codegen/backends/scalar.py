@@ -1,0 +1,256 @@
+"""Scalar kernels: in, a paper; out, what backends print that compute one point at a time.
+
+The programs are those of the NumPy kernels; an affine stage becomes fused products, and the
+elementary functions that occur are programs of plain arithmetic themselves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.elementary.fits import enclose
+from mechproof.codegen.elementary.formats import Format
+from mechproof.codegen.elementary.functions import BODIES, Function, build
+from mechproof.codegen.kernel import Kernel, list_functions
+from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program
+from mechproof.codegen.syntax import COMPARISONS, Syntax, Text, write_program
+from mechproof.record import Paper
+
+BOOLEAN = frozenset({*COMPARISONS, "both", "either", "is_finite"})
+
+
+@dataclass(frozen=True)
+class ScalarStage:
+    """A form: when it is taken, what is prepared once and what is evaluated for each point."""
+
+    name: str
+    when: str
+    parameters: tuple[str, ...]
+    prepare: Text
+    evaluate: Text
+    inputs: tuple[str, ...]
+    running: tuple[str, ...]
+    booleans: frozenset[str]
+
+
+@dataclass(frozen=True)
+class ScalarArgument:
+    """An argument by the names of its components; `width` is 0 if it is no vector."""
+
+    name: str
+    components: tuple[str, ...]
+    width: int
+    default: float | None
+    meaning: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class ScalarKernel:
+    """What is printed of a kernel; `checked` are the components that the domain is about."""
+
+    name: str
+    summary: str
+    arguments: tuple[ScalarArgument, ...]
+    inside: str
+    checked: frozenset[str]
+    stages: tuple[ScalarStage, ...]
+    shape: tuple[int, ...]
+    limited: bool
+
+    @property
+    def count(self) -> int:
+        """Return how many numbers a result has."""
+        count = 1
+        for length in self.shape:
+            count *= length
+        return count
+
+    @property
+    def depends(self) -> bool:
+        """Say whether the domain depends on the point, too."""
+        return not self.checked.isdisjoint(self.arguments[0].components)
+
+    @property
+    def moving(self) -> frozenset[str]:
+        """Return the components of the first argument that a value or the domain depends on."""
+        return self.taken.intersection(self.arguments[0].components)
+
+    @property
+    def taken(self) -> frozenset[str]:
+        """Return the components that a value or the domain depends on."""
+        used = {n for stage in self.stages for n in (*stage.running, *stage.parameters)}
+        return frozenset(used) | {n for n in self.names if n in self.checked}
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the components of all arguments."""
+        return tuple(n for a in self.arguments for n in a.components)
+
+
+@dataclass(frozen=True)
+class FunctionText:
+    """What is printed of an elementary function; `far` is its value beyond `largest`."""
+
+    kind: str
+    inputs: tuple[str, ...]
+    text: Text
+    far: Text | None
+    booleans: frozenset[str]
+    bounds: tuple[tuple[str, float], ...]
+
+
+def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
+    """List the shipped kernels that have no axes to be summed over."""
+    return tuple(k for k in list_functions(paper) if k.is_shipped and not k.code.indexed)
+
+
+def write_scalar(kernel: Kernel, syntax: Syntax) -> ScalarKernel:
+    """Write the texts of a kernel in a language."""
+    code = kernel.code
+    arguments = _list_arguments(kernel)
+    renamed = _rename_components(code, arguments)
+    inside = _rename(code.inside, renamed) if code.inside else NOTHING
+    used = {o for step in inside.operations for o in step.operands}
+    return ScalarKernel(
+        kernel.name,
+        kernel.quantity.summary,
+        arguments,
+        "".join(write_program(inside, syntax).outputs),
+        frozenset(n for a in arguments for n in a.components if n in used),
+        tuple(_write_stage(name, stage, syntax) for name, stage in list_stages(kernel)),
+        code.shape,
+        any(is_limited(p) for s in code.stages for p in s.programs),
+    )
+
+
+def _write_stage(name: str, stage: Stage, syntax: Syntax) -> ScalarStage:
+    assert stage.evaluate is not None
+    when = write_program(stage.when, syntax).outputs[0] if stage.when else ""
+    return ScalarStage(
+        name,
+        when,
+        stage.parameters,
+        write_program(stage.prepare, syntax),
+        write_program(stage.evaluate, syntax),
+        stage.evaluate.inputs,
+        stage.running,
+        list_booleans(stage.prepare) | list_booleans(stage.evaluate),
+    )
+
+
+def list_booleans(program: Program) -> frozenset[str]:
+    """List the results that are true or false."""
+    return frozenset(step.result for step in program.operations if step.kind in BOOLEAN)
+
+
+def is_limited(program: Program) -> bool:
+    """Say whether a program takes functions that are right up to the largest angle only."""
+    return any(step.kind in BODIES and BODIES[step.kind][-1] for step in program.operations)
+
+
+def _list_arguments(kernel: Kernel) -> tuple[ScalarArgument, ...]:
+    widths = {name: len(components) for name, components in kernel.code.vectors}
+    return tuple(
+        ScalarArgument(
+            a.name,
+            tuple(f"{a.name}_{i}" for i in range(widths[a.name]))
+            if a.name in widths
+            else (a.name,),
+            widths.get(a.name, 0),
+            a.default,
+            a.meaning,
+            a.unit,
+        )
+        for a in kernel.quantity.arguments
+    )
+
+
+def _rename_components(
+    code: KernelCode, arguments: tuple[ScalarArgument, ...]
+) -> Mapping[Operand, str]:
+    """Name the components of vectors after their argument: a symbol may be one of a step, too."""
+    parts = {a.name: a.components for a in arguments}
+    return {
+        old: new
+        for name, components in code.vectors
+        for old, new in zip(components, parts[name], strict=True)
+        if old != "_"
+    }
+
+
+def _rename(program: Program, names: Mapping[Operand, str]) -> Program:
+    return Program(
+        tuple(names.get(n, n) for n in program.inputs),
+        tuple(
+            replace(step, operands=tuple(names.get(o, o) for o in step.operands))
+            for step in program.operations
+        ),
+        tuple(names.get(o, o) for o in program.outputs),
+    )
+
+
+def list_stages(kernel: Kernel) -> list[tuple[str, Stage]]:
+    """List the stages of a kernel by the names of their functions, all components named."""
+    renamed = _rename_components(kernel.code, _list_arguments(kernel))
+    return [_scalar_stage(kernel, number, renamed) for number in range(len(kernel.code.stages))]
+
+
+def _scalar_stage(kernel: Kernel, number: int, names: Mapping[Operand, str]) -> tuple[str, Stage]:
+    stage = kernel.code.stages[number]
+    last = number == len(kernel.code.stages) - 1
+    name = f"_{kernel.name}" if last else f"_{kernel.name}_{number + 1}"
+    running = tuple(names.get(n, n) for n in stage.running)
+    scalar = Stage(
+        _rename(stage.when, names) if stage.when else None,
+        running,
+        tuple(names.get(n, n) for n in stage.parameters),
+        _rename(stage.prepare, names) if stage.prepare is not NOTHING else NOTHING,
+        _rename(stage.evaluate, names) if stage.evaluate else _map_affinely(running),
+    )
+    return name, scalar
+
+
+def _map_affinely(point: tuple[str, ...]) -> Program:
+    """Return the program of M @ p + v, M given row by row, then v."""
+    count = len(point)
+    rows = tuple(f"m{i}{j}" for i in range(count) for j in range(count))
+    shift = tuple(f"v{i}" for i in range(count))
+    operations: list[Operation] = []
+    outputs = []
+    for i in range(count):
+        result: Operand = shift[i]
+        for j in reversed(range(count)):
+            name = f"{TEMPORARY}{len(operations) + 1}"
+            operations.append(Operation(name, "fma", (rows[i * count + j], point[j], result)))
+            result = name
+        outputs.append(result)
+    inputs = (*point, *rows, *shift)
+    return Program(inputs, tuple(operations), tuple(outputs)).normal_form()
+
+
+def list_elementary(kernels: Iterable[Kernel]) -> tuple[str, ...]:
+    """List the elementary functions that kernels take, in the order of their table."""
+    used = {
+        step.kind
+        for kernel in kernels
+        for stage in kernel.code.stages
+        for program in stage.programs
+        for step in program.operations
+    }
+    return tuple(kind for kind in BODIES if kind in used)
+
+
+def write_elementary(kind: str, form: Format, syntax: Syntax, far: Syntax) -> FunctionText:
+    """Write an elementary function; `far` spells the functions of the language's own library."""
+    function: Function = build(kind, form)
+    return FunctionText(
+        kind,
+        function.program.inputs,
+        write_program(function.program, syntax),
+        write_program(function.far, far) if function.far else None,
+        list_booleans(function.program),
+        tuple((t.meaning, enclose(t, fitted) / form.eps) for t, fitted in function.fits),
+    )

@@ -1,0 +1,179 @@
+"""Arrays of every shape as loops over flat ones: rows of equal parameters, blocks, threads."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechproof.compiled_support.machine import BLOCK
+from mechproof.kernel_support.arrays import PLAIN, as_floats, check_components, check_out
+
+# Points in a row for which a call of its own pays, and those for which a second thread does.
+LONG_ROW = 32
+THREADED = 2**17
+DOUBLE = np.dtype(np.float64)
+
+
+class Loops(NamedTuple):
+    """A compiled kernel: its arguments, the shape of a result, and three ways to call it.
+
+    `widths` are the lengths of last axes, 0 where there is none. `at` takes one point, `uniform`
+    a flat array of points and parameters that are numbers, `each` flat arrays of all arguments.
+    """
+
+    names: tuple[str, ...]
+    widths: tuple[int, ...]
+    shape: tuple[int, ...]
+    at: Callable[..., Any]
+    uniform: Callable[..., None]
+    each: Callable[..., None]
+
+
+def take_row(first: NDArray[Any], out: NDArray[Any] | None) -> NDArray[Any] | None:
+    """Return what a short row of doubles is computed into at once, None where there is more to do.
+
+    The first test of a call: nothing here may cost as much as the loop over ten points.
+    """
+    if first.dtype is not DOUBLE or first.ndim != 1 or not first.flags.c_contiguous:
+        return None
+    if first.size >= THREADED:
+        return None
+    if out is None:
+        return np.empty(first.size)
+    is_plain = type(out) is np.ndarray and out.dtype is DOUBLE and out.shape == first.shape
+    is_ready = is_plain and out.flags.carray and not np.may_share_memory(out, first)
+    return out if is_ready else None
+
+
+def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> Any:
+    """Return a kernel's values, in `out` if there is one.
+
+    Raises
+    ------
+    TypeError, ValueError
+        As the kernels of NumPy; TypeError for arrays with ufuncs of their own, too.
+
+    """
+    arrays = as_floats(**dict(zip(loops.names, arguments, strict=True)))
+    if not any(loops.widths) and all(isinstance(a, np.generic) for a in arrays) and out is None:
+        value = loops.at(*map(float, arrays))
+        return np.array(value).reshape(loops.shape) if loops.shape else arrays[0].dtype.type(value)
+    return _run(loops, arrays, out)
+
+
+def _run(loops: Loops, arrays: tuple[Any, ...], out: NDArray[Any] | None) -> Any:
+    for name, array, width in zip(loops.names, arrays, loops.widths, strict=True):
+        if type(array) not in PLAIN:
+            kind = type(array).__name__
+            raise TypeError(f"{name}: compiled kernels take numbers and NumPy arrays, got {kind}")
+        if width:
+            check_components(name, array, width)
+    ranks = [bool(width) for width in loops.widths]
+    outer = [a.shape[: a.ndim - r] for a, r in zip(arrays, ranks, strict=True)]
+    points = np.broadcast_shapes(*outer)
+    dtype, whole = arrays[0].dtype, points + loops.shape
+    if out is not None:
+        check_out(out, whole, dtype)
+    direct = (
+        out is not None
+        and out.flags.c_contiguous
+        and not any(np.may_share_memory(out, a) for a in arrays)
+    )
+    target = out if direct and out is not None else np.empty(whole, dtype)
+    if target.size:
+        _fill(loops, target, points, arrays, outer)
+    if out is not None and target is not out:
+        out[...] = target
+        return out
+    return target if whole else target[()]
+
+
+def _fill(
+    loops: Loops,
+    target: NDArray[Any],
+    points: tuple[int, ...],
+    arrays: tuple[Any, ...],
+    outer: list[tuple[int, ...]],
+) -> None:
+    """Fill a target whose last axes are a result's: rows of equal parameters if they are long."""
+    spread = [
+        np.broadcast_to(a, points + a.shape[a.ndim - bool(width) :] if width else points)
+        for a, width in zip(arrays, loops.widths, strict=True)
+    ]
+    depth = len(points) - _count_common_axes(outer[1:], len(points))
+    if depth and math.prod(points[depth:]) < LONG_ROW:
+        for index in _cut(points, BLOCK):
+            flat = [np.ascontiguousarray(a[index]).reshape(-1) for a in spread]
+            part = target[index]
+            block = np.empty(part.size, target.dtype)
+            loops.each(block, *flat)
+            part[...] = block.reshape(part.shape)
+        return
+    inner = (0,) * (len(points) - depth)
+    rows = target.reshape((*points[:depth], -1))
+    for index in np.ndindex(points[:depth]):
+        numbers = [float(v) for a in spread[1:] for v in np.ravel(a[index + inner])]
+        row = np.ascontiguousarray(spread[0][index]).reshape(-1)
+        _fill_uniformly(loops, rows[index], row, numbers)
+
+
+def _count_common_axes(shapes: list[tuple[int, ...]], rank: int) -> int:
+    """Count the last axes along which nothing of the given shapes varies."""
+    for axis in range(1, rank + 1):
+        if any(len(shape) >= axis and shape[-axis] != 1 for shape in shapes):
+            return axis - 1
+    return rank
+
+
+def _cut(shape: tuple[int, ...], size: int) -> Iterator[tuple[slice, ...]]:
+    """Cut the first axes so that no part has more than `size` points."""
+    first, *rest = shape
+    row = math.prod(rest)
+    if row > size:
+        for i in range(first):
+            for index in _cut(tuple(rest), size):
+                yield (slice(i, i + 1), *index)
+        return
+    step = max(size // max(row, 1), 1)
+    for start in range(0, first, step):
+        yield (slice(start, start + step),)
+
+
+def _fill_uniformly(loops: Loops, target: NDArray[Any], row: NDArray[Any], parameters: Any) -> None:
+    """Fill a flat target, on several threads if it is long."""
+    width, count = max(loops.widths[0], 1), math.prod(loops.shape)
+    points = row.size // width
+    workers = _count_processors() if points >= THREADED else 1
+    if workers == 1:
+        loops.uniform(target, row, *parameters)
+        return
+    ends = [points * i // workers for i in range(workers + 1)]
+    tasks = [
+        _pool().submit(
+            loops.uniform, target[a * count : b * count], row[a * width : b * width], *parameters
+        )
+        for a, b in pairwise(ends)
+    ]
+    for task in tasks:
+        task.result()
+
+
+@cache
+def _count_processors() -> int:
+    try:
+        return len(os.sched_getaffinity(0))
+    except AttributeError:
+        return os.cpu_count() or 1
+
+
+@cache
+def _pool() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(_count_processors(), "mechproof")

@@ -1,0 +1,91 @@
+"""Machine operations for functions that compute one point, and how these are compiled.
+
+Functions marked `scalar` compute one point; `loop` ones fill a flat array.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+try:
+    from llvmlite import ir
+    from numba import njit, types
+    from numba.extending import intrinsic
+except ImportError as error:
+    raise ImportError(
+        "mechproof.kernels.compiled needs numba: pip install 'mechproof[fast]'"
+    ) from error
+
+# What a fast loop leaves as NaN is looked at again after so many points.
+BLOCK = 4096
+_REAL = types.float64
+
+scalar = njit(error_model="numpy", nogil=True, cache=True, forceinline=True)
+loop = njit(error_model="numpy", nogil=True, cache=True)
+
+
+def _machine(name: str, count: int) -> Any:
+    """Return an operation of the machine on `count` doubles."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        real = ir.DoubleType()
+        function = ir.FunctionType(real, [real] * count)
+        return builder.call(builder.module.declare_intrinsic(name, [real], function), arguments)
+
+    return _REAL(*[_REAL] * count), generate
+
+
+@intrinsic
+def fma(typingctx: Any, a: Any, b: Any, c: Any) -> Any:
+    """Return a*b + c with one rounding."""
+    return _machine("llvm.fma", 3)
+
+
+@intrinsic
+def rint(typingctx: Any, a: Any) -> Any:
+    """Return the whole number next to a."""
+    return _machine("llvm.rint", 1)
+
+
+@intrinsic
+def floor(typingctx: Any, a: Any) -> Any:
+    """Return the largest whole number that is not above a."""
+    return _machine("llvm.floor", 1)
+
+
+@intrinsic
+def copysign(typingctx: Any, a: Any, b: Any) -> Any:
+    """Return |a| with the sign of b."""
+    return _machine("llvm.copysign", 2)
+
+
+@intrinsic
+def choose(typingctx: Any, condition: Any, a: Any, b: Any) -> Any:
+    """Return a where the condition holds, b elsewhere, without a branch."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return builder.select(*arguments)
+
+    return _REAL(types.boolean, _REAL, _REAL), generate
+
+
+@scalar
+def is_finite(a: float) -> bool:
+    """Say whether a number is neither infinite nor NaN."""
+    return abs(a) < math.inf
+
+
+@scalar
+def maximum(a: float, b: float) -> float:
+    """Return the larger number, NaN if one is."""
+    return a if a >= b or a != a else b
+
+
+@loop
+def has_nan(values: Any) -> bool:
+    """Say whether there is a NaN among the numbers of a flat array."""
+    count = 0
+    for value in values:
+        count += value != value
+    return count > 0

@@ -1,0 +1,149 @@
+"""Derivatives of expressions, limits and factorials."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from mechproof.latex import atoms
+from mechproof.latex.tree import (
+    Approach,
+    Bracket,
+    Call,
+    Derivation,
+    Function,
+    Letter,
+    Node,
+    Number,
+    Power,
+)
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
+
+LARGEST_FACTORIAL = 1000
+
+
+# Derivatives ------------------------------------------------------------------------------------
+
+
+def is_derivative(parser: Parser) -> bool:
+    r"""Return whether a fraction is d…/dx: both parts begin with a d that is no declared name."""
+    texts = [token.text for token in parser.tokens[parser.place + 1 :]]
+    below = _find_close(texts) + 1
+    starts = (parser.place + 2, parser.place + 2 + below)
+    is_d = texts[:2] == ["{", "d"] and texts[below : below + 2] == ["{", "d"]
+    is_alone = texts[below + 2 : below + 3] not in ([], ["}"])
+    return is_d and is_alone and not any(parser.names.match(parser.tokens, s) for s in starts)
+
+
+def _find_close(texts: list[str]) -> int:
+    depth = 0
+    for place, text in enumerate(texts):
+        depth += {"{": 1, "}": -1}.get(text, 0)
+        if depth == 0:
+            return place
+    return len(texts)
+
+
+def read_derivative(parser: Parser) -> Node:
+    r"""Read \frac{d}{dx}(…) or \frac{d…}{dx}, of higher order too."""
+    start = parser.start
+    parser.take()
+    order, operand = parser.read_inside("{", lambda: _read_above(parser), "}")
+    by, below = parser.read_inside("{", lambda: _read_below(parser), "}")
+    if order != below:
+        raise parser.refuse("a derivative of two orders", place=start)
+    if operand is None:
+        operand = parser.read_factor()
+        if isinstance(operand, Power) or not parser.ends_product():
+            raise parser.refuse(
+                "how far does the derivative reach?", "Print brackets around it.", start
+            )
+    return Derivation(operand, by, order, start=start, end=parser.end)
+
+
+def _read_above(parser: Parser) -> tuple[int, Node | None]:
+    parser.take("d")
+    order = _read_order(parser.read_script("^"), parser) if parser.text == "^" else 1
+    if parser.text == "}":
+        return order, None
+    operand = parser.read_factor()
+    if isinstance(operand, Power) or parser.text != "}":
+        raise parser.refuse("what is differentiated?", "Print brackets around it.")
+    return order, operand
+
+
+def _read_below(parser: Parser) -> tuple[Letter, int]:
+    start = parser.take("d").start
+    by, order = parser.read_factor(), 1
+    if isinstance(by, Power):
+        order = _read_order(by.exponent, parser)
+        by = by.base
+    if not isinstance(by, Letter):
+        raise parser.refuse("a derivative by no letter", place=start)
+    return by, order
+
+
+def _read_order(node: Node, parser: Parser) -> int:
+    if not isinstance(node, Number) or node.text not in ("1", "2", "3", "4"):
+        raise parser.refuse("a derivative whose order is none of 1, 2, 3, 4", place=node.start)
+    return int(node.text)
+
+
+# Limits -----------------------------------------------------------------------------------------
+
+
+def read_limit(parser: Parser) -> Node:
+    r"""Read \lim_{x\to a}, from one side where a^+, a+0, a- and the like say so."""
+    start = parser.take().start
+    if parser.text != "_":
+        raise parser.refuse("a limit of what?", r"Print \lim_{x\to a}.")
+    parser.take("_")
+    by, point, side = parser.read_inside("{", lambda: _read_way(parser), "}")
+    term = parser.read_product()
+    return Approach(term, by, point, side, start=start, end=parser.end)
+
+
+def _read_way(parser: Parser) -> tuple[Letter, Node, str]:
+    by = atoms.read_atom(parser)
+    if not isinstance(by, Letter) or by.indices:
+        raise parser.refuse("a limit needs one letter that moves", r"Print \lim_{x\to a}.")
+    parser.take(r"\to")
+    start, side = parser.start, _take_side(parser)
+    # What is left of +0 and -0.
+    point = Number("0", start=start, end=start) if parser.text == "}" else parser.read_sum()
+    return by, point, side
+
+
+def _take_side(parser: Parser) -> str:
+    """Return the side that a script says at its end, and leave the sign of it out."""
+    texts = [token.text for token in parser.tokens]
+    close = parser.place + _find_close(["{", *texts[parser.place :]]) - 1
+    for sign in ("+", "-"):
+        for mark in (["^", "{", sign, "}"], [sign, "0"], [sign]):
+            first = close - len(mark)
+            if first >= parser.place and texts[first:close] == mark:
+                parser.tokens = (*parser.tokens[:first], *parser.tokens[close:])
+                return sign
+    return "+-"
+
+
+# Factorials -------------------------------------------------------------------------------------
+
+
+def read_factorial(parser: Parser, atom: Node) -> Node:
+    """Read the factorial of a letter, a number or a bracket."""
+    sign = parser.take("!")
+    if parser.text in ("!", "^") or not isinstance(atom, Letter | Number | Bracket):
+        raise parser.refuse("a factorial of what?", "Print brackets around it.", sign.start)
+    return Call(Function("factorial", _make_factorial), (atom,), start=atom.start, end=parser.end)
+
+
+def _make_factorial(argument: sp.Expr) -> sp.Expr:
+    """Return a factorial; `TypeError` for what is no integer, or too large to be worked out."""
+    is_small = not argument.is_number or 0 <= argument <= LARGEST_FACTORIAL
+    if not (argument.is_integer and is_small):
+        raise TypeError(f"the factorial of {argument}")
+    return sp.factorial(argument)

@@ -1,0 +1,37 @@
+"""What the laws share: parameters that are equal by value, and checked limits."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from mechproof.arguments.arrays import check_array
+from mechproof.laws.windows import Array
+
+Values = float | Array
+
+
+class ByValue:
+    """Laws are equal if they are of one kind and their parameters are, in shape and value."""
+
+    def _keep(self, **parameters: ArrayLike) -> None:
+        for name, value in parameters.items():
+            own = np.array(value, np.float64)
+            own.flags.writeable = False
+            object.__setattr__(self, name, own)
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        pairs = zip(vars(self).values(), vars(other).values(), strict=True)
+        return all(np.array_equal(a, b, equal_nan=True) for a, b in pairs)
+
+    def __hash__(self) -> int:
+        # Zero has one sign then, and NaN one pattern.
+        plain = [np.where(np.isnan(p), np.nan, p + 0.0) for p in vars(self).values()]
+        return hash((type(self), *((p.shape, p.tobytes()) for p in plain)))
+
+
+def check_limits(lower: ArrayLike, upper: ArrayLike) -> tuple[Array, Array]:
+    """Both limits as float64, in any order."""
+    return check_array("lower", lower), check_array("upper", upper)

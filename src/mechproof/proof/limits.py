@@ -1,0 +1,72 @@
+"""Limits that are worked out: by continuity, or by as many derivatives as both parts vanish.
+
+Only functions that are smooth about the point are taken, so the value is the limit from either
+side. What is not shown so stays a limit, of which nothing is proved and nothing refuted.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from mechproof.proof.algebra import decide_equal
+from mechproof.proof.domain import Domain
+from mechproof.proof.signs import find_sign
+
+_MOST_DERIVATIVES = 6
+_ENTIRE = (sp.Add, sp.Mul, sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.atan)
+
+
+def settle_limits(expression: Any, domain: Domain) -> Any:
+    """Put the values of limits in their places, as far as they are shown."""
+    limits = sorted(expression.atoms(sp.Limit), key=sp.default_sort_key)
+    values = ((limit, _find_value(limit, domain)) for limit in limits)
+    return expression.xreplace({limit: value for limit, value in values if value is not None})
+
+
+def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
+    body, variable, point, _ = limit.args
+    if point.is_infinite:
+        # The way to infinity is that of the reciprocal to zero.
+        body, point = body.subs(variable, sp.sign(point) / variable), sp.S.Zero
+    above, below = sp.fraction(sp.together(body))
+    for _ in range(_MOST_DERIVATIVES):
+        if not all(_is_smooth(part, variable, point, domain) for part in (above, below)):
+            return None
+        top, bottom = (part.subs(variable, point) for part in (above, below))
+        if _is_apart_from_zero(bottom, domain):
+            return top / bottom
+        if not all(decide_equal(part, sp.S.Zero, domain) for part in (top, bottom)):
+            return None
+        # By l'Hospital's rule: the last derivative below is not zero, so none is about the point.
+        above, below = (sp.diff(part, variable) for part in (above, below))
+    return None
+
+
+def _is_smooth(node: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domain) -> bool:
+    """Tell whether an expression has all derivatives about a point, as far as it is shown."""
+    if variable not in node.free_symbols:
+        return True
+    if node == variable:
+        return True
+    if not all(_is_smooth(part, variable, point, domain) for part in node.args):
+        return False
+    if isinstance(node, _ENTIRE):
+        return True
+    base = node.args[0].subs(variable, point)
+    if isinstance(node, sp.Pow) and node.exp.is_Integer:
+        return node.exp >= 0 or _is_apart_from_zero(base, domain)
+    if isinstance(node, sp.tan):
+        return _is_apart_from_zero(sp.cos(base), domain)
+    return isinstance(node, sp.Pow | sp.log) and _is_positive(base, domain)
+
+
+def _is_apart_from_zero(value: sp.Expr, domain: Domain) -> bool:
+    sign = find_sign(value, domain)
+    return sign is not None and sign.strict
+
+
+def _is_positive(value: sp.Expr, domain: Domain) -> bool:
+    sign = find_sign(value, domain)
+    return sign is not None and sign.strict and sign.direction > 0

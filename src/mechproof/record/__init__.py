@@ -1,0 +1,95 @@
+"""The words every layer shares: paper, row, statement, quantity, form.
+
+A derivation module fills these records and binds one `Paper` to the name `PAPER`.
+Nothing here decides anything: verdicts come from `mechproof.proof`, source code from
+`mechproof.codegen`.
+"""
+
+from mechproof.record.dimensions import ANGLE, FREQUENCY, LENGTH, NUMBER, SPEED, Dimension, Power
+from mechproof.record.exactness import RecordError
+from mechproof.record.expressions import (
+    FunctionWithoutArgument,
+    IntegralWithoutDifferential,
+    ValueWhere,
+    sum_distinct,
+)
+from mechproof.record.findings import Cost, Finding, Follower
+from mechproof.record.forms import Chart, Form, Peer, Written
+from mechproof.record.papers import RESERVED, Paper, Published, Toleranced
+from mechproof.record.quantities import Accuracy, Argument, Quantity, Scale, Singular
+from mechproof.record.rows import (
+    MARKS,
+    Claim,
+    Correction,
+    Datum,
+    Derived,
+    Equation,
+    Reading,
+    Row,
+    Sign,
+)
+from mechproof.record.statements import (
+    Completion,
+    Completions,
+    Conjunction,
+    Definition,
+    Distinct,
+    Equality,
+    Holds,
+    PrintedNumber,
+    Statement,
+)
+from mechproof.record.variables import Notation, Part, Scope, Variable
+
+__all__ = [
+    "ANGLE",
+    "FREQUENCY",
+    "LENGTH",
+    "MARKS",
+    "NUMBER",
+    "RESERVED",
+    "SPEED",
+    "Accuracy",
+    "Argument",
+    "Chart",
+    "Claim",
+    "Completion",
+    "Completions",
+    "Conjunction",
+    "Correction",
+    "Cost",
+    "Datum",
+    "Definition",
+    "Derived",
+    "Dimension",
+    "Distinct",
+    "Equality",
+    "Equation",
+    "Finding",
+    "Follower",
+    "Form",
+    "FunctionWithoutArgument",
+    "Holds",
+    "IntegralWithoutDifferential",
+    "Notation",
+    "Paper",
+    "Part",
+    "Peer",
+    "Power",
+    "PrintedNumber",
+    "Published",
+    "Quantity",
+    "Reading",
+    "RecordError",
+    "Row",
+    "Scale",
+    "Scope",
+    "Sign",
+    "Singular",
+    "Statement",
+    "Toleranced",
+    "ValueWhere",
+    "Variable",
+    "Written",
+    "sum_distinct",
+]

@@ -1,0 +1,28 @@
+"""Exact numbers: what a record of mathematics may hold."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy as sp
+
+
+class RecordError(ValueError):
+    """A record that says something it cannot mean: a fault of the derivation, not of the paper."""
+
+
+def make_exact(record: object, *names: str) -> None:
+    """Turn numbers and matrices of the named fields into SymPy's; refuse what is not exact."""
+    for name in names:
+        value = getattr(record, name)
+        if isinstance(value, sp.MatrixBase):
+            value = sp.ImmutableMatrix(value)
+        elif isinstance(value, int | Fraction) and not isinstance(value, bool):
+            value = sp.Rational(value)
+        if not isinstance(value, sp.Expr | sp.MatrixBase):
+            where = f"{type(record).__name__}: {name} = {value!r}"
+            raise RecordError(f"{where}: allowed are SymPy expressions, integers and fractions")
+        if value.has(sp.Float):
+            where = f"{type(record).__name__}: {name} = {value}"
+            raise RecordError(f"{where}: it has a float; exact is Rational('0.1')")
+        object.__setattr__(record, name, value)

@@ -1,0 +1,32 @@
+"""Expressions that prints need and SymPy lacks."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+
+class IntegralWithoutDifferential(sp.Function):  # type: ignore[misc]
+    """An integral sign whose differential is missing in print; it has no value."""
+
+
+class ValueWhere(sp.Function):  # type: ignore[misc]
+    """A first value where a second has one too: a derivative has none where the function has none.
+
+    Both are arguments: the value, and what is needed for it.
+    """
+
+    def _latex(self, printer: Any) -> str:
+        written: str = printer.doprint(self.args[0])
+        return written
+
+
+class FunctionWithoutArgument(sp.Function):  # type: ignore[misc]
+    """A function, named by its argument, that is printed without one; it has no value."""
+
+
+def sum_distinct(term: sp.Expr, outer: sp.Symbol, inner: sp.Symbol, count: sp.Expr) -> sp.Expr:
+    """Sum of `term` over outer = 1..count and inner = 1..count, inner != outer."""
+    off_diagonal = term * (1 - sp.KroneckerDelta(outer, inner))
+    return sp.Sum(off_diagonal, (inner, 1, count), (outer, 1, count))

@@ -1,0 +1,59 @@
+"""Findings: the root causes of what is wrong, what follows from them and what they cost."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Cost:
+    """What a fault makes at one place: the printed value, the right one, and their difference.
+
+    `at` gives the symbols exact values (30 degrees are pi/6). Without `printed` and `right` the
+    values are those of the two sides of the row. Units are those of `mechproof.proof.findings`.
+    `names` are what the two values are called where neither is plainly the right one.
+    """
+
+    where: str
+    at: Mapping[sp.Basic, sp.Expr]
+    unit: str = ""
+    decimals: int = 1
+    printed: sp.Expr | None = None
+    right: sp.Expr | None = None
+    names: tuple[str, str] = ("printed", "right")
+
+
+@dataclass(frozen=True)
+class Follower:
+    """A row that holds the print of its cause in other letters, or only parts of it.
+
+    `renamed` has what symbols of the cause are called in the row. `parts` pairs parts of the
+    cause's print with what stands for them in its correction (left out: the whole print).
+    """
+
+    row: str
+    renamed: Mapping[sp.Basic, sp.Basic] = field(default_factory=lambda: MappingProxyType({}))
+    parts: Mapping[sp.Basic, sp.Basic] = field(default_factory=lambda: MappingProxyType({}))
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A root cause: the row that shows it, what is wrong in a plain sentence, and what it costs.
+
+    `follows` are the rows that are wrong for this reason alone: with the correction of the root in
+    the place of its print each of them is proved, which is a row of the ledger.
+    """
+
+    row: str
+    wrong: str
+    costs: tuple[Cost, ...] = ()
+    follows: tuple[str | Follower, ...] = ()
+
+    @property
+    def followers(self) -> tuple[Follower, ...]:
+        """Return what follows, a mere number as the row that holds the whole print."""
+        return tuple(Follower(f) if isinstance(f, str) else f for f in self.follows)

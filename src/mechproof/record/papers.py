@@ -1,0 +1,75 @@
+"""Papers: symbols, rows in printed order, published sizes and the quantities shipped."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from keyword import iskeyword
+
+import sympy as sp
+
+from mechproof.record.findings import Finding
+from mechproof.record.quantities import Quantity
+from mechproof.record.rows import Row
+from mechproof.record.variables import Notation, Variable
+
+# Names of the generated package that no system may take.
+RESERVED = ("compiled", "forms", "kernels", "measured")
+
+
+@dataclass(frozen=True)
+class Toleranced:
+    """A size with its limit deviations, exact."""
+
+    nominal: sp.Expr
+    upper: sp.Expr
+    lower: sp.Expr
+
+
+@dataclass(frozen=True)
+class Published:
+    """Sizes that a paper prints, exact; a symbol that is left out is not printed.
+
+    `marks` say what they rest on.
+    """
+
+    source: str
+    sizes: Mapping[sp.Symbol, sp.Expr | Toleranced]
+    marks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Paper:
+    """A paper: its symbols, its rows in printed order, the quantities shipped from it."""
+
+    system: str
+    citation: str
+    variables: tuple[Variable, ...]
+    rows: tuple[Row, ...]
+    where: tuple[sp.Basic, ...] = ()
+    quantities: tuple[Quantity, ...] = ()
+    published: tuple[Published, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    conventions: str = ""
+    notation: Notation = field(default_factory=Notation)
+
+    def __post_init__(self) -> None:
+        if not _names_module(self.system):
+            raise ValueError(
+                f"paper: system = {self.system!r}: it names a module, so it must be a Python name "
+                f"that begins with no underscore and is none of {', '.join(RESERVED)}"
+            )
+        for what, names in (
+            ("row numbers", [row.number for row in self.rows]),
+            ("symbols", [str(variable.symbol) for variable in self.variables]),
+            ("quantities", [quantity.name for quantity in self.quantities]),
+            ("findings", [finding.row for finding in self.findings]),
+        ):
+            twice = sorted({name for name in names if names.count(name) > 1})
+            if twice:
+                raise ValueError(f"paper {self.system!r}: {what} given twice: {twice}")
+
+
+def _names_module(system: str) -> bool:
+    is_name = isinstance(system, str) and system.isidentifier() and not iskeyword(system)
+    return is_name and not system.startswith("_") and system not in RESERVED

@@ -1,0 +1,116 @@
+"""Quantities: what can be computed, how accurately, and where it is singular."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.record.forms import Form
+from mechproof.record.variables import Part
+
+
+@dataclass(frozen=True)
+class Argument:
+    """An argument of a kernel.
+
+    One symbol: an array-like of any shape. Several symbols: components on the last axis.
+    One `IndexedBase`: a last axis of any length, or two for a symbol with two indices.
+    `usual` are the sizes met in practice, absolute values, as edges that rise: the ranges that
+    errors are kept for and that points and timed calls are drawn from.
+    """
+
+    name: str
+    symbols: tuple[sp.Symbol | sp.IndexedBase, ...]
+    meaning: str
+    unit: str = "1"
+    default: float | None = None
+    usual: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class Scale:
+    """What an error is relative to: a name, an expression, and the symbols it is written with."""
+
+    name: str
+    expression: sp.Expr
+    where: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+
+    def written_out(self) -> sp.Expr:
+        """Return the expression without the symbols of `where`; each may use those before it."""
+        values: dict[sp.Symbol, sp.Expr] = {}
+        for symbol, value in self.where:
+            values[symbol] = value.xreplace(values)
+        # At once: SymPy compares the arguments of a maximum whenever one of them changes.
+        return self.expression.xreplace(values)
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """The accuracy bound that the tests hold: |error| <= `ulp` * eps * |scale|.
+
+    Without a scale, of the value itself. It holds where the relations `within` are true.
+    """
+
+    ulp: float
+    scale: Scale | None = None
+    within: tuple[sp.Basic, ...] = ()
+
+
+@dataclass(frozen=True)
+class Singular:
+    """A set where a quantity is undefined, jumps, is steep or cancels, as an equation.
+
+    Integer symbols that are no variables of the paper run over all integers. `text` says what
+    happens there; it stands in the docstring of the kernel.
+    """
+
+    equation: sp.Basic
+    text: str = ""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A function of a system and every form of it.
+
+    `definition` is the exact meaning (what accuracy is measured against). The kernel takes the
+    first of `forms` whose condition holds; the first without a condition ends it. The forms after
+    that one are rivals, each a function of its own. A quantity without forms is computed by
+    hand-written code, the first of its peers. `period` is the spacing of wrong branches.
+    `workloads` names calls to be timed by the arguments that vary (left out: the first).
+    """
+
+    name: str
+    summary: str
+    arguments: tuple[Argument, ...]
+    definition: sp.Basic
+    forms: tuple[Form, ...]
+    source: str
+    unit: str = "1"
+    accuracy: Accuracy | None = None
+    on: Part | None = None
+    singular: tuple[Singular, ...] = ()
+    period: sp.Expr | None = None
+    workloads: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def shipped(self) -> tuple[Form, ...]:
+        """Return the forms of the kernel, in the order in which they are tried."""
+        conditional = [form.when is not None for form in self.forms]
+        return self.forms[: conditional.index(False) + 1] if self.forms else ()
+
+    @property
+    def rivals(self) -> tuple[Form, ...]:
+        """Return the forms kept for comparison."""
+        return self.forms[len(self.shipped) :]
+
+    def __post_init__(self) -> None:
+        if self.forms and all(form.when is not None for form in self.forms):
+            raise ValueError(f"quantity {self.name!r}: every form has a condition")
+        keys = [form.key for form in self.rivals]
+        wrong = sorted(
+            {k for k in keys if not f"x_{k}".isidentifier() or keys.count(k) > 1 or not k}
+        )
+        if wrong:
+            raise ValueError(f"quantity {self.name!r}: keys of rivals {wrong}: no names, or twice")

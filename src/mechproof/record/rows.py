@@ -1,0 +1,138 @@
+"""Rows: the lines of a paper's ledger, what they assert and what should be printed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import ClassVar, Literal
+
+import sympy as sp
+
+from mechproof.record.statements import Statement, check_statement
+from mechproof.record.variables import Part
+
+Derived = Mapping[sp.Basic, sp.Basic]
+
+MARKS = ("rebuilt", "calibrated", "fitted", "uncertain", "inferred", "ours")
+
+
+@dataclass(frozen=True)
+class Reading:
+    """Another reading of an ambiguous sentence, sign, order or direction."""
+
+    text: str
+    says: Statement
+
+    def __post_init__(self) -> None:
+        check_statement(self.says)
+
+
+@dataclass(frozen=True)
+class Correction:
+    """What should be printed, and the statement whose proof makes it right.
+
+    Without `says` the LaTeX is read like the sign of the row that it corrects.
+    """
+
+    latex: str
+    says: Statement | None = None
+
+    @property
+    def statement(self) -> Statement:
+        """Return what the correction asserts; `ValueError` for LaTeX that has not been read."""
+        if self.says is None:
+            raise ValueError(f"correction {self.latex}: it has not been read")
+        return self.says
+
+    def __post_init__(self) -> None:
+        if self.says is not None:
+            check_statement(self.says)
+
+
+@dataclass(frozen=True)
+class Sign:
+    """What is special about one relation sign of a row; its words are those of `Row`."""
+
+    says: Statement | None = None
+    note: str = ""
+    corrected: Correction | None = None
+    readings: tuple[Reading, ...] = ()
+    holds_on: Part | None = None
+    on: Part | None = None
+    singular: tuple[str, ...] = ()
+    marks: tuple[str, ...] = ()
+    stays_open: str = ""
+    derived: Derived = field(default_factory=lambda: MappingProxyType({}))
+    residual: sp.Expr | None = None
+    substituted: Mapping[sp.Expr, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of the ledger: what is printed and what it asserts.
+
+    `printed_latex` is the whole print, chains a = b = c included. Without `says` it is read: each
+    relation sign becomes a line of its own and asserts the relation of its two members.
+
+    `derived` is what our mechanics give for symbols of this print, or for a whole member; it takes
+    the place of the declared value. `residual` is what they give for left - right of an equation
+    between independent symbols. `substituted` is put into both members before they are compared
+    (tg(x/2) -> U). `defines` are symbols that the print introduces. `signs` has by number, from
+    1 on, what one sign has instead. `read_as` is filled in by the reader.
+    """
+
+    kind: ClassVar[Literal["equation", "claim", "datum"]]
+
+    number: str
+    printed_latex: str
+    says: Statement | None = None
+    note: str = ""
+    corrected: Correction | None = None
+    readings: tuple[Reading, ...] = ()
+    holds_on: Part | None = None
+    on: Part | None = None
+    singular: tuple[str, ...] = ()
+    marks: tuple[str, ...] = ()
+    stays_open: str = ""
+    derived: Derived = field(default_factory=lambda: MappingProxyType({}))
+    residual: sp.Expr | None = None
+    substituted: Mapping[sp.Expr, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
+    defines: tuple[sp.Basic, ...] = ()
+    signs: Mapping[int, Sign] = field(default_factory=lambda: MappingProxyType({}))
+    read_as: str = ""
+
+    def __post_init__(self) -> None:
+        marks = {*self.marks, *(mark for sign in self.signs.values() for mark in sign.marks)}
+        if unknown := marks - set(MARKS):
+            raise ValueError(f"row {self.number!r}: marks {sorted(unknown)} not in {MARKS}")
+        if self.says is not None:
+            check_statement(self.says)
+
+    @property
+    def statement(self) -> Statement:
+        """Return what the row asserts; `ValueError` for a print that has not been read."""
+        if self.says is None:
+            raise ValueError(f"row {self.number!r}: its print has not been read")
+        return self.says
+
+
+@dataclass(frozen=True)
+class Equation(Row):
+    """A numbered equation of the paper."""
+
+    kind = "equation"
+
+
+@dataclass(frozen=True)
+class Claim(Row):
+    """Any other checkable statement: a number, an interval, a sentence."""
+
+    kind = "claim"
+
+
+@dataclass(frozen=True)
+class Datum(Row):
+    """A printed datum: a size, a property of an instrument, a coverage factor."""
+
+    kind = "datum"

@@ -1,0 +1,141 @@
+"""Statements: what a row asserts. The ladder has one way to decide each kind."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Literal
+
+import sympy as sp
+from sympy.logic.boolalg import Boolean
+
+from mechproof.record.exactness import RecordError, make_exact
+
+_DECIMAL = re.compile(r"-?\d+(\.\d+)?")
+
+
+@dataclass(frozen=True)
+class Equality:
+    """`printed` equals `rebuilt` everywhere on the domain (expressions or matrices).
+
+    The two sides come from different sources: one is the paper's, one is derived. Where `rebuilt`
+    is built from the print itself, or from the declaration of the symbol that is printed,
+    `rebuilt_from` says so: equality proves nothing then. Two members of one print are both the
+    paper's: their faults are its own.
+    """
+
+    printed: sp.Basic
+    rebuilt: sp.Basic
+    rebuilt_from: Literal["mechanics", "member", "print", "declaration"] = "mechanics"
+
+    def __post_init__(self) -> None:
+        make_exact(self, "printed", "rebuilt")
+
+
+@dataclass(frozen=True)
+class Distinct:
+    """The two sides differ somewhere on the domain (decided by a counterexample)."""
+
+    left: sp.Basic
+    right: sp.Basic
+
+    def __post_init__(self) -> None:
+        make_exact(self, "left", "right")
+
+
+@dataclass(frozen=True)
+class Holds:
+    """A relation (or several joined by And) is true on the whole domain."""
+
+    relation: sp.Basic
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.relation, Boolean) or self.relation.is_Symbol:
+            raise RecordError(f"Holds: {self.relation!r} is no relation of SymPy")
+        if self.relation.has(sp.Float):
+            raise RecordError(f"Holds: {self.relation} has a float; exact is Rational('0.1')")
+
+
+@dataclass(frozen=True)
+class PrintedNumber:
+    """`value` rounds to the decimal string `printed` (half a unit of its last place)."""
+
+    printed: str
+    value: sp.Expr
+
+    def __post_init__(self) -> None:
+        if not (isinstance(self.printed, str) and _DECIMAL.fullmatch(self.printed)):
+            raise RecordError(
+                f"PrintedNumber: printed {self.printed!r} is not a decimal number such as '-0.93'"
+            )
+        make_exact(self, "value")
+
+
+@dataclass(frozen=True)
+class Definition:
+    """`symbol` is introduced as `printed`; only dimensions and bound symbols are checked."""
+
+    symbol: sp.Symbol
+    printed: sp.Basic
+
+    def __post_init__(self) -> None:
+        make_exact(self, "symbol", "printed")
+
+
+@dataclass(frozen=True)
+class Conjunction:
+    """Every part is true."""
+
+    parts: tuple[Statement, ...]
+
+    def __post_init__(self) -> None:
+        if not self.parts:
+            raise RecordError("a Conjunction needs at least one part")
+        for part in self.parts:
+            check_statement(part)
+
+
+@dataclass(frozen=True)
+class Completion:
+    """The missing datum completed in one stated way, and what the statement then becomes."""
+
+    text: str
+    says: Statement
+    value: sp.Expr | None = None
+
+    def __post_init__(self) -> None:
+        check_statement(self.says)
+
+
+@dataclass(frozen=True)
+class Completions:
+    """The paper lacks a datum, named here; two completions of it whose decisions are compared.
+
+    A symbol of the paper gets the `value` of each completion, which say the same of it; a datum
+    in words is completed by the words of each.
+    """
+
+    missing: str | sp.Symbol
+    first: Completion
+    second: Completion
+
+    def __post_init__(self) -> None:
+        sides = (self.first, self.second)
+        if isinstance(self.missing, sp.Symbol):
+            has_values = all(side.value is not None for side in sides)
+            is_one = self.first.says == self.second.says
+            if not (has_values and is_one and self.first.value != self.second.value):
+                raise RecordError(
+                    f"Completions: two values of {self.missing} are needed, and one statement"
+                )
+        elif not self.missing or self.first.text == self.second.text:
+            raise RecordError("Completions: name what is missing, and complete it in two ways")
+
+
+Statement = Equality | Distinct | Holds | PrintedNumber | Definition | Conjunction | Completions
+
+
+def check_statement(says: object) -> None:
+    """Raise RecordError unless it is a statement."""
+    if not isinstance(says, Statement):
+        raise RecordError(f"{says!r} is no statement: {type(says).__name__}")

@@ -1,0 +1,67 @@
+"""What a paper's letters mean: its variables, how it prints the rest, and parts of the domain."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+import sympy as sp
+
+from mechproof.record.dimensions import NUMBER, Dimension
+
+
+@dataclass(frozen=True)
+class Variable:
+    r"""A symbol of the paper: what it means, its dimension, its values, its sign convention.
+
+    `within` is an interval (or `S.Naturals` for a count). `given` defines the symbol by
+    others (a = (R1 - R2)/2) and is substituted before anything is decided.
+    `latex` are the ways it is printed, whole idioms included (`\varphi_3'`, `\rho(\varphi_5)`,
+    `\frac{d\varphi_3}{d\varphi_1}`); without one it cannot be printed. A family (`IndexedBase`)
+    is printed with its indices, which `#` stands for (`K_#(t)`; left out: at the end, `_#`).
+    """
+
+    symbol: sp.Symbol | sp.IndexedBase | sp.MatrixSymbol
+    meaning: str
+    dimension: Dimension = NUMBER
+    within: sp.Set = sp.S.Reals
+    given: sp.Expr | None = None
+    sign: str = ""
+    latex: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Scope:
+    """Letters that mean something else in the named rows; None: nothing, a bound index."""
+
+    rows: tuple[str, ...]
+    names: Mapping[str, sp.Symbol | sp.IndexedBase | sp.MatrixSymbol | None]
+
+
+@dataclass(frozen=True)
+class Notation:
+    r"""How a paper prints what is no symbol, as far as a reader has to be told.
+
+    `factors` are names that a bracket after them multiplies (`a(1-e^2)`). `functions` adds to or
+    replaces the names of functions in the table of `mechproof.latex`. `lower_limit` is where an
+    integral printed without limits starts. `indices` are the symbols of index letters (left out:
+    an integer symbol of that name). `scopes` are letters used twice.
+    """
+
+    factors: tuple[str, ...] = ()
+    functions: Mapping[str, Callable[..., sp.Expr]] = field(
+        default_factory=lambda: MappingProxyType({})
+    )
+    lower_limit: sp.Expr | None = None
+    indices: tuple[sp.Symbol, ...] = ()
+    scopes: tuple[Scope, ...] = ()
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of the domain in words and in mathematics: narrower sets, further relations."""
+
+    text: str
+    within: Mapping[sp.Symbol, sp.Set] = field(default_factory=lambda: MappingProxyType({}))
+    where: tuple[sp.Basic, ...] = ()

@@ -1,0 +1,183 @@
+"""Kernels in C: compiled without a warning, within the bounds, with the bits of numba's."""
+
+from __future__ import annotations
+
+import ctypes
+import shutil
+import subprocess
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from mechproof.cli.commands import app
+from mechproof.codegen.backends.c99 import render_c
+from mechproof.codegen.backends.scalar import list_scalars
+from mechproof.codegen.kernel import Kernel
+from mechproof.derivation import find_systems, load_paper, packaged_directory
+from mechproof.derivations.elliptic_planetary import PAPER
+from mechproof.lab.search import find_worst
+from mechproof.lab.subject import find_subjects
+
+COMPILER = shutil.which("cc")
+pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+STRICT = ("-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-pedantic", "-ffp-contract=off")
+PAPERS = {s: load_paper(place) for s, place in find_systems(packaged_directory()).items()}
+KERNELS = {f"{s}.{k.name}": k for s, p in PAPERS.items() for k in list_scalars(p)}
+SUBJECTS = {s.name: s for s in find_subjects(()) if s.name in KERNELS}
+EPS32 = float(np.finfo(np.float32).eps)
+
+
+@pytest.fixture(scope="module")
+def libraries(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, bool], ctypes.CDLL]:
+    folder = tmp_path_factory.mktemp("c")
+
+    @cache
+    def build(system: str, single: bool) -> ctypes.CDLL:
+        files = render_c(PAPERS[system], single=single)
+        for name, text in files.items():
+            (folder / name).write_text(text)
+        (source,) = (name for name in files if name.endswith(".c"))
+        target = folder / f"{source}.so"
+        assert COMPILER is not None
+        command = [COMPILER, *STRICT, "-shared", "-fPIC", source, "-o", str(target), "-lm"]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        return ctypes.CDLL(str(target))
+
+    return build
+
+
+def point_function(library: ctypes.CDLL, system: str, kernel: Kernel, single: bool) -> Any:
+    """Return a function of broadcasting arrays that calls the C function of one point."""
+    real = ctypes.c_float if single else ctypes.c_double
+    widths = {name: len(components) for name, components in kernel.code.vectors}
+    count = int(np.prod(kernel.code.shape))
+    function = getattr(library, f"{system}_{kernel.name}")
+    function.restype = None if kernel.code.shape else real
+    rows = [real * widths[a] if a in widths else real for a in kernel.code.arguments]
+    function.argtypes = [*rows, real * count] if kernel.code.shape else rows
+
+    def call(*arguments: Any) -> Any:
+        ranks = [int(a in widths) for a in kernel.code.arguments]
+        arrays = [np.asarray(a, float) for a in arguments]
+        shapes = [a.shape[: a.ndim - r] for a, r in zip(arrays, ranks, strict=True)]
+        points = np.broadcast_shapes(*shapes)
+        spread = [
+            np.broadcast_to(a, points + a.shape[a.ndim - r :])
+            for a, r in zip(arrays, ranks, strict=True)
+        ]
+        found = np.empty(points + kernel.code.shape)
+        for index in np.ndindex(points):
+            given = [
+                row(*a[index]) if rank else row(a[index])
+                for row, a, rank in zip(rows, spread, ranks, strict=True)
+            ]
+            if kernel.code.shape:
+                out = (real * count)()
+                function(*given, out)
+                found[index] = np.reshape(out, kernel.code.shape)
+            else:
+                found[index] = function(*given)
+        return found
+
+    return call
+
+
+@pytest.mark.parametrize("name", [n for n, s in SUBJECTS.items() if s.quantity.accuracy])
+def test_bounds_and_the_bits_of_numba(name: str, libraries: Callable[..., ctypes.CDLL]) -> None:
+    """Both compute the same operations, each rounded once: no bit may differ."""
+    system, _, quantity = name.partition(".")
+    call = point_function(libraries(system, False), system, KERNELS[name], False)
+    compiled = getattr(import_module(f"mechproof.kernels.compiled.{system}"), quantity)
+    met: list[tuple[Any, ...]] = []
+
+    def both(*arguments: Any) -> Any:
+        met.append(arguments)
+        return call(*arguments)
+
+    subject = SUBJECTS[name]
+    assert subject.quantity.accuracy is not None
+    found = find_worst(subject, both, rounds=0, seed=20262, share=0.05, most=20)
+    assert found.tried > 10
+    assert found.scaled <= subject.quantity.accuracy.ulp
+    for arguments in met:
+        ours, numbas = call(*arguments), np.asarray(compiled(*arguments))
+        assert np.array_equal(ours.view(np.int64), numbas.view(np.int64)) or np.array_equal(
+            ours[~np.isnan(ours)], numbas[~np.isnan(ours)]
+        )
+
+
+ELLIPTIC = ("position", "ratio", "acceleration")
+
+
+@pytest.mark.parametrize("name", ELLIPTIC)
+def test_floats_are_within_the_bound_in_their_eps(
+    name: str, libraries: Callable[..., ctypes.CDLL]
+) -> None:
+    from mechproof.kernels import elliptic_planetary as kernels
+
+    kernel = KERNELS[f"elliptic_planetary.{name}"]
+    call = point_function(
+        libraries("elliptic_planetary", True), "elliptic_planetary_single", kernel, True
+    )
+    random = np.random.default_rng(20263)
+    phi = np.float32(random.uniform(-6, 6, 500)).astype(float)
+    for e in (np.float32(0.28), np.float32(0.475), np.float32(0.75)):
+        sizes = (66.0, 16.0, float(e))
+        wanted = getattr(kernels, name)(phi, *sizes)
+        steepness = np.abs(kernels.acceleration(phi, *sizes)) * np.abs(phi)
+        scale = np.abs(wanted) + (steepness if name == "ratio" else 0)
+        if name == "acceleration":
+            scale = np.full_like(phi, 2 * np.abs(kernels.acceleration(phi, *sizes)).max())
+        assert np.max(np.abs(call(phi, *sizes) - wanted) / scale) <= 8 * EPS32
+
+
+def test_many_points_and_the_ends_of_the_domain(libraries: Callable[..., ctypes.CDLL]) -> None:
+    function = libraries("elliptic_planetary", False).elliptic_planetary_position_array
+    real = ctypes.c_double
+    function.argtypes = [ctypes.c_size_t, real * 4, real, real, real, real * 4]
+    function.restype = None
+    out = (real * 4)()
+    function(4, (real * 4)(1.0, float("nan"), 1e9, -2.0), 66.0, 16.0, 0.3, out)
+    from mechproof.kernels.compiled import elliptic_planetary
+
+    wanted = elliptic_planetary.position(np.array([1.0, np.nan, 1e9, -2.0]), 66.0, 16.0, 0.3)
+    assert np.array_equal(np.array(out), wanted, equal_nan=True)
+    function(4, (real * 4)(1.0, 2.0, 3.0, 4.0), 66.0, 16.0, 1.0, out)
+    assert np.isnan(out).all()
+
+
+def test_a_name_that_c_keeps_for_itself_is_refused() -> None:
+    argument = PAPER.quantities[0].arguments[0]
+    quantity = replace(
+        PAPER.quantities[0],
+        arguments=(replace(argument, name="double"), *PAPER.quantities[0].arguments[1:]),
+    )
+    with pytest.raises(ValueError, match=r"\['double'\] mean something else in C"):
+        render_c(replace(PAPER, quantities=(quantity,)))
+
+
+def test_the_command_writes_what_a_program_includes(tmp_path: Path) -> None:
+    runner = CliRunner()
+    done = runner.invoke(app, ["emit", "c", "elliptic_planetary", "--out", str(tmp_path)])
+    assert done.exit_code == 0, done.output
+    (tmp_path / "main.c").write_text(
+        '#include <stdio.h>\n#include "elliptic_planetary.h"\n'
+        'int main(void) { printf("%.17g", elliptic_planetary_position(0.5, 66, 16, 0.475)); }\n'
+    )
+    assert COMPILER is not None
+    command = [COMPILER, *STRICT, "main.c", "elliptic_planetary.c", "-o", "main", "-lm"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    printed = subprocess.run([str(tmp_path / "main")], capture_output=True, text=True, check=True)
+    from mechproof.kernels import elliptic_planetary
+
+    wanted = elliptic_planetary.position(0.5, 66, 16, 0.475)
+    assert float(printed.stdout) == pytest.approx(wanted, rel=6 * 2.0**-52)
+    assert runner.invoke(app, ["emit", "c", "conformity", "--out", str(tmp_path)]).exit_code == 1

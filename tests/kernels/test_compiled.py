@@ -1,0 +1,160 @@
+"""Compiled kernels: the bounds, shapes, NaN, errors and threads of the NumPy kernels."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mechproof.compiled_support import loops
+from mechproof.kernels import elliptic_planetary as plain
+from mechproof.kernels.compiled import elliptic_planetary, oval_planetary, track_wheel
+from mechproof.lab.search import find_worst
+from mechproof.lab.subject import Subject, find_subjects
+
+# Sums over axes of any length are computed by NumPy only.
+SUMS = {"error_sum", "error_sum_correlated", "error_sum_thermal"}
+SUBJECTS = {
+    s.name: s for s in find_subjects(()) if s.quantity.forms and s.quantity.name not in SUMS
+}
+BOUNDED = [name for name, s in SUBJECTS.items() if s.quantity.accuracy is not None]
+EPS = float(np.finfo(float).eps)
+
+
+def compiled(subject: Subject) -> Any:
+    system, _, name = subject.name.partition(".")
+    return getattr(import_module(f"mechproof.kernels.compiled.{system}"), name)
+
+
+@pytest.mark.parametrize("name", BOUNDED)
+def test_the_bound_of_the_kernel_holds(name: str) -> None:
+    """The same points and bounds as the NumPy kernel's; a search with a fixed seed."""
+    subject = SUBJECTS[name]
+    assert subject.quantity.accuracy is not None
+    found = find_worst(subject, compiled(subject), rounds=2, seed=20261, share=0.1, most=40)
+    assert found.tried > 20
+    assert found.scaled <= subject.quantity.accuracy.ulp
+
+
+PHI = np.linspace(-40, 40, 4000)
+SIZES = (66.0, 16.0, 0.475)
+
+
+def test_shapes_broadcast_as_in_numpy() -> None:
+    e = np.array([0.1, 0.475, 0.7])
+    for phi, sizes in (
+        (PHI[:7, None], (66.0, 16.0, e)),
+        (PHI[:40], (66.0, 16.0, e[:, None])),
+        (PHI[:8].reshape(2, 4), (np.full((2, 1), 66.0), 16, 0.3)),
+        (1.0, (66.0, 16.0, e)),
+        (1, (66, 16, 0)),
+        (PHI[:0], SIZES),
+        (PHI[::3], SIZES),
+        (np.float32(PHI[:9]), SIZES),
+        (PHI[:9].astype(int), SIZES),
+    ):
+        wanted, found = plain.position(phi, *sizes), elliptic_planetary.position(phi, *sizes)
+        assert (np.shape(found), found.dtype) == (np.shape(wanted), wanted.dtype)
+        np.testing.assert_allclose(found, wanted, rtol=6 * np.finfo(wanted.dtype).eps)
+
+
+def test_results_with_components() -> None:
+    from mechproof.kernels import track_wheel as plain_wheel
+
+    points = np.arange(30.0).reshape(2, 5, 3)
+    angles, shift = np.array([1e-3, -2e-3, 3e-3]), np.array([0.1, 0.2, 0.3])
+    for arguments in (
+        (points, angles, shift),
+        (points[:, ::2], angles, shift),
+        (points, np.outer([1, 2, 3, 4, 5], angles), shift),
+        (points[0, 0], angles, shift),
+    ):
+        wanted = plain_wheel.displacement(*arguments)
+        found = track_wheel.displacement(*arguments)
+        assert found.shape == wanted.shape
+        np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-14)
+    alpha = np.linspace(-1, 1, 50)
+    wanted = plain_wheel.rotation(alpha, 0.2, 0.3)
+    np.testing.assert_allclose(track_wheel.rotation(alpha, 0.2, 0.3), wanted, rtol=0, atol=1e-15)
+    assert track_wheel.rotation(0.1, 0.2, 0.3).shape == (3, 3)
+
+
+def test_out_takes_the_result_and_may_overlap() -> None:
+    wanted = elliptic_planetary.position(PHI, *SIZES)
+    out = np.empty_like(PHI)
+    assert elliptic_planetary.position(PHI, *SIZES, out=out) is out
+    assert np.array_equal(out, wanted)
+    for target in (PHI.copy(), np.empty(2 * PHI.size)[::2]):
+        source = target if target.flags.c_contiguous else PHI
+        assert elliptic_planetary.position(source, *SIZES, out=target) is target
+        assert np.array_equal(target, wanted)
+    with pytest.raises(ValueError, match="out: expected shape"):
+        elliptic_planetary.position(PHI, *SIZES, out=np.empty(3))
+    with pytest.raises(TypeError, match="out: expected float64"):
+        elliptic_planetary.position(PHI, *SIZES, out=np.empty(PHI.size, np.float32))
+
+
+def test_nan_where_the_domain_ends_and_large_angles_take_the_exact_way() -> None:
+    phi = np.array([1.0, np.nan, np.inf, 1e9, -3e15, 2.0])
+    with np.errstate(invalid="ignore"):
+        wanted = plain.ratio(phi, *SIZES)
+    found = elliptic_planetary.ratio(phi, *SIZES)
+    np.testing.assert_allclose(found, wanted, rtol=1e-9)
+    assert np.isnan(elliptic_planetary.position(PHI, 66.0, 16.0, 1.0)).all()
+    assert np.isnan(elliptic_planetary.position(1.0, 66.0, 70.0, 0.1))
+    assert np.isnan(elliptic_planetary.position(PHI[:2, None], 66.0, 16.0, [0.1, 2.0])[:, 1]).all()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((1j, 66.0, 16.0, 0.1), "phi1: expected real numbers"),
+        ((1.0, "x", 16.0, 0.1), "R1: expected real numbers"),
+        ((np.ma.masked_array([1.0]), 66.0, 16.0, 0.1), "phi1: compiled kernels take"),
+    ],
+)
+def test_what_is_no_number_is_refused(arguments: tuple[Any, ...], message: str) -> None:
+    with pytest.raises(TypeError, match=message):
+        elliptic_planetary.position(*arguments)
+
+
+def test_threads_change_no_bit(monkeypatch: pytest.MonkeyPatch) -> None:
+    phi = np.linspace(-1e3, 1e3, 10_001)
+    alone = elliptic_planetary.position(phi, *SIZES)
+    monkeypatch.setattr(loops, "THREADED", 100)
+    monkeypatch.setattr(loops, "_count_processors", lambda: 3)
+    assert np.array_equal(elliptic_planetary.position(phi, *SIZES), alone)
+
+
+def test_four_threads_may_call_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    from concurrent.futures import ThreadPoolExecutor
+
+    monkeypatch.setattr(loops, "THREADED", 1000)
+    phi = np.linspace(-10, 10, 20_000)
+    wanted = elliptic_planetary.acceleration(phi, *SIZES)
+    with ThreadPoolExecutor(4) as pool:
+        found = pool.map(lambda _: elliptic_planetary.acceleration(phi, *SIZES), range(24))
+        assert all(np.array_equal(f, wanted) for f in found)
+
+
+def test_kernels_are_called_inside_compiled_functions() -> None:
+    import numba
+
+    @numba.njit
+    def travel(count: int) -> float:
+        total = 0.0
+        for i in range(count):
+            total += elliptic_planetary.position(0.01 * i, 66, 16, 0.475)
+            total += oval_planetary.position(0.01 * i, 0.2, 0.3)
+            total += track_wheel.rotation(0.01, 0.02, 0.03)[1]
+        return total
+
+    wanted = sum(
+        elliptic_planetary.position(0.01 * i, *SIZES)
+        + oval_planetary.position(0.01 * i, 0.2, 0.3)
+        + track_wheel.rotation(0.01, 0.02, 0.03)[0, 1]
+        for i in range(10)
+    )
+    assert travel(10) == pytest.approx(wanted, rel=40 * EPS)

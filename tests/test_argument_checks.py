@@ -1,0 +1,88 @@
+"""Checks of arguments: one message, "name = value: what is allowed", on one line."""
+
+from __future__ import annotations
+
+import math
+import subprocess
+import sys
+from collections.abc import Callable
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mechproof.arguments import arrays, scalars
+
+
+class Millimetres:
+    """A number with a unit that conversion to an array strips."""
+
+    units = "mm"
+
+
+REFUSED: list[tuple[Callable[[str, Any], object], Any, type[Exception], str]] = [
+    (scalars.check_number, "1", TypeError, "'1': must be a real number, not str"),
+    (scalars.check_number, True, TypeError, "True: must be a real number, not bool"),
+    (scalars.check_number, 1j, TypeError, "1j: must be a real number, not complex"),
+    (scalars.check_number, Decimal(1), TypeError, r"Decimal\('1'\): must be a real number"),
+    (scalars.check_real, math.nan, ValueError, "nan: must be finite"),
+    (scalars.check_real, 10**400, ValueError, "10+: must be finite"),
+    (scalars.check_real, -(10**400), ValueError, "-10+: must be finite"),
+    (scalars.check_not_negative, -1, ValueError, "-1: must be finite and not negative, or NaN"),
+    (scalars.check_not_negative, math.inf, ValueError, "inf: must be finite and not negative"),
+    (scalars.check_probability, 1, ValueError, "1: must lie between 0 and 1"),
+    (scalars.check_probability, math.nan, ValueError, "nan: must lie between 0 and 1"),
+    (scalars.check_count, 1.0, TypeError, "1.0: must be an integer, not float"),
+    (scalars.check_count, True, TypeError, "True: must be an integer, not bool"),
+    (scalars.check_count, 0, ValueError, "0: must be at least 1"),
+    (scalars.check_triple, 0.1, TypeError, "0.1: must be three real numbers"),
+    (scalars.check_triple, (1, 2), TypeError, r"\(1, 2\): must be three real numbers"),
+    (arrays.check_array, None, TypeError, "None: must be a real number or an array, not object"),
+    (arrays.check_array, [True], TypeError, r"\[True\]: must be a real number or an array"),
+    (arrays.check_array, Millimetres(), TypeError, ".*: carries a unit; give plain numbers"),
+    (arrays.check_finite, [1, math.inf], ValueError, r"\[1, inf\]: must be finite"),
+    (arrays.check_finite, 10**400, ValueError, "10+: must be finite"),
+    (arrays.check_finite, 1e151, ValueError, r".*between -1e\+150 and 1e\+150"),
+    (arrays.check_scale, [0, -1], ValueError, r"\[0, -1\]: must not be negative"),
+    (arrays.check_pair, (1, 2, 3), TypeError, r"\(1, 2, 3\): must be a pair \(lower, upper\)"),
+]
+
+
+@pytest.mark.parametrize(("check", "value", "error", "says"), REFUSED)
+def test_what_is_not_allowed_is_named(
+    check: Callable[[str, Any], object], value: Any, error: type[Exception], says: str
+) -> None:
+    with pytest.raises(error, match=f"^size = {says}"):
+        check("size", value)
+
+
+def test_components_and_limits_are_named() -> None:
+    with pytest.raises(TypeError, match=r"^shift\[2\] = '3': must be a real number"):
+        scalars.check_triple("shift", (1, 2, "3"))
+    with pytest.raises(ValueError, match=r"^limits \(lower, upper\) = \(1, 1\): the lower limit"):
+        arrays.check_pair("limits", (1, 1))
+
+
+def test_a_message_has_one_line() -> None:
+    table = np.ma.masked_array(np.eye(3), np.eye(3, dtype=bool))
+    with pytest.raises(TypeError, match=r"^table = masked_array\(.*\): is a masked array;"):
+        arrays.check_array("table", table)
+
+
+def test_what_is_allowed_comes_back() -> None:
+    assert scalars.check_number("x", Fraction(1, 2)) == 0.5
+    assert math.isnan(scalars.check_number("x", math.nan))
+    assert scalars.check_real("x", np.float32(0.5)) == 0.5
+    assert math.isnan(scalars.check_not_negative("x", math.nan))
+    assert scalars.check_count("n", np.int8(2), least=2) == 2
+    assert scalars.check_triple("x", np.arange(3)) == (0, 1, 2)
+    assert arrays.check_array("x", [1, np.nan]).dtype == np.float64
+    assert np.isnan(arrays.check_scale("x", np.nan))
+    assert arrays.check_pair("x", (-np.inf, np.inf)) == (-np.inf, np.inf)
+
+
+def test_scalars_are_checked_without_numpy() -> None:
+    code = "import sys, mechproof.arguments.scalars; sys.exit('numpy' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

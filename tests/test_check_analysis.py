@@ -1,0 +1,84 @@
+"""Pasted equations with double signs, limits, derivatives and factorials, each with a neighbour."""
+
+from __future__ import annotations
+
+import pytest
+from test_check import run
+
+PAIRS = [
+    (r"(a\pm b)^2=a^2\pm 2ab+b^2", r"(a\pm b)^2=a^2\mp 2ab+b^2", ()),
+    (r"\cos(a\pm b)=\cos a\cos b\mp\sin a\sin b", r"\cos(a\pm b)=\cos a\cos b\pm\sin a\sin b", ()),
+    # One sign alone is right: the other one shows it.
+    (r"x\mp x^2=\mp x^2+x", r"1\pm2=2\pm1", ()),
+    (r"\lim_{x\to0}\frac{\sin x}{x}=1", r"\lim_{x\to0}\frac{\sin x}{x}=2", ()),
+    (r"\lim_{x\to0}\frac{1-\cos x}{x^2}=\frac12", r"\lim_{x\to0}\frac{1-\cos x}{x^2}=1", ()),
+    (r"\lim_{h\to0}\frac{(x+h)^2-x^2}{h}=2x", r"\lim_{h\to0}\frac{(x+h)^2-x^2}{h}=x", ()),
+    (r"\lim_{x\to\infty}\frac{2x+1}{x-3}=2", r"\lim_{x\to\infty}\frac{2x+1}{x-3}=1", ()),
+    (r"\lim_{x\to a}\sqrt{x}=\sqrt{a}", r"\lim_{x\to a}\sqrt{x}=a", ("a>0",)),
+    (r"\lim_{x\to0+}\cos x=1", r"\lim_{x\to-0}\cos x=0", ()),
+    (r"\frac{d}{dx}(x^2\sin x)=2x\sin x+x^2\cos x", r"\frac{d}{dx}(x^2\sin x)=2x\cos x", ()),
+    (r"\frac{d\sin x}{dx}=\cos x", r"\frac{d\sin x}{dx}=-\cos x", ()),
+    (r"\frac{d^2}{dx^2}(x^3)=6x", r"\frac{d^2}{dx^2}(x^3)=3x^2", ()),
+    (r"\frac{d}{dx}\ln x=\frac1x", r"\frac{d}{dx}\ln x=-\frac1x", ("x>0",)),
+    (r"n!=n(n-1)!", r"n!=(n+1)(n-1)!", ()),
+    (r"(n+2)!=(n+2)(n+1)n!", r"(n+2)!=(n+2)n!", ()),
+    ("5!=120", "5!=24", ()),
+]
+NOT_PROVED = [
+    # No value, another value from each side, or none that is shown.
+    r"\lim_{x\to0}\frac{|x|}{x}=1",
+    r"\lim_{x\to0}\frac1x=\lim_{x\to0}\frac1x",
+    r"\lim_{x\to0}\sin\frac1x=0",
+    r"\lim_{x\to a}\sqrt{x}=\sqrt{a}",
+    r"\lim_{x\to\infty}\sin x=0",
+    r"\lim_{x\to0}x\ge0",
+    # The logarithm has no derivative where it has no value.
+    r"\frac{d}{dx}\ln x=\frac1x",
+]
+REFUSED = [
+    (r"\sqrt{x^2}=\pm x", "both signs, or either"),
+    (r"y=\pm2x", "both signs, or either"),
+    (r"\frac{dy}{dx}=2x", "does it depend on it"),
+    (r"\frac{d|x|}{dx}=1", "kinks or steps"),
+    (r"\frac{d}{dx}x\sin x=1", "how far does the derivative reach"),
+    (r"\frac{dx^2}{dx}=2x", "what is differentiated"),
+    (r"\frac{d^2x}{dx}=1", "of two orders"),
+    (r"\lim x=1", "a limit of what"),
+    (r"\lim_{x\to x}x=1", "goes to a limit"),
+    (r"n!!=1", "a factorial of what"),
+    (r"n!^2=1", "a factorial of what"),
+    (r"(x/2)!=1", "do not fit together"),
+]
+
+
+def test_what_is_said_of_letters_has_no_double_signs() -> None:
+    done = run("x=y", "--let", r"x=y\pm1")
+    assert done.exit_code == 2
+    assert r"\pm has no meaning here" in done.output
+
+
+def judge(latex: str, where: tuple[str, ...] = ()) -> str:
+    done = run(latex, *(word for relation in where for word in ("--where", relation)))
+    assert "equation: " in done.output, done.output
+    return done.output.partition("equation: ")[2].split()[0]
+
+
+@pytest.mark.parametrize(("right", "wrong", "where"), PAIRS, ids=[p[0] for p in PAIRS])
+def test_an_equation_is_proved_and_its_neighbour_refuted(
+    right: str, wrong: str, where: tuple[str, ...]
+) -> None:
+    assert judge(right, where) == "PROVED"
+    assert judge(wrong, where) == "REFUTED"
+
+
+@pytest.mark.parametrize("latex", NOT_PROVED)
+def test_what_has_no_value_everywhere_stays_open(latex: str) -> None:
+    assert judge(latex) == "UNDECIDED"
+
+
+@pytest.mark.parametrize(("latex", "told"), REFUSED)
+def test_what_could_be_meant_otherwise_is_refused_at_its_place(latex: str, told: str) -> None:
+    done = run(latex)
+    assert done.exit_code == 2
+    assert told in done.output
+    assert "^" in done.output
