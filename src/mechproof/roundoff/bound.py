@@ -86,9 +86,8 @@ class Evaluation:
             rest = given[2].scaled(arb(0, UNIT * (1 + EPS)))
             return self._round(step, rest, (None, None, None))
         if step.kind in ("copy", "approximate"):
-            exact, slopes = given[0], (self.frame.constant(arb(1)),)
-        else:
-            exact, slopes = RULES[step.kind](given, self.turn)
+            return self._round(step, given[0], (self.frame.constant(arb(1)),))
+        exact, slopes = RULES[step.kind](given, self.turn)
         is_exact = step.kind == "subtract" and _is_near(*given)
         return self._round(step, stated or exact, slopes, is_exact)
 
@@ -111,7 +110,7 @@ class Evaluation:
 
     def _take_small_tangent(self, step: Step, angle: Germ) -> Germ:
         """Take y for tan(y), off by at most y**2 of itself where |y| <= 1."""
-        size = abs(angle.expanded()).upper()
+        size: Ball = abs(angle.expanded()).upper()
         off = size**2 if size <= 1 else arb("nan")
         # Beyond a turn it is small as a number, not as a share of the angle.
         small = self.frame.constant(angle.expanded()) if self.turn else angle
@@ -178,7 +177,7 @@ def _weigh(slopes: Sequence[Germ], moving: Moving) -> Ball:
     bounds = []
     for slope in slopes:
         if moving.relative != 0:
-            share = abs((slope * moving.exact).expanded())
+            share: Ball = abs((slope * moving.exact).expanded())
             bounds.append(share * (moving.relative / EPS))
         if moving.absolute is not None:
             bounds.append(abs(slope.expanded()) * (moving.absolute / EPS))

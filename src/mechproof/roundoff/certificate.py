@@ -10,6 +10,7 @@ import json
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import islice
 
 import numpy as np
@@ -147,9 +148,8 @@ def count_boxes(subject: Subject, claimed: float) -> tuple[int, str]:
     """Return how many boxes show that the error is at most as claimed, and what stays open."""
     total = 0
     for region in _list_regions(subject):
-        count, worst = cover_below(
-            lambda box, region=region: subject.bound(region, box), region.box, claimed, MOST_CHECKED
-        )
+        bound = partial(subject.bound, region)
+        count, worst = cover_below(bound, region.box, claimed, MOST_CHECKED)
         total += count
         if worst is not None:
             return total, f"{region.describe()}: {worst}"
@@ -182,7 +182,7 @@ def _list_regions(subject: Subject) -> Iterator[Region]:
 
 
 def _lower(subject: Subject, region: Region) -> Cover:
-    return lower_bound(lambda box: subject.bound(region, box), region.box, MOST)
+    return lower_bound(partial(subject.bound, region), region.box, MOST)
 
 
 def _search(subject: Subject, covers: list[tuple[Region, Cover]]) -> Iterator[Found]:

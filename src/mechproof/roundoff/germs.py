@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 from flint import arb
 
-Ball = arb
+Ball = Any
 Powers = tuple[int, ...]
 
 

@@ -51,9 +51,10 @@ def flatten_stage(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight
         given = _append(steps, stage.prepare, known, "prepared.", expansions)
     if stage.evaluate is None:
         return Straight(inputs, tuple(steps), tuple(given))
-    passed = dict(zip(stage.evaluate.inputs[len(stage.running) :], given, strict=True))
-    running = {name: name for name in stage.running}
-    outputs = _append(steps, stage.evaluate, {**running, **passed}, "", expansions)
+    passed = zip(stage.evaluate.inputs[len(stage.running) :], given, strict=True)
+    inside: dict[Operand, Operand] = {name: name for name in stage.running}
+    inside.update(passed)
+    outputs = _append(steps, stage.evaluate, inside, "", expansions)
     return Straight(inputs, tuple(steps), outputs)
 
 

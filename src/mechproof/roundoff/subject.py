@@ -148,8 +148,7 @@ def list_subjects(kernel: Kernel, paper: Paper) -> Iterator[Subject]:
             if straight not in known:
                 known.append(straight)
                 for chart in form.charts:
-                    if chart.angle is not None:
-                        check_symmetry(straight, chart, input_names(kernel.quantity))
+                    check_symmetry(straight, chart, input_names(kernel.quantity))
                 yield Subject(kernel, form, stage, way, straight, known[0], scale)
 
 

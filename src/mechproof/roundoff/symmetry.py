@@ -48,10 +48,13 @@ PARITIES: Mapping[str, Callable[..., Parity]] = MappingProxyType(
 def check_symmetry(straight: Straight, chart: Chart, names: Mapping[object, str]) -> None:
     """Require that negative angles are off as positive ones are; ValueError if not."""
     parities: dict[object, Parity] = {}
+    angle = chart.angle
+    if angle is None:
+        return
     for symbol, value in chart.arguments.items():
-        turned = value.subs(chart.angle, -chart.angle)
+        turned = value.subs(angle, -angle)
         if turned not in (value, -value):
-            raise ValueError(f"chart: {value} is neither odd nor even in {chart.angle}")
+            raise ValueError(f"chart: {value} is neither odd nor even in {angle}")
         parities[names[symbol]] = 1 if turned == value else -1
     for step in straight.steps:
         given = [parities[o] if isinstance(o, str) else 1 for o in step.operands]
