@@ -30,7 +30,7 @@ def certify_papers(
 ) -> list[Certificate | None]:
     """Prove the bounds of every paper; with the cache what was proved before is not done again.
 
-    Raises ValueError for a certificate that cannot be read or a chart that cannot be used.
+    Raises ValueError for a chart that cannot be used.
     """
     return [_certify(paper, directory, use_cache) for paper in papers]
 
@@ -47,7 +47,10 @@ def _name(system: str) -> str:
 def _certify(paper: Paper, directory: Path, use_cache: bool) -> Certificate | None:
     path = directory / _name(paper.system)
     text = path.read_text(encoding="utf-8") if path.is_file() else ""
-    known = read_certificate(text, str(path)) if text else None
+    known = None
+    # What cannot be read is written anew, and shown as a difference.
+    with suppress(ValueError):
+        known = read_certificate(text, str(path))
     kept = cache_folder() / KEPT
     if known and use_cache and _key(paper, text) in _read_keys(kept):
         return known
