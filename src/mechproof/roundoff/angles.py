@@ -44,8 +44,7 @@ def reduce(germ: Germ, turn: Turn | None, period: int) -> Ball:
 
 def over_argument(function: Callable[[Ball], Ball], z: Ball) -> Ball:
     """Return function(z)/z for an odd function, that quotient monotone in |z|."""
-    size = abs(z)
-    ends = (size.lower(), size.upper())
+    ends = (z.abs_lower(), z.abs_upper())
     near, far = (function(end) / end if end > TINY else arb(1, TINY**2) for end in ends)
     return near.union(far)
 

@@ -36,8 +36,8 @@ def raise_ball(ball: Ball, power: int) -> Ball:
         return 1 / raise_ball(ball, -power)
     if power % 2 or ball > 0:
         return (ball.lower() ** power).union(ball.upper() ** power)
-    size = abs(ball)
-    return (size.lower() ** power).union(size.upper() ** power)
+    # Not abs(): the ball of a size may hold negative numbers.
+    return (ball.abs_lower() ** power).union(ball.abs_upper() ** power)
 
 
 class Frame:
