@@ -107,6 +107,11 @@ ECCENTRIC = (
     near_one(ANGLE_X, ANGLE_X**2 * V, {ANGLE_X: Interval(0, Rational(3, 4)), V: Interval(0, 1)}),
     near_one(ANGLE_X, D, {ANGLE_X: Interval(Rational(2, 3), Rational(22, 7)), D: UP_TO_HALF}),
 )
+ROUNDER = near_one(
+    ANGLE_X,
+    D,
+    {ANGLE_X: Interval(0, Rational(22, 7)), D: Interval(Rational(1, 2), 1)},
+)
 # Beyond half a turn the low word is no share of what is left of x, and of e so much is left out.
 FAR = Chart(
     "|x| <= 2**26 and e <= 1 - 2**-10",
@@ -210,7 +215,7 @@ QUANTITIES = (
                 "half-angle quotient with low word",
                 RATIO,
                 ("low_word", "half_angle_tangent"),
-                charts=ECCENTRIC,
+                charts=(*ECCENTRIC, ROUNDER),
             ),
             Form(
                 "printed (8)",

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import mechproof.kernels
 from mechproof.codegen.kernel import input_names, list_functions
@@ -203,3 +204,34 @@ def test_an_angle_without_symmetry_is_refused() -> None:
             chart,
             input_names(subject.kernel.quantity),
         )
+
+
+@pytest.mark.parametrize(
+    ("name", "lowest"),
+    [("half-angle atan with low word", 0.5), ("half-angle quotient with low word", 0.0)],
+)
+def test_charts_cover_what_they_say(name: str, lowest: float) -> None:
+    """Every angle up to half a turn and every eccentricity has coordinates in some chart."""
+    subject = next(s for s in subjects().values() if s.form.name == name)
+    charts = [chart for chart in subject.form.charts if chart.text == "|x| <= 22/7"]
+    rng = np.random.default_rng(11)
+    covered = np.zeros(4000, bool)
+    x = 22 / 7 * 10.0 ** -(rng.uniform(0, 12, 4000) ** 1.5)
+    d = (1 - lowest) * 10.0 ** -rng.uniform(0, 12, 4000)
+    inverse = rng.uniform(0, 1, 4000)
+    given = {"R1": np.ones(4000), "R2": inverse, "phi1": inverse * x, "e": d}
+    names = input_names(subject.kernel.quantity)
+    for chart in charts:
+        symbols = {s: sp.Symbol(names[s]) for s in chart.arguments}
+        # What is 1 - e is drawn, as 1 - 1e-12 loses digits.
+        values = {s: 1 - v if names[s] == "e" else v for s, v in chart.arguments.items()}
+        equations = [v - symbols[s] for s, v in values.items()]
+        (solved,) = sp.solve(equations, list(chart.within), dict=True)
+        inside = np.ones(4000, bool)
+        for coordinate, interval in chart.within.items():
+            compute = sp.lambdify(list(symbols.values()), solved[coordinate])
+            found = compute(*(given[str(s)] for s in symbols.values()))
+            low, high = float(interval.inf), float(interval.sup)
+            inside &= (found >= low * (1 - 1e-9)) & (found <= high * (1 + 1e-9))
+        covered |= inside
+    assert covered.all()
