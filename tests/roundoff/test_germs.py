@@ -92,7 +92,7 @@ def edge(limit: float) -> Callable[[tuple[tuple[float, float], ...]], float]:
 
 
 def test_a_cover_comes_down_to_the_largest_value() -> None:
-    found = lower_bound(edge(0.3), ((0.0, 1.0), (0.0, 1.0)), 100)
+    found = lower_bound([(edge(0.3), ((0.0, 1.0), (0.0, 1.0)))], 100)
     assert found.bound == 2.0
     count, stays_open = cover_below(edge(0.3), ((0.0, 1.0), (0.0, 1.0)), 2.0, 1000)
     assert count >= 4

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import islice
 
 import numpy as np
 
@@ -24,12 +23,12 @@ from mechproof.roundoff.regions import Region, list_regions
 from mechproof.roundoff.subject import Subject, list_subjects
 from mechproof.roundoff.worst import Found, find_worst, measure
 
-# Boxes of a region when a bound is looked for, and when a claim is checked.
-MOST, MOST_CHECKED = 1500, 20000
+# Boxes when a bound is looked for, and of a region when a claim is checked.
+MOST, MOST_CHECKED = 2500, 20000
 # A claim is so much above what the search for it came down to, so that fewer boxes show it.
 SLACK = 1.01
 DIGITS = 2
-SEEDS = (1, 2)
+SEEDS = (1,)
 
 
 @dataclass(frozen=True)
@@ -166,12 +165,13 @@ def make_claim(subject: Subject, known: Claim | None = None) -> Claim:
 
     An input that was known before counts if it is off by more.
     """
-    covers = [(region, _lower(subject, region)) for region in _list_regions(subject)]
-    covers.sort(key=lambda pair: -pair[1].bound)
-    bound = covers[0][1].bound * SLACK
+    regions = list(_list_regions(subject))
+    starts = [(partial(subject.bound, region), region.box) for region in regions]
+    cover = lower_bound(starts, MOST)
+    bound = cover.bound * SLACK
     proved = math.ceil(bound * 10**DIGITS) / 10**DIGITS if math.isfinite(bound) else math.inf
     before = [_measure_again(subject, known)] if known else []
-    worst = max((*_search(subject, covers), *before), key=lambda found: found.eps)
+    worst = max((*_search(subject, regions, cover), *before), key=lambda found: found.eps)
     count, stays_open = count_boxes(subject, proved)
     return Claim(
         *_key(subject),
@@ -190,11 +190,9 @@ def _list_regions(subject: Subject) -> Iterator[Region]:
     return (region for chart in subject.form.charts for region in list_regions(chart))
 
 
-def _lower(subject: Subject, region: Region) -> Cover:
-    return lower_bound(partial(subject.bound, region), region.box, MOST)
-
-
-def _search(subject: Subject, covers: list[tuple[Region, Cover]]) -> Iterator[Found]:
-    for region, cover in islice(covers, 2):
+def _search(subject: Subject, regions: Sequence[Region], cover: Cover) -> Iterator[Found]:
+    """Search from the worst boxes, those of each region together."""
+    for number in sorted({number for number, _ in cover.worst}):
+        boxes = [box for of, box in cover.worst if of == number]
         for seed in SEEDS:
-            yield find_worst(subject, region, cover.worst, seed)
+            yield find_worst(subject, regions[number], boxes, seed)

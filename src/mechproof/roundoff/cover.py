@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import heapq
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from mechproof.roundoff.regions import Box, put_side
@@ -18,23 +18,29 @@ WORST = 32
 
 @dataclass(frozen=True)
 class Cover:
-    """The largest bound over all boxes, where it is, and how many boxes there are."""
+    """The largest bound over all boxes, where it is, and how many boxes there are.
+
+    `worst` are the numbers of the starts, and boxes in them.
+    """
 
     bound: float
-    worst: tuple[Box, ...]
+    worst: tuple[tuple[int, Box], ...]
     count: int
 
 
-def lower_bound(bound: Bound, box: Box, most: int, aim: float = 0.0) -> Cover:
-    """Halve the box with the largest bound until it is below an aim or there are enough boxes."""
-    heap = [(-bound(box), 0, box)]
-    number = 1
-    while len(heap) < most and -heap[0][0] > aim:
-        height, _, worst = heapq.heappop(heap)
-        for half in halve(worst, choose_side(bound, worst, -height, box)):
-            heapq.heappush(heap, (-bound(half), number, half))
-            number += 1
-    return Cover(-heap[0][0], tuple(entry[2] for entry in heapq.nsmallest(WORST, heap)), len(heap))
+def lower_bound(starts: Sequence[tuple[Bound, Box]], most: int) -> Cover:
+    """Halve the box with the largest bound, whichever start it is of, until there are enough."""
+    heap = [(-bound(box), number, number, box) for number, (bound, box) in enumerate(starts)]
+    heapq.heapify(heap)
+    made = len(heap)
+    while len(heap) < most:
+        height, _, number, worst = heapq.heappop(heap)
+        bound, whole = starts[number]
+        for half in halve(worst, choose_side(bound, worst, -height, whole)):
+            heapq.heappush(heap, (-bound(half), made, number, half))
+            made += 1
+    places = tuple(entry[2:] for entry in heapq.nsmallest(WORST, heap))
+    return Cover(-heap[0][0], places, len(heap))
 
 
 def cover_below(bound: Bound, box: Box, aim: float, most: int) -> tuple[int, Box | None]:
