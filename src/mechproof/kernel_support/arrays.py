@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -14,6 +15,7 @@ BLOCK = 16384
 # Loops along the last axis that cost more than their start.
 LONG_LOOP = 64
 SCALARS = frozenset({np.float64, np.float32})
+NUMBER = frozenset({np.float64})
 # Types whose finiteness is told by a comparison.
 COMPARED = SCALARS | {Fraction}
 # Types that Python's arithmetic and NumPy's agree on; all others keep their own.
@@ -39,7 +41,22 @@ def as_floats(**arguments: ArrayLike) -> tuple[NDArray[Any], ...]:
         If an argument is complex, longer than float64 or not numeric; the message names it.
 
     """
-    arrays = [np.float64(v) if type(v) is float else _as_array(v) for v in arguments.values()]
+    # What most calls give is told by its type alone: nothing below could change it.
+    arrays: list[Any] = []
+    value: Any
+    for value in arguments.values():
+        kind = type(value)
+        if kind is float:
+            arrays.append(np.float64(value))
+        elif kind is np.float64 or (kind is np.ndarray and value.dtype is DOUBLE and value.shape):
+            arrays.append(value)
+        else:
+            return _convert(arguments)
+    return tuple(arrays)
+
+
+def _convert(arguments: Mapping[str, Any]) -> tuple[NDArray[Any], ...]:
+    arrays = [_as_array(value) for value in arguments.values()]
     for name, array in zip(arguments, arrays, strict=True):
         if not hasattr(array, "dtype"):
             raise TypeError(f"{name}: expected numbers with a dtype, got {type(array).__name__}")
@@ -56,6 +73,8 @@ def as_floats(**arguments: ArrayLike) -> tuple[NDArray[Any], ...]:
 
 def _as_array(value: Any) -> Any:
     """Return an array, a NumPy scalar if it has no axes, or what brings ufuncs of its own."""
+    if type(value) is float:
+        return np.float64(value)
     if type(value) in PLAIN:
         return value if value.shape else value[()]
     if not hasattr(value, "__array_ufunc__") or isinstance(value, AS_ARRAYS):
@@ -234,7 +253,10 @@ def in_blocks(
         with quietly():
             return in_blocks(evaluate, running, prepare, parameters, out=out, shape=shape)
     arrays = (*running, *parameters)
-    if not PLAIN.issuperset(map(type, arrays)):
+    kinds = set(map(type, arrays))
+    if kinds == NUMBER and out is None and not shape:
+        return _cast(evaluate(*running, *prepare(*parameters)), DOUBLE)
+    if not kinds <= PLAIN:
         values = evaluate(*running, *prepare(*parameters))
         return store(_stack(values, shape) if shape else values, out)
     large = [array for array in arrays if type(array) is np.ndarray]

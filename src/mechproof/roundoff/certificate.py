@@ -24,7 +24,7 @@ from mechproof.roundoff.subject import Subject, list_subjects
 from mechproof.roundoff.worst import Found, find_worst, measure
 
 # Boxes when a bound is looked for, and of a region when a claim is checked.
-MOST, MOST_CHECKED = 2500, 20000
+MOST, MOST_CHECKED = 7000, 20000
 # A claim is so much above what the search for it came down to, so that fewer boxes show it.
 SLACK = 1.01
 DIGITS = 2
