@@ -66,6 +66,11 @@ LOADED = {
         *("sympy", "jinja2", "mpmath", "flint"),
         *("mechproof.codegen", "mechproof.proof", "mechproof.record"),
     },
+    "roundoff": {
+        *("numpy", "sympy", "flint"),
+        *("mechproof.roundoff", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
+        *("mechproof.kernel_support", "mechproof.files", "mechproof.json_rows"),
+    },
     "lab": {
         *("numpy", "sympy", "flint", "matplotlib"),
         *("mechproof.lab", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
