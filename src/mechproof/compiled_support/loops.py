@@ -65,7 +65,8 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
     arrays = as_floats(**dict(zip(loops.names, arguments, strict=True)))
     if not any(loops.widths) and all(isinstance(a, np.generic) for a in arrays) and out is None:
         value = loops.at(*map(float, arrays))
-        return np.array(value).reshape(loops.shape) if loops.shape else arrays[0].dtype.type(value)
+        dtype = arrays[0].dtype
+        return np.array(value, dtype).reshape(loops.shape) if loops.shape else dtype.type(value)
     return _run(loops, arrays, out)
 
 
