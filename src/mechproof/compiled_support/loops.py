@@ -118,12 +118,23 @@ def _fill(
             loops.each(block, *flat)
             part[...] = block.reshape(part.shape)
         return
-    inner = (0,) * (len(points) - depth)
     rows = target.reshape((*points[:depth], -1))
-    for index in np.ndindex(points[:depth]):
-        numbers = [float(v) for a in spread[1:] for v in np.ravel(a[index + inner])]
+    table = _list_parameters(spread[1:], loops.widths[1:], points, depth)
+    for index, numbers in zip(np.ndindex(points[:depth]), table, strict=True):
         row = np.ascontiguousarray(spread[0][index]).reshape(-1)
         _fill_uniformly(loops, rows[index], row, numbers)
+
+
+def _list_parameters(
+    spread: list[NDArray[Any]], widths: tuple[int, ...], points: tuple[int, ...], depth: int
+) -> list[list[float]]:
+    """List the parameters of each row as Python's numbers; along a row they are equal."""
+    first = (slice(None),) * depth + (0,) * (len(points) - depth)
+    columns = [a[first].reshape(-1, width or 1) for a, width in zip(spread, widths, strict=True)]
+    numbers: list[list[float]] = np.hstack(
+        [np.empty((math.prod(points[:depth]), 0)), *columns]
+    ).tolist()
+    return numbers
 
 
 def _count_common_axes(shapes: list[tuple[int, ...]], rank: int) -> int:
