@@ -13,12 +13,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from mechproof.compiled_support.machine import BLOCK
 from mechproof.kernel_support.arrays import PLAIN, as_floats, check_components, check_out
 
 # Points in a row for which a call of its own pays, and those for which a second thread does.
 LONG_ROW = 32
 THREADED = 2**17
+# Points of which arguments that are spread are copied at once: the copies stay in a cache.
+PIECE = 2**14
 DOUBLE = np.dtype(np.float64)
 
 
@@ -111,12 +112,9 @@ def _fill(
     ]
     depth = len(points) - _count_common_axes(outer[1:], len(points))
     if depth and math.prod(points[depth:]) < LONG_ROW:
-        for index in _cut(points, BLOCK):
+        for index in _cut(points, PIECE):
             flat = [np.ascontiguousarray(a[index]).reshape(-1) for a in spread]
-            part = target[index]
-            block = np.empty(part.size, target.dtype)
-            loops.each(block, *flat)
-            part[...] = block.reshape(part.shape)
+            loops.each(target[index].reshape(-1), *flat)
         return
     rows = target.reshape((*points[:depth], -1))
     table = _list_parameters(spread[1:], loops.widths[1:], points, depth)
