@@ -41,9 +41,15 @@ LOADED = {
     },
     "arguments": {"numpy", "mechproof.arguments"},
     "laws": {"numpy", "mechproof.arguments", "mechproof.laws"},
-    "conformity": {"numpy", "mechproof.arguments", "mechproof.conformity", "mechproof.laws"},
+    "conformity": {
+        *("numpy", "mechproof.arguments", "mechproof.conformity", "mechproof.executors"),
+        "mechproof.laws",
+    },
     "measurement": {"numpy", "mechproof.arguments", "mechproof.measurement"},
-    "tolerance": {"numpy", "mechproof.arguments", "mechproof.laws", "mechproof.tolerance"},
+    "tolerance": {
+        *("numpy", "mechproof.arguments", "mechproof.executors", "mechproof.laws"),
+        "mechproof.tolerance",
+    },
     "mechanisms": {
         "numpy",
         "mechproof.arguments",
@@ -60,10 +66,16 @@ LOADED = {
         *("sympy", "jinja2", "mpmath", "flint"),
         *("mechproof.codegen", "mechproof.proof", "mechproof.record"),
     },
+    "roundoff": {
+        *("numpy", "sympy", "flint"),
+        *("mechproof.roundoff", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
+        *("mechproof.kernel_support", "mechproof.files", "mechproof.json_rows"),
+    },
     "lab": {
         *("numpy", "sympy", "flint", "matplotlib", "PIL"),
         *("mechproof.lab", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
         *("mechproof.kernel_support", "mechproof.derivation", "mechproof.measured"),
+        "mechproof.executors",
     },
 }
 INSIDE = {
