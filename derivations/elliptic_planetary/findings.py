@@ -67,7 +67,8 @@ FINDINGS = (
         "measured functions adequate",
         "Neither a criterion of adequacy nor the readings are printed. By the paper's own numbers "
         "the interval of variant 3 excludes an error of zero, and single errors of variants 1, 2 "
-        "and 4 scatter by more than two encoders of 0.3 % of 360° allow.",
+        "and 4 scatter by more than two encoders of 0.3 % of 360° allow, or u is no uncertainty of "
+        "the mean.",
         costs=(
             Cost(
                 "variant 3",

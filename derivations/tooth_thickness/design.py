@@ -168,6 +168,7 @@ DESIGN_ROWS = (
             "E_csu = E_cs - T_c p, 0 < p < 1, is any good tooth of step 2; its decrease is -E_csu. "
             "With E_cs = 12 um as printed, good teeth may be thicker than nominal."
         ),
+        marks=("rebuilt",),
     ),
     Claim(
         "smallest deviation, counted as a decrease",
