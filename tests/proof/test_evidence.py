@@ -161,6 +161,8 @@ KINDS = {
     "angle": (phi, True),
     "multiple": (R / r * phi, True),
     "sum with a number": (1 + phi, True),
+    "length with its sizes put in": (3 * (sp.sin(phi) - phi * sp.cos(phi)), False),
+    "the same, number first": (e + phi, False),
     "arctangent": (sp.atan(e), True),
     "direction": (sp.atan2(R, r), True),
     "integral over it": (sp.Integral(sp.cos(phi) ** 2, (phi, 0, psi)), True),
@@ -218,6 +220,14 @@ def test_the_part_that_fails_is_named_with_its_number() -> None:
     assert reason(Conjunction((parts[0], PrintedNumber("3.15", sp.pi)))) == (
         "part 2 of 2: recomputed 3.14159, printed 3.15"
     )
+
+
+def test_a_relation_too_long_to_read_is_named_by_its_sides() -> None:
+    long = sum(phi**k * e ** (k + 1) for k in range(1, 20))
+    first, *_ = judge(row(less(long, -long)), paper(SIZES)).evidence
+    assert first.what.startswith("printed < rebuilt is false")
+    first, *_ = judge(row(less(phi, -phi)), paper(SIZES)).evidence
+    assert first.what.startswith("phi < -phi is false")
 
 
 def test_reasons_hold_no_balls() -> None:
