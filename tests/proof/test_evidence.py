@@ -92,6 +92,12 @@ def test_sizes_that_do_not_separate_give_way_to_the_next_and_to_any() -> None:
     assert other.at["e"] not in ("0.28", "0.5")
 
 
+def test_sizes_of_which_a_row_has_none_do_not_hide_the_next() -> None:
+    others = (Published("none of them", {z: sp.S(50)}), SIZES)
+    found = evidence(R * phi, R * sp.sin(phi), Domain.of(paper(*others)))
+    assert found.at == {"R": "66", "phi": "pi/6 (30°)"}
+
+
 def test_sizes_outside_the_domain_are_no_points_of_it() -> None:
     domain = Domain.of(paper(SIZES, OTHER, where=(e > sp.Rational(3, 10),)))
     assert evidence(e, sp.S.Zero, domain).what == "the two sides, sizes of Table 2"

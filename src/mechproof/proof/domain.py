@@ -143,7 +143,7 @@ class Domain:
         """
         names, _ = self._connect(set(symbols) | fixed.keys())
         known = {s: value for s, value in sizes.items() if s in names}
-        if not self.allows(known):
+        if not self.allows(known) or (sizes and not known):
             return
         for angles in self._round_angles(names - known.keys() - fixed.keys()):
             with suppress(ValueError):
