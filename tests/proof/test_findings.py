@@ -97,6 +97,23 @@ def test_a_follower_may_have_other_letters_parts_or_the_print_as_second_member(
     assert row.number not in [found.number for found in others]
 
 
+def test_a_follower_may_hold_the_matrix_of_its_cause_as_a_whole() -> None:
+    printed, right = sp.ImmutableMatrix([[phi, psi]]), sp.ImmutableMatrix([[psi, phi]])
+    cause = Claim(
+        "order",
+        "m",
+        Equality(printed, right),
+        corrected=Correction("m", Equality(right, right)),
+    )
+    again = Claim("order again", "n", Equality(printed, right))
+    first = next(
+        found
+        for found in find(Finding("order", "", follows=("order again",)), others=(cause, again))
+        if found.number == "order"
+    )
+    assert first.follows == ("order again",)
+
+
 def test_two_values_of_which_neither_is_right_have_names_and_no_error() -> None:
     cost = Cost("sum", {}, "mm", 0, sp.Integer(1), sp.Integer(2), ("as read", "as guessed"))
     first, *_ = find(Finding("(1)", "", (cost,)))

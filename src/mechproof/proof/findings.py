@@ -223,6 +223,9 @@ def _pairs(printed: Any, corrected: Any) -> dict[sp.Basic, sp.Basic]:
 
 def _replace_in(part: Any, pairs: Mapping[sp.Basic, sp.Basic]) -> Any:
     if isinstance(part, sp.Basic):
+        if part in pairs:
+            # A matrix as a whole, of which SymPy replaces elements only.
+            return pairs[part]
         # Not the same node: a product within a product is one with its factors.
         return part.subs(pairs, simultaneous=True)
     if isinstance(part, tuple):
