@@ -92,6 +92,13 @@ def test_sizes_that_do_not_separate_give_way_to_the_next_and_to_any() -> None:
     assert other.at["e"] not in ("0.28", "0.5")
 
 
+def test_usual_sizes_stand_for_what_is_not_published() -> None:
+    usual = Paper("system", "", VARIABLES, (), published=(SIZES,), usual={r: sp.Rational(1, 40)})
+    assert evidence(R * r, R + r, Domain.of(usual)).at == {"R": "66", "r": "0.025"}
+    assert evidence(r, 2 * r, Domain.of(usual)).at == {"r": "0.025"}
+    assert evidence(r, sp.Rational(1, 40), Domain.of(usual)).at != {"r": "0.025"}
+
+
 def test_sizes_of_which_a_row_has_none_do_not_hide_the_next() -> None:
     others = (Published("none of them", {z: sp.S(50)}), SIZES)
     found = evidence(R * phi, R * sp.sin(phi), Domain.of(paper(*others)))

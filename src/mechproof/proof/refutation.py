@@ -121,8 +121,13 @@ def points_for(
 def _published_points(
     expressions: tuple[sp.Basic, ...], counts: list[sp.Basic], plain: list[sp.Basic], domain: Domain
 ) -> Iterator[Point]:
-    """Yield points at the published sizes that the domain allows, then at round angles alone."""
-    for sizes in (*map(sizes_of, domain.published), {}):
+    """Yield points at the published sizes that the domain allows, then at round angles alone.
+
+    What is not published has its usual size first, where the domain allows both.
+    """
+    usual = {s: v for s, v in domain.usual.items() if s in {*counts, *plain}}
+    published: list[Point] = [*map(sizes_of, domain.published), {}]
+    for sizes in (*({**usual, **p} for p in published if usual), *published):
         for others in _choose_counts([s for s in counts if s not in sizes], domain, 1):
             elements = _list_elements(expressions, {**others, **sizes})
             yield from domain.points_at(sizes, [*plain, *counts, *elements], others)
