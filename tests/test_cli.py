@@ -267,7 +267,8 @@ def test_a_plain_install_is_told_what_it_lacks(tmp_path: Path) -> None:
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == (
-        "mechproof needs the extra: pip install 'mechproof[derive]' (missing: rich, sympy, typer)\n"
+        "mechproof needs rich, sympy, typer, the extra derive: in the folder of the sources, "
+        "pip install '.[derive]'\n"
     )
 
 

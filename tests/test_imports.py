@@ -41,9 +41,15 @@ LOADED = {
     },
     "arguments": {"numpy", "mechproof.arguments"},
     "laws": {"numpy", "mechproof.arguments", "mechproof.laws"},
-    "conformity": {"numpy", "mechproof.arguments", "mechproof.conformity", "mechproof.laws"},
+    "conformity": {
+        *("numpy", "mechproof.arguments", "mechproof.conformity", "mechproof.executors"),
+        "mechproof.laws",
+    },
     "measurement": {"numpy", "mechproof.arguments", "mechproof.measurement"},
-    "tolerance": {"numpy", "mechproof.arguments", "mechproof.laws", "mechproof.tolerance"},
+    "tolerance": {
+        *("numpy", "mechproof.arguments", "mechproof.executors", "mechproof.laws"),
+        "mechproof.tolerance",
+    },
     "mechanisms": {
         "numpy",
         "mechproof.arguments",
@@ -60,10 +66,16 @@ LOADED = {
         *("sympy", "jinja2", "mpmath", "flint"),
         *("mechproof.codegen", "mechproof.proof", "mechproof.record"),
     },
+    "roundoff": {
+        *("numpy", "sympy", "flint"),
+        *("mechproof.roundoff", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
+        *("mechproof.kernel_support", "mechproof.files", "mechproof.json_rows"),
+    },
     "lab": {
         *("numpy", "sympy", "flint", "matplotlib"),
         *("mechproof.lab", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
         *("mechproof.kernel_support", "mechproof.derivation", "mechproof.measured"),
+        "mechproof.executors",
     },
 }
 INSIDE = {
@@ -210,3 +222,16 @@ def test_public_names() -> None:
     for package in (mechproof, mechanisms):
         with pytest.raises(AttributeError, match="no attribute 'Gearbox'"):
             _ = package.Gearbox
+
+
+def test_compiled_kernels_say_what_they_need() -> None:
+    code = """
+import sys
+sys.modules["numba"] = None
+try:
+    import mechproof.kernels.compiled.elliptic_planetary
+except ImportError as error:
+    print(error)
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert "pip install '.[fast]'" in done.stdout

@@ -7,6 +7,7 @@ import sympy as sp
 from mechproof.record import (
     Accuracy,
     Argument,
+    Chart,
     Conjunction,
     Equality,
     Form,
@@ -118,6 +119,13 @@ SIZES = Scale(
     ),
 )
 
+HALF_TURNS = sp.Interval(-sp.Rational(22, 7), sp.Rational(22, 7))
+WITHIN_HALF_TURNS = Chart(
+    "|alpha|, |beta|, |gamma| <= 22/7",
+    {angle: angle for angle in ANGLES},
+    dict.fromkeys(ANGLES, HALF_TURNS),
+)
+
 SINGULAR = (
     Singular(sp.Eq(beta, sp.pi / 2 + sp.pi * turns)),
     Singular(sp.Eq(alpha, sp.pi / 2 * turns)),
@@ -159,7 +167,7 @@ POSES = (
             for angle, axis in zip(ANGLES, "XYZ", strict=True)
         ),
         ROTATION,
-        (Form("printed (14)", sp.ImmutableDenseMatrix(PRINTED_K)),),
+        (Form("printed (14)", sp.ImmutableDenseMatrix(PRINTED_K), charts=(WITHIN_HALF_TURNS,)),),
         f"{SOURCE}, equation (14)",
         accuracy=Accuracy(ROTATION_ULP, ENTRIES),
         singular=SINGULAR,

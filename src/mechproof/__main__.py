@@ -17,7 +17,8 @@ def main() -> None:
     if missing:
         names = ", ".join(missing)
         print(
-            f"mechproof needs the extra: pip install 'mechproof[derive]' (missing: {names})",
+            f"mechproof needs {names}, the extra derive: in the folder of the sources, "
+            "pip install '.[derive]'",
             file=sys.stderr,
         )
         sys.exit(2)

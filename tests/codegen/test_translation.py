@@ -268,6 +268,8 @@ def test_reading_knows_public_functions_only(tmp_path: Path) -> None:
         ("fma(a, b, -p)", "fma(a, b, p)"),
         ("choose(v9, v5, -v7)", "choose(v9, -v7, v5)"),
         ("-1.5707963267948966", "-1.5707963267948968"),
+        ("if e <= 0.5:", "if e < 0.5:"),
+        ("& (e < 1) & (R2 < R1)", "& (e < 1)"),
     ],
 )
 def test_a_compiled_source_that_computes_something_else_is_caught(right: str, wrong: str) -> None:

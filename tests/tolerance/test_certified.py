@@ -65,6 +65,14 @@ def test_where_the_corner_range_is_no_bound() -> None:
     assert not result.turning[1].any()
 
 
+def test_a_turn_inside_costs_no_boxes() -> None:
+    # The position turns in alpha_KL at most of these; halving alone examines 320 boxes.
+    result = certified_range("wedge_linkage", "position", np.linspace(-37.8, -36.3, 10), SIZES)
+    assert result.turning.any(axis=1).sum() >= 5
+    assert result.boxes.sum() <= 40
+    assert max(result.lower_gap.max(), result.upper_gap.max()) <= 1e-9
+
+
 def test_random_sizes_stay_inside() -> None:
     result = certified_range("wedge_linkage", "position", X1, SIZES)
     random = np.random.default_rng(2021)
@@ -89,6 +97,9 @@ def test_sizes_without_influence_are_proved_so() -> None:
         (sp.cos(a) * b, 1.5 * math.cos(1), 2.5),
         (b * a, -2.5, 2.5),
         (sp.Max(0, a) + b, 1.5, 3.5),
+        (b - (a - sp.Rational(1, 3)) ** 4, 1.5 - 256 / 81, 2.5),
+        (a * b - a**2, -3.5, 1.5),
+        (sp.sin(3 * a) + b, 0.5, 3.5),
         (sp.Abs(a - sp.Rational(1, 4)), 0.0, 1.25),
     ],
 )

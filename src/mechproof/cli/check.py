@@ -21,10 +21,13 @@ DEFAULTS = (
     "What is not said is taken so: letters are real numbers, a letter up to which a sum goes is "
     "a natural number, d within an integral is its differential. Nothing else is guessed."
 )
-REFUTED_MEANS = (
-    "REFUTED means: not true for all values of its letters. Where one of them depends on others "
-    "(an angle on an angle), say it: --let 'letter=…'; where they are restricted: --where."
-)
+REMARKS = {
+    Verdict.REFUTED: "REFUTED means: not true for all values of its letters. Where one of them "
+    "depends on others (an angle on an angle), say it: --let 'letter=…'; where they are "
+    "restricted: --where.",
+    Verdict.DEFINITION: "DEFINITION means: nothing was compared, the equation itself says what the "
+    "letter is. To have it judged, say what the letter is otherwise: --let 'letter=…'.",
+}
 
 
 def check(
@@ -77,8 +80,9 @@ def check(
             refuse(f"--json {json_file}: {error}")
     for row in answer.judgements:
         print_details(row, ("one side", "other side"))
-    if any(row.verdict is Verdict.REFUTED for row in answer.judgements):
-        say(REFUTED_MEANS)
+    for verdict, remark in REMARKS.items():
+        if any(row.verdict is verdict for row in answer.judgements):
+            say(remark)
     for letter, kind in answer.taken.items():
         say(f"  taken as  {letter}: {kind}")
     say(DEFAULTS)
@@ -93,4 +97,7 @@ def _judge(pasted: Pasted, limit: float) -> Checked:
     except PastedError as error:
         refuse(str(error))
     except WorkerError as error:
-        fail(f"the equation: {error}")
+        fail(
+            f"the equation: {error}; a larger --limit, --natural for letters that count, or "
+            "--where for what restricts them may help"
+        )

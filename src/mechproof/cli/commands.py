@@ -26,6 +26,8 @@ from mechproof.derivation import DerivationError
 from mechproof.proof.ledger import Ledger, to_json, to_markdown
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Paper
+from mechproof.roundoff.certificate import Certificate, tell_proofs
+from mechproof.roundoff.files import certify_papers, write_certificates
 from mechproof.validation import ValidationError, validate_derivations
 from mechproof.verification import LIMIT, VerificationError, judge_derivations
 
@@ -122,10 +124,11 @@ def regenerate(
     no_cache: NoCacheOption = False,
     limit: LimitOption = LIMIT,
 ) -> None:
-    """Write the kernels and the ledger of DIR into DIR/../generated.
+    """Write kernels, certificates and the ledger of DIR into DIR/../generated.
 
-    Only what was generated is replaced or removed: the ledger, and modules that say so. Every
-    kernel is read back from its source and run against the oracle first.
+    Only what was generated is replaced or removed: the ledger, certificates, and modules that say
+    so. Every kernel is read back from its source and run against the oracle first; the bounds of
+    the certificates are proved anew.
 
     Exit status 0: nothing to do or written; 1: with --check, a file is missing, surplus or
     different; a kernel computes something else than its derivation; a row hangs or crashes, or a
@@ -137,8 +140,9 @@ def regenerate(
     locations = find_locations((), places)
     ledgers = _judge(locations, use_cache=not no_cache, limit=limit)
     _refuse_failures(ledgers)
-    files = _render(ledgers, places)
     papers = [ledger.paper for ledger in ledgers]
+    certificates = _certify(papers, places, use_cache=not no_cache)
+    files = _render(ledgers, certificates, places)
     _validate(locations, papers, files, use_cache=not no_cache, limit=limit)
     changes = _compare_or_update(places.generated, files, check)
     for change in changes:
@@ -158,19 +162,24 @@ def measure(
     quick: Annotated[
         bool, typer.Option("--quick", help="Few points, short times: under a minute.")
     ] = False,
+    processes: Annotated[
+        int,
+        typer.Option("--processes", metavar="N", min=1, help="Measure accuracy in N processes."),
+    ] = 1,
     derivations: DerivationsOption = None,
     root: RootOption = None,
 ) -> None:
     """Measure accuracy and time of all ways to compute; write DIR/../generated/measured.
 
     `mechproof chart` draws what was measured. A quick run writes into its folder `quick`, which
-    `chart` and `choose` read only when told to.
+    `chart` and `choose` read only when told to. Times are taken alone, whatever N is.
 
     Exit status 0: measured; 1: a derivation fails; 2: bad usage.
     """
     places = find_places(derivations, root)
     if not places.generated.is_dir():
         refuse(f"there is no folder {places.generated}: `mechproof regenerate` writes it")
+    from mechproof.executors import start_executor
     from mechproof.lab.measure import measure as measure_subject
     from mechproof.lab.subject import find_subjects
     from mechproof.lab.table import headline, write_tables
@@ -184,11 +193,12 @@ def measure(
         fail(str(error))
     except ValueError as error:
         refuse(str(error))
-    for number, subject in enumerate(subjects, start=1):
-        title = f"{subject.name} ({number} of {len(subjects)})"
-        with show_progress(f"{title}: measuring") as report:
-            record = measure_subject(subject, quick=quick, report=report)
-        say(f"{write_record(record, target)}: {headline(record)}")
+    with start_executor(processes) as executor:
+        for number, subject in enumerate(subjects, start=1):
+            title = f"{subject.name} ({number} of {len(subjects)})"
+            with show_progress(f"{title}: measuring") as report:
+                record = measure_subject(subject, quick=quick, report=report, executor=executor)
+            say(f"{write_record(record, target)}: {headline(record)}")
     say(str(write_tables(target)))
 
 
@@ -207,11 +217,25 @@ def _refuse_failures(ledgers: Sequence[Ledger]) -> None:
         fail("\n".join(failures))
 
 
-def _render(ledgers: Sequence[Ledger], places: Places) -> dict[str, str]:
+def _certify(
+    papers: Sequence[Paper], places: Places, *, use_cache: bool
+) -> list[Certificate | None]:
     try:
-        files = render_package([ledger.paper for ledger in ledgers])
+        with show_progress("bounding the rounding errors"):
+            return certify_papers(papers, places.generated, use_cache=use_cache)
+    except ValueError as error:
+        fail(str(error))
+
+
+def _render(
+    ledgers: Sequence[Ledger], certificates: Sequence[Certificate | None], places: Places
+) -> dict[str, str]:
+    pairs = list(zip((ledger.paper for ledger in ledgers), certificates, strict=True))
+    try:
+        files = render_package([tell_proofs(paper, certificate) for paper, certificate in pairs])
     except (ValueError, NotImplementedError) as error:
         fail(f"{places.derivations}: {error}")
+    files.update(write_certificates(c for c in certificates if c))
     files["ledger.json"] = to_json(ledgers)
     files["LEDGER.md"] = to_markdown(ledgers)
     return files

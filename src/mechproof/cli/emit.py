@@ -30,7 +30,7 @@ def emit_c(
     """Write a header and a source in C99 for each system; they need <math.h> alone.
 
     Each kernel is a function of one point, and one with _array after its name of many. Sums over
-    axes of any length are left out.
+    axes of any length are left out. Link with -lm.
 
     Exit status 0: written; 1: a derivation fails, or has no kernel for C; 2: bad usage.
     """

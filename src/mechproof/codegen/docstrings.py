@@ -223,6 +223,7 @@ def _notes(kernel: Kernel, paper: Paper) -> list[str]:
         )
     notes += [NOTES[name] for form in kernel.forms for name in form.rewrites if name in NOTES]
     notes += [_promise(quantity.accuracy, names)] if quantity.accuracy else []
+    notes += [form.proved for form in kernel.forms if form.proved]
     return [*notes, f"Source: {quantity.source}."]
 
 

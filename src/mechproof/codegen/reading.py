@@ -83,6 +83,28 @@ def read_scalars(source: str) -> dict[str, Program]:
     }
 
 
+def read_guards(source: str) -> dict[str, tuple[Program, ...]]:
+    """Return the conditions of the compiled functions that choose what is computed, in their order.
+
+    The first is negated in the text where a domain is checked.
+    """
+    functions = (n for n in ast.parse(source).body if isinstance(n, ast.FunctionDef))
+    return {
+        node.name: tuple(
+            read_program(tuple(a.arg for a in node.args.args if a.arg != EXACT), (), (test,))
+            for statement in node.body
+            if isinstance(statement, ast.If)
+            for test in [_without_not(statement.test)]
+        )
+        for node in functions
+        if node.name.endswith("_at")
+    }
+
+
+def _without_not(test: ast.expr) -> ast.expr:
+    return test.operand if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not) else test
+
+
 def _read_scalar(node: ast.FunctionDef) -> Program:
     assigned: list[tuple[str, ast.expr]] = []
     inputs = tuple(a.arg for a in node.args.args if a.arg != EXACT)

@@ -3,8 +3,6 @@
 Needs numba; only the generated package `kernels.compiled` imports it.
 """
 
-from numba.extending import overload
-
 from mechproof.compiled_support.loops import Loops, run, take_row
 from mechproof.compiled_support.machine import (
     BLOCK,
@@ -16,6 +14,7 @@ from mechproof.compiled_support.machine import (
     is_finite,
     loop,
     maximum,
+    overload,
     rint,
     scalar,
 )

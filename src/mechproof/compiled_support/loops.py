@@ -13,12 +13,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from mechproof.compiled_support.machine import BLOCK
 from mechproof.kernel_support.arrays import PLAIN, as_floats, check_components, check_out
 
 # Points in a row for which a call of its own pays, and those for which a second thread does.
 LONG_ROW = 32
 THREADED = 2**17
+# Points of which arguments that are spread are copied at once: the copies stay in a cache.
+PIECE = 2**14
 DOUBLE = np.dtype(np.float64)
 
 
@@ -65,7 +66,8 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
     arrays = as_floats(**dict(zip(loops.names, arguments, strict=True)))
     if not any(loops.widths) and all(isinstance(a, np.generic) for a in arrays) and out is None:
         value = loops.at(*map(float, arrays))
-        return np.array(value).reshape(loops.shape) if loops.shape else arrays[0].dtype.type(value)
+        dtype = arrays[0].dtype
+        return np.array(value, dtype).reshape(loops.shape) if loops.shape else dtype.type(value)
     return _run(loops, arrays, out)
 
 
@@ -110,19 +112,27 @@ def _fill(
     ]
     depth = len(points) - _count_common_axes(outer[1:], len(points))
     if depth and math.prod(points[depth:]) < LONG_ROW:
-        for index in _cut(points, BLOCK):
+        for index in _cut(points, PIECE):
             flat = [np.ascontiguousarray(a[index]).reshape(-1) for a in spread]
-            part = target[index]
-            block = np.empty(part.size, target.dtype)
-            loops.each(block, *flat)
-            part[...] = block.reshape(part.shape)
+            loops.each(target[index].reshape(-1), *flat)
         return
-    inner = (0,) * (len(points) - depth)
     rows = target.reshape((*points[:depth], -1))
-    for index in np.ndindex(points[:depth]):
-        numbers = [float(v) for a in spread[1:] for v in np.ravel(a[index + inner])]
+    table = _list_parameters(spread[1:], loops.widths[1:], points, depth)
+    for index, numbers in zip(np.ndindex(points[:depth]), table, strict=True):
         row = np.ascontiguousarray(spread[0][index]).reshape(-1)
         _fill_uniformly(loops, rows[index], row, numbers)
+
+
+def _list_parameters(
+    spread: list[NDArray[Any]], widths: tuple[int, ...], points: tuple[int, ...], depth: int
+) -> list[list[float]]:
+    """List the parameters of each row as Python's numbers; along a row they are equal."""
+    first = (slice(None),) * depth + (0,) * (len(points) - depth)
+    columns = [a[first].reshape(-1, width or 1) for a, width in zip(spread, widths, strict=True)]
+    numbers: list[list[float]] = np.hstack(
+        [np.empty((math.prod(points[:depth]), 0)), *columns]
+    ).tolist()
+    return numbers
 
 
 def _count_common_axes(shapes: list[tuple[int, ...]], rank: int) -> int:

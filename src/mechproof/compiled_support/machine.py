@@ -11,15 +11,20 @@ from typing import Any
 try:
     from llvmlite import ir
     from numba import njit, types
-    from numba.extending import intrinsic
+    from numba.extending import intrinsic, overload
 except ImportError as error:
     raise ImportError(
-        "mechproof.kernels.compiled needs numba: pip install 'mechproof[fast]'"
+        "mechproof.kernels.compiled needs numba, the extra fast: in the folder of the sources, "
+        "pip install '.[fast]'"
     ) from error
 
 # What a fast loop leaves as NaN is looked at again after so many points.
 BLOCK = 1024
 _REAL = types.float64
+__all__ = [
+    "BLOCK", "choose", "copysign", "floor", "fma", "has_nan", "is_finite", "loop", "maximum",
+    "overload", "rint", "scalar",
+]  # fmt: skip
 
 scalar = njit(error_model="numpy", nogil=True, cache=True, forceinline=True)
 loop = njit(error_model="numpy", nogil=True, cache=True)

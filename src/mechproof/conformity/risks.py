@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,6 +15,7 @@ from mechproof.arguments.arrays import check_finite, check_pair
 from mechproof.arguments.scalars import check_count
 from mechproof.conformity.normal import normal_masses
 from mechproof.conformity.quadrature import law_masses
+from mechproof.executors import check_executor, run_in_order, slices, spawn_generators
 from mechproof.laws import Law, Normal
 from mechproof.laws.kinds import LAWS, check_law, list_parameters, select
 from mechproof.laws.windows import Array
@@ -127,36 +130,57 @@ def simulate_shares(
     rng: np.random.Generator,
     count: int,
     chunk: int = 1 << 18,
+    progress: Callable[[int, int], object] | None = None,
+    executor: Executor | None = None,
 ) -> SimulatedShares:
     """Shares among `count` simulated parts of every parameter set.
 
     Arguments as in `shares`; several error laws are independent errors that add up. Some `chunk`
-    values are held at a time (at least one per parameter set), whatever the count. Raises
-    ValueError for a count or chunk below 1 and for reversed limits.
+    values are held at a time by each worker (at least one per parameter set), whatever the count;
+    each chunk is drawn by a generator spawned from `rng`. `progress` is called as
+    progress(parts done, count) after every chunk. With any `executor` of `concurrent.futures` the
+    counts are the same. Raises ValueError for a count or chunk below 1 and for reversed limits,
+    `mechproof.processes.WorkerError` if the executor loses a worker and does not make up for it.
 
     Source: paper on tooth thickness, algorithm steps 1-10.
     """
     count, chunk = check_count("count", count), check_count("chunk", chunk)
+    check_executor(executor)
     errors = [error] if isinstance(error, LAWS) else list(error)
     check_law("true", true)
     for i, law in enumerate(errors):
         check_law(f"error[{i}]", law)
-    low, high, low_accepted, high_accepted = limits = _check_limits(tolerance, acceptance)
+    limits = _check_limits(tolerance, acceptance)
     inputs = [p for law in (true, *errors) for p in list_parameters(law)] + list(limits)
     shape = np.broadcast_shapes(*(p.shape for p in inputs))
     missing = np.any(np.broadcast_arrays(*map(np.isnan, inputs)), axis=0)
     parts = max(1, chunk // max(1, int(np.prod(shape))))
+    sizes = ((part.stop - part.start, *shape) for part in slices(count, parts))
+    tasks = zip(sizes, spawn_generators(rng), strict=False)
     counts = np.zeros((4, *shape))
-    for start in range(0, count, parts):
-        size = (min(parts, count - start), *shape)
-        value = true.sample(rng, size)
-        measured = value + sum(law.sample(rng, size) for law in errors)
-        conforms = (low < value) & (value < high)
-        accepted = (low_accepted < measured) & (measured < high_accepted)
-        outcomes = (conforms & accepted, ~conforms & accepted, ~conforms & ~accepted)
-        counts[:3] += [outcome.sum(axis=0) for outcome in outcomes]
+    counting = run_in_order(partial(_count, (true, *errors), limits), tasks, executor, batch=1)
+    for part, found in zip(slices(count, parts), counting, strict=True):
+        counts[:3] += found
+        if progress is not None:
+            progress(part.stop, count)
     counts[3] = count - counts[:3].sum(axis=0)
     return _estimate(np.where(missing, np.nan, counts), count)
+
+
+def _count(
+    laws: Sequence[Law],
+    limits: Sequence[Array],
+    task: tuple[tuple[int, ...], np.random.Generator],
+) -> list[Any]:
+    """Simulate parts, as many as the size's first, and count all outcomes but the last."""
+    (size, rng), (true, *errors) = task, laws
+    low, high, low_accepted, high_accepted = limits
+    value = true.sample(rng, size)
+    measured = value + sum(law.sample(rng, size) for law in errors)
+    conforms = (low < value) & (value < high)
+    accepted = (low_accepted < measured) & (measured < high_accepted)
+    outcomes = (conforms & accepted, ~conforms & accepted, ~conforms & ~accepted)
+    return [outcome.sum(axis=0) for outcome in outcomes]
 
 
 def _estimate(counts: Array, count: int) -> SimulatedShares:

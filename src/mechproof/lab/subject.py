@@ -13,7 +13,9 @@ from functools import cache, cached_property, lru_cache, partial
 from importlib import import_module
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from pathlib import Path
+from pickle import PicklingError
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -61,6 +63,14 @@ class Subject:
     modules: tuple[ModuleType | None, ModuleType | None]
     peers: tuple[Peer, ...] = ()
     by_hand: ByHand = field(default_factory=ByHand)
+    # The folders of the derivation and of its generated modules.
+    origin: tuple[Path, Path | None] | None = None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Send where the subject is found: modules and functions cannot be sent."""
+        if not self.origin or not any(s is self for s in _subjects_at(*self.origin)):
+            raise PicklingError(f"{self!r} was not found by find_subjects")
+        return _find_again, (*self.origin, self.quantity.name)
 
     def __repr__(self) -> str:
         # Written out, the expressions of a paper take minutes.
@@ -141,6 +151,11 @@ def _subjects_at(place: Path, generated: Path | None) -> tuple[Subject, ...]:
     return tuple(make_subjects(load_paper(place), place, generated))
 
 
+def _find_again(place: Path, generated: Path | None, name: str) -> Subject:
+    (subject,) = (s for s in _subjects_at(place, generated) if s.quantity.name == name)
+    return subject
+
+
 def make_subjects(paper: Paper, place: Path, generated: Path | None) -> Iterator[Subject]:
     """Pair the quantities of a paper with their code, in `generated` or in the package.
 
@@ -165,6 +180,7 @@ def make_subjects(paper: Paper, place: Path, generated: Path | None) -> Iterator
             modules,
             peers.get(quantity.name, ()),
             ByHand.of(points, quantity.name),
+            (place, generated),
         )
 
 

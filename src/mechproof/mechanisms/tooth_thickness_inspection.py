@@ -18,7 +18,8 @@ an IT grade or from the limit error of a gauge.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any
@@ -152,13 +153,25 @@ class ThicknessInspection:
         count: int,
         acceptance: Limits | None = None,
         chunk: int = 1 << 18,
+        progress: Callable[[int, int], object] | None = None,
+        executor: Executor | None = None,
     ) -> SimulatedShares:
         """Return the shares among `count` simulated teeth, with their standard errors.
 
-        Steps 1-10, in chunks of bounded memory; see `conformity.simulate_shares`.
+        Steps 1-10, in chunks of bounded memory; see `conformity.simulate_shares`, also for the
+        errors raised and for `progress` and `executor`.
         """
-        limits = self.tolerance, acceptance
-        return simulate_shares(self.true, self.errors, *limits, rng=rng, count=count, chunk=chunk)
+        return simulate_shares(
+            self.true,
+            self.errors,
+            self.tolerance,
+            acceptance,
+            rng=rng,
+            count=count,
+            chunk=chunk,
+            progress=progress,
+            executor=executor,
+        )
 
     def consumer_risk(self, acceptance: Limits | None = None) -> Any:
         """Return the global consumer's risk: the part does not conform and is accepted."""

@@ -12,6 +12,7 @@ and rotations are counted from the position x1 = 0.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from concurrent.futures import Executor
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -127,7 +128,11 @@ class WedgeLinkage:
         return {name: column[()] for name, column in zip(asdict(self), columns, strict=True)}
 
     def tolerance_range(
-        self, x1: ArrayLike, deviations: Mapping[str, tuple[float, float]]
+        self,
+        x1: ArrayLike,
+        deviations: Mapping[str, tuple[float, float]],
+        *,
+        executor: Executor | None = None,
     ) -> CornerRange:
         """Return the range of y9 over all combinations of limits of the sizes.
 
@@ -137,6 +142,8 @@ class WedgeLinkage:
             Displacements of the pusher (mm).
         deviations : mapping
             Name of a size and its upper and lower limit deviation (mm, rad); others are fixed.
+        executor : concurrent.futures.Executor, optional
+            As in `mechproof.tolerance.corner_range`.
 
         Raises
         ------
@@ -159,7 +166,7 @@ class WedgeLinkage:
             for name, nominal in asdict(self).items()
         }
         with np.errstate(invalid="ignore"):
-            return corner_range(kernels.position, x1, sizes)
+            return corner_range(kernels.position, x1, sizes, executor=executor)
 
     def _check_reach(self, x1: ArrayLike) -> None:
         """Raise for the first displacement that the linkage cannot follow; NaN passes."""

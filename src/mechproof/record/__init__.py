@@ -14,7 +14,7 @@ from mechproof.record.expressions import (
     sum_distinct,
 )
 from mechproof.record.findings import Cost, Finding, Follower
-from mechproof.record.forms import Form, Peer, Written
+from mechproof.record.forms import Chart, Form, Peer, Written
 from mechproof.record.papers import RESERVED, Paper, Published, Toleranced
 from mechproof.record.quantities import Accuracy, Argument, Quantity, Scale, Singular
 from mechproof.record.rows import (
@@ -51,6 +51,7 @@ __all__ = [
     "SPEED",
     "Accuracy",
     "Argument",
+    "Chart",
     "Claim",
     "Completion",
     "Completions",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -23,6 +23,21 @@ class Written(Protocol):
 
 
 @dataclass(frozen=True)
+class Chart:
+    """Coordinates over which rounding errors are bounded: the arguments by them, and their ranges.
+
+    What vanishes at an end of a range does so as a product of powers of coordinates. `angle` is
+    the coordinate that is taken off by whole turns, its range being that of its size. `text` says
+    where the arguments are that this and the charts with the same text cover together.
+    """
+
+    text: str
+    arguments: Mapping[sp.Basic, sp.Expr]
+    within: Mapping[sp.Symbol, sp.Interval]
+    angle: sp.Symbol | None = None
+
+
+@dataclass(frozen=True)
 class Form:
     """One algebraic way to compute: an expression and the named rewrites applied to it in order.
 
@@ -30,7 +45,9 @@ class Form:
     the relation on the parameters under which it is taken instead of the forms after it. `bound`
     is set for an approximation: a bound of |form - definition|. `states` makes the statement
     that proves it from what was emitted (left out: it equals the definition), decided on `on`;
-    where false, `holds_on` may say where it is true. `source` is where it is printed.
+    where false, `holds_on` may say where it is true. `source` is where it is printed. `charts`
+    cover the arguments for which its rounding errors are bounded; `proved` says what is certified
+    of them and is filled in when it is printed.
     """
 
     name: str
@@ -44,6 +61,8 @@ class Form:
     holds_on: Part | None = None
     source: str = ""
     note: str = ""
+    charts: tuple[Chart, ...] = ()
+    proved: str = ""
 
 
 @dataclass(frozen=True)

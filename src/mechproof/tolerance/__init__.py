@@ -10,6 +10,8 @@ other; it must work point by point. All ranges are given at every input:
   makes of its limits (`Size.uniform`, `Size.normal`, `Size.truncated_normal`);
 - `certified_range`: proved bounds over the whole box of limits, of a quantity of a derivation.
 
+The ranges take any executor of `concurrent.futures`, on which no result depends.
+
 The mechanisms and users may import it; it imports NumPy, and the layers of the `derive` extra
 inside `certified_range`.
 """

@@ -1,15 +1,12 @@
-"""Expressions over boxes of sizes, enclosed by balls; SymPy and flint are loaded when called."""
+"""Boxes of sizes, balls over them and what is read off balls; flint is loaded when called."""
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Mapping
 from functools import reduce
 from typing import Any
 
 import numpy as np
-
-BITS = 96
 
 Limits = tuple[float, float]
 Box = dict[Any, Limits]
@@ -17,13 +14,12 @@ Box = dict[Any, Limits]
 Known = Mapping[Any, float]
 
 
-def enclose(expression: Any, known: Known, box: Box) -> Any:
-    """Return a ball that holds every value of the expression over the box."""
-    from mechproof.proof import balls
+def to_values(known: Known, box: Box) -> dict[Any, Any]:
+    """Return balls of the known numbers and of all that lies between the limits."""
+    from flint import arb
 
-    values = {s: balls.to_ball(v) for s, v in known.items()}
-    values |= {s: enclose_interval(limits) for s, limits in box.items()}
-    return balls.evaluate(expression, values, BITS)
+    values = {s: arb(v) for s, v in known.items()}
+    return values | {s: enclose_interval(limits) for s, limits in box.items()}
 
 
 def enclose_interval(limits: Limits) -> Any:
@@ -32,24 +28,6 @@ def enclose_interval(limits: Limits) -> Any:
 
     low, high = limits
     return arb(low) if low == high else arb(low).union(arb(high))
-
-
-def differentiate(value: Any, symbol: Any) -> list[Any]:
-    """Differentiate; each step function at a kink of Max may be anything from 0 to 1.
-
-    The expression must be continuous: by the mean value theorem of Lipschitz functions the slope
-    between two points lies in the hull of the branches. Raises ValueError for branches that need
-    not meet.
-    """
-    import sympy as sp
-
-    if value.has(sp.Piecewise, sp.floor, sp.sign):
-        raise ValueError("the quantity has branches that need not meet; use Max, Min or Abs")
-    kinked = value.replace(sp.Abs, lambda a: sp.Max(a, -a))
-    slope = sp.diff(kinked, symbol)
-    steps = sorted(slope.atoms(sp.Heaviside), key=str)
-    choices = itertools.product((0, 1), repeat=len(steps))
-    return [slope.xreplace(dict(zip(steps, map(sp.Integer, c), strict=True))) for c in choices]
 
 
 def open_symbols(box: Box) -> list[Any]:

@@ -16,23 +16,30 @@ True
 
 from __future__ import annotations
 
+import pickle
 from collections.abc import Mapping
+from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from functools import cached_property, lru_cache, partial
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import check_count, check_number, require
-from mechproof.tolerance.problem import Problem
-from mechproof.tolerance.sizes import Floats, Size
+from mechproof.executors import BALLS, check_executor, run_in_order
+from mechproof.tolerance.problem import Bounds, Problem
+from mechproof.tolerance.sizes import Floats, Progress, Report, Size
 
 if TYPE_CHECKING:
     from mechproof.record import Paper
 
 # Derivations already loaded; a derivation takes seconds.
 _LOADED: dict[str, Paper] = {}
+
+# Inputs that a worker takes at a time.
+INPUTS = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +84,8 @@ def certified_range(
     *,
     gap: float = 1e-9,
     budget: int = 200,
+    progress: Progress | None = None,
+    executor: Executor | None = None,
 ) -> CertifiedRange:
     """Bound a quantity of a derivation over the box of its sizes.
 
@@ -95,6 +104,11 @@ def certified_range(
         Cut on while bound and attained value are further apart than this.
     budget
         Boxes to examine at most for each end at each input.
+    progress
+        Called as progress(done, total) after every input.
+    executor
+        Any executor of `concurrent.futures`; the result is the same to the last bit. Processes are
+        sent the quantity, not the paper. Threads gain nothing: they take turns at ball arithmetic.
 
     Returns
     -------
@@ -108,13 +122,22 @@ def certified_range(
         Without the `derive` extra.
     TypeError, ValueError
         Names the parameter: also a size of which a part lies outside the domain.
+    mechproof.processes.WorkerError
+        If the executor loses a worker and does not make up for it.
 
     """
     check_count("budget", budget)
     require(check_number("gap", gap) >= 0, "gap", gap, "must not be negative")
     points = check_array("inputs", inputs)
-    problem = Problem(_load(system), quantity, sizes)
-    results = [problem.bound(x, gap, budget) for x in points.ravel().tolist()]
+    check_executor(executor)
+    with BALLS:
+        problem = Problem(_load(system), quantity, sizes)
+    bound = partial(_bound, _Sent(problem), gap, budget)
+    report = Report(points.size, progress)
+    results = []
+    for bounds in run_in_order(bound, points.ravel().tolist(), executor, batch=INPUTS):
+        results.append(bounds)
+        report.add(1)
     ends = np.array([r[:4] for r in results], np.float64).reshape(-1, 4)
     lower, lower_attained, upper, upper_attained = ends.T.reshape(4, *points.shape)
     names = (*problem.names, *problem.idle)
@@ -129,6 +152,30 @@ def certified_range(
         turning=turning.reshape(*points.shape, len(names)),
         boxes=np.array([r.boxes for r in results], np.int64).reshape(points.shape),
     )
+
+
+@dataclass(frozen=True)
+class _Sent:
+    """A problem as it is sent: written once, read once by every process."""
+
+    problem: Problem
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _receive, (self._written,)
+
+    @cached_property
+    def _written(self) -> bytes:
+        return pickle.dumps(self.problem)
+
+
+@lru_cache(maxsize=2)
+def _receive(written: bytes) -> _Sent:
+    return _Sent(pickle.loads(written))
+
+
+def _bound(sent: _Sent, gap: float, budget: int, x: float) -> Bounds:
+    with BALLS:
+        return sent.problem.bound(x, gap, budget)
 
 
 def _load(system: str | Paper) -> Paper:

@@ -6,7 +6,6 @@ import math
 from collections import deque
 from collections.abc import Mapping
 from fractions import Fraction
-from functools import cached_property
 from typing import Any
 
 from mechproof.arguments.scalars import require
@@ -14,13 +13,13 @@ from mechproof.tolerance.boxes import (
     Box,
     Known,
     common_sign,
-    differentiate,
-    enclose,
     find_widest,
     halve,
     open_symbols,
     put_to_limit,
+    to_values,
 )
+from mechproof.tolerance.programs import Program
 from mechproof.tolerance.sizes import Size
 
 # Boxes to examine for a relation between sizes before it is left to every input.
@@ -35,28 +34,21 @@ class Condition:
 
         self.relation = relation
         self.strict = isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan)
-        self.room: Any = relation.gts - relation.lts if hasattr(relation, "gts") else None
-
-    @cached_property
-    def _slopes(self) -> dict[Any, list[Any]]:
-        try:
-            return {s: differentiate(self.room, s) for s in self.room.free_symbols}
-        except ValueError:
-            return {}
+        has_room = hasattr(relation, "gts")
+        self.room = Program(relation.gts - relation.lts, {}) if has_room else None
 
     def decide(self, known: Known, box: Box) -> bool | None:
         """Return whether it holds all over the box; False: at some point not; None: unknown."""
         if self.room is None:
             return self._decide_at_point(known, box)
-        room = enclose(self.room, known, box)
+        symbols = open_symbols(box) if self.room.is_continuous else []
+        room, slopes = self.room.differentiate(to_values(known, box), symbols)
         if self._is_enough(room):
             return True
-        for symbol in open_symbols(box):
-            slopes = [enclose(branch, known, box) for branch in self._slopes.get(symbol, ())]
-            sign = common_sign(slopes) if slopes else 0
-            if sign:
+        for symbol in symbols:
+            if sign := common_sign(slopes[symbol]):
                 box = put_to_limit(box, symbol, upper=sign < 0)
-        room = enclose(self.room, known, box)
+        room = self.room.evaluate(to_values(known, box))
         if self._is_enough(room):
             return True
         return False if (room <= 0 if self.strict else room < 0) else None

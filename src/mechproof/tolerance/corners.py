@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import check_count, refuse
+from mechproof.executors import check_executor, run_in_order, slices
 from mechproof.tolerance.sizes import (
     Floats,
     Function,
@@ -20,7 +23,6 @@ from mechproof.tolerance.sizes import (
     check_sizes,
     evaluate,
     evaluate_nominal,
-    slices,
 )
 
 # 2**24 combinations take seconds for each input, and each further size doubles that.
@@ -100,6 +102,7 @@ def corner_range(
     *,
     chunk: int = CHUNK,
     progress: Progress | None = None,
+    executor: Executor | None = None,
 ) -> CornerRange:
     """Evaluate `function(inputs, **sizes)` at all 2^m combinations of limits of m sizes.
 
@@ -123,6 +126,10 @@ def corner_range(
         whatever the number of combinations.
     progress
         Called as progress(done, total) after every call, in function values.
+    executor
+        Any executor of `concurrent.futures`, such as a process pool or dask's
+        `Client.get_executor()`; the result is the same to the last bit. Processes need a function
+        that can be pickled.
 
     Returns
     -------
@@ -133,30 +140,28 @@ def corner_range(
     Raises
     ------
     TypeError, ValueError
-        Names the parameter; also where the function returns complex numbers or another shape.
+        Names the parameter; also where the function returns complex numbers or another shape, or
+        cannot be sent to the processes of an executor.
+    mechproof.processes.WorkerError
+        If the executor loses a worker and does not make up for it.
 
     Source: Bazuev et al. 2021 (wedge_linkage), boundaries II to IV of the transfer function.
 
     """
     check_count("chunk", chunk)
+    check_executor(executor)
     points = check_array("inputs", inputs)
     box = _Box(function, sizes)
     report = Report(points.size * box.combinations, progress)
-    rows, width = _block_shape(points.size, len(box.varying), chunk)
-    lower, upper = np.empty((2, points.size))
-    lower_at, upper_at, undefined = np.empty((3, points.size), np.int64)
-    for part in slices(points.size, rows):
-        lowest, highest, undefined[part] = _search(box, points.ravel()[part], width, report)
-        lower[part], upper[part] = lowest.value, highest.value
-        lower_at[part], upper_at[part] = lowest.index, highest.index
+    lowest, highest, undefined = _search(box, points.ravel(), chunk, report, executor)
     shape = points.shape
     return CornerRange(
         names=tuple(box.varying),
         nominal=evaluate_nominal(function, points, sizes)[()],
-        lower=lower.reshape(shape)[()],
-        upper=upper.reshape(shape)[()],
-        lower_signs=_find_signs(box, points, lower_at, chunk),
-        upper_signs=_find_signs(box, points, upper_at, chunk),
+        lower=lowest.value.reshape(shape)[()],
+        upper=highest.value.reshape(shape)[()],
+        lower_signs=_find_signs(box, points, lowest.index, chunk, executor),
+        upper_signs=_find_signs(box, points, highest.index, chunk, executor),
         undefined=undefined.reshape(shape)[()],
     )
 
@@ -168,25 +173,56 @@ def _block_shape(points: int, sizes: int, chunk: int) -> tuple[int, int]:
 
 
 def _search(
-    box: _Box, inputs: Floats, width: int, report: Report
+    box: _Box, points: Floats, chunk: int, report: Report, executor: Executor | None
 ) -> tuple[_Extreme, _Extreme, Index]:
-    lowest = _Extreme(inputs.size, np.argmin, np.less_equal, np.inf)
-    highest = _Extreme(inputs.size, np.argmax, np.greater_equal, -np.inf)
-    undefined = np.zeros(inputs.size, np.int64)
-    for first in range(0, box.combinations, 2**width):
-        values = box.evaluate_block(inputs, first, width)
-        lowest.update(values, first)
-        highest.update(values, first)
-        if np.isnan(lowest.value).any():
-            undefined += np.count_nonzero(np.isnan(values), axis=0)
-        report.add(values.size)
+    """Find the extremes of every input, block by block of combinations."""
+    rows, width = _block_shape(points.size, len(box.varying), chunk)
+    starts = range(0, box.combinations, 2**width)
+    parts = ((part, first) for part in slices(points.size, rows) for first in starts)
+    tasks = ((points[part], first) for part, first in parts)
+    blocks = run_in_order(partial(_search_block, box, width), tasks, executor)
+    lowest = _Extreme(points.size, np.less_equal, np.inf)
+    highest = _Extreme(points.size, np.greater_equal, -np.inf)
+    undefined = np.zeros(points.size, np.int64)
+    for part in slices(points.size, rows):
+        # In this order: of equal values the first counts.
+        for _ in starts:
+            block = next(blocks)
+            lowest.update(part, *block.lowest)
+            highest.update(part, *block.highest)
+            undefined[part] += block.undefined
+            report.add(block.values)
     return lowest, highest, undefined
 
 
-def _find_signs(box: _Box, points: Floats, index: Index, chunk: int) -> NDArray[np.int8]:
+class _Block(NamedTuple):
+    """The extremes of some inputs over some combinations: values and numbers of combinations."""
+
+    lowest: tuple[Floats, Index]
+    highest: tuple[Floats, Index]
+    undefined: Any
+    values: int
+
+
+def _search_block(box: _Box, width: int, task: tuple[Floats, int]) -> _Block:
+    inputs, first = task
+    values = box.evaluate_block(inputs, first, width)
+    columns = np.arange(inputs.size)
+    # The first NaN is both extremes.
+    low, high = values.argmin(axis=0), values.argmax(axis=0)
+    lowest, highest = values[low, columns], values[high, columns]
+    undefined = np.count_nonzero(np.isnan(values), axis=0) if np.isnan(lowest).any() else 0
+    return _Block((lowest, first + low), (highest, first + high), undefined, values.size)
+
+
+def _find_signs(
+    box: _Box, points: Floats, index: Index, chunk: int, executor: Executor | None
+) -> NDArray[np.int8]:
     signs = np.empty((points.size, len(box.varying)), np.int8)
-    for part in slices(points.size, max(1, chunk // (1 + len(box.varying)))):
-        signs[part] = box.find_signs(points.ravel()[part], index[part])
+    parts = [*slices(points.size, max(1, chunk // (1 + len(box.varying))))]
+    tasks = ((points.ravel()[part], index[part]) for part in parts)
+    for part, found in zip(parts, run_in_order(box.find_signs, tasks, executor), strict=True):
+        signs[part] = found
     return signs.reshape(*points.shape, len(box.varying))
 
 
@@ -237,8 +273,9 @@ class _Box:
         }
         return evaluate(self.function, inputs, self.nominal | at_limits, index.shape)
 
-    def find_signs(self, inputs: Floats, index: Index) -> NDArray[np.int8]:
+    def find_signs(self, task: tuple[Floats, Index]) -> NDArray[np.int8]:
         """Return at which limit each size gives the value of its combination; 0 for either."""
+        inputs, index = task
         # Both sides of a comparison come from one call: another memory layout may take
         # another code path of NumPy and differ in the last bit.
         bits = self.bits[:, np.newaxis]
@@ -251,14 +288,14 @@ class _Box:
 class _Extreme:
     """The running smallest or largest value of every input; the first NaN wins and stays."""
 
-    def __init__(self, count: int, pick: Any, keeps: Any, start: float) -> None:
-        self.pick, self.keeps = pick, keeps
+    def __init__(self, count: int, keeps: Any, start: float) -> None:
+        self.keeps = keeps
         self.value = np.full(count, start)
         self.index = np.zeros(count, np.int64)
 
-    def update(self, values: Floats, first: int) -> None:
-        at = self.pick(values, axis=0)
-        value = values[at, np.arange(at.size)]
-        better = ~(self.keeps(self.value, value) | np.isnan(self.value))
-        self.value[better] = value[better]
-        self.index[better] = first + at[better]
+    def update(self, part: slice, value: Floats, index: Index) -> None:
+        """Take what is beyond the values of a part so far."""
+        best, at = self.value[part], self.index[part]
+        better = ~(self.keeps(best, value) | np.isnan(best))
+        best[better] = value[better]
+        at[better] = index[better]

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from mechproof.arguments.scalars import refuse, require
-from mechproof.tolerance.boxes import Box, differentiate
+from mechproof.tolerance.boxes import Box, to_values
 from mechproof.tolerance.conditions import (
     Condition,
     check_relation,
@@ -16,12 +17,17 @@ from mechproof.tolerance.conditions import (
     is_inside,
     split,
 )
+from mechproof.tolerance.programs import Program
 from mechproof.tolerance.search import Search
 from mechproof.tolerance.sizes import Size, check_sizes
 
 if TYPE_CHECKING:
     from mechproof.proof.domain import Domain
     from mechproof.record import Paper, Quantity
+
+
+# Inputs at which the influence of a size may be seen.
+PROBES = (0.1, -0.1, 1.0, -1.0, 10.0, -10.0)
 
 
 class Bounds(NamedTuple):
@@ -55,25 +61,39 @@ class Problem:
         # narrower counts. The form spares cancellations, the definition has shorter derivatives.
         exact = [quantity.definition]
         exact += [form.expression for form in quantity.shipped[-1:] if form.bound is None]
-        self.values = [free.resolve(e) for e in exact]
+        self.programs = [Program(e, given) for e in exact]
         relations = [*paper.where, *(quantity.on.where if quantity.on else ())]
         self.conditions = self._collect([free.resolve(r) for r in relations])
-        self._sort_sizes(domain)
-        self.slopes = {
-            s: [differentiate(value, s) for value in self.values] for s in self.names.values()
-        }
+        self._sort_sizes(domain, lambda: free.resolve(exact[-1]))
 
-    def _sort_sizes(self, domain: Domain) -> None:
-        """Tell the sizes that vary from those that are fixed or have no influence."""
+    def _sort_sizes(self, domain: Domain, write_out: Callable[[], Any]) -> None:
+        """Tell the sizes that vary from those that are fixed or have no influence.
+
+        Raises ValueError for branches of the quantity that need not meet.
+        """
         varying = {n: self.sized[n] for n in check_sizes(self.sizes)}
         tied = set().union(*(c.relation.free_symbols for c in self.conditions))
-        free = {n: s for n, s in varying.items() if s not in tied}
-        self.idle = [n for n, s in free.items() if _is_idle(self.values[-1], s, domain)]
+        if varying and not all(program.is_continuous for program in self.programs):
+            raise ValueError("the quantity has branches that need not meet; use Max, Min or Abs")
+        moving = self._find_moving(list(varying.values()))
+        free = {n: s for n, s in varying.items() if s not in tied | moving}
+        self.idle = [n for n, s in free.items() if _is_idle(write_out(), s, domain)]
         self.names = {n: s for n, s in varying.items() if n not in self.idle}
         self.limits: Box = {s: self.sizes[n].limits for n, s in self.names.items()}
         self.fixed = {
             s: self.sizes[n].nominal for n, s in self.sized.items() if n not in self.names
         }
+
+    def _find_moving(self, symbols: list[Any]) -> set[Any]:
+        """Find sizes whose influence is seen at the nominal sizes: the others are left to proof."""
+        nominal = {s: self.sizes[n].nominal for n, s in self.sized.items()}
+        moving: set[Any] = set()
+        for x in filter(partial(is_inside, self.inputs), PROBES):
+            known = {**nominal, self.running: x}
+            if all(condition.decide(known, {}) for condition in self.conditions):
+                _, slopes = self.programs[-1].differentiate(to_values(known, {}), symbols)
+                moving |= {s for s in symbols if all(b > 0 or b < 0 for b in slopes[s])}
+        return moving
 
     def _collect(self, relations: list[Any]) -> list[Condition]:
         """Return the conditions to decide at every input; those of the sizes alone are checked."""

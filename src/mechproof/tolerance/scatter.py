@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import Executor
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Protocol
 
 import numpy as np
@@ -11,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import check_count, check_probability, require
+from mechproof.executors import check_executor, run_in_order, slices, spawn_generators
 from mechproof.laws.kinds import LAWS, list_parameters
 from mechproof.tolerance.sizes import (
     CHUNK,
@@ -22,8 +25,12 @@ from mechproof.tolerance.sizes import (
     check_names,
     check_sizes,
     evaluate,
-    slices,
 )
+
+# Samples that one generator draws: the result depends on it.
+DRAWN = 2**16
+
+Samples = dict[str, float | Floats]
 
 
 class Scatter(Protocol):
@@ -61,6 +68,7 @@ def monte_carlo_range(
     count: int = 100_000,
     chunk: int = CHUNK,
     progress: Progress | None = None,
+    executor: Executor | None = None,
 ) -> MonteCarloRange:
     """Sample independent sizes and return the symmetric range of the given probability.
 
@@ -69,40 +77,50 @@ def monte_carlo_range(
 
     Parameters
     ----------
-    function, inputs, sizes, progress
+    function, inputs, sizes, progress, executor
         As in `corner_range`.
     laws
         The law of every size with a tolerance, by name, or what makes it of a size: `Size.uniform`,
         `lambda size: size.normal(6)`.
     rng
-        Source of the samples, drawn in the order of `sizes`; the same samples serve all inputs.
+        Source of the samples; the same samples serve all inputs. Every 65,536 of them are drawn
+        by a generator spawned from this one, in the order of `sizes`.
     probability
         Between 0 and 1; 0.9973 is ± 3 standard deviations of a normal law.
     count
         Number of samples, at least 2.
     chunk
         Values per call. Memory is a few times this, and `count` numbers for every size and
-        for a few inputs at a time.
+        for a few inputs at a time; with an executor, up to 32 chunks of every size are under way.
 
     Raises
     ------
-    TypeError, ValueError
-        Names the parameter.
+    TypeError, ValueError, mechproof.processes.WorkerError
+        As in `corner_range`; an executor of processes needs laws that can be pickled.
 
     """
     check_count("count", count, least=2)
     check_count("chunk", chunk)
     check_probability("probability", probability)
+    check_executor(executor)
     points = check_array("inputs", inputs)
     report = Report(points.size * count, progress)
-    samples = _draw(sizes, laws, rng, count)
+    samples = _draw(sizes, laws, rng, count, executor)
     tail = (1 - probability) / 2
     results = np.empty((4, points.size))
     undefined = np.empty(points.size, np.int64)
-    for part in slices(points.size, max(1, chunk // count)):
-        values = _evaluate_samples(
-            function, points.reshape(-1, 1)[part], samples, count, chunk, report
-        )
+    parts = [*slices(points.size, max(1, chunk // count))]
+    tasks = (
+        (points.reshape(-1, 1)[part], _take(samples, columns), columns.stop - columns.start)
+        for part in parts
+        for columns in _cut(part, count, chunk)
+    )
+    blocks = run_in_order(partial(_evaluate_samples, function), tasks, executor, batch=1)
+    for part in parts:
+        values = np.empty((part.stop - part.start, count))
+        for columns in _cut(part, count, chunk):
+            values[:, columns] = next(blocks)
+            report.add(values[:, columns].size)
         results[:2, part] = np.quantile(values, (tail, 1 - tail), axis=1)
         results[2, part] = values.mean(axis=1)
         results[3, part] = values.std(axis=1, ddof=1)
@@ -117,16 +135,22 @@ def _draw(
     laws: Callable[[Size], Scatter] | Mapping[str, Scatter],
     rng: np.random.Generator,
     count: int,
-) -> dict[str, float | Floats]:
+    executor: Executor | None,
+) -> Samples:
     """Return samples of the sizes with a tolerance and the numbers of the fixed ones."""
-    is_source = isinstance(rng, np.random.Generator)
-    require(is_source, "rng", rng, "must be a numpy.random.Generator", TypeError)
     varying = check_sizes(sizes)
     law_of = _find_laws(laws, varying)
-    samples: dict[str, float | Floats] = {name: size.nominal for name, size in sizes.items()}
-    for name in varying:
-        samples[name] = _sample(f"laws[{name!r}]", law_of[name], rng, count)
-    return samples
+    samples: Samples = {name: size.nominal for name, size in sizes.items()}
+    drawn = {name: np.empty(count) for name in varying}
+    parts = [*slices(count, DRAWN)]
+    tasks = zip((part.stop - part.start for part in parts), spawn_generators(rng), strict=False)
+    found = run_in_order(
+        partial(_sample, {n: law_of[n] for n in varying}), tasks, executor, batch=1
+    )
+    for part, values in zip(parts, found, strict=True):
+        for name in varying:
+            drawn[name][part] = values[name]
+    return samples | drawn
 
 
 def _find_laws(
@@ -140,7 +164,14 @@ def _find_laws(
     return {name: laws(size) for name, size in varying.items()}
 
 
-def _sample(name: str, law: Scatter, rng: np.random.Generator, count: int) -> Floats:
+def _sample(
+    laws: Mapping[str, Scatter], task: tuple[int, np.random.Generator]
+) -> dict[str, Floats]:
+    count, rng = task
+    return {name: _sample_law(f"laws[{name!r}]", laws[name], rng, count) for name in laws}
+
+
+def _sample_law(name: str, law: Scatter, rng: np.random.Generator, count: int) -> Floats:
     is_law = callable(getattr(law, "sample", None))
     require(is_law, name, law, "must be a law, or have a method sample(rng, size)", TypeError)
     single = not isinstance(law, LAWS) or all(p.ndim == 0 for p in list_parameters(law))
@@ -150,20 +181,15 @@ def _sample(name: str, law: Scatter, rng: np.random.Generator, count: int) -> Fl
     return values
 
 
-def _evaluate_samples(
-    function: Function,
-    inputs: Floats,
-    samples: Mapping[str, float | Floats],
-    count: int,
-    chunk: int,
-    report: Report,
-) -> Floats:
-    values = np.empty((inputs.size, count))
-    for part in slices(count, chunk // inputs.size):
-        chosen = {
-            name: size[part] if isinstance(size, np.ndarray) else size
-            for name, size in samples.items()
-        }
-        values[:, part] = evaluate(function, inputs, chosen, values[:, part].shape)
-        report.add(values[:, part].size)
-    return values
+def _cut(part: slice, count: int, chunk: int) -> Iterator[slice]:
+    """Cut the samples into what is evaluated at once for a part of the inputs."""
+    return slices(count, chunk // (part.stop - part.start))
+
+
+def _take(samples: Samples, part: slice) -> Samples:
+    return {n: s[part] if isinstance(s, np.ndarray) else s for n, s in samples.items()}
+
+
+def _evaluate_samples(function: Function, task: tuple[Floats, Samples, int]) -> Floats:
+    inputs, samples, count = task
+    return evaluate(function, inputs, samples, (inputs.size, count))

@@ -12,7 +12,6 @@ from mechproof.tolerance.boxes import (
     Box,
     Known,
     common_sign,
-    enclose,
     enclose_interval,
     find_middle,
     find_widest,
@@ -23,6 +22,7 @@ from mechproof.tolerance.boxes import (
     round_down,
     round_up,
     steepest,
+    to_values,
     width,
 )
 
@@ -70,20 +70,18 @@ class Search:
         self.boxes += 1
         holds = inside or self._holds(box)
         if not holds:
-            self._attain(find_middle(box))
+            self._attain(find_middle(box), inside=False)
             cut = None if holds is False else find_widest(box, self.problem.limits)
             return Part(np.inf, box, cut, inside=False)
-        face, slopes = self._descend(box)
+        face, natural, slopes = self._descend(box)
         middle = find_middle(face)
-        centre = self._evaluate(self.problem.values[-1], middle)
-        self._attain(middle)
-        self._attain(self._climb(face, slopes))
-        linear, steep = centre, {}
+        linear, steep = self._attain(middle, inside=True), {}
+        if face != middle:
+            self._attain(self._climb(face, slopes), inside=True)
         for symbol in open_symbols(face):
             deviation = enclose_interval(face[symbol]) - enclose_interval(middle[symbol])
             linear = linear + hull(slopes[symbol]) * deviation
             steep[symbol] = steepest(slopes[symbol], face[symbol])
-        natural = [self._evaluate(value, face) for value in self.problem.values]
         bound = min(map(round_up, [linear, *natural]))
         return Part(bound, face, self._choose_cut(face, steep), inside=True)
 
@@ -98,18 +96,59 @@ class Search:
         found = [condition.decide(self.known, box) for condition in self.problem.conditions]
         return False if False in found else None if None in found else True
 
-    def _descend(self, box: Box) -> tuple[Box, dict[Any, list[Any]]]:
-        """Put every size to a limit in which the quantity is monotonic; and all slopes."""
-        slopes: dict[Any, list[Any]] = {}
+    def _descend(self, box: Box) -> tuple[Box, list[Any], dict[Any, list[Any]]]:
+        """Narrow the box to where the extreme lies; all values and slopes there.
+
+        A size in which the quantity is monotonic goes to a limit; one in which it bends to one
+        side goes to where the slope may vanish, or to a limit.
+        """
         while True:
+            natural, slopes = self._differentiate(box)
             before = box
-            for symbol in open_symbols(box):
-                slopes[symbol] = self._slope(symbol, box)
-                sign = common_sign(slopes[symbol])
-                if sign:
-                    box = put_to_limit(box, symbol, upper=sign > 0)
+            for symbol, sign in ((s, common_sign(slopes[s])) for s in slopes):
+                box = put_to_limit(box, symbol, upper=sign > 0) if sign else box
             if box == before:
-                return box, slopes
+                box = self._narrow(box)
+            if box == before:
+                return box, natural, slopes
+
+    def _narrow(self, box: Box) -> Box:
+        """Narrow a size to the tops of the curves along it, if all have one, by Newton's step."""
+        for symbol in open_symbols(box):
+            bends = [
+                self.direction * p.bend(to_values(self.known, box), symbol)
+                for p in self.problem.programs
+            ]
+            bend = min(bends, key=width)
+            if not bend < 0:
+                continue
+            low, high = box[symbol]
+            middle = (low + high) / 2
+            _, slopes = self._differentiate({**box, symbol: (middle, middle)}, symbol)
+            tops = enclose_interval((middle, middle)) - hull(slopes[symbol]) / bend
+            narrow = (min(max(low, round_down(tops)), high), max(min(high, round_up(tops)), low))
+            if narrow[1] - narrow[0] <= (high - low) / 2:
+                return {**box, symbol: narrow}
+        return box
+
+    def _differentiate(self, box: Box, *more: Any) -> tuple[list[Any], dict[Any, list[Any]]]:
+        """Enclose the quantity by every program, and its slopes by the one that says more."""
+        values, symbols = to_values(self.known, box), [*open_symbols(box), *more]
+        found = [p.differentiate(values, symbols) for p in self.problem.programs]
+        natural = [self.direction * value for value, _ in found]
+        return natural, {s: self._choose_way([slopes[s] for _, slopes in found]) for s in symbols}
+
+    def _choose_way(self, ways: list[list[Any]]) -> list[Any]:
+        """Return the slopes with a sign, else those whose hull is narrowest."""
+        directed = [[self.direction * branch for branch in way] for way in ways]
+        signed = [way for way in directed if common_sign(way)]
+        return signed[0] if signed else min(directed, key=lambda way: width(hull(way)))
+
+    def _bend(self, box: Box, symbol: Any) -> Any:
+        """Enclose the second derivative by a size."""
+        values = to_values(self.known, box)
+        bends = [self.direction * p.bend(values, symbol) for p in self.problem.programs]
+        return min(bends, key=width)
 
     def _climb(self, box: Box, slopes: dict[Any, list[Any]]) -> Box:
         """Return the corner to which the middle slopes point."""
@@ -117,17 +156,9 @@ class Search:
             box = put_to_limit(box, symbol, upper=float(hull(slopes[symbol]).mid()) > 0)
         return box
 
-    def _slope(self, symbol: Any, box: Box) -> list[Any]:
-        """Return the branches of the derivative, by the way whose hull is narrowest."""
-        ways = [[self._evaluate(b, box) for b in way] for way in self.problem.slopes[symbol]]
-        signed = [way for way in ways if common_sign(way)]
-        return signed[0] if signed else min(ways, key=lambda way: width(hull(way)))
-
-    def _evaluate(self, expression: Any, box: Box) -> Any:
-        return self.direction * enclose(expression, self.known, box)
-
-    def _attain(self, point: Box) -> None:
-        """Note the value at a point, unless it may lie outside the domain."""
-        if self._holds(point):
-            value = self._evaluate(self.problem.values[-1], point)
+    def _attain(self, point: Box, inside: bool) -> Any:
+        """Return the value at a point and note it, unless it may lie outside the domain."""
+        value = self.direction * self.problem.programs[-1].evaluate(to_values(self.known, point))
+        if inside or self._holds(point):
             self.attained = max(self.attained, round_down(value))
+        return value

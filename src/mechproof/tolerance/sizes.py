@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -114,11 +114,6 @@ def evaluate_nominal(function: Function, inputs: Floats, sizes: Mapping[str, Siz
     """Return the function at the nominal sizes."""
     nominal = {name: size.nominal for name, size in sizes.items()}
     return evaluate(function, inputs, nominal, inputs.shape).copy()
-
-
-def slices(total: int, step: int) -> Iterator[slice]:
-    """Cut range(total) into slices of at most `step`."""
-    return (slice(start, min(start + step, total)) for start in range(0, total, step))
 
 
 class Report:

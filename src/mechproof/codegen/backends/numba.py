@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import sympy as sp
 
 from mechproof.codegen.backends.numpy import format_source, render_template
 from mechproof.codegen.backends.scalar import (
+    list_conditions,
     list_elementary,
     list_scalars,
     list_stages,
@@ -19,7 +21,7 @@ from mechproof.codegen.elementary.functions import build
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import NUMBA, NUMBA_FAR
 from mechproof.codegen.program import NOTHING
-from mechproof.codegen.reading import TranslationError, read_scalars
+from mechproof.codegen.reading import TranslationError, read_guards, read_scalars
 from mechproof.record import Paper
 
 SUPPORT = (
@@ -67,3 +69,9 @@ def check_translation(source: str, kernels: Iterable[Kernel]) -> None:
     for name, program in meant.items():
         if program != NOTHING and read.get(name) != program:
             raise TranslationError(f"{name}: meant {program}, read {read.get(name)}")
+    guards = read_guards(source)
+    for kernel in kernels:
+        name, taken = f"_{kernel.name}_at", write_scalar(kernel, NUMBA).taken_names
+        conditions = tuple(replace(c, inputs=taken) for c in list_conditions(kernel))
+        if guards.get(name) != conditions:
+            raise TranslationError(f"{name}: meant {conditions}, read {guards.get(name)}")

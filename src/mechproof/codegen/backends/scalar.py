@@ -198,6 +198,13 @@ def list_stages(kernel: Kernel) -> list[tuple[str, Stage]]:
     return [_scalar_stage(kernel, number, renamed) for number in range(len(kernel.code.stages))]
 
 
+def list_conditions(kernel: Kernel) -> list[Program]:
+    """List what is asked before a point is computed: the domain, then when each form is taken."""
+    renamed = _rename_components(kernel.code, _list_arguments(kernel))
+    inside = [_rename(kernel.code.inside, renamed)] if kernel.code.inside else []
+    return inside + [stage.when for _, stage in list_stages(kernel) if stage.when]
+
+
 def _scalar_stage(kernel: Kernel, number: int, names: Mapping[Operand, str]) -> tuple[str, Stage]:
     stage = kernel.code.stages[number]
     last = number == len(kernel.code.stages) - 1

@@ -1,0 +1,154 @@
+"""Work in chunks, spread over any executor of `concurrent.futures`.
+
+The chunks are the same whatever does them, and their results come in their order: nothing depends
+on the executor or on the number of its workers. Chunks that draw have generators of their own,
+spawned from the caller's. A bounded number of chunks is under way at a time.
+"""
+
+from __future__ import annotations
+
+import pickle
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Executor, Future
+from contextlib import contextmanager
+from itertools import islice
+from threading import Lock
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+
+from mechproof.arguments.scalars import refuse, require
+
+Task = TypeVar("Task")
+Result = TypeVar("Result")
+
+# The precision of balls belongs to a process: threads that compute with them take turns.
+BALLS = Lock()
+# Tasks that a worker does at a time: sending one costs as much as a small task.
+BATCH = 16
+# Batches that are under way or wait for their turn: enough for some ten workers, few in memory.
+IN_FLIGHT = 32
+
+
+class _Failure(NamedTuple):
+    """What a task raised; all else that an executor raises is its own."""
+
+    error: Exception
+
+
+def check_executor(executor: Any) -> None:
+    """Raise TypeError for what is neither None nor an executor."""
+    fits = executor is None or isinstance(executor, Executor)
+    allowed = "must be None or a concurrent.futures.Executor"
+    require(fits, "executor", executor, allowed, TypeError)
+
+
+@contextmanager
+def start_executor(processes: int) -> Iterator[Executor | None]:
+    """Start an executor of so many processes and end it; none for a single one."""
+    import multiprocessing
+    from concurrent.futures import ProcessPoolExecutor
+
+    from mechproof.processes import START
+
+    if processes == 1:
+        yield None
+        return
+    with ProcessPoolExecutor(processes, multiprocessing.get_context(START)) as executor:
+        yield executor
+
+
+def slices(total: int, step: int) -> Iterator[slice]:
+    """Cut range(total) into slices of at most `step`."""
+    return (slice(start, min(start + step, total)) for start in range(0, total, step))
+
+
+def spawn_generators(rng: Any) -> Iterator[np.random.Generator]:
+    """Yield independent generators, spawned one by one; TypeError for what is no such source."""
+    is_source = isinstance(rng, np.random.Generator)
+    require(is_source, "rng", rng, "must be a numpy.random.Generator", TypeError)
+    while True:
+        try:
+            (child,) = rng.spawn(1)
+        except TypeError:
+            refuse(
+                "rng", rng, "must be seeded so that it can be spawned, as by default_rng", TypeError
+            )
+        yield child
+
+
+def run_in_order(
+    function: Callable[[Task], Result],
+    tasks: Iterable[Task],
+    executor: Executor | None = None,
+    *,
+    batch: int = BATCH,
+) -> Iterator[Result]:
+    """Yield function(task) for every task, in order; here and now without an executor.
+
+    NumPy's errors are handled as they are here. Tasks are taken as they are sent: at most
+    IN_FLIGHT times `batch` of them, or their results, are held. Raises what a task raises;
+    TypeError if function, task or result cannot be sent to another process and back;
+    `WorkerError` if the executor has lost a worker and the task.
+    """
+    if executor is None:
+        yield from map(function, tasks)
+        return
+    waiting: deque[Future[list[Result] | _Failure]] = deque()
+    source = iter(tasks)
+    batches = iter(lambda: list(islice(source, batch)), [])
+    try:
+        for chosen in batches:
+            waiting.append(_submit(executor, function, chosen))
+            if len(waiting) == IN_FLIGHT:
+                yield from _take(waiting.popleft())
+        while waiting:
+            yield from _take(waiting.popleft())
+    finally:
+        for future in waiting:
+            future.cancel()
+
+
+def _submit(
+    executor: Executor, function: Callable[[Task], Result], tasks: list[Task]
+) -> Future[list[Result] | _Failure]:
+    try:
+        return executor.submit(_run, function, tasks, np.geterr())
+    except Exception as error:
+        raise _explain(error) from error
+
+
+def _take(future: Future[list[Result] | _Failure]) -> list[Result]:
+    try:
+        answer = future.result()
+    except Exception as error:
+        raise _explain(error) from error
+    if isinstance(answer, _Failure):
+        raise answer.error
+    return answer
+
+
+def _run(
+    function: Callable[[Task], Result], tasks: list[Task], errors: Any
+) -> list[Result] | _Failure:
+    try:
+        with np.errstate(**errors):
+            return [function(task) for task in tasks]
+    except Exception as error:
+        return _Failure(error)
+
+
+def _explain(error: Exception) -> Exception:
+    """Return the error of what an executor raised by itself."""
+    from mechproof.processes import WorkerError
+
+    if isinstance(error, pickle.PicklingError | AttributeError | TypeError):
+        return TypeError(
+            f"what is to be computed cannot be sent to another process and back ({error}): define "
+            "functions and classes at the top level of a module, or use threads"
+        )
+    return WorkerError(
+        f"the executor lost a task ({type(error).__name__}: {error}): a worker died, cannot load "
+        "what it is to do, or the executor was shut down"
+    )

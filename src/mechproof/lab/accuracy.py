@@ -1,0 +1,222 @@
+"""Accuracy: every way on every point set and in every cell, and the search for the worst.
+
+The parts are measured apart, here or by the workers of an executor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from mechproof.executors import BALLS, run_in_order
+from mechproof.lab.bounds import bound_over
+from mechproof.lab.error import find_errors, summarise
+from mechproof.lab.oracle import Truth, count_points, find_truth
+from mechproof.lab.points import REPORT, PointSet, choose_evenly, draw_points
+from mechproof.lab.search import find_worst
+from mechproof.lab.sets import draw_in_cell, list_cells, list_sets
+from mechproof.lab.sizes import Sides
+from mechproof.lab.subject import Subject
+from mechproof.lab.ways import Arguments, Array, Way
+from mechproof.lab.within import mark_within
+from mechproof.measured import (
+    Cell,
+    CellErrors,
+    Point,
+    Searched,
+    SetErrors,
+    Span,
+    round_off,
+    round_up,
+)
+
+# Simulations and solvers are measured on this many points of a set.
+SLOW_SAMPLE = 30
+
+Report = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Accuracies:
+    """Errors on point sets and in cells, the sizes measured, and the worst that was found."""
+
+    sets: tuple[SetErrors, ...]
+    cells: tuple[Cell, ...]
+    cell_errors: tuple[CellErrors, ...]
+    ranges: dict[str, Span]
+    searched: Searched
+
+
+def measure_accuracy(
+    subject: Subject, points: int | None, rounds: int, report: Report, executor: Executor | None
+) -> Accuracies:
+    """Measure on at most so many points of a set, and search for so many rounds.
+
+    The result does not depend on the executor; one of processes needs a subject that
+    `find_subjects` has found.
+    """
+    sets, cells = len(list_sets(subject)), len(list_cells(subject))
+    # The search takes longest: it begins first.
+    tasks: list[Callable[[], Any]] = [partial(_search, subject, rounds)]
+    tasks += [partial(_measure_set, subject, index, points) for index in range(sets)]
+    tasks += [partial(_measure_cell, subject, place, points) for place in range(cells)]
+    done: list[Any] = []
+    report(f"accuracy, {len(tasks)} parts")
+    for result in run_in_order(_call, tasks, executor, batch=1):
+        done.append(result)
+        report(f"accuracy, {len(done)} of {len(tasks)} parts")
+    searched, on_sets, in_cells = done[0], done[1 : 1 + sets], done[1 + sets :]
+    return Accuracies(
+        sets=tuple(errors for found in on_sets for errors in found),
+        cells=tuple(cell for cell, _, _ in in_cells),
+        cell_errors=tuple(errors for _, found, _ in in_cells for errors in found),
+        ranges=_find_ranges(subject, [spans for _, _, spans in in_cells]),
+        searched=searched,
+    )
+
+
+def _call(task: Callable[[], Any]) -> Any:
+    with BALLS:
+        return task()
+
+
+def _measure_set(subject: Subject, index: int, points: int | None) -> list[SetErrors]:
+    """Measure every way on one set; an ordered one is measured on ordered sets only."""
+    point_set = list_sets(subject)[index]
+    arguments = draw_points(point_set, REPORT)
+    if not point_set.ordered:
+        arguments = _thin(subject, arguments, points)
+    truth = find_truth(subject, arguments)
+    held = mark_within(subject, arguments)
+    return [
+        _measure_way(subject, way, point_set, arguments, truth, held)
+        for way in subject.ways
+        if way.ordered <= point_set.ordered
+    ]
+
+
+def _measure_way(
+    subject: Subject,
+    way: Way,
+    point_set: PointSet,
+    arguments: Arguments,
+    truth: Truth,
+    held: Array,
+) -> SetErrors:
+    if way.slow and not point_set.ordered:
+        chosen = choose_evenly(len(truth.high), SLOW_SAMPLE)
+        arguments, truth, held = _take(subject, arguments, chosen), truth[chosen], held[chosen]
+    with np.errstate(all="ignore"):
+        errors = find_errors(way.compute(*arguments), truth)
+    found = summarise(errors, truth, subject.period)
+    # The accuracy bound speaks of these points only.
+    inside = errors.scaled[held & truth.decided]
+    keeps_point = way is subject.ways[0] and truth.decided.any()
+    return SetErrors(
+        set=point_set.name,
+        way=way.name,
+        points=found.points,
+        undecided=found.undecided,
+        nan=found.nan,
+        infinite=found.infinite,
+        wrong_branch=found.wrong_branch,
+        worst_ulp=round_up(found.worst_ulp),
+        mean_ulp=round_off(found.mean_ulp),
+        mean_bits=round_off(found.mean_bits),
+        worst_absolute=round_up(found.worst_absolute),
+        worst_scaled=round_up(float(np.max(inside))) if inside.size else None,
+        worst_at=_point(subject, arguments, found.worst_point) if keeps_point else None,
+    )
+
+
+def _measure_cell(
+    subject: Subject, place: int, points: int | None
+) -> tuple[Cell, list[CellErrors], list[Span]]:
+    """Measure every single-point way in a cell of sizes: largest absolute error and bound."""
+    sides = list_cells(subject)[place]
+    arguments = draw_in_cell(subject, np.random.default_rng([REPORT, place]), sides)
+    arguments = _thin(subject, arguments, points)
+    truth = find_truth(subject, arguments)
+    named = {name: (float(low), float(high)) for name, (low, high) in sides.items()}
+    errors = [
+        _measure_in_cell(subject, way, arguments, truth, (place, sides))
+        for way in subject.ways
+        if not way.ordered
+    ]
+    spans = [_span(argument) for argument in arguments]
+    return Cell(named, len(truth.high), truth.undecided), errors, spans
+
+
+def _find_ranges(subject: Subject, spans: list[list[Span]]) -> dict[str, Span]:
+    """Return the sizes measured: the edges of the cells, and what else the points spanned."""
+    if not spans:
+        return {}
+    lows, highs = np.min(spans, axis=0)[:, 0], np.max(spans, axis=0)[:, 1]
+    names = [argument.name for argument in subject.quantity.arguments]
+    found = {n: (float(lo), float(hi)) for n, lo, hi in zip(names, lows, highs, strict=True)}
+    usual = {a.name: a.usual for a in subject.quantity.arguments if len(a.usual) > 1}
+    edges = {name: (float(sizes[0]), float(sizes[-1])) for name, sizes in usual.items()}
+    return {**found, **edges}
+
+
+def _measure_in_cell(
+    subject: Subject,
+    way: Way,
+    arguments: Arguments,
+    truth: Truth,
+    cell: tuple[int, Sides],
+) -> CellErrors:
+    place, sides = cell
+    if way.slow:
+        chosen = choose_evenly(len(truth.high), SLOW_SAMPLE)
+        arguments, truth = _take(subject, arguments, chosen), truth[chosen]
+    with np.errstate(all="ignore"):
+        found = summarise(find_errors(way.compute(*arguments), truth), truth)
+    bound = bound_over(subject, way, sides)
+    return CellErrors(
+        cell=place,
+        way=way.name,
+        worst=round_up(found.worst_absolute),
+        bound=None if bound is None else round_up(bound),
+        lost=found.nan + found.infinite,
+    )
+
+
+def _search(subject: Subject, rounds: int) -> Searched:
+    found = find_worst(subject, subject.kernel, rounds)
+    return Searched(round_up(found.scaled), found.tried, _as_point(found.arguments))
+
+
+def _span(argument: Array) -> Span:
+    """Return the least and the largest size; numbers of both signs enclose zero."""
+    size = np.abs(argument)
+    least = 0.0 if np.min(argument) < 0 < np.max(argument) else float(np.min(size))
+    return least, float(np.max(size))
+
+
+def _thin(subject: Subject, arguments: Arguments, wanted: int | None) -> Arguments:
+    return _take(subject, arguments, choose_evenly(count_points(subject, arguments), wanted))
+
+
+def _take(subject: Subject, arguments: Arguments, chosen: Any) -> Arguments:
+    """Take some of the points, or one; what all points share stays as it is."""
+    count = count_points(subject, arguments)
+    return tuple(a[chosen] if np.shape(a)[:1] == (count,) else a for a in arguments)
+
+
+def _point(subject: Subject, arguments: Arguments, index: int) -> Point:
+    return _as_point(_take(subject, arguments, index))
+
+
+def _as_point(arguments: Arguments) -> Point:
+    """Return one point as numbers that read back to the same doubles."""
+    return tuple(_as_numbers(np.asarray(a, float).tolist()) for a in arguments)
+
+
+def _as_numbers(value: Any) -> Any:
+    return tuple(map(_as_numbers, value)) if isinstance(value, list) else value

@@ -1,0 +1,1 @@
+"""Proved bounds of rounding errors: in, straight-line programs and boxes; out, certificates."""

@@ -1,0 +1,26 @@
+"""Assumptions: what a bound rests on and no proof here shows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+
+@dataclass(frozen=True)
+class Assumed:
+    """By how many ulps of its result a function is off at most, and how that is said."""
+
+    ulps: float
+    text: str
+
+
+def _of_numpy(name: str) -> Assumed:
+    return Assumed(1.0, f"np.{name} within 1 ulp")
+
+
+FUNCTIONS: Mapping[str, Assumed] = MappingProxyType(
+    {n: _of_numpy(n) for n in ("tan", "arctan", "sin", "cos", "exp", "log", "hypot", "arctan2")}
+)
+# Of every program: the relative error of an operation is bounded in the normal range alone.
+NORMAL = "no result overflows or falls below the normal range"

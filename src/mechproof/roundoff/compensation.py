@@ -1,0 +1,68 @@
+"""Compensation: which roundings move no output, because a low word takes them up.
+
+With every other operation exact, the outputs do not depend on the rounded product whose rest is
+added again, nor on the rounded quotient inside both. That is shown here by derivatives, rational
+in the values of the functions; the other roundings are then bounded at whatever these have become.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.codegen.program import MEANINGS, Operand
+from mechproof.roundoff.steps import Step, Straight
+
+Pair = tuple[sp.Expr, sp.Expr]
+
+
+def hold_compensated(straight: Straight) -> Straight:
+    """Return the steps with what is compensated held; ValueError where a rest is no low word."""
+    steps = straight.steps
+    products = {str(s.operands[2]) for s in steps if s.kind == "product_rest"}
+    quotients = {str(s.operands[2]) for s in steps if s.kind == "quotient_rest"}
+    for name in (*products, *quotients):
+        for output in straight.outputs:
+            if _slope(straight, name, products, output) != 0:
+                raise ValueError(f"an output depends on the rounding of {name}, its rest apart")
+    return replace(straight, held=frozenset(products))
+
+
+def _slope(straight: Straight, name: str, products: set[str], output: Operand) -> sp.Expr:
+    """Return the derivative of an output by a rounded value, as its rests and products see it."""
+    values: dict[Operand, Pair] = {n: (sp.Symbol(n), sp.S.Zero) for n in straight.inputs}
+    moved = (sp.Symbol(f"rounded {name}"), sp.S.One)
+    for step in straight.steps:
+        sees = step.kind in ("product_rest", "quotient_rest") or step.result in products
+        given = [
+            moved
+            if operand == name and sees
+            else values[operand]
+            if isinstance(operand, str)
+            else (sp.nsimplify(operand, rational=True), sp.S.Zero)
+            for operand in step.operands
+        ]
+        if step.result in products:
+            # A double whose rounding is a matter of its own.
+            values[step.result] = (sp.Symbol(f"rounded {step.result}"), sp.S.Zero)
+        else:
+            values[step.result] = _differentiate(step, given)
+        if step.result == name and name in products:
+            values[name] = moved
+    return sp.cancel(sp.together(values[output][1]))
+
+
+def _differentiate(step: Step, given: list[Pair]) -> Pair:
+    """Return value and derivative; those of functions are symbols, their derivatives rational."""
+    dummies = [sp.Dummy() for _ in given]
+    meaning = MEANINGS[step.kind](*dummies)
+    places = dict(zip(dummies, (value for value, _ in given), strict=True))
+    total = sum(
+        (meaning.diff(d) * slope for d, (_, slope) in zip(dummies, given, strict=True)), sp.S.Zero
+    )
+    value = meaning
+    if not meaning.is_rational_function():
+        value = sp.Symbol(f"value {step.result}")
+        total = total.xreplace({meaning: value})
+    return sp.expand(value.xreplace(places)), total.xreplace(places)

@@ -1,0 +1,76 @@
+"""Files of certificates: read, proved anew where something has changed, and written."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
+from hashlib import sha256
+from importlib.metadata import version
+from pathlib import Path
+
+from mechproof.files import write_whole
+from mechproof.proof.cache import cache_folder
+from mechproof.record import Paper
+from mechproof.roundoff.certificate import (
+    Certificate,
+    certify,
+    list_digests,
+    read_certificate,
+    write_certificate,
+)
+
+FOLDER = "certificates"
+KEPT = "certified.txt"
+VERSIONS = ("sympy", "numpy", "python-flint")
+
+
+def certify_papers(
+    papers: Sequence[Paper], directory: Path, *, use_cache: bool
+) -> list[Certificate | None]:
+    """Prove the bounds of every paper; with the cache what was proved before is not done again.
+
+    Raises ValueError for a chart that cannot be used.
+    """
+    return [_certify(paper, directory, use_cache) for paper in papers]
+
+
+def write_certificates(certificates: Iterable[Certificate]) -> dict[str, str]:
+    """Return the text of every certificate by its name relative to the generated package."""
+    return {_name(c.system): write_certificate(c) for c in certificates}
+
+
+def _name(system: str) -> str:
+    return f"{FOLDER}/{system}.json"
+
+
+def _certify(paper: Paper, directory: Path, use_cache: bool) -> Certificate | None:
+    path = directory / _name(paper.system)
+    text = path.read_text(encoding="utf-8") if path.is_file() else ""
+    known = None
+    # What cannot be read is written anew, and shown as a difference.
+    with suppress(ValueError):
+        known = read_certificate(text, str(path))
+    kept = cache_folder() / KEPT
+    if known and use_cache and _key(paper, text) in _read_keys(kept):
+        return known
+    certificate = certify(paper, known)
+    if certificate and use_cache:
+        with suppress(OSError):
+            keys = {*_read_keys(kept), _key(paper, write_certificate(certificate))}
+            write_whole(kept, "\n".join(sorted(keys)))
+    return certificate
+
+
+def _key(paper: Paper, text: str) -> str:
+    """Return a key of all that a certificate rests on."""
+    sources = sorted(Path(__file__).parent.glob("*.py"))
+    digests = [sha256(source.read_bytes()).hexdigest() for source in sources]
+    parts = [sys.version, *map(version, VERSIONS), *digests, *list_digests(paper), text]
+    return sha256("\n".join(parts).encode()).hexdigest()
+
+
+def _read_keys(path: Path) -> set[str]:
+    with suppress(OSError, ValueError):
+        return set(path.read_text(encoding="utf-8").split())
+    return set()

@@ -1,0 +1,109 @@
+"""Steps: in, a stage of a kernel; out, its operations in one row, each with its own rounding."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from mechproof.codegen.code import Stage
+from mechproof.codegen.program import Operand, Operation, Program
+from mechproof.roundoff.assumptions import FUNCTIONS
+from mechproof.roundoff.expansions import Expansion
+
+HALF = 0.5
+EXACT = 0.0
+ALWAYS_EXACT = frozenset(
+    {"negate", "absolute", "maximum", "minimum", "copy", "approximate", "product_rest"}
+)
+
+
+@dataclass(frozen=True)
+class Step:
+    """An operation whose result is off by at most so many ulps of itself."""
+
+    result: str
+    kind: str
+    operands: tuple[Operand, ...]
+    ulps: float
+
+
+@dataclass(frozen=True)
+class Straight:
+    """All steps of a stage; inputs are the arguments, outputs results or inputs.
+
+    The rounding of what is `held` moves no output: a low word has it.
+    """
+
+    inputs: tuple[str, ...]
+    steps: tuple[Step, ...]
+    outputs: tuple[Operand, ...]
+    held: frozenset[str] = frozenset()
+
+
+def flatten_stage(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight:
+    """Put what is prepared before what is evaluated, and kinds with an expansion into it."""
+    inputs = (*stage.running, *(p for p in stage.parameters if p not in stage.running))
+    known: dict[Operand, Operand] = {name: name for name in inputs}
+    steps: list[Step] = []
+    given: Sequence[Operand] = stage.prepare.outputs
+    if stage.prepare.operations or stage.prepare.outputs:
+        given = _append(steps, stage.prepare, known, "prepared.", expansions)
+    if stage.evaluate is None:
+        return Straight(inputs, tuple(steps), tuple(given))
+    passed = zip(stage.evaluate.inputs[len(stage.running) :], given, strict=True)
+    inside: dict[Operand, Operand] = {name: name for name in stage.running}
+    inside.update(passed)
+    outputs = _append(steps, stage.evaluate, inside, "", expansions)
+    return Straight(inputs, tuple(steps), outputs)
+
+
+def _append(
+    steps: list[Step],
+    program: Program,
+    known: Mapping[Operand, Operand],
+    prefix: str,
+    expansions: Mapping[str, Expansion],
+) -> tuple[Operand, ...]:
+    names = dict(known)
+    for operation in program.operations:
+        result = f"{prefix}{operation.result}"
+        operands = tuple(_rename(names, o) for o in operation.operands)
+        renamed = replace(operation, result=result, operands=operands)
+        steps.extend(_expand(renamed, expansions))
+        names[operation.result] = result
+    return tuple(_rename(names, o) for o in program.outputs)
+
+
+def _rename(names: Mapping[Operand, Operand], operand: Operand) -> Operand:
+    return names[operand] if isinstance(operand, str) and operand in names else operand
+
+
+def _expand(operation: Operation, expansions: Mapping[str, Expansion]) -> Iterator[Step]:
+    if operation.kind not in expansions:
+        yield _make_step(operation)
+        return
+    expansion = expansions[operation.kind]
+    names: dict[Operand, Operand] = dict(
+        zip(expansion.program.inputs, operation.operands, strict=False)
+    )
+    last = expansion.program.outputs[0]
+    for inner in expansion.program.operations:
+        result = operation.result if inner.result == last else f"{operation.result}.{inner.result}"
+        operands = tuple(_rename(names, o) for o in inner.operands)
+        names[inner.result] = result
+        made = _make_step(Operation(result, inner.kind, operands))
+        yield replace(made, ulps=expansion.errors.get(inner.result, made.ulps))
+
+
+def _make_step(operation: Operation) -> Step:
+    kind, operands = operation.kind, operation.operands
+    exact = kind in ALWAYS_EXACT or _scales_by_power(kind, operands)
+    ulps = EXACT if exact else FUNCTIONS[kind].ulps if kind in FUNCTIONS else HALF
+    return Step(operation.result, kind, operands, ulps)
+
+
+def _scales_by_power(kind: str, operands: Sequence[Operand]) -> bool:
+    """Say whether the operation multiplies or divides by a power of two."""
+    factors = {"multiply": operands, "divide": operands[1:]}.get(kind, ())
+    return any(not isinstance(f, str) and f and math.frexp(abs(f))[0] == HALF for f in factors)

@@ -1,0 +1,63 @@
+"""Symmetry: whether steps with an angle negated round as they did, all signs turned."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+
+from mechproof.record import Chart
+from mechproof.roundoff.steps import Straight
+
+# 1 for what stays, -1 for what is negated.
+Parity = int
+
+
+def _same(*parities: Parity) -> Parity:
+    if len(set(parities)) > 1:
+        raise ValueError("a sum of what is negated and what is not")
+    return parities[0]
+
+
+def _product(a: Parity, b: Parity) -> Parity:
+    return a * b
+
+
+def _even(*parities: Parity) -> Parity:
+    return 1
+
+
+def _keep(parity: Parity) -> Parity:
+    return parity
+
+
+# To round to nearest is odd, and so are NumPy's odd functions.
+PARITIES: Mapping[str, Callable[..., Parity]] = MappingProxyType(
+    {
+        **dict.fromkeys(("add", "subtract"), _same),
+        **dict.fromkeys(("multiply", "divide"), _product),
+        **dict.fromkeys(("square", "cos", "absolute"), _even),
+        **dict.fromkeys(("negate", "copy", "approximate", "pi_off"), _keep),
+        **dict.fromkeys(("tan", "sin", "arctan", "small_tangent"), _keep),
+        "fma": lambda a, b, c: _same(a * b, c),
+        "product_rest": lambda a, b, p: _same(a * b, p),
+        "quotient_rest": lambda a, b, q: _same(a * b, q),
+    }
+)
+
+
+def check_symmetry(straight: Straight, chart: Chart, names: Mapping[object, str]) -> None:
+    """Require that negative angles are off as positive ones are; ValueError if not."""
+    parities: dict[object, Parity] = {}
+    angle = chart.angle
+    if angle is None:
+        return
+    for symbol, value in chart.arguments.items():
+        turned = value.subs(angle, -angle)
+        if turned not in (value, -value):
+            raise ValueError(f"chart: {value} is neither odd nor even in {angle}")
+        parities[names[symbol]] = 1 if turned == value else -1
+    for step in straight.steps:
+        given = [parities[o] if isinstance(o, str) else 1 for o in step.operands]
+        if step.kind not in PARITIES:
+            raise ValueError(f"{step.kind} has no parity")
+        parities[step.result] = PARITIES[step.kind](*given)

@@ -1,0 +1,243 @@
+"""Certificates of rounding errors: they hold, they are checked, and what is wrong is refused."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import mechproof.kernels
+from mechproof.codegen.kernel import input_names, list_functions
+from mechproof.derivation import load_paper, packaged_directory
+from mechproof.kernel_support import polynomials
+from mechproof.kernels import elliptic_planetary as kernels
+from mechproof.roundoff.certificate import Certificate, Claim, holds, read_certificate
+from mechproof.roundoff.compensation import hold_compensated
+from mechproof.roundoff.expansions import ARCTANGENT, QUOTIENT
+from mechproof.roundoff.regions import list_regions
+from mechproof.roundoff.running import IN_DOUBLES, run
+from mechproof.roundoff.steps import Step
+from mechproof.roundoff.subject import Subject, list_subjects
+from mechproof.roundoff.symmetry import check_symmetry
+from mechproof.roundoff.worst import draw, measure
+
+FOLDER = Path(next(iter(mechproof.kernels.__path__)), "certificates")
+SYSTEMS = sorted(path.stem for path in FOLDER.glob("*.json"))
+# Found by a search along the boxes with the largest bounds, all roundings nearly aligned.
+WORST = {
+    "phi1": "0x1.062538db1ff9cp-20",
+    "R1": "0x1.dfd4f2f5f08ebp+14",
+    "R2": "0x1.de9265fc3a102p+0",
+    "e": "0x1.ffeff7ed00001p-2",
+}
+
+
+@cache
+def certificate(system: str) -> Certificate:
+    path = FOLDER / f"{system}.json"
+    return read_certificate(path.read_text(encoding="utf-8"), str(path))
+
+
+@cache
+def subjects() -> Mapping[tuple[str, str, str], Subject]:
+    papers = (load_paper(packaged_directory() / system) for system in SYSTEMS)
+    kernels = ((kernel, paper) for paper in papers for kernel in list_functions(paper))
+    found = (s for kernel, paper in kernels for s in list_subjects(kernel, paper))
+    return {(s.kernel.name, s.form.name, s.way): s for s in found}
+
+
+def claims() -> list[Claim]:
+    return [claim for system in sorted(SYSTEMS) for claim in certificate(system).claims]
+
+
+def subject_of(claim: Claim) -> Subject:
+    return subjects()[claim.quantity, claim.form, claim.way]
+
+
+def plain() -> tuple[Claim, Subject]:
+    (claim,) = (c for c in claims() if c.form == "half-angle atan" and c.way.startswith("NumPy"))
+    return claim, subject_of(claim)
+
+
+def name_claim(claim: Claim) -> str:
+    return f"{claim.quantity}: {claim.form}, {claim.way}"
+
+
+def by_polynomials() -> tuple[Claim, Subject]:
+    (claim,) = (c for c in claims() if c.way == "by polynomials")
+    return claim, subject_of(claim)
+
+
+@pytest.mark.parametrize("claim", claims(), ids=name_claim)
+def test_random_inputs_are_off_by_no_more_than_is_proved(claim: Claim) -> None:
+    subject, rng = subject_of(claim), np.random.default_rng(4711)
+    for chart in subject.form.charts:
+        for region in list_regions(chart):
+            errors = measure(subject, draw(subject, region, region.box, 1000, rng))
+            assert np.sum(errors >= 0) > 300
+            assert 0 < errors.max() <= claim.proved
+
+
+def test_the_known_worst_is_below_the_bound() -> None:
+    claim, subject = by_polynomials()
+    points = {name: np.array([float.fromhex(text)]) for name, text in WORST.items()}
+    assert 4.5 < measure(subject, points)[0] <= claim.proved
+
+
+def test_a_bound_lowered_by_a_tenth_is_refused() -> None:
+    claim, subject = plain()
+    assert not holds(subject, replace(claim, proved=0.9 * claim.proved))
+
+
+def test_an_endless_bound_is_refused() -> None:
+    claim, subject = plain()
+    assert not holds(subject, replace(claim, proved=math.inf))
+
+
+def test_another_number_of_boxes_is_refused() -> None:
+    claim, subject = plain()
+    assert not holds(subject, replace(claim, boxes=claim.boxes - 1))
+
+
+def test_a_left_out_assumption_is_refused() -> None:
+    claim, subject = plain()
+    assert not holds(subject, replace(claim, assumptions=claim.assumptions[1:]))
+
+
+def test_a_changed_step_is_refused() -> None:
+    claim, subject = by_polynomials()
+    steps = subject.straight.steps
+    rounded = next(i for i, step in enumerate(steps) if step.ulps)
+    for changed in (
+        steps[:-1],
+        (*steps[:rounded], replace(steps[rounded], ulps=0.0), *steps[rounded + 1 :]),
+    ):
+        other = replace(subject, straight=replace(subject.straight, steps=changed))
+        assert not holds(other, claim)
+
+
+def test_a_wrong_coefficient_is_refused_even_under_its_own_hash() -> None:
+    claim, subject = by_polynomials()
+    last = kernels.ARCTANGENT[0][0]
+    steps = tuple(
+        replace(s, operands=tuple(o * (1 + 2.0**-40) if o == last else o for o in s.operands))
+        for s in subject.straight.steps
+    )
+    assert steps != subject.straight.steps
+    wrong = replace(subject, straight=replace(subject.straight, steps=steps))
+    forged = replace(claim, program=wrong.digest)
+    region = next(list_regions(subject.form.charts[0]))
+    points = draw(wrong, region, region.box, 300, np.random.default_rng(1))
+    assert measure(wrong, points).max() > forged.proved
+
+
+def test_every_rounding_counts() -> None:
+    """Without one of its roundings a program has a lower bound, without an operation another."""
+    _, subject = by_polynomials()
+    region = next(list_regions(subject.form.charts[0]))
+    box = tuple((0.3, 0.31) if math.isfinite(high) else (low, high) for low, high in region.box)
+    whole = subject.bound(region, box)
+    evaluation, bar = subject.evaluate(region, box)
+    shares = evaluation.list_errors(subject.straight.outputs[0], bar)
+    counted = 0
+    for i, step in enumerate(subject.straight.steps):
+        # What adds less than an ulp of the bound cannot be seen in it.
+        if step.ulps and shares[step.result] > 1e-12:
+            steps = list(subject.straight.steps)
+            steps[i] = replace(step, ulps=0.0)
+            other = replace(subject, straight=replace(subject.straight, steps=tuple(steps)))
+            assert other.bound(region, box) < whole
+            counted += 1
+    assert counted > 35
+
+
+@pytest.mark.parametrize(
+    ("program", "compute"),
+    [
+        (
+            QUOTIENT,
+            lambda y, a, b: polynomials.tangent_quotient(y, a, b, kernels.TANGENT),
+        ),
+        (ARCTANGENT, lambda y, a, b: polynomials.small_arctan(y, kernels.ARCTANGENT)),
+    ],
+)
+def test_expansions_are_what_the_support_computes(
+    program: object, compute: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(polynomials, "IS_WORTH_IT", True)
+    monkeypatch.setattr(polynomials, "LONG", 1)
+    rng = np.random.default_rng(7)
+    limit = 1e5 if program is QUOTIENT else 0.57
+    y = rng.uniform(-limit, limit, 5000) * 2.0 ** -rng.integers(0, 30, 5000)
+    given = {"y": y, "a": np.float64(0.7), "b": np.float64(1.3)}
+    (found,) = run(program, given, IN_DOUBLES)
+    assert np.array_equal(found, compute(**given))
+
+
+def test_certificates_are_what_the_derivations_say() -> None:
+    told = {name: (c.program, c.where, c.open) for c in claims() for name in [name_claim(c)]}
+    for subject in subjects().values():
+        name = f"{subject.kernel.name}: {subject.form.name}, {subject.way}"
+        assert told[name] == (subject.digest, subject.where, "")
+
+
+def test_a_rest_that_is_not_added_is_refused() -> None:
+    """Without its low word the angle's rounding moves the output: nothing may hold it."""
+    (subject,) = (s for s in subjects().values() if s.form.name == "half-angle atan with low word")
+    free = replace(subject.straight, held=frozenset())
+    assert hold_compensated(free) == subject.straight
+    steps = tuple(
+        replace(step, kind="subtract") if step.result == "x_low" else step for step in free.steps
+    )
+    with pytest.raises(ValueError, match="depends on the rounding of"):
+        hold_compensated(replace(free, steps=steps))
+
+
+def test_an_angle_without_symmetry_is_refused() -> None:
+    _, subject = plain()
+    (chart,) = subject.form.charts
+    first, *others = subject.straight.steps
+    lopsided = Step("odd", "add", ("phi1", 1), 0.5)
+    with pytest.raises(ValueError, match="negated"):
+        check_symmetry(
+            replace(subject.straight, steps=(first, lopsided, *others)),
+            chart,
+            input_names(subject.kernel.quantity),
+        )
+
+
+@pytest.mark.parametrize(
+    ("name", "lowest"),
+    [("half-angle atan with low word", 0.5), ("half-angle quotient with low word", 0.0)],
+)
+def test_charts_cover_what_they_say(name: str, lowest: float) -> None:
+    """Every angle up to half a turn and every eccentricity has coordinates in some chart."""
+    subject = next(s for s in subjects().values() if s.form.name == name)
+    charts = [chart for chart in subject.form.charts if chart.text == "|x| <= 22/7"]
+    rng = np.random.default_rng(11)
+    covered = np.zeros(4000, bool)
+    x = 22 / 7 * 10.0 ** -(rng.uniform(0, 12, 4000) ** 1.5)
+    d = (1 - lowest) * 10.0 ** -rng.uniform(0, 12, 4000)
+    inverse = rng.uniform(0, 1, 4000)
+    given = {"R1": np.ones(4000), "R2": inverse, "phi1": inverse * x, "e": d}
+    names = input_names(subject.kernel.quantity)
+    for chart in charts:
+        symbols = {s: sp.Symbol(names[s]) for s in chart.arguments}
+        # What is 1 - e is drawn, as 1 - 1e-12 loses digits.
+        values = {s: 1 - v if names[s] == "e" else v for s, v in chart.arguments.items()}
+        equations = [v - symbols[s] for s, v in values.items()]
+        (solved,) = sp.solve(equations, list(chart.within), dict=True)
+        inside = np.ones(4000, bool)
+        for coordinate, interval in chart.within.items():
+            compute = sp.lambdify(list(symbols.values()), solved[coordinate])
+            found = compute(*(given[str(s)] for s in symbols.values()))
+            low, high = float(interval.inf), float(interval.sup)
+            inside &= (found >= low * (1 - 1e-9)) & (found <= high * (1 + 1e-9))
+        covered |= inside
+    assert covered.all()
