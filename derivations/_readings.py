@@ -163,6 +163,7 @@ def adequacy_row(
             ),
         ),
         note=f"No criterion and no readings are printed; {failing} the first criterion.",
+        marks=("inferred",),
     )
 
 

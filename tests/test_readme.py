@@ -11,18 +11,12 @@ import pytest
 from typer.testing import CliRunner
 
 from mechproof.cli import app
+from mechproof.record import MARKS
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
 COMMANDS = re.findall(r"```sh\n(.*?)\n```", README, re.DOTALL)
-PAPERS = [
-    "elliptic_planetary",
-    "oval_planetary",
-    "tooth_thickness",
-    "track_wheel",
-    "wedge_linkage",
-]
 MODULES = [block for block in BLOCKS if ">>>" not in block]
 
 
@@ -37,15 +31,24 @@ def test_examples_print_what_they_show() -> None:
 def test_the_excerpt_of_the_findings_is_the_ledger() -> None:
     ledger = json.loads((ROOT / "generated" / "ledger.json").read_text("utf-8"))
     known = {
-        f"**{f['system']}, {f['number']}**: {f['wrong']} *{cost}.* Right: "
-        f"$`{f['corrected_latex']}`$": f["system"]
+        f"**{f['system']}, {f['number']}**: {' '.join((f['verdict'], *marks(f)))}. {f['wrong']}"
+        f"{cost} Right: $`{f['corrected_latex']}`$"
         for f in ledger["findings"]
-        for cost in f["costs"]
+        for cost in ("", *(f" *{cost}.*" for cost in f["costs"]))
     }
     excerpt = README.split("from the ledger:\n\n- ")[1].split("\n\n")[0]
     shown = [item.replace("\n  ", " ") for item in excerpt.split("\n- ")]
     assert [item for item in shown if item not in known] == []
-    assert sorted(known[item] for item in shown) == PAPERS
+    assert len(set(shown)) == 5
+
+
+def marks(finding: dict[str, list[str]]) -> list[str]:
+    return [f"*{', '.join(finding['marks'])}*"] if finding["marks"] else []
+
+
+def test_marks_mean_what_the_record_says() -> None:
+    table = README.split("| mark | meaning |\n|---|---|\n")[1].split("\n\n")[0]
+    assert table.splitlines() == [f"| *{mark}* | {meaning} |" for mark, meaning in MARKS.items()]
 
 
 def test_the_example_module_is_verified(tmp_path: Path) -> None:

@@ -50,8 +50,8 @@ FINDINGS = (
     Finding(
         "table 3, interval 3",
         "The interval of variant 3 is the mean and once the uncertainty u; the other three and "
-        "the text have twice u. Half-width and u do not fit: if the interval is right, the u of "
-        "table 3 is twice too large, and is 0.14°.",
+        "the text have twice u. Half-width and u do not fit, and which of the two is the misprint "
+        "is not decided: the half-width is to be 0.56°, or the u of table 3 is to be 0.14°.",
         costs=(
             Cost(
                 "half-width of variant 3",
@@ -60,6 +60,16 @@ FINDINGS = (
                 decimals=2,
                 printed=Rational(HALF_WIDTHS[3]) * DEGREE,
                 right=2 * READINGS[3].uncertainty * DEGREE,
+                names=("printed", "by the printed u"),
+            ),
+            Cost(
+                "u of variant 3",
+                {},
+                "°",
+                decimals=2,
+                printed=READINGS[3].uncertainty * DEGREE,
+                right=Rational(HALF_WIDTHS[3]) / 2 * DEGREE,
+                names=("printed", "by the printed interval"),
             ),
         ),
     ),
@@ -67,7 +77,8 @@ FINDINGS = (
         "measured functions adequate",
         "Neither a criterion of adequacy nor the readings are printed. By the paper's own numbers "
         "the interval of variant 3 excludes an error of zero, and single errors of variants 1, 2 "
-        "and 4 scatter by more than two encoders of 0.3 % of 360° allow.",
+        "and 4 scatter by more than two encoders of 0.3 % of 360° allow, or u is no uncertainty of "
+        "the mean.",
         costs=(
             Cost(
                 "variant 3",

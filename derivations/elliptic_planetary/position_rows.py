@@ -103,7 +103,7 @@ POSITION_ROWS = (
         note="(11) divides by the root: e = 1 must be excluded.",
         on=UP_TO_ONE,
         holds_on=BELOW_ONE,
-        marks=("inferred",),
+        marks=("ours",),
     ),
     Equation(
         "(11)",
@@ -122,7 +122,7 @@ POSITION_ROWS = (
         corrected=Correction(
             r"\frac{1}{1-e^2}\left(x+2\,\mathrm{arctg}\frac{e\sin x}{1-e\cos x}\right)"
         ),
-        marks=("inferred",),
+        marks=("ours",),
     ),
     EQUATION_12,
     Claim(

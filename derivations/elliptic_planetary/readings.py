@@ -71,13 +71,20 @@ def interval_row(number: int, note: str) -> Claim:
     """Recompute the 95 % interval of one variant: its half-width is twice the printed u."""
     line, printed = READINGS[number], HALF_WIDTHS[number]
     mean, right = f"{float(line.mean):.2f}", f"{float(2 * line.uncertainty):.2f}"
+    half = f"{float(Rational(printed) / 2):.2f}"
     return Claim(
         f"table 3, interval {number}",
         rf"{mean} \pm {printed}^\circ",
         PrintedNumber(printed, 2 * line.uncertainty),
         note=note,
         corrected=Correction(
-            rf"{mean} \pm {right}^\circ", PrintedNumber(right, 2 * line.uncertainty)
+            rf"{mean} \pm {right}^\circ\text{{, or }}u={half}^\circ\text{{ in table 3}}",
+            Conjunction(
+                (
+                    PrintedNumber(right, 2 * line.uncertainty),
+                    PrintedNumber(half, Rational(printed) / 2),
+                )
+            ),
         ),
     )
 

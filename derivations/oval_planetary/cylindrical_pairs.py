@@ -46,7 +46,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         Equality(ratio_45, ratio_with_cylinders_45),
         note="The radii of pair 4-5 replaced by numbers in (10), its sign as in the mechanics, "
         "and wheel 6 turned by (R4/R5) phi1.",
-        marks=("inferred",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "position, cylindrical pair 4-5",

@@ -182,7 +182,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
         r"\rho_5\left(\tfrac\pi2-\varphi_6\right)=2a-\rho_4(\varphi_1)",
         Equality(print_3_by_6(cos_6), 2 * a - sun_radius),
         note="With (6), (3) is the radius that meshes with the sun: cos(2 phi5) = -cos(2 phi6).",
-        marks=("rebuilt", "uncertain", "inferred"),
+        marks=("ours", "rebuilt", "uncertain", "inferred"),
     ),
     Claim(
         "(6), sign",

@@ -18,7 +18,7 @@ FINDINGS = (
     Finding(
         "(1)-(11), sense of the output",
         "(7) and (10) count the output shaft against the sense of the carrier, and no sentence "
-        "says so; read in one sense, the output turns the wrong way.",
+        "that survives says so; read in one sense, the output turns the wrong way.",
         costs=tuple(
             Cost(
                 f"variant 1, {degrees}° of the carrier",

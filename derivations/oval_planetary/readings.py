@@ -192,6 +192,7 @@ MEASUREMENT_ROWS: tuple[Row, ...] = (
             variant,
             line.count,
             COVERAGE_OF_MEAN,
+            ("inferred",),
         )
         for variant, line in READINGS.items()
     ),

@@ -127,7 +127,7 @@ VARIANT_ROWS: tuple[Row, ...] = (
             )
         ),
         note="With (8) a = 25 mm, which the paper does not print.",
-        marks=("inferred",),
+        marks=("ours", "inferred"),
     ),
     Claim(
         "variant 1, reciprocating",

@@ -1,5 +1,7 @@
 """Paper 3: thickness of gear teeth, measured with a gear-tooth gauge, and the sorting by it."""
 
+from sympy import Rational
+
 from mechproof.record import Paper, Published
 
 from .algorithm import ALGORITHM_ROWS
@@ -10,7 +12,7 @@ from .findings import FINDINGS
 from .influence import INFLUENCE_ROWS
 from .kernels import QUANTITIES
 from .parameters import PARAMETER_ROWS
-from .symbols import NOTATION, VARIABLES
+from .symbols import NOTATION, VARIABLES, E_true, dh, dh_gauge, ds_gauge, e_tip
 from .wheel import PRINTED_SIZES
 
 PAPER = Paper(
@@ -28,6 +30,14 @@ PAPER = Paper(
     ),
     quantities=QUANTITIES,
     published=(Published("paper on tooth thickness, design data", PRINTED_SIZES, ("fitted",)),),
+    # A tip diameter off by IT6, a gauge and a tooth off by less.
+    usual={
+        e_tip: Rational(25, 1000),
+        dh_gauge: Rational(10, 1000),
+        ds_gauge: Rational(10, 1000),
+        E_true: Rational(-30, 1000),
+        dh: Rational(20, 1000),
+    },
     findings=FINDINGS,
     conventions="Lengths in mm, angles in rad. Heights grow from the tip towards the centre; "
     "deviations of thickness are positive for a thicker tooth.",

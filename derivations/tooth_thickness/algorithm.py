@@ -249,14 +249,14 @@ ALGORITHM_ROWS = (
         r"\Delta h_c\text{ (from the tip circle, text)}\ne\Delta h_c\text{ (gauge, chart)}",
         Distinct((e_tip + dh_gauge).subs(dh_gauge, height_deviation), height_deviation),
         note="With the text's meaning in step 5 the tip diameter would be counted again.",
-        marks=("rebuilt",),
+        marks=("ours", "rebuilt"),
     ),
     Claim(
         "letter Delta S_c",
         r"\Delta S_c\text{ (from the height, text)}\ne\Delta S_c\text{ (gauge, chart)}",
         Distinct((E_true + K_m * dh + ds_gauge).subs(ds_gauge, K_m * dh), reading),
         note="With the text's meaning in step 8 the height would be counted twice.",
-        marks=("rebuilt",),
+        marks=("ours", "rebuilt"),
     ),
     Equation(
         "step 8",

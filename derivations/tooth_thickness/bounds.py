@@ -4,12 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from sympy import Abs, Eq, Expr, Ge, Le, Or, Rational, S, cos, diff, pi, sin, symbols
+from sympy import (
+    Abs,
+    Eq,
+    Expr,
+    Ge,
+    Interval,
+    Le,
+    Or,
+    Rational,
+    S,
+    atan,
+    cos,
+    diff,
+    pi,
+    sin,
+    symbols,
+    tan,
+)
 
 from mechproof.record import Conjunction, Equality, Holds, Part, Scale, Singular, Statement, Written
 
 from .geometry import linearisation_bound, linearisation_root, thickness_change
-from .symbols import alpha, dh, m, r_b, t_c, tilt, y_c, z
+from .symbols import alpha, dh, incline, m, r_b, t_c, tilt, y_c, z
 
 ABOVE_BASE_CIRCLE = Part(
     "the chord lies no deeper than the base circle and no higher than the tip",
@@ -98,5 +115,23 @@ def by_height(code: Written) -> Statement:
         (
             Equality(missing.subs(tilt, 0), S.Zero),
             Equality(diff(missing, tilt), -m * z * (t_c + tilt) * sin(tilt)),
+        )
+    )
+
+
+TWENTY_DEGREES = Part(
+    "profile angles about 20 deg, tan(alpha) from 0.363 to 0.365",
+    {incline: Interval(Rational("0.363"), Rational("0.365"))},
+)
+
+
+def within_a_hundredth(code: Written) -> Statement:
+    """State that a form is off by a hundredth of the height at most: on a line through 0, of 1."""
+    off = (code.output() - 2 * dh * tan(alpha)).subs(alpha, atan(incline))
+    return Conjunction(
+        (
+            Equality(off, off.subs(dh, 1) * dh),
+            Holds(Le(off.subs(dh, 1), Rational(1, 100), evaluate=False)),
+            Holds(Ge(off.subs(dh, 1), -Rational(1, 100), evaluate=False)),
         )
     )

@@ -109,7 +109,7 @@ CLAIM_ROWS = (
         "deviations, with which the shares rise. Over which gauges the two are compared is not "
         "said. The gauge of Table 1, 50 um, is above the crossover, the gauge recommended in (c), "
         "2 um, below it.",
-        marks=("inferred", "calibrated"),
+        marks=("rebuilt", "inferred", "calibrated"),
     ),
     *(
         Claim(

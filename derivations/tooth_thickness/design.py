@@ -168,6 +168,7 @@ DESIGN_ROWS = (
             "E_csu = E_cs - T_c p, 0 < p < 1, is any good tooth of step 2; its decrease is -E_csu. "
             "With E_cs = 12 um as printed, good teeth may be thicker than nominal."
         ),
+        marks=("rebuilt",),
     ),
     Claim(
         "smallest deviation, counted as a decrease",
@@ -208,15 +209,15 @@ DESIGN_ROWS = (
     ),
     Claim(
         "smallest deviation, kind of mating",
-        r"\text{the clearance that }E_{cs}\text{ leaves is none, as for the mating H}",
+        r"E_{cs}\text{ determines, through the side clearance, the kind of mating}",
         Completions(
             "deviation of the centre distance",
             Completion(
-                "none",
+                "none: E_cs leaves no clearance, as for the mating H",
                 not_above(of_pair(0), S.Zero),
             ),
             Completion(
-                "20 um too short",
+                "20 um too short: the same",
                 not_above(of_pair(-20), S.Zero),
             ),
         ),

@@ -19,6 +19,7 @@ from .wheel import (
 )
 
 MICROMETRE = Rational(1, 1000)
+LAWS = f"normal laws, centred, K = {K_PRINTED}"
 READINGS_OF_50 = ("as the full width of 3 sigma", "as half the width of 2 sigma")
 SPREAD_6 = Rational(GRADES[6][1], K_PRINTED) * MICROMETRE
 # A tip circle off by the whole tolerance, a gauge without error.
@@ -48,8 +49,9 @@ FINDINGS = (
     ),
     Finding(
         "step 3, a new tip deviation for each tooth",
-        "A new deviation of the tip diameter is simulated for each tooth, although the teeth are "
-        "those of one wheel, which has one tip circle: its error does not average out over them.",
+        "A new deviation of the tip diameter is simulated for each tooth. If the teeth are those "
+        "of one wheel, which is not said, they have one tip circle, whose error does not average "
+        "out over them.",
         costs=(
             Cost(
                 "spread of the tip circle's mean over the wheel, IT6",
@@ -57,6 +59,7 @@ FINDINGS = (
                 "µm",
                 printed=SPREAD_6 / sqrt(TEETH),
                 right=SPREAD_6,
+                names=("a deviation per tooth", "one per wheel"),
             ),
         ),
     ),
@@ -74,7 +77,7 @@ FINDINGS = (
                 names=READINGS_OF_50,
             ),
             Cost(
-                "good teeth rejected, tip of IT6, steps as printed",
+                f"good teeth rejected, tip of IT6, steps as printed, {LAWS}",
                 {},
                 "%",
                 printed=rejected_by(6, Rational(GAUGE_UM, 2), 3),
@@ -98,7 +101,7 @@ FINDINGS = (
                 right=(e_tip / 2 + dh_gauge) * K_m,
             ),
             Cost(
-                "good teeth rejected, tip of IT8, perfect gauge",
+                f"good teeth rejected, tip of IT8, perfect gauge, {LAWS}",
                 {},
                 "%",
                 2,

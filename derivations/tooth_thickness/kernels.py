@@ -28,8 +28,10 @@ from .bounds import (
     TAYLOR,
     THICKNESS_CHANGE_ULP,
     THICKNESS_CURVATURE,
+    TWENTY_DEGREES,
     by_height,
     first_order,
+    within_a_hundredth,
 )
 from .geometry import (
     chord_distance,
@@ -199,9 +201,11 @@ QUANTITIES = (
                 "printed (1)",
                 PRINTED_INFLUENCE * dh,
                 key="printed",
+                states=within_a_hundredth,
+                holds_on=TWENTY_DEGREES,
                 source=f"{SOURCE}, equation (1)",
-                note="an approximation for 20 deg, where 2*tan(alpha) = 0.7279; not meant "
-                "for other angles",
+                note="judged, as (1), to a hundredth of Delta_h; 2*tan(20 deg) = 0.7279, and it is "
+                "not meant for other angles",
             ),
         ),
         f"{SOURCE}, equation (1) with the exact derivative",

@@ -35,13 +35,13 @@ PARAMETER_ROWS = (
         "controlled parameters, accuracy degree",
         r"\text{the accuracy degree of the wheel changes the shares}",
         Completions(
-            "tolerance of degree 7",
+            "what the degree sets",
             Completion(
-                f"{TOLERANCE_UM} um, as that of degree 6",
+                f"not T_c, which goes with the mating: {TOLERANCE_UM} um stay",
                 Distinct(wrongly_rejected(tip_spread(6), tolerance=TOLERANCE_UM), SHARE),
             ),
             Completion(
-                "56 um",
+                "T_c: 56 um for degree 7",
                 Distinct(wrongly_rejected(tip_spread(6), tolerance=56), SHARE),
             ),
         ),

@@ -5,13 +5,14 @@ the part, (8)-(15); part three is the track and what the displacement does to it
 Table 1 and the figures. Rows marked `ours` are not printed in the paper.
 """
 
-from sympy import Abs, Le
+from sympy import Abs, Le, Rational
 
 from mechproof.record import Paper
 
 from .curve import amplitude, radius
 from .curve_rows import CURVE_ROWS
 from .error_rows import ERROR_ROWS
+from .errors import thermal
 from .figures import FIGURE_ROWS
 from .findings import FINDINGS
 from .frame_rows import FRAME_ROWS
@@ -31,6 +32,8 @@ PAPER = Paper(
     rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + DATA_ROWS + TABLE_ROWS + FIGURE_ROWS,
     quantities=POSES + TRACKS + SUMS,
     published=(TABLE_1,),
+    # About the share of the total in Table 1, all K = 1.
+    usual={thermal: Rational(11, 1000)},
     findings=FINDINGS,
     where=(Le(Abs(amplitude), radius),),
     conventions="Lengths in mm, angles in radians, turns counter-clockwise positive. The matrices "

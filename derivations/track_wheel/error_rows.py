@@ -14,7 +14,6 @@ from mechproof.record import (
     Equality,
     Equation,
     Holds,
-    PrintedNumber,
     Reading,
     Row,
     sum_distinct,
@@ -75,11 +74,6 @@ LATEX_CORRECTED_GROUPS_AND_THERMAL = (LATEX_CORRECTED_GROUPS % {"t": ""}).replac
 )
 
 
-def kept_by_normal_law(coefficient: sp.Expr) -> sp.Expr:
-    """Percentage of a normal law within the field 6 sigma/K about its mean."""
-    return 100 * sp.erf(3 / (coefficient * sp.sqrt(2)))
-
-
 ERROR_ROWS: tuple[Row, ...] = (
     Equation(
         "(1)",
@@ -121,19 +115,9 @@ ERROR_ROWS: tuple[Row, ...] = (
     Claim(
         "after (3), K for a reliability",
         r"K\text{ corrects for a given guaranteed reliability}",
-        Completions(
-            "the guaranteed reliability",
-            Completion(
-                "the guaranteed reliability: 99.73 %, for which the normal law needs K = 1",
-                PrintedNumber("99.73", kept_by_normal_law(sp.Integer(1))),
-            ),
-            Completion(
-                "the guaranteed reliability: 95 %, for which the normal law needs K = 1",
-                PrintedNumber("95", kept_by_normal_law(sp.Integer(1))),
-            ),
-        ),
-        note="The share that a field of 6 sigma/K keeps tells K from the reliability, which is not "
-        "printed: K = 1 for 99.73 %, K = 3/1.96 for 95 %.",
+        Definition(scatter, 6 * sigma / (2 * half_width)),
+        note="Chosen by who uses (3): h is half the field that the reliability asks for. By the "
+        "normal law K = 1 for 99.73 %, K = 3/1.96 for 95 %.",
     ),
     Equation(
         "(3)",

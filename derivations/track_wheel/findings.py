@@ -35,7 +35,7 @@ from .errors import (
     wear,
     wear_t,
 )
-from .frame import ANGLES
+from .frame import ANGLES, gamma
 from .prints import PRINTED_K, product_of
 from .sizes import PRINTED_VALUES, SUM_OF_PRINTED_SQUARES, THERMAL_SHARE
 from .table import total_by_corrected_sum, total_by_printed_sum
@@ -118,8 +118,13 @@ FINDINGS = (
     ),
     Finding(
         "before (14), product",
-        "Multiplied in the order A B C the matrices do not give the printed K; only C B A does.",
+        "Multiplied in the order A B C the matrices do not give the printed K; only C B A does. "
+        "A B C is turns about the fixed axes, C B A those about axes that turn with the part.",
         costs=cost_of_turns(product_of("ABC")),
+        follows=(
+            "before (14), axes",
+            Follower("Table 1, turns about X_0 and Y_0", renamed={gamma: sp.S.Zero}),
+        ),
     ),
     Finding(
         "(16) and Table 1, R",

@@ -140,16 +140,16 @@ FRAME_ROWS: tuple[Row, ...] = (
     Claim(
         "before (14), axes",
         r"\text{if the system }x_{10}y_{10}z_{10}\text{ is turned by }\alpha,\beta,\gamma",
-        Equality(PRINTED_K, project(turn_about_fixed_axes(IN_ORDER))),
+        Equality(project(turn_about_fixed_axes(IN_ORDER)), PRINTED_K),
         readings=(
             Reading(
                 "each turn about an axis of the frame that the turn before has left: "
                 "x10, then y11, then z12",
-                Equality(PRINTED_K, project(TURNED_PART)),
+                Equality(project(TURNED_PART), PRINTED_K),
             ),
             Reading(
                 "about the fixed axes, but in the order z10, y10, x10",
-                Equality(PRINTED_K, project(turn_about_fixed_axes(IN_ORDER[::-1]))),
+                Equality(project(turn_about_fixed_axes(IN_ORDER[::-1])), PRINTED_K),
             ),
         ),
         note="In the order as written, turns about the fixed axes x10, y10, z10 give A B C. The "
@@ -158,14 +158,14 @@ FRAME_ROWS: tuple[Row, ...] = (
     Claim(
         "before (14), product",
         r"K\text{ may be represented by the product of the matrices }A,B,C",
-        Equality(PRINTED_K, product_of("ABC")),
+        Equality(product_of("ABC"), PRINTED_K),
         readings=(
             Reading(
                 "the first turn stands on the right: K = C B A",
-                Equality(PRINTED_K, product_of("CBA")),
+                Equality(product_of("CBA"), PRINTED_K),
             ),
         ),
-        corrected=Correction("K=CBA", Equality(PRINTED_K, product_of("CBA"))),
+        corrected=Correction("K=CBA", Equality(product_of("CBA"), PRINTED_K)),
         note="Only the order C B A gives the printed K.",
     ),
     Claim(

@@ -199,11 +199,11 @@ TABLE_ROWS: tuple[Row, ...] = (
     Claim(
         "Table 1, turns about X_0 and Y_0",
         r"\text{total turning angle about }X_0,\ Y_0,\ Z_0",
-        Equality(K_OF_TABLE, project(turn_about_fixed_axes(TURNS_OF_TABLE))),
+        Equality(project(turn_about_fixed_axes(TURNS_OF_TABLE)), K_OF_TABLE),
         readings=(
             Reading(
                 "about X_0, then about the axis y_11 that this turn leaves",
-                Equality(K_OF_TABLE, project(turn_about_own_axes(TURNS_OF_TABLE))),
+                Equality(project(turn_about_own_axes(TURNS_OF_TABLE)), K_OF_TABLE),
             ),
         ),
         note="X_0, Y_0, Z_0 are the axes of the machine, which stay; the matrix (14) is that of "

@@ -1,5 +1,7 @@
 """Paper 4: pusher, lever, rod, roller lever and wedge, split into four Assur groups."""
 
+import sympy as sp
+
 from mechproof.record import Paper
 
 from . import chain, conditioning, proofs, sizes, steps, variables
@@ -9,7 +11,7 @@ from .lever_equations import LEVER_ROWS
 from .roller_equations import ROLLER_ROWS
 from .sizes import FIRST_SET, SECOND_SET
 from .structure import STRUCTURE_ROWS
-from .symbols import NOTATION
+from .symbols import NOTATION, error, own_error, stage_ratio
 from .table import SIZE_ROWS
 from .tolerances import RANGE_ROWS
 from .transfer import TRANSFER_ROWS
@@ -32,6 +34,7 @@ PAPER = Paper(
     rows=(*STRUCTURE_ROWS, *LEVER_ROWS, *ROLLER_ROWS, *TRANSFER_ROWS, *SIZE_ROWS, *RANGE_ROWS),
     quantities=QUANTITIES,
     published=(FIRST_SET, SECOND_SET),
+    usual={error: sp.S.One, stage_ratio: sp.S.Half, own_error: sp.Rational(1, 5)},
     findings=FINDINGS,
     conventions=(
         "Displacements and rotations are counted from the position x1 = 0; angles from Ox, "

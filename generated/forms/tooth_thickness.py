@@ -506,7 +506,8 @@ def thickness_change_linear_printed(
 
         thickness_change_linear_printed = 1821*dh/2500
 
-    An approximation for 20 deg, where 2*tan(alpha) = 0.7279; not meant for other angles.
+    Judged, as (1), to a hundredth of Delta_h; 2*tan(20 deg) = 0.7279, and it is not meant for
+    other angles.
 
     Domain as that of `thickness_change_linear`.
 

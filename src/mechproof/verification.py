@@ -49,7 +49,9 @@ def open_derivation(location: Path) -> Opened:
     except (ValueError, NotImplementedError) as error:
         raise DerivationError(f"{location}: {error}") from error
     variables = tuple(replace(variable, meaning="", sign="") for variable in paper.variables)
-    domain = Paper(paper.system, "", variables, (), paper.where, published=paper.published)
+    domain = Paper(
+        paper.system, "", variables, (), paper.where, published=paper.published, usual=paper.usual
+    )
     return Opened(location, paper, rows, domain)
 
 

@@ -92,6 +92,19 @@ def test_sizes_that_do_not_separate_give_way_to_the_next_and_to_any() -> None:
     assert other.at["e"] not in ("0.28", "0.5")
 
 
+def test_usual_sizes_stand_for_what_is_not_published() -> None:
+    usual = Paper("system", "", VARIABLES, (), published=(SIZES,), usual={r: sp.Rational(1, 40)})
+    assert evidence(R * r, R + r, Domain.of(usual)).at == {"R": "66", "r": "0.025"}
+    assert evidence(r, 2 * r, Domain.of(usual)).at == {"r": "0.025"}
+    assert evidence(r, sp.Rational(1, 40), Domain.of(usual)).at != {"r": "0.025"}
+
+
+def test_sizes_of_which_a_row_has_none_do_not_hide_the_next() -> None:
+    others = (Published("none of them", {z: sp.S(50)}), SIZES)
+    found = evidence(R * phi, R * sp.sin(phi), Domain.of(paper(*others)))
+    assert found.at == {"R": "66", "phi": "pi/6 (30°)"}
+
+
 def test_sizes_outside_the_domain_are_no_points_of_it() -> None:
     domain = Domain.of(paper(SIZES, OTHER, where=(e > sp.Rational(3, 10),)))
     assert evidence(e, sp.S.Zero, domain).what == "the two sides, sizes of Table 2"
@@ -161,6 +174,8 @@ KINDS = {
     "angle": (phi, True),
     "multiple": (R / r * phi, True),
     "sum with a number": (1 + phi, True),
+    "length with its sizes put in": (3 * (sp.sin(phi) - phi * sp.cos(phi)), False),
+    "the same, number first": (e + phi, False),
     "arctangent": (sp.atan(e), True),
     "direction": (sp.atan2(R, r), True),
     "integral over it": (sp.Integral(sp.cos(phi) ** 2, (phi, 0, psi)), True),
@@ -218,6 +233,14 @@ def test_the_part_that_fails_is_named_with_its_number() -> None:
     assert reason(Conjunction((parts[0], PrintedNumber("3.15", sp.pi)))) == (
         "part 2 of 2: recomputed 3.14159, printed 3.15"
     )
+
+
+def test_a_relation_too_long_to_read_is_named_by_its_sides() -> None:
+    long = sum(phi**k * e ** (k + 1) for k in range(1, 20))
+    first, *_ = judge(row(less(long, -long)), paper(SIZES)).evidence
+    assert first.what.startswith("printed < rebuilt is false")
+    first, *_ = judge(row(less(phi, -phi)), paper(SIZES)).evidence
+    assert first.what.startswith("phi < -phi is false")
 
 
 def test_reasons_hold_no_balls() -> None:

@@ -19,6 +19,8 @@ from mechproof.record import (
     Holds,
     Paper,
     PrintedNumber,
+    Reading,
+    Row,
     Variable,
 )
 
@@ -46,10 +48,13 @@ A_PART = Equation("(6)", "s", Equality(r * sp.cos(phi) / 2 + r, r * sp.sin(phi) 
 MEMBERS = Equation("(7)", "p=q", Equality(RIGHT, PRINTED, rebuilt_from="member"))
 UNRELATED = Equation("(4)", "v", Equality(r, 2 * r))
 TRUE = Claim("true", "t", Holds(sp.Ge(r, 0, evaluate=False)))
+CONVENTION = Claim(
+    "turned", "a", Equality(phi, -phi), readings=(Reading("against", Equality(-phi, -phi)),)
+)
 NUMBER = Claim("number", "1.2", PrintedNumber("1.2", sp.Rational(5, 2)))
 
 
-def find(*findings: Finding, others: tuple[Equation, ...] = ()) -> tuple[Found, ...]:
+def find(*findings: Finding, others: tuple[Row, ...] = ()) -> tuple[Found, ...]:
     paper = Paper(
         "mine",
         "",
@@ -92,10 +97,35 @@ def test_a_follower_may_have_other_letters_parts_or_the_print_as_second_member(
     assert row.number not in [found.number for found in others]
 
 
+def test_a_follower_may_hold_the_matrix_of_its_cause_as_a_whole() -> None:
+    printed, right = sp.ImmutableMatrix([[phi, psi]]), sp.ImmutableMatrix([[psi, phi]])
+    cause = Claim(
+        "order",
+        "m",
+        Equality(printed, right),
+        corrected=Correction("m", Equality(right, right)),
+    )
+    again = Claim("order again", "n", Equality(printed, right))
+    first = next(
+        found
+        for found in find(Finding("order", "", follows=("order again",)), others=(cause, again))
+        if found.number == "order"
+    )
+    assert first.follows == ("order again",)
+
+
 def test_two_values_of_which_neither_is_right_have_names_and_no_error() -> None:
     cost = Cost("sum", {}, "mm", 0, sp.Integer(1), sp.Integer(2), ("as read", "as guessed"))
     first, *_ = find(Finding("(1)", "", (cost,)))
     assert first.costs == ("sum: as read 1 mm, as guessed 2 mm",)
+
+
+def test_a_convention_is_wrong_only_when_read_literally() -> None:
+    found = find(
+        Finding("turned", "", (Cost("here", {phi: sp.pi / 6}, "°"),)), others=(CONVENTION,)
+    )
+    (cost,) = next(finding.costs for finding in found if finding.number == "turned")
+    assert cost == "here: read literally 30.0°, right -30.0°, off by 60.0°"
 
 
 def test_costs_are_computed_at_the_sizes_in_the_unit() -> None:

@@ -67,6 +67,7 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
     number = f"kernel {kernel.name}" if last else f"kernel {kernel.name}, {form.name}"
     shown = kernel.name.replace("_", r"\_")
     rewrites = ", ".join(form.rewrites) or "none"
+    bound = "" if form.bound is None else f"; off by at most {form.bound}"
     states = form.states or (lambda code: equal_on_branches(code.output(), quantity.definition))
     on = _join_parts(quantity, form, paper)
     note = f" {form.note[:1].upper()}{form.note[1:]}." if form.note else ""
@@ -75,7 +76,7 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
         rf"\text{{the source of {shown} computes "
         + (r"its definition}" if form.bound is None else r"its definition to a bound}"),
         states(WrittenForm(quantity, kernel.code, stage)),
-        note=f"Read back from the source: {form.name}; rewrites: {rewrites}.{note}",
+        note=f"Read back from the source: {form.name}; rewrites: {rewrites}{bound}.{note}",
         on=on,
         holds_on=form.holds_on,
         marks=("ours",),

@@ -7,6 +7,7 @@ witness is a change of a unit after which the two sides no longer scale alike.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from fractions import Fraction
 from itertools import repeat
 
@@ -32,10 +33,11 @@ def dimensions_of(paper: Paper) -> Dimensions:
 def is_angle(sides: tuple[sp.Basic, ...], known: Dimensions) -> bool:
     """Return whether the sides of a statement are angles."""
     try:
-        common = infer_common(sides, known)
+        found = [infer(side, known) for side in sides]
+        _common(sides, known)
     except DimensionError:
         return False
-    return common is not None and common.is_angle
+    return any(dimension is not None and dimension.is_angle for dimension in found)
 
 
 def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
@@ -110,9 +112,18 @@ def _common(parts: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:
         if result is not None and found != result:
             raise DimensionError(f"{first} has dimension {result} but {part} has {found}")
         first = first if first is not None else part
-        # A number among angles is an angle too.
-        result = found if result is None or not result.angle else result
+        result = found if result is None else _as_terms(first, result, part, found)
     return result
+
+
+def _as_terms(one: sp.Basic, of_one: Dimension, other: sp.Basic, of_other: Dimension) -> Dimension:
+    """Return the dimension of two terms: a constant among angles is one, a sine is none.
+
+    Where sizes have been put in, what is left of a length may be such a mixture.
+    """
+    if of_one.angle == of_other.angle or other.is_number:
+        return of_one
+    return of_other if one.is_number else replace(of_one, angle=0)
 
 
 def _product(parts: tuple[sp.Basic, ...], known: Dimensions) -> Dimension | None:

@@ -42,8 +42,8 @@ _ROUND_ANGLES += tuple(-angle for angle in _ROUND_ANGLES)
 class Domain:
     """Sets of the free symbols, relations between them, and symbols given by others.
 
-    `published` sizes and `dimensions` decide nothing: they say at which points a difference is
-    looked for first, and how it is shown.
+    `published` and `usual` sizes and `dimensions` decide nothing: they say at which points a
+    difference is looked for first, and how it is shown.
     """
 
     within: Mapping[sp.Basic, sp.Set]
@@ -53,6 +53,7 @@ class Domain:
     dimensions: Mapping[sp.Basic, Dimension] = field(
         default_factory=lambda: _NO_DIMENSIONS, compare=False
     )
+    usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=lambda: _NO_VALUES, compare=False)
 
     def __hash__(self) -> int:
         within, given = frozenset(self.within.items()), frozenset(self.given.items())
@@ -82,7 +83,7 @@ class Domain:
             _check_relation(relation, {*within, *given})
         if sp.false in where:
             raise RecordError(f"paper {paper.system!r}: a relation of its domain is always false")
-        domain = cls(within, (), given, paper.published, dimensions_of(paper))
+        domain = cls(within, (), given, paper.published, dimensions_of(paper), paper.usual)
         return replace(domain, where=tuple(domain.resolve(relation) for relation in where))
 
     def resolve(self, expression: sp.Basic) -> sp.Basic:
@@ -143,7 +144,7 @@ class Domain:
         """
         names, _ = self._connect(set(symbols) | fixed.keys())
         known = {s: value for s, value in sizes.items() if s in names}
-        if not self.allows(known):
+        if not self.allows(known) or (sizes and not known):
             return
         for angles in self._round_angles(names - known.keys() - fixed.keys()):
             with suppress(ValueError):

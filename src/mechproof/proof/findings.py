@@ -30,6 +30,8 @@ UNITS: Mapping[str, sp.Expr] = {
     "%": sp.Integer(100),
 }
 PRINTED_AND_RIGHT = ("printed", "right")
+# A convention is true in some sense: only the literal reading of the print has that value.
+READ_AND_RIGHT = ("read literally", "right")
 _BITS = 60
 
 
@@ -107,14 +109,14 @@ def _describe(
         marks=about.marks,
         printed_latex=about.printed_latex,
         wrong=finding.wrong,
-        costs=tuple(_compare(cost, row, paper) for cost in finding.costs),
+        costs=tuple(_compare(cost, about.verdict, row, paper) for cost in finding.costs),
         corrected_latex=about.corrected_latex,
         corrected_by=about.corrected_by,
         follows=tuple(follower.row for follower in finding.followers),
     )
 
 
-def _compare(cost: Cost, row: Row, paper: Paper) -> str:
+def _compare(cost: Cost, verdict: Verdict, row: Row, paper: Paper) -> str:
     """Write both values at a place and, of a printed and a right one, their difference."""
     domain = Domain.of(paper)
     sides = (
@@ -122,8 +124,10 @@ def _compare(cost: Cost, row: Row, paper: Paper) -> str:
     )
     values = [_value(side, cost, domain) for side in sides]
     unit = cost.unit if cost.unit in ("", "°") else f" {cost.unit}"
-    named = dict(zip(cost.names, values, strict=True))
-    if cost.names == PRINTED_AND_RIGHT:
+    differ = cost.names == PRINTED_AND_RIGHT
+    literally = differ and verdict is Verdict.CONVENTION
+    named = dict(zip(READ_AND_RIGHT if literally else cost.names, values, strict=True))
+    if differ:
         named["off by"] = abs(values[0] - values[1])
     texts = (f"{name} {_round(value, cost)}{unit}" for name, value in named.items())
     return f"{cost.where}: {', '.join(texts)}"
@@ -219,6 +223,9 @@ def _pairs(printed: Any, corrected: Any) -> dict[sp.Basic, sp.Basic]:
 
 def _replace_in(part: Any, pairs: Mapping[sp.Basic, sp.Basic]) -> Any:
     if isinstance(part, sp.Basic):
+        if part in pairs:
+            # A matrix as a whole, of which SymPy replaces elements only.
+            return pairs[part]
         # Not the same node: a product within a product is one with its factors.
         return part.subs(pairs, simultaneous=True)
     if isinstance(part, tuple):

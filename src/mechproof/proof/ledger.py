@@ -11,7 +11,7 @@ from mechproof.proof.findings import Found
 from mechproof.proof.ladder import IDENTICAL
 from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
-from mechproof.record import Paper
+from mechproof.record import MARKS, Paper
 
 PLAIN = (Verdict.PROVED, Verdict.DEFINITION)
 # Rows are counted by what they are, never added up.
@@ -21,13 +21,15 @@ REBUILT = "rebuilt"
 COUNTED = (*CLASSES.values(), OURS)
 INTRODUCTION = """# Ledger
 
-What is wrong in print comes first, each cause once: the findings. Then every printed equation and
-every checkable claim of the papers, with the verdict that `mechproof verify` computes. This page
-is generated; the same findings and rows are in `ledger.json`. Rows marked *ours* are not printed
-in the paper: they are results that other rows or the kernels rest on, and they are counted apart.
-"Read as" is what was read from the print and judged; rows marked *as typed* were typed by hand.
-A rung is the way in which a row was decided; the last section explains each. The formulas of what
-is proved, and what they were compared with, are folded away below each table.
+What is wrong, ambiguous or missing in print comes first, each cause once: the findings. Then every
+printed equation and every checkable claim of the papers, with the verdict that `mechproof verify`
+computes. This page is generated; the same findings and rows are in `ledger.json`. "Read as" is what
+was read from the print and judged; rows marked *as typed* were typed by hand. A rung is the way in
+which a row was decided; the last section explains each. The formulas of what is proved, and what
+they were compared with, are folded away below each table.
+
+Marks say what a row rests on; rows marked *ours* are counted apart:
+
 """
 
 
@@ -82,7 +84,8 @@ def _lines(records: Sequence[dict[str, object]]) -> str:
 
 def to_markdown(ledgers: Sequence[Ledger]) -> str:
     """Return the ledger as a page; formulas are LaTeX between dollar signs."""
-    parts = [INTRODUCTION, "\n## Findings\n"]
+    marks = "\n".join(f"- *{mark}*: {meaning}" for mark, meaning in MARKS.items())
+    parts = [f"{INTRODUCTION}{marks}\n", "\n## Findings\n"]
     parts += [_finding(found) for ledger in ledgers for found in ledger.findings]
     for ledger in ledgers:
         parts += [_heading(ledger), _table(ledger.judgements)]

@@ -25,6 +25,8 @@ _FIRST_COUNTS = (2, 3, 5, 1, 4, 7, 6, 10, 12, 8, 9, 11, 0)
 _CHOICES = 3
 _MORE_CHOICES = 14
 _MOST_TRIED = 2000
+# Characters of a relation that a reader still takes in.
+_LONGEST_RELATION = 120
 # Balls wider than this say nothing of how close two sides are.
 _NARROW = arb(2) ** -32
 
@@ -76,7 +78,7 @@ def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> E
             left, right = (
                 balls.evaluate(put_exactly(s, point), point, 256) for s in (first, second)
             )
-            what = f"{relation} is false"
+            what = f"{_name_relation(relation)} is false"
             return describe(what, (first, second), (left, right), point, domain)
     return None
 
@@ -119,8 +121,13 @@ def points_for(
 def _published_points(
     expressions: tuple[sp.Basic, ...], counts: list[sp.Basic], plain: list[sp.Basic], domain: Domain
 ) -> Iterator[Point]:
-    """Yield points at the published sizes that the domain allows, then at round angles alone."""
-    for sizes in (*map(sizes_of, domain.published), {}):
+    """Yield points at the published sizes that the domain allows, then at round angles alone.
+
+    What is not published has its usual size first, where the domain allows both.
+    """
+    usual = {s: v for s, v in domain.usual.items() if s in {*counts, *plain}}
+    published: list[Point] = [*map(sizes_of, domain.published), {}]
+    for sizes in (*({**usual, **p} for p in published if usual), *published):
         for others in _choose_counts([s for s in counts if s not in sizes], domain, 1):
             elements = _list_elements(expressions, {**others, **sizes})
             yield from domain.points_at(sizes, [*plain, *counts, *elements], others)
@@ -193,6 +200,13 @@ def _enclose_both(
             is_narrow = (left - right).abs_upper() < _NARROW * left.abs_upper().max(arb(1))
             decided = "together" if is_narrow else decided
     return left, right, decided
+
+
+def _name_relation(relation: sp.Basic) -> str:
+    """Write a relation out where it is short, else as one of the sides shown with it."""
+    text = str(relation)
+    sides = f"printed {relation.rel_op} rebuilt" if relation.is_Relational else "the relation"
+    return text if len(text) <= _LONGEST_RELATION else sides
 
 
 def _name_point(point: Point, domain: Domain) -> str:

@@ -15,7 +15,8 @@ class Cost:
 
     `at` gives the symbols exact values (30 degrees are pi/6). Without `printed` and `right` the
     values are those of the two sides of the row. Units are those of `mechproof.proof.findings`.
-    `names` are what the two values are called where neither is plainly the right one.
+    `names` are what the two values are called where neither is plainly the right one; by default
+    the first is the printed one, or what a convention gives when read literally.
     """
 
     where: str

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from keyword import iskeyword
+from types import MappingProxyType
 
 import sympy as sp
 
@@ -40,7 +41,11 @@ class Published:
 
 @dataclass(frozen=True)
 class Paper:
-    """A paper: its symbols, its rows in printed order, the quantities shipped from it."""
+    """A paper: its symbols, its rows in printed order, the quantities shipped from it.
+
+    `usual` are sizes as in practice of symbols that have no printed one: they decide nothing, but
+    a difference is shown at them first.
+    """
 
     system: str
     citation: str
@@ -52,6 +57,7 @@ class Paper:
     findings: tuple[Finding, ...] = ()
     conventions: str = ""
     notation: Notation = field(default_factory=Notation)
+    usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
 
     def __post_init__(self) -> None:
         if not _names_module(self.system):

@@ -14,7 +14,16 @@ from mechproof.record.variables import Part
 
 Derived = Mapping[sp.Basic, sp.Basic]
 
-MARKS = ("rebuilt", "calibrated", "fitted", "uncertain", "inferred", "ours")
+# What a row rests on, and what that obliges a reader to.
+MARKS = {
+    "rebuilt": "the print is damaged and was restored from the equations around it: nothing in it "
+    "can be charged to the paper, and that it is proved confirms nothing",
+    "inferred": "not printed in so many words, but read from a figure or from the sense",
+    "uncertain": "a character or a digit of the print may be another",
+    "calibrated": "rests on a number that the paper does not print and that was reconstructed",
+    "fitted": "rests on a number that was fitted to this very print, which is no confirmation",
+    "ours": "not printed in the paper: a result that other rows or the kernels rest on",
+}
 
 
 @dataclass(frozen=True)
@@ -105,7 +114,7 @@ class Row:
     def __post_init__(self) -> None:
         marks = {*self.marks, *(mark for sign in self.signs.values() for mark in sign.marks)}
         if unknown := marks - set(MARKS):
-            raise ValueError(f"row {self.number!r}: marks {sorted(unknown)} not in {MARKS}")
+            raise ValueError(f"row {self.number!r}: marks {sorted(unknown)} not in {tuple(MARKS)}")
         if self.says is not None:
             check_statement(self.says)
 
