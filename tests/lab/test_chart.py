@@ -160,6 +160,11 @@ def test_the_usual_set_is_the_one_that_most_ways_share(record: Record) -> None:
             "is off by at most 2 eps, the least of 3 ways; the only faster one loses 4 digits",
         ),
         (
+            [("a", 0.5, 464)],
+            "is off by at most 2 eps, the least of 2 ways; "
+            "the only faster one is off by at most 464 eps",
+        ),
+        (
             [("a", 0.5, 1, True), ("b", 0.6, 1e15)],
             "is off by at most 2 eps, the least of 3 ways; "
             "each of the 2 faster ones somewhere loses whole turns or every digit",

@@ -57,7 +57,8 @@ class Mark:
         if not self.has_digits:
             return "somewhere has no digit right"
         if self.error < FEW_EPS:
-            return f"is off by at most {self.error:.2g} eps"
+            told = f"{self.error:.0f}" if self.error >= 10 else f"{self.error:.2g}"
+            return f"is off by at most {told} eps"
         return f"loses {int(math.log10(self.error))} digits"
 
 
