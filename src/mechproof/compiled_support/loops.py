@@ -107,7 +107,7 @@ def _fill(
 ) -> None:
     """Fill a target whose last axes are a result's: rows of equal parameters if they are long."""
     spread = [
-        np.broadcast_to(a, points + a.shape[a.ndim - bool(width) :] if width else points)
+        _spread(a, (*points, width) if width else points)
         for a, width in zip(arrays, loops.widths, strict=True)
     ]
     depth = len(points) - _count_common_axes(outer[1:], len(points))
@@ -121,6 +121,11 @@ def _fill(
     for index, numbers in zip(np.ndindex(points[:depth]), table, strict=True):
         row = np.ascontiguousarray(spread[0][index]).reshape(-1)
         _fill_uniformly(loops, rows[index], row, numbers)
+
+
+def _spread(array: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+    """Broadcast an array that has another shape: numba would compile anew for what is read-only."""
+    return array if array.shape == shape else np.broadcast_to(array, shape)
 
 
 def _list_parameters(
