@@ -5,6 +5,9 @@ and so are the formulas. Numbers and NumPy arrays are taken. With numbers,
 kernels can be called inside functions that numba compiles; arguments with components are then
 indexed, and so are results.
 
+Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
+of the NumPy kernels alone.
+
 Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.

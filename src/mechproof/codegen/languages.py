@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from types import MappingProxyType
 
+from mechproof.codegen.elementary.functions import BODIES
 from mechproof.codegen.syntax import (
     ATOM,
     BOTH,
@@ -55,20 +57,15 @@ NUMPY = Syntax(
         {"#pi": "np.pi", "#e": "np.e", "#inf": "np.inf", "#nan": "np.nan"}
     ),
 )  # fmt: skip
-LIMITED = ("tan", "sin", "cos", "tangent_quotient")
+# The functions of a language's own library, for angles that are reduced there.
+_LIBRARY = ("tan", "sin", "cos")
 # One number at a time; `exact` says whether what angles far out give is wanted, however long it
 # takes, or NaN.
 NUMBA = Syntax(
     infix=INFIX,
     calls=MappingProxyType(
         {
-            **{
-                name: f"_{name}"
-                for name in (
-                    "sin", "cos", "tan", "arctan", "arctan2", "hypot", "product_rest", "sum_rest",
-                    "quotient_rest", "small_tangent", "tangent_quotient", "small_arctan",
-                )
-            },
+            **{kind: f"_{kind}" for kind in BODIES},
             **{
                 n: n
                 for n in ("floor", "rint", "fma", "copysign", "is_finite", "maximum", "choose")
@@ -77,7 +74,7 @@ NUMBA = Syntax(
             "absolute": "abs",
         }
     ),
-    last=MappingProxyType(dict.fromkeys(LIMITED, "exact")),
+    last=MappingProxyType({kind: "exact" for kind, (_, _, far) in BODIES.items() if far}),
     patterns=MappingProxyType(
         {
             "negate": ("-{}", SIGN, SIGN),
@@ -88,23 +85,14 @@ NUMBA = Syntax(
 )  # fmt: skip
 NUMBA_FAR = replace(
     NUMBA,
-    calls=MappingProxyType(
-        {**NUMBA.calls, **{name: f"math.{name}" for name in ("tan", "sin", "cos")}}
-    ),
+    calls=MappingProxyType({**NUMBA.calls, **{name: f"math.{name}" for name in _LIBRARY}}),
     last=MappingProxyType({}),
 )
 C99 = Syntax(
     infix=MappingProxyType({**INFIX, "both": ("&&", BOTH), "either": ("||", EITHER)}),
     calls=MappingProxyType(
         {
-            **{
-                name: f"mp_{name}"
-                for name in (
-                    "sin", "cos", "tan", "arctan", "arctan2", "hypot", "product_rest", "sum_rest",
-                    "quotient_rest", "small_tangent", "tangent_quotient", "small_arctan", "square",
-                    "maximum",
-                )
-            },
+            **{kind: f"mp_{kind}" for kind in (*BODIES, "square", "maximum")},
             "sqrt": "sqrt",
             "floor": "floor",
             "rint": "rint",
@@ -120,15 +108,14 @@ C99 = Syntax(
     ),
     constants=MappingProxyType(
         {
-            "#pi": "3.141592653589793",
-            "#e": "2.718281828459045",
+            "#pi": repr(math.pi),
+            "#e": repr(math.e),
             "#inf": "HUGE_VAL",
             "#nan": "NAN",
         }
     ),
     number=lambda number: repr(float(number)),
 )  # fmt: skip
-_LIBRARY = ("tan", "sin", "cos")
 C99_FAR = replace(C99, calls=MappingProxyType({**C99.calls, **{n: n for n in _LIBRARY}}))
 
 
@@ -144,7 +131,12 @@ C99_SINGLE = replace(
     C99,
     calls=MappingProxyType({**C99.calls, **_SINGLE}),
     constants=MappingProxyType(
-        {**C99.constants, "#pi": "3.1415927f", "#e": "2.7182817f", "#inf": "HUGE_VALF"}
+        {
+            **C99.constants,
+            "#pi": _write_single(math.pi),
+            "#e": _write_single(math.e),
+            "#inf": "HUGE_VALF",
+        }
     ),
     number=_write_single,
 )

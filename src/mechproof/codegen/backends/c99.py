@@ -16,6 +16,10 @@ from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
 from mechproof.record import Paper
 
 WIDTH = 90
+ACCURACY = {
+    False: "Tests hold them to the accuracy bounds that the help of the NumPy kernels states.",
+    True: "No accuracy bound is stated in float.",
+}
 KEYWORDS = frozenset({
     "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else",
     "enum", "extern", "float", "for", "goto", "if", "inline", "int", "long", "register",
@@ -48,6 +52,7 @@ def render_c(paper: Paper, *, single: bool = False) -> dict[str, str]:
         "citation": textwrap.wrap(paper.citation, WIDTH),
         "guard": f"{file.upper()}_H",
         "names": "FUNCTION",
+        "accuracy": ACCURACY[single],
     }
     source = {
         **common,
