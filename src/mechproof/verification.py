@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -152,11 +152,17 @@ def _fill(
 
     makers = [partial(make, load) for load in loaders]
     results = run_batches(_judge, makers, limit=limit, processes=processes, start=start)
-    for done, (task, result) in enumerate(results, start=1):
+    for task, result in results:
         paper, number = tasks[task]
         paper.add(number, result)
-        row = paper.opened.rows[number].number
-        report(f"{done} of {len(tasks)} rows, {paper.opened.paper.system}: {row}")
+        report(_count({id(paper): paper for paper, _ in tasks}.values()))
+
+
+def _count(papers: Iterable[_Progress]) -> str:
+    """Say how many rows of each paper have been judged, of those with rows that have not."""
+    counts = [(p.opened.paper.system, len(p.found) + len(p.failed), len(p.keys)) for p in papers]
+    at_work = [f"{name} {done} of {rows}" for name, done, rows in counts if done < rows]
+    return ", ".join(at_work) or "all rows judged"
 
 
 def _judge(task: tuple[Path, int]) -> Judgement:
