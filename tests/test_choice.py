@@ -8,6 +8,7 @@ import pytest
 
 import mechproof
 from mechproof import choose
+from mechproof.choice import EXTRAS
 from mechproof.measured import (
     Cell,
     CellErrors,
@@ -142,6 +143,39 @@ class TestDecision:
         assert "not told apart in time" in chosen.explain()
         write_record(replace(RECORD, times=(timed("coarse", "w", 100_000, 8.0), fine)), folder)
         assert choose("angle", error=0.01, e=(0, 0.5), measured=folder).way == "coarse"
+
+    def test_what_needs_an_extra_is_taken_where_it_is_installed(
+        self, folder: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        compiled = replace(way("kernel, compiled", kind="kernel"), needs="fast")
+        more = [replace(e, way=compiled.name) for e in RECORD.cell_errors if e.way == "fine"]
+        record = replace(
+            RECORD,
+            ways=(*RECORD.ways, compiled),
+            cell_errors=(*RECORD.cell_errors, *more),
+            times=(*RECORD.times, timed(compiled.name, "w", 100_000, 1.0)),
+        )
+        write_record(record, folder)
+        monkeypatch.setitem(EXTRAS, "fast", "json")
+        chosen = choose("angle", error=1e-9, measured=folder)
+        assert (chosen.way, chosen.needs) == ("kernel, compiled", "fast")
+        assert chosen.function == "mechproof.kernels.compiled.gear.angle"
+        assert chosen.faster is None
+        monkeypatch.setitem(EXTRAS, "fast", "no_such_package")
+        chosen = choose("angle", error=1e-9, measured=folder)
+        assert (chosen.way, chosen.needs) == ("fine", "")
+        assert chosen.faster is not None
+        assert chosen.faster.way == "kernel, compiled"
+        assert str(chosen).endswith(
+            " With pip install 'mechproof[fast]': kernel, compiled, error 3e-15 rad (measured), "
+            "1 ns per point."
+        )
+        assert not any(other.needs for other in chosen.others)
+        coarse = choose("angle", error=0.01, e=(0, 0.5), measured=folder)
+        assert coarse.way == "coarse"
+        assert coarse.faster is not None
+        monkeypatch.setitem(EXTRAS, "fast", "json")
+        assert choose("angle", error=0.01, e=(0, 0.5), measured=folder).needs == "fast"
 
     def test_nothing_qualifies(self, folder: Path) -> None:
         with pytest.raises(ValueError, match=r"reaches it; gear\.angle: fine, error 3e-15 rad"):

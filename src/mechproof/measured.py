@@ -68,6 +68,7 @@ class MeasuredWay:
     the whole domain); of a peer nothing is, its verdict is MEASURED. bound: what |way -
     definition| provably stays below, empty without. ordered: it needs samples in order from 0 on.
     key: the end of its function's name, <quantity>_<key>, empty without a function of its own.
+    needs: the extra that has to be installed for it.
     """
 
     name: str
@@ -78,6 +79,7 @@ class MeasuredWay:
     bound: str = ""
     ordered: bool = False
     key: str = ""
+    needs: str = ""
     note: str = ""
 
     def __post_init__(self) -> None:

@@ -94,6 +94,7 @@ def _describe(subject: Subject, way: Way) -> MeasuredWay:
         bound=bound,
         ordered=way.ordered,
         key=way.key,
+        needs=way.needs,
         note=way.note,
     )
     if not way.rows:
