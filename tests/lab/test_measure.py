@@ -141,9 +141,18 @@ def test_a_kernel_with_out_is_listed_twice() -> None:
 
     module = ModuleType("kernels")
     module.planar_error = planar_error  # type: ignore[attr-defined]
-    listed = list_ways(subject.quantity, subject.domain, (), (module, None), ())
+    listed = list_ways(subject.quantity, subject.domain, (), (module, None, module), ())
     found = {way.name: way for way in listed}
-    assert list(found)[:3] == ["kernel", "kernel, out=", "kernel, float32"]
+    assert list(found)[:5] == [
+        *("kernel", "kernel, out=", "kernel, float32"),
+        *("kernel, compiled", "kernel, compiled, out="),
+    ]
+    compiled = found["kernel, compiled"]
+    assert (compiled.kind, compiled.needs, compiled.rows) == (
+        "kernel",
+        "fast",
+        found["kernel"].rows,
+    )
     points = np.array([[3.0, 4.0, 0.0]])
     first, second = (found["kernel, out="].compute(points) for _ in range(2))
     assert second is first
