@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import mpmath as mp
@@ -16,6 +17,7 @@ from mechproof.proof.balls import Ball
 from mechproof.tailoring.design import Array, Plan, Stretch, list_plans, plan_odd, plan_pieces
 from mechproof.tailoring.enclosure import (
     Bound,
+    BreakError,
     ExceededError,
     Repetition,
     bound_outside,
@@ -33,11 +35,11 @@ MOST_PERIODS = 2**23
 # word of the period alone may lose.
 OUTSIDE, ONE_WORD = 0.25, 1 / 16
 # Of what is left of the error: where the first plan aims. Plans tried, the later ones lower.
-AIM, PLANS, LOWER = 0.95, 4, 0.6
+AIM, PLANS, LOWER = 0.8, 5, 0.7
 # Of values, in eps: what evaluating a polynomial rounds, estimated.
 ROUNDED = 2.0**-52
-# How often an error is doubled until it is reachable, and what is told: two digits, rounded up.
-DOUBLED = 60
+# How often an error is raised until it is reachable, and then lowered by bisection.
+RAISED, STEP, CLOSER = 8, 8.0, 3
 SLOPE_POINTS = 2049
 
 
@@ -105,12 +107,15 @@ def build(request: Request) -> Built:
     if not math.isfinite(task.size):
         refuse(request.variable, request.ends, f"{request.name} is undefined somewhere there")
     try:
-        return _build(task, request.error)
-    except NotReachedError:
-        pass
-    least = _find_reachable(task)
-    where = "on this range" if request.ends else "over one period"
-    refuse("error", request.error, f"doubles reach {least} {where}, and no less")
+        try:
+            return _build(task, request.error)
+        except NotReachedError:
+            least = _find_reachable(task)
+    except BreakError as error:
+        what = f"{request.name} jumps or is undefined about {error.place:.9g}"
+        refuse(request.variable, request.ends, f"{what}: give a range on one side of that")
+    where = f"for {request.variable} = {request.ends}" if request.ends else "over one period"
+    refuse("error", request.error, f"must be at least {least}: doubles reach hardly less {where}")
 
 
 def _repetition_over(request: Request) -> Repetition | None:
@@ -121,17 +126,34 @@ def _repetition_over(request: Request) -> Repetition | None:
 
 
 def _find_reachable(task: Task) -> str:
-    """Return the bound of the first error that is reached, doubled again and again."""
+    """Return the bound of about the smallest error that is reached."""
     error = max(task.request.error, ROUNDED * task.size)
-    for _ in range(DOUBLED):
-        error *= 2
+    low, high, reduction = _choose_range(task, error)
+    if reduction and task.repetition:
+        farthest = max(-low, high)
+        error = max(error, bound_outside(reduction, task.repetition, farthest, task.slope))
+    for _ in range(RAISED):
+        error *= STEP
+        with suppress(NotReachedError):
+            best = _build(task, error).bound
+            break
+    else:
+        raise NotReachedError
+    least = max(error / STEP, best.roundings)
+    for _ in range(CLOSER):
+        middle = (least * best.error) ** 0.5
         try:
-            found = _build(task, error).bound.error
+            best = _build(task, middle).bound
         except NotReachedError:
-            continue
-        digits = 10.0 ** (math.floor(math.log10(found)) - 1)
-        return f"{math.ceil(found / digits) * digits:.1e}"
-    return "nothing that was tried"
+            least = middle
+    return round_up(best.error)
+
+
+def round_up(number: float) -> str:
+    """Write a bound with three digits, none of them too small."""
+    text = f"{number:.2e}"
+    step = 10.0 ** (math.floor(math.log10(number)) - 2)
+    return text if float(text) >= number else f"{number + step:.2e}"
 
 
 def _build(task: Task, error: float) -> Built:
@@ -199,9 +221,10 @@ def _choose_range(task: Task, error: float) -> tuple[float, float, Reduction | N
             refuse(request.variable, request.ends, most)
         return low, high, _reduce(task, repetition, max(-low, high), error)
     farthest = 2.0 ** math.floor(math.log2(MOST_PERIODS * period))
-    while farthest > period / 2:
+    while True:
         reduction = _reduce(task, repetition, farthest, error)
-        if bound_outside(reduction, repetition, farthest, task.slope) <= OUTSIDE * error:
+        outside = bound_outside(reduction, repetition, farthest, task.slope)
+        if outside <= OUTSIDE * error or farthest <= period:
             break
         farthest /= 2
     return -farthest, farthest, reduction

@@ -19,6 +19,7 @@ Function = Callable[[Array], Array]
 NODES, EDGES = 256, 96
 # Coefficients after the last of a polynomial that its error is estimated from.
 AHEAD = 8
+UNIT, GROWTH = 2.0**-53, 1 + 2**0.5
 MOST_PIECES, MOST_TERMS = 16, 26
 # How often a tolerance is raised by half until it suits some pieces.
 LOOSENED = 12
@@ -85,11 +86,16 @@ def _expand(function: Function, low: Array, high: Array, count: int) -> Array:
     return np.where(np.isnan(found), np.inf, found)
 
 
-def _ahead(sizes: Array) -> Array:
-    """Estimate the error of leaving out all coefficients from each on."""
+def _estimate(sizes: Array) -> Array:
+    """Estimate the error with all coefficients before each: of the others, and of roundings.
+
+    The powers in T_k add up to (1 + sqrt(2))**k where its value is 1: so much is cancelled.
+    """
     padded = np.pad(sizes, [(0, 0), (0, AHEAD)])
     windows = np.lib.stride_tricks.sliding_window_view(padded, AHEAD, axis=1)
-    return np.asarray(windows.sum(axis=2)[:, : sizes.shape[1]])
+    left_out = np.asarray(windows.sum(axis=2)[:, : sizes.shape[1]])
+    summed = np.cumsum(sizes * GROWTH ** np.arange(sizes.shape[1]), axis=1)
+    return np.asarray(left_out + UNIT * np.pad(summed, [(0, 0), (1, 0)])[:, :-1])
 
 
 def list_plans(stretch: Stretch, tolerance: float) -> list[Plan]:
@@ -125,9 +131,9 @@ def plan_odd(stretch: Stretch, terms: int, count: int) -> Plan:
 def _expand_odd(stretch: Stretch) -> tuple[Array, Array, Array]:
     """Return inner edges and the errors there of odd polynomials about 0 and about the end."""
     end = stretch.high
-    inner = end * np.linspace(0, 1, EDGES + 1)[1:]
-    near = _ahead(_expand(stretch.function, -inner, inner, NODES))[:, ::2]
-    far = _ahead(_expand(stretch.function, inner, 2 * end - inner, NODES))[:, ::2]
+    inner = end * np.linspace(0, 1, EDGES + 1)[1:] ** 2
+    near = _estimate(_expand(stretch.function, -inner, inner, NODES))[:, ::2]
+    far = _estimate(_expand(stretch.function, inner, 2 * end - inner, NODES))[:, ::2]
     return inner, near, far
 
 
@@ -164,7 +170,7 @@ def _reach(stretch: Stretch, start: float, terms: int, tolerance: float) -> floa
         # Eight ends at once: a call costs more than its points.
         tried = low + shares * (span - low)
         first = np.full(tried.shape, start)
-        errors = _ahead(_expand(stretch.function, first, start + tried, nodes))[:, terms]
+        errors = _estimate(_expand(stretch.function, first, start + tried, nodes))[:, terms]
         good = np.flatnonzero(errors <= tolerance)
         best = int(good[0]) if good.size else len(tried)
         if best == 0:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from itertools import pairwise
 
-from flint import arb
+from flint import arb, arb_series
 
 from mechproof.codegen.program import Program
 from mechproof.proof.balls import Ball
@@ -24,14 +24,26 @@ ORDER = 14
 # A cell is cut while its bound is wider than this above what is met at points, or than that of
 # the limit.
 WIDE, SMALL = 1.05, 0.3
-# Of the range: the narrowest cell.
-NARROWEST = 2.0**-48
+# Of the range: cells in which roundings are no longer taken for larger than they are, and the
+# narrowest.
+NARROW, NARROWEST = 2.0**-9, 2.0**-48
+# Of values: what cannot be enclosed closer in the narrowest cell jumps there.
+JUMP = 2.0**-30
+SAMPLES = 16
 # A cell is narrow enough for one swing of the error of a polynomial of so many coefficients.
 SWINGS = 2
 
 
 class ExceededError(ArithmeticError):
-    """The error is more than the limit somewhere, or cannot be enclosed below it."""
+    """The error is more than the limit somewhere."""
+
+
+class BreakError(ArithmeticError):
+    """The definition cannot be enclosed about a point: it jumps there, or is not defined."""
+
+    def __init__(self, place: float) -> None:
+        super().__init__(place)
+        self.place = place
 
 
 @dataclass(frozen=True)
@@ -74,7 +86,7 @@ def enclose(model: Model, exact: Exact, repetition: Repetition | None, limit: fl
     """
     with working(ORDER):
         if model.reduction is None or repetition is None:
-            worst = _enclose_part(model, exact, (model.low, model.high), arb(limit))
+            worst = _enclose_part(model, exact, (model.low, model.high), arb(limit), arb(0))
             return _finish(worst, arb(0), limit)
         farthest = arb(max(-model.low, model.high))
         reach, off = _bound_reduction(model.reduction, repetition, farthest)
@@ -82,7 +94,7 @@ def enclose(model: Model, exact: Exact, repetition: Repetition | None, limit: fl
         rest = arb(limit) - after
         if not rest > 0:
             raise ExceededError(float(after.upper()))
-        worst = _enclose_part(model, exact, (-reach, reach), rest)
+        worst = _enclose_part(model, exact, (-reach, reach), rest, off)
         if model.reduction.rate:
             # The sum rounds what the polynomials add to it, too.
             after += UNIT * worst.size
@@ -140,29 +152,43 @@ def _bound_sum(reduction: Reduction, repetition: Repetition, point: Ball) -> Bal
     return (abs(arb(reduction.rate) - repetition.rate) * point + 2 * UNIT * product * (1 + UNIT)).upper()
 
 
-def _enclose_part(model: Model, exact: Exact, ends: tuple[float, float], limit: Ball) -> _Worst:
-    """Bound the error of the polynomials between the ends."""
+def _enclose_part(
+    model: Model, exact: Exact, ends: tuple[float, float], limit: Ball, off: Ball
+) -> _Worst:
+    """Bound the error of the polynomials between the ends, at a point that is off by so much."""
     program = model.part()
     terms = max(len(p.coefficients) for p in model.pieces.pieces)
-    cells = list(_list_cells(model, ends, SWINGS * terms))
-    narrowest = (ends[1] - ends[0]) * NARROWEST
+    cells = sorted(_list_cells(model, ends, SWINGS * terms), key=lambda cell: -abs(sum(cell)))
+    narrow, narrowest = ((ends[1] - ends[0]) * share for share in (NARROW, NARROWEST))
     worst = _Worst(*[arb(0)] * 5)
     while cells:
         low, high = cells.pop()
         found = _enclose_cell(program, exact, low, high)
-        if found and found.met > limit:
-            raise ExceededError(float(found.met))
+        rest = limit
         if found:
+            rest = limit - found.slope * off if off != 0 else limit
+            too_much = found.met.max(found.off) if high - low <= narrow else found.met
+            if too_much > rest:
+                raise ExceededError(float(too_much))
             worst.met = worst.met.max(found.met)
-        enough = (WIDE * worst.met).max(SMALL * limit).min(limit)
+        enough = (WIDE * worst.met).max(SMALL * limit).min(rest)
         if found and found.bound <= enough:
             worst.join(found)
             continue
         middle = low + (high - low) / 2
         if high - low <= narrowest or middle in (low, high):
-            raise ExceededError(float("inf"))
+            if found and found.bound <= JUMP * _sample(exact, ends):
+                raise ExceededError(float(found.bound))
+            raise BreakError(middle)
         cells += [(low, middle), (middle, high)]
     return worst
+
+
+def _sample(exact: Exact, ends: tuple[float, float]) -> Ball:
+    """Return the largest size of some values."""
+    points = (ends[0] + (ends[1] - ends[0]) * i / SAMPLES for i in range(1, SAMPLES))
+    sizes = (abs(list_terms(exact(arb_series([arb(point)])))[0]) for point in points)
+    return max(sizes, key=lambda size: float(size.mid()))
 
 
 def _list_cells(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -27,7 +26,7 @@ from mechproof.codegen.reading import TranslationError, read_module
 from mechproof.files import write_whole
 from mechproof.proof.cache import cache_folder
 from mechproof.record import Form
-from mechproof.tailoring.build import Built
+from mechproof.tailoring.build import Built, round_up
 from mechproof.tailoring.request import Request
 
 NUMBA, NUMPY = "numba", "NumPy"
@@ -90,16 +89,9 @@ class Tailored:
 def _tell_bound(kernel: Tailored) -> str:
     unit = "" if kernel.unit == "1" else f" {kernel.unit}"
     return (
-        f"|error| <= {_round_up(kernel.bound)}{unit} for "
+        f"|error| <= {round_up(kernel.bound)}{unit} for "
         f"{kernel.low:.9g} <= {kernel.variable} <= {kernel.high:.9g}"
     )
-
-
-def _round_up(number: float) -> str:
-    """Write a bound with three digits, none of them too small."""
-    text = f"{number:.2e}"
-    step = 10.0 ** (math.floor(math.log10(number)) - 2)
-    return text if float(text) >= number else f"{number + step:.2e}"
 
 
 def make_kernel(request: Request, built: Built, backend: str | None = None) -> Tailored:
@@ -155,7 +147,7 @@ def _hash(program: Program) -> str:
 def _describe(request: Request, bound: float) -> tuple[str, ...]:
     sizes = ", ".join(f"{name} = {value!r}" for name, value in request.values.items())
     return (
-        f"`{request.name}` tailored to {sizes}: off by at most {_round_up(bound)}.",
+        f"`{request.name}` tailored to {sizes}: off by at most {round_up(bound)}.",
         "",
         f"Generated from mechproof.derivations.{request.paper.system} by `mechproof.tailor`.",
     )
