@@ -55,7 +55,8 @@ def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
     without fma.
 
     >>> import mechproof
-    >>> position = mechproof.tailor("elliptic_planetary.position", R1=66, R2=16, e=0.475, error=1e-9)
+    >>> sizes = {"R1": 66, "R2": 16, "e": 0.475}
+    >>> position = mechproof.tailor("elliptic_planetary.position", error=1e-9, **sizes)
     >>> position.bound <= 1e-9, position.degrees
     (True, (23, 23))
     >>> print(f"{position(50.0):.9f}")

@@ -39,7 +39,7 @@ AIM, PLANS, LOWER = 0.8, 5, 0.7
 # Of values, in eps: what evaluating a polynomial rounds, estimated.
 ROUNDED = 2.0**-52
 # How often an error is raised until it is reachable, and then lowered by bisection.
-RAISED, STEP, CLOSER = 8, 8.0, 3
+RAISED, STEP, CLOSER = 8, 8.0, 2
 SLOPE_POINTS = 2049
 
 

@@ -149,7 +149,9 @@ def _is_short(word: float, count: Ball) -> bool:
 def _bound_sum(reduction: Reduction, repetition: Repetition, point: Ball) -> Ball:
     """Bound the error of rate*point + value, but for what the value adds to the last rounding."""
     product = abs(arb(reduction.rate)) * point
-    return (abs(arb(reduction.rate) - repetition.rate) * point + 2 * UNIT * product * (1 + UNIT)).upper()
+    return (
+        abs(arb(reduction.rate) - repetition.rate) * point + 2 * UNIT * product * (1 + UNIT)
+    ).upper()
 
 
 def _enclose_part(

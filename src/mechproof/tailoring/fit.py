@@ -34,7 +34,9 @@ def fit(plan: Plan, exact: Exact) -> Pieces:
                 for centre, reach in zip((0.0, end), reaches, strict=False)
             ]
         else:
-            pieces = [_fit_whole(exact, low, high, plan.terms) for low, high in pairwise(plan.edges)]
+            pieces = [
+                _fit_whole(exact, low, high, plan.terms) for low, high in pairwise(plan.edges)
+            ]
     return Pieces(plan.edges[1:-1], tuple(pieces), plan.odd, plan.mirrored)
 
 

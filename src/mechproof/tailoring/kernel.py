@@ -176,7 +176,8 @@ def _import(source: str) -> ModuleType:
         return sys.modules[name]
     file = _keep(name, source)
     spec = spec_from_file_location(name, file)
-    assert spec is not None and spec.loader is not None
+    assert spec is not None
+    assert spec.loader is not None
     module = module_from_spec(spec)
     sys.modules[name] = module
     spec.loader.exec_module(module)

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from mechproof.codegen.elementary.trace import Value, choose, copysign, fma, rint, trace
 from mechproof.codegen.program import Program
 
-
 NAN = Value([], "#nan")
 
 

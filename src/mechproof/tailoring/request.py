@@ -167,7 +167,7 @@ def _find_quantity(name: Any) -> tuple[Paper, Quantity]:
 
 
 def _is_possible(quantity: Quantity) -> bool:
-    """Say whether a quantity is a number that depends on numbers, one at least besides the first."""
+    """Say whether a quantity is a number that depends on numbers alone."""
     symbols = [s for argument in quantity.arguments for s in argument.symbols]
     plain = len(symbols) == len(quantity.arguments) and all(
         isinstance(s, sp.Symbol) for s in symbols

@@ -33,22 +33,28 @@ def render_compiled(paper: Paper) -> dict[str, str]:
     kernels = list_scalars(paper)
     if not kernels:
         return {}
-    docstring = (
-        f"Compiled kernels of the system `{paper.system}`: one loop for each, by numba.",
+    docstring = (*_describe(paper.system), *tell_origin(paper.system))
+    return {f"compiled/{paper.system}.py": render_scalars(paper.system, docstring, kernels)}
+
+
+def _describe(system: str) -> tuple[str, ...]:
+    return (
+        f"Compiled kernels of the system `{system}`: one loop for each, by numba.",
         "",
-        f"Names, arguments, domains, NaN and errors are those of `mechproof.kernels.{paper.system}`,",
+        f"Names, arguments, domains, NaN and errors are those of `mechproof.kernels.{system}`,",
         "and so are the formulas. Numbers and NumPy arrays are taken. With numbers,",
-        "kernels can be called inside functions that numba compiles; arguments with components are then",
+        "kernels can be called inside functions that numba compiles; arguments with components "
+        "are then",
         "indexed, and so are results.",
         "",
-        "Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved",
+        "Tests hold them to the same accuracy bounds. What help says is proved of rounding errors "
+        "is proved",
         "of the NumPy kernels alone.",
         "",
-        f"Angles up to {DOUBLE.largest} rad are reduced here; farther out the C library's functions are taken.",
+        f"Angles up to {DOUBLE.largest} rad are reduced here; farther out the C library's "
+        "functions are taken.",
         "",
-        *tell_origin(paper.system),
     )
-    return {f"compiled/{paper.system}.py": render_scalars(paper.system, docstring, kernels)}
 
 
 def render_scalars(
