@@ -126,27 +126,28 @@ def _repetition_over(request: Request) -> Repetition | None:
 
 
 def _find_reachable(task: Task) -> str:
-    """Return the bound of about the smallest error that is reached."""
+    """Return about the smallest error that is reached."""
     error = max(task.request.error, ROUNDED * task.size)
     low, high, reduction = _choose_range(task, error)
     if reduction and task.repetition:
         farthest = max(-low, high)
         error = max(error, bound_outside(reduction, task.repetition, farthest, task.slope))
     for _ in range(RAISED):
-        error *= STEP
+        error = float(round_up(error * STEP))
         with suppress(NotReachedError):
-            best = _build(task, error).bound
+            bound = _build(task, error).bound
             break
     else:
         raise NotReachedError
-    least = max(error / STEP, best.roundings)
+    least = max(error / STEP, bound.roundings)
     for _ in range(CLOSER):
-        middle = (least * best.error) ** 0.5
+        middle = float(round_up((least * error) ** 0.5))
         try:
-            best = _build(task, middle).bound
+            _build(task, middle)
+            error = middle
         except NotReachedError:
             least = middle
-    return round_up(best.error)
+    return round_up(error)
 
 
 def round_up(number: float) -> str:

@@ -23,7 +23,7 @@ Exact = Callable[[Series], Series]
 ORDER = 14
 # A cell is cut while its bound is wider than this above what is met at points, or than that of
 # the limit.
-WIDE, SMALL = 1.05, 0.3
+WIDE, SMALL = 1.05, 0.1
 # Of the range: cells in which roundings are no longer taken for larger than they are, and the
 # narrowest.
 NARROW, NARROWEST = 2.0**-9, 2.0**-48
@@ -166,23 +166,29 @@ def _enclose_part(
     while cells:
         low, high = cells.pop()
         found = _enclose_cell(program, exact, low, high)
-        rest = limit
-        if found:
-            rest = limit - found.slope * off if off != 0 else limit
-            too_much = found.met.max(found.off) if high - low <= narrow else found.met
-            if too_much > rest:
-                raise ExceededError(float(too_much))
-            worst.met = worst.met.max(found.met)
-        enough = (WIDE * worst.met).max(SMALL * limit).min(rest)
-        if found and found.bound <= enough:
-            worst.join(found)
-            continue
         middle = low + (high - low) / 2
-        if high - low <= narrowest or middle in (low, high):
-            if found and found.bound <= JUMP * _sample(exact, ends):
-                raise ExceededError(float(found.bound))
+        is_last = high - low <= narrowest or middle in (low, high)
+        if found is None:
+            if is_last:
+                raise BreakError(middle)
+            cells += [(low, middle), (middle, high)]
+            continue
+        rest = limit - found.slope * off if off != 0 else limit
+        too_much = found.met.max(found.off) if high - low <= narrow else found.met
+        if too_much > rest:
+            raise ExceededError(float(too_much))
+        worst.met = worst.met.max(found.met)
+        # At the middle, and as far off as there by roundings, whatever is cut.
+        least = found.met + 2 * found.off
+        enough = rest if is_last else (WIDE * worst.met.max(least)).max(SMALL * limit).min(rest)
+        if found.bound <= enough:
+            worst.join(found)
+        elif not is_last:
+            cells += [(low, middle), (middle, high)]
+        elif found.bound <= JUMP * _sample(exact, ends):
+            raise ExceededError(float(found.bound))
+        else:
             raise BreakError(middle)
-        cells += [(low, middle), (middle, high)]
     return worst
 
 

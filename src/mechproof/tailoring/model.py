@@ -118,13 +118,16 @@ class Model:
         return trace(self.pieces.write, ("r",))
 
     def _write(self, point: Value) -> Value:
+        # At once: what lies far out would overflow on its way.
+        point = choose(self._write_inside(point), point, NAN)
         reduction = self.reduction
         value = self.pieces.write(reduction.write(point) if reduction else point)
         if reduction and reduction.rate:
-            value = point.apply("fma", reduction.rate, point, value)
+            return point.apply("fma", reduction.rate, point, value)
+        return value
+
+    def _write_inside(self, point: Value) -> Value:
         if self.low == -self.high:
-            inside = point.apply("less_equal", abs(point), self.high)
-        else:
-            above = point.apply("greater_equal", point, self.low)
-            inside = above.apply("both", above, point.apply("less_equal", point, self.high))
-        return choose(inside, value, NAN)
+            return point.apply("less_equal", abs(point), self.high)
+        above = point.apply("greater_equal", point, self.low)
+        return above.apply("both", above, point.apply("less_equal", point, self.high))
