@@ -121,6 +121,21 @@ def test_it_is_called_in_compiled_functions() -> None:
     assert total(carrier) == pytest.approx(tailored(NUMBA)(carrier).sum(), rel=1e-15)
 
 
+def test_loops_ask_for_the_widest_vectors() -> None:
+    numba = pytest.importorskip("numba")
+    from mechproof.compiled_support import widen
+
+    @numba.njit
+    def double(values: Any) -> None:
+        widen()
+        for i in range(values.size):
+            values[i] *= 2.0
+
+    double(np.ones(3))
+    (text,) = double.inspect_llvm().values()
+    assert '"prefer-vector-width"="512"' in text
+
+
 @pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 def test_c_has_the_bits_of_numba(tmp_path: Path) -> None:
     pytest.importorskip("numba")

@@ -51,6 +51,7 @@ class Pieces:
         before = [w < edge for edge in self.edges]
         s = w - _pick(before, [p.centre for p in self.pieces])
         value = _put(s, before, [p.coefficients for p in self.pieces])
+        assert isinstance(value, Value)
         return value * copysign(1.0, r) if self.mirrored else value
 
     def _write_odd(self, r: Value) -> Value:
