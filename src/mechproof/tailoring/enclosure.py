@@ -123,7 +123,7 @@ def _bound_reduction(
 ) -> tuple[float, Ball]:
     """Bound what the reduction leaves, and how far that is off."""
     turns = point * reduction.per_period
-    # The product that is rounded to a whole number is off by a rounding of it and of its factor.
+    # What is rounded to a whole number is off by its factor and, without fma, by a rounding.
     share = arb(0.5) + abs(point / repetition.period - turns) + UNIT * turns + LEAST
     count = turns + 2 * share
     rest = share * repetition.period

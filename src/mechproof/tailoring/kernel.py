@@ -27,6 +27,7 @@ from mechproof.files import write_whole
 from mechproof.proof.cache import cache_folder
 from mechproof.record import Form
 from mechproof.tailoring.build import Built, round_up
+from mechproof.tailoring.model import Model
 from mechproof.tailoring.request import Request
 
 NUMBA, NUMPY = "numba", "NumPy"
@@ -98,8 +99,7 @@ def make_kernel(request: Request, built: Built, backend: str | None = None) -> T
     """Print, read back and load the kernel of a model, by numba where it is installed."""
     model = built.model
     chosen = backend or (NUMBA if find_spec("numba") else NUMPY)
-    program = model.program()
-    function = _load(request, program, chosen, built.bound.error)
+    function = _load(request, model, chosen, built.bound.error)
     return Tailored(
         name=request.name,
         parameters=request.values,
@@ -111,16 +111,17 @@ def make_kernel(request: Request, built: Built, backend: str | None = None) -> T
         bound=built.bound.error,
         degrees=model.pieces.degrees,
         edges=model.pieces.edges,
-        operations=program.count_operations(),
+        operations=model.program().count_operations(),
         backend=chosen,
         function=function,
-        _files=lambda called, accuracy: _render_c(request, program, called, accuracy),
+        _files=lambda called, accuracy: _render_c(request, model, called, accuracy),
     )
 
 
-def _wrap(request: Request, program: Program) -> Kernel:
-    """Return a program as the kernel of a quantity that has no parameters."""
+def _wrap(request: Request, model: Model, *, fused: bool) -> Kernel:
+    """Return a model as the kernel of a quantity without parameters, its range as the domain."""
     quantity = request.quantity
+    program = model.program() if fused else unfuse(model.program())
     first = quantity.arguments[0]
     form = Form("tailored", sp.S.Zero)
     alone = replace(
@@ -131,8 +132,8 @@ def _wrap(request: Request, program: Program) -> Kernel:
         arguments=(first.name,),
         vectors=(),
         indexed=(),
-        inside=None,
-        masked=(),
+        inside=model.inside(),
+        masked=(first.name,),
         stages=(Stage(None, (first.name,), (), NOTHING, program),),
         shape=(),
         quiet=True,
@@ -153,14 +154,14 @@ def _describe(request: Request, bound: float) -> tuple[str, ...]:
     )
 
 
-def _load(request: Request, program: Program, backend: str, bound: float) -> Any:
+def _load(request: Request, model: Model, backend: str, bound: float) -> Any:
     """Return the function of a module that is printed into the folder for caches."""
     docstring = _describe(request, bound)
     if backend == NUMBA:
-        kernel = _wrap(request, program)
+        kernel = _wrap(request, model, fused=True)
         source = render_scalars(request.paper.system, docstring, [kernel], wide=True)
     else:
-        kernel = _wrap(request, unfuse(program))
+        kernel = _wrap(request, model, fused=False)
         text = write_kernel(kernel, (request.quantity.summary,))
         source = render_module(docstring, [text])
         (read,) = read_module(source).values()
@@ -196,11 +197,11 @@ def _keep(name: str, source: str) -> Path:
     return file
 
 
-def _render_c(request: Request, program: Program, called: str, accuracy: str) -> dict[str, str]:
+def _render_c(request: Request, model: Model, called: str, accuracy: str) -> dict[str, str]:
     sizes = ", ".join(f"{name} = {value!r}" for name, value in request.values.items())
     about = (
         f"Tailored to {sizes}.",
         f"{accuracy}, proved, roundings included.",
         f"mechproof.derivations.{request.paper.system}",
     )
-    return render_c_kernels(called, [_wrap(request, program)], about)
+    return render_c_kernels(called, [_wrap(request, model, fused=True)], about)

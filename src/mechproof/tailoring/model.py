@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechproof.codegen.elementary.trace import Value, choose, copysign, fma, rint, trace
+from mechproof.codegen.elementary.trace import Value, choose, copysign, fma, trace
 from mechproof.codegen.program import Program
 
-NAN = Value([], "#nan")
+# A double so large that a sum with it is a whole number: cheaper than rounding to one.
+WHOLE = 1.5 * 2.0**52
 
 
 @dataclass(frozen=True)
@@ -48,35 +49,32 @@ class Pieces:
         if self.odd:
             return self._write_odd(r)
         w = abs(r) if self.mirrored else r
-        before = [w < edge for edge in self.edges]
-        s = w - _pick(before, [p.centre for p in self.pieces])
-        value = _put(s, before, [p.coefficients for p in self.pieces])
+        beyond = [w >= edge for edge in self.edges]
+        s = w - _pick(beyond, [p.centre for p in self.pieces])
+        value = _put(s, beyond, [p.coefficients for p in self.pieces])
         assert isinstance(value, Value)
         return value * copysign(1.0, r) if self.mirrored else value
 
     def _write_odd(self, r: Value) -> Value:
         *_, last = self.pieces
-        before, s = [], r
-        if self.edges:
+        beyond, s = [abs(r) >= edge for edge in self.edges], r
+        if beyond:
             # Half a period on or back the function is the same: which of both, the sign says.
-            (edge,) = self.edges
-            before = [abs(r) < edge]
-            s = r - choose(before[0], 0.0, copysign(last.centre, r))
-        return s * _put(s * s, before, [p.coefficients for p in self.pieces])
+            s = r - choose(beyond[0], copysign(last.centre, r), 0.0)
+        return s * _put(s * s, beyond, [p.coefficients for p in self.pieces])
 
 
-def _pick(before: Sequence[Value], numbers: Sequence[float]) -> Value | float:
-    """Return the number of the first piece that ends beyond the point."""
-    *others, value = numbers
-    picked: Value | float = value
-    for condition, number in zip(reversed(before), reversed(others), strict=True):
+def _pick(beyond: Sequence[Value], numbers: Sequence[float]) -> Value | float:
+    """Return the number of the last piece that begins before the point."""
+    picked: Value | float = numbers[0]
+    for condition, number in zip(beyond, numbers[1:], strict=True):
         picked = picked if number == picked else choose(condition, number, picked)
     return picked
 
 
-def _put(z: Value, before: Sequence[Value], rows: Sequence[Sequence[float]]) -> Value | float:
+def _put(z: Value, beyond: Sequence[Value], rows: Sequence[Sequence[float]]) -> Value | float:
     """Return the polynomials by Horner's rule: loops over points wait for nothing else."""
-    first, *others = [_pick(before, column) for column in zip(*rows, strict=True)][::-1]
+    first, *others = [_pick(beyond, column) for column in zip(*rows, strict=True)][::-1]
     value = first
     for number in others:
         value = z.apply("fma", value, z, number)
@@ -93,7 +91,7 @@ class Reduction:
 
     def write(self, point: Value) -> Value:
         """Return the point less the nearest number of periods."""
-        count = rint(point * self.per_period)
+        count = fma(point, self.per_period, WHOLE) - WHOLE
         r = point
         for word in self.words:
             r = fma(count, -word, r)
@@ -111,16 +109,18 @@ class Model:
     pieces: Pieces
 
     def program(self) -> Program:
-        """Return the whole program."""
+        """Return the whole program, for points of the range."""
         return trace(self._write, (self.name,))
 
     def part(self) -> Program:
         """Return the program of what is left of the point after the reduction."""
         return trace(self.pieces.write, ("r",))
 
+    def inside(self) -> Program:
+        """Return the program that says whether a point is in the range."""
+        return trace(self._write_inside, (self.name,))
+
     def _write(self, point: Value) -> Value:
-        # At once: what lies far out would overflow on its way.
-        point = choose(self._write_inside(point), point, NAN)
         reduction = self.reduction
         value = self.pieces.write(reduction.write(point) if reduction else point)
         if reduction and reduction.rate:
@@ -129,6 +129,5 @@ class Model:
 
     def _write_inside(self, point: Value) -> Value:
         if self.low == -self.high:
-            return point.apply("less_equal", abs(point), self.high)
-        above = point.apply("greater_equal", point, self.low)
-        return above.apply("both", above, point.apply("less_equal", point, self.high))
+            return abs(point) <= self.high
+        return point.apply("both", point >= self.low, point <= self.high)

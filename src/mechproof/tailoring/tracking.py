@@ -120,7 +120,7 @@ _RULES: Mapping[str, Callable[..., Any]] = MappingProxyType(
         "negate": _negate,
         "absolute": _take_size,
         "copysign": _take_sign,
-        "less": _compare,
+        "greater_equal": lambda a, b: _compare(b, a),
         "choose": lambda holds, a, b: a if holds else b,
     }
 )
