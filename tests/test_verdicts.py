@@ -10,11 +10,11 @@ from functools import lru_cache
 from pathlib import Path
 
 import pytest
+from derived import opened, paper_of
 
-from mechproof.derivation import find_systems, load_paper, packaged_directory
+from mechproof.derivation import find_systems, packaged_directory
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.verification import open_derivation
 
 EXPECTED = Path(__file__).parent / "expected"
 SYSTEMS = find_systems(packaged_directory())
@@ -27,8 +27,8 @@ for_each_system = pytest.mark.parametrize(
 
 @lru_cache
 def judge_all(system: str) -> tuple[Judgement, ...]:
-    opened = open_derivation(SYSTEMS[system])
-    return tuple(judge(row, opened.paper) for row in opened.rows)
+    paper = opened(system)
+    return tuple(judge(row, paper.domain) for row in paper.rows)
 
 
 def with_verdict(system: str, *verdicts: Verdict) -> list[Judgement]:
@@ -58,7 +58,7 @@ def of_forms(system: str) -> list[Judgement]:
 
 @for_each_system
 def test_every_kernel_and_every_rewrite_is_proved(system: str) -> None:
-    shipped = {q.name for q in load_paper(SYSTEMS[system]).quantities}
+    shipped = {q.name for q in paper_of(system).quantities}
     for j in of_forms(system):
         name = j.number.removeprefix("kernel ").split(",")[0]
         if name in shipped or j.number.endswith(", legal"):
@@ -112,7 +112,7 @@ def test_missing_data_show_two_completions_with_opposite_answers(system: str) ->
 
 @for_each_system
 def test_what_is_wrong_in_print_has_a_stated_cause(system: str) -> None:
-    findings = load_paper(SYSTEMS[system]).findings
+    findings = paper_of(system).findings
     caused = {f.row for f in findings} | {row.row for f in findings for row in f.followers}
     wrong = with_verdict(system, Verdict.REFUTED, Verdict.ILL_FORMED)
     assert [j.number for j in wrong if "ours" not in j.marks and j.number not in caused] == []

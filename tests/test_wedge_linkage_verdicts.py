@@ -7,9 +7,9 @@ from functools import cache
 
 import pytest
 import sympy as sp
+from derived import paper_of
 
 from mechproof.codegen.forms import form_rows
-from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.derivations.wedge_linkage import (
     boundaries,
     mechanics,
@@ -26,7 +26,7 @@ from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, Form, Paper, Toleranced
 
-PAPER = load_paper(find_systems(packaged_directory())["wedge_linkage"])
+PAPER = paper_of("wedge_linkage")
 
 
 # With these the lever turns by more than a right angle over the stroke, where (1) is off by pi.
