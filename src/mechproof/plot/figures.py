@@ -14,9 +14,8 @@ from io import BytesIO, StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from mechproof.arguments.scalars import check_real, refuse, require
-from mechproof.derivation import DerivationError, load_part
-from mechproof.plot.canvas import MILLIMETRE, import_matplotlib
+from mechproof.arguments.scalars import check_real, require
+from mechproof.plot.canvas import COLUMN, make_canvas, use_style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
@@ -28,8 +27,6 @@ PART: Final = "pictures"
 LINES = "stroke-linejoin: round; stroke-linecap: butt"
 # Pixels per inch of a PNG: a column of 85 mm has some 740.
 DPI = 220
-# One column of a page, in mm; what is wider is drawn over both.
-COLUMN = 85.0
 
 
 @dataclass(frozen=True)
@@ -88,6 +85,8 @@ def find_figures(place: Path) -> tuple[Figure, ...]:
         If it cannot be loaded, binds no tuple of `Figure` to FIGURES, or two of one name.
 
     """
+    from mechproof.derivation import DerivationError, load_part
+
     module = load_part(place, PART)
     if module is None:
         return ()
@@ -104,13 +103,8 @@ def find_figures(place: Path) -> tuple[Figure, ...]:
 
 def draw(figure: Figure) -> Canvas:
     """Draw a figure at its size; what pyplot and rcParams hold stays as it is."""
-    import_matplotlib()
-    from matplotlib.figure import Figure as Canvas
-
-    from mechproof.plot.canvas import use_style
-
     with use_style():
-        canvas = Canvas((figure.width * MILLIMETRE, figure.height * MILLIMETRE), DPI)
+        canvas = make_canvas(figure.width, figure.height)
         figure.draw(canvas)
     return canvas
 
@@ -120,27 +114,21 @@ def render_svg(figure: Figure) -> str:
 
     No id in it is that of another figure's, so that a page may hold several.
     """
-    canvas = draw(figure)
-    from mechproof.plot.canvas import use_style
-
     text = StringIO()
-    with use_style({"svg.hashsalt": f"{figure.name}: {figure.title}"}):
+    salt = {"svg.hashsalt": f"{figure.name}: {figure.title}"}
+    canvas = draw(figure)
+    with use_style(salt):
         canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
     return _strip(text.getvalue(), figure.title)
 
 
 def write_png(figure: Figure, path: Path) -> None:
     """Write a figure as PNG; the folder must exist."""
-    canvas = draw(figure)
-    from mechproof.plot.canvas import use_style
-
     pixels = BytesIO()
+    canvas = draw(figure)
     with use_style():
         canvas.savefig(pixels, format="png", dpi=DPI, metadata={"Title": figure.title})
-    try:
-        path.write_bytes(pixels.getvalue())
-    except OSError as error:
-        refuse("path", str(path), f"cannot be written: {error.strerror}", OSError)
+    path.write_bytes(pixels.getvalue())
 
 
 def _strip(text: str, title: str) -> str:
