@@ -127,7 +127,7 @@ def _draw_deviation(panel: Any, number: int) -> None:
         panel.plot(STROKE[moved], share, **look)
         panel.plot([START], [share[0]], **Look.MARK)
         text = f"{share[0]:+.1f} %".replace("-", "\N{MINUS SIGN}")
-        label(panel, text, (START, share[0]), (3, 4 * upward))
+        label(panel, text, (START, share[0]), (3, 6 * upward))
     for limit in (PRINTED_DEVIATION, -PRINTED_DEVIATION):
         panel.axhline(limit, **Look.GUIDE)
     panel.axhline(0.0, **Look.AXIS)
