@@ -30,7 +30,7 @@ def figures(
 
     Exit status 0: drawn; 1: a derivation or a drawing fails; 2: bad usage.
     """
-    from mechproof.plot.figures import find_figures, render_svg, write_png
+    from mechproof.plot.figures import DrawingError, find_figures, render_svg, write_png
 
     for location in find_locations(systems or (), find_places(derivations, None)):
         try:
@@ -46,4 +46,6 @@ def figures(
                 write_png(figure, out / f"{stem}.png")
             except OSError as error:
                 fail(f"--out: {error}")
+            except (DrawingError, ImportError) as error:
+                fail(str(error))
             say(f"{out / stem}.png, .svg: {figure.title}")

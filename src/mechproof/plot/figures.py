@@ -7,6 +7,7 @@ is loaded on demand, with whatever it imports: numpy, kernels, mechanisms, `mech
 from __future__ import annotations
 
 import re
+import traceback
 from collections.abc import Callable
 from dataclasses import dataclass
 from html import escape
@@ -20,13 +21,17 @@ from mechproof.plot.canvas import COLUMN, make_canvas, use_style
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
 
-__all__ = ["Figure", "draw", "find_figures", "render_svg", "write_png"]
+__all__ = ["DrawingError", "Figure", "draw", "find_figures", "render_svg", "write_png"]
 
 PART: Final = "pictures"
 # What matplotlib says of lines in a rule that would hold for the whole page.
 LINES = "stroke-linejoin: round; stroke-linecap: butt"
 # Pixels per inch of a PNG: a column of 85 mm has some 740.
 DPI = 220
+
+
+class DrawingError(RuntimeError):
+    """A figure could not be drawn."""
 
 
 @dataclass(frozen=True)
@@ -102,17 +107,31 @@ def find_figures(place: Path) -> tuple[Figure, ...]:
 
 
 def draw(figure: Figure) -> Canvas:
-    """Draw a figure at its size; what pyplot and rcParams hold stays as it is."""
+    """Draw a figure at its size; what pyplot and rcParams hold stays as it is.
+
+    Raises `DrawingError` with the line at which the drawing failed.
+    """
     with use_style():
         canvas = make_canvas(figure.width, figure.height)
-        figure.draw(canvas)
+        try:
+            figure.draw(canvas)
+        except Exception as error:
+            what = f"{type(error).__name__}: {error}"
+            raise DrawingError(f"{figure.name}: {_find_line(error)}{what}") from error
     return canvas
+
+
+def _find_line(error: Exception) -> str:
+    """Return "file:line: " of the innermost line of the drawing, not of what it calls."""
+    _, *frames = traceback.extract_tb(error.__traceback__)
+    own = [frame for frame in frames if frame.filename == frames[0].filename]
+    return f"{own[-1].filename}:{own[-1].lineno}: " if own else ""
 
 
 def render_svg(figure: Figure) -> str:
     """Return a figure as one <svg> element with text as text: the same bytes each time.
 
-    No id in it is that of another figure's, so that a page may hold several.
+    No id in it is that of another figure's, so that a page may hold several. Raises as `draw`.
     """
     text = StringIO()
     salt = {"svg.hashsalt": f"{figure.name}: {figure.title}"}
@@ -123,7 +142,7 @@ def render_svg(figure: Figure) -> str:
 
 
 def write_png(figure: Figure, path: Path) -> None:
-    """Write a figure as PNG; the folder must exist."""
+    """Write a figure as PNG; the folder must exist. Raises as `draw`, and OSError."""
     pixels = BytesIO()
     canvas = draw(figure)
     with use_style():

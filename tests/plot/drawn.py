@@ -1,0 +1,73 @@
+"""The figures of the papers, each drawn once, and what was written in them."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.text import Text
+
+from mechproof import kernels
+from mechproof.derivation import find_systems, packaged_directory
+from mechproof.plot.canvas import use_style
+from mechproof.plot.figures import Figure, draw, find_figures
+
+SYSTEMS = (
+    "elliptic_planetary",
+    "oval_planetary",
+    "tooth_thickness",
+    "track_wheel",
+    "wedge_linkage",
+)
+
+
+@cache
+def figures(system: str) -> dict[str, Figure]:
+    """Return the figures of a system by their names."""
+    return {f.name: f for f in find_figures(find_systems(packaged_directory())[system])}
+
+
+@cache
+def drawn(system: str, name: str) -> Any:
+    """Return a figure's canvas."""
+    return draw(figures(system)[name])
+
+
+def lines(panel: Any, label: str) -> Any:
+    """Return the data of the lines of an axes whose label begins so, in their order."""
+    return [line.get_xydata() for line in panel.lines if line.get_label().startswith(label)]
+
+
+def write_texts(canvas: Any) -> dict[Text, Any]:
+    """Draw a canvas and return what text was drawn, and its box in pixels."""
+    boxes: dict[Text, Any] = {}
+    kept = Text.draw
+
+    def record(text: Text, renderer: Any) -> None:
+        kept(text, renderer)
+        if text.get_visible() and text.get_text().strip():
+            boxes[text] = text.get_window_extent(renderer)
+
+    with pytest.MonkeyPatch.context() as patch, use_style():
+        patch.setattr(Text, "draw", record)
+        FigureCanvasAgg(canvas).draw()
+    return boxes
+
+
+@cache
+def words(system: str, name: str) -> str:
+    """Return all that is written in a figure, with the minus of a keyboard."""
+    texts = write_texts(drawn(system, name))
+    return "\n".join(text.get_text() for text in texts).replace("\N{MINUS SIGN}", "-")
+
+
+@cache
+def ledger() -> dict[str, dict[str, Any]]:
+    """Return the rows of the ledger by system and number."""
+    file = Path(kernels.__path__[0]) / "ledger.json"
+    rows = json.loads(file.read_text(encoding="utf-8"))["rows"]
+    return {f"{row['system']} {row['number']}": row for row in rows}
