@@ -168,8 +168,10 @@ def _draw_wheel(panel: Axes, wheel: Wheel, angle: float) -> None:
     thin = {"color": look["color"], "lw": 0.5, "ls": "-"}
     panel.plot(*np.stack([wheel.axis, wheel.point(longest)]).T, **thin)
     panel.plot(*wheel.axis, color=look["color"], marker="+", ms=5)
+    x, y = wheel.point(direction).tolist()
     panel.text(
-        *wheel.point(direction),
+        x,
+        y,
         str(wheel.number),
         fontsize=SMALL,
         ha="center",
