@@ -99,6 +99,7 @@ def test_svg_is_one_element_the_same_each_time_and_shares_no_id() -> None:
 
 def test_text_in_the_svg_is_text() -> None:
     text = render_svg(figures("elliptic_planetary")["fig-3"])
+    assert text.count("font-family") == 1
     assert "R₁ = 66 mm" in "".join(ET.fromstring(text).itertext())
 
 

@@ -21,11 +21,21 @@ from mechproof.plot.canvas import COLUMN, make_canvas, use_style
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
 
-__all__ = ["DrawingError", "Figure", "draw", "find_figures", "render_svg", "write_png"]
+__all__ = [
+    "DrawingError",
+    "Figure",
+    "draw",
+    "find_figures",
+    "render_svg",
+    "write_files",
+    "write_png",
+]
 
 PART: Final = "pictures"
 # What matplotlib says of lines in a rule that would hold for the whole page.
 LINES = "stroke-linejoin: round; stroke-linecap: butt"
+# What matplotlib says of each text; other machines have a font of the same widths, or another.
+FONT, FONTS = "font-family: 'DejaVu Sans'; ", "font-family: 'DejaVu Sans', Verdana, sans-serif"
 # Pixels per inch of a PNG: a column of 85 mm has some 740.
 DPI = 220
 
@@ -133,21 +143,36 @@ def render_svg(figure: Figure) -> str:
 
     No id in it is that of another figure's, so that a page may hold several. Raises as `draw`.
     """
-    text = StringIO()
-    salt = {"svg.hashsalt": f"{figure.name}: {figure.title}"}
-    canvas = draw(figure)
-    with use_style(salt):
-        canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
-    return _strip(text.getvalue(), figure.title)
+    return _save_svg(figure, draw(figure))
 
 
 def write_png(figure: Figure, path: Path) -> None:
     """Write a figure as PNG; the folder must exist. Raises as `draw`, and OSError."""
-    pixels = BytesIO()
+    path.write_bytes(_save_png(figure, draw(figure)))
+
+
+def write_files(figure: Figure, folder: Path, stem: str) -> tuple[Path, Path]:
+    """Draw a figure once and write it as PNG and SVG; return the files. Raises as `write_png`."""
     canvas = draw(figure)
+    files = folder / f"{stem}.png", folder / f"{stem}.svg"
+    folder.mkdir(parents=True, exist_ok=True)
+    files[0].write_bytes(_save_png(figure, canvas))
+    files[1].write_text(_save_svg(figure, canvas), encoding="utf-8")
+    return files
+
+
+def _save_svg(figure: Figure, canvas: Canvas) -> str:
+    text = StringIO()
+    with use_style({"svg.hashsalt": f"{figure.name}: {figure.title}"}):
+        canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
+    return _strip(text.getvalue(), figure.title)
+
+
+def _save_png(figure: Figure, canvas: Canvas) -> bytes:
+    pixels = BytesIO()
     with use_style():
         canvas.savefig(pixels, format="png", dpi=DPI, metadata={"Title": figure.title})
-    path.write_bytes(pixels.getvalue())
+    return pixels.getvalue()
 
 
 def _strip(text: str, title: str) -> str:
@@ -157,5 +182,5 @@ def _strip(text: str, title: str) -> str:
     body = re.sub(r"\s*<defs>\s*<style.*?</defs>", "", body, count=1, flags=re.DOTALL)
     used = set(re.findall(r"#([\w.-]+)", body))
     body = re.sub(r' id="([\w.-]+)"', lambda found: found[0] if found[1] in used else "", body)
-    says = f'role="img" aria-label="{escape(title)}" style="{LINES}"'
-    return body.replace("<svg ", f"<svg {says} ", 1)
+    says = f'role="img" aria-label="{escape(title)}" style="{LINES}; {FONTS}"'
+    return body.replace(FONT, "").replace("<svg ", f"<svg {says} ", 1)
