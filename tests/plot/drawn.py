@@ -42,6 +42,12 @@ def lines(panel: Any, label: str) -> Any:
     return [line.get_xydata() for line in panel.lines if line.get_label().startswith(label)]
 
 
+def span_of(patch: Any) -> tuple[float, float]:
+    """Return from where to where a shaded band reaches, in the data."""
+    across = patch.get_patch_transform().transform(patch.get_path().vertices)[:, 0]
+    return float(across.min()), float(across.max())
+
+
 def write_texts(canvas: Any) -> dict[Text, Any]:
     """Draw a canvas and return what text was drawn, and its box in pixels."""
     boxes: dict[Text, Any] = {}

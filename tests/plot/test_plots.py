@@ -9,7 +9,7 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 import pytest
-from drawn import write_texts
+from drawn import span_of, write_texts
 from matplotlib.figure import Figure as Canvas
 
 from mechproof import (
@@ -79,8 +79,7 @@ def test_rests_are_shaded_inside_the_period_and_told() -> None:
     ((start, end),) = RESTING.motion("0.01").rests
     for panel in panels:
         (band,) = panel.patches
-        assert band.get_x() == pytest.approx(np.degrees(start))
-        assert band.get_width() == pytest.approx(np.degrees(end - start))
+        assert span_of(band) == pytest.approx(np.degrees([start, end]))
     assert "intermittent, -180° in a turn" in text_of(panels[0])
     assert "at rest over 10.23° of 120°" in text_of(panels[0])
 
@@ -89,7 +88,7 @@ def test_a_rest_across_the_end_of_the_period_is_shaded_at_both_ends() -> None:
     with_carrier = OvalPlanetary(CylindricalPair(R4=20, R5=30), "0.2")
     bands = plot.motion(with_carrier, eta="0.01")[0].patches
     period = np.degrees(with_carrier.extremes().period)
-    edges = sorted((band.get_x(), band.get_x() + band.get_width()) for band in bands)
+    edges = sorted(map(span_of, bands))
     assert edges[0][0] == 0.0
     assert edges[-1][1] == pytest.approx(period)
 

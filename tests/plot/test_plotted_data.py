@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from drawn import drawn, lines
+from drawn import drawn, lines, span_of
 
 from mechproof import EllipticPlanetary, OvalPlanetary, TrackWheel, WedgeLinkage
 from mechproof.derivations.wedge_linkage import PAPER
@@ -106,9 +106,9 @@ def test_the_grey_of_paper_2_is_where_the_ratio_is_within_eta() -> None:
     ((start, end),) = motion.rests
     ratio = OvalPlanetary.published(3).ratio([start, end, (start + end) / 2])
     np.testing.assert_allclose(np.abs(ratio), [0.01, 0.01, 0.0], atol=1e-12)
-    bands = [p for p in drawn("oval_planetary", "fig-2").axes[1].patches if p.get_width() > 0]
-    starts = sorted(band.get_x() for band in bands)
-    np.testing.assert_allclose(starts, start + motion.period * np.arange(3), rtol=1e-12)
+    bands = np.array(sorted(map(span_of, drawn("oval_planetary", "fig-2").axes[1].patches)))
+    turns = motion.period * np.arange(3)
+    np.testing.assert_allclose(bands, np.stack([start + turns, end + turns], axis=1), rtol=1e-12)
 
 
 @pytest.mark.parametrize("name", ["wrongly_rejected", "rightly_accepted"])
