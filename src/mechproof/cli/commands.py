@@ -14,8 +14,9 @@ from mechproof.cli.check import check
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.emit import app as emit_app
 from mechproof.cli.figures import figures
-from mechproof.cli.ledger import print_ledger
+from mechproof.cli.ledger import print_ledgers
 from mechproof.cli.places import RULE, DerivationsOption, Places, find_locations, find_places
+from mechproof.cli.start import show_start
 from mechproof.codegen.regenerate import (
     Change,
     ForeignFileError,
@@ -34,7 +35,6 @@ from mechproof.verification import LIMIT, VerificationError, judge_derivations
 
 app = typer.Typer(
     add_completion=False,
-    no_args_is_help=True,
     help=f"Prove or refute the formulas of mechanism papers; generate kernels from them.\n\n{RULE}",
     pretty_exceptions_show_locals=False,
 )
@@ -66,8 +66,9 @@ def _print_version(asked: bool) -> None:
         raise typer.Exit
 
 
-@app.callback()
+@app.callback(invoke_without_command=True)
 def _main(
+    context: typer.Context,
     show_version: Annotated[
         bool,
         typer.Option(
@@ -75,7 +76,8 @@ def _main(
         ),
     ] = False,
 ) -> None:
-    pass
+    if context.invoked_subcommand is None:
+        show_start(find_places(None, None))
 
 
 @app.command(epilog=RULE)
@@ -89,12 +91,15 @@ def verify(
     json_file: Annotated[
         Path | None, typer.Option("--json", help="Also write the rows to this file.")
     ] = None,
+    show_all: Annotated[
+        bool, typer.Option("--all", help="Show every row, with the evidence where there is any.")
+    ] = False,
     derivations: DerivationsOption = None,
     root: RootOption = None,
     no_cache: NoCacheOption = False,
     limit: LimitOption = LIMIT,
 ) -> None:
-    """Derive and judge every row of the papers, and print the ledger.
+    """Judge every row of the papers; print what was found, then what is not plainly proved.
 
     Exit status 0: every row has a verdict, and every UNDECIDED one says why it must stay open;
     1: a row is UNDECIDED without that, a row hangs or crashes, or a derivation fails;
@@ -108,8 +113,7 @@ def verify(
     ledgers = _judge(locations, use_cache=not no_cache, limit=limit)
     if json_file and not any(ledger.failures for ledger in ledgers):
         _write(json_file, to_json(ledgers))
-    for ledger in ledgers:
-        print_ledger(ledger)
+    print_ledgers(ledgers, show_all=show_all)
     _refuse_failures(ledgers)
     rows = (row for ledger in ledgers for row in ledger.judgements)
     if any(row.verdict is Verdict.UNDECIDED and not row.may_stay_open for row in rows):
