@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 from functools import cache
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
@@ -16,6 +18,8 @@ from mechproof.derivation import find_systems, packaged_directory
 from mechproof.plot.canvas import use_style
 from mechproof.plot.figures import Figure, draw, find_figures
 
+# Pixels: boxes of texts may share an edge, and above and below letters a box has room.
+EDGE, ROOM = 0.5, 2.0
 SYSTEMS = (
     "elliptic_planetary",
     "oval_planetary",
@@ -62,6 +66,45 @@ def write_texts(canvas: Any) -> dict[Text, Any]:
         patch.setattr(Text, "draw", record)
         FigureCanvasAgg(canvas).draw()
     return boxes
+
+
+def overlaps(boxes: dict[Text, Any]) -> list[tuple[str, str]]:
+    """Return pairs of texts whose boxes share more than an edge."""
+    found = []
+    for (one, a), (two, b) in combinations(boxes.items(), 2):
+        wide = min(a.x1, b.x1) - max(a.x0, b.x0)
+        high = min(a.y1, b.y1) - max(a.y0, b.y0)
+        if wide > EDGE and high > EDGE:
+            found.append((one.get_text(), two.get_text()))
+    return found
+
+
+def cut_off(canvas: Any, boxes: dict[Text, Any]) -> list[str]:
+    """Return texts that leave the canvas."""
+    page = canvas.bbox.padded(EDGE)
+    return [
+        text.get_text()
+        for text, box in boxes.items()
+        if box.x0 < page.x0 or box.y0 < page.y0 or box.x1 > page.x1 or box.y1 > page.y1
+    ]
+
+
+def struck(panel: Any, boxes: dict[Text, Any]) -> list[str]:
+    """Return texts through which a line of an axes runs."""
+    found = []
+    for line in panel.lines:
+        ends = line.get_transform().transform(np.asarray(line.get_xydata(), float))
+        if line.get_linestyle() == "None" or len(ends) < 2:
+            continue
+        part = np.linspace(0, 1, 20)[:, np.newaxis, np.newaxis]
+        points = (ends[:-1] + part * np.diff(ends, axis=0)).reshape(-1, 2)
+        for text, box in boxes.items():
+            inner = box.padded(-ROOM)
+            inside = (points > (inner.x0, inner.y0)) & (points < (inner.x1, inner.y1))
+            on_panel = (points >= panel.bbox.p0) & (points <= panel.bbox.p1)
+            if np.any(inside.all(axis=1) & on_panel.all(axis=1)):
+                found.append(text.get_text())
+    return found
 
 
 @cache

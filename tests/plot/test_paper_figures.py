@@ -5,22 +5,29 @@ The curves are compared with the kernels in `test_plotted_data.py`.
 
 from __future__ import annotations
 
-import itertools
 import re
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import matplotlib as mpl
 import pytest
-from drawn import SYSTEMS, drawn, figures, ledger, words, write_texts
+from drawn import (
+    SYSTEMS,
+    cut_off,
+    drawn,
+    figures,
+    ledger,
+    overlaps,
+    struck,
+    words,
+    write_texts,
+)
 from matplotlib.text import Text
 
 from mechproof.plot.canvas import COLUMN, MILLIMETRE, SMALL, make_canvas, use_style
 from mechproof.plot.figures import render_svg, write_png
 
 ALL = [(system, name) for system in SYSTEMS for name in figures(system)]
-# A label and what stands for it in the boxes of two texts may share a pixel's edge.
-EDGE = 0.5
 
 
 @pytest.fixture(scope="module")
@@ -28,33 +35,12 @@ def written() -> dict[tuple[str, str], dict[Text, object]]:
     return {pair: write_texts(drawn(*pair)) for pair in ALL}
 
 
-def overlaps(boxes: dict[Text, object]) -> list[tuple[str, str]]:
-    """Pairs of texts whose boxes share more than an edge."""
-    found = []
-    for (one, a), (two, b) in itertools.combinations(boxes.items(), 2):
-        wide = min(a.x1, b.x1) - max(a.x0, b.x0)
-        high = min(a.y1, b.y1) - max(a.y0, b.y0)
-        if wide > EDGE and high > EDGE:
-            found.append((one.get_text(), two.get_text()))
-    return found
-
-
-def cut_off(canvas: object, boxes: dict[Text, object]) -> list[str]:
-    """Texts that leave the canvas."""
-    page = canvas.bbox
-    inside = (page.x0 - EDGE, page.y0 - EDGE, page.x1 + EDGE, page.y1 + EDGE)
-    return [
-        text.get_text()
-        for text, box in boxes.items()
-        if box.x0 < inside[0] or box.y0 < inside[1] or box.x1 > inside[2] or box.y1 > inside[3]
-    ]
-
-
 @pytest.mark.parametrize("pair", ALL, ids=".".join)
 def test_text_can_be_read(pair: tuple[str, str], written) -> None:
     boxes = written[pair]
     assert not overlaps(boxes)
     assert not cut_off(drawn(*pair), boxes)
+    assert not [text for panel in drawn(*pair).axes for text in struck(panel, boxes)]
     assert min(text.get_fontsize() for text in boxes) >= SMALL
 
 
@@ -69,14 +55,18 @@ def test_figure_says_what_it_is(pair: tuple[str, str]) -> None:
     assert figure.width == COLUMN
 
 
-def test_the_check_of_text_sees_overlap_and_cut() -> None:
+def test_the_check_of_text_sees_what_cannot_be_read() -> None:
     with use_style():
         canvas = make_canvas()
-        for x, text in ((0.1, "one text"), (0.15, "another"), (0.98, "beyond the edge")):
+        panel = canvas.subplots()
+        panel.set_axis_off()
+        panel.plot([0, 1], [0, 1])
+        for x, text in ((0.4, "one text"), (0.45, "another"), (0.98, "beyond the edge")):
             canvas.text(x, 0.5, text)
     boxes = write_texts(canvas)
     assert overlaps(boxes) == [("one text", "another")]
     assert cut_off(canvas, boxes) == ["beyond the edge"]
+    assert struck(panel, boxes) == ["another"]
 
 
 def test_svg_is_one_element_the_same_each_time_and_shares_no_id() -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 import pytest
-from drawn import span_of, write_texts
+from drawn import cut_off, overlaps, span_of, struck, write_texts
 from matplotlib.figure import Figure as Canvas
 
 from mechproof import (
@@ -223,6 +223,23 @@ def test_text_is_large_enough_at_the_width_of_a_column() -> None:
     for panel in new_drawings():
         assert min(t.get_fontsize() for t in write_texts(panel.figure)) >= SMALL
         assert panel.figure.get_size_inches()[0] * 25.4 == pytest.approx(85)
+
+
+@pytest.mark.parametrize("mechanism", MECHANISMS, ids=repr)
+def test_text_does_not_overlap(mechanism: Any) -> None:
+    panels = [plot.pitch_curves(mechanism, angle) for angle in (0.0, 0.83, 3.72, 4.13)]
+    for panel in (*panels, plot.motion(mechanism)[0]):
+        boxes = write_texts(panel.figure)
+        assert not overlaps(boxes)
+        assert not cut_off(panel.figure, boxes)
+
+
+def test_text_of_ranges_and_shares_can_be_read() -> None:
+    for panel in new_drawings()[2:]:
+        boxes = write_texts(panel.figure)
+        assert not overlaps(boxes)
+        assert not cut_off(panel.figure, boxes)
+        assert not struck(panel, boxes)
 
 
 def test_nothing_global_is_changed() -> None:
