@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from functools import cache
+from importlib import import_module
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -14,9 +15,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
 from mechproof import kernels
-from mechproof.derivation import find_systems, packaged_directory
 from mechproof.plot.canvas import use_style
-from mechproof.plot.figures import Figure, draw, find_figures
+from mechproof.plot.figures import Figure, draw
 
 # Pixels: boxes of texts may share an edge, and above and below letters a box has room.
 EDGE, ROOM = 0.5, 2.0
@@ -29,10 +29,15 @@ SYSTEMS = (
 )
 
 
+def pictures(system: str) -> Any:
+    """Return the module that states a system's figures."""
+    return import_module(f"mechproof.derivations.{system}.pictures")
+
+
 @cache
 def figures(system: str) -> dict[str, Figure]:
     """Return the figures of a system by their names."""
-    return {f.name: f for f in find_figures(find_systems(packaged_directory())[system])}
+    return {figure.name: figure for figure in pictures(system).FIGURES}
 
 
 @cache
@@ -108,10 +113,15 @@ def struck(panel: Any, boxes: dict[Text, Any]) -> list[str]:
 
 
 @cache
+def boxes(system: str, name: str) -> dict[Text, Any]:
+    """Return what is written in a figure, and where."""
+    return write_texts(drawn(system, name))
+
+
+@cache
 def words(system: str, name: str) -> str:
     """Return all that is written in a figure, with the minus of a keyboard."""
-    texts = write_texts(drawn(system, name))
-    return "\n".join(text.get_text() for text in texts).replace("\N{MINUS SIGN}", "-")
+    return "\n".join(text.get_text() for text in boxes(system, name)).replace("\N{MINUS SIGN}", "-")
 
 
 @cache

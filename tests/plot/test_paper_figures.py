@@ -13,6 +13,7 @@ import matplotlib as mpl
 import pytest
 from drawn import (
     SYSTEMS,
+    boxes,
     cut_off,
     drawn,
     figures,
@@ -22,26 +23,26 @@ from drawn import (
     words,
     write_texts,
 )
-from matplotlib.text import Text
 
+from mechproof.derivation import packaged_directory
 from mechproof.plot.canvas import COLUMN, MILLIMETRE, SMALL, make_canvas, use_style
-from mechproof.plot.figures import render_svg, write_png
+from mechproof.plot.figures import find_figures, render_svg, write_png
 
 ALL = [(system, name) for system in SYSTEMS for name in figures(system)]
 
 
-@pytest.fixture(scope="module")
-def written() -> dict[tuple[str, str], dict[Text, object]]:
-    return {pair: write_texts(drawn(*pair)) for pair in ALL}
-
-
 @pytest.mark.parametrize("pair", ALL, ids=".".join)
-def test_text_can_be_read(pair: tuple[str, str], written) -> None:
-    boxes = written[pair]
-    assert not overlaps(boxes)
-    assert not cut_off(drawn(*pair), boxes)
-    assert not [text for panel in drawn(*pair).axes for text in struck(panel, boxes)]
-    assert min(text.get_fontsize() for text in boxes) >= SMALL
+def test_text_can_be_read(pair: tuple[str, str]) -> None:
+    written = boxes(*pair)
+    assert not overlaps(written)
+    assert not cut_off(drawn(*pair), written)
+    assert not [text for panel in drawn(*pair).axes for text in struck(panel, written)]
+    assert min(text.get_fontsize() for text in written) >= SMALL
+
+
+def test_figures_of_a_paper_are_found_in_its_folder() -> None:
+    found = find_figures(packaged_directory() / "tooth_thickness")
+    assert [figure.name for figure in found] == [*figures("tooth_thickness")]
 
 
 @pytest.mark.parametrize("pair", ALL, ids=".".join)
@@ -63,10 +64,10 @@ def test_the_check_of_text_sees_what_cannot_be_read() -> None:
         panel.plot([0, 1], [0, 1])
         for x, text in ((0.4, "one text"), (0.45, "another"), (0.98, "beyond the edge")):
             canvas.text(x, 0.5, text)
-    boxes = write_texts(canvas)
-    assert overlaps(boxes) == [("one text", "another")]
-    assert cut_off(canvas, boxes) == ["beyond the edge"]
-    assert struck(panel, boxes) == ["another"]
+    written = write_texts(canvas)
+    assert overlaps(written) == [("one text", "another")]
+    assert cut_off(canvas, written) == ["beyond the edge"]
+    assert struck(panel, written) == ["another"]
 
 
 def test_svg_is_one_element_the_same_each_time_and_shares_no_id() -> None:

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import math
-from importlib import import_module
-from typing import Any
 
 import numpy as np
 import pytest
-from drawn import drawn, lines, span_of
+from drawn import drawn, lines, pictures, span_of
 
 from mechproof import EllipticPlanetary, OvalPlanetary, TrackWheel, WedgeLinkage
 from mechproof.derivations.wedge_linkage import PAPER
@@ -18,10 +16,6 @@ from mechproof.tolerance import certified_range, corner_range
 
 # Degrees and per cent come from one multiplication: a few units in the last place.
 CLOSE = {"rtol": 1e-14, "atol": 1e-12}
-
-
-def pictures(system: str) -> Any:
-    return import_module(f"mechproof.derivations.{system}.pictures")
 
 
 @pytest.mark.parametrize(("panel", "pair"), [(0, (1, 2)), (1, (3, 4))])
