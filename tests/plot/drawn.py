@@ -20,18 +20,24 @@ from mechproof.plot.figures import Figure, draw
 
 # Pixels: boxes of texts may share an edge, and above and below letters a box has room.
 EDGE, ROOM = 0.5, 2.0
-SYSTEMS = (
-    "elliptic_planetary",
-    "oval_planetary",
-    "tooth_thickness",
-    "track_wheel",
-    "wedge_linkage",
-)
+# Which figures there are; loading what states them takes seconds.
+NAMES = {
+    "elliptic_planetary": ("fig-3", "fig-3-rates", "table-3"),
+    "oval_planetary": ("fig-2",),
+    "tooth_thickness": ("fig-4", "fig-5"),
+    "track_wheel": ("fig-3", "fig-4", "fig-5", "table-1"),
+    "wedge_linkage": ("fig-4", "fig-4-set-2"),
+}
 
 
 def pictures(system: str) -> Any:
     """Return the module that states a system's figures."""
     return import_module(f"mechproof.derivations.{system}.pictures")
+
+
+def load_wedge() -> Any:
+    """Return paper 4, of which ranges are certified."""
+    return import_module("mechproof.derivations.wedge_linkage").PAPER
 
 
 @cache

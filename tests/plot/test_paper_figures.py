@@ -12,7 +12,7 @@ from pathlib import Path
 import matplotlib as mpl
 import pytest
 from drawn import (
-    SYSTEMS,
+    NAMES,
     boxes,
     cut_off,
     drawn,
@@ -28,7 +28,7 @@ from mechproof.derivation import packaged_directory
 from mechproof.plot.canvas import COLUMN, MILLIMETRE, SMALL, make_canvas, use_style
 from mechproof.plot.figures import find_figures, render_svg, write_png
 
-ALL = [(system, name) for system in SYSTEMS for name in figures(system)]
+ALL = [(system, name) for system, names in NAMES.items() for name in names]
 
 
 @pytest.mark.parametrize("pair", ALL, ids=".".join)
@@ -40,9 +40,15 @@ def test_text_can_be_read(pair: tuple[str, str]) -> None:
     assert min(text.get_fontsize() for text in written) >= SMALL
 
 
+def test_every_figure_is_tested() -> None:
+    with_pictures = {path.parent.name for path in packaged_directory().glob("*/pictures.py")}
+    assert with_pictures == set(NAMES)
+    assert all(tuple(figures(system)) == names for system, names in NAMES.items())
+
+
 def test_figures_of_a_paper_are_found_in_its_folder() -> None:
     found = find_figures(packaged_directory() / "tooth_thickness")
-    assert [figure.name for figure in found] == [*figures("tooth_thickness")]
+    assert tuple(figure.name for figure in found) == NAMES["tooth_thickness"]
 
 
 @pytest.mark.parametrize("pair", ALL, ids=".".join)

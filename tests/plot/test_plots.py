@@ -9,7 +9,7 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 import pytest
-from drawn import cut_off, overlaps, span_of, struck, write_texts
+from drawn import cut_off, load_wedge, overlaps, span_of, struck, write_texts
 from matplotlib.figure import Figure as Canvas
 
 from mechproof import (
@@ -23,7 +23,6 @@ from mechproof import (
     plot,
 )
 from mechproof.conformity import Normal, Shares
-from mechproof.derivations.wedge_linkage import PAPER
 from mechproof.kernels import wedge_linkage
 from mechproof.plot.canvas import SMALL
 from mechproof.plot.pitch_curves import place_wheels
@@ -163,7 +162,7 @@ def test_tolerance_draws_deviations_from_nominal() -> None:
 def test_tolerance_draws_certified_bounds_and_leaves_gaps_where_there_are_none() -> None:
     points = np.array([-37.1, -30.0])
     corners = corner_range(wedge_linkage.position, points, SIZES)
-    bound = certified_range(PAPER, "position", points, SIZES, budget=2)
+    bound = certified_range(load_wedge(), "position", points, SIZES, budget=2)
     panel = plot.tolerance(points, corners, certified=bound)
     (shown,) = [c.get_ydata() for c in panel.lines if c.get_label() == "certified bounds"]
     right = np.where(np.isfinite(bound.upper), bound.upper - corners.nominal, np.nan)

@@ -6,10 +6,9 @@ import math
 
 import numpy as np
 import pytest
-from drawn import drawn, lines, pictures, span_of
+from drawn import drawn, lines, load_wedge, pictures, span_of
 
 from mechproof import EllipticPlanetary, OvalPlanetary, TrackWheel, WedgeLinkage
-from mechproof.derivations.wedge_linkage import PAPER
 from mechproof.kernels import elliptic_planetary, track_wheel, wedge_linkage
 from mechproof.kernels.forms.elliptic_planetary import position_printed
 from mechproof.tolerance import certified_range, corner_range
@@ -172,7 +171,7 @@ def test_boundaries_of_paper_4(number: int) -> None:
     assert apart[-40.0] > 0 > apart[-20.0]
     assert deviation.lines[0].get_ydata()[0] == pytest.approx(100 * (upper[0] / nominal[0] - 1))
     places, beyond = turn.lines[1].get_data()
-    bound = certified_range(PAPER, "position", places[4:6], sizes)
+    bound = certified_range(load_wedge(), "position", places[4:6], sizes)
     at = 1e3 * (bound.upper - module.move(number, places[4:6], module.BOUNDARY_II))
     np.testing.assert_allclose(beyond[4:6], at, atol=1e-9)
     assert np.all(beyond > -1e-6)
