@@ -8,6 +8,8 @@ from functools import cache
 from mechproof import derivation
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.lab.subject import find_subjects
+from mechproof.proof.judge import judge
+from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper
 from mechproof.verification import Opened, open_paper
 
@@ -26,6 +28,13 @@ def declared_paper_of(system: str) -> Paper:
     paper_of(system)
     paper: Paper = sys.modules[derivation._modules[SYSTEMS[system].resolve()]].PAPER
     return paper
+
+
+@cache
+def judge_all(system: str) -> dict[str, Judgement]:
+    """Return the judgements of all rows of a paper, by their numbers."""
+    paper = opened(system)
+    return {row.number: judge(row, paper.domain) for row in paper.rows}
 
 
 @cache

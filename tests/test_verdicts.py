@@ -6,14 +6,12 @@ The derivations hold no verdict: it is what the ladder returns, and the tables i
 
 from __future__ import annotations
 
-from functools import lru_cache
 from pathlib import Path
 
 import pytest
-from derived import opened, paper_of
+from derived import judge_all, paper_of
 
 from mechproof.derivation import find_systems, packaged_directory
-from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, Verdict
 
 EXPECTED = Path(__file__).parent / "expected"
@@ -25,14 +23,8 @@ for_each_system = pytest.mark.parametrize(
 )
 
 
-@lru_cache
-def judge_all(system: str) -> tuple[Judgement, ...]:
-    paper = opened(system)
-    return tuple(judge(row, paper.domain) for row in paper.rows)
-
-
 def with_verdict(system: str, *verdicts: Verdict) -> list[Judgement]:
-    return [j for j in judge_all(system) if j.verdict in verdicts]
+    return [j for j in judge_all(system).values() if j.verdict in verdicts]
 
 
 def test_every_system_has_a_table() -> None:
@@ -42,7 +34,7 @@ def test_every_system_has_a_table() -> None:
 @for_each_system
 def test_every_row_has_its_verdict_and_rung(system: str) -> None:
     lines = (EXPECTED / f"{system}.tsv").read_text(encoding="utf-8").splitlines()
-    found = ["\t".join((j.number, j.verdict.value, j.rung)) for j in judge_all(system)]
+    found = ["\t".join((j.number, j.verdict.value, j.rung)) for j in judge_all(system).values()]
     assert found == lines
 
 
@@ -53,7 +45,7 @@ def test_nothing_is_left_open(system: str) -> None:
 
 def of_forms(system: str) -> list[Judgement]:
     """The rows of forms; what a rival of a kernel should be is the kernel."""
-    return [j for j in judge_all(system) if j.number.startswith("kernel ")]
+    return [j for j in judge_all(system).values() if j.number.startswith("kernel ")]
 
 
 @for_each_system
