@@ -113,7 +113,7 @@ def load_paper(location: Path) -> Paper:
         raise DerivationError(f"{module.__file__}: {error}") from error
 
 
-def load_part(location: Path, part: Literal["peers", "points"]) -> ModuleType | None:
+def load_part(location: Path, part: Literal["peers", "points", "pictures"]) -> ModuleType | None:
     """Import an optional module of a derivation that is a folder; None where there is none.
 
     It shares the modules of the paper that was last loaded from there.

@@ -13,6 +13,7 @@ from mechproof.cli.chart import chart
 from mechproof.cli.check import check
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.emit import app as emit_app
+from mechproof.cli.figures import figures
 from mechproof.cli.ledger import print_ledgers
 from mechproof.cli.places import RULE, DerivationsOption, Places, find_locations, find_places
 from mechproof.cli.start import show_start
@@ -39,6 +40,7 @@ app = typer.Typer(
 )
 app.command()(chart)
 app.command()(check)
+app.command(epilog=RULE)(figures)
 app.add_typer(emit_app, name="emit")
 
 RootOption = Annotated[

@@ -28,6 +28,7 @@ from mechproof.arguments.arrays import refuse_units
 from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import oval_planetary as kernels
+from mechproof.mechanisms.extremes import Extremes
 from mechproof.mechanisms.facts import check_domain, choose_published
 from mechproof.mechanisms.inversion import follow_kind, invert
 from mechproof.mechanisms.oval_planetary_motion import (
@@ -149,6 +150,22 @@ class OvalPlanetary:
     def acceleration(self, phi1: ArrayLike) -> Any:
         """Return d ratio/d phi1 at the carrier angles `phi1`."""
         return self._call("acceleration", phi1)
+
+    def extremes(self) -> Extremes:
+        """Return the largest and the smallest ratio in closed form, and where they occur.
+
+        They are half a period apart; the smallest is at the carrier angle 0 unless wheel 6 is
+        mounted at another angle than the paper's. With circles alone the ratio is constant.
+        """
+        one = self._act_as_one()
+        period = math.pi / float(one.rate)
+        return Extremes(
+            maximum=float(1 - one.slowest),
+            at_maximum=one.phase + period / 2,
+            minimum=float(1 - one.fastest),
+            at_minimum=one.phase,
+            period=period,
+        )
 
     def motion(self, eta: Given | None = None) -> Motion:
         """Return the kind of motion, decided by theorems in the parameters.

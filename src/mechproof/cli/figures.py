@@ -1,0 +1,49 @@
+"""The command that draws the figures of papers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from mechproof.cli.console import fail, say
+from mechproof.cli.places import DerivationsOption, find_locations, find_places
+from mechproof.derivation import DerivationError
+
+
+def figures(
+    systems: Annotated[
+        list[str] | None,
+        typer.Argument(help="Systems, or folders of derivations; all if none."),
+    ] = None,
+    out: Annotated[Path, typer.Option(help="The folder that the pictures go to.")] = Path(
+        "figures"
+    ),
+    derivations: DerivationsOption = None,
+) -> None:
+    """Draw the papers' figures from the kernels, with what was found marked in them.
+
+    Each is written as PNG and SVG, SYSTEM.FIGURE.png; what is printed is the file and what it
+    shows. A folder has figures if its pictures.py binds FIGURES.
+
+    Exit status 0: drawn; 1: a derivation or a drawing fails; 2: bad usage.
+    """
+    from mechproof.plot.figures import DrawingError, find_figures, write_files
+
+    for location in find_locations(systems or (), find_places(derivations, None)):
+        try:
+            found = find_figures(location)
+        except DerivationError as error:
+            fail(str(error))
+        if systems and not found:
+            fail(f"{location}: has no pictures.py, and so no figures")
+        for figure in found:
+            try:
+                files = write_files(figure, out, f"{location.stem}.{figure.name}")
+            except OSError as error:
+                fail(f"--out: {error}")
+            except (DrawingError, ImportError) as error:
+                fail(str(error))
+            for file in files:
+                say(f"{file}: {figure.title}")

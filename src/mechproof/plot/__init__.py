@@ -1,0 +1,24 @@
+"""Pictures of mechanisms, of their tolerances and inspections, and the figures of papers.
+
+Everything draws on matplotlib's `Axes` and returns them; nothing global is changed, and pyplot is
+not used. Needs the `plot` extra (matplotlib); the figures of papers need the `derive` extra.
+
+- `motion`: position, ratio and acceleration over one period, with extremes and rests;
+- `pitch_curves`: the wheels in mesh at an angle of the carrier, to scale;
+- `tolerance`: the range of a quantity within the tolerances of its sizes;
+- `shares`: shares of accepted and rejected parts, exact and simulated;
+- `figures`: what a paper's folder states of its figures, and the files made of it.
+
+>>> from mechproof import EllipticPlanetary, plot
+>>> position, ratio, acceleration = plot.motion(EllipticPlanetary.published(2))
+>>> ratio.get_ylabel()
+'ratio dφ₃/dφ₁'
+"""
+
+from mechproof.plot.figures import Figure
+from mechproof.plot.motion import motion
+from mechproof.plot.pitch_curves import pitch_curves
+from mechproof.plot.shares import shares
+from mechproof.plot.tolerance import tolerance
+
+__all__ = ["Figure", "motion", "pitch_curves", "shares", "tolerance"]

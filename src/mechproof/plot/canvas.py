@@ -1,0 +1,142 @@
+"""What all pictures share: matplotlib where it is installed, a style that none keeps, axes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from mechproof.arguments.scalars import require
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = [
+    "COLUMN",
+    "MILLIMETRE",
+    "SMALL",
+    "Look",
+    "check_axes",
+    "import_matplotlib",
+    "label",
+    "make_canvas",
+    "use_style",
+    "write",
+]
+
+# An inch is 25.4 mm; one column of a page is so many mm wide.
+MILLIMETRE = 1 / 25.4
+COLUMN = 85.0
+# Points; what is smaller cannot be read at the width of a column.
+SMALL = 7.0
+STYLE: Mapping[str, Any] = {
+    "axes.labelsize": SMALL,
+    "axes.linewidth": 0.6,
+    "axes.spines.right": False,
+    "axes.spines.top": False,
+    "axes.titlelocation": "left",
+    "axes.titlesize": 7.5,
+    "figure.constrained_layout.use": True,
+    "font.family": "DejaVu Sans",
+    "font.size": SMALL,
+    "legend.fontsize": SMALL,
+    "svg.fonttype": "none",
+    "xtick.labelsize": SMALL,
+    "xtick.major.size": 2.5,
+    "xtick.major.width": 0.6,
+    "ytick.labelsize": SMALL,
+    "ytick.major.size": 2.5,
+    "ytick.major.width": 0.6,
+}
+# What belongs to the session, and is no matter of style.
+KEPT = frozenset({"backend", "backend_fallback", "interactive", "toolbar", "timezone"})
+
+
+class Look:
+    """Lines that differ in grey as well as in colour; keyword arguments of `Axes.plot`."""
+
+    FIRST: Mapping[str, Any] = {"color": "#000000", "lw": 1.3, "ls": "-"}
+    SECOND: Mapping[str, Any] = {"color": "#1f5fa8", "lw": 1.3, "ls": (0, (6, 1.5))}
+    THIRD: Mapping[str, Any] = {"color": "#1f5fa8", "lw": 1.3, "ls": "-"}
+    FOURTH: Mapping[str, Any] = {"color": "#000000", "lw": 1.3, "ls": (0, (6, 1.5))}
+    WRONG: Mapping[str, Any] = {"color": "#c2301c", "lw": 0.8, "ls": (0, (2, 1))}
+    GUIDE: Mapping[str, Any] = {"color": "#777777", "lw": 0.6, "ls": (0, (1, 2))}
+    AXIS: Mapping[str, Any] = {"color": "#999999", "lw": 0.5, "ls": "-"}
+    MARK: Mapping[str, Any] = {"color": "#000000", "marker": "o", "ms": 3.2, "ls": ""}
+
+
+def import_matplotlib() -> ModuleType:
+    """Return matplotlib; ImportError names the extra where it is missing."""
+    try:
+        import matplotlib
+    except ImportError as error:
+        raise ImportError(
+            "pictures need matplotlib: pip install 'mechproof[plot]', or '.[plot]' in its folder"
+        ) from error
+    return matplotlib
+
+
+@contextmanager
+def use_style(more: Mapping[str, Any] | None = None) -> Iterator[None]:
+    """Hold matplotlib's defaults with the style of the pictures inside the context alone."""
+    matplotlib = import_matplotlib()
+    defaults = {k: v for k, v in matplotlib.rcParamsDefault.items() if k not in KEPT}
+    with matplotlib.rc_context({**defaults, **STYLE, **(more or {})}):
+        yield
+
+
+def make_canvas(width: float = COLUMN, height: float = 60.0) -> Figure:
+    """Return an empty figure of a size in mm, without pyplot; inside `use_style`, in the style."""
+    import_matplotlib()
+    from matplotlib.figure import Figure
+
+    return Figure((width * MILLIMETRE, height * MILLIMETRE))
+
+
+def check_axes(name: str, given: Any, count: int, height: float) -> Sequence[Axes]:
+    """Return the `count` axes that are given, or new ones below each other on a canvas.
+
+    Raises TypeError for what is no axes, or another number of them.
+    """
+    import_matplotlib()
+    from matplotlib.axes import Axes
+
+    if given is None:
+        with use_style():
+            return list(make_canvas(height=height).subplots(count, sharex=True, squeeze=False).flat)
+    axes = [given] if isinstance(given, Axes) else list(given) if hasattr(given, "__iter__") else []
+    needed = "must be matplotlib Axes" if count == 1 else f"must be {count} matplotlib Axes"
+    fits = len(axes) == count and all(isinstance(one, Axes) for one in axes)
+    require(fits, name, given, needed, TypeError)
+    return axes
+
+
+def write(value: float, digits: int = 4) -> str:
+    """Write a number in so many significant digits, with a minus as the axes have it."""
+    return f"{value:.{digits}g}".replace("-", "\N{MINUS SIGN}")
+
+
+def label(
+    panel: Axes,
+    text: str,
+    place: tuple[float, float],
+    aside: tuple[float, float] = (4, 3),
+    **kept: Any,
+) -> None:
+    """Write at a place in the data, aside of it by so many points: right or left, above or below.
+
+    Zero is centred.
+    """
+    right, up = aside
+    panel.annotate(
+        text,
+        place,
+        aside,
+        textcoords="offset points",
+        ha="left" if right > 0 else "right" if right < 0 else "center",
+        va="bottom" if up > 0 else "top" if up < 0 else "center",
+        fontsize=SMALL,
+        **kept,
+    )

@@ -1,0 +1,187 @@
+"""The figures of a paper: what its folder states of them, and the files made of it.
+
+A derivation that is a folder may hold `pictures.py`, which binds FIGURES, a tuple of `Figure`. It
+is loaded on demand, with whatever it imports: numpy, kernels, mechanisms, `mechproof.plot`.
+"""
+
+from __future__ import annotations
+
+import re
+import traceback
+from collections.abc import Callable
+from dataclasses import dataclass
+from html import escape
+from io import BytesIO, StringIO
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from mechproof.arguments.scalars import check_real, require
+from mechproof.plot.canvas import COLUMN, make_canvas, use_style
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Canvas
+
+__all__ = [
+    "DrawingError",
+    "Figure",
+    "draw",
+    "find_figures",
+    "render_svg",
+    "write_files",
+    "write_png",
+]
+
+PART: Final = "pictures"
+# What matplotlib says of lines in a rule that would hold for the whole page.
+LINES = "stroke-linejoin: round; stroke-linecap: butt"
+# What matplotlib says of each text; other machines have a font of the same widths, or another.
+FONT, FONTS = "font-family: 'DejaVu Sans'", "font-family: 'DejaVu Sans', Verdana, sans-serif"
+# Pixels per inch of a PNG: a column of 85 mm has some 740.
+DPI = 220
+
+
+class DrawingError(RuntimeError):
+    """A figure could not be drawn."""
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One figure of a paper: what it says of itself, and how it is drawn.
+
+    Parameters
+    ----------
+    name : str
+        Stem of its files, of small letters, digits and hyphens: "fig-3".
+    number : str or None
+        As the paper prints it, "Fig. 3"; None for one that the paper does not have.
+    title : str
+        A sentence that says what is seen.
+    caption : str
+        What is drawn, which numbers are the paper's and which are ours.
+    after : str
+        Number of the row of the ledger after which the report shows it.
+    draw : callable
+        Draws on the empty `matplotlib.figure.Figure` that it is given.
+    width, height : float
+        Size in mm; a column is 85 mm wide.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For a name or a size that is none; the message names it.
+
+    """
+
+    name: str
+    number: str | None
+    title: str
+    caption: str
+    after: str
+    draw: Callable[[Canvas], object]
+    width: float = COLUMN
+    height: float = 60.0
+
+    def __post_init__(self) -> None:
+        """Check the name, the sizes and that it can be drawn."""
+        named = isinstance(self.name, str) and re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", self.name)
+        require(named, "name", self.name, "must be of small letters, digits and single hyphens")
+        require(callable(self.draw), "draw", self.draw, "must be callable", TypeError)
+        for size in ("width", "height"):
+            length = check_real(size, getattr(self, size))
+            require(length > 0, size, length, "must be positive")
+
+
+def find_figures(place: Path) -> tuple[Figure, ...]:
+    """Return the figures of a derivation, a folder or a file; () where it has no pictures.py.
+
+    Raises
+    ------
+    DerivationError
+        If it cannot be loaded, binds no tuple of `Figure` to FIGURES, or two of one name.
+
+    """
+    from mechproof.derivation import DerivationError, load_part
+
+    module = load_part(place, PART)
+    if module is None:
+        return ()
+    figures = getattr(module, "FIGURES", None)
+    if not isinstance(figures, tuple) or not all(isinstance(f, Figure) for f in figures):
+        raise DerivationError(
+            f"{module.__file__}: binds no tuple of mechproof.plot.Figure to the name FIGURES"
+        )
+    names = [figure.name for figure in figures]
+    if twice := sorted({name for name in names if names.count(name) > 1}):
+        raise DerivationError(f"{module.__file__}: two figures of one name: {', '.join(twice)}")
+    return figures
+
+
+def draw(figure: Figure) -> Canvas:
+    """Draw a figure at its size; what pyplot and rcParams hold stays as it is.
+
+    Raises `DrawingError` with the line at which the drawing failed.
+    """
+    with use_style():
+        canvas = make_canvas(figure.width, figure.height)
+        try:
+            figure.draw(canvas)
+        except Exception as error:
+            what = f"{type(error).__name__}: {error}"
+            raise DrawingError(f"{figure.name}: {_find_line(error)}{what}") from error
+    return canvas
+
+
+def _find_line(error: Exception) -> str:
+    """Return "file:line: " of the innermost line of the drawing, not of what it calls."""
+    _, *frames = traceback.extract_tb(error.__traceback__)
+    own = [frame for frame in frames if frame.filename == frames[0].filename]
+    return f"{own[-1].filename}:{own[-1].lineno}: " if own else ""
+
+
+def render_svg(figure: Figure) -> str:
+    """Return a figure as one <svg> element with text as text: the same bytes each time.
+
+    No id in it is that of another figure's, so that a page may hold several. Raises as `draw`.
+    """
+    return _save_svg(figure, draw(figure))
+
+
+def write_png(figure: Figure, path: Path) -> None:
+    """Write a figure as PNG; the folder must exist. Raises as `draw`, and OSError."""
+    path.write_bytes(_save_png(figure, draw(figure)))
+
+
+def write_files(figure: Figure, folder: Path, stem: str) -> tuple[Path, Path]:
+    """Draw a figure once and write it as PNG and SVG; return the files. Raises as `write_png`."""
+    canvas = draw(figure)
+    files = folder / f"{stem}.png", folder / f"{stem}.svg"
+    folder.mkdir(parents=True, exist_ok=True)
+    files[0].write_bytes(_save_png(figure, canvas))
+    files[1].write_text(_save_svg(figure, canvas), encoding="utf-8")
+    return files
+
+
+def _save_svg(figure: Figure, canvas: Canvas) -> str:
+    text = StringIO()
+    with use_style({"svg.hashsalt": f"{figure.name}: {figure.title}"}):
+        canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
+    return _strip(text.getvalue(), figure.title)
+
+
+def _save_png(figure: Figure, canvas: Canvas) -> bytes:
+    pixels = BytesIO()
+    with use_style():
+        canvas.savefig(pixels, format="png", dpi=DPI, metadata={"Title": figure.title})
+    return pixels.getvalue()
+
+
+def _strip(text: str, title: str) -> str:
+    """Keep what a page can hold: one element, without rules for the page or ids of no use."""
+    body = text[text.index("<svg") :]
+    body = re.sub(r"\s*<metadata>.*?</metadata>", "", body, flags=re.DOTALL)
+    body = re.sub(r"\s*<defs>\s*<style.*?</defs>", "", body, count=1, flags=re.DOTALL)
+    used = set(re.findall(r"#([\w.-]+)", body))
+    body = re.sub(r' id="([\w.-]+)"', lambda found: found[0] if found[1] in used else "", body)
+    says = f'role="img" aria-label="{escape(title)}" style="{LINES}; {FONTS}"'
+    body = body.replace(f"{FONT}; ", "").replace(f"; {FONT}", "")
+    return body.replace("<svg ", f"<svg {says} ", 1)
