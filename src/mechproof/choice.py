@@ -33,7 +33,8 @@ Size = float | Sequence[float]
 NOT_EQUAL = ("REFUTED", "CONDITIONAL", "ILL_FORMED", "UNDECIDED", "ENCLOSED")
 SIZE = 100_000
 # The package that an extra is known by, and the folder of the kernels that need it.
-EXTRAS = {"fast": "numba"}
+EXTRAS = {"fast": "numba", "derive": "flint"}
+TAILORING = "derive,fast"
 FOLDERS = {"": "", "fast": "compiled."}
 # The next better way loses at most half as much.
 BETTER = 2
@@ -45,12 +46,12 @@ class Choice:
 
     `error` is in the unit of the quantity: the larger of the worst measured and the proved bound;
     `bound` is the latter, rounding apart, None without. `function` is the dotted name under which
-    a form of the package is imported, empty for other libraries and the like; `needs` is the extra
-    that it is installed with. `asked` is the largest error permitted. `time` is nanoseconds per
-    point at `count` points on the machine of the record, the median of rounds with these
-    `quartiles`. `better` is the cheapest way with at most half the error, `faster` the cheapest
-    one that needs an extra which is not installed, if it is faster than what is; `others` are all
-    ways that could have been chosen, cheapest first.
+    a form of the package is imported, or the call that tailors it, empty for other libraries and
+    the like; `needs` are the extras that it is installed with, between commas. `asked` is the
+    largest error permitted. `time` is nanoseconds per point at `count` points on the machine of
+    the record, the median of rounds with these `quartiles`. `better` is the cheapest way with at
+    most half the error, `faster` the cheapest one that needs an extra which is not installed, if
+    it is faster than what is; `others` are all ways that could have been chosen, cheapest first.
     """
 
     quantity: str
@@ -144,15 +145,20 @@ def choose(
     result (NaN, infinity) in the ranges is left out, and so is one that the ledger refutes or
     proves on a part of the domain only. Peers (other libraries, solvers, simulations), of which
     nothing is proved, count by what was measured. Ways that need an extra of mechproof which is
-    not installed (`fast`: compiled kernels) are not taken but named in `faster`. Of ways whose
-    times cannot be told apart, their quartiles overlapping, the most accurate is taken.
+    not installed (`fast`: compiled kernels) are not taken but named in `faster`. Where all
+    arguments but the first are fixed numbers, a kernel tailored to them and to `error` is one of
+    the ways: its bound is what is asked for, its time that of one tailored to other sizes and no
+    larger an error. Of ways whose times cannot be told apart, their quartiles overlapping, the
+    most accurate is taken.
 
     """
     record = _find_record(quantity, measured)
     require(check_number("error", error) > 0, "error", error, "must be positive")
     check_count("size", size)
-    cells = list(_overlapping(record, _as_pairs(record, ranges)))
+    pairs = _as_pairs(record, ranges)
+    cells = list(_overlapping(record, pairs))
     rated = list(_rate_ways(record, cells, size, error))
+    rated += _rate_tailored(record, pairs, size, error)
     ways = sorted(filter(_is_installed, rated), key=lambda c: c.time)
     good = [way for way in ways if way.error <= error]
     if not good:
@@ -169,8 +175,38 @@ def choose(
     )
 
 
+def _rate_tailored(
+    record: Record, pairs: Mapping[str, tuple[float, float]], size: int, asked: float
+) -> Iterator[Choice]:
+    """Rate the tailored kernel that is made for no larger an error, if sizes are fixed numbers.
+
+    Its time is that at the sizes measured; its bound is proved when it is made.
+    """
+    _, *parameters = record.ranges
+    if any(name not in pairs or pairs[name][0] != pairs[name][1] for name in parameters):
+        return
+    fixed = ", ".join(f"{name}={pairs[name][0]!r}" for name in parameters)
+    for found in sorted(record.tailored, key=lambda t: -t.asked):
+        timed = _find_time(record, found.name, size)
+        if timed is not None and found.asked <= asked:
+            yield Choice(
+                quantity=record.quantity,
+                way="tailored",
+                error=asked,
+                bound=asked,
+                time=timed.median,
+                quartiles=(timed.lower, timed.upper),
+                count=timed.count,
+                unit=record.unit,
+                asked=asked,
+                function=f"mechproof.tailor({record.quantity!r}, error={asked!r}, {fixed})",
+                needs=TAILORING,
+            )
+            return
+
+
 def _is_installed(way: Choice) -> bool:
-    return not way.needs or find_spec(EXTRAS[way.needs]) is not None
+    return all(find_spec(EXTRAS[extra]) is not None for extra in way.needs.split(",") if extra)
 
 
 def _find_faster(rated: Sequence[Choice], first: Choice) -> Choice | None:
