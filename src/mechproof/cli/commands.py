@@ -16,6 +16,7 @@ from mechproof.cli.emit import app as emit_app
 from mechproof.cli.figures import figures
 from mechproof.cli.ledger import print_ledger
 from mechproof.cli.places import RULE, DerivationsOption, Places, find_locations, find_places
+from mechproof.cli.report import report
 from mechproof.codegen.regenerate import (
     Change,
     ForeignFileError,
@@ -40,6 +41,7 @@ app = typer.Typer(
 )
 app.command()(chart)
 app.command()(check)
+app.command(epilog=RULE)(report)
 app.command(epilog=RULE)(figures)
 app.add_typer(emit_app, name="emit")
 

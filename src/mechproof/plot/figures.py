@@ -119,7 +119,7 @@ def render_svg(figure: Figure) -> str:
     canvas = draw(figure)
     with use_style(salt):
         canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
-    return _strip(text.getvalue(), figure.title)
+    return strip_svg(text.getvalue(), figure.title)
 
 
 def write_png(figure: Figure, path: Path) -> None:
@@ -131,7 +131,7 @@ def write_png(figure: Figure, path: Path) -> None:
     path.write_bytes(pixels.getvalue())
 
 
-def _strip(text: str, title: str) -> str:
+def strip_svg(text: str, title: str) -> str:
     """Keep what a page can hold: one element, without rules for the page or ids of no use."""
     body = text[text.index("<svg") :]
     body = re.sub(r"\s*<metadata>.*?</metadata>", "", body, flags=re.DOTALL)

@@ -1,0 +1,278 @@
+"""Quantities: what can be computed, as the page of one says it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+from markupsafe import Markup
+
+from mechproof.codegen.backends.c99 import render_c
+from mechproof.codegen.docstrings import describe_domain, find_given, list_notes, tell_unit
+from mechproof.codegen.forms import number_form
+from mechproof.codegen.kernel import Kernel, list_functions, name_rival, shape_of
+from mechproof.lab.marks import list_workloads
+from mechproof.measured import Record, Timing
+from mechproof.proof.comparison_latex import write_latex
+from mechproof.proof.verdict import Judgement
+from mechproof.record import Form, Paper, Quantity, Variable
+from mechproof.report.formulas import write_formula, write_lines
+from mechproof.report.sources import Source
+from mechproof.report.words import MEASURED, Look, look_of, set_numbers
+
+
+@dataclass(frozen=True)
+class ArgumentView:
+    """One argument of a quantity."""
+
+    name: str
+    symbols: Markup
+    meaning: str
+    unit: str
+    shape: str
+
+
+@dataclass(frozen=True)
+class FormView:
+    """One way to compute: its name, what is proved of it, what it loses and what it costs.
+
+    `error` and `time` are empty where nothing was measured.
+    """
+
+    name: str
+    is_shipped: bool
+    look: Look
+    rung: str
+    error: str
+    time: str
+    ratio: str
+    note: str
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What the record says of the quantity: the worst error found, where, when and on what."""
+
+    worst: str
+    unit: str
+    points: str
+    searched: str
+    taken: str
+    machine: str
+    is_quick: bool
+    timed: str
+
+
+@dataclass(frozen=True)
+class QuantityView:
+    """The page of a quantity."""
+
+    system: str
+    name: str
+    summary: str
+    source: str
+    unit: str
+    arguments: tuple[ArgumentView, ...]
+    formula: Markup
+    given: tuple[Markup, ...]
+    domain: str
+    notes: tuple[tuple[str, str], ...]
+    stated: str
+    proved: tuple[str, ...]
+    measured: Measured | None
+    forms: tuple[FormView, ...]
+    calls: tuple[tuple[str, str, str], ...]
+    charts: tuple[str, ...]
+
+
+def describe_quantities(source: Source) -> Iterator[QuantityView]:
+    """Describe every quantity of a paper."""
+    paper = source.ledger.paper
+    kernels = {kernel.name: kernel for kernel in list_functions(paper)}
+    header = _write_header(paper)
+    told = {quantity.name: quantity for quantity in source.told.quantities}
+    for quantity in paper.quantities:
+        record = next((r for r in source.records if r.quantity == _full(paper, quantity)), None)
+        kernel = kernels.get(quantity.name)
+        forms = told[quantity.name].forms
+        yield QuantityView(
+            system=paper.system,
+            name=quantity.name,
+            summary=quantity.summary,
+            source=quantity.source,
+            unit=tell_unit(quantity.unit),
+            arguments=tuple(_describe_arguments(quantity, paper.variables)),
+            formula=_write(quantity.definition, paper.variables),
+            given=tuple(_write_given(quantity, paper)),
+            domain=set_numbers(describe_domain(quantity, paper)).replace("oo", "∞"),
+            notes=tuple(_pick_notes(kernel, paper)),
+            stated=_find_stated(kernel, paper),
+            proved=tuple(set_numbers(form.proved) for form in forms if form.proved),
+            measured=_describe_record(record) if record else None,
+            forms=tuple(_list_forms(quantity, source, record)),
+            calls=tuple(_list_calls(quantity, source, header)),
+            charts=tuple(_name_charts(record)) if record else (),
+        )
+
+
+def _full(paper: Paper, quantity: Quantity) -> str:
+    return f"{paper.system}.{quantity.name}"
+
+
+def _name_charts(record: Record) -> Iterator[str]:
+    return (f"{record.quantity}, {workload}" for workload, _ in list_workloads(record))
+
+
+def _write(formula: sp.Basic, variables: Sequence[Variable]) -> Markup:
+    return write_lines(write_latex(formula, variables))
+
+
+def _write_given(quantity: Quantity, paper: Paper) -> Iterator[Markup]:
+    """Write the symbols that the formula needs and that others give."""
+    values = {v.symbol: v.given for v in paper.variables if v.given is not None}
+    for symbol in find_given(quantity.definition, quantity, paper):
+        sides = (write_latex(side, paper.variables) for side in (symbol, values[symbol]))
+        yield write_formula(" = ".join(sides), "block")
+
+
+def _describe_arguments(
+    quantity: Quantity, variables: Sequence[Variable]
+) -> Iterator[ArgumentView]:
+    for argument in quantity.arguments:
+        symbols = Markup(", ").join(
+            write_formula(write_latex(symbol, variables)) for symbol in argument.symbols
+        )
+        default = "" if argument.default is None else f", default {argument.default:g}"
+        yield ArgumentView(
+            argument.name,
+            symbols,
+            argument.meaning,
+            tell_unit(argument.unit),
+            f"{shape_of(argument, quantity)}{default}",
+        )
+
+
+def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, str]]:
+    """Yield what is said beside domain, accuracy and source, which stand for themselves."""
+    for note in list_notes(kernel, paper) if kernel else ():
+        lead, colon, rest = note.partition(": ")
+        if lead not in ("Domain", "Accuracy", "Source"):
+            named = colon and len(lead.split()) == 1
+            yield (lead, set_numbers(rest)) if named else ("", set_numbers(note))
+
+
+def _find_stated(kernel: Kernel | None, paper: Paper) -> str:
+    notes = list_notes(kernel, paper) if kernel else ()
+    stated = (note.removeprefix("Accuracy: ") for note in notes if note.startswith("Accuracy: "))
+    return set_numbers(next(stated, ""))
+
+
+def _describe_record(record: Record) -> Measured:
+    first = record.ways[0].name
+    rows = record.errors_of(first)
+    worst = record.worst_of(first)
+    at = ", ".join(map(str, record.searched.at))
+    machine = record.machine
+    return Measured(
+        worst="none" if worst is None else f"{worst:.3g}",
+        unit=record.error_unit,
+        points=f"{sum(row.points - row.undecided for row in rows):,}",
+        searched=set_numbers(f"{record.searched.scaled:.3g} at ({at})"),
+        taken=record.taken[:10],
+        machine=f"{machine.processor}, NumPy {machine.versions.get('numpy', '')}",
+        is_quick=record.quick,
+        timed=", ".join(f"{count:,} points, {name}" for name, count in list_workloads(record)[:1]),
+    )
+
+
+def _list_forms(quantity: Quantity, source: Source, record: Record | None) -> Iterator[FormView]:
+    """List the forms with their verdicts of now, then what else was measured."""
+    judged = {j.number: j for j in source.ledger.judgements}
+    count = len(quantity.shipped)
+    for place, form in enumerate(quantity.forms):
+        # What the kernel loses and costs is measured of all its forms together.
+        way = "" if 0 < place < count else form.name if place else "kernel"
+        row = judged.get(number_form(quantity, form))
+        yield _view_form(form, place < count, row, record, way)
+    known = {"kernel", *(form.name for form in quantity.rivals)}
+    for way in record.ways if record else ():
+        if way.name not in known:
+            look = MEASURED if way.kind == "peer" else look_of(way.verdict)
+            shipped = way is record.ways[0] if record else False
+            yield FormView(
+                way.name, shipped, look, way.rung, *_find_costs(record, way.name), way.note
+            )
+
+
+def _view_form(
+    form: Form, shipped: bool, row: Judgement | None, record: Record | None, way: str
+) -> FormView:
+    look = look_of(row.verdict) if row else Look("unjudged", "not judged", "", "")
+    when = f"where {form.when}" if form.when is not None else ""
+    bound = f"off by at most {form.bound}" if form.bound is not None else ""
+    note = set_numbers("; ".join(filter(None, (when, bound, form.note))))
+    return FormView(
+        form.name, shipped, look, row.rung if row else "", *_find_costs(record, way), note
+    )
+
+
+def _find_costs(record: Record | None, way: str) -> tuple[str, str, str]:
+    """Return the worst error, the time per point of the first workload, and its ratio."""
+    if record is None:
+        return "", "", ""
+    worst = record.worst_of(way)
+    error = "" if worst is None else "none right" if worst == float("inf") else f"{worst:.3g}"
+    timing = _find_timing(record, way)
+    if timing is None:
+        return set_numbers(error), "", ""
+    ratio = "" if timing.ratio is None else f"{timing.ratio:.2g}"
+    return set_numbers(error), set_numbers(f"{timing.median:.3g}"), set_numbers(ratio)
+
+
+def _find_timing(record: Record, way: str) -> Timing | None:
+    workload, count = list_workloads(record)[0]
+    rows = (r for r in record.times if (r.way, r.workload) == (way, workload) and r.count <= count)
+    return max(rows, key=lambda row: row.count, default=None)
+
+
+def _write_header(paper: Paper) -> str:
+    try:
+        return render_c(paper)[f"{paper.system}.h"]
+    except (ValueError, NotImplementedError):
+        return ""
+
+
+def _list_calls(quantity: Quantity, source: Source, header: str) -> Iterator[tuple[str, str, str]]:
+    """Yield language, code and a remark for each way to call the kernel."""
+    if not (quantity.forms and source.home):
+        return
+    system, arguments = source.system, ", ".join(_write_arguments(quantity, source.told))
+    call = f"{quantity.name}({arguments})"
+    for language, package, remark in (
+        ("NumPy", source.home, "Arrays of any shape that broadcast; takes out=."),
+        (
+            "numba",
+            f"{source.home}.compiled",
+            "The same as one compiled loop; with numbers also inside your own compiled loops.",
+        ),
+    ):
+        yield language, f"from {package}.{system} import {quantity.name}\n\n{call}", remark
+    pattern = rf"^.*\b{system}_{quantity.name}(?:_array)?\(.*\);$"
+    if found := re.findall(pattern, header, re.MULTILINE):
+        remark = f"Written by mechproof emit c {system} --out c; link with -lm."
+        yield "C", "\n".join([f'#include "{system}.h"', "", *map(_wrap, found)]), remark
+
+
+def _wrap(prototype: str) -> str:
+    return prototype.replace(", ", ",\n    ").replace("(", "(\n    ", 1)
+
+
+def _write_arguments(quantity: Quantity, paper: Paper) -> Iterator[str]:
+    """Write the first published sizes where they are numbers, else the names of arguments."""
+    sizes: Mapping[sp.Symbol, object] = paper.published[0].sizes if paper.published else {}
+    for number, argument in enumerate(quantity.arguments):
+        size = sizes.get(argument.symbols[0]) if len(argument.symbols) == 1 and number else None
+        is_number = isinstance(size, sp.Expr) and size.is_Rational
+        yield f"{float(size):.12g}" if is_number else argument.name  # type: ignore[arg-type]

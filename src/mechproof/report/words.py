@@ -1,0 +1,83 @@
+"""Words: how a verdict is said and shown to a reader, and what stands in the text of evidence."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from mechproof.proof.verdict import Verdict
+
+
+@dataclass(frozen=True)
+class Look:
+    """A verdict for a reader: a word, a sign beside its colour, and what it means."""
+
+    key: str
+    word: str
+    sign: str
+    meaning: str
+
+
+LOOKS: Mapping[str, Look] = {
+    Verdict.REFUTED: Look(
+        "refuted", "refuted", "✗",
+        "a counterexample whose enclosures separate both sides; the corrected form is proved",
+    ),
+    Verdict.ILL_FORMED: Look(
+        "ill-formed", "ill-formed", "∅",
+        "cannot be evaluated as printed: the witness is shown, the corrected form is proved",
+    ),
+    Verdict.UNDECIDED: Look(
+        "undecided", "undecided", "?", "none of the others, with what could not be shown"
+    ),
+    Verdict.UNDERDETERMINED: Look(
+        "underdetermined", "underdetermined", "…",
+        "the paper lacks a named datum: two completions of it give opposite answers",
+    ),
+    Verdict.CONDITIONAL: Look(
+        "conditional", "true in part", "◐",
+        "true on a stated part of the domain, false elsewhere with a counterexample there",
+    ),
+    Verdict.CONVENTION: Look(
+        "convention", "convention", "⇄",
+        "true after a stated change of sign, order, direction or reading; both are shown",
+    ),
+    Verdict.ENCLOSED: Look(
+        "enclosed", "enclosed", "≈", "not proved: the difference is enclosed at stated points"
+    ),
+    Verdict.PROVED: Look(
+        "proved", "proved", "✓",
+        "a complete decision procedure, the named rung, says so on the whole domain",
+    ),
+    Verdict.DEFINITION: Look(
+        "definition", "definition", "≔",
+        "introduces a symbol or a datum: nothing to prove beyond dimensions and consistent use",
+    ),
+}  # fmt: skip
+MEASURED = Look("measured", "measured", "∿", "no formula of ours: nothing is proved, it is measured")
+NOT_JUDGED = Look("failed", "not judged", "!", "the row could not be judged: what failed is shown")
+ORDER = tuple(LOOKS)
+
+BALL = re.compile(r"\[([^\[\]]+?) \+/- ([^\[\]]+?)\]")
+POWER = re.compile(r"(?<=\d)e([+-]?\d+)\b")
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def look_of(verdict: str) -> Look:
+    """Return how a verdict is shown; what is measured is a verdict of its own."""
+    return LOOKS.get(verdict, MEASURED)
+
+
+def set_numbers(text: str) -> str:
+    """Set balls and powers of ten as people write them: [1.5 +/- 2e-9] is 1.5 ± 2·10⁻⁹."""
+    return POWER.sub(_raise, BALL.sub(r"\1 ± \2", text)).replace("<=", "≤").replace(">=", "≥")
+
+
+def _raise(power: re.Match[str]) -> str:
+    return f"·10{str(int(power[1])).translate(SUPERSCRIPTS)}"
+
+
+def set_value(text: str) -> str:
+    """Set a value that a point has: as a number, pi as its letter."""
+    return set_numbers(re.sub(r"\bpi\b", "π", text)).replace("*", "·")
