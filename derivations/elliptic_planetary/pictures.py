@@ -19,6 +19,8 @@ LOOKS = {1: Look.FIRST, 2: Look.SECOND, 3: Look.FIRST, 4: Look.SECOND}
 # Variants of the same radii, drawn in one panel.
 PAIRS = ((1, 2), (3, 4))
 HALF_TURN = 180.0
+RED = Look.WRONG["color"]
+BRACKET = {"color": RED, "lw": 1.0, "marker": "_", "ms": 4}
 
 
 def name_variant(number: int) -> str:
@@ -44,9 +46,7 @@ def cut_branches(number: int, degrees: Any) -> Any:
     mechanism = MECHANISMS[number]
     printed = position_printed(np.radians(degrees), mechanism.R1, mechanism.R2, mechanism.e)
     falls = np.flatnonzero(np.diff(printed) < 0)
-    return np.insert(degrees, falls + 1, np.nan), np.insert(
-        np.degrees(printed), falls + 1, np.nan
-    )
+    return np.insert(degrees, falls + 1, np.nan), np.insert(np.degrees(printed), falls + 1, np.nan)
 
 
 def draw_positions(canvas: Any) -> None:
@@ -68,14 +68,114 @@ def draw_positions(canvas: Any) -> None:
 
 
 def _mark_branch_end(panel: Any, pair: Sequence[int]) -> None:
-    """Mark where (12) falls back first, and by how much it is too small just before."""
+    """Mark by how much (12) is too small where it is about to fall back first."""
     end = branch_end(pair[0])
-    panel.axvline(end, **Look.GUIDE)
-    for number in pair:
-        right = float(np.degrees(MECHANISMS[number].position(np.radians(end))))
-        printed = right - lack_at_branch_end(number)
-        panel.plot([end, end], [printed, right], color="#c2301c", lw=1.0, marker="_", ms=4)
-    lacks = " and ".join(f"{lack_at_branch_end(number):.1f}°" for number in pair)
-    top = panel.get_ylim()[1]
-    text = f"(12) as printed: at {end:.1f}° too small\nby {lacks}, then it falls back"
-    label(panel, text, (HALF_TURN, 0.02 * top), (-0.1, 0.1), color="#c2301c")
+    right = float(np.degrees(MECHANISMS[pair[0]].position(np.radians(end))))
+    lacks = [lack_at_branch_end(number) for number in pair]
+    for lack in lacks:
+        panel.plot([end, end], [right - lack, right], **BRACKET)
+    text = " and ".join(f"{lack:.1f}°" for lack in lacks)
+    says = f"(12) as printed: too small\nby {text} at {end:.1f}°"
+    panel.plot([], [], **Look.WRONG, label=says)
+
+
+def draw_rates(canvas: Any) -> None:
+    """Draw ratio and acceleration of the four variants over a turn of the carrier."""
+    rows = canvas.subplots(4, 1, sharex=True)
+    degrees = np.linspace(0.0, HALF_TURN, 1441)
+    for pair, panels in zip(PAIRS, (rows[:2], rows[2:]), strict=True):
+        for number in pair:
+            mechanism, angle = MECHANISMS[number], np.radians(degrees)
+            panels[0].plot(degrees, mechanism.ratio(angle), **LOOKS[number])
+            panels[1].plot(degrees, mechanism.acceleration(angle), **LOOKS[number])
+        _mark_extremes(panels[0], pair)
+        panels[0].set_ylabel("dφ₃/dφ₁")
+        panels[1].set_ylabel("d²φ₃/dφ₁²")
+        panels[1].axhline(0.0, **Look.AXIS)
+        panels[0].set_title(" and ".join(name_variant(number) for number in pair))
+    rows[-1].set_xlabel("carrier φ₁, °")
+    rows[-1].set_xticks(np.arange(0, 181, 30))
+
+
+def _mark_extremes(panel: Any, pair: Sequence[int]) -> None:
+    """Mark the extremes of the ratio: the largest a period on, the smallest after half of it."""
+    panel.margins(y=0.2)
+    for number, upward in zip(pair, (-1, 1), strict=True):
+        extremes = MECHANISMS[number].extremes()
+        low, crest = np.degrees([extremes.at_minimum, extremes.period])
+        panel.plot([low, crest], [extremes.minimum, extremes.maximum], **Look.MARK)
+        above = 4 if upward > 0 else -9
+        label(panel, write(extremes.maximum), (crest, extremes.maximum), (0, above))
+        label(panel, write(extremes.minimum), (low, extremes.minimum), (0, -4 * upward))
+
+
+def draw_intervals(canvas: Any) -> None:
+    """Draw the intervals of Table 3, and that of variant 3 by its u."""
+    panel = canvas.subplots()
+    panel.axvline(0.0, **Look.AXIS)
+    for number, line in READINGS.items():
+        mean, printed = float(line.mean), float(HALF_WIDTHS[number])
+        right = 2 * float(line.uncertainty)
+        if np.isclose(printed, right):
+            _draw_interval(panel, number, mean, right, "", "#000000")
+        else:
+            _draw_interval(panel, number - 0.17, mean, right, "by u", "#000000")
+            _draw_interval(panel, number + 0.17, mean, printed, "printed", RED)
+    panel.set_yticks([*READINGS], [f"variant {number}" for number in READINGS])
+    panel.set_ylim(max(READINGS) + 0.6, min(READINGS) - 0.6)
+    panel.set_xlabel("mean error of φ₃ with mean ± 2u, °")
+
+
+def _draw_interval(
+    panel: Any, place: float, mean: float, half: float, says: str, colour: str
+) -> None:
+    panel.errorbar(mean, place, xerr=half, fmt="o", color=colour, capsize=3, elinewidth=1.2, ms=3.5)
+    panel.text(
+        1.02,
+        place,
+        f"{mean:.2f} ± {half:.2f}° {says}".replace("-", "\N{MINUS SIGN}"),
+        transform=panel.get_yaxis_transform(),
+        va="center",
+        color=colour,
+    )
+
+
+FIGURES = (
+    Figure(
+        "fig-3",
+        "Fig. 3",
+        "Equation (12) as printed falls behind the position function and jumps.",
+        "Position functions of the four variants of Table 1 over half a turn of the carrier: thick "
+        "lines are the integral of (8), thin ones (12) as printed, cut where it falls back. Up to "
+        "there, on the first branch of its arctangent, (12) is too small by up to "
+        f"{lack_at_branch_end(1):.1f}° for e = {MECHANISMS[1].e:g} and "
+        f"{lack_at_branch_end(2):.1f}° for e = {MECHANISMS[2].e:g}, whatever the radii. The paper "
+        "names no axes of this figure and says that (8) was used; which formula its curves show "
+        "cannot be seen.",
+        "Fig. 3, formula used",
+        draw_positions,
+        height=125.0,
+    ),
+    Figure(
+        "fig-3-rates",
+        None,
+        "The ratio swings the more, the larger the eccentricity; it never changes its sign.",
+        "Ratio (8) of the four variants and its derivative, the analogue of the acceleration, "
+        "which the paper does not print. Marked are the extremes of the ratio in closed form: the "
+        "largest where the satellite has made whole turns, the smallest half a turn later.",
+        "extremes of the ratio, second sign",
+        draw_rates,
+        height=140.0,
+    ),
+    Figure(
+        "table-3",
+        "Table 3",
+        "The interval of variant 3 is half as wide as its uncertainty makes it.",
+        "Mean error and interval mean ± 2u of each variant, from the mean and the u of Table 3. "
+        "The printed half-width of variant 3, thin, is once u: either it is to be 0.56°, or u is "
+        "to be 0.14°, which is not decided. By both the interval excludes an error of zero.",
+        "table 3, interval 3",
+        draw_intervals,
+        height=62.0,
+    ),
+)

@@ -50,10 +50,12 @@ def total_by_corrected_sum(coefficient: sp.Expr) -> sp.Expr:
     return sp.sqrt(coefficient**2 * SUM_OF_SQUARES / (1 - (coefficient * share) ** 2))
 
 
-def total_by_printed_sum(unit_of_length: sp.Expr) -> sp.Expr:
+def total_by_printed_sum(
+    unit_of_length: sp.Expr, sum_of_squares: sp.Expr = SUM_OF_PRINTED_SQUARES
+) -> sp.Expr:
     """Solve (6) as printed, all coefficients 1: Delta_T unsquared, so the unit enters."""
     linear = THERMAL_SHARE * unit_of_length
-    return (linear + sp.sqrt(linear**2 + 4 * SUM_OF_SQUARES.subs(PRINTED_VALUES))) / 2
+    return (linear + sp.sqrt(linear**2 + 4 * sum_of_squares)) / 2
 
 
 SOLVED_TOTAL = total_by_corrected_sum(sp.Integer(1))

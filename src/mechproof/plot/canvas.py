@@ -38,7 +38,6 @@ STYLE: Mapping[str, Any] = {
     "axes.spines.top": False,
     "axes.titlelocation": "left",
     "axes.titlesize": 7.5,
-    "axes.titleweight": "bold",
     "figure.constrained_layout.use": True,
     "font.family": "DejaVu Sans",
     "font.size": SMALL,

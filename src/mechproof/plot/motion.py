@@ -65,12 +65,12 @@ def motion(mechanism: Planetary, axes: Any = None, *, eta: Any = None) -> Sequen
         mechanism.ratio(angles),
         mechanism.acceleration(angles),
     )
-    for panel, values, label in zip(panels, curves, LABELS, strict=True):
+    for panel, values, name in zip(panels, curves, LABELS, strict=True):
         for start, end in rests:
             panel.axvspan(np.degrees(start), np.degrees(end), color="#dddddd", lw=0)
         panel.axhline(0.0, **Look.AXIS)
         panel.plot(np.degrees(angles), values, **Look.FIRST)
-        panel.set_ylabel(label, fontsize=SMALL)
+        panel.set_ylabel(name, fontsize=SMALL)
     panels[0].set_title(title, loc="left", fontsize=SMALL)
     panels[-1].set_xlabel("carrier φ₁, ° (one period of the ratio)", fontsize=SMALL)
     _mark_extremes(panels[1], extremes)

@@ -56,7 +56,8 @@ def shares(
     label : str
         What the inputs are, with the unit.
     look : mapping, optional
-        Keyword arguments of `Axes.plot` for all lines, instead of one look for each share.
+        Keyword arguments of `Axes.plot` for all lines, instead of one look for each share;
+        also the label of a legend.
 
     Returns
     -------
@@ -77,11 +78,12 @@ def shares(
     _check_shares("exact", exact, Shares, points.shape)
     (panel,) = check_axes("ax", ax, 1, HEIGHT)
     for name in names:
-        drawn = LOOKS[name] if look is None else look
-        panel.plot(points, 100 * getattr(exact, name), **drawn, label=name.replace("_", " "))
+        drawn = {"label": name.replace("_", " "), **(LOOKS[name] if look is None else look)}
+        panel.plot(points, 100 * getattr(exact, name), **drawn)
     if simulated is not None:
         places, counted = check_items("simulated", simulated, 2, "must be a pair: inputs, shares")
-        _draw_simulated(panel, check_array("simulated[0]", places), counted, names)
+        colour = "#000000" if look is None else look.get("color", "#000000")
+        _draw_simulated(panel, check_array("simulated[0]", places), counted, names, colour)
     panel.set_xlabel(label, fontsize=SMALL)
     panel.set_ylabel("per cent of all parts", fontsize=SMALL)
     if ax is None:
@@ -105,7 +107,7 @@ def _check_shares(name: str, given: Any, kind: type, shape: tuple[int, ...]) -> 
 
 
 def _draw_simulated(
-    panel: Axes, points: Any, counted: SimulatedShares, names: Sequence[str]
+    panel: Axes, points: Any, counted: SimulatedShares, names: Sequence[str], colour: Any
 ) -> None:
     _check_shares("simulated[1]", counted, SimulatedShares, points.shape)
     for number, name in enumerate(names):
@@ -121,7 +123,7 @@ def _draw_simulated(
             100 * share,
             100 * np.stack([below, above]),
             fmt="o",
-            color="#000000",
+            color=colour,
             ms=2.2,
             elinewidth=0.7,
             capsize=1.5,
