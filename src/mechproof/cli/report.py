@@ -47,9 +47,7 @@ def report(
     locations = find_locations(papers or (), find_places(derivations, None))
     try:
         with show_progress(f"judging {', '.join(place.stem for place in locations)}") as tell:
-            ledgers = judge_derivations(
-                locations, use_cache=not no_cache, limit=limit, report=tell
-            )
+            ledgers = judge_derivations(locations, use_cache=not no_cache, limit=limit, report=tell)
         with show_progress("drawing what was measured, and the papers' figures") as tell:
             files = build_site(locations, ledgers, tell)
         write_folder(out, files)

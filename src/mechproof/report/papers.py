@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -13,7 +14,8 @@ from mechproof.proof.ledger import COUNTED, Ledger, classify
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper, Row, Variable
 from mechproof.report.anchors import find_equation, name_anchors, name_equation
-from mechproof.report.formulas import write_formula, write_print
+from mechproof.report.formulas import write_print
+from mechproof.report.mathml import write_formula
 from mechproof.report.rows import (
     RowView,
     describe_failure,
@@ -139,7 +141,8 @@ def describe_paper(source: Source, figures: Mapping[str, str]) -> PaperView:
 
 
 def _name_all(ledger: Ledger) -> dict[str, str]:
-    numbers = (row.number for row in (*ledger.paper.rows, *ledger.judgements))
+    numbers = [row.number for row in ledger.paper.rows]
+    numbers += [row.number for row in ledger.judgements]
     return name_anchors(dict.fromkeys(numbers))
 
 
@@ -170,8 +173,10 @@ def count_totals(judgements: Sequence[Judgement]) -> Iterator[Total]:
 
 def count_verdicts(judgements: Sequence[Judgement]) -> tuple[Count, ...]:
     """Count verdicts, the gravest first."""
-    verdicts = [row.verdict for row in judgements]
-    return tuple(Count(LOOKS[v], verdicts.count(v)) for v in LOOKS if v in verdicts)  # type: ignore[comparison-overlap]
+    counted = Counter(str(row.verdict) for row in judgements)
+    return tuple(
+        Count(look, counted[verdict]) for verdict, look in LOOKS.items() if counted[verdict]
+    )
 
 
 def _list_sections(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -21,6 +22,8 @@ from mechproof.processes import WorkerError, run_tasks
 # Seconds for a picture; beyond, something hangs.
 LIMIT = 300.0
 SMALL = 7.5
+# Points; a column has 241.
+NARROW = 300.0
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,12 @@ class Picture:
     name: str = ""
     number: str = ""
     after: str = ""
+
+    @property
+    def is_narrow(self) -> bool:
+        """Return whether it is made for one column of a page."""
+        width = re.search(r'\bwidth="([\d.]+)pt"', self.svg)
+        return width is not None and float(width[1]) < NARROW
 
 
 class PictureError(RuntimeError):

@@ -7,18 +7,19 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from mechproof.codegen.backends.c99 import render_c
 from mechproof.codegen.docstrings import describe_domain, find_given, list_notes, tell_unit
 from mechproof.codegen.forms import number_form
-from mechproof.codegen.kernel import Kernel, list_functions, name_rival, shape_of
+from mechproof.codegen.kernel import Kernel, list_functions, shape_of
 from mechproof.lab.marks import list_workloads
 from mechproof.measured import Record, Timing
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.verdict import Judgement
-from mechproof.record import Form, Paper, Quantity, Variable
-from mechproof.report.formulas import write_formula, write_lines
+from mechproof.record import Argument, Form, Paper, Quantity, Variable
+from mechproof.report.formulas import write_lines
+from mechproof.report.mathml import write_formula
 from mechproof.report.sources import Source
 from mechproof.report.words import MEASURED, Look, look_of, set_numbers
 
@@ -48,7 +49,7 @@ class FormView:
     error: str
     time: str
     ratio: str
-    note: str
+    note: Markup
 
 
 @dataclass(frozen=True)
@@ -110,7 +111,7 @@ def describe_quantities(source: Source) -> Iterator[QuantityView]:
             notes=tuple(_pick_notes(kernel, paper)),
             stated=_find_stated(kernel, paper),
             proved=tuple(set_numbers(form.proved) for form in forms if form.proved),
-            measured=_describe_record(record) if record else None,
+            measured=_describe_record(record, quantity) if record else None,
             forms=tuple(_list_forms(quantity, source, record)),
             calls=tuple(_list_calls(quantity, source, header)),
             charts=tuple(_name_charts(record)) if record else (),
@@ -169,22 +170,32 @@ def _find_stated(kernel: Kernel | None, paper: Paper) -> str:
     return set_numbers(next(stated, ""))
 
 
-def _describe_record(record: Record) -> Measured:
+def _describe_record(record: Record, quantity: Quantity) -> Measured:
     first = record.ways[0].name
     rows = record.errors_of(first)
     worst = record.worst_of(first)
-    at = ", ".join(map(str, record.searched.at))
+    at = ", ".join(map(_tell_point, quantity.arguments, record.searched.at))
     machine = record.machine
     return Measured(
         worst="none" if worst is None else f"{worst:.3g}",
         unit=record.error_unit,
         points=f"{sum(row.points - row.undecided for row in rows):,}",
-        searched=set_numbers(f"{record.searched.scaled:.3g} at ({at})"),
+        searched=set_numbers(f"{record.searched.scaled:.3g} at {at}"),
         taken=record.taken[:10],
         machine=f"{machine.processor}, NumPy {machine.versions.get('numpy', '')}",
         is_quick=record.quick,
         timed=", ".join(f"{count:,} points, {name}" for name, count in list_workloads(record)[:1]),
     )
+
+
+def _tell_point(argument: Argument, value: object) -> str:
+    parts = value if isinstance(value, tuple | list) else [value]
+    numbers = [f"{part:.6g}" if isinstance(part, float) else str(part) for part in parts]
+    return f"{argument.name} = {numbers[0] if len(numbers) == 1 else _enclose(numbers)}"
+
+
+def _enclose(numbers: Sequence[str]) -> str:
+    return f"({', '.join(numbers)})"
 
 
 def _list_forms(quantity: Quantity, source: Source, record: Record | None) -> Iterator[FormView]:
@@ -193,26 +204,32 @@ def _list_forms(quantity: Quantity, source: Source, record: Record | None) -> It
     count = len(quantity.shipped)
     for place, form in enumerate(quantity.forms):
         # What the kernel loses and costs is measured of all its forms together.
-        way = "" if 0 < place < count else form.name if place else "kernel"
+        measured = "" if 0 < place < count else form.name if place else "kernel"
         row = judged.get(number_form(quantity, form))
-        yield _view_form(form, place < count, row, record, way)
+        yield _view_form(form, place < count, row, record, measured, source.told.variables)
     known = {"kernel", *(form.name for form in quantity.rivals)}
-    for way in record.ways if record else ():
+    for number, way in enumerate(record.ways if record else ()):
         if way.name not in known:
             look = MEASURED if way.kind == "peer" else look_of(way.verdict)
-            shipped = way is record.ways[0] if record else False
-            yield FormView(
-                way.name, shipped, look, way.rung, *_find_costs(record, way.name), way.note
-            )
+            costs = _find_costs(record, way.name)
+            yield FormView(way.name, number == 0, look, way.rung, *costs, Markup(escape(way.note)))
 
 
 def _view_form(
-    form: Form, shipped: bool, row: Judgement | None, record: Record | None, way: str
+    form: Form,
+    shipped: bool,
+    row: Judgement | None,
+    record: Record | None,
+    way: str,
+    variables: Sequence[Variable],
 ) -> FormView:
     look = look_of(row.verdict) if row else Look("unjudged", "not judged", "", "")
-    when = f"where {form.when}" if form.when is not None else ""
-    bound = f"off by at most {form.bound}" if form.bound is not None else ""
-    note = set_numbers("; ".join(filter(None, (when, bound, form.note))))
+    parts = [
+        Markup("{} {}").format(says, write_formula(write_latex(value, variables)))
+        for says, value in (("where", form.when), ("off by at most", form.bound))
+        if value is not None
+    ]
+    note = Markup("; ").join([*parts, *filter(None, (set_numbers(form.note),))])
     return FormView(
         form.name, shipped, look, row.rung if row else "", *_find_costs(record, way), note
     )

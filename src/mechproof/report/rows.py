@@ -10,11 +10,13 @@ from markupsafe import Markup, escape
 from mechproof.proof.ledger import PLAIN
 from mechproof.proof.verdict import Evidence, Judgement
 from mechproof.record import MARKS, Paper, Row
-from mechproof.report.formulas import write_formula, write_lines, write_print
+from mechproof.report.formulas import write_lines, write_print
+from mechproof.report.mathml import write_formula
 from mechproof.report.words import NOT_JUDGED, Look, look_of, set_numbers, set_value
 
 # Evidence beyond so many items is folded away.
 SHOWN = 4
+NOTHING = Markup()
 MARKED = {**MARKS, "as typed": "its statement was typed by hand, not read from the print"}
 
 
@@ -40,10 +42,10 @@ class RowView:
     printed: Markup
     read_as: str = ""
     reason: str = ""
-    compared: Markup = Markup("")
+    compared: Markup = NOTHING
     evidence: tuple[Witness, ...] = ()
     more_evidence: tuple[Witness, ...] = ()
-    corrected: Markup = Markup("")
+    corrected: Markup = NOTHING
     corrected_by: str = ""
     on: str = ""
     singular: str = ""
@@ -74,7 +76,7 @@ def describe_row(row: Judgement, anchor: str, symbols: Mapping[str, str]) -> Row
         more_evidence=witnesses[SHOWN:],
         corrected=write_print(row.corrected_latex),
         corrected_by=row.corrected_by,
-        on=row.on,
+        on=set_numbers(row.on),
         singular=", ".join(row.singular),
         rung=row.rung,
     )
@@ -98,9 +100,7 @@ def describe_print(row: Row, anchor: str) -> RowView:
 
 def _describe_evidence(item: Evidence, symbols: Mapping[str, str]) -> Witness:
     at = [(_write_symbol(name, symbols), set_value(value)) for name, value in item.at.items()]
-    return Witness(
-        set_numbers(item.what), at, set_numbers(item.printed), set_numbers(item.rebuilt)
-    )
+    return Witness(set_numbers(item.what), at, set_numbers(item.printed), set_numbers(item.rebuilt))
 
 
 def _write_symbol(name: str, symbols: Mapping[str, str]) -> Markup:

@@ -55,12 +55,16 @@ LOOKS: Mapping[str, Look] = {
         "introduces a symbol or a datum: nothing to prove beyond dimensions and consistent use",
     ),
 }  # fmt: skip
-MEASURED = Look("measured", "measured", "∿", "no formula of ours: nothing is proved, it is measured")
+MEASURED = Look(
+    "measured", "measured", "∿", "no formula of ours: nothing is proved, it is measured"
+)
 NOT_JUDGED = Look("failed", "not judged", "!", "the row could not be judged: what failed is shown")
 ORDER = tuple(LOOKS)
 
+MINUS = " \N{MINUS SIGN} "
 BALL = re.compile(r"\[([^\[\]]+?) \+/- ([^\[\]]+?)\]")
-POWER = re.compile(r"(?<=\d)e([+-]?\d+)\b")
+EXPONENT = re.compile(r"(?<=[\w)])\*\*(-?\d+)\b")
+POWER = re.compile(r"(\d)e([+-]?\d+)\b")
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -70,12 +74,21 @@ def look_of(verdict: str) -> Look:
 
 
 def set_numbers(text: str) -> str:
-    """Set balls and powers of ten as people write them: [1.5 +/- 2e-9] is 1.5 ± 2·10⁻⁹."""
-    return POWER.sub(_raise, BALL.sub(r"\1 ± \2", text)).replace("<=", "≤").replace(">=", "≥")
+    """Set balls and powers as people write them: [1.5 +/- 2e-9] is 1.5 ± 2·10⁻⁹."""
+    apart = BALL.sub(r"\1 ± \2", text).replace("<=", "≤").replace(">=", "≥").replace(" - ", MINUS)
+    return POWER.sub(_raise_ten, EXPONENT.sub(_raise, apart))
 
 
 def _raise(power: re.Match[str]) -> str:
-    return f"·10{str(int(power[1])).translate(SUPERSCRIPTS)}"
+    return power[1].translate(SUPERSCRIPTS)
+
+
+def _raise_ten(power: re.Match[str]) -> str:
+    """Set a power of ten, without its factor where that is the digit one alone."""
+    before = power.string[power.start() - 1 : power.start()]
+    alone = power[1] == "1" and not (before.isdigit() or before == ".")
+    factor = "" if alone else f"{power[1]}·"
+    return f"{factor}10{str(int(power[2])).translate(SUPERSCRIPTS)}"
 
 
 def set_value(text: str) -> str:

@@ -1,0 +1,48 @@
+"""Anchors and words of a report."""
+
+from __future__ import annotations
+
+from mechproof.proof.verdict import Verdict
+from mechproof.report.anchors import find_equation, name_anchors, slugify
+from mechproof.report.words import LOOKS, set_numbers, set_value
+
+
+def test_rows_are_named_by_their_numbers() -> None:
+    assert name_anchors(
+        ["(12)", "(10), third equals sign", "table 3, interval 3", "(2a)", "(1)-(11), sense"]
+    ) == {
+        "(12)": "eq-12",
+        "(10), third equals sign": "eq-10-third-equals-sign",
+        "table 3, interval 3": "row-table-3-interval-3",
+        "(2a)": "eq-2a",
+        "(1)-(11), sense": "row-1-11-sense",
+    }
+
+
+def test_names_are_unique_whatever_the_numbers_are() -> None:
+    numbers = ["(1)", "(1) ", "(1)!", "***", "!!!", "a 2", "a", "a!", "(1) 2"]
+    names = name_anchors(numbers)
+    assert len(set(names.values())) == len(numbers)
+    assert names["(1)"] == "eq-1"
+
+
+def test_letters_of_any_script_stay() -> None:
+    assert slugify("Größe Ω, Формула (3)") == "grösse-ω-формула-3"
+
+
+def test_the_equation_of_a_row() -> None:
+    assert [find_equation(n) for n in ("(3)", "(3), Ox", "(3) over all", "(3)-(5)", "x")] == [
+        *("3", "3", "3", "", "")
+    ]
+
+
+def test_every_verdict_has_its_look() -> None:
+    assert set(LOOKS) == set(Verdict)
+    assert len({look.sign for look in LOOKS.values()}) == len(LOOKS)
+
+
+def test_numbers_are_set_as_people_write_them() -> None:
+    assert set_numbers("[2.30789 +/- 4.01e-12] (132°)") == "2.30789 ± 4.01·10⁻¹² (132°)"
+    assert set_numbers("|x| <= 2**26, 1e-290, 11e3") == "|x| ≤ 2²⁶, 10⁻²⁹⁰, 11·10³"
+    assert set_numbers("K_i[1] = 2") == "K_i[1] = 2"
+    assert set_value("pi/6*x (30°)") == "π/6·x (30°)"
