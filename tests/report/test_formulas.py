@@ -44,7 +44,7 @@ def test_every_formula_of_the_papers_is_converted() -> None:
 
 
 def test_what_is_no_latex_is_shown_as_it_stands() -> None:
-    assert write_formula(r"\frac{<b>") == r'<code class="latex">\frac{&lt;b&gt;</code>'
+    assert write_formula(r"\left(<b>") == r'<code class="latex">\left(&lt;b&gt;</code>'
 
 
 def test_text_is_never_markup() -> None:
@@ -66,7 +66,7 @@ def test_links_and_styles_are_dropped() -> None:
         (r"66~\mathrm{mm}", "<mrow><mn>66<mtext>\N{NO-BREAK SPACE}<mtext>mm"),
         (r"\varphi_3'", "<mrow><msub><mrow><mi>φ<mo>\N{PRIME}<mn>3"),
         (r"a\pm b", "<mrow><mi>a<mo>±<mi>b"),
-        (r"\text{x\_}", "<mrow><mover><mi>x<mo>~"),
+        (r"\text{x\_}", "<mrow><mover><mrow><mi>x<mo>~"),
         (r"\operatorname{atan}_{2}{\left(a,b\right)}", None),
     ],
 )

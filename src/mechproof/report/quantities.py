@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -17,7 +17,7 @@ from mechproof.lab.marks import list_workloads
 from mechproof.measured import Record, Timing
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.verdict import Judgement
-from mechproof.record import Argument, Form, Paper, Quantity, Variable
+from mechproof.record import Argument, Form, Paper, Quantity, Toleranced, Variable
 from mechproof.report.formulas import write_lines
 from mechproof.report.mathml import write_formula
 from mechproof.report.sources import Source
@@ -288,8 +288,8 @@ def _wrap(prototype: str) -> str:
 
 def _write_arguments(quantity: Quantity, paper: Paper) -> Iterator[str]:
     """Write the first published sizes where they are numbers, else the names of arguments."""
-    sizes: Mapping[sp.Symbol, object] = paper.published[0].sizes if paper.published else {}
+    sizes = paper.published[0].sizes if paper.published else {}
     for number, argument in enumerate(quantity.arguments):
-        size = sizes.get(argument.symbols[0]) if len(argument.symbols) == 1 and number else None
-        is_number = isinstance(size, sp.Expr) and size.is_Rational
-        yield f"{float(size):.12g}" if is_number else argument.name  # type: ignore[arg-type]
+        size = sizes.get(argument.symbols[0]) if number and len(argument.symbols) == 1 else None
+        nominal = size.nominal if isinstance(size, Toleranced) else size
+        yield argument.name if nominal is None else f"{float(nominal):.12g}"
