@@ -15,6 +15,7 @@ from typer.testing import CliRunner, Result
 
 from mechproof.__main__ import EXTRA
 from mechproof.cli import app
+from mechproof.verification import judge_derivations
 
 FIELDS = {
     "system", "number", "kind", "verdict", "rung", "marks",
@@ -51,7 +52,7 @@ def test_rows_have_the_stated_fields(tmp_path: Path) -> None:
     assert row.keys() == FIELDS
     assert (row["system"], row["number"], row["kind"]) == ("mine", "(1)", "equation")
     assert (row["verdict"], row["read_as"], row["marks"]) == ("PROVED", "", ["as typed"])
-    assert "mine, printed equations: 1 PROVED" in result.output
+    assert "\nprinted equations: 1 PROVED\n" in result.output
 
 
 @pytest.mark.parametrize(("reason", "status"), [("", 1), (', stays_open="no gamma rung"', 0)])
@@ -158,9 +159,10 @@ def test_verify_takes_the_folder_that_is_named_then_the_one_here_then_the_packag
         (tmp_path / name).mkdir()
         write(tmp_path / name, row)
     monkeypatch.chdir(tmp_path)
-    assert re.search(r"^\(1\) \(as typed\) +PROVED", run("verify").output, re.MULTILINE)
-    assert re.search(r"^\(1\) \(as typed\) +PROVED", run("verify", "mine").output, re.MULTILINE)
-    named = run("verify", "--derivations", "others")
+    assert re.search(r"^\(1\) \(as typed\) +PROVED", run("verify", "--all").output, re.MULTILINE)
+    mine = run("verify", "mine", "--all").output
+    assert re.search(r"^\(1\) \(as typed\) +PROVED", mine, re.MULTILINE)
+    named = run("verify", "--all", "--derivations", "others")
     assert re.search(r"^\(9\) \(as typed\) +PROVED", named.output, re.MULTILINE)
     monkeypatch.chdir(tmp_path / "others")
     refused = run("verify", "no_such_system")
@@ -220,7 +222,7 @@ def test_the_module_runs_and_tells_its_version() -> None:
 def test_piped_text_is_full(tmp_path: Path) -> None:
     note = "a note that is longer than any terminal is wide, " * 8
     file = write(tmp_path, PROVED.replace("S.One)", f"S.One), note={note!r}"))
-    done = in_process("verify", str(file), COLUMNS="60")
+    done = in_process("verify", "--all", str(file), COLUMNS="60")
     assert done.returncode == 0, done.stderr
     assert "\u2026" not in done.stdout
     (line,) = [line for line in done.stdout.splitlines() if line.startswith("(1)")]
@@ -249,7 +251,7 @@ def test_json_is_written_before_anything_is_printed(
     def fail(*arguments: object) -> None:
         raise OSError("no terminal")
 
-    monkeypatch.setattr("mechproof.cli.commands.print_ledger", fail)
+    monkeypatch.setattr("mechproof.cli.commands.print_ledgers", fail)
     target = tmp_path / "rows.json"
     run("verify", str(write(tmp_path, PROVED)), "--json", str(target))
     assert len(json.loads(target.read_bytes())["rows"]) == 1
@@ -289,3 +291,45 @@ def test_brackets_in_names_are_shown_as_they_are(tmp_path: Path) -> None:
     result = run("verify", str(file))
     assert result.exit_code == 0, result.output
     assert "notes [/x] [red]" in result.output
+
+
+def test_findings_come_first_and_what_is_plain_is_counted(tmp_path: Path) -> None:
+    wrong = 'Equation("(3)", "3", Equality(sin(x), cos(x)))'
+    file = write(tmp_path, PROVED, wrong)
+    lines = run("verify", str(file)).output.splitlines()
+    starts = ["Finding in mine: (3): REFUTED", "mine: my notes", "(3) (as typed)  REFUTED"]
+    places = [next(n for n, line in enumerate(lines) if line.startswith(s)) for s in starts]
+    assert places == sorted(places)
+    assert not any(line.startswith("(1)") for line in lines)
+    assert lines[-2:] == [
+        "1 paper, 2 rows, 1 finding",
+        "1 row proved or defining not shown: --all shows every row",
+    ]
+    shown = run("verify", "--all", str(file)).output
+    assert re.search(r"^\(1\) \(as typed\) +PROVED", shown, re.MULTILINE)
+    assert "not shown" not in shown
+
+
+@pytest.mark.parametrize("derivations", [None, (), ("mine.py",)])
+def test_without_a_command_it_says_what_can_be_done_here(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, derivations: tuple[str, ...] | None
+) -> None:
+    if derivations is not None:
+        (tmp_path / "derivations").mkdir()
+        for _ in derivations:
+            write(tmp_path / "derivations", PROVED)
+    monkeypatch.chdir(tmp_path)
+    result = run()
+    assert result.exit_code == 0
+    assert ("elliptic_planetary" in result.output) == (derivations is None)
+    assert ("mechproof verify mine" in result.output) == bool(derivations)
+    assert ("regenerate" in result.output) == (derivations is not None)
+    for line in re.findall(r"^  mechproof (\S+)", result.output, re.MULTILINE):
+        assert run(line, "--help").exit_code == 0
+
+
+def test_progress_counts_the_rows_of_each_paper(tmp_path: Path) -> None:
+    said: list[str] = []
+    file = write(tmp_path, PROVED, OPEN % "")
+    judge_derivations([file], use_cache=False, processes=1, report=said.append)
+    assert said == [f"loading {file}", "mine 1 of 2", "all rows judged"]

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import sys
 import time
 from functools import partial
 from pathlib import Path
 
 import pytest
 
-from mechproof.processes import WorkerError, run_tasks
+from mechproof.processes import WorkerError, run_batches, run_tasks
 
 STARTS = [s for s in ("fork", "spawn") if s in multiprocessing.get_all_start_methods()]
 for_each_start = pytest.mark.parametrize("start", STARTS)
@@ -79,3 +80,44 @@ def test_tasks_run_at_the_same_time(tmp_path: Path) -> None:
     """One after the other, the first would wait for the second until the limit."""
     one, other = tmp_path / "one", tmp_path / "other"
     assert len(list(run(meet, [(one, other), (other, one)]))) == 2
+
+
+LOADED: list[int] = []
+
+
+def see(_: int) -> int:
+    return len(LOADED)
+
+
+@pytest.mark.skipif("fork" not in STARTS, reason="no process inherits what is loaded here")
+def test_processes_know_what_was_loaded_for_their_batch(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys.modules[__name__], "LOADED", [])
+
+    def load(number: int) -> list[int]:
+        LOADED.append(number)
+        return [number] * 4
+
+    makers = [partial(load, number) for number in range(3)]
+    seen = dict(run_batches(see, makers, limit=60.0, processes=2, start="fork"))
+    assert all(seen[number] > number // 4 for number in range(12))
+
+
+def test_a_batch_is_done_while_the_next_is_made(tmp_path: Path) -> None:
+    """The second batch waits for what the first one does."""
+    file = tmp_path / "done"
+
+    def wait() -> list[Path]:
+        while not file.exists():
+            time.sleep(0.01)
+        return [tmp_path / "other"]
+
+    makers = [lambda: [file], wait]
+    assert dict(run_batches(Path.touch, makers, limit=60.0, processes=1)) == {0: None, 1: None}
+
+
+def test_tasks_given_ahead_to_a_process_that_dies_are_done_by_another() -> None:
+    makers = [lambda: ["fine", "die", "fine", "hang", "fine"], lambda: ["fine"]]
+    results = dict(run_batches(misbehave, makers, limit=0.5, processes=2))
+    assert {n for n, result in results.items() if isinstance(result, WorkerError)} == {1, 3}
+    assert len(results) == 6
+    assert multiprocessing.active_children() == []

@@ -10,7 +10,7 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from typing import Generic, TypeVar
@@ -18,6 +18,8 @@ from typing import Generic, TypeVar
 # What is loaded before a fork need not be loaded again; elsewhere a fork is not safe.
 START = "fork" if sys.platform == "linux" else "spawn"
 _ORPHAN_CHECK = 1.0
+# Tasks that a process gets at once while further ones are being made.
+AHEAD = 64
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
@@ -29,21 +31,31 @@ class WorkerError(RuntimeError):
 
 @dataclass
 class _Worker(Generic[Task, Result]):
+    """A process and the numbers of the tasks it has, in their order; `knows` batches of them."""
+
     process: BaseProcess
     pipe: Connection
-    number: int = -1
+    knows: int
+    has: deque[tuple[int, Task]] = field(default_factory=deque)
     deadline: float = float("inf")
     is_lost: bool = False
 
     def give(self, number: int, task: Task, limit: float) -> None:
-        """Send a task; the time runs from now."""
-        self.number, self.deadline = number, time.monotonic() + limit
+        """Send a task; the time of the first runs from now."""
+        if not self.has:
+            self.deadline = time.monotonic() + limit
+        self.has.append((number, task))
         # A process that died since its last result is found dead when its answer is taken.
         with suppress(OSError):
             self.pipe.send(task)
 
-    def take(self) -> Result | WorkerError:
-        """Receive the result of the task at work, or why there is none."""
+    def take(self, limit: float) -> tuple[int, Result | WorkerError]:
+        """Return the first task's number and its result, or why there is none."""
+        number, _ = self.has.popleft()
+        self.deadline = time.monotonic() + limit
+        return number, self._receive()
+
+    def _receive(self) -> Result | WorkerError:
         if self.is_lost:
             return WorkerError("no answer within the time limit")
         try:
@@ -86,58 +98,112 @@ def run_tasks(
     `limit` seconds or whose process dies is a `WorkerError`; the others are not held up by it.
     No process is left behind.
     """
-    count = min(processes or count_processors(), len(tasks))
-    waiting = deque(enumerate(tasks))
-    busy: dict[Connection, _Worker[Task, Result]] = {}
-    try:
-        for _ in range(count):
-            _give_next(_start_worker(function, start), waiting, limit, busy)
-        while busy:
-            for worker in _wait(busy):
-                yield worker.number, worker.take()
-                del busy[worker.pipe]
-                if worker.is_lost and waiting:
-                    worker.end()
-                    worker = _start_worker(function, start)
-                _give_next(worker, waiting, limit, busy)
-    finally:
-        for worker in busy.values():
-            worker.end()
+    return run_batches(function, [lambda: tasks], limit=limit, processes=processes, start=start)
 
 
-def _give_next(
-    worker: _Worker[Task, Result],
-    waiting: deque[tuple[int, Task]],
+def run_batches(
+    function: Callable[[Task], Result],
+    makers: Sequence[Callable[[], Sequence[Task]]],
+    *,
     limit: float,
-    busy: dict[Connection, _Worker[Task, Result]],
-) -> None:
-    """Give a worker the next task, or end it if there is none."""
-    if not waiting:
+    processes: int | None = None,
+    start: str = START,
+) -> Iterator[tuple[int, Result | WorkerError]]:
+    """Run batches of tasks as `run_tasks` does, each while the next is still being made here.
+
+    A batch is done by processes that were started after it had been made, so that a forked one
+    finds all that was loaded for it.
+    """
+    pool = _Pool(function, limit, start)
+    count = processes or count_processors()
+    try:
+        for left in reversed(range(len(makers))):
+            pool.add(makers[-1 - left]())
+            if left:
+                # One processor makes the next batch; the others have tasks ahead meanwhile.
+                pool.fill(max(1, count - 1), AHEAD)
+                yield from pool.take_ready(0.0)
+        while pool.fill(count, 1):
+            yield from pool.take_ready(None)
+    finally:
+        pool.end()
+
+
+class _Pool(Generic[Task, Result]):
+    """The tasks that wait and the processes at work on others."""
+
+    def __init__(self, function: Callable[[Task], Result], limit: float, start: str) -> None:
+        self.function, self.limit, self.start = function, limit, start
+        self.waiting: deque[tuple[int, Task]] = deque()
+        self.workers: list[_Worker[Task, Result]] = []
+        # For each batch, the number of the first task after it.
+        self.ends: list[int] = []
+
+    def add(self, batch: Sequence[Task]) -> None:
+        """Append a batch to what waits."""
+        first = self.ends[-1] if self.ends else 0
+        self.waiting.extend(enumerate(batch, start=first))
+        self.ends.append(first + len(batch))
+
+    def fill(self, count: int, ahead: int) -> bool:
+        """Give each of up to `count` processes so many tasks; return whether any is at work."""
+        for worker in [worker for worker in self.workers if not worker.has]:
+            if not self._can_go_on(worker):
+                self._end(worker)
+        while len(self.workers) < min(count, len(self.waiting) + len(self.workers)):
+            self.workers.append(self._start())
+            self._give(self.workers[-1], ahead)
+        for worker in self.workers:
+            self._give(worker, ahead)
+        return bool(self.workers)
+
+    def _can_go_on(self, worker: _Worker[Task, Result]) -> bool:
+        """Return whether the next task is of a batch that was there when a process started."""
+        knows = self.ends[worker.knows - 1]
+        return bool(self.waiting) and not worker.is_lost and self.waiting[0][0] < knows
+
+    def _give(self, worker: _Worker[Task, Result], ahead: int) -> None:
+        while len(worker.has) < ahead and self._can_go_on(worker):
+            worker.give(*self.waiting.popleft(), self.limit)
+
+    def take_ready(self, seconds: float | None) -> Iterator[tuple[int, Result | WorkerError]]:
+        """Yield the answers there are after so many seconds; without a number, wait for one."""
+        for worker in self._wait(seconds):
+            yield worker.take(self.limit)
+            if worker.is_lost:
+                self.waiting.extendleft(reversed(worker.has))
+                worker.has.clear()
+
+    def _wait(self, seconds: float | None) -> list[_Worker[Task, Result]]:
+        """Return the processes that have answered; if none does in time, those that are late."""
+        first = min((worker.deadline for worker in self.workers), default=0.0)
+        until_late = max(0.0, first - time.monotonic())
+        pipes = [worker.pipe for worker in self.workers]
+        ready = wait(pipes, until_late if seconds is None else min(seconds, until_late))
+        if ready:
+            return [worker for worker in self.workers if worker.pipe in ready]
+        late = [worker for worker in self.workers if worker.deadline <= time.monotonic()]
+        for worker in late:
+            worker.is_lost = True
+        return late
+
+    def _start(self) -> _Worker[Task, Result]:
+        context = multiprocessing.get_context(self.start)
+        ours, theirs = context.Pipe()
+        arguments = (self.function, theirs, os.getpid())
+        process = context.Process(target=_serve, args=arguments, daemon=True)  # type: ignore[attr-defined]
+        process.start()
+        theirs.close()
+        return _Worker(process, ours, len(self.ends))
+
+    def _end(self, worker: _Worker[Task, Result]) -> None:
         worker.end()
-        return
-    worker.give(*waiting.popleft(), limit)
-    busy[worker.pipe] = worker
+        self.workers.remove(worker)
 
-
-def _wait(busy: dict[Connection, _Worker[Task, Result]]) -> list[_Worker[Task, Result]]:
-    """Return the workers that have answered; if none does in time, those that are late."""
-    first = min(worker.deadline for worker in busy.values())
-    ready = wait(list(busy), max(0.0, first - time.monotonic()))
-    if ready:
-        return [worker for pipe, worker in busy.items() if pipe in ready]
-    late = [worker for worker in busy.values() if worker.deadline <= time.monotonic()]
-    for worker in late:
-        worker.is_lost = True
-    return late
-
-
-def _start_worker(function: Callable[[Task], Result], start: str) -> _Worker[Task, Result]:
-    context = multiprocessing.get_context(start)
-    ours, theirs = context.Pipe()
-    process = context.Process(target=_serve, args=(function, theirs, os.getpid()), daemon=True)  # type: ignore[attr-defined]
-    process.start()
-    theirs.close()
-    return _Worker(process, ours)
+    def end(self) -> None:
+        """End all processes."""
+        for worker in self.workers:
+            worker.end()
 
 
 def _serve(function: Callable[[Task], Result], pipe: Connection, parent: int) -> None:

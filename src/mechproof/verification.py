@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 from mechproof.codegen.forms import form_rows
 from mechproof.derivation import DerivationError, check_names, load_paper
-from mechproof.processes import START, WorkerError, run_tasks
+from mechproof.processes import START, WorkerError, run_batches
 from mechproof.proof.cache import VerdictCache, row_keys
 from mechproof.proof.findings import follower_rows, list_findings
 from mechproof.proof.judge import judge
@@ -72,13 +73,16 @@ def judge_derivations(
     """
     progress: list[_Progress] = []
     places: dict[str, Path] = {}
+
+    def load(location: Path) -> _Progress:
+        report(f"loading {location}")
+        _opened[location] = opened = open_derivation(location)
+        check_names(places, opened.paper, location)
+        progress.append(_Progress(opened, use_cache))
+        return progress[-1]
+
     try:
-        for location in locations:
-            report(f"loading {location}")
-            _opened[location] = opened = open_derivation(location)
-            check_names(places, opened.paper, location)
-            progress.append(_Progress(opened, use_cache))
-        _fill(progress, limit, processes, start, report)
+        _fill([partial(load, location) for location in locations], limit, processes, start, report)
     finally:
         _opened.clear()
         for paper in progress if use_cache else ():
@@ -131,20 +135,34 @@ class _Progress:
 
 
 def _fill(
-    papers: Sequence[_Progress],
+    loaders: Sequence[Callable[[], _Progress]],
     limit: float,
     processes: int | None,
     start: str,
     report: Callable[[str], None],
 ) -> None:
-    tasks = [(paper, number) for paper in papers for number in paper.missing()]
-    sent = [(paper.opened.location, number) for paper, number in tasks]
-    results = run_tasks(_judge, sent, limit=limit, processes=processes, start=start)
-    for done, (task, result) in enumerate(results, start=1):
+    """Judge what is missing of each paper while the next ones are still loaded."""
+    tasks: list[tuple[_Progress, int]] = []
+
+    def make(load: Callable[[], _Progress]) -> list[tuple[Path, int]]:
+        paper = load()
+        missing = list(paper.missing())
+        tasks.extend((paper, number) for number in missing)
+        return [(paper.opened.location, number) for number in missing]
+
+    makers = [partial(make, load) for load in loaders]
+    results = run_batches(_judge, makers, limit=limit, processes=processes, start=start)
+    for task, result in results:
         paper, number = tasks[task]
         paper.add(number, result)
-        row = paper.opened.rows[number].number
-        report(f"{done} of {len(tasks)} rows, {paper.opened.paper.system}: {row}")
+        report(_count({id(paper): paper for paper, _ in tasks}.values()))
+
+
+def _count(papers: Iterable[_Progress]) -> str:
+    """Say how many rows of each paper have been judged, of those with rows that have not."""
+    counts = [(p.opened.paper.system, len(p.found) + len(p.failed), len(p.keys)) for p in papers]
+    at_work = [f"{name} {done} of {rows}" for name, done, rows in counts if done < rows]
+    return ", ".join(at_work) or "all rows judged"
 
 
 def _judge(task: tuple[Path, int]) -> Judgement:

@@ -46,14 +46,20 @@ def judged(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[
 
     def run(*rows: str, words: str = "", use_cache: bool = True) -> list[str]:
         numbers: list[str] = []
+        add = verification._Progress.add
+
+        def note(paper: verification._Progress, number: int, result: object) -> None:
+            numbers.append(paper.opened.rows[number].number)
+            add(paper, number, result)
+
         file = folder / "mine.py"
         text = f"{HEAD}\nPAPER = paper({', '.join(rows)}, {words})\n"
         file.write_text(text, encoding="utf-8")
-        (ledger,) = judge_derivations(
-            [file], use_cache=use_cache, report=numbers.append, processes=1
-        )
+        with monkeypatch.context() as patch:
+            patch.setattr(verification._Progress, "add", note)
+            (ledger,) = judge_derivations([file], use_cache=use_cache, processes=1)
         run.judgements = ledger.judgements  # type: ignore[attr-defined]
-        return sorted(text.rpartition(": ")[2] for text in numbers if " rows, " in text)
+        return sorted(numbers)
 
     return run
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from mechproof.proof.normal_form import reduce_polynomial
+from mechproof.proof.normal_form import factorise, is_zero, reduce_polynomial, split
 
 c, s, r, x = sp.symbols("c s r x", real=True)
 CIRCLE = {s: 1 - c**2}
@@ -40,3 +40,62 @@ def test_what_does_not_vanish_does_not(wrong: sp.Expr) -> None:
 def test_what_is_no_polynomial_is_refused(node: sp.Expr) -> None:
     with pytest.raises(sp.PolynomialError, match="no polynomial"):
         reduce_polynomial(node, {})
+
+
+@pytest.mark.parametrize(
+    ("quotient", "squares", "zero"),
+    [
+        (1 / x - (1 - x) / (x - x**2), {}, True),
+        (1 / (x * (x + 1)) - 1 / x + 1 / (x + 1), {}, True),
+        (1 / (x * (x + 1)) - 1 / x - 1 / (x + 1), {}, False),
+        (c / s - s * c / (1 - c**2), CIRCLE, True),
+        (c / s - s / c, CIRCLE, False),
+        ((s**2 + c**2 - 1) ** 3 / (1 + x), CIRCLE, True),
+        # Below is zero by the relation: nothing is shown.
+        (sp.Mul(x, 1 / (s**2 + c**2 - 1), 1 - c**2 - s**2, evaluate=False), CIRCLE, False),
+        (x / (s**2 + c**2 - 1) - 2 * x / (2 * s**2 + 2 * c**2 - 2), CIRCLE, False),
+    ],
+)
+def test_quotients_are_zero_only_above(
+    quotient: sp.Expr, squares: dict[sp.Symbol, sp.Expr], zero: bool
+) -> None:
+    assert is_zero(quotient, squares) == zero
+
+
+@pytest.mark.parametrize("node", [sp.sin(x) / c, x**r, 1 / sp.sqrt(x), sp.Float(0.5)])
+def test_what_is_no_quotient_is_refused(node: sp.Expr) -> None:
+    with pytest.raises(sp.PolynomialError, match="no polynomial"):
+        is_zero(node, {})
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        1 / x + 1 / c,
+        (x**2 - 1) / (x - 1) + c,
+        sp.sqrt(x) / (1 + 1 / sp.sqrt(x)) - c / x,
+        sp.Rational(3, 4) / (x * c) + x ** sp.Rational(3, 2) / c,
+        sp.sin(x) / c + 1,
+        sp.Integer(7),
+    ],
+)
+def test_split_is_the_same_quotient(expression: sp.Expr) -> None:
+    above, below = split(expression)
+    assert sp.simplify(above / below - expression) == 0
+    assert not any(p.exp.is_negative for part in (above, below) for p in part.atoms(sp.Pow))
+
+
+@pytest.mark.parametrize(
+    ("polynomial", "powers"),
+    [
+        ((x - 1) ** 2 * (x + c) / 3, {1, 2}),
+        (x**2 - 2 * c * x + c**2, {2}),
+        (sp.pi * x**2 - sp.pi, {1}),
+        (sp.Integer(-5), set()),
+        (6 - 6 * x, {1}),
+    ],
+)
+def test_factors_multiply_to_the_polynomial(polynomial: sp.Expr, powers: set[int]) -> None:
+    number, factors = factorise(polynomial)
+    assert sp.expand(number * sp.Mul(*(f**p for f, p in factors)) - polynomial) == 0
+    assert {power for _, power in factors} == powers

@@ -14,9 +14,11 @@ from mechproof.cli.check import check
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.emit import app as emit_app
 from mechproof.cli.figures import figures
-from mechproof.cli.ledger import print_ledger
+from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
+from mechproof.cli.ledger import print_ledgers
 from mechproof.cli.places import RULE, DerivationsOption, Places, find_locations, find_places
 from mechproof.cli.report import report
+from mechproof.cli.start import show_start
 from mechproof.codegen.regenerate import (
     Change,
     ForeignFileError,
@@ -31,11 +33,10 @@ from mechproof.record import Paper
 from mechproof.roundoff.certificate import Certificate, tell_proofs
 from mechproof.roundoff.files import certify_papers, write_certificates
 from mechproof.validation import ValidationError, validate_derivations
-from mechproof.verification import LIMIT, VerificationError, judge_derivations
+from mechproof.verification import LIMIT
 
 app = typer.Typer(
     add_completion=False,
-    no_args_is_help=True,
     help=f"Prove or refute the formulas of mechanism papers; generate kernels from them.\n\n{RULE}",
     pretty_exceptions_show_locals=False,
 )
@@ -51,15 +52,6 @@ RootOption = Annotated[
         "--root", metavar="ROOT", help="The folder that holds derivations/ and generated/."
     ),
 ]
-NoCacheOption = Annotated[
-    bool, typer.Option("--no-cache", help="Judge every row anew and keep no verdict.")
-]
-LimitOption = Annotated[
-    float,
-    typer.Option(
-        "--limit", metavar="SECONDS", min=0, help="A row that takes longer is an error, no verdict."
-    ),
-]
 
 
 def _print_version(asked: bool) -> None:
@@ -68,8 +60,9 @@ def _print_version(asked: bool) -> None:
         raise typer.Exit
 
 
-@app.callback()
+@app.callback(invoke_without_command=True)
 def _main(
+    context: typer.Context,
     show_version: Annotated[
         bool,
         typer.Option(
@@ -77,7 +70,8 @@ def _main(
         ),
     ] = False,
 ) -> None:
-    pass
+    if context.invoked_subcommand is None:
+        show_start(find_places(None, None))
 
 
 @app.command(epilog=RULE)
@@ -91,12 +85,15 @@ def verify(
     json_file: Annotated[
         Path | None, typer.Option("--json", help="Also write the rows to this file.")
     ] = None,
+    show_all: Annotated[
+        bool, typer.Option("--all", help="Show every row, with the evidence where there is any.")
+    ] = False,
     derivations: DerivationsOption = None,
     root: RootOption = None,
     no_cache: NoCacheOption = False,
     limit: LimitOption = LIMIT,
 ) -> None:
-    """Derive and judge every row of the papers, and print the ledger.
+    """Judge every row of the papers; print what was found, then what is not plainly proved.
 
     Exit status 0: every row has a verdict, and every UNDECIDED one says why it must stay open;
     1: a row is UNDECIDED without that, a row hangs or crashes, or a derivation fails;
@@ -107,12 +104,11 @@ def verify(
         refuse(f"--json {json_file}: is a folder, a file is needed")
     if json_file and not json_file.absolute().parent.is_dir():
         refuse(f"--json {json_file}: the folder {json_file.absolute().parent} does not exist")
-    ledgers = _judge(locations, use_cache=not no_cache, limit=limit)
+    ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
     if json_file and not any(ledger.failures for ledger in ledgers):
         _write(json_file, to_json(ledgers))
-    for ledger in ledgers:
-        print_ledger(ledger)
-    _refuse_failures(ledgers)
+    print_ledgers(ledgers, show_all=show_all)
+    refuse_failures(ledgers)
     rows = (row for ledger in ledgers for row in ledger.judgements)
     if any(row.verdict is Verdict.UNDECIDED and not row.may_stay_open for row in rows):
         raise typer.Exit(1)
@@ -142,8 +138,8 @@ def regenerate(
     if not (derivations or root) and not Path("derivations").is_dir():
         refuse("there is no folder derivations: run it where it lies, or give --derivations DIR")
     locations = find_locations((), places)
-    ledgers = _judge(locations, use_cache=not no_cache, limit=limit)
-    _refuse_failures(ledgers)
+    ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
+    refuse_failures(ledgers)
     papers = [ledger.paper for ledger in ledgers]
     certificates = _certify(papers, places, use_cache=not no_cache)
     files = _render(ledgers, certificates, places)
@@ -204,21 +200,6 @@ def measure(
                 record = measure_subject(subject, quick=quick, report=report, executor=executor)
             say(f"{write_record(record, target)}: {headline(record)}")
     say(str(write_tables(target)))
-
-
-def _judge(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[Ledger]:
-    title = f"judging {', '.join(location.stem for location in locations)}"
-    try:
-        with show_progress(title) as report:
-            return judge_derivations(locations, use_cache=use_cache, limit=limit, report=report)
-    except (DerivationError, VerificationError) as error:
-        fail(str(error))
-
-
-def _refuse_failures(ledgers: Sequence[Ledger]) -> None:
-    """Name every row that could not be judged and end with status 1."""
-    if failures := [failure for ledger in ledgers for failure in ledger.failures]:
-        fail("\n".join(failures))
 
 
 def _certify(

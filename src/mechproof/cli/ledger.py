@@ -1,8 +1,9 @@
-"""The ledger on a terminal, as a table; where it is piped, as full lines."""
+"""The ledger on a terminal: findings, a table of rows, totals; full lines where it is piped."""
 
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
 
 from rich.table import Table
@@ -10,10 +11,9 @@ from rich.text import Text
 
 from mechproof.cli.console import console, say
 from mechproof.proof.findings import Found
-from mechproof.proof.ledger import PLAIN, Ledger, show_totals
+from mechproof.proof.ledger import COUNTED, PLAIN, Ledger, classify, show_totals
 from mechproof.proof.verdict import Judgement, Verdict
 
-COLUMNS = ("number", "verdict", "reason", "rung")
 STYLES = {
     Verdict.PROVED: "green",
     Verdict.DEFINITION: "dim",
@@ -27,19 +27,53 @@ STYLES = {
 }
 
 
-def print_ledger(ledger: Ledger) -> None:
-    """Print the findings, the rows, the details of those that are not plain, and the totals."""
-    title = f"{ledger.paper.system}: {ledger.paper.citation}"
-    for found in ledger.findings:
+def print_ledgers(ledgers: Sequence[Ledger], *, show_all: bool) -> None:
+    """Print the findings of all papers, then the rows and totals of each, then all totals.
+
+    Rows that are proved or define are counted only, unless all are to be shown: then with the
+    details of those that are not plain.
+    """
+    findings = [found for ledger in ledgers for found in ledger.findings]
+    for found in findings:
         _print_finding(found)
-    print_rows = _print_table if console.is_terminal else _print_lines
-    print_rows(title, ledger.judgements)
-    for row in ledger.judgements:
+    for ledger in ledgers:
+        _print_paper(ledger, show_all)
+    rows = [row for ledger in ledgers for row in ledger.judgements]
+    if len(ledgers) > 1:
+        _print_sums(rows)
+    counts = (_count(ledgers, "paper"), _count(rows, "row"), _count(findings, "finding"))
+    say(", ".join(counts))
+    hidden = [row for row in rows if row.verdict in PLAIN]
+    if hidden and not show_all:
+        say(f"{_count(hidden, 'row')} proved or defining not shown: --all shows every row")
+
+
+def _count(things: Sequence[object], name: str) -> str:
+    return f"{len(things)} {name}{'' if len(things) == 1 else 's'}"
+
+
+def _print_paper(ledger: Ledger, show_all: bool) -> None:
+    say(Text(f"{ledger.paper.system}: {ledger.paper.citation}", style="bold"))
+    rows = [row for row in ledger.judgements if show_all or row.verdict not in PLAIN]
+    _print_rows(rows, with_rungs=show_all)
+    for row in rows if show_all else ():
         if row.verdict not in PLAIN:
             print_details(row)
     for name, line in show_totals(ledger.judgements).items():
-        say(f"{ledger.paper.system}, {name}: {line}")
+        say(f"{name}: {line}")
     say("")
+
+
+def _print_sums(rows: Sequence[Judgement]) -> None:
+    """Print how many rows of each class have each verdict."""
+    counted = Counter((row.verdict, classify(row)) for row in rows)
+    names = [name for name in COUNTED if any(counted[v, name] for v in Verdict)]
+    lines = [
+        [v.value, *(str(counted[v, name] or "") for name in names)]
+        for v in Verdict
+        if any(counted[v, name] for name in names)
+    ]
+    _print_padded([["all papers", *names], *lines])
 
 
 def _print_finding(found: Found) -> None:
@@ -54,31 +88,30 @@ def _print_finding(found: Found) -> None:
     say("")
 
 
-def _to_cells(row: Judgement) -> tuple[str, str, str, str]:
+def _print_rows(rows: Sequence[Judgement], *, with_rungs: bool) -> None:
+    cells = [_to_cells(row)[: 4 if with_rungs else 3] for row in rows]
+    if not console.is_terminal:
+        _print_padded(cells)
+        return
+    table = Table.grid(padding=(0, 2, 0, 0))
+    table.add_column(max_width=console.width // 3)
+    table.add_column(no_wrap=True)
+    for number, verdict, *rest in cells:
+        styled = Text(verdict, style=STYLES[Verdict(verdict)])
+        table.add_row(Text(number), styled, *map(Text, rest))
+    console.print(table)
+
+
+def _to_cells(row: Judgement) -> tuple[str, ...]:
     marks = f" ({', '.join(row.marks)})" if row.marks else ""
-    return (f"{row.number}{marks}", row.verdict.value, row.reason, row.rung)
+    return (f"{row.number}{marks}", row.verdict, row.reason, row.rung)
 
 
-def _print_lines(title: str, judgements: Sequence[Judgement]) -> None:
-    rows = [COLUMNS, *map(_to_cells, judgements)]
+def _print_padded(rows: Sequence[Sequence[str]]) -> None:
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    say(title)
     for row in rows:
         padded = (cell.ljust(width) for cell, width in zip(row, widths, strict=True))
         say("  ".join(padded).rstrip())
-
-
-def _print_table(title: str, judgements: Sequence[Judgement]) -> None:
-    table = Table(title=Text(title), title_justify="left", expand=True)
-    table.add_column("number", ratio=3)
-    table.add_column("verdict", no_wrap=True, min_width=15)
-    table.add_column("reason", ratio=5, no_wrap=True, overflow="ellipsis")
-    table.add_column("rung", ratio=2)
-    for row in judgements:
-        number, verdict, reason, rung = _to_cells(row)
-        styled = Text(verdict, style=STYLES[row.verdict])
-        table.add_row(Text(number), styled, Text(reason), Text(rung))
-    console.print(table)
 
 
 def print_details(row: Judgement, names: tuple[str, str] = ("printed", "rebuilt")) -> None:
@@ -101,8 +134,16 @@ def print_details(row: Judgement, names: tuple[str, str] = ("printed", "rebuilt"
 
 
 def _print_fields(lines: Sequence[tuple[str, str]]) -> None:
+    if not console.is_terminal:
+        for label, text in lines:
+            say(f"  {label:9} {text}")
+        return
+    table = Table.grid(padding=(0, 1, 0, 0))
+    table.add_column(style="dim", no_wrap=True)
+    table.add_column(overflow="fold")
     for label, text in lines:
-        say(Text(f"  {label:9} ", style="dim").append(Text(text, style="default")))
+        table.add_row(f"  {label}", Text(text))
+    console.print(table)
 
 
 def _plain(latex: str) -> str:

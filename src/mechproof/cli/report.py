@@ -8,9 +8,10 @@ from typing import Annotated
 import typer
 
 from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
 from mechproof.cli.places import DerivationsOption, find_locations, find_places
 from mechproof.derivation import DerivationError
-from mechproof.verification import LIMIT, VerificationError, judge_derivations
+from mechproof.verification import LIMIT
 
 
 def report(
@@ -22,13 +23,8 @@ def report(
     ] = None,
     out: Annotated[Path, typer.Option(help="The folder that the pages go to.")] = Path("report"),
     derivations: DerivationsOption = None,
-    no_cache: Annotated[
-        bool, typer.Option("--no-cache", help="Judge every row anew and keep no verdict.")
-    ] = False,
-    limit: Annotated[
-        float,
-        typer.Option("--limit", metavar="SECONDS", min=0, help="A row that takes longer fails."),
-    ] = LIMIT,
+    no_cache: NoCacheOption = False,
+    limit: LimitOption = LIMIT,
 ) -> None:
     """Write pages for a browser: every row with its verdict, every quantity, the papers' figures.
 
@@ -45,16 +41,14 @@ def report(
     except FolderError as error:
         refuse(f"--out {error}")
     locations = find_locations(papers or (), find_places(derivations, None))
+    ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
     try:
-        with show_progress(f"judging {', '.join(place.stem for place in locations)}") as tell:
-            ledgers = judge_derivations(locations, use_cache=not no_cache, limit=limit, report=tell)
         with show_progress("drawing what was measured, and the papers' figures") as tell:
             files = build_site(locations, ledgers, tell)
         write_folder(out, files)
-    except (DerivationError, VerificationError, PictureError, FolderError, ValueError) as error:
+    except (DerivationError, PictureError, FolderError, ValueError) as error:
         fail(str(error))
     except OSError as error:
         fail(f"--out: {error}")
     say(f"{out}: {len(files)} files; open {out / 'index.html'}")
-    if failures := [failure for ledger in ledgers for failure in ledger.failures]:
-        fail("\n".join(failures))
+    refuse_failures(ledgers)

@@ -14,7 +14,7 @@ from math import comb, lcm
 import sympy as sp
 
 from mechproof.proof.domain import Domain
-from mechproof.proof.normal_form import reduce_polynomial
+from mechproof.proof.normal_form import factorise, is_zero, reduce_polynomial, split
 from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_workable
 from mechproof.proof.sums import canonicalise
 
@@ -50,8 +50,8 @@ class Field:
         self.used_sums = self.used_sums or expression.has(sp.Sum)
         expression = canonicalise(self.domain.resolve(expression), self.domain)
         self._collect_angles(expression)
-        numerator, denominator = sp.fraction(sp.together(self._translate(expression)))
-        return bool(self._reduce(numerator) == 0 and self._reduce(denominator) != 0)
+        translated = self._translate(expression)
+        return is_zero(translated, self._relations)
 
     @property
     def rung(self) -> str:
@@ -154,9 +154,9 @@ class Field:
     def _translate_root(self, radicand: sp.Expr) -> sp.Expr:
         """Return sqrt(radicand): squares pulled out, then roots of single factors."""
         self.used_roots = True
-        numerator, denominator = sp.fraction(sp.together(self._translate(radicand)))
+        numerator, denominator = split(self._translate(radicand))
         root, rest = self._split_squares(denominator)
-        constant, factors = sp.factor_list(self._reduce(numerator * rest))
+        constant, factors = factorise(self._reduce(numerator * rest))
         outside = 1 / (root * rest * self._direction(rest))
         inside = sp.Integer(1)
         for factor, power in factors:
@@ -173,7 +173,7 @@ class Field:
 
     def _split_squares(self, denominator: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Write it as root^2 * rest, root positive; the normal form would hide the squares."""
-        rest, factors = sp.factor_list(sp.expand(denominator))
+        rest, factors = factorise(denominator)
         root = sp.Integer(1)
         for factor, power in factors:
             root *= self._size_of_power(factor, power // 2)
@@ -223,7 +223,7 @@ class Field:
 
     def _original(self, expression: sp.Expr) -> sp.Expr:
         for _ in range(len(self._meaning) + 1):
-            expression = expression.subs(self._meaning)
+            expression = expression.xreplace(self._meaning)
         return expression
 
     @property

@@ -1,6 +1,6 @@
 """Normal form: a polynomial with every related generator to at most its first power.
 
-SymPy's expressions go to flint's sparse polynomials over the rationals and back.
+SymPy's expressions go to flint's sparse polynomials over the rationals, and back where asked for.
 """
 
 from __future__ import annotations
@@ -24,6 +24,46 @@ def reduce_polynomial(polynomial: sp.Expr, squares: Mapping[sp.Symbol, sp.Expr])
     for generator in reversed(list(squares)):
         result = ring.lower(result, generator, squares[generator])
     return ring.write(result)
+
+
+def is_zero(quotient: sp.Expr, squares: Mapping[sp.Symbol, sp.Expr]) -> bool:
+    """Tell whether a quotient of polynomials has a normal form of zero above one that is not.
+
+    Raises `sympy.PolynomialError` for what is none.
+    """
+    ring = _Ring(quotient.free_symbols.union(*(s.free_symbols | {g} for g, s in squares.items())))
+    parts = ring.read_quotient(quotient)
+    for generator in reversed(list(squares)):
+        parts = tuple(ring.lower(part, generator, squares[generator]) for part in parts)
+    above, below = parts
+    return bool(above.is_zero() and not below.is_zero())
+
+
+def factorise(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]]:
+    """Return the number before a polynomial, and its irreducible factors with their powers."""
+    ring = _Ring(polynomial.free_symbols)
+    try:
+        number, factors = ring.read(polynomial).factor()
+    except sp.PolynomialError:
+        # Over other numbers than the rationals.
+        constant, found = sp.factor_list(sp.expand(polynomial))
+        return constant, found
+    return _to_rational(number), [(ring.write(part), int(power)) for part, power in factors]
+
+
+def split(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return numerator and denominator over the least common one; roots stay as they are."""
+    roots = {p: sp.Dummy("root") for p in quotient.atoms(sp.Pow) if p.exp == sp.S.Half}
+    named = quotient.xreplace(roots | {p**-1: r**-1 for p, r in roots.items()})
+    ring = _Ring(named.free_symbols)
+    try:
+        parts = ring.read_quotient(named)
+    except sp.PolynomialError:
+        above, below = sp.fraction(sp.together(quotient))
+        return above, below
+    back = {r: p for p, r in roots.items()}
+    above, below = (ring.write(part).xreplace(back) for part in parts)
+    return above, below
 
 
 class _Ring:
@@ -51,6 +91,18 @@ class _Ring:
             return self.read(node.base) ** int(node.exp)
         raise sp.PolynomialError(f"no polynomial: {node}")
 
+    def read_quotient(self, node: sp.Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+        """Return numerator and denominator of an expression; the latter may be zero."""
+        one = self.context.constant(1)
+        if isinstance(node, sp.Add | sp.Mul):
+            combine = _add if node.is_Add else _multiply
+            return reduce(combine, [self.read_quotient(argument) for argument in node.args])
+        if isinstance(node, sp.Pow) and node.exp.is_Integer:
+            above, below = self.read_quotient(node.base)
+            power = abs(int(node.exp))
+            return (above**power, below**power)[:: 1 if node.exp > 0 else -1]
+        return self.read(node), one
+
     def lower(self, value: fmpq_mpoly, generator: sp.Symbol, square: sp.Expr) -> fmpq_mpoly:
         """Put `square` in place of the generator's square, as often as it is there."""
         place = self.symbols.index(generator)
@@ -70,6 +122,29 @@ class _Ring:
         return sp.Add(*(self._term(powers, coefficient) for powers, coefficient in terms))
 
     def _term(self, powers: tuple[int, ...], coefficient: fmpq) -> sp.Expr:
-        number = sp.Rational(int(coefficient.p), int(coefficient.q))
-        pairs = zip(self.symbols, powers, strict=False)
-        return sp.Mul(number, *(symbol**power for symbol, power in pairs if power))
+        factors = (s**power for s, power in zip(self.symbols, powers, strict=False) if power)
+        return sp.Mul(_to_rational(coefficient), *factors)
+
+
+def _to_rational(number: fmpq) -> sp.Rational:
+    return sp.Rational(int(number.p), int(number.q))
+
+
+_Quotient = tuple[fmpq_mpoly, fmpq_mpoly]
+
+
+def _add(one: _Quotient, other: _Quotient) -> _Quotient:
+    """Add over the least common denominator."""
+    (a, b), (c, d) = one, other
+    if b == d:
+        return a + c, b
+    if b.is_zero() or d.is_zero():
+        return a, b * d
+    common = b.gcd(d)
+    left, right = d / common, b / common
+    return a * left + c * right, b * left
+
+
+def _multiply(one: _Quotient, other: _Quotient) -> _Quotient:
+    (a, b), (c, d) = one, other
+    return a * c, b * d

@@ -15,6 +15,7 @@ import sympy as sp
 
 from mechproof.proof import balls
 from mechproof.proof.domain import Domain
+from mechproof.proof.normal_form import factorise, split
 
 # Work limit: powers and multiples of angles beyond are not multiplied out.
 MOST_MULTIPLIED = 100
@@ -105,7 +106,7 @@ def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> Sign | None:
     expression = _name_exponentials(expression, coordinates)
     changed = _name_positive_cosines(_free_tangents(expression), coordinates, domain)
     for _ in range(3):
-        changed = changed.subs(coordinates.replacement, simultaneous=True)
+        changed = changed.xreplace(coordinates.replacement)
         if not changed.free_symbols & coordinates.replacement.keys():
             break
     changed = _name_absolute_values(changed, coordinates)
@@ -200,7 +201,7 @@ def _free_tangents(expression: sp.Expr) -> sp.Expr:
         for angle in _angles(expression)
         if not expression.has(sp.sin(angle), sp.cos(angle))
     }
-    return expression.subs(replacement)
+    return expression.xreplace(replacement)
 
 
 def _name_positive_cosines(
@@ -247,7 +248,7 @@ def _half_angles(expression: sp.Expr) -> sp.Expr:
             sp.cos(angle): (1 - t**2) / (1 + t**2),
             sp.tan(angle): 2 * t / (1 - t**2),
         }
-    return expression.subs(replacement)
+    return expression.xreplace(replacement)
 
 
 def _cosines(expression: sp.Expr) -> sp.Expr:
@@ -256,7 +257,7 @@ def _cosines(expression: sp.Expr) -> sp.Expr:
     for angle in _angles(expression):
         c, s = sp.Dummy("c", real=True), sp.Dummy("s", real=True)
         result = result.subs({sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c})
-        numerator, denominator = sp.fraction(sp.together(result))
+        numerator, denominator = split(result)
         relation = s**2 + c**2 - 1
         result = sp.rem(sp.expand(numerator), relation, s) / sp.rem(
             sp.expand(denominator), relation, s
@@ -270,7 +271,7 @@ def _angles(expression: sp.Expr) -> list[sp.Expr]:
 
 
 def _sign_of_quotient(expression: sp.Expr, coordinates: _Coordinates) -> Sign | None:
-    numerator, denominator = sp.fraction(sp.together(expression))
+    numerator, denominator = split(expression)
     top = _sign_of_factors(numerator, coordinates)
     bottom = _sign_of_factors(denominator, coordinates)
     return top.times(bottom) if top and bottom and bottom.strict else None
@@ -293,7 +294,7 @@ def _sign_of_factors(expression: sp.Expr, coordinates: _Coordinates) -> Sign | N
 def _sign_of_product(
     expression: sp.Expr, positive: set[sp.Basic], nonnegative: set[sp.Basic]
 ) -> Sign | None:
-    constant, factors = sp.factor_list(sp.expand(expression))
+    constant, factors = factorise(expression)
     sign = _sign_of_number(constant)
     for factor, power in factors:
         one = _sign_of_polynomial(factor, positive, nonnegative)

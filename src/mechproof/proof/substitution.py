@@ -11,7 +11,7 @@ from sympy.concrete.expr_with_limits import ExprWithLimits
 def substitute(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
     """Put values for free symbols, all at once."""
     arriving = {s for value in values.values() for s in value.free_symbols} | values.keys()
-    return release(expression, arriving).subs(dict(values), simultaneous=True)
+    return release(expression, arriving).xreplace(dict(values))
 
 
 def release(expression: sp.Basic, names: set[sp.Basic]) -> sp.Basic:

@@ -18,6 +18,7 @@ import sympy as sp
 from mechproof.proof.balls import MOST_TERMS
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
+from mechproof.proof.substitution import substitute
 
 _MOST_ALIGNED = 8
 _LARGEST_POWER = 8
@@ -56,7 +57,7 @@ def _write_out_sum(node: sp.Sum) -> sp.Basic:
     if upper < lower - 1:
         return sp.nan
     numbers = range(int(lower), int(upper) + 1)
-    return sp.Add(*(write_out(body.subs(index, number)) for number in numbers))
+    return sp.Add(*(write_out(substitute(body, {index: sp.Integer(number)})) for number in numbers))
 
 
 def _canonical_sum(node: sp.Sum, domain: Domain) -> sp.Expr:
