@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from functools import partial
 from typing import Any
@@ -51,8 +52,9 @@ def inspect(limit_um: Any, grade: int, as_printed: bool = False) -> ThicknessIns
 def crossover_um(grade: int, as_printed: bool = False) -> float:
     """Return the limit error (um) of a gauge that spreads the thickness as the tip does."""
     inspection = inspect(1.0, grade, as_printed)
-    tip, *gauge = (float(law.std) for law in inspection.errors if isinstance(law, Normal))
-    return float(tip / np.hypot(*gauge))
+    spreads = [float(law.std) for law in inspection.errors if isinstance(law, Normal)]
+    tip, height, thickness = spreads
+    return tip / math.hypot(height, thickness)
 
 
 def draw_share(canvas: Any, name: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -128,7 +129,7 @@ def draw_growth(canvas: Any) -> None:
     """Draw the total error against the form error, by (6) corrected and as printed."""
     panel = canvas.subplots()
     forms, here = np.linspace(0.0, 0.05, 101), FIELDS[form]
-    kinds = {
+    kinds: Mapping[str, tuple[Callable[[Any], Any], Mapping[str, Any]]] = {
         "(6) as printed, in mm": (lambda f: total_printed(f, 1.0), {**Look.WRONG, "lw": 1.1}),
         "corrected, all Kᵢ = √3": (lambda f: total(collect(Delta_phi=f), UNIFORM), Look.THIRD),
         "corrected, ΔT systematic": (

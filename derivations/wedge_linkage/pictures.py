@@ -30,7 +30,7 @@ WRONG = Look.WRONG["color"]
 
 def move(number: int, x1: Any, signs: Signs | None = None) -> Any:
     """Return y9 at the nominal sizes, or at the limits that the signs name."""
-    values = {name: size.nominal for name, size in SETS[number].items()}
+    values: Any = {name: size.nominal for name, size in SETS[number].items()}
     for symbol, sign in (signs or {}).items():
         values[str(symbol)] = SETS[number][str(symbol)].limits[sign > 0]
     return kernels.position(x1, **values)
@@ -53,7 +53,7 @@ def crossing(number: int) -> float:
     return float(brentq(apart, START, -20.0))
 
 
-def legible_sizes() -> dict[str, float]:
+def legible_sizes() -> Any:
     """Return the digits as they are legible, of what has none the nominal size."""
     legible = {str(symbol): float(digits) for symbol, _, digits, *_ in LEGIBLE}
     return {name: legible.get(name, size.nominal) for name, size in SETS[1].items()}
@@ -64,7 +64,7 @@ def legible_end() -> float:
     """Return the displacement at which the guide of the legible digits follows no longer."""
     from scipy.optimize import brentq
 
-    sizes = {name: legible_sizes()[name] for name in ("l_AB", "l_BC", "l_CD")}
+    sizes: Any = {name: legible_sizes()[name] for name in ("l_AB", "l_BC", "l_CD")}
     return float(brentq(lambda x1: float(kernels.guide_radicand(x1, **sizes)), -10.0, 0.0))
 
 

@@ -10,7 +10,6 @@ import typer
 from mechproof.cli.console import fail, say
 from mechproof.cli.places import DerivationsOption, find_locations, find_places
 from mechproof.derivation import DerivationError
-from mechproof.files import write_whole
 
 
 def figures(
@@ -30,7 +29,7 @@ def figures(
 
     Exit status 0: drawn; 1: a derivation or a drawing fails; 2: bad usage.
     """
-    from mechproof.plot.figures import find_figures, render_svg, write_png
+    from mechproof.plot.figures import DrawingError, find_figures, write_files
 
     for location in find_locations(systems or (), find_places(derivations, None)):
         try:
@@ -40,10 +39,11 @@ def figures(
         if systems and not found:
             fail(f"{location}: has no pictures.py, and so no figures")
         for figure in found:
-            stem = f"{location.stem}.{figure.name}"
             try:
-                write_whole(out / f"{stem}.svg", render_svg(figure))
-                write_png(figure, out / f"{stem}.png")
+                files = write_files(figure, out, f"{location.stem}.{figure.name}")
             except OSError as error:
                 fail(f"--out: {error}")
-            say(f"{out / stem}.png, .svg: {figure.title}")
+            except (DrawingError, ImportError) as error:
+                fail(str(error))
+            for file in files:
+                say(f"{file}: {figure.title}")

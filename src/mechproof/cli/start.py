@@ -19,6 +19,7 @@ EXAMPLES = {
     "verify FILE.py": "judge a paper of your own",
     "report": "all of it as pages for a browser",
     r"check '\sin 2x=2\sin x'": "judge one equation",
+    "figures": "the papers' figures, redrawn",
     "chart QUANTITY": "time against error",
     "emit c KERNELS --out c": "kernels as C99",
     "measure --quick": "accuracy and speed on this machine",
@@ -50,6 +51,7 @@ def list_examples(places: Places) -> Iterator[tuple[str, str]]:
         "SYSTEM": kernels or systems,
         "KERNELS": kernels,
         "QUANTITY": sorted(name for name in measured if name.startswith(tuple(kernels))),
+        "figures": ["figures"] if any(places.derivations.glob("[!_.]*/pictures.py")) else [],
         "regenerate": ["regenerate"] if Path("derivations").is_dir() else [],
     }
     for line, what in EXAMPLES.items():

@@ -7,6 +7,7 @@ is loaded on demand, with whatever it imports: numpy, kernels, mechanisms, `mech
 from __future__ import annotations
 
 import re
+import traceback
 from collections.abc import Callable
 from dataclasses import dataclass
 from html import escape
@@ -20,13 +21,27 @@ from mechproof.plot.canvas import COLUMN, make_canvas, use_style
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
 
-__all__ = ["Figure", "draw", "find_figures", "render_svg", "write_png"]
+__all__ = [
+    "DrawingError",
+    "Figure",
+    "draw",
+    "find_figures",
+    "render_svg",
+    "write_files",
+    "write_png",
+]
 
 PART: Final = "pictures"
 # What matplotlib says of lines in a rule that would hold for the whole page.
 LINES = "stroke-linejoin: round; stroke-linecap: butt"
+# What matplotlib says of each text; other machines have a font of the same widths, or another.
+FONT, FONTS = "font-family: 'DejaVu Sans'", "font-family: 'DejaVu Sans', Verdana, sans-serif"
 # Pixels per inch of a PNG: a column of 85 mm has some 740.
 DPI = 220
+
+
+class DrawingError(RuntimeError):
+    """A figure could not be drawn."""
 
 
 @dataclass(frozen=True)
@@ -102,33 +117,62 @@ def find_figures(place: Path) -> tuple[Figure, ...]:
 
 
 def draw(figure: Figure) -> Canvas:
-    """Draw a figure at its size; what pyplot and rcParams hold stays as it is."""
+    """Draw a figure at its size; what pyplot and rcParams hold stays as it is.
+
+    Raises `DrawingError` with the line at which the drawing failed.
+    """
     with use_style():
         canvas = make_canvas(figure.width, figure.height)
-        figure.draw(canvas)
+        try:
+            figure.draw(canvas)
+        except Exception as error:
+            what = f"{type(error).__name__}: {error}"
+            raise DrawingError(f"{figure.name}: {_find_line(error)}{what}") from error
     return canvas
+
+
+def _find_line(error: Exception) -> str:
+    """Return "file:line: " of the innermost line of the drawing, not of what it calls."""
+    _, *frames = traceback.extract_tb(error.__traceback__)
+    own = [frame for frame in frames if frame.filename == frames[0].filename]
+    return f"{own[-1].filename}:{own[-1].lineno}: " if own else ""
 
 
 def render_svg(figure: Figure) -> str:
     """Return a figure as one <svg> element with text as text: the same bytes each time.
 
-    No id in it is that of another figure's, so that a page may hold several.
+    No id in it is that of another figure's, so that a page may hold several. Raises as `draw`.
     """
-    text = StringIO()
-    salt = {"svg.hashsalt": f"{figure.name}: {figure.title}"}
+    return _save_svg(figure, draw(figure))
+
+
+def write_png(figure: Figure, path: Path) -> None:
+    """Write a figure as PNG; the folder must exist. Raises as `draw`, and OSError."""
+    path.write_bytes(_save_png(figure, draw(figure)))
+
+
+def write_files(figure: Figure, folder: Path, stem: str) -> tuple[Path, Path]:
+    """Draw a figure once and write it as PNG and SVG; return the files. Raises as `write_png`."""
     canvas = draw(figure)
-    with use_style(salt):
+    files = folder / f"{stem}.png", folder / f"{stem}.svg"
+    folder.mkdir(parents=True, exist_ok=True)
+    files[0].write_bytes(_save_png(figure, canvas))
+    files[1].write_text(_save_svg(figure, canvas), encoding="utf-8")
+    return files
+
+
+def _save_svg(figure: Figure, canvas: Canvas) -> str:
+    text = StringIO()
+    with use_style({"svg.hashsalt": f"{figure.name}: {figure.title}"}):
         canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
     return strip_svg(text.getvalue(), figure.title)
 
 
-def write_png(figure: Figure, path: Path) -> None:
-    """Write a figure as PNG; the folder must exist."""
+def _save_png(figure: Figure, canvas: Canvas) -> bytes:
     pixels = BytesIO()
-    canvas = draw(figure)
     with use_style():
         canvas.savefig(pixels, format="png", dpi=DPI, metadata={"Title": figure.title})
-    path.write_bytes(pixels.getvalue())
+    return pixels.getvalue()
 
 
 def strip_svg(text: str, title: str) -> str:
@@ -138,5 +182,6 @@ def strip_svg(text: str, title: str) -> str:
     body = re.sub(r"\s*<defs>\s*<style.*?</defs>", "", body, count=1, flags=re.DOTALL)
     used = set(re.findall(r"#([\w.-]+)", body))
     body = re.sub(r' id="([\w.-]+)"', lambda found: found[0] if found[1] in used else "", body)
-    says = f'role="img" aria-label="{escape(title)}" style="{LINES}"'
+    says = f'role="img" aria-label="{escape(title)}" style="{LINES}; {FONTS}"'
+    body = body.replace(f"{FONT}; ", "").replace(f"; {FONT}", "")
     return body.replace("<svg ", f"<svg {says} ", 1)

@@ -116,6 +116,10 @@ def _mark_extremes(panel: Axes, extremes: Extremes) -> None:
     """Mark both extremes of the ratio with their values, inside the first period."""
     if extremes.maximum == extremes.minimum:
         return
+    from matplotlib.patheffects import withStroke
+
+    # The line at zero may run behind.
+    halo = withStroke(linewidth=2, foreground="#ffffff")
     panel.margins(y=0.25)
     for value, place, upward in (
         (extremes.maximum, extremes.at_maximum, 1),
@@ -126,4 +130,4 @@ def _mark_extremes(panel: Axes, extremes: Extremes) -> None:
         share = inside / np.degrees(extremes.period)
         sideways = 0.1 if share < 0.2 else -0.1 if share > 0.8 else 0.0
         text = f"{write(value)} at {write(inside)}°"
-        label(panel, text, (float(inside), value), (sideways, 4.0 * upward))
+        label(panel, text, (float(inside), value), (sideways, 4.0 * upward), path_effects=[halo])

@@ -157,8 +157,8 @@ LOOKS = {
     6: (Look.SECOND, -60),
     3: (Look.SECOND, -120),
 }
-# Where names of points stand, in points from them.
-OFFSETS = {"A": (-3, 3), "B": (4, 2), "C": (4, 2), "D": (-4, -3)}
+# How far names stand from their points, in points.
+AWAY = 4.5
 
 
 def _draw_wheel(panel: Axes, wheel: Wheel, angle: float) -> None:
@@ -168,8 +168,10 @@ def _draw_wheel(panel: Axes, wheel: Wheel, angle: float) -> None:
     thin = {"color": look["color"], "lw": 0.5, "ls": "-"}
     panel.plot(*np.stack([wheel.axis, wheel.point(longest)]).T, **thin)
     panel.plot(*wheel.axis, color=look["color"], marker="+", ms=5)
+    x, y = wheel.point(direction).tolist()
     panel.text(
-        *wheel.point(direction),
+        x,
+        y,
         str(wheel.number),
         fontsize=SMALL,
         ha="center",
@@ -181,6 +183,7 @@ def _draw_wheel(panel: Axes, wheel: Wheel, angle: float) -> None:
 def _draw_line_of_centres(panel: Axes, wheels: Sequence[Wheel], angle: float) -> None:
     """Draw the carrier from A to C, and the contacts B of 4 and 5, D of 6 and 3."""
     sun, satellite, _, output = wheels
+    ray = np.array([np.cos(angle), np.sin(angle)])
     places = {
         "A": sun.axis,
         "C": satellite.axis,
@@ -188,7 +191,13 @@ def _draw_line_of_centres(panel: Axes, wheels: Sequence[Wheel], angle: float) ->
         "D": output.point(angle),
     }
     panel.plot(*np.stack([places["A"], places["C"]]).T, **Look.GUIDE)
+    # The curves cross the line A-C at right angles: names of contacts stand away from each other
+    # near it, those of the axes beside it.
+    near, far = sorted("BD", key=lambda name: float(places[name] @ ray))
+    turned = {near: 205, far: 25, "A": 110, "C": 70}
     for name, place in places.items():
         if name in "BD":
             panel.plot(*place, **Look.MARK)
-        label(panel, name, tuple(place), OFFSETS[name])
+        direction = angle + np.radians(turned[name])
+        aside = (AWAY * np.cos(direction), AWAY * np.sin(direction))
+        label(panel, name, tuple(place), aside)
