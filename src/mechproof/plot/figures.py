@@ -35,7 +35,8 @@ PART: Final = "pictures"
 # What matplotlib says of lines in a rule that would hold for the whole page.
 LINES = "stroke-linejoin: round; stroke-linecap: butt"
 # What matplotlib says of each text; other machines have a font of the same widths, or another.
-FONT, FONTS = "font-family: 'DejaVu Sans'", "font-family: 'DejaVu Sans', Verdana, sans-serif"
+FONT = re.compile(r"font-family: 'DejaVu Sans'[^;\"]*(?:; )?")
+FONTS = "font-family: 'DejaVu Sans', Verdana, sans-serif"
 # Pixels per inch of a PNG: a column of 85 mm has some 740.
 DPI = 220
 
@@ -183,5 +184,4 @@ def strip_svg(text: str, title: str) -> str:
     used = set(re.findall(r"#([\w.-]+)", body))
     body = re.sub(r' id="([\w.-]+)"', lambda found: found[0] if found[1] in used else "", body)
     says = f'role="img" aria-label="{escape(title)}" style="{LINES}; {FONTS}"'
-    body = body.replace(f"{FONT}; ", "").replace(f"; {FONT}", "")
-    return body.replace("<svg ", f"<svg {says} ", 1)
+    return FONT.sub("", body).replace("<svg ", f"<svg {says} ", 1)
