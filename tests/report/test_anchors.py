@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mechproof.proof.verdict import Verdict
 from mechproof.report.anchors import find_equation, name_anchors, slugify
-from mechproof.report.words import LOOKS, set_numbers, set_value
+from mechproof.report.words import LOOKS, set_numbers, set_prose, set_value
 
 
 def test_rows_are_named_by_their_numbers() -> None:
@@ -46,3 +46,13 @@ def test_numbers_are_set_as_people_write_them() -> None:
     assert set_numbers("|x| <= 2**26, 1e-290, 11e3") == "|x| ≤ 2²⁶, 10⁻²⁹⁰, 11·10³"
     assert set_numbers("K_i[1] = 2") == "K_i[1] = 2"
     assert set_value("pi/6*x (30°)") == "π/6·x (30°)"
+
+
+def test_names_in_sentences_are_set_as_letters_with_indices() -> None:
+    assert set_prose("x_5 at phi1 = 12 um, beta_DE; a rod R2") == (
+        "x<sub>5</sub> at φ<sub>1</sub> = 12 \N{MICRO SIGN}m, β<sub>DE</sub>; a rod R<sub>2</sub>"
+    )
+    assert set_prose("cos^2(x/2) <= (12), IT8, C99, tan_alpha, Delta h") == (
+        "cos²(x/2) ≤ (12), IT8, C99, tan_alpha, Δ h"
+    )
+    assert set_prose("<b_1> & 'pi'") == "&lt;b<sub>1</sub>&gt; &amp; &#39;π&#39;"

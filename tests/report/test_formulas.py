@@ -63,6 +63,7 @@ def test_links_and_styles_are_dropped() -> None:
     [
         (r"\mathrm{tg}x", "<mrow><mtext>tg<mspace><mi>x"),
         (r"2\sin x", "<mrow><mn>2<mspace><mi>sin<mspace><mi>x"),
+        (r"(a)\cos x", "<mrow><mo>(<mi>a<mo>)<mspace><mi>cos<mspace><mi>x"),
         (r"66~\mathrm{mm}", "<mrow><mn>66<mtext>\N{NO-BREAK SPACE}<mtext>mm"),
         (r"\varphi_3'", "<mrow><msub><mrow><mi>φ<mo>\N{PRIME}<mn>3"),
         (r"a\pm b", "<mrow><mi>a<mo>±<mi>b"),
@@ -100,6 +101,14 @@ def test_sentences_are_told_from_formulas(latex: str, is_one: bool) -> None:
 def test_a_sentence_keeps_its_blanks_and_escapes() -> None:
     written = write_print(r"\text{the 95 \% interval of x\_1 is }\bar q\pm 2u,\ n=198")
     assert '<p class="sentence">the 95 % interval of x_1 is <math' in written
+
+
+def test_long_formulas_within_words_break_at_commas_and_scroll() -> None:
+    letters = ",".join(f"+l_{{{a}{b}}}" for a in "ABC" for b in "DEF")
+    written = write_print(rf"\text{{upper boundary: }}{letters}")
+    assert written.count("<math") == 9
+    assert 'class="long"' in write_print(rf"\text{{as in }}{letters.replace(',', '')}")
+    assert 'class="long"' not in written
 
 
 def test_lists_of_formulas_stand_below_each_other_and_once() -> None:

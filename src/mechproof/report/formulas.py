@@ -9,6 +9,9 @@ from markupsafe import Markup, escape
 
 from mechproof.report.mathml import read_text, write_formula
 
+# Formulas within words are broken at their commas if they have more letters than a line.
+LONG = 40
+COMMA = re.compile(r",(?:\s|\\[ ,;]|~)*")
 GAP = re.compile(r",\s*\\q?quad\s*")
 # Text that is read as words; shorter pieces are names and units within a formula.
 WORDS = re.compile(r"[^\W\d_]{4}|[^\W\d_]{2}.* |^ .*[^\W\d_]{2}|^ ")
@@ -49,7 +52,14 @@ def write_sentence(latex: str) -> Markup:
 def _write_within(latex: str) -> Markup:
     before = " " if re.match(r"\s|\\[ ,;]|~", latex) else ""
     bare = re.sub(r"^(?:\s|\\[ ,;]|~)+|(?:\s|\\[ ,;]|~)+$", "", latex)
-    return Markup("{}{}").format(before, write_formula(bare, "inline")) if bare else Markup(before)
+    parts = list(_split(bare, COMMA)) if len(bare) > LONG else [bare]
+    return Markup("{}{}").format(before, Markup(", ").join(map(_write_inline, filter(None, parts))))
+
+
+def _write_inline(latex: str) -> Markup:
+    """Write a formula within words; a long one scrolls in a box of its own."""
+    math = write_formula(latex, "inline")
+    return Markup('<span class="long">{}</span>').format(math) if len(latex) > LONG else math
 
 
 def _list_parts(latex: str) -> Iterator[tuple[bool, str]]:

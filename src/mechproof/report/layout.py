@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from importlib.metadata import version
 from importlib.resources import files
+from itertools import cycle
 
 import jinja2
+from markupsafe import Markup, escape
 
 from mechproof.report.anchors import slugify
 from mechproof.report.rows import MARKED
 
 STYLESHEET = "report.css"
 SUFFIX = ".html.jinja"
+DOI = re.compile(r"(?<=doi )(10\.\d{4,9}/[^\s,;]*[\w/])", re.IGNORECASE)
 
 
 def render(template: str, **data: object) -> str:
@@ -34,9 +38,18 @@ def _environment() -> jinja2.Environment:
         lstrip_blocks=True,
         autoescape=True,
     )
-    environment.filters |= {"slug": slugify, "words": _say, "capfirst": _begin}
+    environment.filters |= {"cite": _cite, "slug": slugify, "words": _say, "capfirst": _begin}
     environment.globals |= {"version": version("mechproof"), "meanings": MARKED}
     return environment
+
+
+def _cite(text: str) -> Markup:
+    """Link the DOI of a citation."""
+    link = Markup('<a href="https://doi.org/{0}">{0}</a>')
+    parts = DOI.split(text)
+    return Markup("").join(
+        link.format(part) if odd else escape(part) for odd, part in zip(cycle((0, 1)), parts)
+    )
 
 
 def _say(name: str) -> str:

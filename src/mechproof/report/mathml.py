@@ -27,9 +27,7 @@ TWO_ARGUMENTS = (r"\operatorname{atan}_{2}", r"\text{atan2}")
 DUMMY = re.compile(r"\\text\{([A-Za-z]+)(\d*)\\_\}")
 TALL = frozenset({"mfrac", "mtable", "munderover", "munder", "msqrt", "mroot", "mover"})
 PRIMES = ("′", "″", "‴")
-OPENING = "([{|⟨⌈⌊"
-# Where a space before a function's name is not needed.
-BEFORE = ("+", "−", "=", "<", ">", "≤", "≥", "(", "[", "{", ",", "|", "⋅", "·", "±", "∓")
+OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
 
 
 def write_formula(latex: str, display: Display = "inline") -> Markup:
@@ -135,8 +133,9 @@ def _opens(element: Element) -> bool:
 
 
 def _multiplies(element: Element) -> bool:
-    is_mark = element.tag == "mo" and (element.text or "").strip() in BEFORE
-    return not (is_mark or _is_blank(element) or element.tag == "mo")
+    if element.tag == "mo":
+        return (element.text or "") in CLOSING
+    return not _is_blank(element)
 
 
 def read_text(text: str) -> str:

@@ -24,7 +24,7 @@ from mechproof.report.rows import (
     name_symbols,
 )
 from mechproof.report.sources import Source
-from mechproof.report.words import LOOKS, NOT_JUDGED, Look, look_of, set_numbers
+from mechproof.report.words import LOOKS, NOT_JUDGED, Look, look_of, set_prose
 
 
 @dataclass(frozen=True)
@@ -37,8 +37,8 @@ class FindingView:
     look: Look
     marks: tuple[str, ...]
     printed: Markup
-    wrong: str
-    costs: tuple[str, ...]
+    wrong: Markup
+    costs: tuple[Markup, ...]
     corrected: Markup
     corrected_by: str
     follows: tuple[tuple[str, str], ...]
@@ -155,8 +155,8 @@ def describe_finding(found: Found, anchors: Mapping[str, str]) -> FindingView:
         look=look_of(found.verdict),
         marks=found.marks,
         printed=write_print(found.printed_latex),
-        wrong=set_numbers(found.wrong),
-        costs=tuple(map(set_numbers, found.costs)),
+        wrong=set_prose(found.wrong),
+        costs=tuple(map(set_prose, found.costs)),
         corrected=write_print(found.corrected_latex),
         corrected_by=found.corrected_by,
         follows=tuple((number, anchors[number]) for number in found.follows),

@@ -12,7 +12,7 @@ from mechproof.proof.verdict import Evidence, Judgement
 from mechproof.record import MARKS, Paper, Row
 from mechproof.report.formulas import write_lines, write_print
 from mechproof.report.mathml import write_formula
-from mechproof.report.words import NOT_JUDGED, Look, look_of, set_numbers, set_value
+from mechproof.report.words import NOT_JUDGED, Look, look_of, set_numbers, set_prose, set_value
 
 # Evidence beyond so many items is folded away.
 SHOWN = 4
@@ -24,7 +24,7 @@ MARKED = {**MARKS, "as typed": "its statement was typed by hand, not read from t
 class Witness:
     """One piece of evidence: what it is, where, and the two values."""
 
-    what: str
+    what: Markup
     at: Sequence[tuple[Markup, str]]
     printed: str
     rebuilt: str
@@ -41,14 +41,14 @@ class RowView:
     marks: tuple[str, ...]
     printed: Markup
     read_as: str = ""
-    reason: str = ""
+    reason: Markup = NOTHING
     compared: Markup = NOTHING
     evidence: tuple[Witness, ...] = ()
     more_evidence: tuple[Witness, ...] = ()
     corrected: Markup = NOTHING
     corrected_by: str = ""
-    on: str = ""
-    singular: str = ""
+    on: Markup = NOTHING
+    singular: Markup = NOTHING
     rung: str = ""
     failure: str = ""
 
@@ -70,14 +70,14 @@ def describe_row(row: Judgement, anchor: str, symbols: Mapping[str, str]) -> Row
         marks=row.marks,
         printed=write_print(row.printed_latex),
         read_as=row.read_as,
-        reason=set_numbers(row.reason),
+        reason=set_prose(row.reason),
         compared=write_lines(row.compared_with),
         evidence=witnesses[:SHOWN],
         more_evidence=witnesses[SHOWN:],
         corrected=write_print(row.corrected_latex),
         corrected_by=row.corrected_by,
-        on=set_numbers(row.on),
-        singular=", ".join(row.singular),
+        on=set_prose(row.on),
+        singular=set_prose(", ".join(row.singular)),
         rung=row.rung,
     )
 
@@ -100,7 +100,7 @@ def describe_print(row: Row, anchor: str) -> RowView:
 
 def _describe_evidence(item: Evidence, symbols: Mapping[str, str]) -> Witness:
     at = [(_write_symbol(name, symbols), set_value(value)) for name, value in item.at.items()]
-    return Witness(set_numbers(item.what), at, set_numbers(item.printed), set_numbers(item.rebuilt))
+    return Witness(set_prose(item.what), at, set_numbers(item.printed), set_numbers(item.rebuilt))
 
 
 def _write_symbol(name: str, symbols: Mapping[str, str]) -> Markup:

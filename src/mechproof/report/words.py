@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass
+
+from markupsafe import Markup, escape
 
 from mechproof.proof.verdict import Verdict
 
@@ -63,8 +66,23 @@ ORDER = tuple(LOOKS)
 
 MINUS = " \N{MINUS SIGN} "
 BALL = re.compile(r"\[([^\[\]]+?) \+/- ([^\[\]]+?)\]")
-EXPONENT = re.compile(r"(?<=[\w)])\*\*(-?\d+)\b")
+EXPONENT = re.compile(r"(?<=[\w)\]])\*\*(-?\d+)\b")
 POWER = re.compile(r"(\d)e([+-]?\d+)\b")
+CARET = re.compile(r"(?<=[\w)])\^(\d+)\b")
+UNIT = re.compile(r"(?<=\d )um\b")
+GREEK = {
+    name: unicodedata.lookup(f"GREEK {case} LETTER {name.upper().replace('LAMBDA', 'LAMDA')}")
+    for case, names in (
+        ("SMALL", "alpha beta gamma delta epsilon eta theta kappa lambda mu nu rho sigma tau phi "
+         "chi psi omega pi"),
+        ("CAPITAL", "Gamma Delta Theta Sigma Phi Psi Omega"),
+    )
+    for name in names.split()
+} | {"varphi": "φ", "varepsilon": "ε"}  # fmt: skip
+# A Greek letter by its name, or a letter with an index.
+NAME = re.compile(
+    rf"(?<![\w&#.])(?:({'|'.join(GREEK)}|[^\W\d_](?=_\w|\d\b))(?:_(\w+)|(\d+))?)(?!\w)"
+)
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -89,6 +107,21 @@ def _raise_ten(power: re.Match[str]) -> str:
     alone = power[1] == "1" and not (before.isdigit() or before == ".")
     factor = "" if alone else f"{power[1]}·"
     return f"{factor}10{str(int(power[2])).translate(SUPERSCRIPTS)}"
+
+
+def set_prose(text: str) -> Markup:
+    """Set the names within a sentence as formulas have them: x_5 with an index, phi1 as a letter.
+
+    The text is escaped first.
+    """
+    plain = UNIT.sub("\N{MICRO SIGN}m", CARET.sub(_raise, set_numbers(text)))
+    return Markup(NAME.sub(_set_name, str(escape(plain))))
+
+
+def _set_name(name: re.Match[str]) -> str:
+    index = name[2] or name[3] or ""
+    letter, index = GREEK.get(name[1], name[1]), GREEK.get(index, index)
+    return f"{letter}<sub>{index}</sub>" if index else letter
 
 
 def set_value(text: str) -> str:
