@@ -5,9 +5,9 @@ from __future__ import annotations
 import dataclasses
 
 import pytest
+from derived import paper_of
 from sympy import Interval, Rational, oo
 
-from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.derivations.tooth_thickness import geometry, influence, shares, symbols
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
@@ -15,7 +15,7 @@ from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Part, PrintedNumber, Row
 
-PAPER = load_paper(find_systems(packaged_directory())["tooth_thickness"])
+PAPER = paper_of("tooth_thickness")
 
 
 def row(number: str) -> Row:

@@ -6,15 +6,13 @@ The derivations hold no verdict: it is what the ladder returns, and the tables i
 
 from __future__ import annotations
 
-from functools import lru_cache
 from pathlib import Path
 
 import pytest
+from derived import judge_all, paper_of
 
-from mechproof.derivation import find_systems, load_paper, packaged_directory
-from mechproof.proof.judge import judge
+from mechproof.derivation import find_systems, packaged_directory
 from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.verification import open_derivation
 
 EXPECTED = Path(__file__).parent / "expected"
 SYSTEMS = find_systems(packaged_directory())
@@ -25,14 +23,8 @@ for_each_system = pytest.mark.parametrize(
 )
 
 
-@lru_cache
-def judge_all(system: str) -> tuple[Judgement, ...]:
-    opened = open_derivation(SYSTEMS[system])
-    return tuple(judge(row, opened.paper) for row in opened.rows)
-
-
 def with_verdict(system: str, *verdicts: Verdict) -> list[Judgement]:
-    return [j for j in judge_all(system) if j.verdict in verdicts]
+    return [j for j in judge_all(system).values() if j.verdict in verdicts]
 
 
 def test_every_system_has_a_table() -> None:
@@ -42,7 +34,7 @@ def test_every_system_has_a_table() -> None:
 @for_each_system
 def test_every_row_has_its_verdict_and_rung(system: str) -> None:
     lines = (EXPECTED / f"{system}.tsv").read_text(encoding="utf-8").splitlines()
-    found = ["\t".join((j.number, j.verdict.value, j.rung)) for j in judge_all(system)]
+    found = ["\t".join((j.number, j.verdict.value, j.rung)) for j in judge_all(system).values()]
     assert found == lines
 
 
@@ -53,12 +45,12 @@ def test_nothing_is_left_open(system: str) -> None:
 
 def of_forms(system: str) -> list[Judgement]:
     """The rows of forms; what a rival of a kernel should be is the kernel."""
-    return [j for j in judge_all(system) if j.number.startswith("kernel ")]
+    return [j for j in judge_all(system).values() if j.number.startswith("kernel ")]
 
 
 @for_each_system
 def test_every_kernel_and_every_rewrite_is_proved(system: str) -> None:
-    shipped = {q.name for q in load_paper(SYSTEMS[system]).quantities}
+    shipped = {q.name for q in paper_of(system).quantities}
     for j in of_forms(system):
         name = j.number.removeprefix("kernel ").split(",")[0]
         if name in shipped or j.number.endswith(", legal"):
@@ -112,7 +104,7 @@ def test_missing_data_show_two_completions_with_opposite_answers(system: str) ->
 
 @for_each_system
 def test_what_is_wrong_in_print_has_a_stated_cause(system: str) -> None:
-    findings = load_paper(SYSTEMS[system]).findings
+    findings = paper_of(system).findings
     caused = {f.row for f in findings} | {row.row for f in findings for row in f.followers}
     wrong = with_verdict(system, Verdict.REFUTED, Verdict.ILL_FORMED)
     assert [j.number for j in wrong if "ours" not in j.marks and j.number not in caused] == []

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
-from functools import cache
 
 import pytest
 import sympy as sp
+from derived import judge_all, paper_of
 
 from mechproof.codegen.forms import form_rows
-from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.derivations.wedge_linkage import (
     boundaries,
     mechanics,
@@ -26,7 +25,9 @@ from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, Form, Paper, Toleranced
 
-PAPER = load_paper(find_systems(packaged_directory())["wedge_linkage"])
+PAPER = paper_of("wedge_linkage")
+# The paper is judged in one process, once.
+pytestmark = pytest.mark.xdist_group("verdicts wedge_linkage")
 
 
 # With these the lever turns by more than a right angle over the stroke, where (1) is off by pi.
@@ -36,9 +37,8 @@ FAR_TURN = {
 }
 
 
-@cache
 def judgement(number: str) -> Judgement:
-    return judge(next(row for row in PAPER.rows if row.number == number), PAPER)
+    return judge_all("wedge_linkage")[number]
 
 
 def test_no_error_rests_on_a_rebuilt_or_reconstructed_reading() -> None:

@@ -44,7 +44,11 @@ def open_derivation(location: Path) -> Opened:
 
     Raises `DerivationError` naming the place.
     """
-    paper = load_paper(location)
+    return open_paper(location, load_paper(location))
+
+
+def open_paper(location: Path, paper: Paper) -> Opened:
+    """State the rows of the forms of a paper that was loaded from a place."""
     try:
         rows = (*paper.rows, *follower_rows(paper), *form_rows(paper))
     except (ValueError, NotImplementedError) as error:

@@ -14,13 +14,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from compiled import grouped
+from derived import SYSTEMS, paper_of
 from typer.testing import CliRunner
 
 from mechproof.cli.commands import app
 from mechproof.codegen.backends.c99 import render_c
 from mechproof.codegen.backends.scalar import list_scalars
 from mechproof.codegen.kernel import Kernel
-from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.derivations.elliptic_planetary import PAPER
 from mechproof.lab.search import find_worst
 from mechproof.lab.subject import find_subjects
@@ -28,7 +29,7 @@ from mechproof.lab.subject import find_subjects
 COMPILER = shutil.which("cc")
 pytestmark = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 STRICT = ("-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-pedantic", "-ffp-contract=off")
-PAPERS = {s: load_paper(place) for s, place in find_systems(packaged_directory()).items()}
+PAPERS = {system: paper_of(system) for system in SYSTEMS}
 KERNELS = {f"{s}.{k.name}": k for s, p in PAPERS.items() for k in list_scalars(p)}
 SUBJECTS = {s.name: s for s in find_subjects(()) if s.name in KERNELS}
 EPS32 = float(np.finfo(np.float32).eps)
@@ -90,7 +91,7 @@ def point_function(library: ctypes.CDLL, system: str, kernel: Kernel, single: bo
     return call
 
 
-@pytest.mark.parametrize("name", [n for n, s in SUBJECTS.items() if s.quantity.accuracy])
+@pytest.mark.parametrize("name", grouped(n for n, s in SUBJECTS.items() if s.quantity.accuracy))
 def test_bounds_and_the_bits_of_numba(name: str, libraries: Callable[..., ctypes.CDLL]) -> None:
     """Both compute the same operations, each rounded once: no bit may differ."""
     system, _, quantity = name.partition(".")

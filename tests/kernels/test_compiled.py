@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from compiled import grouped
 
 from mechproof.compiled_support import loops
 from mechproof.kernels import elliptic_planetary as plain
@@ -28,7 +29,7 @@ def compiled(subject: Subject) -> Any:
     return getattr(import_module(f"mechproof.kernels.compiled.{system}"), name)
 
 
-@pytest.mark.parametrize("name", BOUNDED)
+@pytest.mark.parametrize("name", grouped(BOUNDED))
 def test_the_bound_of_the_kernel_holds(name: str) -> None:
     """The same points and bounds as the NumPy kernel's; a search with a fixed seed."""
     subject = SUBJECTS[name]

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
+from compiled import grouped
 
 from mechproof.kernel_support import arrays
 from mechproof.kernels import elliptic_planetary, track_wheel
@@ -40,7 +41,10 @@ CALLS = {name: take_point(subject) for name, subject in SUBJECTS.items()}
 COMPILED = [n for n, s in SUBJECTS.items() if not s.quantity.definition.has(sp.Indexed)]
 SUBJECTS |= {f"compiled.{name}": SUBJECTS[name] for name in COMPILED}
 CALLS |= {f"compiled.{name}": CALLS[name] for name in COMPILED}
-for_each_kernel = pytest.mark.parametrize("name", CALLS)
+PLAIN = [name for name in CALLS if not name.startswith("compiled.")]
+for_each_kernel = pytest.mark.parametrize(
+    "name", [*PLAIN, *grouped(f"compiled.{name}" for name in COMPILED)]
+)
 
 
 @pytest.fixture(autouse=True)

@@ -6,7 +6,6 @@ What is equal is decided by numerics that share nothing with the ladder: SymPy's
 from __future__ import annotations
 
 import random
-import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -14,9 +13,8 @@ from typing import Any
 
 import pytest
 import sympy as sp
+from derived import declared_paper_of, paper_of
 
-from mechproof import derivation
-from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.latex import Reader
 from mechproof.latex.expansion import read_row
 from mechproof.latex.tokens import tokenize
@@ -68,9 +66,7 @@ class Changed:
 @lru_cache
 def load(system: str) -> tuple[Paper, Paper]:
     """Return a paper as its module binds it, and with its prints read."""
-    place = find_systems(packaged_directory())[system]
-    read = load_paper(place)
-    return sys.modules[derivation._modules[place.resolve()]].PAPER, read
+    return declared_paper_of(system), paper_of(system)
 
 
 def change_print(system: str, draw: random.Random) -> Changed | str:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
-from mechproof import derivation
-from mechproof.derivation import find_systems, load_paper, packaged_directory
+from derived import declared_paper_of, paper_of
+
 from mechproof.latex import Reader, ReadingError
 from mechproof.proof.judge import AS_TYPED
 from mechproof.record import Equation, Paper, Row
@@ -25,9 +24,7 @@ MOST_UNREAD = 3
 @lru_cache
 def equations(system: str) -> tuple[Paper, tuple[Row, ...], tuple[Row, ...]]:
     """Return a paper, its equations as they are declared, and one for each relation sign."""
-    place = find_systems(packaged_directory())[system]
-    read = load_paper(place)
-    declared: Paper = sys.modules[derivation._modules[place.resolve()]].PAPER
+    read, declared = paper_of(system), declared_paper_of(system)
     return read, *(tuple(r for r in p.rows if isinstance(r, Equation)) for p in (declared, read))
 
 

@@ -7,8 +7,8 @@ from functools import lru_cache
 
 import pytest
 import sympy as sp
+from derived import paper_of
 
-from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.latex import Reader, ReadingError
 from mechproof.record import Notation, Paper, Row, Variable
 
@@ -87,7 +87,7 @@ SYSTEMS = ("elliptic_planetary", "measurement")
 
 @lru_cache
 def prints(system: str) -> tuple[Paper, tuple[Row, ...]]:
-    paper = load_paper(find_systems(packaged_directory())[system])
+    paper = paper_of(system)
     return paper, tuple(row for row in paper.rows if row.read_as)
 
 

@@ -6,8 +6,8 @@ from dataclasses import replace
 from functools import lru_cache
 
 import pytest
+from derived import paper_of
 
-from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.latex import Reader
 from mechproof.latex.expansion import read_row
 from mechproof.proof.judge import judge
@@ -23,7 +23,7 @@ CHANGES = (
 
 @lru_cache
 def load() -> Paper:
-    return load_paper(find_systems(packaged_directory())["track_wheel"])
+    return paper_of("track_wheel")
 
 
 def judge_changed(row: Equation, old: str, new: str) -> Verdict:

@@ -7,14 +7,13 @@ declared values and to an expansion.
 
 from __future__ import annotations
 
-from functools import lru_cache
 from pathlib import Path
 
 import pytest
 import sympy as sp
+from derived import paper_of
 
 from mechproof import record
-from mechproof.derivation import find_systems, load_paper, packaged_directory
 from mechproof.record import Definition, Equality, Paper, Row
 
 FROZEN = sorted((Path(__file__).parent / "frozen").glob("*.tsv"))
@@ -24,11 +23,6 @@ LINES = [
     for file in FROZEN
     for line in file.read_text(encoding="utf-8").splitlines()
 ]
-
-
-@lru_cache
-def load(system: str) -> Paper:
-    return load_paper(find_systems(packaged_directory())[system])
 
 
 def resolve(tree: sp.Basic, paper: Paper) -> sp.Basic:
@@ -55,7 +49,7 @@ def sides(row: Row) -> list[sp.Basic]:
 
 @pytest.mark.parametrize(("system", "number", "tree"), LINES)
 def test_a_print_is_read_as_it_was_typed(system: str, number: str, tree: str) -> None:
-    paper = load(system)
+    paper = paper_of(system)
     (row,) = (row for row in paper.rows if row.number == number)
     typed = resolve(sp.sympify(tree, locals=NAMES), paper)
     assert any(is_same(resolve(side, paper), typed) for side in sides(row))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
+from derived import opened
 
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.proof import balls, refutation
@@ -32,7 +33,6 @@ from mechproof.record import (
     Toleranced,
     Variable,
 )
-from mechproof.verification import open_derivation
 
 phi, psi, e = sp.symbols("phi psi e", real=True)
 R, r = sp.symbols("R r", positive=True)
@@ -291,10 +291,10 @@ def test_the_ledger_shows_what_every_proved_equation_was_compared_with() -> None
 
 
 def test_the_verdict_sees_sizes_and_letters() -> None:
-    opened = open_derivation(SYSTEMS["elliptic_planetary"])
-    assert opened.domain.published == opened.paper.published
-    numbers = {row.number: row for row in opened.rows}
-    judged = judge(numbers["(12), first branch"], opened.domain)
+    found = opened("elliptic_planetary")
+    assert found.domain.published == found.paper.published
+    numbers = {row.number: row for row in found.rows}
+    judged = judge(numbers["(12), first branch"], found.domain)
     assert judged.evidence[0].at == {
         "R1": "66",
         "R2": "16",
@@ -302,4 +302,4 @@ def test_the_verdict_sees_sizes_and_letters() -> None:
         "x": "pi/6 (30°)",
     }
     assert isinstance(numbers["(9)"], Equation)
-    assert r"\int" in judge(numbers["(9)"], opened.domain).compared_with
+    assert r"\int" in judge(numbers["(9)"], found.domain).compared_with

@@ -10,16 +10,9 @@ from itertools import chain, islice, pairwise
 
 import pytest
 import sympy as sp
+from derived import paper_of
 
-from mechproof.derivations import (
-    elliptic_planetary,
-    oval_planetary,
-    tooth_thickness,
-    track_wheel,
-    wedge_linkage,
-)
 from mechproof.derivations.track_wheel.errors import i, j
-from mechproof.latex import read_paper
 from mechproof.proof.continuity import find_break
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
@@ -34,8 +27,8 @@ LEAST, LEAST_ROWS = 600, 120
 MOST_OPERATIONS = 120
 # In a batch of some forty: a swap of what occurs symmetrically, a change of what cancels.
 MOST_EQUIVALENT = 4
-SHORT = tuple(map(read_paper, (elliptic_planetary.PAPER, track_wheel.PAPER)))
-LONG = tuple(map(read_paper, (oval_planetary.PAPER, tooth_thickness.PAPER, wedge_linkage.PAPER)))
+SHORT = tuple(map(paper_of, ("elliptic_planetary", "track_wheel")))
+LONG = tuple(map(paper_of, ("oval_planetary", "tooth_thickness", "wedge_linkage")))
 SWAPPED = {sp.sin: sp.cos, sp.cos: sp.sin, sp.tan: sp.cot, sp.atan: sp.tan}
 # Rows whose cross-examination integrates over many turns: seconds for each mutant.
 SLOW = (

@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
+from derived import paper_of
 
 import mechproof.kernels
 from mechproof.codegen.kernel import input_names, list_functions
-from mechproof.derivation import load_paper, packaged_directory
 from mechproof.kernel_support import polynomials
 from mechproof.kernels import elliptic_planetary as kernels
 from mechproof.roundoff.certificate import Certificate, Claim, holds, read_certificate
@@ -46,7 +46,7 @@ def certificate(system: str) -> Certificate:
 
 @cache
 def subjects() -> Mapping[tuple[str, str, str], Subject]:
-    papers = (load_paper(packaged_directory() / system) for system in SYSTEMS)
+    papers = (paper_of(system) for system in SYSTEMS)
     kernels = ((kernel, paper) for paper in papers for kernel in list_functions(paper))
     found = (s for kernel, paper in kernels for s in list_subjects(kernel, paper))
     return {(s.kernel.name, s.form.name, s.way): s for s in found}

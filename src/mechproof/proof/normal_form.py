@@ -32,10 +32,10 @@ def is_zero(quotient: sp.Expr, squares: Mapping[sp.Symbol, sp.Expr]) -> bool:
     Raises `sympy.PolynomialError` for what is none.
     """
     ring = _Ring(quotient.free_symbols.union(*(s.free_symbols | {g} for g, s in squares.items())))
-    parts = ring.read_quotient(quotient)
+    above, below = ring.read_quotient(quotient)
     for generator in reversed(list(squares)):
-        parts = tuple(ring.lower(part, generator, squares[generator]) for part in parts)
-    above, below = parts
+        above = ring.lower(above, generator, squares[generator])
+        below = ring.lower(below, generator, squares[generator])
     return bool(above.is_zero() and not below.is_zero())
 
 
@@ -100,7 +100,8 @@ class _Ring:
         if isinstance(node, sp.Pow) and node.exp.is_Integer:
             above, below = self.read_quotient(node.base)
             power = abs(int(node.exp))
-            return (above**power, below**power)[:: 1 if node.exp > 0 else -1]
+            above, below = above**power, below**power
+            return (above, below) if node.exp > 0 else (below, above)
         return self.read(node), one
 
     def lower(self, value: fmpq_mpoly, generator: sp.Symbol, square: sp.Expr) -> fmpq_mpoly:

@@ -1,0 +1,43 @@
+"""The papers of the package, loaded once in each process of the tests."""
+
+from __future__ import annotations
+
+import sys
+from functools import cache
+
+from mechproof import derivation
+from mechproof.derivation import find_systems, packaged_directory
+from mechproof.lab.subject import find_subjects
+from mechproof.proof.judge import judge
+from mechproof.proof.verdict import Judgement
+from mechproof.record import Paper
+from mechproof.verification import Opened, open_paper
+
+SYSTEMS = find_systems(packaged_directory())
+
+
+@cache
+def paper_of(system: str) -> Paper:
+    """Return a paper with its prints read."""
+    return find_subjects((system,))[0].paper
+
+
+@cache
+def declared_paper_of(system: str) -> Paper:
+    """Return a paper as its module binds it."""
+    paper_of(system)
+    paper: Paper = sys.modules[derivation._modules[SYSTEMS[system].resolve()]].PAPER
+    return paper
+
+
+@cache
+def judge_all(system: str) -> dict[str, Judgement]:
+    """Return the judgements of all rows of a paper, by their numbers."""
+    paper = opened(system)
+    return {row.number: judge(row, paper.domain) for row in paper.rows}
+
+
+@cache
+def opened(system: str) -> Opened:
+    """Return a paper with the rows of its forms."""
+    return open_paper(SYSTEMS[system], paper_of(system))
