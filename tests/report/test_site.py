@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -86,7 +87,7 @@ def test_a_paper_has_its_rows_in_order_with_what_was_found(files: dict[str, str]
 def test_a_quantity_says_how_accurate_it_is_and_how_it_is_called(files: dict[str, str]) -> None:
     page = files["quantities/elliptic_planetary.position.html"]
     for part in (
-        "0 &lt; R1, R2 &lt; ∞",
+        "0 &lt; R<sub>1</sub>, R<sub>2</sub> &lt; ∞",
         "6 eps of the value",
         "at most 4.45 eps",
         "points chosen to hurt",
@@ -98,6 +99,13 @@ def test_a_quantity_says_how_accurate_it_is_and_how_it_is_called(files: dict[str
     ):
         assert part in page
     assert page.count("<svg") == 1
+
+
+def test_what_is_called_is_there(files: dict[str, str]) -> None:
+    pages = "".join(text for name, text in files.items() if name.startswith("quantities"))
+    calls = set(re.findall(r"from (mechproof\.[\w.]+) import (\w+)", pages))
+    assert len(calls) == 10
+    assert all(hasattr(import_module(module), name) for module, name in calls)
 
 
 def test_a_paper_without_kernels_and_measurements_has_its_pages(files: dict[str, str]) -> None:

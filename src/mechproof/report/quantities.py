@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
-from markupsafe import Markup, escape
+from markupsafe import Markup
 
 from mechproof.codegen.backends.c99 import render_c
 from mechproof.codegen.docstrings import describe_domain, find_given, list_notes, tell_unit
@@ -21,7 +21,10 @@ from mechproof.record import Argument, Form, Paper, Quantity, Toleranced, Variab
 from mechproof.report.formulas import write_lines
 from mechproof.report.mathml import write_formula
 from mechproof.report.sources import Source
-from mechproof.report.words import MEASURED, Look, look_of, set_numbers
+from mechproof.report.words import MEASURED, Look, look_of, set_numbers, set_prose
+
+# Letters of a multiple of pi that is written as such.
+SHORT = 8
 
 
 @dataclass(frozen=True)
@@ -59,7 +62,7 @@ class Measured:
     worst: str
     unit: str
     points: str
-    searched: str
+    searched: Markup
     taken: str
     machine: str
     is_quick: bool
@@ -78,10 +81,10 @@ class QuantityView:
     arguments: tuple[ArgumentView, ...]
     formula: Markup
     given: tuple[Markup, ...]
-    domain: str
-    notes: tuple[tuple[str, str], ...]
-    stated: str
-    proved: tuple[str, ...]
+    domain: Markup
+    notes: tuple[tuple[str, Markup], ...]
+    stated: Markup
+    proved: tuple[Markup, ...]
     measured: Measured | None
     forms: tuple[FormView, ...]
     calls: tuple[tuple[str, str, str], ...]
@@ -107,10 +110,10 @@ def describe_quantities(source: Source) -> Iterator[QuantityView]:
             arguments=tuple(_describe_arguments(quantity, paper.variables)),
             formula=_write(quantity.definition, paper.variables),
             given=tuple(_write_given(quantity, paper)),
-            domain=set_numbers(describe_domain(quantity, paper)).replace("oo", "∞"),
+            domain=set_prose(describe_domain(quantity, paper).replace("oo", "∞")),
             notes=tuple(_pick_notes(kernel, paper)),
             stated=_find_stated(kernel, paper),
-            proved=tuple(set_numbers(form.proved) for form in forms if form.proved),
+            proved=tuple(set_prose(form.proved) for form in forms if form.proved),
             measured=_describe_record(record, quantity) if record else None,
             forms=tuple(_list_forms(quantity, source, record)),
             calls=tuple(_list_calls(quantity, source, header)),
@@ -155,19 +158,19 @@ def _describe_arguments(
         )
 
 
-def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, str]]:
+def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, Markup]]:
     """Yield what is said beside domain, accuracy and source, which stand for themselves."""
     for note in list_notes(kernel, paper) if kernel else ():
         lead, colon, rest = note.partition(": ")
         if lead not in ("Domain", "Accuracy", "Source"):
             named = colon and len(lead.split()) == 1
-            yield (lead, set_numbers(rest)) if named else ("", set_numbers(note))
+            yield (lead, set_prose(rest)) if named else ("", set_prose(note))
 
 
-def _find_stated(kernel: Kernel | None, paper: Paper) -> str:
+def _find_stated(kernel: Kernel | None, paper: Paper) -> Markup:
     notes = list_notes(kernel, paper) if kernel else ()
     stated = (note.removeprefix("Accuracy: ") for note in notes if note.startswith("Accuracy: "))
-    return set_numbers(next(stated, ""))
+    return set_prose(next(stated, ""))
 
 
 def _describe_record(record: Record, quantity: Quantity) -> Measured:
@@ -180,7 +183,7 @@ def _describe_record(record: Record, quantity: Quantity) -> Measured:
         worst="none" if worst is None else f"{worst:.3g}",
         unit=record.error_unit,
         points=f"{sum(row.points - row.undecided for row in rows):,}",
-        searched=set_numbers(f"{record.searched.scaled:.3g} at {at}"),
+        searched=set_prose(f"{record.searched.scaled:.3g} at {at}"),
         taken=record.taken[:10],
         machine=f"{machine.processor}, NumPy {machine.versions.get('numpy', '')}",
         is_quick=record.quick,
@@ -212,7 +215,7 @@ def _list_forms(quantity: Quantity, source: Source, record: Record | None) -> It
         if way.name not in known:
             look = MEASURED if way.kind == "peer" else look_of(way.verdict)
             costs = _find_costs(record, way.name)
-            yield FormView(way.name, number == 0, look, way.rung, *costs, Markup(escape(way.note)))
+            yield FormView(way.name, number == 0, look, way.rung, *costs, set_prose(way.note))
 
 
 def _view_form(
@@ -229,7 +232,7 @@ def _view_form(
         for says, value in (("where", form.when), ("off by at most", form.bound))
         if value is not None
     ]
-    note = Markup("; ").join([*parts, *filter(None, (set_numbers(form.note),))])
+    note = Markup("; ").join([*parts, *filter(None, (set_prose(form.note),))])
     return FormView(
         form.name, shipped, look, row.rung if row else "", *_find_costs(record, way), note
     )
@@ -275,7 +278,9 @@ def _list_calls(quantity: Quantity, source: Source, header: str) -> Iterator[tup
             "The same as one compiled loop; with numbers also inside your own compiled loops.",
         ),
     ):
-        yield language, f"from {package}.{system} import {quantity.name}\n\n{call}", remark
+        needed = "import numpy as np\n\n" if "np." in call else ""
+        code = f"{needed}from {package}.{system} import {quantity.name}\n\n{call}"
+        yield language, code, remark
     pattern = rf"^.*\b{system}_{quantity.name}(?:_array)?\(.*\);$"
     if found := re.findall(pattern, header, re.MULTILINE):
         remark = f"Written by mechproof emit c {system} --out c; link with -lm."
@@ -292,4 +297,11 @@ def _write_arguments(quantity: Quantity, paper: Paper) -> Iterator[str]:
     for number, argument in enumerate(quantity.arguments):
         size = sizes.get(argument.symbols[0]) if number and len(argument.symbols) == 1 else None
         nominal = size.nominal if isinstance(size, Toleranced) else size
-        yield argument.name if nominal is None else f"{float(nominal):.12g}"
+        yield argument.name if nominal is None else _write_number(sp.sympify(nominal))
+
+
+def _write_number(size: sp.Expr) -> str:
+    """Write a size as code: a short multiple of pi as such."""
+    text = str(size)
+    is_short = size.has(sp.pi) and len(text) <= SHORT
+    return text.replace("pi", "np.pi") if is_short else f"{float(size):.12g}"

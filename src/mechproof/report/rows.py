@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from markupsafe import Markup, escape
+from markupsafe import Markup
 
 from mechproof.proof.ledger import PLAIN
 from mechproof.proof.verdict import Evidence, Judgement
@@ -104,4 +104,4 @@ def _describe_evidence(item: Evidence, symbols: Mapping[str, str]) -> Witness:
 
 
 def _write_symbol(name: str, symbols: Mapping[str, str]) -> Markup:
-    return write_formula(symbols[name]) if name in symbols else Markup(escape(name))
+    return write_formula(symbols[name]) if name in symbols else set_prose(name)
