@@ -72,6 +72,11 @@ LOADED = {
         *("mechproof.roundoff", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
         *("mechproof.kernel_support", "mechproof.files", "mechproof.json_rows"),
     },
+    "tailoring": {
+        *("numpy", "sympy", "flint", "mpmath", "mechproof.tailoring", "mechproof.arguments"),
+        *("mechproof.codegen", "mechproof.proof", "mechproof.record", "mechproof.files"),
+        *("mechproof.derivation", "mechproof.mechanisms"),
+    },
     "lab": {
         *("numpy", "sympy", "flint", "matplotlib", "PIL"),
         *("mechproof.lab", "mechproof.codegen", "mechproof.proof", "mechproof.record"),

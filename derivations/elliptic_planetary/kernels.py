@@ -32,6 +32,7 @@ from mechproof.record import (
     Form,
     Holds,
     Quantity,
+    Repeats,
     Scale,
     Singular,
     Statement,
@@ -232,6 +233,7 @@ QUANTITIES = (
         f"{SOURCE}, equation (8)",
         accuracy=Accuracy(8, RATIO_SCALE, LOW_WORD),
         singular=SINGULAR,
+        repeats=Repeats(2 * pi / k),
     ),
     Quantity(
         "position",
@@ -296,6 +298,7 @@ QUANTITIES = (
         accuracy=Accuracy(6, within=LOW_WORD),
         singular=SINGULAR,
         period=2 * pi,
+        repeats=Repeats(2 * pi / k, 2 * pi * (1 + k) / k),
     ),
     Quantity(
         "acceleration",
@@ -320,6 +323,7 @@ QUANTITIES = (
             8, ACCELERATION_SCALE, (*LOW_WORD, Or(Eq(e, 0), Ge(e, Rational(1, 10**200))))
         ),
         singular=SINGULAR,
+        repeats=Repeats(2 * pi / k),
     ),
     Quantity(
         "largest_ratio",

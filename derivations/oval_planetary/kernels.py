@@ -11,6 +11,7 @@ from mechproof.record import (
     Form,
     Part,
     Quantity,
+    Repeats,
     Statement,
     Written,
 )
@@ -135,6 +136,7 @@ QUANTITIES = (
         f"{SOURCE}, equation (10)",
         accuracy=Accuracy(8, RATIO_SCALE),
         singular=SINGULAR_OVALS,
+        repeats=Repeats(sp.pi),
     ),
     Quantity(
         "position",
@@ -174,6 +176,7 @@ QUANTITIES = (
         accuracy=Accuracy(4, POSITION_SCALE, NO_UNDERFLOW),
         singular=SINGULAR_OVALS,
         period=sp.pi,
+        repeats=Repeats(sp.pi),
     ),
     Quantity(
         "acceleration",
@@ -197,6 +200,7 @@ QUANTITIES = (
         f"{SOURCE}, derivative of (10)",
         accuracy=Accuracy(10, ACCELERATION_SCALE, NO_UNDERFLOW),
         singular=SINGULAR_OVALS,
+        repeats=Repeats(sp.pi),
     ),
     Quantity(
         "ratio_cylindrical",
@@ -221,6 +225,7 @@ QUANTITIES = (
         f"{SOURCE}, equation (10), pair 4-5 cylindrical",
         accuracy=Accuracy(8, RATIO_CYLINDRICAL_SCALE, LOW_WORD),
         singular=SINGULAR_CYLINDERS,
+        repeats=Repeats(sp.pi / k),
     ),
     Quantity(
         "position_cylindrical",
@@ -260,6 +265,7 @@ QUANTITIES = (
         accuracy=Accuracy(4, POSITION_CYLINDRICAL_SCALE, (*LOW_WORD, *NO_UNDERFLOW_OF_LEAD)),
         singular=SINGULAR_CYLINDERS,
         period=sp.pi,
+        repeats=Repeats(sp.pi / k, sp.pi * (1 - k) / k),
     ),
     Quantity(
         "acceleration_cylindrical",
@@ -281,5 +287,6 @@ QUANTITIES = (
             (*LOW_WORD, *NO_UNDERFLOW_OF_LEAD, *NO_UNDERFLOW_OF_QUOTIENT),
         ),
         singular=SINGULAR_CYLINDERS,
+        repeats=Repeats(sp.pi / k),
     ),
 )

@@ -2,6 +2,7 @@
 
 `EllipticPlanetary` and `TrackWheel` are mechanisms with checked parameters;
 `choose` names the cheapest way to compute a quantity to a given error;
+`tailor` makes a kernel for fixed parameters and a given error;
 `mechproof.kernels.<system>` has the plain functions of arrays below them. Everything is imported
 when it is first used: `import mechproof` costs next to nothing.
 """
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
         TrackWheel,
         WedgeLinkage,
     )
+    from mechproof.tailoring import tailor
 
 __all__ = [
     "CylindricalPair",
@@ -35,10 +37,14 @@ __all__ = [
     "WedgeLinkage",
     "__version__",
     "choose",
+    "tailor",
 ]
 
 # Where each public name comes from.
-HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {"choose": "mechproof.choice"}
+HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
+    "choose": "mechproof.choice",
+    "tailor": "mechproof.tailoring",
+}
 
 
 def __getattr__(name: str) -> Any:

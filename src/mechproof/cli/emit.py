@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from mechproof.cli.console import fail, say
+from mechproof.cli.console import fail, refuse, say
 from mechproof.cli.places import DerivationsOption, find_locations, find_places
 from mechproof.derivation import DerivationError, load_paper
 from mechproof.files import write_whole
@@ -25,6 +25,14 @@ def emit_c(
     float32: Annotated[
         bool, typer.Option("--float32", help="Compute in float, for processors without double.")
     ] = False,
+    error: Annotated[
+        float | None,
+        typer.Option("--error", help="Tailor one SYSTEM.QUANTITY to this absolute error."),
+    ] = None,
+    let: Annotated[
+        list[str] | None,
+        typer.Option("--let", metavar="NAME=VALUE", help="With --error: a size, or LOW:HIGH."),
+    ] = None,
     derivations: DerivationsOption = None,
 ) -> None:
     """Write a header and a source in C99 for each system; they need <math.h> alone.
@@ -32,10 +40,21 @@ def emit_c(
     Each kernel is a function of one point, and one with _array after its name of many. Sums over
     axes of any length are left out. Link with -lm.
 
+    With --error a kernel for fixed sizes is written, as cheap as the error permits:
+    elliptic_planetary.position --error 1e-9 --let R1=66 --let R2=16 --let e=0.475; the range of
+    the running variable is --let phi1=0:10.
+
     Exit status 0: written; 1: a derivation fails, or has no kernel for C; 2: bad usage.
     """
     from mechproof.codegen.backends.c99 import render_c
 
+    if let and error is None:
+        refuse("--let goes with --error")
+    if error is not None:
+        if float32 or derivations:
+            refuse("--error goes neither with --float32 nor with --derivations")
+        _emit_tailored(systems or [], error, let or [], out)
+        return
     for location in find_locations(systems or (), find_places(derivations, None)):
         try:
             files = render_c(load_paper(location), single=float32)
@@ -46,6 +65,34 @@ def emit_c(
             continue
         for name, text in files.items():
             _write(out / name, text)
+
+
+def _emit_tailored(names: list[str], error: float, let: list[str], out: Path) -> None:
+    from mechproof.tailoring import tailor
+
+    if len(names) != 1:
+        refuse("--error goes with one SYSTEM.QUANTITY")
+    try:
+        kernel = tailor(names[0], error=error, **dict(map(_read_size, let)))
+    except (ValueError, TypeError) as wrong:
+        refuse(str(wrong))
+    say(repr(kernel))
+    try:
+        files = kernel.write_c(out)
+    except OSError as failed:
+        fail(f"--out: {failed}")
+    for file in files:
+        say(str(file))
+
+
+def _read_size(text: str) -> tuple[str, float | tuple[float, ...]]:
+    """Read NAME=VALUE or NAME=LOW:HIGH."""
+    name, _, value = text.partition("=")
+    try:
+        numbers = tuple(map(float, value.split(":")))
+    except ValueError:
+        refuse(f"--let {text}: must be NAME=VALUE or NAME=LOW:HIGH")
+    return name, numbers[0] if len(numbers) == 1 else numbers
 
 
 def _write(file: Path, text: str) -> None:

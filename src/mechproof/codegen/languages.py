@@ -26,7 +26,7 @@ NUMPY = Syntax(
                 name: f"np.{name}"
                 for name in (
                     "sqrt", "sin", "cos", "tan", "arcsin", "arccos", "arctan", "arctan2", "exp",
-                    "log", "hypot", "floor", "sign", "maximum",
+                    "log", "hypot", "floor", "copysign", "sign", "maximum",
                 )
             },
             "absolute": "np.abs",

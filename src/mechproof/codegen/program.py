@@ -73,6 +73,21 @@ class Program:
 
 
 NOTHING = Program((), (), ())
+
+
+def unfuse(program: Program) -> Program:
+    """Return the program with a product and a sum for each fma, for languages that have none."""
+    operations: list[Operation] = []
+    for number, step in enumerate(program.operations, start=1):
+        if step.kind == "fma":
+            one, other, rest = step.operands
+            product = f"{TEMPORARY}product{number}"
+            operations.append(Operation(product, "multiply", (one, other)))
+            step = Operation(step.result, "add", (product, rest))
+        operations.append(step)
+    return replace(program, operations=tuple(operations)).normal_form()
+
+
 # What each kind of operation is exactly.
 MEANINGS: Mapping[str, Callable[..., sp.Basic]] = MappingProxyType(
     {

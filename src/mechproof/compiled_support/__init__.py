@@ -17,6 +17,7 @@ from mechproof.compiled_support.machine import (
     overload,
     rint,
     scalar,
+    widen,
 )
 
 __all__ = [
@@ -35,4 +36,5 @@ __all__ = [
     "run",
     "scalar",
     "take_row",
+    "widen",
 ]

@@ -16,7 +16,7 @@ from mechproof.record.expressions import (
 from mechproof.record.findings import Cost, Finding, Follower
 from mechproof.record.forms import Chart, Form, Peer, Written
 from mechproof.record.papers import RESERVED, Paper, Published, Toleranced
-from mechproof.record.quantities import Accuracy, Argument, Quantity, Scale, Singular
+from mechproof.record.quantities import Accuracy, Argument, Quantity, Repeats, Scale, Singular
 from mechproof.record.rows import (
     MARKS,
     Claim,
@@ -81,6 +81,7 @@ __all__ = [
     "Quantity",
     "Reading",
     "RecordError",
+    "Repeats",
     "Row",
     "Scale",
     "Scope",

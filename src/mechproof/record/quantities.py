@@ -70,13 +70,22 @@ class Singular:
 
 
 @dataclass(frozen=True)
+class Repeats:
+    """What comes again in the running variable: a `period` on, the value is more by the `gain`."""
+
+    period: sp.Expr
+    gain: sp.Expr = sp.S.Zero
+
+
+@dataclass(frozen=True)
 class Quantity:
     """A function of a system and every form of it.
 
     `definition` is the exact meaning (what accuracy is measured against). The kernel takes the
     first of `forms` whose condition holds; the first without a condition ends it. The forms after
     that one are rivals, each a function of its own. A quantity without forms is computed by
-    hand-written code, the first of its peers. `period` is the spacing of wrong branches.
+    hand-written code, the first of its peers. `period` is the spacing of wrong branches,
+    `repeats` says how the running variable can be reduced.
     `workloads` names calls to be timed by the arguments that vary (left out: the first).
     """
 
@@ -91,6 +100,7 @@ class Quantity:
     on: Part | None = None
     singular: tuple[Singular, ...] = ()
     period: sp.Expr | None = None
+    repeats: Repeats | None = None
     workloads: tuple[tuple[str, tuple[str, ...]], ...] = ()
     remarks: tuple[str, ...] = ()
 

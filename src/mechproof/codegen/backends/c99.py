@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Sequence
 
 from mechproof.codegen.backends.numpy import render_template
 from mechproof.codegen.backends.scalar import (
@@ -12,6 +13,7 @@ from mechproof.codegen.backends.scalar import (
     write_scalar,
 )
 from mechproof.codegen.elementary.formats import DOUBLE, SINGLE
+from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
 from mechproof.record import Paper
 
@@ -36,12 +38,25 @@ def render_c(paper: Paper, *, single: bool = False) -> dict[str, str]:
     kernels = list_scalars(paper)
     if not kernels:
         raise ValueError(f"{paper.system}: no kernel that C can compute point by point")
-    form, language, far = (SINGLE, C99_SINGLE, C99_SINGLE_FAR) if single else (DOUBLE, C99, C99_FAR)
     file = f"{paper.system}_single" if single else paper.system
+    about = paper.citation, ACCURACY[single], f"mechproof.derivations.{paper.system}"
+    return render_c_kernels(file, kernels, about, single=single)
+
+
+def render_c_kernels(
+    file: str, kernels: Sequence[Kernel], about: tuple[str, str, str], *, single: bool = False
+) -> dict[str, str]:
+    """Render the header and the source of kernels whose names begin with that of the file.
+
+    `about` says what they are, how accurate, and what they are generated from.
+    Raises ValueError if a name means something else in C.
+    """
+    citation, accuracy, origin = about
+    form, language, far = (SINGLE, C99_SINGLE, C99_SINGLE_FAR) if single else (DOUBLE, C99, C99_FAR)
     written = [write_scalar(kernel, language) for kernel in kernels]
     for kernel in written:
         if taken := sorted(KEYWORDS & set(kernel.names)):
-            raise ValueError(f"{paper.system}.{kernel.name}: {taken} mean something else in C")
+            raise ValueError(f"{file}.{kernel.name}: {taken} mean something else in C")
     common: dict[str, object] = {
         "system": file,
         "real": "float" if single else "double",
@@ -49,10 +64,11 @@ def render_c(paper: Paper, *, single: bool = False) -> dict[str, str]:
     }
     header = {
         **common,
-        "citation": textwrap.wrap(paper.citation, WIDTH),
+        "citation": textwrap.wrap(citation, WIDTH),
         "guard": f"{file.upper()}_H",
         "names": "FUNCTION",
-        "accuracy": ACCURACY[single],
+        "accuracy": textwrap.wrap(accuracy, WIDTH),
+        "origin": origin,
     }
     source = {
         **common,

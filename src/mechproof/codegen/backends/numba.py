@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-import sympy as sp
-
-from mechproof.codegen.backends.numpy import format_source, render_template
+from mechproof.codegen.backends.numpy import format_source, render_template, tell_origin
 from mechproof.codegen.backends.scalar import (
     list_conditions,
     list_elementary,
@@ -26,7 +24,7 @@ from mechproof.record import Paper
 
 SUPPORT = (
     "BLOCK", "Loops", "choose", "copysign", "floor", "fma", "has_nan", "is_finite", "loop",
-    "maximum", "overload", "rint", "run", "scalar", "take_row",
+    "maximum", "overload", "rint", "run", "scalar", "take_row", "widen",
 )  # fmt: skip
 
 
@@ -35,9 +33,38 @@ def render_compiled(paper: Paper) -> dict[str, str]:
     kernels = list_scalars(paper)
     if not kernels:
         return {}
+    docstring = (*_describe(paper.system), *tell_origin(paper.system))
+    return {f"compiled/{paper.system}.py": render_scalars(paper.system, docstring, kernels)}
+
+
+def _describe(system: str) -> tuple[str, ...]:
+    return (
+        f"Compiled kernels of the system `{system}`: one loop for each, by numba.",
+        "",
+        f"Names, arguments, domains, NaN and errors are those of `mechproof.kernels.{system}`,",
+        "and so are the formulas. Numbers and NumPy arrays are taken. With numbers,",
+        "kernels can be called inside functions that numba compiles; arguments with components "
+        "are then",
+        "indexed, and so are results.",
+        "",
+        "Tests hold them to the same accuracy bounds. What help says is proved of rounding errors "
+        "is proved",
+        "of the NumPy kernels alone.",
+        "",
+        f"Angles up to {DOUBLE.largest} rad are reduced here; farther out the C library's "
+        "functions are taken.",
+        "",
+    )
+
+
+def render_scalars(
+    system: str, docstring: Sequence[str], kernels: Sequence[Kernel], *, wide: bool = False
+) -> str:
+    """Render a module of kernels and read it back; `wide` asks for the widest vectors."""
     data: dict[str, object] = {
-        "system": paper.system,
-        "sympy_version": sp.__version__,
+        "system": system,
+        "docstring": docstring,
+        "wide": wide,
         "largest": DOUBLE.largest,
         "support": SUPPORT,
         "numpy": [],
@@ -55,7 +82,7 @@ def render_compiled(paper: Paper) -> dict[str, str]:
     ]
     source = format_source(render_template("numba_module.py.jinja", data))
     check_translation(source, kernels)
-    return {f"compiled/{paper.system}.py": source}
+    return source
 
 
 def check_translation(source: str, kernels: Iterable[Kernel]) -> None:

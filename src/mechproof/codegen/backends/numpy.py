@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -113,11 +113,29 @@ def _render(
     conditions: tuple[Condition, ...],
     sizes: tuple[Sizes, ...],
 ) -> str:
+    lines = (*docstring, *tell_origin(paper.system))
+    texts = [write_kernel(kernel, describe_kernel(kernel, paper)) for kernel in kernels]
+    return render_module(lines, texts, conditions, sizes)
+
+
+def tell_origin(system: str) -> tuple[str, ...]:
+    """Say what a module is generated from, and how."""
+    return (
+        f"Generated from mechproof.derivations.{system} with SymPy {sp.__version__}.",
+        "Regenerate with `mechproof regenerate`; edits are overwritten.",
+    )
+
+
+def render_module(
+    docstring: Sequence[str],
+    kernels: Sequence[KernelText],
+    conditions: tuple[Condition, ...] = (),
+    sizes: tuple[Sizes, ...] = (),
+) -> str:
+    """Render a module of kernels."""
     data: dict[str, object] = {
         "docstring": docstring,
-        "system": paper.system,
-        "sympy_version": sp.__version__,
-        "kernels": [write_kernel(kernel, paper) for kernel in kernels],
+        "kernels": kernels,
         "conditions": conditions,
         "sizes": sizes,
         "support": {},
@@ -139,7 +157,7 @@ def _render(
     return format_source(render_template("numpy_module.py.jinja", data))
 
 
-def write_kernel(kernel: Kernel, paper: Paper) -> KernelText:
+def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:
     """Write the texts of a kernel.
 
     Raises ValueError if a name in it means something else in the module.
@@ -160,9 +178,7 @@ def write_kernel(kernel: Kernel, paper: Paper) -> KernelText:
                 write_program(stage.evaluate, NUMPY) if stage.evaluate else Text((), ()),
             )
         )
-    return KernelText(
-        kernel, describe_kernel(kernel, paper), _write_condition(code.inside), tuple(stages)
-    )
+    return KernelText(kernel, docstring, _write_condition(code.inside), tuple(stages))
 
 
 def _write_condition(program: Program | None) -> str:

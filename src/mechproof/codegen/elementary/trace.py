@@ -61,6 +61,12 @@ class Value:
     def __lt__(self, other: Value | float) -> Value:
         return self.apply("less", self, other)
 
+    def __ge__(self, other: Value | float) -> Value:
+        return self.apply("greater_equal", self, other)
+
+    def __le__(self, other: Value | float) -> Value:
+        return self.apply("less_equal", self, other)
+
     def equals(self, other: Value | float) -> Value:
         """Return the operation that compares; `==` compares the values of this class."""
         return self.apply("equal", self, other)

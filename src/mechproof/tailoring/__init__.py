@@ -1,0 +1,77 @@
+"""Tailored kernels: in, a quantity, its parameters and an error; out, the cheapest loop for them.
+
+`request` checks what is asked for, `design` guesses pieces and degrees, `fit` finds coefficients,
+`enclosure` proves the error of the program that `model` writes, `kernel` prints and loads it.
+"""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from mechproof.tailoring.kernel import Tailored
+
+__all__ = ["tailor"]
+
+# What tailoring needs of the extra, as it is imported.
+NEEDED = ("flint", "jinja2", "mpmath", "ruff", "sympy")
+
+
+def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
+    """Return a kernel for fixed parameters and a stated error.
+
+    Parameters
+    ----------
+    name : str
+        system.quantity, a number that depends on numbers alone.
+    error : float
+        The largest error permitted, absolute, in the unit of the quantity (rad, mm).
+    arguments : float
+        The parameters, by name. Of the running variable, the first argument of the quantity, the
+        range as a pair (lowest, highest). Where the quantity repeats in it, the range may be left
+        out: it is then symmetric about 0, up to a power of two, and as long as roundings take no
+        more than a quarter of the error, 2**23 periods at most.
+
+    Returns
+    -------
+    Tailored
+        A function of the running variable that shows its proved bound, its degrees and its range.
+        With numba (the extra fast) a compiled loop, else NumPy's operations. `write_c` writes it
+        in C99, with the same bits as numba's where contractions are forbidden.
+
+    Raises
+    ------
+    TypeError, ValueError
+        An argument is missing, unknown or outside of its domain; doubles do not reach the error on
+        this range.
+    ImportError
+        The extra derive is not installed.
+
+    Notes
+    -----
+    Polynomials of pieces, as few operations as such need; of each the lowest degree whose error,
+    enclosed by ball arithmetic over the whole range, meets what is asked. The bound holds with and
+    without fma.
+
+    >>> import mechproof
+    >>> sizes = {"R1": 66, "R2": 16, "e": 0.475}
+    >>> position = mechproof.tailor("elliptic_planetary.position", error=1e-9, **sizes)
+    >>> position.bound <= 1e-9, position.degrees
+    (True, (23, 23))
+    >>> print(f"{position(50.0):.9f}")
+    255.260270569
+
+    """
+    missing = [module for module in NEEDED if find_spec(module) is None]
+    if missing:
+        raise ImportError(
+            f"mechproof.tailor needs {', '.join(missing)}, the extra derive: in the folder of the "
+            "sources, pip install '.[derive]'"
+        )
+    from mechproof.tailoring.build import build
+    from mechproof.tailoring.kernel import make_kernel
+    from mechproof.tailoring.request import read_request
+
+    request = read_request(name, error, arguments)
+    return make_kernel(request, build(request))

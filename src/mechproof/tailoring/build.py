@@ -1,0 +1,253 @@
+"""Building: in, a request; out, the cheapest model whose enclosed bound meets it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass, replace
+
+import mpmath as mp
+import numpy as np
+from flint import arb, arb_series
+
+from mechproof.arguments.scalars import refuse
+from mechproof.codegen.elementary.formats import DOUBLE
+from mechproof.proof.balls import Ball
+from mechproof.tailoring.design import Array, Plan, Stretch, list_plans, plan_odd, plan_pieces
+from mechproof.tailoring.enclosure import (
+    Bound,
+    BreakError,
+    ExceededError,
+    Repetition,
+    bound_outside,
+    enclose,
+)
+from mechproof.tailoring.fit import fit
+from mechproof.tailoring.model import Model, Reduction
+from mechproof.tailoring.request import Request
+from mechproof.tailoring.series import Series, list_terms, working
+
+BITS = 53
+# So many periods can be taken off: a word of the period still has enough bits.
+MOST_PERIODS = 2**23
+# Of the error: what may be lost outside of the polynomials where the range is free, and what one
+# word of the period alone may lose.
+OUTSIDE, ONE_WORD = 0.25, 1 / 16
+# Of what is left of the error: where the first plan aims. Plans tried, the later ones lower.
+AIM, PLANS, LOWER = 0.8, 5, 0.7
+# Of values, in eps: what evaluating a polynomial rounds, estimated.
+ROUNDED = 2.0**-52
+# How often an error is raised until it is reachable, and then lowered by bisection.
+RAISED, STEP, CLOSER = 8, 8.0, 2
+SLOPE_POINTS = 2049
+
+
+class NotReachedError(ArithmeticError):
+    """No plan meets the error."""
+
+
+@dataclass(frozen=True)
+class Built:
+    """A model and its bound."""
+
+    model: Model
+    bound: Bound
+
+
+class Task:
+    """What is approximated: on one period, the gain taken off, or on the range itself."""
+
+    def __init__(self, request: Request, repetition: Repetition | None) -> None:
+        self.request, self.repetition = request, repetition
+        self._definition = request.define(request.quantity.definition)
+        self._rate: Ball = repetition.rate if repetition else arb(0)
+        self._slow = float(self._rate.mid())
+        low, high = self._find_ends()
+        corners = request.corners(low, high)
+        odd = repetition is not None and self._is_odd(high)
+        self.stretch = Stretch(
+            self.approximate, 0.0 if odd else low, high, odd, repetition is not None, corners
+        )
+        points = np.linspace(low, high, SLOPE_POINTS)
+        values = self.approximate(points)
+        self.size = float(np.max(np.abs(values)))
+        self.slope = float(np.max(np.abs(np.gradient(values, points))))
+
+    def _find_ends(self) -> tuple[float, float]:
+        if self.repetition is None:
+            assert self.request.ends is not None
+            return self.request.ends
+        half = float(self.repetition.period.mid()) / 2
+        return -half, half
+
+    def _is_odd(self, end: float) -> bool:
+        """Guess whether the function is odd: what is built on it is enclosed on both sides."""
+        points = np.linspace(0, end, 33)
+        sums = self.approximate(points) + self.approximate(-points)
+        return bool(np.max(np.abs(sums)) <= 2.0**-46 * np.max(np.abs(self.approximate(points))))
+
+    def approximate(self, points: Array) -> Array:
+        """Return the function by the shipped kernel."""
+        return self.request.kernel(points) - self._slow * points
+
+    def expand(self, place: Series) -> Series:
+        """Return the function as a series."""
+        value = self._definition.expand(place)
+        return value - self._rate * place if self.repetition else value
+
+    def exact(self, place: Ball) -> Ball:
+        """Return the function in balls."""
+        return list_terms(self.expand(arb_series([place])))[0]
+
+
+def build(request: Request) -> Built:
+    """Build the model; ValueError for an error that cannot be reached."""
+    task = Task(request, _repetition_over(request))
+    if not math.isfinite(task.size):
+        refuse(request.variable, request.ends, f"{request.name} is undefined somewhere there")
+    try:
+        try:
+            return _build(task, request.error)
+        except NotReachedError:
+            least = _find_reachable(task)
+    except BreakError as error:
+        what = f"{request.name} jumps or is undefined about {error.place:.9g}"
+        refuse(request.variable, request.ends, f"{what}: give a range on one side of that")
+    where = f"for {request.variable} = {request.ends}" if request.ends else "over one period"
+    refuse("error", request.error, f"must be at least {least}: doubles reach hardly less {where}")
+
+
+def _repetition_over(request: Request) -> Repetition | None:
+    """Return the repetition, if the range is longer than a period."""
+    found, ends = request.repetition(), request.ends
+    is_short = ends is not None and found is not None and ends[1] - ends[0] < found.period
+    return None if is_short else found
+
+
+def _find_reachable(task: Task) -> str:
+    """Return about the smallest error that is reached."""
+    error = max(task.request.error, ROUNDED * task.size)
+    low, high, reduction = _choose_range(task, error)
+    if reduction and task.repetition:
+        farthest = max(-low, high)
+        error = max(error, bound_outside(reduction, task.repetition, farthest, task.slope))
+    for _ in range(RAISED):
+        error = float(round_up(error * STEP))
+        with suppress(NotReachedError):
+            bound = _build(task, error).bound
+            break
+    else:
+        raise NotReachedError
+    least = max(error / STEP, bound.roundings)
+    for _ in range(CLOSER):
+        middle = float(round_up((least * error) ** 0.5))
+        try:
+            _build(task, middle)
+            error = middle
+        except NotReachedError:
+            least = middle
+    return round_up(error)
+
+
+def round_up(number: float) -> str:
+    """Write a bound with three digits, none of them too small."""
+    text = f"{number:.2e}"
+    step = 10.0 ** (math.floor(math.log10(number)) - 2)
+    return text if float(text) >= number else f"{number + step:.2e}"
+
+
+def _build(task: Task, error: float) -> Built:
+    low, high, reduction = _choose_range(task, error)
+    outside = 0.0
+    if reduction and task.repetition:
+        farthest = max(-low, high)
+        outside = bound_outside(reduction, task.repetition, farthest, task.slope)
+    rest = error - outside - ROUNDED * task.size
+    if rest <= 0:
+        raise NotReachedError
+
+    def attempt(plan: Plan) -> Built | None:
+        with working(1):
+            model = Model(task.request.variable, low, high, reduction, fit(plan, task.exact))
+        try:
+            return Built(model, enclose(model, task.expand, task.repetition, error))
+        except ExceededError:
+            return None
+
+    for plan in _list_plans(task.stretch, AIM * rest):
+        if (built := attempt(plan)) is not None:
+            return _lower(task.stretch, plan, built, attempt)
+    raise NotReachedError
+
+
+def _list_plans(stretch: Stretch, tolerance: float) -> Iterator[Plan]:
+    """List the cheapest plan, then ones that aim lower."""
+    for _ in range(PLANS):
+        plans = list_plans(stretch, tolerance)
+        if not plans:
+            return
+        yield plans[0]
+        tolerance *= LOWER
+
+
+def _lower(stretch: Stretch, plan: Plan, built: Built, attempt: object) -> Built:
+    """Take terms away while the enclosed bound still meets the error."""
+    assert callable(attempt)
+    while plan.terms > 2:
+        terms = plan.terms - 1
+        fewer = (
+            plan_odd(stretch, terms, plan.count)
+            if plan.odd
+            else plan_pieces(stretch, terms, plan.count, plan.error)
+        )
+        found = attempt(fewer) if fewer else None
+        if fewer is None or found is None:
+            break
+        plan, built = fewer, found
+    return built
+
+
+def _choose_range(task: Task, error: float) -> tuple[float, float, Reduction | None]:
+    """Return the range and the reduction over it; free, it is as long as the error permits."""
+    request, repetition = task.request, task.repetition
+    if repetition is None:
+        assert request.ends is not None
+        return *request.ends, None
+    period = float(repetition.period.mid())
+    if request.ends is not None:
+        low, high = request.ends
+        if max(-low, high) > MOST_PERIODS * period:
+            most = f"must lie within {MOST_PERIODS} periods, {MOST_PERIODS * period:.6g}"
+            refuse(request.variable, request.ends, most)
+        return low, high, _reduce(task, repetition, max(-low, high), error)
+    farthest = 2.0 ** math.floor(math.log2(MOST_PERIODS * period))
+    while True:
+        reduction = _reduce(task, repetition, farthest, error)
+        outside = bound_outside(reduction, repetition, farthest, task.slope)
+        if outside <= OUTSIDE * error or farthest <= period:
+            break
+        farthest /= 2
+    return -farthest, farthest, reduction
+
+
+def _reduce(task: Task, repetition: Repetition, farthest: float, error: float) -> Reduction:
+    """Return a reduction that takes whole periods off, by one word of the period if that does."""
+    rate = DOUBLE.round(_to_number(repetition.rate))
+    period = _to_number(repetition.period)
+    short = replace(DOUBLE, bits=BITS - 1 - math.ceil(farthest / float(period) + 1).bit_length())
+    first = short.round(period)
+    with mp.workprec(4 * BITS):
+        words = first, DOUBLE.round(period - first)
+        per_period = DOUBLE.round(1 / period)
+    one = Reduction((DOUBLE.round(period),), per_period, rate)
+    two = Reduction(words, per_period, rate)
+    plain = replace(one, rate=0.0)
+    still = replace(repetition, rate=arb(0))
+    is_enough = bound_outside(plain, still, farthest, task.slope) <= ONE_WORD * error
+    return one if is_enough else two
+
+
+def _to_number(ball: Ball) -> mp.mpf:
+    with mp.workprec(4 * BITS):
+        return mp.mpf(ball.mid().str(BITS, radius=False))

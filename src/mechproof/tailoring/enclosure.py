@@ -1,0 +1,234 @@
+"""Enclosure: in, a model and the exact function; out, a proved bound of the error of its program.
+
+Over cells of the reduced variable the difference of program and definition is a Taylor polynomial
+with its remainder, in balls; the roundings of the program, of the reduction before it and of the
+sum after it are added.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from itertools import pairwise
+
+from flint import arb, arb_series
+
+from mechproof.codegen.program import Program
+from mechproof.proof.balls import Ball
+from mechproof.tailoring.model import Model, Reduction
+from mechproof.tailoring.series import Series, list_terms, working
+from mechproof.tailoring.tracking import LEAST, UNIT, Tracked, UndecidedError, start, track
+
+Exact = Callable[[Series], Series]
+ORDER = 14
+# A cell is cut while its bound is wider than this above what is met at points, or than that of
+# the limit.
+WIDE, SMALL = 1.05, 0.1
+# Of the range: cells in which roundings are no longer taken for larger than they are, and the
+# narrowest.
+NARROW, NARROWEST = 2.0**-9, 2.0**-48
+# Of values: what cannot be enclosed closer in the narrowest cell jumps there.
+JUMP = 2.0**-30
+SAMPLES = 16
+# A cell is narrow enough for one swing of the error of a polynomial of so many coefficients.
+SWINGS = 2
+
+
+class ExceededError(ArithmeticError):
+    """The error is more than the limit somewhere."""
+
+
+class BreakError(ArithmeticError):
+    """The definition cannot be enclosed about a point: it jumps there, or is not defined."""
+
+    def __init__(self, place: float) -> None:
+        super().__init__(place)
+        self.place = place
+
+
+@dataclass(frozen=True)
+class Bound:
+    """A bound of the whole error; `roundings` is what no polynomial can take away."""
+
+    error: float
+    roundings: float
+
+
+@dataclass(frozen=True)
+class Repetition:
+    """A period, and the gain over it by the period, in balls."""
+
+    period: Ball
+    rate: Ball
+
+
+@dataclass
+class _Worst:
+    """The largest: bound, error met for certain, rounding, slope of the function, value."""
+
+    bound: Ball
+    met: Ball
+    off: Ball
+    slope: Ball
+    size: Ball
+
+    def join(self, other: _Worst) -> None:
+        """Take in another cell."""
+        for name in ("bound", "met", "off", "slope", "size"):
+            setattr(self, name, getattr(self, name).max(getattr(other, name)))
+
+
+def enclose(model: Model, exact: Exact, repetition: Repetition | None, limit: float) -> Bound:
+    """Bound the error of a model's program.
+
+    `exact` is the definition less the gain, as a series. Raises `ExceededError` where the bound is
+    more than the limit.
+    """
+    with working(ORDER):
+        if model.reduction is None or repetition is None:
+            worst = _enclose_part(model, exact, (model.low, model.high), arb(limit), arb(0))
+            return _finish(worst, arb(0), limit)
+        farthest = arb(max(-model.low, model.high))
+        reach, off = _bound_reduction(model.reduction, repetition, farthest)
+        after = _bound_sum(model.reduction, repetition, farthest)
+        rest = arb(limit) - after
+        if not rest > 0:
+            raise ExceededError(float(after.upper()))
+        worst = _enclose_part(model, exact, (-reach, reach), rest, off)
+        if model.reduction.rate:
+            # The sum rounds what the polynomials add to it, too.
+            after += UNIT * worst.size
+        return _finish(worst, after + worst.slope * off, limit)
+
+
+def _finish(worst: _Worst, outside: Ball, limit: float) -> Bound:
+    bound = Bound(float((worst.bound + outside).upper()), float((worst.off + outside).upper()))
+    if not bound.error <= limit:
+        raise ExceededError(bound.error)
+    return bound
+
+
+def bound_outside(
+    reduction: Reduction, repetition: Repetition, farthest: float, slope: float
+) -> float:
+    """Bound what the reduction and the sum after the polynomials make; it grows with the range."""
+    with working(1):
+        _, off = _bound_reduction(reduction, repetition, arb(farthest))
+        after = _bound_sum(reduction, repetition, arb(farthest))
+        return float((after + slope * off).upper())
+
+
+def _bound_reduction(
+    reduction: Reduction, repetition: Repetition, point: Ball
+) -> tuple[float, Ball]:
+    """Bound what the reduction leaves, and how far that is off."""
+    turns = point * reduction.per_period
+    # What is rounded to a whole number is off by its factor and, without fma, by a rounding.
+    share = arb(0.5) + abs(point / repetition.period - turns) + UNIT * turns + LEAST
+    count = turns + 2 * share
+    rest = share * repetition.period
+    left, off = repetition.period, arb(0)
+    for word in reduction.words:
+        left -= arb(word)
+        # A product with so short a word that it is a double is exact.
+        product = arb(0) if _is_short(word, count) else abs(arb(word)) * count * UNIT
+        result = rest + abs(left) * count + off + product
+        off += product + UNIT * result + LEAST
+    off += abs(left) * count
+    reach = float((rest + off).upper()) * (1 + 2.0**-50)
+    return reach, off.upper()
+
+
+def _is_short(word: float, count: Ball) -> bool:
+    """Say whether whole numbers up to `count` times a word are doubles."""
+    above, _ = word.as_integer_ratio()
+    odd = above // (above & -above)
+    return bool(count * odd < arb(2) ** 53)
+
+
+def _bound_sum(reduction: Reduction, repetition: Repetition, point: Ball) -> Ball:
+    """Bound the error of rate*point + value, but for what the value adds to the last rounding."""
+    product = abs(arb(reduction.rate)) * point
+    return (
+        abs(arb(reduction.rate) - repetition.rate) * point + 2 * UNIT * product * (1 + UNIT)
+    ).upper()
+
+
+def _enclose_part(
+    model: Model, exact: Exact, ends: tuple[float, float], limit: Ball, off: Ball
+) -> _Worst:
+    """Bound the error of the polynomials between the ends, at a point that is off by so much."""
+    program = model.part()
+    terms = max(len(p.coefficients) for p in model.pieces.pieces)
+    cells = sorted(_list_cells(model, ends, SWINGS * terms), key=lambda cell: -abs(sum(cell)))
+    narrow, narrowest = ((ends[1] - ends[0]) * share for share in (NARROW, NARROWEST))
+    worst = _Worst(*[arb(0)] * 5)
+    while cells:
+        low, high = cells.pop()
+        found = _enclose_cell(program, exact, low, high)
+        middle = low + (high - low) / 2
+        is_last = high - low <= narrowest or middle in (low, high)
+        if found is None:
+            if is_last:
+                raise BreakError(middle)
+            cells += [(low, middle), (middle, high)]
+            continue
+        rest = limit - found.slope * off if off != 0 else limit
+        too_much = found.met.max(found.off) if high - low <= narrow else found.met
+        if too_much > rest:
+            raise ExceededError(float(too_much))
+        worst.met = worst.met.max(found.met)
+        # At the middle, and as far off as there by roundings, whatever is cut.
+        least = found.met + 2 * found.off
+        enough = rest if is_last else (WIDE * worst.met.max(least)).max(SMALL * limit).min(rest)
+        if found.bound <= enough:
+            worst.join(found)
+        elif not is_last:
+            cells += [(low, middle), (middle, high)]
+        elif found.bound <= JUMP * _sample(exact, ends):
+            raise ExceededError(float(found.bound))
+        else:
+            raise BreakError(middle)
+    return worst
+
+
+def _sample(exact: Exact, ends: tuple[float, float]) -> Ball:
+    """Return the largest size of some values."""
+    points = (ends[0] + (ends[1] - ends[0]) * i / SAMPLES for i in range(1, SAMPLES))
+    sizes = (abs(list_terms(exact(arb_series([arb(point)])))[0]) for point in points)
+    return max(sizes, key=lambda size: float(size.mid()))
+
+
+def _list_cells(
+    model: Model, ends: tuple[float, float], count: int
+) -> Iterable[tuple[float, float]]:
+    """List cells, edges where pieces are chosen."""
+    edges = {*ends, 0.0, *model.pieces.edges, *(-e for e in model.pieces.edges)}
+    for low, high in pairwise(sorted(e for e in edges if ends[0] <= e <= ends[1])):
+        step = (high - low) / count
+        corners = [low, *(low + i * step for i in range(1, count)), high]
+        yield from pairwise(corners)
+
+
+def _enclose_cell(program: Program, exact: Exact, low: float, high: float) -> _Worst | None:
+    """Bound the error on a cell; None where a comparison or the definition is not decided."""
+    try:
+        found = track(program, low, high)
+    except UndecidedError:
+        return None
+    point = start(low, high)
+    true = Tracked(exact(point.middle), exact(point.whole), arb(0))
+    near = list_terms(found.middle - true.middle)
+    far = list_terms(found.whole - true.whole)
+    slope = abs(list_terms(true.whole)[1]) / ((arb(high) - low) / 2)
+    terms = [*near[:-1], far[-1]]
+    if all(term.is_finite() for term in terms):
+        bound = sum(map(abs, terms), arb(0)).upper()
+        met = abs(near[0]).lower() - found.off
+    else:
+        # A corner within the cell: the values alone.
+        bound, met = abs(far[0]).upper(), arb(0)
+        slope = arb("inf")
+    if not bound.is_finite():
+        return None
+    return _Worst(bound + found.off, met, found.off, slope.upper(), found.largest)

@@ -1,0 +1,207 @@
+"""Kernels: in, a model; out, a function printed by a backend, loaded, and what is known of it."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from hashlib import sha256
+from importlib.util import find_spec, module_from_spec, spec_from_file_location
+from pathlib import Path
+from tempfile import mkdtemp
+from types import ModuleType
+from typing import Any
+
+import sympy as sp
+from numpy.typing import ArrayLike, NDArray
+
+from mechproof.arguments.scalars import require
+from mechproof.codegen.backends.c99 import KEYWORDS, render_c_kernels
+from mechproof.codegen.backends.numba import render_scalars
+from mechproof.codegen.backends.numpy import render_module, write_kernel
+from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.kernel import Kernel
+from mechproof.codegen.program import NOTHING, Program, unfuse
+from mechproof.codegen.reading import TranslationError, read_module
+from mechproof.files import write_whole
+from mechproof.proof.cache import cache_folder
+from mechproof.record import Form
+from mechproof.tailoring.build import Built, round_up
+from mechproof.tailoring.model import Model
+from mechproof.tailoring.request import Request
+
+NUMBA, NUMPY = "numba", "NumPy"
+
+
+@dataclass(frozen=True, repr=False)
+class Tailored:
+    """A quantity as a function of its running variable, at fixed parameters.
+
+    It takes a number or an array, and `out`, as all kernels do; beyond `low` and `high`, and where
+    the argument is NaN, the result is NaN. `bound` is proved: at no double of the range is the
+    result off by more, in the unit of the quantity, roundings included. `asked` is the error that
+    was asked for. `degrees` are those of the polynomials between `edges`, in what whole periods
+    leave of the variable, or in the size of that. `function` is what is called, with numba to be
+    called in compiled functions, too.
+    """
+
+    name: str
+    parameters: Mapping[str, float]
+    variable: str
+    low: float
+    high: float
+    unit: str
+    asked: float
+    bound: float
+    degrees: tuple[int, ...]
+    edges: tuple[float, ...]
+    operations: int
+    backend: str
+    function: Any
+    _files: Any = field(compare=False)
+
+    def __call__(self, points: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+        """Return the values at points, in `out` if there is one."""
+        return self.function(points, out=out)
+
+    def __repr__(self) -> str:
+        sizes = ", ".join(f"{name}={value!r}" for name, value in self.parameters.items())
+        degrees = ", ".join(map(str, self.degrees))
+        return (
+            f"<{self.name}({self.variable}; {sizes}): {_tell_bound(self)}, degrees {degrees}, "
+            f"{self.operations} operations, {self.backend}>"
+        )
+
+    def write_c(self, folder: str | Path, *, name: str | None = None) -> tuple[Path, ...]:
+        """Write a header and a source in C99 into a folder, and return their paths.
+
+        The files and, before the quantity, the functions are called `name`, by default
+        <system>_tailored. ValueError if it is no name in C.
+        """
+        called = f"{self.name.partition('.')[0]}_tailored" if name is None else name
+        is_name = called.isidentifier() and called.isascii() and called not in KEYWORDS
+        require(is_name, "name", name, "must be a name in C")
+        files: dict[str, str] = self._files(called, _tell_bound(self))
+        for file, text in files.items():
+            write_whole(Path(folder) / file, text)
+        return tuple(Path(folder) / file for file in files)
+
+
+def _tell_bound(kernel: Tailored) -> str:
+    unit = "" if kernel.unit == "1" else f" {kernel.unit}"
+    return (
+        f"|error| <= {round_up(kernel.bound)}{unit} for "
+        f"{kernel.low:.9g} <= {kernel.variable} <= {kernel.high:.9g}"
+    )
+
+
+def make_kernel(request: Request, built: Built, backend: str | None = None) -> Tailored:
+    """Print, read back and load the kernel of a model, by numba where it is installed."""
+    model = built.model
+    chosen = backend or (NUMBA if find_spec("numba") else NUMPY)
+    function = _load(request, model, chosen, built.bound.error)
+    return Tailored(
+        name=request.name,
+        parameters=request.values,
+        variable=request.variable,
+        low=model.low,
+        high=model.high,
+        unit=request.quantity.unit,
+        asked=request.error,
+        bound=built.bound.error,
+        degrees=model.pieces.degrees,
+        edges=model.pieces.edges,
+        operations=model.program().count_operations(),
+        backend=chosen,
+        function=function,
+        _files=lambda called, accuracy: _render_c(request, model, called, accuracy),
+    )
+
+
+def _wrap(request: Request, model: Model, *, fused: bool) -> Kernel:
+    """Return a model as the kernel of a quantity without parameters, its range as the domain."""
+    quantity = request.quantity
+    program = model.program() if fused else unfuse(model.program())
+    first = quantity.arguments[0]
+    form = Form("tailored", sp.S.Zero)
+    alone = replace(
+        quantity, arguments=(first,), forms=(form,), accuracy=None, singular=(), workloads=()
+    )
+    code = KernelCode(
+        name=quantity.name,
+        arguments=(first.name,),
+        vectors=(),
+        indexed=(),
+        inside=model.inside(),
+        masked=(first.name,),
+        stages=(Stage(None, (first.name,), (), NOTHING, program),),
+        shape=(),
+        quiet=True,
+    )
+    return Kernel(quantity.name, alone, (form,), _hash(program), code, ((),))
+
+
+def _hash(program: Program) -> str:
+    return sha256(repr(program).encode()).hexdigest()
+
+
+def _describe(request: Request, bound: float) -> tuple[str, ...]:
+    sizes = ", ".join(f"{name} = {value!r}" for name, value in request.values.items())
+    return (
+        f"`{request.name}` tailored to {sizes}: off by at most {round_up(bound)}.",
+        "",
+        f"Generated from mechproof.derivations.{request.paper.system} by `mechproof.tailor`.",
+    )
+
+
+def _load(request: Request, model: Model, backend: str, bound: float) -> Any:
+    """Return the function of a module that is printed into the folder for caches."""
+    docstring = _describe(request, bound)
+    if backend == NUMBA:
+        kernel = _wrap(request, model, fused=True)
+        source = render_scalars(request.paper.system, docstring, [kernel], wide=True)
+    else:
+        kernel = _wrap(request, model, fused=False)
+        text = write_kernel(kernel, (request.quantity.summary,))
+        source = render_module(docstring, [text])
+        (read,) = read_module(source).values()
+        if read != kernel.code:
+            raise TranslationError(f"{request.name}: meant {kernel.code}, read {read}")
+    return getattr(_import(source), request.quantity.name)
+
+
+def _import(source: str) -> ModuleType:
+    """Import a source from a file, which numba keeps compiled code beside."""
+    name = f"mechproof_tailored_{sha256(source.encode()).hexdigest()[:16]}"
+    if name in sys.modules:
+        return sys.modules[name]
+    file = _keep(name, source)
+    spec = spec_from_file_location(name, file)
+    assert spec is not None
+    assert spec.loader is not None
+    module = module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+def _keep(name: str, source: str) -> Path:
+    """Write a source where it is found again; where that cannot be, into a new folder."""
+    file = cache_folder() / "tailored" / f"{name}.py"
+    try:
+        if not file.is_file() or file.read_text(encoding="utf-8") != source:
+            write_whole(file, source)
+    except OSError:
+        file = Path(mkdtemp(prefix="mechproof-")) / file.name
+        write_whole(file, source)
+    return file
+
+
+def _render_c(request: Request, model: Model, called: str, accuracy: str) -> dict[str, str]:
+    sizes = ", ".join(f"{name} = {value!r}" for name, value in request.values.items())
+    about = (
+        f"Tailored to {sizes}.",
+        f"{accuracy}, proved, roundings included.",
+        f"mechproof.derivations.{request.paper.system}",
+    )
+    return render_c_kernels(called, [_wrap(request, model, fused=True)], about)

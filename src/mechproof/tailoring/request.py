@@ -1,0 +1,175 @@
+"""Requests: in, a name and numbers; out, a quantity of one variable, its range, all checked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from flint import arb
+
+from mechproof.arguments.scalars import check_items, check_real, refuse, require
+from mechproof.derivation import find_systems, packaged_directory
+from mechproof.mechanisms.facts import check_domain
+from mechproof.proof.balls import Ball
+from mechproof.record import Paper, Quantity
+from mechproof.tailoring.design import Array
+from mechproof.tailoring.enclosure import Repetition
+from mechproof.tailoring.series import Definition, working
+
+# Of a period.
+BITS = 512
+# Points of the range at which edges are looked for.
+POINTS = 512
+CLOSER = 60
+
+
+@dataclass(frozen=True)
+class Request:
+    """A quantity at fixed parameters, the range of its variable (None: as far as can be)."""
+
+    paper: Paper
+    quantity: Quantity
+    values: Mapping[str, float]
+    error: float
+    ends: tuple[float, float] | None
+
+    @property
+    def name(self) -> str:
+        """Return system.quantity."""
+        return f"{self.paper.system}.{self.quantity.name}"
+
+    @property
+    def variable(self) -> str:
+        """Return the name of the running variable."""
+        return self.quantity.arguments[0].name
+
+    def define(self, expression: sp.Basic) -> Definition:
+        """Return an expression as a function of the running variable."""
+        given = {v.symbol: v.given for v in self.paper.variables if v.given is not None}
+        first, *others = self.quantity.arguments
+        numbers = {a.symbols[0]: self.values[a.name] for a in others}
+        return Definition(expression, first.symbols[0], given, numbers)
+
+    def kernel(self, points: Array) -> Array:
+        """Return values of the shipped kernel, NaN where it has none."""
+        module = import_module(f"mechproof.kernels.{self.paper.system}")
+        with np.errstate(all="ignore"):
+            found: Array = getattr(module, self.quantity.name)(points, **self.values)
+        return found
+
+    def repetition(self) -> Repetition | None:
+        """Return the period and the gain over it; None for a quantity that has none."""
+        repeats = self.quantity.repeats
+        if repeats is None:
+            return None
+        with working(1, BITS):
+            period, gain = (self._number(e) for e in (repeats.period, repeats.gain))
+            return Repetition(period, gain / period)
+
+    def _number(self, expression: sp.Basic) -> Ball:
+        return self.define(sp.sympify(expression)).value()
+
+    def corners(self, low: float, high: float) -> tuple[float, ...]:
+        """Find where singular sets of the derivation lie between the ends."""
+        found: set[float] = set()
+        for singular in self.quantity.singular:
+            try:
+                definition = self.define(singular.equation.lhs - singular.equation.rhs)
+            except KeyError:
+                # A set for each whole number: what repeats is reduced to one period.
+                continue
+            if definition.is_moving:
+                found.update(_find_zeros(definition, low, high))
+        return tuple(sorted(found))
+
+
+def _find_zeros(definition: Definition, low: float, high: float) -> list[float]:
+    """Find where a function changes its sign."""
+    points = np.linspace(low, high, POINTS + 1).tolist()
+    signs = [_sign(definition, point) for point in points]
+    return [
+        _close_in(definition, points[i], points[i + 1], signs[i])
+        for i in range(POINTS)
+        if signs[i] * signs[i + 1] < 0
+    ]
+
+
+def _sign(definition: Definition, point: float) -> int:
+    value = definition.value(arb(point))
+    return int(value > 0) - int(value < 0)
+
+
+def _close_in(definition: Definition, low: float, high: float, sign: int) -> float:
+    for _ in range(CLOSER):
+        middle = low + (high - low) / 2
+        if _sign(definition, middle) == sign:
+            low = middle
+        else:
+            high = middle
+    return high
+
+
+def read_request(name: Any, error: Any, arguments: Mapping[str, Any]) -> Request:
+    """Check what is asked for.
+
+    Raises TypeError or ValueError "name = value: what is allowed".
+    """
+    paper, quantity = _find_quantity(name)
+    error = check_real("error", error)
+    require(error > 0, "error", error, "must be more than 0")
+    names = [a.name for a in quantity.arguments]
+    for given, value in arguments.items():
+        require(given in names, given, value, f"{name} has no such argument: {', '.join(names)}")
+    first, *others = quantity.arguments
+    values = {a.name: _read_size(name, a.name, a.default, arguments) for a in others}
+    module = import_module(f"mechproof.kernels.{paper.system}")
+    conditions = [c for c in module.DOMAIN if quantity.name in c.quantities]
+    check_domain(conditions, values)
+    ends = _read_range(first.name, arguments[first.name]) if first.name in arguments else None
+    if ends is None and quantity.repeats is None:
+        refuse(first.name, None, "the range must be given, a pair (lowest, highest)")
+    return Request(paper, quantity, values, error, ends)
+
+
+def _read_size(
+    quantity: str, name: str, default: float | None, arguments: Mapping[str, Any]
+) -> float:
+    if name not in arguments and default is not None:
+        return default
+    require(name in arguments, name, None, f"must be given: {quantity} is tailored to it")
+    return check_real(name, arguments[name])
+
+
+def _read_range(name: str, value: Any) -> tuple[float, float]:
+    low, high = check_items(name, value, 2, "must be a pair (lowest, highest)")
+    ends = check_real(f"{name}[0]", low), check_real(f"{name}[1]", high)
+    require(ends[0] < ends[1], name, value, "the lowest must be below the highest")
+    return ends
+
+
+def _find_quantity(name: Any) -> tuple[Paper, Quantity]:
+    """Find a quantity of the package by system.quantity."""
+    require(isinstance(name, str), "name", name, "must be a text, system.quantity", TypeError)
+    system, _, wanted = name.partition(".")
+    systems = find_systems(packaged_directory())
+    if system not in systems:
+        refuse("name", name, f"the system must be one of {', '.join(systems)}")
+    paper: Paper = import_module(f"mechproof.derivations.{system}").PAPER
+    possible = {q.name: q for q in paper.quantities if _is_possible(q)}
+    if wanted not in possible:
+        allowed = ", ".join(possible) or "none can be tailored"
+        refuse("name", name, f"the quantity of {system} must be one of {allowed}")
+    return paper, possible[wanted]
+
+
+def _is_possible(quantity: Quantity) -> bool:
+    """Say whether a quantity is a number that depends on numbers alone."""
+    symbols = [s for argument in quantity.arguments for s in argument.symbols]
+    plain = len(symbols) == len(quantity.arguments) and all(
+        isinstance(s, sp.Symbol) for s in symbols
+    )
+    return plain and bool(quantity.forms) and not isinstance(quantity.definition, sp.MatrixBase)

@@ -1,0 +1,215 @@
+"""Series: in, a definition and the range of its variable; out, its Taylor series in balls.
+
+The same SymPy expression that the proofs are about, symbols given by others expanded once. What
+is undecided over a ball, as the side of an edge, leaves the value enclosed and no derivative.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import reduce
+from operator import add, mul
+from types import MappingProxyType
+from typing import Any
+
+import sympy as sp
+from flint import arb, arb_series, ctx
+
+from mechproof.proof.balls import Ball, to_ball
+
+Series = Any
+BITS = 128
+CONSTANT_BITS = 640
+# No series is longer than those of numbers.
+LONGEST = 64
+NAN = arb("nan")
+
+
+@contextmanager
+def working(order: int, bits: int = BITS) -> Iterator[None]:
+    """Set flint's precision and the length of series for a block."""
+    precision, length = ctx.prec, ctx.cap
+    ctx.prec, ctx.cap = bits, order
+    try:
+        yield
+    finally:
+        ctx.prec, ctx.cap = precision, length
+
+
+def list_terms(series: Series) -> list[Ball]:
+    """List the coefficients of a series, as many as series have."""
+    terms: list[Ball] = series.coeffs()
+    return terms + [arb(0)] * (ctx.cap - len(terms))
+
+
+class Definition:
+    """An expression of one variable, all other symbols numbers or given by others.
+
+    It is laid out once as steps on slots; what no variable is in is computed once.
+    """
+
+    def __init__(
+        self,
+        expression: sp.Basic,
+        variable: sp.Symbol,
+        given: Mapping[sp.Basic, sp.Basic],
+        values: Mapping[sp.Basic, Any],
+    ) -> None:
+        self._given = given
+        self._slots: dict[sp.Basic, int] = {variable: 0}
+        self._values: list[Any] = [None]
+        self._steps: list[tuple[int, Callable[..., Any], tuple[int, ...]]] = []
+        self._moving = {0}
+        for symbol, value in values.items():
+            self._slots[symbol] = self._store(arb_series([to_ball(value)]))
+        with working(1, CONSTANT_BITS):
+            self._place(expression)
+        self._last = self._slots[expression]
+
+    @property
+    def is_moving(self) -> bool:
+        """Say whether the variable is in the expression."""
+        return self._last in self._moving
+
+    def expand(self, place: Series) -> Series:
+        """Return the series where the variable is a series itself."""
+        found = [place, *self._values[1:]]
+        for slot, method, operands in self._steps:
+            found[slot] = method(*[found[i] for i in operands])
+        return found[self._last]
+
+    def value(self, place: Any = 0) -> Ball:
+        """Return the value at a number."""
+        with working(1, ctx.prec):
+            return list_terms(self.expand(arb_series([place])))[0]
+
+    def _store(self, value: Any) -> int:
+        if isinstance(value, arb_series):
+            with working(1):
+                constant = list_terms(value)
+            with working(LONGEST):
+                value = arb_series(constant)
+        self._values.append(value)
+        return len(self._values) - 1
+
+    def _place(self, node: sp.Basic) -> int:
+        if node not in self._slots:
+            self._slots[node] = self._add(node)
+        return self._slots[node]
+
+    def _add(self, node: sp.Basic) -> int:
+        if node in self._given:
+            return self._place(self._given[node])
+        method, parts = _plan(node)
+        operands = tuple(map(self._place, parts))
+        if self._moving.isdisjoint(operands):
+            return self._store(method(*[self._values[i] for i in operands]))
+        slot = self._store(None)
+        self._moving.add(slot)
+        self._steps.append((slot, method, operands))
+        return slot
+
+
+def _plan(node: sp.Basic) -> tuple[Callable[..., Any], tuple[sp.Basic, ...]]:
+    """Return what to do at a node and the nodes it needs first."""
+    if isinstance(node, sp.Symbol):
+        raise KeyError(f"no value given for the symbol {node}")
+    if isinstance(node, sp.Number | sp.NumberSymbol):
+        return (lambda: arb_series([to_ball(node)])), ()
+    if node in (sp.true, sp.false):
+        return (lambda: bool(node)), ()
+    if isinstance(node, sp.Piecewise):
+        return _choose, tuple(part for pair in node.args for part in pair.args)
+    if isinstance(node, sp.Pow):
+        return (lambda base: _raise(base, node.exp)), (node.base,)
+    if type(node) in _SIDES:
+        return (lambda left, right: _compare(type(node), left, right)), node.args
+    for kind, method in _RULES.items():
+        if isinstance(node, kind):
+            return method, node.args
+    raise NotImplementedError(f"no series of {type(node).__name__}")
+
+
+def _choose(*parts: Any) -> Series:
+    for value, holds in zip(parts[::2], parts[1::2], strict=True):
+        if holds is None:
+            break
+        if holds:
+            return value
+    return arb_series([NAN])
+
+
+def _compare(kind: type[sp.Basic], left: Series, right: Series) -> bool | None:
+    yes, no = _SIDES[kind](list_terms(left)[0], list_terms(right)[0])
+    return True if yes else False if no else None
+
+
+def _raise(base: Series, exponent: sp.Basic) -> Series:
+    if isinstance(exponent, sp.Integer):
+        power = reduce(mul, [base] * abs(int(exponent)), arb_series([1]))
+        return power if exponent > 0 else 1 / power
+    if isinstance(exponent, sp.Rational) and exponent.q == 2:
+        return _raise(base.sqrt(), sp.Integer(exponent.p))
+    raise NotImplementedError(f"no series of a power {exponent}")
+
+
+def _largest(*terms: Series) -> Series:
+    return reduce(_larger, terms)
+
+
+def _larger(a: Series, b: Series) -> Series:
+    one, other = list_terms(a)[0], list_terms(b)[0]
+    if one >= other:
+        return a
+    if one <= other:
+        return b
+    return arb_series([one.max(other), *[NAN] * (ctx.cap - 1)])
+
+
+def _size(a: Series) -> Series:
+    return _larger(a, -a)
+
+
+def _direction(y: Series, x: Series) -> Series:
+    """Return atan2(y, x) as the integral of (x dy - y dx)/(x**2 + y**2)."""
+    start = arb.atan2(list_terms(y)[0], list_terms(x)[0])
+    square = x * x + y * y
+    if list_terms(square)[0].contains(0):
+        return arb_series([NAN])
+    if ctx.cap == 1:
+        return arb_series([start])
+    turn = ((x * y.derivative() - y * x.derivative()) / square).integral()
+    return turn + start
+
+
+_RULES: Mapping[type[sp.Basic], Callable[..., Series]] = MappingProxyType(
+    {
+        sp.Add: lambda *terms: reduce(add, terms),
+        sp.Mul: lambda *terms: reduce(mul, terms),
+        sp.sin: arb_series.sin,
+        sp.cos: arb_series.cos,
+        sp.tan: arb_series.tan,
+        sp.asin: arb_series.asin,
+        sp.acos: arb_series.acos,
+        sp.atan: arb_series.atan,
+        sp.exp: arb_series.exp,
+        sp.log: arb_series.log,
+        sp.atan2: _direction,
+        sp.Max: _largest,
+        sp.Abs: _size,
+    }
+)
+_SIDES: Mapping[type[sp.Basic], Callable[[Ball, Ball], tuple[bool, bool]]] = MappingProxyType(
+    {
+        sp.StrictLessThan: lambda a, b: (a < b, a >= b),
+        sp.LessThan: lambda a, b: (a <= b, a > b),
+        sp.StrictGreaterThan: lambda a, b: (a > b, a <= b),
+        sp.GreaterThan: lambda a, b: (a >= b, a < b),
+    }
+)
+
+
+def is_finite(terms: Sequence[Ball]) -> bool:
+    """Say whether all coefficients are finite."""
+    return all(term.is_finite() for term in terms)
