@@ -63,6 +63,7 @@ def test_links_and_styles_are_dropped() -> None:
     [
         (r"\mathrm{tg}x", "<mrow><mtext>tg<mspace><mi>x"),
         (r"2\sin x", "<mrow><mn>2<mspace><mi>sin<mspace><mi>x"),
+        (r"2\operatorname{erfc}x", "<mrow><mn>2<mspace><mi>erfc<mspace><mi>x"),
         (r"(a)\cos x", "<mrow><mo>(<mi>a<mo>)<mspace><mi>cos<mspace><mi>x"),
         (r"66~\mathrm{mm}", "<mrow><mn>66<mtext>\N{NO-BREAK SPACE}<mtext>mm"),
         (r"\varphi_3'", "<mrow><msub><mrow><mi>φ<mo>\N{PRIME}<mn>3"),

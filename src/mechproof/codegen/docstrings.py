@@ -221,7 +221,7 @@ def list_notes(kernel: Kernel, paper: Paper) -> list[str]:
             f"Where {write_formula(form.when, names)} for all elements, {form.name} is computed."
         )
     notes += [NOTES[name] for form in kernel.forms for name in form.rewrites if name in NOTES]
-    notes += [_promise(quantity.accuracy, names)] if quantity.accuracy else []
+    notes += [f"Accuracy: {tell_accuracy(quantity.accuracy, names)}."] if quantity.accuracy else []
     notes += [form.proved for form in kernel.forms if form.proved]
     return [*notes, f"Source: {quantity.source}."]
 
@@ -245,8 +245,9 @@ def _approximations(kernel: Kernel) -> list[str]:
     ]
 
 
-def _promise(accuracy: Accuracy, names: Mapping[sp.Basic, str]) -> str:
+def tell_accuracy(accuracy: Accuracy, names: Mapping[sp.Basic, str]) -> str:
+    """Say what error is promised, and where."""
     of = accuracy.scale.name if accuracy.scale else "the value"
     within = " and ".join(write_formula(r, names) for r in accuracy.within)
     where = f", where {within}" if within else ""
-    return f"Accuracy: {accuracy.ulp:g} eps of {of}{where}."
+    return f"{accuracy.ulp:g} eps of {of}{where}"

@@ -13,6 +13,7 @@ from markupsafe import Markup, escape
 
 from mechproof.report.anchors import slugify
 from mechproof.report.rows import MARKED
+from mechproof.report.words import set_prose
 
 STYLESHEET = "report.css"
 SUFFIX = ".html.jinja"
@@ -38,7 +39,13 @@ def _environment() -> jinja2.Environment:
         lstrip_blocks=True,
         autoescape=True,
     )
-    environment.filters |= {"cite": _cite, "slug": slugify, "words": _say, "capfirst": _begin}
+    environment.filters |= {
+        "cite": _cite,
+        "prose": set_prose,
+        "slug": slugify,
+        "words": _say,
+        "capfirst": _begin,
+    }
     environment.globals |= {"version": version("mechproof"), "meanings": MARKED}
     return environment
 

@@ -64,6 +64,8 @@ def _mend(element: Element) -> None:
         element.text = read_text(element.text)
     if element.tag == "mover" and element[-1].tag == "mo":
         element.set("accent", "true")
+    if element.tag == "mo" and (element.text or "").isalpha() and len(element.text or "") > 1:
+        element.tag, element.attrib = "mi", {}
     if element.tag == "mi" and element.text:
         _mend_name(element, element.text)
     for place, child in enumerate(list(element)):

@@ -10,9 +10,15 @@ import sympy as sp
 from markupsafe import Markup
 
 from mechproof.codegen.backends.c99 import render_c
-from mechproof.codegen.docstrings import describe_domain, find_given, list_notes, tell_unit
+from mechproof.codegen.docstrings import (
+    describe_domain,
+    find_given,
+    list_notes,
+    tell_accuracy,
+    tell_unit,
+)
 from mechproof.codegen.forms import number_form
-from mechproof.codegen.kernel import Kernel, list_functions, shape_of
+from mechproof.codegen.kernel import Kernel, input_names, list_functions, shape_of
 from mechproof.lab.marks import list_workloads
 from mechproof.measured import Record, Timing
 from mechproof.proof.comparison_latex import write_latex
@@ -112,7 +118,7 @@ def describe_quantities(source: Source) -> Iterator[QuantityView]:
             given=tuple(_write_given(quantity, paper)),
             domain=set_prose(describe_domain(quantity, paper).replace("oo", "∞")),
             notes=tuple(_pick_notes(kernel, paper)),
-            stated=_find_stated(kernel, paper),
+            stated=_tell_stated(quantity),
             proved=tuple(set_prose(form.proved) for form in forms if form.proved),
             measured=_describe_record(record, quantity) if record else None,
             forms=tuple(_list_forms(quantity, source, record)),
@@ -167,10 +173,10 @@ def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, Mark
             yield (lead, set_prose(rest)) if named else ("", set_prose(note))
 
 
-def _find_stated(kernel: Kernel | None, paper: Paper) -> Markup:
-    notes = list_notes(kernel, paper) if kernel else ()
-    stated = (note.removeprefix("Accuracy: ") for note in notes if note.startswith("Accuracy: "))
-    return set_prose(next(stated, ""))
+def _tell_stated(quantity: Quantity) -> Markup:
+    if quantity.accuracy is None:
+        return Markup()
+    return set_prose(tell_accuracy(quantity.accuracy, input_names(quantity)))
 
 
 def _describe_record(record: Record, quantity: Quantity) -> Measured:
