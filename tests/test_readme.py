@@ -1,4 +1,4 @@
-"""What the README shows is what a user gets."""
+"""What the README and the pages beside it show is what a user gets."""
 
 from __future__ import annotations
 
@@ -11,18 +11,25 @@ import pytest
 from typer.testing import CliRunner
 
 from mechproof.cli import app
+from mechproof.derivation import packaged_directory
+from mechproof.plot.figures import find_figures, render_svg
 from mechproof.record import MARKS
 
 ROOT = Path(__file__).parents[1]
-README = (ROOT / "README.md").read_text(encoding="utf-8")
-BLOCKS = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+PAGES = {
+    name: (ROOT / name).read_text(encoding="utf-8")
+    for name in ("README.md", "docs/uses.md", "docs/verdicts.md")
+}
+README = PAGES["README.md"]
+BLOCKS = {name: re.findall(r"```python\n(.*?)```", text, re.DOTALL) for name, text in PAGES.items()}
 COMMANDS = re.findall(r"```sh\n(.*?)\n```", README, re.DOTALL)
-MODULES = [block for block in BLOCKS if ">>>" not in block]
+MODULES = [block for block in BLOCKS["docs/uses.md"] if ">>>" not in block]
 
 
-def test_examples_print_what_they_show() -> None:
-    examples = "\n".join(block for block in BLOCKS if ">>>" in block)
-    test = doctest.DocTestParser().get_doctest(examples, {}, "README.md", "README.md", 0)
+@pytest.mark.parametrize("name", [name for name, blocks in BLOCKS.items() if blocks])
+def test_examples_print_what_they_show(name: str) -> None:
+    examples = "\n".join(block for block in BLOCKS[name] if ">>>" in block)
+    test = doctest.DocTestParser().get_doctest(examples, {}, name, name, 0)
     result = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test)
     assert result.attempted > 0
     assert result.failed == 0
@@ -47,8 +54,30 @@ def marks(finding: dict[str, list[str]]) -> list[str]:
 
 
 def test_marks_mean_what_the_record_says() -> None:
-    table = README.split("| mark | meaning |\n|---|---|\n")[1].split("\n\n")[0]
+    table = PAGES["docs/verdicts.md"].split("| mark | meaning |\n|---|---|\n")[1].split("\n\n")[0]
     assert table.splitlines() == [f"| *{mark}* | {meaning} |" for mark, meaning in MARKS.items()]
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_links_lead_somewhere(name: str) -> None:
+    for target in re.findall(r"\]\(([^)]+)\)", PAGES[name]):
+        file, _, anchor = target.partition("#")
+        place = (ROOT / name).parent / file
+        assert place.exists(), target
+        headings = re.findall(r"^#+ (.+)$", place.read_text("utf-8"), re.M) if anchor else []
+        assert not anchor or anchor in [h.lower().replace(" ", "-") for h in headings], target
+
+
+def test_the_picture_is_the_papers_figure() -> None:
+    figures = {f.name: f for f in find_figures(packaged_directory() / "elliptic_planetary")}
+    picture = (ROOT / "docs" / "elliptic_planetary.fig-3.svg").read_text(encoding="utf-8")
+    drawn = render_svg(figures["fig-3"])
+    assert list_texts(picture) == list_texts(drawn)
+    assert f'aria-label="{figures["fig-3"].title}"' in picture
+
+
+def list_texts(svg: str) -> list[str]:
+    return re.findall(r">([^<>]*\S[^<>]*)<", svg)
 
 
 def test_the_example_module_is_verified(tmp_path: Path) -> None:

@@ -36,6 +36,7 @@ from mechproof.compiled_support import (
     run,
     scalar,
     take_row,
+    widen,
 )
 
 __all__ = [
@@ -284,6 +285,7 @@ def _ratio_point(phi1, R1, R2, e):
 
 @loop
 def _row_ratio(out, phi1_values, R1, R2, e, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -310,6 +312,7 @@ def _fill_ratio(
 
 @loop
 def _row_each_ratio(out, phi1_values, R1_values, R2_values, e_values, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -466,6 +469,7 @@ def _position_point(phi1, R1, R2, e):
 
 @loop
 def _row_position(out, phi1_values, R1, R2, e, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -492,6 +496,7 @@ def _fill_position(
 
 @loop
 def _row_each_position(out, phi1_values, R1_values, R2_values, e_values, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -636,6 +641,7 @@ def _acceleration_point(phi1, R1, R2, e):
 
 @loop
 def _row_acceleration(out, phi1_values, R1, R2, e, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -662,6 +668,7 @@ def _fill_acceleration(
 
 @loop
 def _row_each_acceleration(out, phi1_values, R1_values, R2_values, e_values, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -790,6 +797,7 @@ def _row_largest_ratio(
     R2,
     e,
 ):
+    widen()
     for i in range(out.size):
         R1 = float(R1_values[i])
 
@@ -819,6 +827,7 @@ def _row_each_largest_ratio(
     R2_values,
     e_values,
 ):
+    widen()
     for i in range(out.size):
         R1 = float(R1_values[i])
 
@@ -935,6 +944,7 @@ def _row_smallest_ratio(
     R2,
     e,
 ):
+    widen()
     for i in range(out.size):
         R1 = float(R1_values[i])
 
@@ -964,6 +974,7 @@ def _row_each_smallest_ratio(
     R2_values,
     e_values,
 ):
+    widen()
     for i in range(out.size):
         R1 = float(R1_values[i])
 

@@ -37,6 +37,7 @@ from mechproof.compiled_support import (
     run,
     scalar,
     take_row,
+    widen,
 )
 
 __all__ = [
@@ -399,6 +400,7 @@ def _ratio_point(phi1, e1, e2, mount):
 
 @loop
 def _row_ratio(out, phi1_values, e1, e2, mount, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -425,6 +427,7 @@ def _fill_ratio(
 
 @loop
 def _row_each_ratio(out, phi1_values, e1_values, e2_values, mount_values, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -564,6 +567,7 @@ def _position_point(phi1, e1, e2, mount):
 
 @loop
 def _row_position(out, phi1_values, e1, e2, mount, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -590,6 +594,7 @@ def _fill_position(
 
 @loop
 def _row_each_position(out, phi1_values, e1_values, e2_values, mount_values, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -758,6 +763,7 @@ def _acceleration_point(phi1, e1, e2, mount):
 
 @loop
 def _row_acceleration(out, phi1_values, e1, e2, mount, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -784,6 +790,7 @@ def _fill_acceleration(
 
 @loop
 def _row_each_acceleration(out, phi1_values, e1_values, e2_values, mount_values, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -925,6 +932,7 @@ def _ratio_cylindrical_point(phi1, R4, R5, e2):
 
 @loop
 def _row_ratio_cylindrical(out, phi1_values, R4, R5, e2, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -951,6 +959,7 @@ def _fill_ratio_cylindrical(
 
 @loop
 def _row_each_ratio_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -1106,6 +1115,7 @@ def _position_cylindrical_point(phi1, R4, R5, e2):
 
 @loop
 def _row_position_cylindrical(out, phi1_values, R4, R5, e2, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -1132,6 +1142,7 @@ def _fill_position_cylindrical(
 
 @loop
 def _row_each_position_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -1276,6 +1287,7 @@ def _acceleration_cylindrical_point(phi1, R4, R5, e2):
 
 @loop
 def _row_acceleration_cylindrical(out, phi1_values, R4, R5, e2, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 
@@ -1302,6 +1314,7 @@ def _fill_acceleration_cylindrical(
 
 @loop
 def _row_each_acceleration_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
+    widen()
     for i in range(out.size):
         phi1 = float(phi1_values[i])
 

@@ -37,6 +37,7 @@ from mechproof.compiled_support import (
     run,
     scalar,
     take_row,
+    widen,
 )
 
 __all__ = [
@@ -232,6 +233,7 @@ def _constant_chord_point(m, alpha):
 
 @loop
 def _row_constant_chord(out, m_values, alpha, exact):
+    widen()
     for i in range(out.size):
         m = float(m_values[i])
 
@@ -256,6 +258,7 @@ def _fill_constant_chord(
 
 @loop
 def _row_each_constant_chord(out, m_values, alpha_values, exact):
+    widen()
     for i in range(out.size):
         m = float(m_values[i])
 
@@ -358,6 +361,7 @@ def _chord_height_point(m, alpha):
 
 @loop
 def _row_chord_height(out, m_values, alpha, exact):
+    widen()
     for i in range(out.size):
         m = float(m_values[i])
 
@@ -382,6 +386,7 @@ def _fill_chord_height(
 
 @loop
 def _row_each_chord_height(out, m_values, alpha_values, exact):
+    widen()
     for i in range(out.size):
         m = float(m_values[i])
 
@@ -502,6 +507,7 @@ def _height_change_point(tilt, m, z, alpha):
 
 @loop
 def _row_height_change(out, tilt_values, m, z, alpha, exact):
+    widen()
     for i in range(out.size):
         tilt = float(tilt_values[i])
 
@@ -528,6 +534,7 @@ def _fill_height_change(
 
 @loop
 def _row_each_height_change(out, tilt_values, m_values, z_values, alpha_values, exact):
+    widen()
     for i in range(out.size):
         tilt = float(tilt_values[i])
 
@@ -677,6 +684,7 @@ def _thickness_change_point(tilt, m, z, alpha):
 
 @loop
 def _row_thickness_change(out, tilt_values, m, z, alpha, exact):
+    widen()
     for i in range(out.size):
         tilt = float(tilt_values[i])
 
@@ -703,6 +711,7 @@ def _fill_thickness_change(
 
 @loop
 def _row_each_thickness_change(out, tilt_values, m_values, z_values, alpha_values, exact):
+    widen()
     for i in range(out.size):
         tilt = float(tilt_values[i])
 
@@ -830,6 +839,7 @@ def _thickness_change_linear_point(dh, alpha):
 
 @loop
 def _row_thickness_change_linear(out, dh_values, alpha, exact):
+    widen()
     for i in range(out.size):
         dh = float(dh_values[i])
 
@@ -854,6 +864,7 @@ def _fill_thickness_change_linear(
 
 @loop
 def _row_each_thickness_change_linear(out, dh_values, alpha_values, exact):
+    widen()
     for i in range(out.size):
         dh = float(dh_values[i])
 
@@ -975,6 +986,7 @@ def _linearisation_bound_point(dh, m, z, alpha):
 
 @loop
 def _row_linearisation_bound(out, dh_values, m, z, alpha, exact):
+    widen()
     for i in range(out.size):
         dh = float(dh_values[i])
 
@@ -1001,6 +1013,7 @@ def _fill_linearisation_bound(
 
 @loop
 def _row_each_linearisation_bound(out, dh_values, m_values, z_values, alpha_values, exact):
+    widen()
     for i in range(out.size):
         dh = float(dh_values[i])
 
@@ -1123,6 +1136,7 @@ def _thickness_error_point(e_tip, height_error, alpha):
 
 @loop
 def _row_thickness_error(out, e_tip_values, height_error, alpha, exact):
+    widen()
     for i in range(out.size):
         e_tip = float(e_tip_values[i])
 
@@ -1148,6 +1162,7 @@ def _fill_thickness_error(
 
 @loop
 def _row_each_thickness_error(out, e_tip_values, height_error_values, alpha_values, exact):
+    widen()
     for i in range(out.size):
         e_tip = float(e_tip_values[i])
 

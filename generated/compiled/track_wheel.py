@@ -37,6 +37,7 @@ from mechproof.compiled_support import (
     run,
     scalar,
     take_row,
+    widen,
 )
 
 __all__ = [
@@ -619,6 +620,7 @@ def _row_planar_error(
     out,
     displacement_values,
 ):
+    widen()
     for i in range(out.size):
         displacement_0 = float(displacement_values[3 * i + 0])
         displacement_1 = float(displacement_values[3 * i + 1])
@@ -643,6 +645,7 @@ def _row_each_planar_error(
     out,
     displacement_values,
 ):
+    widen()
     for i in range(out.size):
         displacement_0 = float(displacement_values[3 * i + 0])
         displacement_1 = float(displacement_values[3 * i + 1])
@@ -712,6 +715,7 @@ def _row_spatial_error(
     out,
     displacement_values,
 ):
+    widen()
     for i in range(out.size):
         displacement_0 = float(displacement_values[3 * i + 0])
         displacement_1 = float(displacement_values[3 * i + 1])
@@ -737,6 +741,7 @@ def _row_each_spatial_error(
     out,
     displacement_values,
 ):
+    widen()
     for i in range(out.size):
         displacement_0 = float(displacement_values[3 * i + 0])
         displacement_1 = float(displacement_values[3 * i + 1])
@@ -818,6 +823,7 @@ def _radius_point(phi, R, A, z):
 
 @loop
 def _row_radius(out, phi_values, R, A, z, exact):
+    widen()
     for i in range(out.size):
         phi = float(phi_values[i])
 
@@ -844,6 +850,7 @@ def _fill_radius(
 
 @loop
 def _row_each_radius(out, phi_values, R_values, A_values, z_values, exact):
+    widen()
     for i in range(out.size):
         phi = float(phi_values[i])
 
@@ -1149,6 +1156,7 @@ def _row_largest_radius(
     R_values,
     A,
 ):
+    widen()
     for i in range(out.size):
         R = float(R_values[i])
 
@@ -1175,6 +1183,7 @@ def _row_each_largest_radius(
     R_values,
     A_values,
 ):
+    widen()
     for i in range(out.size):
         R = float(R_values[i])
 
@@ -1278,6 +1287,7 @@ def _row_smallest_radius(
     R_values,
     A,
 ):
+    widen()
     for i in range(out.size):
         R = float(R_values[i])
 
@@ -1304,6 +1314,7 @@ def _row_each_smallest_radius(
     R_values,
     A_values,
 ):
+    widen()
     for i in range(out.size):
         R = float(R_values[i])
 

@@ -39,6 +39,7 @@ from mechproof.compiled_support import (
     run,
     scalar,
     take_row,
+    widen,
 )
 
 __all__ = [
@@ -270,6 +271,7 @@ def _row_guide_radicand(
     l_BC,
     l_CD,
 ):
+    widen()
     for i in range(out.size):
         x1 = float(x1_values[i])
 
@@ -302,6 +304,7 @@ def _row_each_guide_radicand(
     l_BC_values,
     l_CD_values,
 ):
+    widen()
     for i in range(out.size):
         x1 = float(x1_values[i])
 
@@ -437,6 +440,7 @@ def _row_lever_angle(
     l_BC,
     l_CD,
 ):
+    widen()
     for i in range(out.size):
         x1 = float(x1_values[i])
 
@@ -469,6 +473,7 @@ def _row_each_lever_angle(
     l_BC_values,
     l_CD_values,
 ):
+    widen()
     for i in range(out.size):
         x1 = float(x1_values[i])
 
@@ -593,6 +598,7 @@ def _rod_displacement_point(phi3, l_DE, alpha_DE):
 
 @loop
 def _row_rod_displacement(out, phi3_values, l_DE, alpha_DE, exact):
+    widen()
     for i in range(out.size):
         phi3 = float(phi3_values[i])
 
@@ -618,6 +624,7 @@ def _fill_rod_displacement(
 
 @loop
 def _row_each_rod_displacement(out, phi3_values, l_DE_values, alpha_DE_values, exact):
+    widen()
     for i in range(out.size):
         phi3 = float(phi3_values[i])
 
@@ -735,6 +742,7 @@ def _row_clearance(
     x5_values,
     l_GH,
 ):
+    widen()
     for i in range(out.size):
         x5 = float(x5_values[i])
 
@@ -761,6 +769,7 @@ def _row_each_clearance(
     x5_values,
     l_GH_values,
 ):
+    widen()
     for i in range(out.size):
         x5 = float(x5_values[i])
 
@@ -860,6 +869,7 @@ def _roller_offset_point(x5, l_KL, alpha_KL):
 
 @loop
 def _row_roller_offset(out, x5_values, l_KL, alpha_KL, exact):
+    widen()
     for i in range(out.size):
         x5 = float(x5_values[i])
 
@@ -885,6 +895,7 @@ def _fill_roller_offset(
 
 @loop
 def _row_each_roller_offset(out, x5_values, l_KL_values, alpha_KL_values, exact):
+    widen()
     for i in range(out.size):
         x5 = float(x5_values[i])
 
@@ -1007,6 +1018,7 @@ def _roller_lever_angle_point(x5, l_KL, alpha_KL):
 
 @loop
 def _row_roller_lever_angle(out, x5_values, l_KL, alpha_KL, exact):
+    widen()
     for i in range(out.size):
         x5 = float(x5_values[i])
 
@@ -1032,6 +1044,7 @@ def _fill_roller_lever_angle(
 
 @loop
 def _row_each_roller_lever_angle(out, x5_values, l_KL_values, alpha_KL_values, exact):
+    widen()
     for i in range(out.size):
         x5 = float(x5_values[i])
 
@@ -1145,6 +1158,7 @@ def _wedge_displacement_point(phi7, l_LM, alpha_LM):
 
 @loop
 def _row_wedge_displacement(out, phi7_values, l_LM, alpha_LM, exact):
+    widen()
     for i in range(out.size):
         phi7 = float(phi7_values[i])
 
@@ -1170,6 +1184,7 @@ def _fill_wedge_displacement(
 
 @loop
 def _row_each_wedge_displacement(out, phi7_values, l_LM_values, alpha_LM_values, exact):
+    widen()
     for i in range(out.size):
         phi7 = float(phi7_values[i])
 
@@ -1352,6 +1367,7 @@ def _position_point(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alph
 def _row_position(
     out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
 ):
+    widen()
     for i in range(out.size):
         x1 = float(x1_values[i])
 
@@ -1429,6 +1445,7 @@ def _row_each_position(
     alpha_LM_values,
     exact,
 ):
+    widen()
     for i in range(out.size):
         x1 = float(x1_values[i])
 
@@ -1751,6 +1768,7 @@ def _velocity_point(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alph
 def _row_velocity(
     out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
 ):
+    widen()
     for i in range(out.size):
         x1 = float(x1_values[i])
 
@@ -1828,6 +1846,7 @@ def _row_each_velocity(
     alpha_LM_values,
     exact,
 ):
+    widen()
     for i in range(out.size):
         x1 = float(x1_values[i])
 

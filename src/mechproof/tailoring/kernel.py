@@ -159,7 +159,7 @@ def _load(request: Request, model: Model, backend: str, bound: float) -> Any:
     docstring = _describe(request, bound)
     if backend == NUMBA:
         kernel = _wrap(request, model, fused=True)
-        source = render_scalars(request.paper.system, docstring, [kernel], wide=True)
+        source = render_scalars(request.paper.system, docstring, [kernel])
     else:
         kernel = _wrap(request, model, fused=False)
         text = write_kernel(kernel, (request.quantity.summary,))

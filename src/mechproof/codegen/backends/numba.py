@@ -57,14 +57,11 @@ def _describe(system: str) -> tuple[str, ...]:
     )
 
 
-def render_scalars(
-    system: str, docstring: Sequence[str], kernels: Sequence[Kernel], *, wide: bool = False
-) -> str:
-    """Render a module of kernels and read it back; `wide` asks for the widest vectors."""
+def render_scalars(system: str, docstring: Sequence[str], kernels: Sequence[Kernel]) -> str:
+    """Render a module of kernels and read it back."""
     data: dict[str, object] = {
         "system": system,
         "docstring": docstring,
-        "wide": wide,
         "largest": DOUBLE.largest,
         "support": SUPPORT,
         "numpy": [],
