@@ -42,9 +42,9 @@ PAPER = Paper(
 
 
 def write_slider_crank(folder: Path) -> Path:
-    """Write the paper that the README shows."""
-    readme = (TESTS.parent / "README.md").read_text(encoding="utf-8")
-    found = re.search(r'```python\n("""Slider-crank.*?)```', readme, re.DOTALL)
+    """Write the paper that the uses show."""
+    uses = (TESTS.parent / "docs" / "uses.md").read_text(encoding="utf-8")
+    found = re.search(r'```python\n("""Slider-crank.*?)```', uses, re.DOTALL)
     assert found is not None
     file = folder / "slider_crank.py"
     file.write_text(found[1], encoding="utf-8")
