@@ -95,7 +95,7 @@ def _is_double(value: Any) -> bool:
     if kind is int:
         # Larger ones are no numbers of NumPy's.
         return -(2**63) <= value < 2**63
-    return kind in NUMBERS or (kind is np.ndarray and value.dtype is DOUBLE and not value.ndim)
+    return kind in NUMBERS or bool(kind is np.ndarray and value.dtype is DOUBLE and not value.ndim)
 
 
 def _run(loops: Loops, arrays: tuple[Any, ...], out: NDArray[Any] | None) -> Any:
