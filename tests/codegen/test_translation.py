@@ -281,3 +281,29 @@ def test_a_compiled_source_that_computes_something_else_is_caught(right: str, wr
     assert right in source
     with pytest.raises(TranslationError, match="meant"):
         check_translation(source.replace(right, wrong, 1), kernels)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        ("low += _total_rest", "low -= _total_rest"),
+        ("total = high + term", "total = high - term"),
+        ("choose(is_finite(low), high + low, high)", "high"),
+        ("float(correlation[j, i])", "float(correlation[i, j])"),
+        ("float(tolerances[j])", "float(tolerances[i])"),
+        ("holds = holds & ", "holds = "),
+        ("for j in range(len(", "for j in range(1, len("),
+        ("_every_2(scatters)", "_every_3(scatters)"),
+        ("scatters_i > 0", "scatters_i >= 0"),
+        ("sensitivities_i**2 * scatters_i**2", "sensitivities_i**2 * scatters_i"),
+    ],
+)
+def test_a_compiled_sum_that_adds_something_else_is_caught(right: str, wrong: str) -> None:
+    from mechproof.derivations.track_wheel import PAPER
+
+    (source,) = render_compiled(PAPER).values()
+    kernels = list_scalars(PAPER)
+    check_translation(source, kernels)
+    assert right in source
+    with pytest.raises(ValueError, match=r"meant|no loop over terms"):
+        check_translation(source.replace(right, wrong, 1), kernels)
