@@ -58,10 +58,11 @@ LOADED = {
         "mechproof.kernels",
         "mechproof.laws",
         "mechproof.mechanisms",
+        "mechproof.notebook",
     },
-    "record": {"sympy", "mechproof.record"},
+    "record": {"sympy", "mechproof.notebook", "mechproof.record"},
     "latex": {"sympy", "mechproof.latex", "mechproof.record"},
-    "proof": {"sympy", "flint", "mechproof.proof", "mechproof.record"},
+    "proof": {"sympy", "flint", "mechproof.notebook", "mechproof.proof", "mechproof.record"},
     "codegen": {
         *("sympy", "jinja2", "mpmath", "flint"),
         *("mechproof.codegen", "mechproof.proof", "mechproof.record"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -100,3 +101,19 @@ def test_measured_quantities_are_offered_and_charted(workshop: Path) -> None:
     done = run(workshop, "chart", "--measured", str(measured), "--out", "charts")
     assert done.returncode == 0, done.stderr
     assert list((workshop / "charts").glob("universal_joint.ratio*.svg"))
+
+
+@pytest.mark.xdist_group("workshop")
+def test_the_report_shows_what_was_measured_and_how_the_kernel_is_called(workshop: Path) -> None:
+    done = run(workshop, "report")
+    assert done.returncode == 0, done.stderr
+    page = workshop / "report" / "quantities" / "universal_joint.position.html"
+    text = page.read_text(encoding="utf-8")
+    assert "A quick measurement" in text
+    assert "<svg" in text
+    (call,) = re.findall(r"<code>(import numpy.*?position\(.*?\))</code>", text, re.DOTALL)[:1]
+    code = f"theta = 1.0\n{call.replace('position(', 'print(position(', 1)})"
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=workshop, capture_output=True, text=True
+    )
+    assert float(done.stdout) > 1.0, done.stderr

@@ -64,7 +64,7 @@ TRANSFER_ROWS = (
     *(
         Claim(
             f"sensitivity of varphi3 to {size}",
-            rf"\partial\varphi_3/\partial {size}={sp.latex(slope)}",
+            rf"\partial\varphi_3/\partial {sp.latex(size)}={sp.latex(slope)}",
             Equality(slope, lever_slope(size)),
             note="From both differentiated projections; reach is l_BC + delta_BC.",
             on=Part("the guide has a length", {reach: POSITIVE}),
@@ -75,7 +75,7 @@ TRANSFER_ROWS = (
     *(
         Claim(
             f"sensitivity of varphi7 to {size}",
-            rf"\partial\varphi_7/\partial {size}={sp.latex(slope)}",
+            rf"\partial\varphi_7/\partial {sp.latex(size)}={sp.latex(slope)}",
             Equality(slope, roller_slope(size)),
             note="From the differentiated projection on Ox.",
             marks=("ours",),
@@ -85,7 +85,7 @@ TRANSFER_ROWS = (
     *(
         Claim(
             f"sensitivity of x5 to {size}",
-            rf"\partial x_5/\partial {size}={sp.latex(slope)}",
+            rf"\partial x_5/\partial {sp.latex(size)}={sp.latex(slope)}",
             Equality(slope, sp.diff(rod, size)),
             note="From the projection of group 2 on Ox; l_GH is taken off, see (4).",
             marks=("ours",),
@@ -95,7 +95,7 @@ TRANSFER_ROWS = (
     *(
         Claim(
             f"sensitivity of y9 to {size}",
-            rf"\partial y_9/\partial {size}={sp.latex(slope)}",
+            rf"\partial y_9/\partial {sp.latex(size)}={sp.latex(slope)}",
             Equality(slope, sp.diff(wedge, size)),
             note="From the projection of group 4 on Oy.",
             marks=("ours",),

@@ -6,7 +6,7 @@ import sys
 from importlib.util import find_spec
 
 # What the extra `derive` installs, as it is imported.
-EXTRA = ("PIL", "flint", "jinja2", "matplotlib", "rich", "ruff", "sympy", "typer")
+EXTRA = ("PIL", "flint", "jinja2", "latex2mathml", "matplotlib", "rich", "ruff", "sympy", "typer")
 
 
 def main() -> None:

@@ -255,3 +255,17 @@ def test_kernels_are_called_inside_compiled_functions() -> None:
         for i in range(10)
     )
     assert travel(10) == pytest.approx(wanted, rel=40 * EPS)
+
+
+def test_parameters_are_numbers_of_any_kind() -> None:
+    """Each kind gives the bits of Python's floats, by a way of its own."""
+    wanted = elliptic_planetary.position(PHI, 66.0, 16.0, 0.5)
+    for kind in (np.float64, np.array, lambda size: np.array([size]), np.float32, np.int64):
+        sizes = (*map(kind, (66, 16)), 0.5)
+        assert np.array_equal(elliptic_planetary.position(PHI, *sizes), wanted)
+        out = np.empty_like(PHI)
+        assert elliptic_planetary.position(PHI[::2], *sizes, out=out[::2]).base is out
+        assert np.array_equal(out[::2], wanted[::2])
+    assert np.array_equal(elliptic_planetary.position(PHI, 66, 16, 0.5), wanted)
+    with pytest.raises(TypeError, match="R1: expected real numbers"):
+        elliptic_planetary.position(PHI, 2**70, 16, 0.5)

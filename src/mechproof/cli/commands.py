@@ -14,8 +14,10 @@ from mechproof.cli.check import check
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.emit import app as emit_app
 from mechproof.cli.figures import figures
+from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
 from mechproof.cli.ledger import print_ledgers
 from mechproof.cli.places import RULE, DerivationsOption, Places, find_locations, find_places
+from mechproof.cli.report import report
 from mechproof.cli.start import show_start
 from mechproof.codegen.regenerate import (
     Change,
@@ -31,7 +33,7 @@ from mechproof.record import Paper
 from mechproof.roundoff.certificate import Certificate, tell_proofs
 from mechproof.roundoff.files import certify_papers, write_certificates
 from mechproof.validation import ValidationError, validate_derivations
-from mechproof.verification import LIMIT, VerificationError, judge_derivations
+from mechproof.verification import LIMIT
 
 app = typer.Typer(
     add_completion=False,
@@ -40,6 +42,7 @@ app = typer.Typer(
 )
 app.command()(chart)
 app.command()(check)
+app.command(epilog=RULE)(report)
 app.command(epilog=RULE)(figures)
 app.add_typer(emit_app, name="emit")
 
@@ -47,15 +50,6 @@ RootOption = Annotated[
     Path | None,
     typer.Option(
         "--root", metavar="ROOT", help="The folder that holds derivations/ and generated/."
-    ),
-]
-NoCacheOption = Annotated[
-    bool, typer.Option("--no-cache", help="Judge every row anew and keep no verdict.")
-]
-LimitOption = Annotated[
-    float,
-    typer.Option(
-        "--limit", metavar="SECONDS", min=0, help="A row that takes longer is an error, no verdict."
     ),
 ]
 
@@ -110,11 +104,11 @@ def verify(
         refuse(f"--json {json_file}: is a folder, a file is needed")
     if json_file and not json_file.absolute().parent.is_dir():
         refuse(f"--json {json_file}: the folder {json_file.absolute().parent} does not exist")
-    ledgers = _judge(locations, use_cache=not no_cache, limit=limit)
+    ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
     if json_file and not any(ledger.failures for ledger in ledgers):
         _write(json_file, to_json(ledgers))
     print_ledgers(ledgers, show_all=show_all)
-    _refuse_failures(ledgers)
+    refuse_failures(ledgers)
     rows = (row for ledger in ledgers for row in ledger.judgements)
     if any(row.verdict is Verdict.UNDECIDED and not row.may_stay_open for row in rows):
         raise typer.Exit(1)
@@ -144,8 +138,8 @@ def regenerate(
     if not (derivations or root) and not Path("derivations").is_dir():
         refuse("there is no folder derivations: run it where it lies, or give --derivations DIR")
     locations = find_locations((), places)
-    ledgers = _judge(locations, use_cache=not no_cache, limit=limit)
-    _refuse_failures(ledgers)
+    ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
+    refuse_failures(ledgers)
     papers = [ledger.paper for ledger in ledgers]
     certificates = _certify(papers, places, use_cache=not no_cache)
     files = _render(ledgers, certificates, places)
@@ -206,21 +200,6 @@ def measure(
                 record = measure_subject(subject, quick=quick, report=report, executor=executor)
             say(f"{write_record(record, target)}: {headline(record)}")
     say(str(write_tables(target)))
-
-
-def _judge(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[Ledger]:
-    title = f"judging {', '.join(location.stem for location in locations)}"
-    try:
-        with show_progress(title) as report:
-            return judge_derivations(locations, use_cache=use_cache, limit=limit, report=report)
-    except (DerivationError, VerificationError) as error:
-        fail(str(error))
-
-
-def _refuse_failures(ledgers: Sequence[Ledger]) -> None:
-    """Name every row that could not be judged and end with status 1."""
-    if failures := [failure for ledger in ledgers for failure in ledger.failures]:
-        fail("\n".join(failures))
 
 
 def _certify(

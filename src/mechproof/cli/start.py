@@ -17,6 +17,7 @@ EXAMPLES = {
     "verify": "judge all papers: findings first",
     "verify SYSTEM": "judge one, with --all every row",
     "verify FILE.py": "judge a paper of your own",
+    "report": "all of it as pages for a browser",
     r"check '\sin 2x=2\sin x'": "judge one equation",
     "figures": "the papers' figures, redrawn",
     "chart QUANTITY": "time against error",

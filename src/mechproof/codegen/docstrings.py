@@ -65,7 +65,7 @@ def _define_shared(kernels: tuple[Kernel, ...], paper: Paper) -> list[str]:
 
 
 def _find_shared(kernels: Iterable[Kernel], paper: Paper) -> set[sp.Symbol]:
-    used = [_find_given(_shown_formula(k), k.quantity, paper) for k in kernels]
+    used = [find_given(_shown_formula(k), k.quantity, paper) for k in kernels]
     counts = Counter(s for symbols in used if len(symbols) > MOST_SYMBOLS for s in symbols)
     return {s for s, count in counts.items() if count > 1}
 
@@ -91,7 +91,7 @@ def describe_kernel(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
             "Parameters", [line for a in quantity.arguments for line in _parameter(a, quantity)]
         ),
         *_section("Returns", _result(kernel)),
-        *_section("Notes", _paragraphs(_notes(kernel, paper))),
+        *_section("Notes", _paragraphs(list_notes(kernel, paper))),
     )
 
 
@@ -157,7 +157,7 @@ def _paragraphs(notes: list[str]) -> list[str]:
 def _formula(kernel: Kernel, paper: Paper) -> list[str]:
     formula, names, given = _shown_formula(kernel), input_names(kernel.quantity), _given(paper)
     beside = (k for k in list_functions(paper) if k.is_shipped == kernel.is_shipped)
-    used = _find_given(formula, kernel.quantity, paper)
+    used = find_given(formula, kernel.quantity, paper)
     shared = _find_shared(beside, paper) if len(used) > MOST_SYMBOLS else set()
     if isinstance(formula, sp.MatrixBase):
         rows = [[write_formula(entry, names) for entry in row] for row in formula.tolist()]
@@ -169,7 +169,7 @@ def _formula(kernel: Kernel, paper: Paper) -> list[str]:
     return [*(line for text in shown for line in _wrap_formula(text)), *elsewhere]
 
 
-def _find_given(formula: sp.Basic, quantity: Quantity, paper: Paper) -> list[sp.Symbol]:
+def find_given(formula: sp.Basic, quantity: Quantity, paper: Paper) -> list[sp.Symbol]:
     """List the given symbols that a formula needs, directly or through others."""
     inputs = input_names(quantity)
     given = {s: g for s, g in _given(paper).items() if s not in inputs}
@@ -185,11 +185,12 @@ def _parameter(argument: Argument, quantity: Quantity) -> list[str]:
     default = "" if argument.default is None else f", default {argument.default:g}"
     return [
         f"{argument.name} : array_like, {shape_of(argument, quantity)}{default}",
-        *_fill(f"{_sentence(argument.meaning)} ({_unit(argument.unit)}).", INDENT),
+        *_fill(f"{_sentence(argument.meaning)} ({tell_unit(argument.unit)}).", INDENT),
     ]
 
 
-def _unit(unit: str) -> str:
+def tell_unit(unit: str) -> str:
+    """Say what a value is in."""
     return "pure number" if unit == "1" else unit
 
 
@@ -200,15 +201,13 @@ def _sentence(text: str) -> str:
 def _result(kernel: Kernel) -> list[str]:
     trailing = ", ".join(map(str, kernel.code.shape))
     head = f"ndarray, shape (..., {trailing})" if trailing else "ndarray or NumPy scalar"
-    return [f"{head} ({_unit(kernel.quantity.unit)})"]
+    return [f"{head} ({tell_unit(kernel.quantity.unit)})"]
 
 
-def _notes(kernel: Kernel, paper: Paper) -> list[str]:
+def list_notes(kernel: Kernel, paper: Paper) -> list[str]:
+    """List what is said of a kernel beside its formula: domain, singular sets, accuracy, source."""
     quantity, names = kernel.quantity, input_names(kernel.quantity)
-    domain = domain_relations(quantity, paper)
-    part = f" ({quantity.on.text})" if quantity.on else ""
-    limits = join_equal_limits(chain_relations([write_formula(r, names) for r in domain]))
-    notes = [f"Domain: {', '.join(limits) or 'all real arguments'}{part}."]
+    notes = [f"Domain: {describe_domain(quantity, paper)}."]
     notes += [
         f"Singular: {write_formula(s.equation, names)}" + (f", {s.text}." if s.text else ".")
         for s in quantity.singular
@@ -222,9 +221,18 @@ def _notes(kernel: Kernel, paper: Paper) -> list[str]:
             f"Where {write_formula(form.when, names)} for all elements, {form.name} is computed."
         )
     notes += [NOTES[name] for form in kernel.forms for name in form.rewrites if name in NOTES]
-    notes += [_promise(quantity.accuracy, names)] if quantity.accuracy else []
+    notes += [f"Accuracy: {tell_accuracy(quantity.accuracy, names)}."] if quantity.accuracy else []
     notes += [form.proved for form in kernel.forms if form.proved]
     return [*notes, f"Source: {quantity.source}."]
+
+
+def describe_domain(quantity: Quantity, paper: Paper) -> str:
+    """Say for which arguments a quantity is meant."""
+    names = input_names(quantity)
+    part = f" ({quantity.on.text})" if quantity.on else ""
+    relations = [write_formula(r, names) for r in domain_relations(quantity, paper)]
+    limits = join_equal_limits(chain_relations(relations))
+    return f"{', '.join(limits) or 'all real arguments'}{part}"
 
 
 def _approximations(kernel: Kernel) -> list[str]:
@@ -237,8 +245,9 @@ def _approximations(kernel: Kernel) -> list[str]:
     ]
 
 
-def _promise(accuracy: Accuracy, names: Mapping[sp.Basic, str]) -> str:
+def tell_accuracy(accuracy: Accuracy, names: Mapping[sp.Basic, str]) -> str:
+    """Say what error is promised, and where."""
     of = accuracy.scale.name if accuracy.scale else "the value"
     within = " and ".join(write_formula(r, names) for r in accuracy.within)
     where = f", where {within}" if within else ""
-    return f"Accuracy: {accuracy.ulp:g} eps of {of}{where}."
+    return f"{accuracy.ulp:g} eps of {of}{where}"

@@ -9,7 +9,7 @@ import sympy as sp
 
 from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.kernel import Kernel, list_functions
+from mechproof.codegen.kernel import Kernel, list_functions, name_rival
 from mechproof.codegen.raising import WrittenForm
 from mechproof.codegen.reading import TranslationError, read_module
 from mechproof.record import (
@@ -61,10 +61,18 @@ def compare_code(name: str, meant: KernelCode, read: KernelCode | None) -> None:
             raise TranslationError(f"{name}: {field.name} meant {one}, the source reads {other}")
 
 
+def number_form(quantity: Quantity, form: Form) -> str:
+    """Return the number of the row that says what the source of a form computes."""
+    if form is quantity.shipped[-1]:
+        return f"kernel {quantity.name}"
+    if any(form is one for one in quantity.shipped):
+        return f"kernel {quantity.name}, {form.name}"
+    return f"kernel {name_rival(quantity, form)}"
+
+
 def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Iterator[Row]:
     quantity, form = kernel.quantity, kernel.forms[place]
-    last = form is kernel.forms[-1]
-    number = f"kernel {kernel.name}" if last else f"kernel {kernel.name}, {form.name}"
+    number = number_form(quantity, form)
     shown = kernel.name.replace("_", r"\_")
     rewrites = ", ".join(form.rewrites) or "none"
     bound = "" if form.bound is None else f"; off by at most {form.bound}"

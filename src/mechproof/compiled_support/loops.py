@@ -21,6 +21,7 @@ THREADED = 2**17
 # Points of which arguments that are spread are copied at once: the copies stay in a cache.
 PIECE = 2**14
 DOUBLE = np.dtype(np.float64)
+NUMBERS = (float, np.float64)
 
 
 class Loops(NamedTuple):
@@ -63,12 +64,38 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
         As the kernels of NumPy; TypeError for arrays with ufuncs of their own, too.
 
     """
+    if (row := _take_numbers(loops, arguments, out)) is not None:
+        return row
     arrays = as_floats(**dict(zip(loops.names, arguments, strict=True)))
     if not any(loops.widths) and all(isinstance(a, np.generic) for a in arrays) and out is None:
         value = loops.at(*map(float, arrays))
         dtype = arrays[0].dtype
         return np.array(value, dtype).reshape(loops.shape) if loops.shape else dtype.type(value)
     return _run(loops, arrays, out)
+
+
+def _take_numbers(
+    loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None
+) -> NDArray[Any] | None:
+    """Fill a short row of doubles whose parameters are numbers of any kind; None for all else."""
+    first, *parameters = arguments
+    if type(first) is not np.ndarray or any(loops.widths) or loops.shape:
+        return None
+    if not all(map(_is_double, parameters)):
+        return None
+    row = take_row(first, out)
+    if row is not None:
+        loops.uniform(row, first, *map(float, parameters))
+    return row
+
+
+def _is_double(value: Any) -> bool:
+    """Say whether it is one number that makes a double of every array of doubles."""
+    kind = type(value)
+    if kind is int:
+        # Larger ones are no numbers of NumPy's.
+        return -(2**63) <= value < 2**63
+    return kind in NUMBERS or bool(kind is np.ndarray and value.dtype is DOUBLE and not value.ndim)
 
 
 def _run(loops: Loops, arrays: tuple[Any, ...], out: NDArray[Any] | None) -> Any:
@@ -125,11 +152,16 @@ def _fill(
     outer: list[tuple[int, ...]],
 ) -> None:
     """Fill a target whose last axes are a result's: rows of equal parameters if they are long."""
+    depth = len(points) - _count_common_axes(outer[1:], len(points))
+    if not depth and outer[0] == points:
+        first, *parameters = arrays
+        numbers = [number for array in parameters for number in array.reshape(-1).tolist()]
+        _fill_uniformly(loops, target.reshape(-1), first.reshape(-1), numbers)
+        return
     wide = [
         spread(a, (*points, width) if width else points)
         for a, width in zip(arrays, loops.widths, strict=True)
     ]
-    depth = len(points) - _count_common_axes(outer[1:], len(points))
     if depth and math.prod(points[depth:]) < LONG_ROW:
         for index in cut(points, PIECE):
             flat = [np.ascontiguousarray(a[index]).reshape(-1) for a in wide]

@@ -26,6 +26,7 @@ from mechproof.kernels import elliptic_planetary as kernels
 from mechproof.mechanisms.extremes import Extremes
 from mechproof.mechanisms.facts import check_domain, choose_published
 from mechproof.mechanisms.inversion import follow_kind, invert
+from mechproof.notebook import Displayed
 
 __all__ = ["EllipticPlanetary"]
 
@@ -37,7 +38,7 @@ FINEST = 4 * float(np.finfo(float).smallest_subnormal)
 
 
 @dataclass(frozen=True)
-class EllipticPlanetary:
+class EllipticPlanetary(Displayed):
     """A planetary mechanism: carrier in, elliptical wheel out, epicycle fixed.
 
     Parameters

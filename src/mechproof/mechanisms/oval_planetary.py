@@ -38,6 +38,7 @@ from mechproof.mechanisms.oval_planetary_motion import (
     compose,
     describe_motion,
 )
+from mechproof.notebook import Displayed
 
 __all__ = ["CylindricalPair", "Motion", "OvalPair", "OvalPlanetary"]
 
@@ -96,7 +97,7 @@ class CylindricalPair:
 
 
 @dataclass(frozen=True)
-class OvalPlanetary:
+class OvalPlanetary(Displayed):
     """A planetary mechanism: carrier in, oval wheel 3 out, sun 4 fixed.
 
     Parameters

@@ -28,12 +28,13 @@ from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import tooth_thickness as kernels
 from mechproof.mechanisms.facts import check_domain
 from mechproof.mechanisms.inversion import follow_kind, invert
+from mechproof.notebook import Displayed
 
 __all__ = ["ToothThickness"]
 
 
 @dataclass(frozen=True)
-class ToothThickness:
+class ToothThickness(Displayed):
     """A spur gear without profile shift, addendum of one module.
 
     Parameters

@@ -42,6 +42,7 @@ from mechproof.kernels.forms import tooth_thickness as forms
 from mechproof.laws.kinds import check_law
 from mechproof.mechanisms.tooth_thickness import ToothThickness
 from mechproof.mechanisms.tooth_thickness_errors import add_normals, exact_shares, scale_law
+from mechproof.notebook import Displayed
 
 __all__ = ["IT_120_TO_180", "ThicknessInspection"]
 
@@ -53,7 +54,7 @@ PUBLISHED_TOLERANCE = (-0.057, -0.012)
 
 
 @dataclass(frozen=True, eq=False)
-class ThicknessInspection:
+class ThicknessInspection(Displayed):
     """A wheel, the limits of its tooth thickness, and the laws of the part and of the errors.
 
     Parameters

@@ -24,6 +24,7 @@ from mechproof.arguments.scalars import check_count, check_real, check_triple
 from mechproof.kernels import track_wheel as kernels
 from mechproof.mechanisms.extremes import Extremes
 from mechproof.mechanisms.facts import check_domain
+from mechproof.notebook import Displayed
 
 __all__ = ["TrackWheel"]
 
@@ -31,7 +32,7 @@ Triple = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
-class TrackWheel:
+class TrackWheel(Displayed):
     """A wheel with a track of z periods, and its turn and shift on the machine.
 
     Parameters

@@ -23,6 +23,7 @@ from mechproof.arguments.scalars import check_items, check_real, require
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.mechanisms.facts import check_domain, choose_published
+from mechproof.notebook import Displayed
 
 if TYPE_CHECKING:
     from mechproof.tolerance import CornerRange, Size
@@ -39,7 +40,7 @@ class RollerLeverReachError(ValueError):
 
 
 @dataclass(frozen=True)
-class WedgeLinkage:
+class WedgeLinkage(Displayed):
     """The linkage by its sizes: pusher in, wedge out.
 
     Parameters

@@ -35,7 +35,8 @@ PART: Final = "pictures"
 # What matplotlib says of lines in a rule that would hold for the whole page.
 LINES = "stroke-linejoin: round; stroke-linecap: butt"
 # What matplotlib says of each text; other machines have a font of the same widths, or another.
-FONT, FONTS = "font-family: 'DejaVu Sans'", "font-family: 'DejaVu Sans', Verdana, sans-serif"
+FONT = re.compile(r"font-family: 'DejaVu Sans'[^;\"]*(?:; )?")
+FONTS = "font-family: 'DejaVu Sans', Verdana, sans-serif"
 # Pixels per inch of a PNG: a column of 85 mm has some 740.
 DPI = 220
 
@@ -165,7 +166,7 @@ def _save_svg(figure: Figure, canvas: Canvas) -> str:
     text = StringIO()
     with use_style({"svg.hashsalt": f"{figure.name}: {figure.title}"}):
         canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
-    return _strip(text.getvalue(), figure.title)
+    return strip_svg(text.getvalue(), figure.title)
 
 
 def _save_png(figure: Figure, canvas: Canvas) -> bytes:
@@ -175,7 +176,7 @@ def _save_png(figure: Figure, canvas: Canvas) -> bytes:
     return pixels.getvalue()
 
 
-def _strip(text: str, title: str) -> str:
+def strip_svg(text: str, title: str) -> str:
     """Keep what a page can hold: one element, without rules for the page or ids of no use."""
     body = text[text.index("<svg") :]
     body = re.sub(r"\s*<metadata>.*?</metadata>", "", body, flags=re.DOTALL)
@@ -183,5 +184,4 @@ def _strip(text: str, title: str) -> str:
     used = set(re.findall(r"#([\w.-]+)", body))
     body = re.sub(r' id="([\w.-]+)"', lambda found: found[0] if found[1] in used else "", body)
     says = f'role="img" aria-label="{escape(title)}" style="{LINES}; {FONTS}"'
-    body = body.replace(f"{FONT}; ", "").replace(f"; {FONT}", "")
-    return body.replace("<svg ", f"<svg {says} ", 1)
+    return FONT.sub("", body).replace("<svg ", f"<svg {says} ", 1)

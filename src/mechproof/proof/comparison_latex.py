@@ -8,7 +8,7 @@ from itertools import islice
 from typing import Any
 
 import sympy as sp
-from sympy.printing.latex import LatexPrinter
+from sympy.printing.latex import LatexPrinter, translate
 
 from mechproof.record import (
     Conjunction,
@@ -25,6 +25,8 @@ _MOST_NODES = 50
 _MOST_PARTS = 3
 _INDEX = "#"
 _PLAIN_NAME = re.compile(r"[A-Za-z]+\d*(_\w+)?")
+# Names of more than two letters are words, unless they name a Greek letter.
+_LONG_NAME = re.compile(r"[A-Za-z]{3,}(_\w+)?$")
 _ESCAPES = str.maketrans({"_": r"\_", "^": r"\^{}"})
 _NAMED = Mapping[sp.Basic, str]
 
@@ -36,6 +38,21 @@ def write_compared(statement: Statement, variables: Sequence[Variable]) -> str:
     """
     names = {v.symbol: v.latex[0] for v in variables if v.latex}
     return _compared(statement, names)
+
+
+def write_latex(formula: sp.Basic, variables: Sequence[Variable]) -> str:
+    """Return a formula in the letters of a paper, however long it is; words stand upright."""
+    words = {s: _write_word(s) for s in formula.free_symbols if _LONG_NAME.match(str(s))}
+    printed = {v.symbol: v.latex[0] for v in variables if v.latex}
+    text: str = _Printer({**words, **printed}).doprint(formula)
+    return text
+
+
+def _write_word(symbol: sp.Symbol) -> str:
+    stem, _, index = str(symbol).partition("_")
+    letter = translate(stem)
+    shown = letter if letter.startswith("\\") else rf"\mathrm{{{stem}}}"
+    return f"{shown}_{{{index.translate(_ESCAPES)}}}" if index else shown
 
 
 def _compared(statement: Statement, names: _NAMED) -> str:

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from mechproof.notebook import Displayed
 from mechproof.proof.findings import Found
 from mechproof.proof.ladder import IDENTICAL
 from mechproof.proof.rungs import RUNGS, name_rungs
@@ -34,7 +35,7 @@ Marks say what a row rests on; rows marked *ours* are counted apart:
 
 
 @dataclass(frozen=True)
-class Ledger:
+class Ledger(Displayed):
     """A paper with the judgements of its rows and the findings among them.
 
     `failures` name the rows that could not be judged; with any, findings are not looked for.

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from mechproof.notebook import Displayed
+
 
 class Verdict(StrEnum):
     """Exactly one for each row."""
@@ -48,7 +50,7 @@ class Answer:
 
 
 @dataclass(frozen=True)
-class Judgement:
+class Judgement(Displayed):
     """One line of the ledger; `on` is the part of the paper's domain that it is said of.
 
     `compared_with` is the LaTeX of the other side.

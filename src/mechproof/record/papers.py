@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 import sympy as sp
 
+from mechproof.notebook import Displayed
 from mechproof.record.findings import Finding
 from mechproof.record.quantities import Quantity
 from mechproof.record.rows import Row
@@ -40,7 +41,7 @@ class Published:
 
 
 @dataclass(frozen=True)
-class Paper:
+class Paper(Displayed):
     """A paper: its symbols, its rows in printed order, the quantities shipped from it.
 
     `usual` are sizes as in practice of symbols that have no printed one: they decide nothing, but

@@ -1,0 +1,40 @@
+"""Judging for a command: with progress, and failures as an exit status."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from mechproof.cli.console import fail, show_progress
+from mechproof.derivation import DerivationError
+from mechproof.proof.ledger import Ledger
+from mechproof.verification import VerificationError, judge_derivations
+
+NoCacheOption = Annotated[
+    bool, typer.Option("--no-cache", help="Judge every row anew and keep no verdict.")
+]
+LimitOption = Annotated[
+    float,
+    typer.Option(
+        "--limit", metavar="SECONDS", min=0, help="A row that takes longer is an error, no verdict."
+    ),
+]
+
+
+def judge_papers(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[Ledger]:
+    """Judge the papers; a derivation that fails ends the command with status 1."""
+    title = f"judging {', '.join(location.stem for location in locations)}"
+    try:
+        with show_progress(title) as report:
+            return judge_derivations(locations, use_cache=use_cache, limit=limit, report=report)
+    except (DerivationError, VerificationError) as error:
+        fail(str(error))
+
+
+def refuse_failures(ledgers: Sequence[Ledger]) -> None:
+    """Name every row that could not be judged and end with status 1."""
+    if failures := [failure for ledger in ledgers for failure in ledger.failures]:
+        fail("\n".join(failures))

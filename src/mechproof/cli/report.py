@@ -1,0 +1,54 @@
+"""The command that writes the report."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
+from mechproof.cli.places import DerivationsOption, find_locations, find_places
+from mechproof.derivation import DerivationError
+from mechproof.verification import LIMIT
+
+
+def report(
+    papers: Annotated[
+        list[str] | None,
+        typer.Argument(
+            help="Systems, files FILE.py or folders of derivations; all systems if none."
+        ),
+    ] = None,
+    out: Annotated[Path, typer.Option(help="The folder that the pages go to.")] = Path("report"),
+    derivations: DerivationsOption = None,
+    no_cache: NoCacheOption = False,
+    limit: LimitOption = LIMIT,
+) -> None:
+    """Write pages for a browser: every row with its verdict, every quantity, the papers' figures.
+
+    They open from the file, without network or script: index.html first. A folder that holds
+    anything but a report is refused.
+
+    Exit status 0: written; 1: a row hangs or crashes, which the page of its paper shows, or a
+    derivation fails; 2: bad usage.
+    """
+    from mechproof.report import FolderError, PictureError, build_site, check_folder, write_folder
+
+    try:
+        check_folder(out)
+    except FolderError as error:
+        refuse(f"--out {error}")
+    locations = find_locations(papers or (), find_places(derivations, None))
+    ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
+    try:
+        with show_progress("drawing what was measured, and the papers' figures") as tell:
+            files = build_site(locations, ledgers, tell)
+        write_folder(out, files)
+    except (DerivationError, PictureError, FolderError, ValueError) as error:
+        fail(str(error))
+    except OSError as error:
+        fail(f"--out: {error}")
+    say(f"{out}: {len(files)} files; open {out / 'index.html'}")
+    refuse_failures(ledgers)

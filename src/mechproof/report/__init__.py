@@ -1,0 +1,12 @@
+"""The report: what was read, judged, proved and measured of papers, as pages for a browser.
+
+A static site of one stylesheet: a start page, a page for each paper and one for each quantity.
+It needs no network and no script. In a notebook a paper, its ledger, a row and a mechanism show
+themselves from the same templates. Needs the `derive` extra.
+"""
+
+from mechproof.report.folder import FolderError, check_folder, write_folder
+from mechproof.report.pictures import PictureError
+from mechproof.report.site import build_site
+
+__all__ = ["FolderError", "PictureError", "build_site", "check_folder", "write_folder"]

@@ -1,0 +1,68 @@
+"""Layout: views in, pages and fragments out; every text from a paper is escaped."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from importlib.metadata import version
+from importlib.resources import files
+from itertools import cycle
+
+import jinja2
+from markupsafe import Markup, escape
+
+from mechproof.report.anchors import slugify
+from mechproof.report.rows import MARKED
+from mechproof.report.words import set_prose
+
+STYLESHEET = "report.css"
+SUFFIX = ".html.jinja"
+DOI = re.compile(r"(?<=doi )(10\.\d{4,9}/[^\s,;]*[\w/])", re.IGNORECASE)
+
+
+def render(template: str, **data: object) -> str:
+    """Render one template; what it asks for and is not given is an error."""
+    return _environment().get_template(f"{template}{SUFFIX}").render(**data)
+
+
+def read_stylesheet() -> str:
+    """Return the one stylesheet."""
+    return files("mechproof.report").joinpath("templates", STYLESHEET).read_text(encoding="utf-8")
+
+
+@cache
+def _environment() -> jinja2.Environment:
+    environment = jinja2.Environment(
+        loader=jinja2.PackageLoader("mechproof.report"),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        autoescape=True,
+    )
+    environment.filters |= {
+        "cite": _cite,
+        "prose": set_prose,
+        "slug": slugify,
+        "words": _say,
+        "capfirst": _begin,
+    }
+    environment.globals |= {"version": version("mechproof"), "meanings": MARKED}
+    return environment
+
+
+def _cite(text: str) -> Markup:
+    """Link the DOI of a citation."""
+    link = Markup('<a href="https://doi.org/{0}">{0}</a>')
+    parts = DOI.split(text)
+    return Markup("").join(
+        link.format(part) if odd else escape(part) for odd, part in zip(cycle((0, 1)), parts)
+    )
+
+
+def _say(name: str) -> str:
+    """Say the name of a module as words."""
+    return _begin(name.replace("_", " "))
+
+
+def _begin(text: str) -> str:
+    return text[:1].upper() + text[1:]

@@ -1,0 +1,145 @@
+"""MathML: a formula of a paper in LaTeX in, an element that every browser shows alike out."""
+
+from __future__ import annotations
+
+import re
+from html import unescape
+from itertools import pairwise
+from typing import Literal
+from xml.etree.ElementTree import Element, SubElement, tostring
+
+from latex2mathml.converter import convert_to_element
+from markupsafe import Markup
+from sympy.printing.latex import translate
+
+Display = Literal["block", "inline"]
+# What the elements may carry on; others, as links and styles, are dropped.
+ATTRIBUTES = frozenset({
+    "accent", "columnalign", "display", "displaystyle", "fence", "form", "largeop", "linethickness",
+    "lspace", "mathvariant", "maxsize", "minsize", "movablelimits", "rspace", "scriptlevel",
+    "separator", "stretchy", "width", "xmlns",
+})  # fmt: skip
+UPRIGHT = re.compile(r"\\mathrm\s*(?:\{([^\W\d_]+)\}|([^\W\d_]))")
+ESCAPED = re.compile(r"\\([_%#&$ ])")
+# SymPy's name for the angle of a vector, and everyone else's.
+TWO_ARGUMENTS = (r"\operatorname{atan}_{2}", r"\text{atan2}")
+# What SymPy calls a variable of integration so that it is no other: its name and a line.
+DUMMY = re.compile(r"\\text\{([A-Za-z]+)(\d*)\\_\}")
+TALL = frozenset({"mfrac", "mtable", "munderover", "munder", "msqrt", "mroot", "mover"})
+PRIMES = ("′", "″", "‴")
+OPENING, CLOSING = "([{|⟨⌈⌊", ")]}⟩⌉⌋"
+
+
+def write_formula(latex: str, display: Display = "inline") -> Markup:
+    """Write a formula as MathML, with its LaTeX for who copies it; as code if it is no LaTeX."""
+    plain = DUMMY.sub(_as_letter, UPRIGHT.sub(_as_text, latex).replace(*TWO_ARGUMENTS))
+    try:
+        math = convert_to_element(plain, display=display)
+    except Exception:  # The library raises many kinds, which the user's own paper may meet.
+        return Markup('<code class="latex">{}</code>').format(latex)
+    _mend(math)
+    row = math[0]
+    math.remove(row)
+    meaning = SubElement(math, "semantics")
+    meaning.append(row)
+    source = SubElement(meaning, "annotation", {"encoding": "application/x-tex"})
+    source.text = latex
+    return Markup(tostring(math, encoding="unicode"))
+
+
+def _as_text(name: re.Match[str]) -> str:
+    return rf"\text{{{name[1] or name[2]}}}"
+
+
+def _as_letter(name: re.Match[str]) -> str:
+    index = f"_{{{name[2]}}}" if name[2] else ""
+    return rf"\tilde{{{translate(name[1])}}}{index}"
+
+
+def _mend(element: Element) -> None:
+    """Read entities, drop what is not allowed, and say what the library leaves to the browser."""
+    element.text = unescape(element.text) if element.text else element.text
+    element.attrib = {k: v for k, v in element.attrib.items() if k in ATTRIBUTES}
+    if element.tag == "mtext" and element.text:
+        element.text = read_text(element.text)
+    if element.tag == "mover" and element[-1].tag == "mo":
+        element.set("accent", "true")
+    if element.tag == "mo" and (element.text or "").isalpha() and len(element.text or "") > 1:
+        element.tag, element.attrib = "mi", {}
+    if element.tag == "mi" and element.text:
+        _mend_name(element, element.text)
+    for place, child in enumerate(list(element)):
+        _mend(child)
+        if len(child) and (child[-1].text or "") in PRIMES:
+            element[place] = _set_prime(child)
+    _space_functions(element)
+    _keep_low(element)
+
+
+def _set_prime(element: Element) -> Element:
+    """Set a prime beside its name, raised as its letter is: fonts differ in those of scripts."""
+    if element.tag not in ("msup", "msubsup"):
+        return element
+    row, letter, prime = Element("mrow"), element[0], element[-1]
+    row.append(letter)
+    SubElement(row, "mo", {"form": "postfix", "lspace": "0", "rspace": "0"}).text = prime.text
+    if element.tag == "msup":
+        return row
+    name = Element("msub")
+    name.extend((row, element[1]))
+    return name
+
+
+def _keep_low(row: Element) -> None:
+    """Leave brackets around what is no higher as they are: stretched they stand apart in fonts."""
+    fences = [child for child in row if child.get("fence") == "true"]
+    if fences and not any(part.tag in TALL for part in row.iter()):
+        for fence in fences:
+            fence.set("stretchy", "false")
+
+
+def _mend_name(element: Element, text: str) -> None:
+    if len(text) == 1 and not (text.isalnum() or text in "∂∇∞∅ℓ′″‴%°ℝℕℤ…"):
+        element.tag = "mo"
+    elif len(text) == 1 and "Α" <= text <= "Ω":
+        element.set("mathvariant", "normal")
+
+
+def _space_functions(row: Element) -> None:
+    """Set the name of a function apart from what it is applied to, and from what it multiplies."""
+    if row.tag not in ("mrow", "math", "mtd", "mstyle", "msqrt"):
+        return
+    parts = list(row)
+    # What follows a blank is a unit: 66 mm.
+    units = {id(b) for a, b in pairwise(parts) if a.tag == "mtext" and _is_blank(a)}
+    for left, right in pairwise(parts):
+        after = _is_function(left) and id(left) not in units and not _opens(right)
+        if after or (_is_function(right) and _multiplies(left)):
+            row.insert(list(row).index(right), Element("mspace", {"width": "0.167em"}))
+
+
+def _is_blank(element: Element) -> bool:
+    return element.tag == "mspace" or (element.tag == "mtext" and not (element.text or "").strip())
+
+
+def _is_function(element: Element) -> bool:
+    base = element[0] if element.tag in ("msup", "msub", "msubsup") and len(element) else element
+    return base.tag in ("mi", "mtext") and (base.text or "").isalnum() and len(base.text or "") > 1
+
+
+def _opens(element: Element) -> bool:
+    first = element
+    while first.tag in ("mrow", "mstyle") and len(first):
+        first = first[0]
+    return _is_blank(first) or (first.tag == "mo" and (first.text or "") in OPENING)
+
+
+def _multiplies(element: Element) -> bool:
+    if element.tag == "mo":
+        return (element.text or "") in CLOSING
+    return not _is_blank(element)
+
+
+def read_text(text: str) -> str:
+    """Read what LaTeX escapes in words."""
+    return ESCAPED.sub(r"\1", text).replace(r"\^{}", "^").replace("~", "\N{NO-BREAK SPACE}")

@@ -1,0 +1,283 @@
+"""Papers: a ledger in the order of its paper, as its page shows it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from markupsafe import Markup
+
+from mechproof.proof.comparison_latex import write_latex
+from mechproof.proof.findings import Found
+from mechproof.proof.ledger import COUNTED, Ledger, classify
+from mechproof.proof.verdict import Judgement
+from mechproof.record import Paper, Row, Variable
+from mechproof.report.anchors import find_equation, name_anchors, name_equation
+from mechproof.report.formulas import write_print
+from mechproof.report.mathml import write_formula
+from mechproof.report.rows import (
+    RowView,
+    describe_failure,
+    describe_print,
+    describe_row,
+    name_symbols,
+)
+from mechproof.report.sources import Source
+from mechproof.report.words import LOOKS, NOT_JUDGED, Look, look_of, set_prose
+
+
+@dataclass(frozen=True)
+class FindingView:
+    """A finding, with where the row stands that shows it and where those stand that follow."""
+
+    system: str
+    number: str
+    anchor: str
+    look: Look
+    marks: tuple[str, ...]
+    printed: Markup
+    wrong: Markup
+    costs: tuple[Markup, ...]
+    corrected: Markup
+    corrected_by: str
+    follows: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Count:
+    """How many rows of a class have a verdict."""
+
+    look: Look
+    number: int
+
+
+@dataclass(frozen=True)
+class Total:
+    """A class of rows and its verdicts."""
+
+    name: str
+    counts: tuple[Count, ...]
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One thing of the sequence of a paper: a row, and where an equation begins with it."""
+
+    row: RowView
+    begins: str = ""
+    figures: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Equation:
+    """An equation of the index: its number, where it begins, and the gravest of its verdicts."""
+
+    number: str
+    anchor: str
+    look: Look
+
+
+@dataclass(frozen=True)
+class SymbolView:
+    """A symbol of a paper."""
+
+    name: Markup
+    meaning: str
+    dimension: str
+    within: Markup
+    given: Markup
+
+
+@dataclass(frozen=True)
+class Section:
+    """A part of the page: its rows in their order."""
+
+    key: str
+    title: str
+    says: str
+    entries: tuple[Entry, ...]
+
+
+@dataclass(frozen=True)
+class PaperView:
+    """The page of a paper; `loose` are figures that stand after no row."""
+
+    system: str
+    citation: str
+    conventions: str
+    totals: tuple[Total, ...]
+    found: tuple[Count, ...]
+    findings: tuple[FindingView, ...]
+    failures: tuple[str, ...]
+    index: tuple[Equation, ...]
+    sections: tuple[Section, ...]
+    loose: tuple[str, ...]
+    symbols: tuple[SymbolView, ...]
+    quantities: tuple[tuple[str, str], ...]
+
+
+def describe_paper(source: Source, figures: Mapping[str, str]) -> PaperView:
+    """Describe a paper; `figures` have the number of the row after which each is shown."""
+    ledger = source.ledger
+    paper = ledger.paper
+    anchors = _name_all(ledger)
+    sections = tuple(_list_sections(source, anchors, figures))
+    shown = {name for section in sections for entry in section.entries for name in entry.figures}
+    return PaperView(
+        system=paper.system,
+        citation=paper.citation,
+        conventions=paper.conventions,
+        totals=tuple(count_totals(ledger.judgements)),
+        found=count_verdicts(ledger.judgements),
+        findings=tuple(describe_finding(found, anchors) for found in ledger.findings),
+        failures=tuple(_strip_failures(source)),
+        index=tuple(_index_equations(sections[0].entries)),
+        sections=tuple(section for section in sections if section.entries),
+        loose=tuple(name for name in figures if name not in shown),
+        symbols=tuple(_describe_symbol(v, paper) for v in paper.variables),
+        quantities=tuple((quantity.name, quantity.summary) for quantity in paper.quantities),
+    )
+
+
+def _name_all(ledger: Ledger) -> dict[str, str]:
+    numbers = [row.number for row in ledger.paper.rows]
+    numbers += [row.number for row in ledger.judgements]
+    return name_anchors(dict.fromkeys(numbers))
+
+
+def describe_finding(found: Found, anchors: Mapping[str, str]) -> FindingView:
+    """Describe a finding by the anchors of its paper's rows."""
+    return FindingView(
+        system=found.system,
+        number=found.number,
+        anchor=anchors[found.number],
+        look=look_of(found.verdict),
+        marks=found.marks,
+        printed=write_print(found.printed_latex),
+        wrong=set_prose(found.wrong),
+        costs=tuple(map(set_prose, found.costs)),
+        corrected=write_print(found.corrected_latex),
+        corrected_by=found.corrected_by,
+        follows=tuple((number, anchors[number]) for number in found.follows),
+    )
+
+
+def count_totals(judgements: Sequence[Judgement]) -> Iterator[Total]:
+    """Count the verdicts of each class of rows; no sum over classes."""
+    for name in COUNTED:
+        rows = [row for row in judgements if classify(row) == name]
+        if rows:
+            yield Total(name, count_verdicts(rows))
+
+
+def count_verdicts(judgements: Sequence[Judgement]) -> tuple[Count, ...]:
+    """Count verdicts, the gravest first."""
+    counted = Counter(str(row.verdict) for row in judgements)
+    return tuple(
+        Count(look, counted[verdict]) for verdict, look in LOOKS.items() if counted[verdict]
+    )
+
+
+def _list_sections(
+    source: Source, anchors: Mapping[str, str], figures: Mapping[str, str]
+) -> Iterator[Section]:
+    paper, judged = source.ledger.paper, {j.number: j for j in source.ledger.judgements}
+    own = {row.number for row in paper.rows}
+    again = {
+        f"{follower.row}, with {finding.row} corrected"
+        for finding in paper.findings
+        for follower in finding.followers
+    }
+    views = _view_rows(source, anchors)
+    yield Section(
+        "rows", "The paper, row by row", "", tuple(_place(views, figures, mark_equations=True))
+    )
+    symbols = name_symbols(paper)
+    others = [row for number, row in judged.items() if number not in own]
+    for key, title, says, rows in (
+        (
+            "corrected",
+            "With the correction inserted",
+            "What follows from a finding is true with its correction in the place of the print.",
+            [row for row in others if row.number in again],
+        ),
+        (
+            "code",
+            "What the source of the kernels computes",
+            "Every form was read back from the source that was emitted, and compared with the "
+            "definition of its quantity.",
+            [row for row in others if row.number not in again],
+        ),
+    ):
+        shown = [describe_row(row, anchors[row.number], symbols) for row in rows]
+        yield Section(key, title, says, tuple(_place(shown, figures)))
+
+
+def _view_rows(source: Source, anchors: Mapping[str, str]) -> list[RowView]:
+    """View the paper's own rows; of those without a judgement, what failed."""
+    ledger, symbols = source.ledger, name_symbols(source.ledger.paper)
+    judged = {j.number: j for j in ledger.judgements}
+    return [
+        describe_row(judged[row.number], anchors[row.number], symbols)
+        if row.number in judged
+        else describe_failure(row, anchors[row.number], _find_failure(source, row))
+        for row in ledger.paper.rows
+    ]
+
+
+def _find_failure(source: Source, row: Row) -> str:
+    start = f"row {row.number}: "
+    failures = (f for f in _strip_failures(source) if f.startswith(start))
+    return next(failures, "").removeprefix(start)
+
+
+def _strip_failures(source: Source) -> Iterator[str]:
+    """Yield what failed without the place of the file, which is not the reader's."""
+    return (text.removeprefix(f"{source.location}: ") for text in source.ledger.failures)
+
+
+def _place(
+    views: Iterable[RowView], figures: Mapping[str, str], *, mark_equations: bool = False
+) -> Iterator[Entry]:
+    """Put figures after their rows and mark where an equation begins whose number no row has."""
+    views = list(views)
+    taken = {view.anchor for view in views}
+    for view in views:
+        begins = ""
+        if mark_equations and (equation := find_equation(view.number)):
+            anchor = name_equation(equation)
+            begins = "" if anchor in taken else anchor
+            taken.add(anchor)
+        after = tuple(name for name, number in figures.items() if number == view.number)
+        yield Entry(view, begins, after)
+
+
+def _index_equations(entries: Sequence[Entry]) -> Iterator[Equation]:
+    """List the equations in the paper's order, each with the gravest verdict of its rows."""
+    groups: dict[str, list[Entry]] = {}
+    for entry in entries:
+        if "ours" not in entry.row.marks and (equation := find_equation(entry.row.number)):
+            groups.setdefault(equation, []).append(entry)
+    order = [NOT_JUDGED, *LOOKS.values()]
+    for equation, group in groups.items():
+        gravest = min((entry.row.look for entry in group), key=order.index)
+        yield Equation(f"({equation})", group[0].begins or group[0].row.anchor, gravest)
+
+
+def list_prints(paper: Paper) -> list[RowView]:
+    """View the rows of a paper that nobody has judged."""
+    anchors = name_anchors(row.number for row in paper.rows)
+    return [describe_print(row, anchors[row.number]) for row in paper.rows]
+
+
+def _describe_symbol(variable: Variable, paper: Paper) -> SymbolView:
+    latex = variable.latex[0] if variable.latex else write_latex(variable.symbol, ())
+    given = variable.given
+    return SymbolView(
+        name=write_formula(latex.replace("#", "i")),
+        meaning=variable.meaning + (f"; {variable.sign}" if variable.sign else ""),
+        dimension="angle" if variable.dimension.is_angle else str(variable.dimension),
+        within=write_formula(write_latex(variable.within, ())),
+        given=Markup("") if given is None else write_formula(write_latex(given, paper.variables)),
+    )

@@ -1,0 +1,313 @@
+"""Quantities: what can be computed, as the page of one says it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+from markupsafe import Markup
+
+from mechproof.codegen.backends.c99 import render_c
+from mechproof.codegen.docstrings import (
+    describe_domain,
+    find_given,
+    list_notes,
+    tell_accuracy,
+    tell_unit,
+)
+from mechproof.codegen.forms import number_form
+from mechproof.codegen.kernel import Kernel, input_names, list_functions, shape_of
+from mechproof.lab.marks import list_workloads
+from mechproof.measured import Record, Timing
+from mechproof.proof.comparison_latex import write_latex
+from mechproof.proof.verdict import Judgement
+from mechproof.record import Argument, Form, Paper, Quantity, Toleranced, Variable
+from mechproof.report.formulas import write_lines
+from mechproof.report.mathml import write_formula
+from mechproof.report.sources import Source
+from mechproof.report.words import MEASURED, Look, look_of, set_numbers, set_prose
+
+# Letters of a multiple of pi that is written as such.
+SHORT = 8
+
+
+@dataclass(frozen=True)
+class ArgumentView:
+    """One argument of a quantity."""
+
+    name: str
+    symbols: Markup
+    meaning: str
+    unit: str
+    shape: str
+
+
+@dataclass(frozen=True)
+class FormView:
+    """One way to compute: its name, what is proved of it, what it loses and what it costs.
+
+    `error` and `time` are empty where nothing was measured.
+    """
+
+    name: str
+    is_shipped: bool
+    look: Look
+    rung: str
+    error: str
+    time: str
+    ratio: str
+    note: Markup
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What the record says of the quantity: the worst error found, where, when and on what."""
+
+    worst: str
+    unit: str
+    points: str
+    searched: Markup
+    taken: str
+    machine: str
+    is_quick: bool
+    timed: str
+
+
+@dataclass(frozen=True)
+class QuantityView:
+    """The page of a quantity."""
+
+    system: str
+    name: str
+    summary: str
+    source: str
+    unit: str
+    arguments: tuple[ArgumentView, ...]
+    formula: Markup
+    given: tuple[Markup, ...]
+    domain: Markup
+    notes: tuple[tuple[str, Markup], ...]
+    stated: Markup
+    proved: tuple[Markup, ...]
+    measured: Measured | None
+    forms: tuple[FormView, ...]
+    calls: tuple[tuple[str, str, str], ...]
+    charts: tuple[str, ...]
+
+
+def describe_quantities(source: Source) -> Iterator[QuantityView]:
+    """Describe every quantity of a paper."""
+    paper = source.ledger.paper
+    kernels = {kernel.name: kernel for kernel in list_functions(paper)}
+    header = _write_header(paper)
+    told = {quantity.name: quantity for quantity in source.told.quantities}
+    for quantity in paper.quantities:
+        record = next((r for r in source.records if r.quantity == _full(paper, quantity)), None)
+        kernel = kernels.get(quantity.name)
+        forms = told[quantity.name].forms
+        yield QuantityView(
+            system=paper.system,
+            name=quantity.name,
+            summary=quantity.summary,
+            source=quantity.source,
+            unit=tell_unit(quantity.unit),
+            arguments=tuple(_describe_arguments(quantity, paper.variables)),
+            formula=_write(quantity.definition, paper.variables),
+            given=tuple(_write_given(quantity, paper)),
+            domain=set_prose(describe_domain(quantity, paper).replace("oo", "∞")),
+            notes=tuple(_pick_notes(kernel, paper)),
+            stated=_tell_stated(quantity),
+            proved=tuple(set_prose(form.proved) for form in forms if form.proved),
+            measured=_describe_record(record, quantity) if record else None,
+            forms=tuple(_list_forms(quantity, source, record)),
+            calls=tuple(_list_calls(quantity, source, header)),
+            charts=tuple(_name_charts(record)) if record else (),
+        )
+
+
+def _full(paper: Paper, quantity: Quantity) -> str:
+    return f"{paper.system}.{quantity.name}"
+
+
+def _name_charts(record: Record) -> Iterator[str]:
+    return (f"{record.quantity}, {workload}" for workload, _ in list_workloads(record))
+
+
+def _write(formula: sp.Basic, variables: Sequence[Variable]) -> Markup:
+    return write_lines(write_latex(formula, variables))
+
+
+def _write_given(quantity: Quantity, paper: Paper) -> Iterator[Markup]:
+    """Write the symbols that the formula needs and that others give."""
+    values = {v.symbol: v.given for v in paper.variables if v.given is not None}
+    for symbol in find_given(quantity.definition, quantity, paper):
+        sides = (write_latex(side, paper.variables) for side in (symbol, values[symbol]))
+        yield write_formula(" = ".join(sides), "block")
+
+
+def _describe_arguments(
+    quantity: Quantity, variables: Sequence[Variable]
+) -> Iterator[ArgumentView]:
+    for argument in quantity.arguments:
+        symbols = Markup(", ").join(
+            write_formula(write_latex(symbol, variables)) for symbol in argument.symbols
+        )
+        default = "" if argument.default is None else f", default {argument.default:g}"
+        yield ArgumentView(
+            argument.name,
+            symbols,
+            argument.meaning,
+            tell_unit(argument.unit),
+            f"{shape_of(argument, quantity)}{default}",
+        )
+
+
+def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, Markup]]:
+    """Yield what is said beside domain, accuracy and source, which stand for themselves."""
+    for note in list_notes(kernel, paper) if kernel else ():
+        lead, colon, rest = note.partition(": ")
+        if lead not in ("Domain", "Accuracy", "Source"):
+            named = colon and len(lead.split()) == 1
+            yield (lead, set_prose(rest)) if named else ("", set_prose(note))
+
+
+def _tell_stated(quantity: Quantity) -> Markup:
+    if quantity.accuracy is None:
+        return Markup()
+    return set_prose(tell_accuracy(quantity.accuracy, input_names(quantity)))
+
+
+def _describe_record(record: Record, quantity: Quantity) -> Measured:
+    first = record.ways[0].name
+    rows = record.errors_of(first)
+    worst = record.worst_of(first)
+    at = ", ".join(map(_tell_point, quantity.arguments, record.searched.at))
+    machine = record.machine
+    return Measured(
+        worst="none" if worst is None else f"{worst:.3g}",
+        unit=record.error_unit,
+        points=f"{sum(row.points - row.undecided for row in rows):,}",
+        searched=set_prose(f"{record.searched.scaled:.3g} at {at}"),
+        taken=record.taken[:10],
+        machine=f"{machine.processor}, NumPy {machine.versions.get('numpy', '')}",
+        is_quick=record.quick,
+        timed=", ".join(f"{count:,} points, {name}" for name, count in list_workloads(record)[:1]),
+    )
+
+
+def _tell_point(argument: Argument, value: object) -> str:
+    parts = value if isinstance(value, tuple | list) else [value]
+    numbers = [f"{part:.6g}" if isinstance(part, float) else str(part) for part in parts]
+    return f"{argument.name} = {numbers[0] if len(numbers) == 1 else _enclose(numbers)}"
+
+
+def _enclose(numbers: Sequence[str]) -> str:
+    return f"({', '.join(numbers)})"
+
+
+def _list_forms(quantity: Quantity, source: Source, record: Record | None) -> Iterator[FormView]:
+    """List the forms with their verdicts of now, then what else was measured."""
+    judged = {j.number: j for j in source.ledger.judgements}
+    count = len(quantity.shipped)
+    for place, form in enumerate(quantity.forms):
+        # What the kernel loses and costs is measured of all its forms together.
+        measured = "" if 0 < place < count else form.name if place else "kernel"
+        row = judged.get(number_form(quantity, form))
+        yield _view_form(form, place < count, row, record, measured, source.told.variables)
+    known = {"kernel", *(form.name for form in quantity.rivals)}
+    for number, way in enumerate(record.ways if record else ()):
+        if way.name not in known:
+            look = MEASURED if way.kind == "peer" else look_of(way.verdict)
+            costs = _find_costs(record, way.name)
+            yield FormView(way.name, number == 0, look, way.rung, *costs, set_prose(way.note))
+
+
+def _view_form(
+    form: Form,
+    shipped: bool,
+    row: Judgement | None,
+    record: Record | None,
+    way: str,
+    variables: Sequence[Variable],
+) -> FormView:
+    look = look_of(row.verdict) if row else Look("unjudged", "not judged", "", "")
+    parts = [
+        Markup("{} {}").format(says, write_formula(write_latex(value, variables)))
+        for says, value in (("where", form.when), ("off by at most", form.bound))
+        if value is not None
+    ]
+    note = Markup("; ").join([*parts, *filter(None, (set_prose(form.note),))])
+    return FormView(
+        form.name, shipped, look, row.rung if row else "", *_find_costs(record, way), note
+    )
+
+
+def _find_costs(record: Record | None, way: str) -> tuple[str, str, str]:
+    """Return the worst error, the time per point of the first workload, and its ratio."""
+    if record is None:
+        return "", "", ""
+    worst = record.worst_of(way)
+    error = "" if worst is None else "none right" if worst == float("inf") else f"{worst:.3g}"
+    timing = _find_timing(record, way)
+    if timing is None:
+        return set_numbers(error), "", ""
+    ratio = "" if timing.ratio is None else f"{timing.ratio:.2g}"
+    return set_numbers(error), set_numbers(f"{timing.median:.3g}"), set_numbers(ratio)
+
+
+def _find_timing(record: Record, way: str) -> Timing | None:
+    workload, count = list_workloads(record)[0]
+    rows = (r for r in record.times if (r.way, r.workload) == (way, workload) and r.count <= count)
+    return max(rows, key=lambda row: row.count, default=None)
+
+
+def _write_header(paper: Paper) -> str:
+    try:
+        return render_c(paper)[f"{paper.system}.h"]
+    except (ValueError, NotImplementedError):
+        return ""
+
+
+def _list_calls(quantity: Quantity, source: Source, header: str) -> Iterator[tuple[str, str, str]]:
+    """Yield language, code and a remark for each way to call the kernel."""
+    if not (quantity.forms and source.home):
+        return
+    system, arguments = source.system, ", ".join(_write_arguments(quantity, source.told))
+    call = f"{quantity.name}({arguments})"
+    for language, package, remark in (
+        ("NumPy", source.home, "Arrays of any shape that broadcast; takes out=."),
+        (
+            "numba",
+            f"{source.home}.compiled",
+            "The same as one compiled loop; with numbers also inside your own compiled loops.",
+        ),
+    ):
+        needed = "import numpy as np\n\n" if "np." in call else ""
+        code = f"{needed}from {package}.{system} import {quantity.name}\n\n{call}"
+        yield language, code, remark
+    pattern = rf"^.*\b{system}_{quantity.name}(?:_array)?\(.*\);$"
+    if found := re.findall(pattern, header, re.MULTILINE):
+        remark = f"Written by mechproof emit c {system} --out c; link with -lm."
+        yield "C", "\n".join([f'#include "{system}.h"', "", *map(_wrap, found)]), remark
+
+
+def _wrap(prototype: str) -> str:
+    return prototype.replace(", ", ",\n    ").replace("(", "(\n    ", 1)
+
+
+def _write_arguments(quantity: Quantity, paper: Paper) -> Iterator[str]:
+    """Write the first published sizes where they are numbers, else the names of arguments."""
+    sizes = paper.published[0].sizes if paper.published else {}
+    for number, argument in enumerate(quantity.arguments):
+        size = sizes.get(argument.symbols[0]) if number and len(argument.symbols) == 1 else None
+        nominal = size.nominal if isinstance(size, Toleranced) else size
+        yield argument.name if nominal is None else _write_number(sp.sympify(nominal))
+
+
+def _write_number(size: sp.Expr) -> str:
+    """Write a size as code: a short multiple of pi as such."""
+    text = str(size)
+    is_short = size.has(sp.pi) and len(text) <= SHORT
+    return text.replace("pi", "np.pi") if is_short else f"{float(size):.12g}"

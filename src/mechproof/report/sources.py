@@ -1,0 +1,81 @@
+"""Sources: a derivation with all that a report tells of it: verdicts, bounds, measurements."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from pathlib import Path
+
+from mechproof.derivation import packaged_directory
+from mechproof.measured import Record, find_files, read_record
+from mechproof.proof.ledger import Ledger
+from mechproof.record import Paper
+from mechproof.roundoff.certificate import read_certificate, tell_proofs
+from mechproof.roundoff.files import FOLDER
+
+KERNELS = "mechproof.kernels"
+
+
+@dataclass(frozen=True)
+class Source:
+    """A derivation and its ledger; `home` is where its kernels are imported from, if they are.
+
+    `told` is the paper whose forms say what is proved of their rounding errors.
+    """
+
+    location: Path
+    ledger: Ledger
+    told: Paper
+    records: tuple[Record, ...] = ()
+    home: str = ""
+
+    @property
+    def system(self) -> str:
+        """Return the name of the paper."""
+        return self.ledger.paper.system
+
+
+def find_source(location: Path, ledger: Ledger) -> Source:
+    """Find what was generated from a derivation and measured of it, in its folder `generated`.
+
+    Raises ValueError, naming the file, for a record or a certificate that cannot be read.
+    """
+    folder = _find_generated(location)
+    paper = ledger.paper
+    kernels = folder.joinpath(f"{paper.system}.py")
+    home = KERNELS if _is_packaged(location) else folder.name
+    return Source(
+        location,
+        ledger,
+        _tell(paper, folder),
+        tuple(_read_records(folder, paper)),
+        home if kernels.is_file() else "",
+    )
+
+
+def _is_packaged(location: Path) -> bool:
+    return location.resolve().parent == packaged_directory().resolve()
+
+
+def _find_generated(location: Path) -> Traversable:
+    if _is_packaged(location):
+        return files(KERNELS)
+    return location.resolve().parent.parent / "generated"
+
+
+def _tell(paper: Paper, folder: Traversable) -> Paper:
+    file = folder.joinpath(FOLDER).joinpath(f"{paper.system}.json")
+    if not file.is_file():
+        return paper
+    return tell_proofs(paper, read_certificate(file.read_text(encoding="utf-8"), str(file)))
+
+
+def _read_records(folder: Traversable, paper: Paper) -> Sequence[Record]:
+    """Read what was measured of the quantities that the paper has, quickly if not otherwise."""
+    measured = folder.joinpath("measured")
+    quick = find_files(measured.joinpath("quick"))
+    found = {**quick, **find_files(measured)}
+    names = (f"{paper.system}.{quantity.name}" for quantity in paper.quantities)
+    return [read_record(found[name]) for name in names if name in found]

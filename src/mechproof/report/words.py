@@ -1,0 +1,129 @@
+"""Words: how a verdict is said and shown to a reader, and what stands in the text of evidence."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from markupsafe import Markup, escape
+
+from mechproof.proof.verdict import Verdict
+
+
+@dataclass(frozen=True)
+class Look:
+    """A verdict for a reader: a word, a sign beside its colour, and what it means."""
+
+    key: str
+    word: str
+    sign: str
+    meaning: str
+
+
+LOOKS: Mapping[str, Look] = {
+    Verdict.REFUTED: Look(
+        "refuted", "refuted", "✗",
+        "a counterexample whose enclosures separate both sides; the corrected form is proved",
+    ),
+    Verdict.ILL_FORMED: Look(
+        "ill-formed", "ill-formed", "∅",
+        "cannot be evaluated as printed: the witness is shown, the corrected form is proved",
+    ),
+    Verdict.UNDECIDED: Look(
+        "undecided", "undecided", "?", "none of the others, with what could not be shown"
+    ),
+    Verdict.UNDERDETERMINED: Look(
+        "underdetermined", "underdetermined", "…",
+        "the paper lacks a named datum: two completions of it give opposite answers",
+    ),
+    Verdict.CONDITIONAL: Look(
+        "conditional", "true in part", "◐",
+        "true on a stated part of the domain, false elsewhere with a counterexample there",
+    ),
+    Verdict.CONVENTION: Look(
+        "convention", "convention", "⇄",
+        "true after a stated change of sign, order, direction or reading; both are shown",
+    ),
+    Verdict.ENCLOSED: Look(
+        "enclosed", "enclosed", "≈", "not proved: the difference is enclosed at stated points"
+    ),
+    Verdict.PROVED: Look(
+        "proved", "proved", "✓",
+        "a complete decision procedure, the named rung, says so on the whole domain",
+    ),
+    Verdict.DEFINITION: Look(
+        "definition", "definition", "≔",
+        "introduces a symbol or a datum: nothing to prove beyond dimensions and consistent use",
+    ),
+}  # fmt: skip
+MEASURED = Look(
+    "measured", "measured", "∿", "no formula of ours: nothing is proved, it is measured"
+)
+NOT_JUDGED = Look("failed", "not judged", "!", "the row could not be judged: what failed is shown")
+ORDER = tuple(LOOKS)
+
+MINUS = " \N{MINUS SIGN} "
+BALL = re.compile(r"\[([^\[\]]+?) \+/- ([^\[\]]+?)\]")
+EXPONENT = re.compile(r"(?<=[\w)\]])\*\*(-?\d+)\b")
+POWER = re.compile(r"(\d)e([+-]?\d+)\b")
+CARET = re.compile(r"(?<=[\w)])\^(\d+)\b")
+UNIT = re.compile(r"(?<=\d )um\b")
+GREEK = {
+    name: unicodedata.lookup(f"GREEK {case} LETTER {name.upper().replace('LAMBDA', 'LAMDA')}")
+    for case, names in (
+        ("SMALL", "alpha beta gamma delta epsilon eta theta kappa lambda mu nu rho sigma tau phi "
+         "chi psi omega pi"),
+        ("CAPITAL", "Gamma Delta Theta Sigma Phi Psi Omega"),
+    )
+    for name in names.split()
+} | {"varphi": "φ", "varepsilon": "ε"}  # fmt: skip
+# A Greek letter by its name, or a letter with an index.
+NAME = re.compile(
+    rf"(?<![\w&#.])(?:({'|'.join(GREEK)}|[^\W\d_](?=_\w|\d\b))(?:_(\w+)|(\d+))?)(?!\w)"
+)
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def look_of(verdict: str) -> Look:
+    """Return how a verdict is shown; what is measured is a verdict of its own."""
+    return LOOKS.get(verdict, MEASURED)
+
+
+def set_numbers(text: str) -> str:
+    """Set balls and powers as people write them: [1.5 +/- 2e-9] is 1.5 ± 2·10⁻⁹."""
+    apart = BALL.sub(r"\1 ± \2", text).replace("<=", "≤").replace(">=", "≥").replace(" - ", MINUS)
+    return POWER.sub(_raise_ten, EXPONENT.sub(_raise, apart))
+
+
+def _raise(power: re.Match[str]) -> str:
+    return power[1].translate(SUPERSCRIPTS)
+
+
+def _raise_ten(power: re.Match[str]) -> str:
+    """Set a power of ten, without its factor where that is the digit one alone."""
+    before = power.string[power.start() - 1 : power.start()]
+    alone = power[1] == "1" and not (before.isdigit() or before == ".")
+    factor = "" if alone else f"{power[1]}·"
+    return f"{factor}10{str(int(power[2])).translate(SUPERSCRIPTS)}"
+
+
+def set_prose(text: str) -> Markup:
+    """Set the names within a sentence as formulas have them: x_5 with an index, phi1 as a letter.
+
+    The text is escaped first.
+    """
+    plain = UNIT.sub("\N{MICRO SIGN}m", CARET.sub(_raise, set_numbers(text)))
+    return Markup(NAME.sub(_set_name, str(escape(plain))))
+
+
+def _set_name(name: re.Match[str]) -> str:
+    index = name[2] or name[3] or ""
+    letter, index = GREEK.get(name[1], name[1]), GREEK.get(index, index)
+    return f"{letter}<sub>{index}</sub>" if index else letter
+
+
+def set_value(text: str) -> str:
+    """Set a value that a point has: as a number, pi as its letter."""
+    return set_numbers(re.sub(r"\bpi\b", "π", text)).replace("*", "·")

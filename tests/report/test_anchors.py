@@ -1,0 +1,58 @@
+"""Anchors and words of a report."""
+
+from __future__ import annotations
+
+from mechproof.proof.verdict import Verdict
+from mechproof.report.anchors import find_equation, name_anchors, slugify
+from mechproof.report.words import LOOKS, set_numbers, set_prose, set_value
+
+
+def test_rows_are_named_by_their_numbers() -> None:
+    assert name_anchors(
+        ["(12)", "(10), third equals sign", "table 3, interval 3", "(2a)", "(1)-(11), sense"]
+    ) == {
+        "(12)": "eq-12",
+        "(10), third equals sign": "eq-10-third-equals-sign",
+        "table 3, interval 3": "row-table-3-interval-3",
+        "(2a)": "eq-2a",
+        "(1)-(11), sense": "row-1-11-sense",
+    }
+
+
+def test_names_are_unique_whatever_the_numbers_are() -> None:
+    numbers = ["(1)", "(1) ", "(1)!", "***", "!!!", "a 2", "a", "a!", "(1) 2"]
+    names = name_anchors(numbers)
+    assert len(set(names.values())) == len(numbers)
+    assert names["(1)"] == "eq-1"
+
+
+def test_letters_of_any_script_stay() -> None:
+    assert slugify("Größe Ω, Формула (3)") == "grösse-ω-формула-3"
+
+
+def test_the_equation_of_a_row() -> None:
+    assert [find_equation(n) for n in ("(3)", "(3), Ox", "(3) over all", "(3)-(5)", "x")] == [
+        *("3", "3", "3", "", "")
+    ]
+
+
+def test_every_verdict_has_its_look() -> None:
+    assert set(LOOKS) == set(Verdict)
+    assert len({look.sign for look in LOOKS.values()}) == len(LOOKS)
+
+
+def test_numbers_are_set_as_people_write_them() -> None:
+    assert set_numbers("[2.30789 +/- 4.01e-12] (132°)") == "2.30789 ± 4.01·10⁻¹² (132°)"
+    assert set_numbers("|x| <= 2**26, 1e-290, 11e3") == "|x| ≤ 2²⁶, 10⁻²⁹⁰, 11·10³"
+    assert set_numbers("K_i[1] = 2") == "K_i[1] = 2"
+    assert set_value("pi/6*x (30°)") == "π/6·x (30°)"
+
+
+def test_names_in_sentences_are_set_as_letters_with_indices() -> None:
+    assert set_prose("x_5 at phi1 = 12 um, beta_DE; a rod R2") == (
+        "x<sub>5</sub> at φ<sub>1</sub> = 12 \N{MICRO SIGN}m, β<sub>DE</sub>; a rod R<sub>2</sub>"
+    )
+    assert set_prose("cos^2(x/2) <= (12), IT8, C99, tan_alpha, Delta h") == (
+        "cos²(x/2) ≤ (12), IT8, C99, tan_alpha, Δ h"
+    )
+    assert set_prose("<b_1> & 'pi'") == "&lt;b<sub>1</sub>&gt; &amp; &#39;π&#39;"

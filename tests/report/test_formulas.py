@@ -1,0 +1,120 @@
+"""Formulas: what papers print becomes MathML or a sentence, and nothing else."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from xml.etree.ElementTree import fromstring
+
+import pytest
+
+from mechproof.report.formulas import is_sentence, write_lines, write_print
+from mechproof.report.mathml import ATTRIBUTES, write_formula
+
+LEDGER = Path(__file__).parents[2] / "generated" / "ledger.json"
+FIELDS = ("printed_latex", "corrected_latex", "compared_with")
+MATH = "{http://www.w3.org/1998/Math/MathML}"
+
+
+def prints() -> set[str]:
+    ledger = json.loads(LEDGER.read_text(encoding="utf-8"))
+    rows = [*ledger["rows"], *ledger["findings"]]
+    return {row[field] for row in rows for field in FIELDS if row.get(field)}
+
+
+def shape(latex: str) -> str:
+    """The formula with tags and texts alone."""
+    root = fromstring(write_formula(latex))[0][0]
+    return "".join(f"<{e.tag.removeprefix(MATH)}>{e.text or ''}" for e in root.iter())
+
+
+def test_every_formula_of_the_papers_is_converted() -> None:
+    known = prints()
+    assert len(known) > 500
+    for latex in known:
+        for written in (write_print(latex), write_lines(latex)):
+            element = fromstring(f"<div>{written}</div>")
+            assert element.find(".//code") is None, latex
+            for part in element.iter():
+                # What is left of a command would be shown as it stands.
+                is_source = part.tag.endswith("annotation")
+                assert is_source or "\\" not in (part.text or ""), latex
+                if part.tag.startswith(MATH) and not is_source:
+                    assert set(part.attrib) <= ATTRIBUTES
+
+
+def test_what_is_no_latex_is_shown_as_it_stands() -> None:
+    assert write_formula(r"\left(<b>") == r'<code class="latex">\left(&lt;b&gt;</code>'
+
+
+def test_text_is_never_markup() -> None:
+    for latex in (r"\text{<script>}", "<script>", r"\text{&lt;script&gt;}", r"x_{<script>}"):
+        assert "<script" not in write_print(latex)
+
+
+def test_links_and_styles_are_dropped() -> None:
+    for latex in (r"\href{javascript:alert(1)}{x}", r"\class{a}{x}", r"\style{color:red}{x}"):
+        attributes = {name for e in fromstring(write_formula(latex)).iter() for name in e.attrib}
+        assert attributes <= ATTRIBUTES | {"encoding"}
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"\mathrm{tg}x", "<mrow><mtext>tg<mspace><mi>x"),
+        (r"2\sin x", "<mrow><mn>2<mspace><mi>sin<mspace><mi>x"),
+        (r"2\operatorname{erfc}x", "<mrow><mn>2<mspace><mi>erfc<mspace><mi>x"),
+        (r"(a)\cos x", "<mrow><mo>(<mi>a<mo>)<mspace><mi>cos<mspace><mi>x"),
+        (r"66~\mathrm{mm}", "<mrow><mn>66<mtext>\N{NO-BREAK SPACE}<mtext>mm"),
+        (r"\varphi_3'", "<mrow><msub><mrow><mi>φ<mo>\N{PRIME}<mn>3"),
+        (r"a\pm b", "<mrow><mi>a<mo>±<mi>b"),
+        (r"\text{x\_}", "<mrow><mover><mrow><mi>x<mo>~"),
+        (r"\operatorname{atan}_{2}{\left(a,b\right)}", None),
+    ],
+)
+def test_what_the_library_leaves_open_is_mended(latex: str, expected: str | None) -> None:
+    found = shape(latex)
+    assert "atan2" in found if expected is None else found == expected
+
+
+def test_brackets_around_low_things_are_not_stretched() -> None:
+    assert 'stretchy="false"' in write_formula(r"\left(a+b\right)")
+    assert 'stretchy="false"' not in write_formula(r"\left(\frac ab\right)")
+
+
+@pytest.mark.parametrize(
+    ("latex", "is_one"),
+    [
+        (r"\text{the two agree}", True),
+        (r"e\le1\text{ lets (11) divide by }\sqrt{2}", True),
+        (r"0.6\text{ ms}", True),
+        (r"D_{\text{printed}}=1", False),
+        (r"\left(\text{printed one}\right)", False),
+        (r"\int d\text{x\_}", False),
+        (r"66~\mathrm{mm}", False),
+    ],
+)
+def test_sentences_are_told_from_formulas(latex: str, is_one: bool) -> None:
+    assert is_sentence(latex) is is_one
+    assert ("<p " in write_print(latex)) is is_one
+
+
+def test_a_sentence_keeps_its_blanks_and_escapes() -> None:
+    written = write_print(r"\text{the 95 \% interval of x\_1 is }\bar q\pm 2u,\ n=198")
+    assert '<p class="sentence">the 95 % interval of x_1 is <math' in written
+
+
+def test_long_formulas_within_words_break_at_commas_and_scroll() -> None:
+    letters = ",".join(f"+l_{{{a}{b}}}" for a in "ABC" for b in "DEF")
+    written = write_print(rf"\text{{upper boundary: }}{letters}")
+    assert written.count("<math") == 9
+    assert 'class="long"' in write_print(rf"\text{{as in }}{letters.replace(',', '')}")
+    assert 'class="long"' not in written
+
+
+def test_lists_of_formulas_stand_below_each_other_and_once() -> None:
+    written = write_lines(
+        r"a=b,\quad \text{(too long to be shown)},\quad \text{(too long to be shown)}"
+    )
+    assert written.count('class="formula"') == 1
+    assert written.count("too long") == 1

@@ -1,0 +1,73 @@
+"""The command that writes the report: exit states, and what it refuses."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from conftest import write_hostile, write_slider_crank
+from typer.testing import CliRunner, Result
+
+from mechproof.cli import app
+
+
+def run(*arguments: str) -> Result:
+    return CliRunner().invoke(app, ["report", *arguments])
+
+
+def test_a_paper_of_a_user_becomes_pages(tmp_path: Path) -> None:
+    file, out = write_slider_crank(tmp_path), tmp_path / "pages"
+    for _ in range(2):
+        result = run(str(file), "--out", str(out))
+        assert result.exit_code == 0, result.output
+        assert "3 files" in result.output
+    page = (out / "papers" / "slider_crank.html").read_text(encoding="utf-8")
+    assert 'id="finding-eq-2"' in page
+    assert page.index("refuted") < page.index('id="eq-1"')
+
+
+def test_a_row_that_fails_is_shown_and_is_status_1(tmp_path: Path) -> None:
+    out = tmp_path / "pages"
+    result = run(str(write_hostile(tmp_path)), "--out", str(out))
+    assert result.exit_code == 1
+    assert "ghost" in result.output
+    assert (out / "papers" / "größe.html").is_file()
+
+
+def test_a_folder_of_other_things_is_refused_before_anything_is_judged(tmp_path: Path) -> None:
+    (tmp_path / "thesis.tex").write_text("mine")
+    result = run(str(write_slider_crank(tmp_path)), "--out", str(tmp_path))
+    assert result.exit_code == 2
+    assert "holds no report" in result.output
+    assert "judging" not in result.output
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"), [("raise OSError('gone')", "gone"), ("x = 1", "binds no mechproof")]
+)
+def test_a_derivation_that_fails_is_status_1(tmp_path: Path, text: str, fault: str) -> None:
+    file = tmp_path / "mine.py"
+    file.write_text(text, encoding="utf-8")
+    result = run(str(file), "--out", str(tmp_path / "pages"))
+    assert result.exit_code == 1
+    assert fault in result.output
+    assert not (tmp_path / "pages").exists()
+
+
+def test_a_figure_that_cannot_be_drawn_is_status_1(tmp_path: Path) -> None:
+    folder = tmp_path / "mine"
+    folder.mkdir()
+    write_slider_crank(folder).rename(folder / "__init__.py")
+    (folder / "pictures.py").write_text(
+        "from mechproof.plot import Figure\n"
+        "FIGURES = (Figure('one', None, 'A title', '', '(1)', lambda canvas: 1 / 0),)\n",
+        encoding="utf-8",
+    )
+    result = run(str(folder), "--out", str(tmp_path / "pages"))
+    assert result.exit_code == 1
+    assert "division by zero" in result.output
+    assert not (tmp_path / "pages").exists()
+
+
+def test_an_unknown_paper_is_bad_usage(tmp_path: Path) -> None:
+    assert run("nothing", "--out", str(tmp_path / "pages")).exit_code == 2

@@ -1,0 +1,196 @@
+"""The pages of a report: what they say, that links lead somewhere, and that no text is trusted."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+from conftest import HURT
+from pages import find_faults
+
+from mechproof.lab.marks import list_workloads
+from mechproof.measured import find_files, read_record
+from mechproof.report.layout import read_stylesheet
+from mechproof.report.pictures import chart
+
+pytestmark = pytest.mark.xdist_group("report")
+# WCAG 2.2, AA: text of usual size.
+LEAST_CONTRAST = 4.5
+
+
+def test_pages_are_whole_and_links_resolve(site: Path) -> None:
+    assert find_faults(site) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "fault"),
+    [
+        ('href="#eq-12"', 'href="#eq-99"', "has no anchor"),
+        ('href="../index.html"', 'href="../start.html"', "leads nowhere"),
+        ('id="eq-12"', 'id="eq-11"', "twice"),
+        ('href="../report.css"', 'href="https://example.org/x.css"', "loads https"),
+        ('<html lang="en">', "<html>", "no language"),
+        ("</main>", "<script></script></main>", "a <script>"),
+        ("</main>", '<p onclick="x"></p></main>', "an attribute onclick"),
+        ("</main>", "<p></main>", "closes"),
+        ('role="img"', "", "a picture without words"),
+        ('<th scope="col">symbol', "<th>symbol", "without a scope"),
+        ("<h1>", "<h1></h1><h1>", "2 elements <h1>"),
+    ],
+)
+def test_the_checker_sees_a_broken_page(
+    site: Path, tmp_path: Path, old: str, new: str, fault: str
+) -> None:
+    for file in ("index.html", "papers/elliptic_planetary.html", "report.css"):
+        text = (site / file).read_text(encoding="utf-8")
+        target = tmp_path / file
+        target.parent.mkdir(exist_ok=True)
+        changed = text.replace(old, new) if file.startswith("papers") else text
+        target.write_text(changed, encoding="utf-8")
+    found = [f for f in find_faults(tmp_path) if f.startswith("papers")]
+    assert any(fault in f for f in found)
+
+
+def test_the_start_page_has_findings_totals_chart_and_legend(files: dict[str, str]) -> None:
+    page = files["index.html"]
+    assert 'href="papers/elliptic_planetary.html#finding-eq-12"' in page
+    assert "off by 44.3°" in page
+    for part in ("findings", "totals", "speed", "verdicts", "mark-rebuilt", "rungs"):
+        assert f'id="{part}"' in page
+    assert page.count("<svg") == 1
+
+
+def test_a_paper_has_its_rows_in_order_with_what_was_found(files: dict[str, str]) -> None:
+    page = files["papers/elliptic_planetary.html"]
+    places = [page.index(f'id="{name}"') for name in ("findings", "rows", "eq-1", "eq-10", "eq-12")]
+    assert places == sorted(places)
+    row = page[page.index('<article class="row v-refuted" id="eq-12">') :]
+    row = row[: row.index("</article>")]
+    for part in (
+        "refuted",
+        "compared with",
+        "evidence",
+        "132.232°",
+        "proved: derivative",
+        "<code>",
+    ):
+        assert part in row
+    assert row.count("<math") >= 3
+    assert page.index('id="eq-12"') < page.index('id="figure-fig-3"') < page.index('id="eq-13"')
+
+
+def test_a_quantity_says_how_accurate_it_is_and_how_it_is_called(files: dict[str, str]) -> None:
+    page = files["quantities/elliptic_planetary.position.html"]
+    for part in (
+        "0 &lt; R<sub>1</sub>, R<sub>2</sub> &lt; ∞",
+        "6 eps of the value",
+        "at most 4.45 eps",
+        "points chosen to hurt",
+        "from mechproof.kernels.elliptic_planetary import position",
+        "position(phi1, 66, 16, 0.28)",
+        "from mechproof.kernels.compiled.elliptic_planetary import position",
+        "double elliptic_planetary_position(",
+        "✗",
+    ):
+        assert part in page
+    assert page.count("<svg") == 1
+
+
+def test_what_is_called_is_there(files: dict[str, str]) -> None:
+    pages = "".join(text for name, text in files.items() if name.startswith("quantities"))
+    calls = set(re.findall(r"from (mechproof\.[\w.]+) import (\w+)", pages))
+    assert len(calls) == 10
+    assert all(hasattr(import_module(module), name) for module, name in calls)
+
+
+def test_a_paper_without_kernels_and_measurements_has_its_pages(files: dict[str, str]) -> None:
+    page = files["quantities/universal_joint.position.html"]
+    assert "not measured" in page
+    assert "mechproof regenerate" in page
+    assert "<svg" not in page
+    assert "half angle of the shafts" in page
+    assert "no bound" not in files["quantities/elliptic_planetary.position.html"]
+    assert "quantities/slider_crank" not in "".join(files)
+
+
+def test_a_row_that_fails_is_shown_and_named(files: dict[str, str]) -> None:
+    page = files["papers/größe.html"]
+    row = page[page.index('<article class="row v-failed" id="eq-3">') :]
+    assert "ghost" in row[: row.index("</article>")]
+    assert "1 could not be judged" in files["index.html"]
+    assert "Not looked for" in page
+
+
+def test_nothing_of_a_paper_is_markup(files: dict[str, str]) -> None:
+    for name, text in files.items():
+        if name.endswith(".html"):
+            assert "<script" not in text, name
+            assert "<b>length" not in text, name
+            assert not re.search(r'href="javascript', text), name
+    assert HURT.split("=")[0] in files["papers/größe.html"]
+
+
+def test_the_same_papers_give_the_same_bytes(papers: list[Path]) -> None:
+    code = (
+        "import sys, hashlib; from pathlib import Path; from mechproof.report import build_site;"
+        "from mechproof.verification import judge_derivations;"
+        "p = [Path(a) for a in sys.argv[1:]];"
+        "print(hashlib.sha256(repr(build_site(p, judge_derivations(p))).encode()).hexdigest())"
+    )
+    seen = {
+        subprocess.run(
+            [sys.executable, "-c", code, *map(str, papers[:2])],
+            env={**os.environ, "PYTHONHASHSEED": seed},
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for seed in ("1", "2")
+    }
+    assert len(seen) == 1
+
+
+def test_charts_are_the_same_each_time() -> None:
+    record = read_record(find_files()["elliptic_planetary.largest_ratio"])
+    ((workload, count),) = list_workloads(record)
+    assert chart(record, workload, count) == chart(record, workload, count)
+
+
+def read_colours(text: str) -> dict[str, str]:
+    return dict(re.findall(r"--([\w-]+): (#[0-9a-f]{6})", text))
+
+
+def luminance(colour: str) -> float:
+    parts = (int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(one: str, other: str) -> float:
+    low, high = sorted(map(luminance, (one, other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def find_pale(colours: dict[str, str]) -> list[str]:
+    """List pairs of text and ground that are too much alike."""
+    pairs = [(n.removesuffix("-bg"), n) for n in colours if n.endswith("-bg")]
+    texts = [name for name, _ in pairs] + ["ink", "soft", "link", "accent"]
+    pairs += [(text, ground) for text in texts for ground in ("ground", "sheet")]
+    return [str(p) for p in pairs if contrast(colours[p[0]], colours[p[1]]) < LEAST_CONTRAST]
+
+
+def test_text_stands_out_in_light_and_dark() -> None:
+    light, dark = read_stylesheet().split("@media (prefers-color-scheme: dark)", 1)
+    dark = dark[: dark.index("@media") if "@media" in dark else None]
+    for part in (light, dark):
+        assert len(read_colours(part)) >= 20
+        assert find_pale(read_colours(part)) == []
+
+
+def test_pale_text_is_seen() -> None:
+    assert find_pale({**read_colours(read_stylesheet()), "soft": "#3a3d41"})
