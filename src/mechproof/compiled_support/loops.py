@@ -159,7 +159,7 @@ def _fill(
         _fill_uniformly(loops, target.reshape(-1), first.reshape(-1), numbers)
         return
     wide = [
-        spread(a, (*points, width) if width else points)
+        _spread(a, (*points, width) if width else points)
         for a, width in zip(arrays, loops.widths, strict=True)
     ]
     if depth and math.prod(points[depth:]) < LONG_ROW:
@@ -174,7 +174,7 @@ def _fill(
         _fill_uniformly(loops, rows[index], row, numbers)
 
 
-def spread(array: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+def _spread(array: Any, shape: tuple[int, ...]) -> NDArray[Any]:
     """Broadcast an array that has another shape: numba would compile anew for what is read-only."""
     return array if array.shape == shape else np.broadcast_to(array, shape)
 

@@ -12,7 +12,7 @@ from numba.core.errors import TypingError
 from numba.extending import overload
 from numpy.typing import NDArray
 
-from mechproof.compiled_support.loops import PIECE, check_arrays, cut, fill_target, spread
+from mechproof.compiled_support.loops import PIECE, check_arrays, cut, fill_target
 from mechproof.kernel_support.arrays import as_floats, sum_axes
 
 
@@ -63,7 +63,7 @@ def _fill(
     sums: Sums, target: NDArray[Any], arrays: tuple[Any, ...], tails: list[tuple[int, ...]]
 ) -> None:
     """Fill a target: copies of what is spread stay in a cache."""
-    wide = [spread(a, target.shape + tail) for a, tail in zip(arrays, tails, strict=True)]
+    wide = [_spread(a, target.shape + tail) for a, tail in zip(arrays, tails, strict=True)]
     kept = [tail if n else () for tail, n in zip(tails, sums.axes, strict=True)]
     largest = max(map(math.prod, tails))
     for index in cut(target.shape, max(PIECE // max(largest, 1), 1)):
@@ -73,6 +73,12 @@ def _fill(
             for a, tail in zip(wide, kept, strict=True)
         ]
         sums.each(part, *each)
+
+
+def _spread(array: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+    """Broadcast an array; one of as many numbers is reshaped, which costs less."""
+    same = array.size == math.prod(shape)
+    return array.reshape(shape) if same else np.broadcast_to(array, shape)
 
 
 def count_terms(known: int, values: Any) -> int:
