@@ -94,7 +94,7 @@ def _is_double(value: Any) -> bool:
     kind = type(value)
     if kind is int:
         # Larger ones are no numbers of NumPy's.
-        return -(2**63) <= value < 2**63
+        return bool(-(2**63) <= value < 2**63)
     return kind in NUMBERS or bool(kind is np.ndarray and value.dtype is DOUBLE and not value.ndim)
 
 
