@@ -10,6 +10,10 @@ of the NumPy kernels alone.
 
 Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
 
+Sums over axes are added in the order of the index, with the rest of every addition. Inside
+functions that numba compiles they take one array of terms for each argument, or a number for
+equal ones.
+
 Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
@@ -26,7 +30,9 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
+    Sums,
     choose,
+    count_terms,
     floor,
     fma,
     has_nan,
@@ -35,13 +41,19 @@ from mechproof.compiled_support import (
     overload,
     rint,
     run,
+    run_sums,
     scalar,
     take_row,
+    take_square,
+    take_terms,
     widen,
 )
 
 __all__ = [
     "displacement",
+    "error_sum",
+    "error_sum_correlated",
+    "error_sum_thermal",
     "largest_radius",
     "planar_error",
     "radius",
@@ -221,6 +233,189 @@ def _hypot(a, b):
     v6 = v2 * v4
 
     return np.sqrt(fma(v5, v5, v6 * v6)) / v4
+
+
+@scalar
+def _total_rest(a, b, s):
+    v1 = s - a
+
+    return a - (s - v1) + (b - v1)
+
+
+@scalar
+def _sum_1_term(
+    sensitivities_i,
+    sensitivities_j,
+    correlation_ij,
+    scatters_i,
+    scatters_j,
+    tolerances_i,
+    tolerances_j,
+):
+
+    return (
+        sensitivities_i
+        * sensitivities_j
+        * correlation_ij
+        * scatters_i
+        * scatters_j
+        * tolerances_i
+        * tolerances_j
+    )
+
+
+@loop
+def _sum_1(sensitivities, correlation, scatters, tolerances):
+    high, low = 0.0, 0.0
+    for i in range(len(sensitivities)):
+        for j in range(len(sensitivities)):
+            term = _sum_1_term(
+                float(sensitivities[i]),
+                float(sensitivities[j]),
+                float(correlation[i, j]),
+                float(scatters[i]),
+                float(scatters[j]),
+                float(tolerances[i]),
+                float(tolerances[j]),
+            )
+            total = high + term
+            low += _total_rest(high, term, total)
+            high = total
+    # A sum that leaves the range of doubles has no rest.
+    return choose(is_finite(low), high + low, high)
+
+
+@scalar
+def _every_2_term(scatters_i):
+
+    return scatters_i > 0
+
+
+@loop
+def _every_2(scatters):
+    holds = True
+    for i in range(len(scatters)):
+        holds = holds & _every_2_term(float(scatters[i]))
+    return holds
+
+
+@scalar
+def _every_3_term(scatters_i):
+
+    return is_finite(scatters_i)
+
+
+@loop
+def _every_3(scatters):
+    holds = True
+    for i in range(len(scatters)):
+        holds = holds & _every_3_term(float(scatters[i]))
+    return holds
+
+
+@scalar
+def _every_4_term(correlation_ij):
+
+    return correlation_ij >= -1
+
+
+@loop
+def _every_4(correlation):
+    holds = True
+    for i in range(len(correlation)):
+        for j in range(len(correlation)):
+            holds = holds & _every_4_term(float(correlation[i, j]))
+    return holds
+
+
+@scalar
+def _every_5_term(correlation_ij):
+
+    return correlation_ij <= 1
+
+
+@loop
+def _every_5(correlation):
+    holds = True
+    for i in range(len(correlation)):
+        for j in range(len(correlation)):
+            holds = holds & _every_5_term(float(correlation[i, j]))
+    return holds
+
+
+@scalar
+def _every_6_term(correlation_ii):
+
+    return correlation_ii == 1
+
+
+@loop
+def _every_6(correlation):
+    holds = True
+    for i in range(len(correlation)):
+        holds = holds & _every_6_term(float(correlation[i, i]))
+    return holds
+
+
+@scalar
+def _every_7_term(correlation_ij, correlation_ji):
+
+    return correlation_ij == correlation_ji
+
+
+@loop
+def _every_7(correlation):
+    holds = True
+    for i in range(len(correlation)):
+        for j in range(len(correlation)):
+            holds = holds & _every_7_term(float(correlation[i, j]), float(correlation[j, i]))
+    return holds
+
+
+@scalar
+def _every_8_term(tolerances_i):
+
+    return tolerances_i >= 0
+
+
+@loop
+def _every_8(tolerances):
+    holds = True
+    for i in range(len(tolerances)):
+        holds = holds & _every_8_term(float(tolerances[i]))
+    return holds
+
+
+@scalar
+def _every_9_term(tolerances_i):
+
+    return is_finite(tolerances_i)
+
+
+@loop
+def _every_9(tolerances):
+    holds = True
+    for i in range(len(tolerances)):
+        holds = holds & _every_9_term(float(tolerances[i]))
+    return holds
+
+
+@scalar
+def _sum_10_term(sensitivities_i, scatters_i, tolerances_i):
+
+    return sensitivities_i**2 * scatters_i**2 * tolerances_i**2
+
+
+@loop
+def _sum_10(sensitivities, scatters, tolerances):
+    high, low = 0.0, 0.0
+    for i in range(len(sensitivities)):
+        term = _sum_10_term(float(sensitivities[i]), float(scatters[i]), float(tolerances[i]))
+        total = high + term
+        low += _total_rest(high, term, total)
+        high = total
+    # A sum that leaves the range of doubles has no rest.
+    return choose(is_finite(low), high + low, high)
 
 
 @scalar
@@ -1385,3 +1580,481 @@ def _offer_smallest_radius(
         float(R),
         float(A),
     )
+
+
+@scalar
+def _error_sum_correlated(tolerances, sensitivities, scatters, correlation, total_scatter):
+
+    return np.sqrt(_sum_1(sensitivities, correlation, scatters, tolerances)) / total_scatter
+
+
+@scalar
+def _error_sum_correlated_at(tolerances, sensitivities, scatters, correlation, total_scatter):
+    if not (
+        (total_scatter > 0)
+        & is_finite(total_scatter)
+        & _every_2(scatters)
+        & _every_3(scatters)
+        & _every_4(correlation)
+        & _every_5(correlation)
+        & _every_6(correlation)
+        & _every_7(correlation)
+        & _every_8(tolerances)
+        & _every_9(tolerances)
+    ):
+        return math.nan
+    return _error_sum_correlated(tolerances, sensitivities, scatters, correlation, total_scatter)
+
+
+@scalar
+def _error_sum_correlated_point(tolerances, sensitivities, scatters, correlation, total_scatter):
+    return _error_sum_correlated_at(tolerances, sensitivities, scatters, correlation, total_scatter)
+
+
+@loop
+def _row_each_error_sum_correlated(
+    out,
+    tolerances_values,
+    sensitivities_values,
+    scatters_values,
+    correlation_values,
+    total_scatter_values,
+):
+    for i in range(out.size):
+        tolerances = tolerances_values[i]
+
+        sensitivities = sensitivities_values[i]
+
+        scatters = scatters_values[i]
+
+        correlation = correlation_values[i]
+
+        total_scatter = float(total_scatter_values[i])
+
+        value = _error_sum_correlated_at(
+            tolerances, sensitivities, scatters, correlation, total_scatter
+        )
+        out[i] = value
+
+
+@loop
+def _fill_each_error_sum_correlated(
+    out,
+    tolerances_values,
+    sensitivities_values,
+    scatters_values,
+    correlation_values,
+    total_scatter_values,
+):
+    _row_each_error_sum_correlated(
+        out,
+        tolerances_values,
+        sensitivities_values,
+        scatters_values,
+        correlation_values,
+        total_scatter_values,
+    )
+
+
+def error_sum_correlated(
+    tolerances: ArrayLike,
+    sensitivities: ArrayLike,
+    scatters: ArrayLike,
+    correlation: ArrayLike,
+    total_scatter: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the total error of correlated elementary errors.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.error_sum_correlated` has all words.
+    """
+    return run_sums(
+        _ERROR_SUM_CORRELATED,
+        (
+            tolerances,
+            sensitivities,
+            scatters,
+            correlation,
+            total_scatter,
+        ),
+        out,
+    )
+
+
+_ERROR_SUM_CORRELATED = Sums(
+    names=(
+        "tolerances",
+        "sensitivities",
+        "scatters",
+        "correlation",
+        "total_scatter",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+        0,
+    ),
+    axes=(
+        1,
+        1,
+        1,
+        2,
+        0,
+    ),
+    each=_fill_each_error_sum_correlated,
+)
+
+
+@overload(error_sum_correlated)
+def _offer_error_sum_correlated(
+    tolerances,
+    sensitivities,
+    scatters,
+    correlation,
+    total_scatter,
+):
+    def _take(
+        tolerances,
+        sensitivities,
+        scatters,
+        correlation,
+        total_scatter,
+    ):
+        _terms = 1
+        _terms = count_terms(_terms, tolerances)
+        _terms = count_terms(_terms, sensitivities)
+        _terms = count_terms(_terms, scatters)
+        _terms = count_terms(_terms, correlation)
+        return _error_sum_correlated_point(
+            take_terms("tolerances", tolerances, _terms),
+            take_terms("sensitivities", sensitivities, _terms),
+            take_terms("scatters", scatters, _terms),
+            take_square("correlation", correlation, _terms),
+            float(total_scatter),
+        )
+
+    return _take
+
+
+@scalar
+def _error_sum(tolerances, sensitivities, scatters, total_scatter):
+
+    return np.sqrt(_sum_10(sensitivities, scatters, tolerances)) / total_scatter
+
+
+@scalar
+def _error_sum_at(tolerances, sensitivities, scatters, total_scatter):
+    if not (
+        (total_scatter > 0)
+        & is_finite(total_scatter)
+        & _every_2(scatters)
+        & _every_3(scatters)
+        & _every_8(tolerances)
+        & _every_9(tolerances)
+    ):
+        return math.nan
+    return _error_sum(tolerances, sensitivities, scatters, total_scatter)
+
+
+@scalar
+def _error_sum_point(tolerances, sensitivities, scatters, total_scatter):
+    return _error_sum_at(tolerances, sensitivities, scatters, total_scatter)
+
+
+@loop
+def _row_each_error_sum(
+    out,
+    tolerances_values,
+    sensitivities_values,
+    scatters_values,
+    total_scatter_values,
+):
+    for i in range(out.size):
+        tolerances = tolerances_values[i]
+
+        sensitivities = sensitivities_values[i]
+
+        scatters = scatters_values[i]
+
+        total_scatter = float(total_scatter_values[i])
+
+        value = _error_sum_at(tolerances, sensitivities, scatters, total_scatter)
+        out[i] = value
+
+
+@loop
+def _fill_each_error_sum(
+    out,
+    tolerances_values,
+    sensitivities_values,
+    scatters_values,
+    total_scatter_values,
+):
+    _row_each_error_sum(
+        out,
+        tolerances_values,
+        sensitivities_values,
+        scatters_values,
+        total_scatter_values,
+    )
+
+
+def error_sum(
+    tolerances: ArrayLike,
+    sensitivities: ArrayLike,
+    scatters: ArrayLike,
+    total_scatter: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the total error of independent elementary errors.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.error_sum` has all words.
+    """
+    return run_sums(
+        _ERROR_SUM,
+        (
+            tolerances,
+            sensitivities,
+            scatters,
+            total_scatter,
+        ),
+        out,
+    )
+
+
+_ERROR_SUM = Sums(
+    names=(
+        "tolerances",
+        "sensitivities",
+        "scatters",
+        "total_scatter",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    axes=(
+        1,
+        1,
+        1,
+        0,
+    ),
+    each=_fill_each_error_sum,
+)
+
+
+@overload(error_sum)
+def _offer_error_sum(
+    tolerances,
+    sensitivities,
+    scatters,
+    total_scatter,
+):
+    def _take(
+        tolerances,
+        sensitivities,
+        scatters,
+        total_scatter,
+    ):
+        _terms = 1
+        _terms = count_terms(_terms, tolerances)
+        _terms = count_terms(_terms, sensitivities)
+        _terms = count_terms(_terms, scatters)
+        return _error_sum_point(
+            take_terms("tolerances", tolerances, _terms),
+            take_terms("sensitivities", sensitivities, _terms),
+            take_terms("scatters", scatters, _terms),
+            float(total_scatter),
+        )
+
+    return _take
+
+
+@scalar
+def _error_sum_thermal(
+    tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
+):
+    K_minus_tau_K_T = total_scatter - thermal_share * thermal_scatter
+    K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter
+
+    return np.sqrt(_sum_10(sensitivities, scatters, tolerances)) / np.sqrt(
+        K_minus_tau_K_T * K_plus_tau_K_T
+    )
+
+
+@scalar
+def _error_sum_thermal_at(
+    tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
+):
+    if not (
+        (total_scatter > 0)
+        & is_finite(total_scatter)
+        & _every_2(scatters)
+        & _every_3(scatters)
+        & (thermal_scatter > 0)
+        & is_finite(thermal_scatter)
+        & (thermal_share >= 0)
+        & is_finite(thermal_share)
+        & (thermal_share * thermal_scatter < total_scatter)
+        & _every_8(tolerances)
+        & _every_9(tolerances)
+    ):
+        return math.nan
+    return _error_sum_thermal(
+        tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
+    )
+
+
+@scalar
+def _error_sum_thermal_point(
+    tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
+):
+    return _error_sum_thermal_at(
+        tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
+    )
+
+
+@loop
+def _row_each_error_sum_thermal(
+    out,
+    tolerances_values,
+    sensitivities_values,
+    scatters_values,
+    total_scatter_values,
+    thermal_share_values,
+    thermal_scatter_values,
+):
+    for i in range(out.size):
+        tolerances = tolerances_values[i]
+
+        sensitivities = sensitivities_values[i]
+
+        scatters = scatters_values[i]
+
+        total_scatter = float(total_scatter_values[i])
+
+        thermal_share = float(thermal_share_values[i])
+
+        thermal_scatter = float(thermal_scatter_values[i])
+
+        value = _error_sum_thermal_at(
+            tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
+        )
+        out[i] = value
+
+
+@loop
+def _fill_each_error_sum_thermal(
+    out,
+    tolerances_values,
+    sensitivities_values,
+    scatters_values,
+    total_scatter_values,
+    thermal_share_values,
+    thermal_scatter_values,
+):
+    _row_each_error_sum_thermal(
+        out,
+        tolerances_values,
+        sensitivities_values,
+        scatters_values,
+        total_scatter_values,
+        thermal_share_values,
+        thermal_scatter_values,
+    )
+
+
+def error_sum_thermal(
+    tolerances: ArrayLike,
+    sensitivities: ArrayLike,
+    scatters: ArrayLike,
+    total_scatter: ArrayLike,
+    thermal_share: ArrayLike,
+    thermal_scatter: ArrayLike,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute the total error with a temperature error in fixed proportion to the total itself.
+
+    Compiled. The help of `mechproof.kernels.track_wheel.error_sum_thermal` has all words.
+    """
+    return run_sums(
+        _ERROR_SUM_THERMAL,
+        (
+            tolerances,
+            sensitivities,
+            scatters,
+            total_scatter,
+            thermal_share,
+            thermal_scatter,
+        ),
+        out,
+    )
+
+
+_ERROR_SUM_THERMAL = Sums(
+    names=(
+        "tolerances",
+        "sensitivities",
+        "scatters",
+        "total_scatter",
+        "thermal_share",
+        "thermal_scatter",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+    ),
+    axes=(
+        1,
+        1,
+        1,
+        0,
+        0,
+        0,
+    ),
+    each=_fill_each_error_sum_thermal,
+)
+
+
+@overload(error_sum_thermal)
+def _offer_error_sum_thermal(
+    tolerances,
+    sensitivities,
+    scatters,
+    total_scatter,
+    thermal_share,
+    thermal_scatter,
+):
+    def _take(
+        tolerances,
+        sensitivities,
+        scatters,
+        total_scatter,
+        thermal_share,
+        thermal_scatter,
+    ):
+        _terms = 1
+        _terms = count_terms(_terms, tolerances)
+        _terms = count_terms(_terms, sensitivities)
+        _terms = count_terms(_terms, scatters)
+        return _error_sum_thermal_point(
+            take_terms("tolerances", tolerances, _terms),
+            take_terms("sensitivities", sensitivities, _terms),
+            take_terms("scatters", scatters, _terms),
+            float(total_scatter),
+            float(thermal_share),
+            float(thermal_scatter),
+        )
+
+    return _take

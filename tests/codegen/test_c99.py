@@ -58,34 +58,39 @@ def libraries(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, bool],
 def point_function(library: ctypes.CDLL, system: str, kernel: Kernel, single: bool) -> Any:
     """Return a function of broadcasting arrays that calls the C function of one point."""
     real = ctypes.c_float if single else ctypes.c_double
-    widths = {name: len(components) for name, components in kernel.code.vectors}
+    axes, widths = dict(kernel.code.indexed), {name for name, _ in kernel.code.vectors}
+    ranks = [axes.get(a, int(a in widths)) for a in kernel.code.arguments]
     count = int(np.prod(kernel.code.shape))
     function = getattr(library, f"{system}_{kernel.name}")
     function.restype = None if kernel.code.shape else real
-    rows = [real * widths[a] if a in widths else real for a in kernel.code.arguments]
-    function.argtypes = [*rows, real * count] if kernel.code.shape else rows
+    rows = [ctypes.POINTER(real) if rank else real for rank in ranks]
+    rows += [real * count] if kernel.code.shape else []
+    function.argtypes = [ctypes.c_size_t, *rows] if axes else rows
 
     def call(*arguments: Any) -> Any:
-        ranks = [int(a in widths) for a in kernel.code.arguments]
         arrays = [np.asarray(a, float) for a in arguments]
-        shapes = [a.shape[: a.ndim - r] for a, r in zip(arrays, ranks, strict=True)]
+        shapes = [a.shape[: max(a.ndim - r, 0)] for a, r in zip(arrays, ranks, strict=True)]
+        tails = [
+            a.shape[a.ndim - r :] if a.ndim else () for a, r in zip(arrays, ranks, strict=True)
+        ]
         points = np.broadcast_shapes(*shapes)
+        terms = [max(n for tail in tails for n in tail)] if axes else []
         spread = [
-            np.broadcast_to(a, points + a.shape[a.ndim - r :])
-            for a, r in zip(arrays, ranks, strict=True)
+            np.broadcast_to(a, points + (tuple(terms) * r or tail))
+            for a, tail, r in zip(arrays, tails, ranks, strict=True)
         ]
         found = np.empty(points + kernel.code.shape)
         for index in np.ndindex(points):
             given = [
-                row(*a[index]) if rank else row(a[index])
-                for row, a, rank in zip(rows, spread, ranks, strict=True)
+                (real * a[index].size)(*a[index].flat) if rank else real(a[index])
+                for a, rank in zip(spread, ranks, strict=True)
             ]
             if kernel.code.shape:
                 out = (real * count)()
                 function(*given, out)
                 found[index] = np.reshape(out, kernel.code.shape)
             else:
-                found[index] = function(*given)
+                found[index] = function(*terms, *given)
         return found
 
     return call
@@ -151,6 +156,33 @@ def test_many_points_and_the_ends_of_the_domain(libraries: Callable[..., ctypes.
     assert np.array_equal(np.array(out), wanted, equal_nan=True)
     function(4, (real * 4)(1.0, 2.0, 3.0, 4.0), 66.0, 16.0, 1.0, out)
     assert np.isnan(out).all()
+
+
+def test_sums_take_pointers_and_the_number_of_terms(
+    libraries: Callable[..., ctypes.CDLL],
+) -> None:
+    from mechproof.kernels.compiled import track_wheel
+
+    random = np.random.default_rng(20264)
+    points, terms = 3, 5
+    tolerances = random.uniform(0.01, 0.1, (points, terms))
+    influences, scatters = random.uniform(1, 2, (2, terms))
+    matrix = np.where(np.eye(terms), 1, 0.25)
+    matrix[0, 1] = matrix[1, 0] = -0.5
+    pointer, size, real = np.ctypeslib.ndpointer(float), ctypes.c_size_t, ctypes.c_double
+    library = libraries("track_wheel", False)
+    for name, rest in (("error_sum", (1.1,)), ("error_sum_correlated", (matrix, 1.1))):
+        function = getattr(library, f"track_wheel_{name}_array")
+        function.argtypes = [size, size, *[pointer] * (len(rest) + 2), real, pointer]
+        function.restype = None
+        out = np.empty(points)
+        function(points, terms, tolerances, influences, scatters, *rest, out)
+        compiled = getattr(track_wheel, name)(tolerances, influences, scatters, *rest)
+        assert np.array_equal(out, compiled)
+    one = library.track_wheel_error_sum
+    one.argtypes, one.restype = [size, *[pointer] * 3, real], real
+    assert one(0, tolerances, influences, scatters, 1.1) == 0.0
+    assert np.isnan(one(terms, -tolerances, influences, scatters, 1.1))
 
 
 def test_a_name_that_c_keeps_for_itself_is_refused() -> None:

@@ -281,3 +281,43 @@ def test_a_compiled_source_that_computes_something_else_is_caught(right: str, wr
     assert right in source
     with pytest.raises(TranslationError, match="meant"):
         check_translation(source.replace(right, wrong, 1), kernels)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        ("low += _total_rest", "low -= _total_rest"),
+        ("total = high + term", "total = high - term"),
+        ("choose(is_finite(low), high + low, high)", "high"),
+        ("float(correlation[j, i])", "float(correlation[i, j])"),
+        ("float(tolerances[j])", "float(tolerances[i])"),
+        ("holds = holds & ", "holds = "),
+        ("for j in range(len(", "for j in range(1, len("),
+        ("_every_2(scatters)", "_every_3(scatters)"),
+        ("scatters_i > 0", "scatters_i >= 0"),
+        ("sensitivities_i**2 * scatters_i**2", "sensitivities_i**2 * scatters_i"),
+    ],
+)
+def test_a_compiled_sum_that_adds_something_else_is_caught(right: str, wrong: str) -> None:
+    from mechproof.derivations.track_wheel import PAPER
+
+    (source,) = render_compiled(PAPER).values()
+    kernels = list_scalars(PAPER)
+    check_translation(source, kernels)
+    assert right in source
+    with pytest.raises(ValueError, match=r"meant|no loop over terms"):
+        check_translation(source.replace(right, wrong, 1), kernels)
+
+
+def test_any_sum_is_compiled(tmp_path: Path) -> None:
+    """Names that the loops use themselves, numbers and functions of large angles in a term."""
+    total, low = sp.IndexedBase("total", real=True), sp.IndexedBase("low", real=True)
+    high, i, n = sp.Symbol("high", real=True), *sp.symbols("i n", integer=True)
+    value = sp.Sum(total[i] * sp.cos(high * low[i]), (i, 1, n)) + high
+    paper = paper_of(quantity_of(value, total, low, high))
+    (source,) = render_compiled(paper).values()
+    plain, compiled = load_paper(paper, tmp_path).f, load_source(source, tmp_path).f
+    row = np.linspace(-3, 2e9, 7)
+    # Both round the same products; the sum is larger than a hundredth of its terms.
+    for arguments in ((row, row, 2.0), (row, np.outer([1, 2], row), 2.0)):
+        np.testing.assert_allclose(compiled(*arguments), plain(*arguments), rtol=1e-12)

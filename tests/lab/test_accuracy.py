@@ -79,6 +79,7 @@ def one_mechanism(subject: Subject) -> Compute:
     return lambda running, *sizes: subject.kernel(running, *(size[0] for size in sizes))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", BOUNDED)
 def test_a_fresh_search_stays_within_the_bound(name: str) -> None:
     subject = SUBJECTS[name]

@@ -14,7 +14,6 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
-from mechproof import kernels
 from mechproof.plot.canvas import use_style
 from mechproof.plot.figures import Figure, draw
 
@@ -133,6 +132,6 @@ def words(system: str, name: str) -> str:
 @cache
 def ledger() -> dict[str, dict[str, Any]]:
     """Return the rows of the ledger by system and number."""
-    file = Path(kernels.__path__[0]) / "ledger.json"
+    file = Path(__file__).parents[2] / "generated" / "ledger.json"
     rows = json.loads(file.read_text(encoding="utf-8"))["rows"]
     return {f"{row['system']} {row['number']}": row for row in rows}

@@ -20,7 +20,8 @@ from mechproof.proof.refutation import compare
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Equality, IntegralWithoutDifferential
 
-BATCHES = 12
+# The first batches are run with every test, all with the thorough ones.
+BATCHES, QUICK = 12, 3
 ENTRIES, PER_SIDE = 2, 3
 LEAST, LEAST_ROWS = 600, 120
 # Larger statements, and those with integrals in the longer derivations, take seconds each.
@@ -183,7 +184,10 @@ def collect_mutants():
     return tuple(chain.from_iterable(map(mutants_of, SHORT + LONG)))
 
 
-@pytest.mark.parametrize("batch", range(BATCHES))
+@pytest.mark.parametrize(
+    "batch",
+    [*range(QUICK), *(pytest.param(n, marks=pytest.mark.thorough) for n in range(QUICK, BATCHES))],
+)
 def test_no_wrong_neighbour_is_proved(batch):
     equivalent = []
     for name, mutant, other, domain in collect_mutants()[batch::BATCHES]:

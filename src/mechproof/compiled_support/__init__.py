@@ -19,12 +19,21 @@ from mechproof.compiled_support.machine import (
     scalar,
     widen,
 )
+from mechproof.compiled_support.sums import (
+    Sums,
+    count_terms,
+    run_sums,
+    take_square,
+    take_terms,
+)
 
 __all__ = [
     "BLOCK",
     "Loops",
+    "Sums",
     "choose",
     "copysign",
+    "count_terms",
     "floor",
     "fma",
     "has_nan",
@@ -34,7 +43,10 @@ __all__ = [
     "overload",
     "rint",
     "run",
+    "run_sums",
     "scalar",
     "take_row",
+    "take_square",
+    "take_terms",
     "widen",
 ]

@@ -94,21 +94,40 @@ def _is_double(value: Any) -> bool:
     kind = type(value)
     if kind is int:
         # Larger ones are no numbers of NumPy's.
-        return -(2**63) <= value < 2**63
-    return kind in NUMBERS or (kind is np.ndarray and value.dtype is DOUBLE and not value.ndim)
+        return bool(-(2**63) <= value < 2**63)
+    return kind in NUMBERS or bool(kind is np.ndarray and value.dtype is DOUBLE and not value.ndim)
 
 
 def _run(loops: Loops, arrays: tuple[Any, ...], out: NDArray[Any] | None) -> Any:
-    for name, array, width in zip(loops.names, arrays, loops.widths, strict=True):
+    check_arrays(loops.names, arrays, loops.widths)
+    ranks = [bool(width) for width in loops.widths]
+    outer = [a.shape[: a.ndim - r] for a, r in zip(arrays, ranks, strict=True)]
+    points = np.broadcast_shapes(*outer)
+
+    def fill(target: NDArray[Any]) -> None:
+        _fill(loops, target, points, arrays, outer)
+
+    return fill_target(fill, points + loops.shape, arrays, out)
+
+
+def check_arrays(names: tuple[str, ...], arrays: tuple[Any, ...], widths: tuple[int, ...]) -> None:
+    """Raise TypeError or ValueError for what is no plain array, or has other components."""
+    for name, array, width in zip(names, arrays, widths, strict=True):
         if type(array) not in PLAIN:
             kind = type(array).__name__
             raise TypeError(f"{name}: compiled kernels take numbers and NumPy arrays, got {kind}")
         if width:
             check_components(name, array, width)
-    ranks = [bool(width) for width in loops.widths]
-    outer = [a.shape[: a.ndim - r] for a, r in zip(arrays, ranks, strict=True)]
-    points = np.broadcast_shapes(*outer)
-    dtype, whole = arrays[0].dtype, points + loops.shape
+
+
+def fill_target(
+    fill: Callable[[NDArray[Any]], None],
+    whole: tuple[int, ...],
+    arrays: tuple[Any, ...],
+    out: NDArray[Any] | None,
+) -> Any:
+    """Return what `fill` writes into an array of the shape `whole`, in `out` if there is one."""
+    dtype = arrays[0].dtype
     if out is not None:
         check_out(out, whole, dtype)
     direct = (
@@ -118,7 +137,7 @@ def _run(loops: Loops, arrays: tuple[Any, ...], out: NDArray[Any] | None) -> Any
     )
     target = out if direct and out is not None else np.empty(whole, dtype)
     if target.size:
-        _fill(loops, target, points, arrays, outer)
+        fill(target)
     if out is not None and target is not out:
         out[...] = target
         return out
@@ -139,19 +158,19 @@ def _fill(
         numbers = [number for array in parameters for number in array.reshape(-1).tolist()]
         _fill_uniformly(loops, target.reshape(-1), first.reshape(-1), numbers)
         return
-    spread = [
+    wide = [
         _spread(a, (*points, width) if width else points)
         for a, width in zip(arrays, loops.widths, strict=True)
     ]
     if depth and math.prod(points[depth:]) < LONG_ROW:
-        for index in _cut(points, PIECE):
-            flat = [np.ascontiguousarray(a[index]).reshape(-1) for a in spread]
+        for index in cut(points, PIECE):
+            flat = [np.ascontiguousarray(a[index]).reshape(-1) for a in wide]
             loops.each(target[index].reshape(-1), *flat)
         return
     rows = target.reshape((*points[:depth], -1))
-    table = _list_parameters(spread[1:], loops.widths[1:], points, depth)
+    table = _list_parameters(wide[1:], loops.widths[1:], points, depth)
     for index, numbers in zip(np.ndindex(points[:depth]), table, strict=True):
-        row = np.ascontiguousarray(spread[0][index]).reshape(-1)
+        row = np.ascontiguousarray(wide[0][index]).reshape(-1)
         _fill_uniformly(loops, rows[index], row, numbers)
 
 
@@ -161,11 +180,11 @@ def _spread(array: Any, shape: tuple[int, ...]) -> NDArray[Any]:
 
 
 def _list_parameters(
-    spread: list[NDArray[Any]], widths: tuple[int, ...], points: tuple[int, ...], depth: int
+    wide: list[NDArray[Any]], widths: tuple[int, ...], points: tuple[int, ...], depth: int
 ) -> list[list[float]]:
     """List the parameters of each row as Python's numbers; along a row they are equal."""
     first = (slice(None),) * depth + (0,) * (len(points) - depth)
-    columns = [a[first].reshape(-1, width or 1) for a, width in zip(spread, widths, strict=True)]
+    columns = [a[first].reshape(-1, width or 1) for a, width in zip(wide, widths, strict=True)]
     numbers: list[list[float]] = np.hstack(
         [np.empty((math.prod(points[:depth]), 0)), *columns]
     ).tolist()
@@ -180,13 +199,13 @@ def _count_common_axes(shapes: list[tuple[int, ...]], rank: int) -> int:
     return rank
 
 
-def _cut(shape: tuple[int, ...], size: int) -> Iterator[tuple[slice, ...]]:
+def cut(shape: tuple[int, ...], size: int) -> Iterator[tuple[slice, ...]]:
     """Cut the first axes so that no part has more than `size` points."""
     first, *rest = shape
     row = math.prod(rest)
     if row > size:
         for i in range(first):
-            for index in _cut(tuple(rest), size):
+            for index in cut(tuple(rest), size):
                 yield (slice(i, i + 1), *index)
         return
     step = max(size // max(row, 1), 1)

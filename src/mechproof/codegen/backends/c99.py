@@ -7,11 +7,14 @@ from collections.abc import Sequence
 
 from mechproof.codegen.backends.numpy import render_template
 from mechproof.codegen.backends.scalar import (
+    extend_syntax,
     list_elementary,
     list_scalars,
     write_elementary,
+    write_reduction,
     write_scalar,
 )
+from mechproof.codegen.backends.sums import LOOPS, fold_sums
 from mechproof.codegen.elementary.formats import DOUBLE, SINGLE
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
@@ -27,6 +30,7 @@ KEYWORDS = frozenset({
     "enum", "extern", "float", "for", "goto", "if", "inline", "int", "long", "register",
     "restrict", "return", "short", "signed", "sizeof", "static", "struct", "switch", "typedef",
     "union", "unsigned", "void", "volatile", "while", "out", "count", "prepared", "i", "j",
+    "terms",
 })  # fmt: skip
 
 
@@ -53,7 +57,9 @@ def render_c_kernels(
     """
     citation, accuracy, origin = about
     form, language, far = (SINGLE, C99_SINGLE, C99_SINGLE_FAR) if single else (DOUBLE, C99, C99_FAR)
-    written = [write_scalar(kernel, language) for kernel in kernels]
+    folded, reductions = fold_sums(kernels)
+    extended = extend_syntax(language, reductions, "mp_", "terms")
+    written = [write_scalar(kernel, extended) for kernel in folded]
     for kernel in written:
         if taken := sorted(KEYWORDS & set(kernel.names)):
             raise ValueError(f"{file}.{kernel.name}: {taken} mean something else in C")
@@ -76,9 +82,13 @@ def render_c_kernels(
         "largest": form.largest,
         "limit": language.number(form.largest),
         "absolute": language.calls["absolute"],
+        "number": language.number,
         "functions": [
-            write_elementary(kind, form, language, far) for kind in list_elementary(kernels)
+            write_elementary(kind, form, language, far)
+            for kind in list_elementary(folded, reductions)
         ],
+        "letters": LOOPS,
+        "reductions": [write_reduction(found, extended) for found in reductions],
     }
     return {
         f"{file}.h": _tidy(render_template("c_header.h.jinja", header)),

@@ -2,30 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from mechproof.codegen.backends.numpy import format_source, render_template, tell_origin
 from mechproof.codegen.backends.scalar import (
+    extend_syntax,
     list_conditions,
     list_elementary,
     list_scalars,
     list_stages,
     write_elementary,
+    write_reduction,
     write_scalar,
 )
+from mechproof.codegen.backends.sums import LOOPS, fold_sums
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import build
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import NUMBA, NUMBA_FAR
-from mechproof.codegen.program import NOTHING
-from mechproof.codegen.reading import TranslationError, read_guards, read_scalars
+from mechproof.codegen.program import NOTHING, Program
+from mechproof.codegen.reading import (
+    TranslationError,
+    read_guards,
+    read_reductions,
+    read_scalars,
+)
+from mechproof.codegen.syntax import Syntax
 from mechproof.record import Paper
 
 SUPPORT = (
-    "BLOCK", "Loops", "choose", "copysign", "floor", "fma", "has_nan", "is_finite", "loop",
-    "maximum", "overload", "rint", "run", "scalar", "take_row", "widen",
+    "BLOCK", "Loops", "Sums", "choose", "copysign", "count_terms", "floor", "fma", "has_nan",
+    "is_finite", "loop", "maximum", "overload", "rint", "run", "run_sums", "scalar", "take_row",
+    "take_square", "take_terms", "widen",
 )  # fmt: skip
+# What is said of sums besides.
+SUMMED = (
+    "Sums over axes are added in the order of the index, with the rest of every addition. Inside",
+    "functions that numba compiles they take one array of terms for each argument, or a number for",
+    "equal ones.",
+    "",
+)
 
 
 def render_compiled(paper: Paper) -> dict[str, str]:
@@ -33,7 +50,8 @@ def render_compiled(paper: Paper) -> dict[str, str]:
     kernels = list_scalars(paper)
     if not kernels:
         return {}
-    docstring = (*_describe(paper.system), *tell_origin(paper.system))
+    about = (*_describe(paper.system), *(SUMMED if any(k.code.indexed for k in kernels) else ()))
+    docstring = (*about, *tell_origin(paper.system))
     return {f"compiled/{paper.system}.py": render_scalars(paper.system, docstring, kernels)}
 
 
@@ -59,6 +77,8 @@ def _describe(system: str) -> tuple[str, ...]:
 
 def render_scalars(system: str, docstring: Sequence[str], kernels: Sequence[Kernel]) -> str:
     """Render a module of kernels and read it back."""
+    folded, reductions = fold_sums(kernels)
+    language = extend_syntax(NUMBA, reductions, "_")
     data: dict[str, object] = {
         "system": system,
         "docstring": docstring,
@@ -66,9 +86,12 @@ def render_scalars(system: str, docstring: Sequence[str], kernels: Sequence[Kern
         "support": SUPPORT,
         "numpy": [],
         "functions": [
-            write_elementary(kind, DOUBLE, NUMBA, NUMBA_FAR) for kind in list_elementary(kernels)
+            write_elementary(kind, DOUBLE, NUMBA, NUMBA_FAR)
+            for kind in list_elementary(folded, reductions)
         ],
-        "kernels": [write_scalar(kernel, NUMBA) for kernel in kernels],
+        "letters": LOOPS,
+        "reductions": [write_reduction(found, language) for found in reductions],
+        "kernels": [write_scalar(kernel, language) for kernel in folded],
     }
     # What the body names is imported.
     _, _, used = render_template("numba_module.py.jinja", data).partition("__all__")
@@ -84,18 +107,30 @@ def render_scalars(system: str, docstring: Sequence[str], kernels: Sequence[Kern
 
 def check_translation(source: str, kernels: Iterable[Kernel]) -> None:
     """Read the functions of a module back; `TranslationError` where one is not its program."""
-    read = read_scalars(source)
-    meant = {f"_{kind}": build(kind, DOUBLE).program for kind in list_elementary(kernels)}
-    for kernel in kernels:
+    folded, reductions = fold_sums(kernels)
+    elementary = list_elementary(folded, reductions)
+    meant = {f"_{kind}": build(kind, DOUBLE).program for kind in elementary}
+    meant |= {f"_{found.name}_term": found.term for found in reductions}
+    for kernel in folded:
         for name, stage in list_stages(kernel):
             meant[f"_prepare{name}"] = stage.prepare
             meant[name] = stage.evaluate or NOTHING
+    _compare({n: p for n, p in meant.items() if p != NOTHING}, read_scalars(source))
+    _compare(
+        {f"_{f.name}": (f.kind, f.axes, f.parameters, f.elements) for f in reductions},
+        read_reductions(source),
+    )
+    language = extend_syntax(NUMBA, reductions, "_")
+    guards = {f"_{kernel.name}_at": _mean_guards(kernel, language) for kernel in folded}
+    _compare(guards, read_guards(source))
+
+
+def _mean_guards(kernel: Kernel, language: Syntax) -> tuple[Program, ...]:
+    taken = write_scalar(kernel, language).taken_names
+    return tuple(replace(c, inputs=taken) for c in list_conditions(kernel))
+
+
+def _compare(meant: Mapping[str, object], read: Mapping[str, object]) -> None:
     for name, program in meant.items():
-        if program != NOTHING and read.get(name) != program:
+        if read.get(name) != program:
             raise TranslationError(f"{name}: meant {program}, read {read.get(name)}")
-    guards = read_guards(source)
-    for kernel in kernels:
-        name, taken = f"_{kernel.name}_at", write_scalar(kernel, NUMBA).taken_names
-        conditions = tuple(replace(c, inputs=taken) for c in list_conditions(kernel))
-        if guards.get(name) != conditions:
-            raise TranslationError(f"{name}: meant {conditions}, read {guards.get(name)}")

@@ -9,12 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
+from mechproof.codegen.backends.sums import ADDED, Reduction
 from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.elementary.fits import enclose
 from mechproof.codegen.elementary.formats import Format
 from mechproof.codegen.elementary.functions import BODIES, Function, build
 from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program
+from mechproof.codegen.reading import EXACT
 from mechproof.codegen.syntax import COMPARISONS, Syntax, Text, write_program
 from mechproof.record import Paper
 
@@ -37,11 +39,15 @@ class ScalarStage:
 
 @dataclass(frozen=True)
 class ScalarArgument:
-    """An argument by the names of its components; `width` is 0 if it is no vector."""
+    """An argument by the names of its components; `width` is 0 if it is no vector.
+
+    `axes` are those that are summed over.
+    """
 
     name: str
     components: tuple[str, ...]
     width: int
+    axes: int
     default: float | None
     meaning: str
     unit: str
@@ -67,6 +73,11 @@ class ScalarKernel:
         for length in self.shape:
             count *= length
         return count
+
+    @property
+    def sums(self) -> bool:
+        """Say whether arguments have axes that are summed over."""
+        return any(a.axes for a in self.arguments)
 
     @property
     def depends(self) -> bool:
@@ -103,8 +114,8 @@ class FunctionText:
 
 
 def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
-    """List the shipped kernels that have no axes to be summed over."""
-    return tuple(k for k in list_functions(paper) if k.is_shipped and not k.code.indexed)
+    """List the shipped kernels."""
+    return tuple(k for k in list_functions(paper) if k.is_shipped)
 
 
 def write_scalar(kernel: Kernel, syntax: Syntax) -> ScalarKernel:
@@ -122,7 +133,7 @@ def write_scalar(kernel: Kernel, syntax: Syntax) -> ScalarKernel:
         frozenset(n for a in arguments for n in a.components if n in used),
         tuple(_write_stage(name, stage, syntax) for name, stage in list_stages(kernel)),
         code.shape,
-        any(is_limited(p) for s in code.stages for p in s.programs),
+        any(is_limited(p, syntax) for s in code.stages for p in s.programs),
     )
 
 
@@ -146,13 +157,14 @@ def list_booleans(program: Program) -> frozenset[str]:
     return frozenset(step.result for step in program.operations if step.kind in BOOLEAN)
 
 
-def is_limited(program: Program) -> bool:
+def is_limited(program: Program, syntax: Syntax) -> bool:
     """Say whether a program takes functions that are right up to the largest angle only."""
-    return any(step.kind in BODIES and BODIES[step.kind][-1] for step in program.operations)
+    return any(syntax.last.get(step.kind) == EXACT for step in program.operations)
 
 
 def _list_arguments(kernel: Kernel) -> tuple[ScalarArgument, ...]:
     widths = {name: len(components) for name, components in kernel.code.vectors}
+    axes = dict(kernel.code.indexed)
     return tuple(
         ScalarArgument(
             a.name,
@@ -160,6 +172,7 @@ def _list_arguments(kernel: Kernel) -> tuple[ScalarArgument, ...]:
             if a.name in widths
             else (a.name,),
             widths.get(a.name, 0),
+            axes.get(a.name, 0),
             a.default,
             a.meaning,
             a.unit,
@@ -238,16 +251,47 @@ def _map_affinely(point: tuple[str, ...]) -> Program:
     return Program(inputs, tuple(operations), tuple(outputs)).normal_form()
 
 
-def list_elementary(kernels: Iterable[Kernel]) -> tuple[str, ...]:
+def list_elementary(kernels: Iterable[Kernel], reductions: Iterable[Reduction]) -> tuple[str, ...]:
     """List the elementary functions that kernels take, in the order of their table."""
-    used = {
-        step.kind
-        for kernel in kernels
-        for stage in kernel.code.stages
-        for program in stage.programs
-        for step in program.operations
-    }
+    programs = [p for kernel in kernels for stage in kernel.code.stages for p in stage.programs]
+    used = {ADDED for reduction in reductions if reduction.kind == "sum"}
+    used |= {step.kind for p in programs for step in p.operations}
+    used |= {step.kind for reduction in reductions for step in reduction.term.operations}
     return tuple(kind for kind in BODIES if kind in used)
+
+
+def extend_syntax(
+    syntax: Syntax, reductions: Iterable[Reduction], prefix: str, count: str = ""
+) -> Syntax:
+    """Return a language with the loops over terms; `count` is put after their arguments."""
+    for found in reductions:
+        last = count or (EXACT if is_limited(found.term, syntax) else "")
+        syntax = replace(
+            syntax,
+            calls={**syntax.calls, found.name: f"{prefix}{found.name}"},
+            last={**syntax.last, found.name: last} if last else syntax.last,
+        )
+    return syntax
+
+
+@dataclass(frozen=True)
+class ReductionText:
+    """What is printed of a loop over terms."""
+
+    loop: Reduction
+    text: Text
+    booleans: frozenset[str]
+    limited: bool
+
+
+def write_reduction(found: Reduction, syntax: Syntax) -> ReductionText:
+    """Write the text of a term."""
+    return ReductionText(
+        found,
+        write_program(found.term, syntax),
+        list_booleans(found.term),
+        is_limited(found.term, syntax),
+    )
 
 
 def write_elementary(kind: str, form: Format, syntax: Syntax, far: Syntax) -> FunctionText:

@@ -183,6 +183,11 @@ class _Maker:
         """Return a + b - s."""
         return b - (s - a)
 
+    def total_rest(self, a: Value, b: Value, s: Value) -> Value:
+        """Return a + b - s, whichever of both is larger."""
+        part = s - a
+        return (a - (s - part)) + (b - part)
+
 
 def _turn(value: Value, half_turns: Value) -> Value:
     """Return a value with the sign that a whole number of half turns gives it."""
@@ -213,6 +218,7 @@ BODIES: Mapping[str, tuple[Body, tuple[str, ...], Body | None]] = MappingProxyTy
         "product_rest": (_Maker.product_rest, ("a", "b", "p"), None),
         "quotient_rest": (_Maker.quotient_rest, ("a", "b", "q"), None),
         "sum_rest": (_Maker.sum_rest, ("a", "b", "s"), None),
+        "total_rest": (_Maker.total_rest, ("a", "b", "s"), None),
     }
 )
 
