@@ -1,6 +1,7 @@
 """Boundary curves of the range of paper 4, by the printed chain, and what is said of them."""
 
 from collections.abc import Callable, Mapping
+from functools import cache, partial
 
 import sympy as sp
 from sympy import Rational, pi, sqrt
@@ -163,10 +164,11 @@ def extreme(
     Directions in which each size moves y9, and at the displacement the order of both alpha_KL.
     """
     upper = boundary[l_BC] > 0
+    own = cache(partial(position_of, table, boundary))
 
     def beyond(other: Signs, place: int | str) -> Holds:
-        pair = (boundary, other) if upper else (other, boundary)
-        return above(table, *pair, place)
+        there = position_of(table, other, place)
+        return less(there, own(place)) if upper else less(own(place), there)
 
     neighbours = (
         beyond({**boundary, size: -sign}, place)
