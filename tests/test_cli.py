@@ -301,9 +301,11 @@ def test_findings_come_first_and_what_is_plain_is_counted(tmp_path: Path) -> Non
     places = [next(n for n, line in enumerate(lines) if line.startswith(s)) for s in starts]
     assert places == sorted(places)
     assert not any(line.startswith("(1)") for line in lines)
-    assert lines[-2:] == [
+    assert lines[-3:] == [
         "1 paper, 2 rows, 1 finding",
         "1 row proved or defining not shown: --all shows every row",
+        "What verdicts and marks mean: docs/verdicts.md of the sources, or the start page of "
+        "`mechproof report`",
     ]
     shown = run("verify", "--all", str(file)).output
     assert re.search(r"^\(1\) \(as typed\) +PROVED", shown, re.MULTILINE)
