@@ -69,5 +69,29 @@ def test_a_figure_that_cannot_be_drawn_is_status_1(tmp_path: Path) -> None:
     assert not (tmp_path / "pages").exists()
 
 
+@pytest.mark.parametrize("command", ["report", "figures"])
+@pytest.mark.parametrize(
+    ("out", "says"),
+    [
+        ("{}/taken", "{}/taken is no folder"),
+        ("{}/taken/deeper/pages", "{}/taken is no folder"),
+        ("{}/dangling", "{}/dangling is no folder"),
+        ("", "is empty"),
+        ("/proc/pages", "cannot write to /proc"),
+    ],
+)
+def test_a_folder_that_cannot_be_is_refused_first(
+    tmp_path: Path, command: str, out: str, says: str
+) -> None:
+    (tmp_path / "taken").write_text("mine")
+    (tmp_path / "dangling").symlink_to(tmp_path / "nowhere")
+    arguments = [command, "elliptic_planetary", "--out", out.format(tmp_path)]
+    result = CliRunner().invoke(app, arguments)
+    assert result.exit_code == 2, result.output
+    (line,) = result.output.splitlines()
+    assert line.startswith("--out")
+    assert says.format(tmp_path) in line
+
+
 def test_an_unknown_paper_is_bad_usage(tmp_path: Path) -> None:
     assert run("nothing", "--out", str(tmp_path / "pages")).exit_code == 2

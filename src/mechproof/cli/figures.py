@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli.console import fail, say
-from mechproof.cli.places import DerivationsOption, find_locations, find_places
+from mechproof.cli.places import DerivationsOption, find_locations, find_places, read_out
 from mechproof.derivation import DerivationError
 
 
@@ -17,9 +17,10 @@ def figures(
         list[str] | None,
         typer.Argument(help="Systems, or folders of derivations; all if none."),
     ] = None,
-    out: Annotated[Path, typer.Option(help="The folder that the pictures go to.")] = Path(
-        "figures"
-    ),
+    out: Annotated[
+        Path,
+        typer.Option(metavar="FOLDER", help="The folder that the pictures go to.", parser=read_out),
+    ] = Path("figures"),
     derivations: DerivationsOption = None,
 ) -> None:
     """Draw the papers' figures from the kernels, with what was found marked in them.

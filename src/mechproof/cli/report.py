@@ -9,7 +9,7 @@ import typer
 
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
-from mechproof.cli.places import DerivationsOption, find_locations, find_places
+from mechproof.cli.places import DerivationsOption, find_locations, find_places, read_out
 from mechproof.derivation import DerivationError
 from mechproof.verification import LIMIT
 
@@ -21,7 +21,10 @@ def report(
             help="Systems, files FILE.py or folders of derivations; all systems if none."
         ),
     ] = None,
-    out: Annotated[Path, typer.Option(help="The folder that the pages go to.")] = Path("report"),
+    out: Annotated[
+        Path,
+        typer.Option(metavar="FOLDER", help="The folder that the pages go to.", parser=read_out),
+    ] = Path("report"),
     derivations: DerivationsOption = None,
     no_cache: NoCacheOption = False,
     limit: LimitOption = LIMIT,
