@@ -8,11 +8,13 @@ import pytest
 
 import mechproof
 from mechproof import choose
+from mechproof.choice import EXTRAS
 from mechproof.measured import (
     Cell,
     CellErrors,
     Kind,
     Machine,
+    MeasuredTailoring,
     MeasuredWay,
     Record,
     Searched,
@@ -75,6 +77,7 @@ RECORD = Record(
         Cell({"e": (0.5, 0.9), "z": (4.0, 9.0)}, 9, 0),
     ),
     cell_errors=(*errors(0), *errors(1, coarse=0.2, fine=3e-15)),
+    tailored=(),
     times=tuple(
         timed(name, "w", count, time * scale)
         for name, time in TIMES.items()
@@ -142,6 +145,63 @@ class TestDecision:
         assert "not told apart in time" in chosen.explain()
         write_record(replace(RECORD, times=(timed("coarse", "w", 100_000, 8.0), fine)), folder)
         assert choose("angle", error=0.01, e=(0, 0.5), measured=folder).way == "coarse"
+
+    def test_what_needs_an_extra_is_taken_where_it_is_installed(
+        self, folder: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        compiled = replace(way("kernel, compiled", kind="kernel"), needs="fast")
+        more = [replace(e, way=compiled.name) for e in RECORD.cell_errors if e.way == "fine"]
+        record = replace(
+            RECORD,
+            ways=(*RECORD.ways, compiled),
+            cell_errors=(*RECORD.cell_errors, *more),
+            times=(*RECORD.times, timed(compiled.name, "w", 100_000, 1.0)),
+        )
+        write_record(record, folder)
+        monkeypatch.setitem(EXTRAS, "fast", "json")
+        chosen = choose("angle", error=1e-9, measured=folder)
+        assert (chosen.way, chosen.needs) == ("kernel, compiled", "fast")
+        assert chosen.function == "mechproof.kernels.compiled.gear.angle"
+        assert chosen.faster is None
+        monkeypatch.setitem(EXTRAS, "fast", "no_such_package")
+        chosen = choose("angle", error=1e-9, measured=folder)
+        assert (chosen.way, chosen.needs) == ("fine", "")
+        assert chosen.faster is not None
+        assert chosen.faster.way == "kernel, compiled"
+        assert str(chosen).endswith(
+            " With pip install 'mechproof[fast]': kernel, compiled, error 3e-15 rad (measured), "
+            "1 ns per point."
+        )
+        assert not any(other.needs for other in chosen.others)
+        coarse = choose("angle", error=0.01, e=(0, 0.5), measured=folder)
+        assert coarse.way == "coarse"
+        assert coarse.faster is not None
+        monkeypatch.setitem(EXTRAS, "fast", "json")
+        assert choose("angle", error=0.01, e=(0, 0.5), measured=folder).needs == "fast"
+
+    def test_a_kernel_may_be_tailored_to_numbers_and_an_error(
+        self, folder: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        made = [
+            MeasuredTailoring(f"tailored to {asked:g}", "w", asked, asked / 2, {}, (0, 1), (7,))
+            for asked in (1e-3, 1e-6, 1e-12)
+        ]
+        times = (timed(t.name, "w", 100_000, 0.5 + i) for i, t in enumerate(made))
+        record = replace(RECORD, tailored=tuple(made), times=(*RECORD.times, *times))
+        write_record(record, folder)
+        monkeypatch.setattr("mechproof.choice.EXTRAS", {"fast": "json", "derive": "json"})
+        sizes = {"e": 0.2, "z": 4.0}
+        chosen = choose("angle", error=1e-5, measured=folder, **sizes)
+        # That of the largest error that is no larger.
+        assert (chosen.way, chosen.time, chosen.error) == ("tailored", 1.5, 1e-5)
+        assert chosen.function == "mechproof.tailor('gear.angle', error=1e-05, e=0.2, z=4.0)"
+        ranged = choose("angle", error=1e-5, measured=folder, e=(0.1, 0.2), z=4.0)
+        assert ranged.way == "fine"
+        assert choose("angle", error=1e-14, measured=folder, **sizes).way == "fine"
+        monkeypatch.setattr("mechproof.choice.EXTRAS", {"fast": "nothing", "derive": "json"})
+        without = choose("angle", error=1e-5, measured=folder, **sizes)
+        assert without.way == "fine"
+        assert "With pip install 'mechproof[derive,fast]': tailored" in str(without)
 
     def test_nothing_qualifies(self, folder: Path) -> None:
         with pytest.raises(ValueError, match=r"reaches it; gear\.angle: fine, error 3e-15 rad"):

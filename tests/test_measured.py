@@ -13,6 +13,7 @@ from mechproof.measured import (
     Cell,
     CellErrors,
     Machine,
+    MeasuredTailoring,
     MeasuredWay,
     Record,
     Searched,
@@ -49,6 +50,7 @@ RECORD = Record(
     ),
     cells=(Cell({"phi": (0.0, inf)}, 9, 1),),
     cell_errors=(CellErrors(0, "kernel", 1e-16, None, 0), CellErrors(0, "inf", inf, 1e-3, 2)),
+    tailored=(MeasuredTailoring("t", "N angles", 1e-3, 9e-4, {"e": 0.5}, (-1.0, 2.0), (7, 9)),),
     times=(Timing("N angles", "kernel", 1000, 3, 20.0, 19.0, 21.5, None),),
 )
 

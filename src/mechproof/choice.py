@@ -14,6 +14,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from importlib.util import find_spec
 from pathlib import Path
 
 from mechproof.arguments.scalars import (
@@ -31,6 +32,10 @@ Size = float | Sequence[float]
 # Ways of these verdicts compute something else somewhere in the domain.
 NOT_EQUAL = ("REFUTED", "CONDITIONAL", "ILL_FORMED", "UNDECIDED", "ENCLOSED")
 SIZE = 100_000
+# The package that an extra is known by, and the folder of the kernels that need it.
+EXTRAS = {"fast": "numba", "derive": "flint"}
+TAILORING = "derive,fast"
+FOLDERS = {"": "", "fast": "compiled."}
 # The next better way loses at most half as much.
 BETTER = 2
 
@@ -41,11 +46,12 @@ class Choice:
 
     `error` is in the unit of the quantity: the larger of the worst measured and the proved bound;
     `bound` is the latter, rounding apart, None without. `function` is the dotted name under which
-    a form of the package is imported, empty for other libraries and the like. `asked` is the
-    largest error permitted. `time` is nanoseconds per point at `count` points on the
-    machine of the record, the median of rounds with these `quartiles`. `better` is the cheapest
-    way with at most half the error, `others` are all ways that could have been chosen, cheapest
-    first.
+    a form of the package is imported, or the call that tailors it, empty for other libraries and
+    the like; `needs` are the extras that it is installed with, between commas. `asked` is the
+    largest error permitted. `time` is nanoseconds per point at `count` points on the machine of
+    the record, the median of rounds with these `quartiles`. `better` is the cheapest way with at
+    most half the error, `faster` the cheapest one that needs an extra which is not installed, if
+    it is faster than what is; `others` are all ways that could have been chosen, cheapest first.
     """
 
     quantity: str
@@ -58,7 +64,9 @@ class Choice:
     unit: str
     asked: float
     function: str = ""
+    needs: str = ""
     better: Choice | None = None
+    faster: Choice | None = None
     others: tuple[Choice, ...] = field(default=(), repr=False, compare=False)
 
     def explain(self) -> str:
@@ -84,8 +92,12 @@ class Choice:
         """Return the reason in a sentence or two."""
         text = f"{self.quantity}: {self._describe()}"
         if self.better is None:
-            return f"{text}; nothing measured has half the error."
-        return f"{text}; the next better: {self.better._describe()}."
+            text += "; nothing measured has half the error."
+        else:
+            text += f"; the next better: {self.better._describe()}."
+        if self.faster is None:
+            return text
+        return f"{text} With {_tell_install(self.faster.needs)}: {self.faster._describe()}."
 
     def _describe(self) -> str:
         how = "proved bound" if self.bound == self.error else "measured"
@@ -132,26 +144,80 @@ def choose(
     A measured error is the worst at points chosen to hurt, not a bound; a way that lost a single
     result (NaN, infinity) in the ranges is left out, and so is one that the ledger refutes or
     proves on a part of the domain only. Peers (other libraries, solvers, simulations), of which
-    nothing is proved, count by what was measured. Of ways whose times cannot be told apart, their
-    quartiles overlapping, the most accurate is taken.
+    nothing is proved, count by what was measured. Ways that need an extra of mechproof which is
+    not installed (`fast`: compiled kernels) are not taken but named in `faster`. Where all
+    arguments but the first are fixed numbers, a kernel tailored to them and to `error` is one of
+    the ways: its bound is what is asked for, its time that of one tailored to other sizes and no
+    larger an error. Of ways whose times cannot be told apart, their quartiles overlapping, the
+    most accurate is taken.
 
     """
     record = _find_record(quantity, measured)
     require(check_number("error", error) > 0, "error", error, "must be positive")
     check_count("size", size)
-    cells = list(_overlapping(record, _as_pairs(record, ranges)))
+    pairs = _as_pairs(record, ranges)
+    cells = list(_overlapping(record, pairs))
     rated = list(_rate_ways(record, cells, size, error))
-    ways = sorted(rated, key=lambda c: c.time)
-    good = [way for way in rated if way.error <= error]
+    rated += _rate_tailored(record, pairs, size, error)
+    ways = sorted(filter(_is_installed, rated), key=lambda c: c.time)
+    good = [way for way in ways if way.error <= error]
     if not good:
         best = min(ways, key=lambda c: c.error)
         refuse("error", error, f"no way of computing {record.quantity} reaches it; {best}")
-    fastest = min(good, key=lambda c: c.time)
-    alike = [way for way in good if way._may_be_as_fast_as(fastest)]
+    alike = [way for way in good if way._may_be_as_fast_as(good[0])]
     first = min(alike, key=lambda c: c.error)
     better = [way for way in ways if way.error < first.error / BETTER]
-    others = tuple(way for way in ways if way is not first)
-    return replace(first, better=better[0] if better else None, others=others)
+    return replace(
+        first,
+        better=better[0] if better else None,
+        faster=_find_faster(rated, first),
+        others=tuple(way for way in ways if way is not first),
+    )
+
+
+def _rate_tailored(
+    record: Record, pairs: Mapping[str, tuple[float, float]], size: int, asked: float
+) -> Iterator[Choice]:
+    """Rate the tailored kernel that is made for no larger an error, if sizes are fixed numbers.
+
+    Its time is that at the sizes measured; its bound is proved when it is made.
+    """
+    _, *parameters = record.ranges
+    if any(name not in pairs or pairs[name][0] != pairs[name][1] for name in parameters):
+        return
+    fixed = ", ".join(f"{name}={pairs[name][0]!r}" for name in parameters)
+    for found in sorted(record.tailored, key=lambda t: -t.asked):
+        timed = _find_time(record, found.name, size)
+        if timed is not None and found.asked <= asked:
+            yield Choice(
+                quantity=record.quantity,
+                way="tailored",
+                error=asked,
+                bound=asked,
+                time=timed.median,
+                quartiles=(timed.lower, timed.upper),
+                count=timed.count,
+                unit=record.unit,
+                asked=asked,
+                function=f"mechproof.tailor({record.quantity!r}, error={asked!r}, {fixed})",
+                needs=TAILORING,
+            )
+            return
+
+
+def _is_installed(way: Choice) -> bool:
+    return all(find_spec(EXTRAS[extra]) is not None for extra in way.needs.split(",") if extra)
+
+
+def _find_faster(rated: Sequence[Choice], first: Choice) -> Choice | None:
+    """Return the cheapest way that is good enough and only lacks an extra."""
+    lacking = [way for way in rated if not _is_installed(way) and way.error <= first.asked]
+    fastest = min(lacking, key=lambda way: way.time, default=None)
+    return fastest if fastest and fastest.quartiles[1] < first.quartiles[0] else None
+
+
+def _tell_install(extra: str) -> str:
+    return f"pip install 'mechproof[{extra}]'"
 
 
 def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Record:
@@ -240,6 +306,7 @@ def _rate_ways(record: Record, cells: list[int], size: int, asked: float) -> Ite
             unit=record.unit,
             asked=asked,
             function=_locate(record.quantity, way),
+            needs=way.needs,
         )
 
 
@@ -248,7 +315,9 @@ def _locate(quantity: str, way: MeasuredWay) -> str:
     system, _, name = quantity.partition(".")
     if way.kind == "form":
         return f"mechproof.kernels.forms.{system}.{name}_{way.key}"
-    return f"mechproof.kernels.{system}.{name}" if way.kind == "kernel" else ""
+    if way.kind == "kernel":
+        return f"mechproof.kernels.{FOLDERS[way.needs]}{system}.{name}"
+    return ""
 
 
 def _is_the_quantity(way: MeasuredWay, shipped: MeasuredWay) -> bool:

@@ -31,6 +31,7 @@ __all__ = [
     "Cell",
     "CellErrors",
     "Machine",
+    "MeasuredTailoring",
     "MeasuredWay",
     "Record",
     "Searched",
@@ -68,6 +69,7 @@ class MeasuredWay:
     the whole domain); of a peer nothing is, its verdict is MEASURED. bound: what |way -
     definition| provably stays below, empty without. ordered: it needs samples in order from 0 on.
     key: the end of its function's name, <quantity>_<key>, empty without a function of its own.
+    needs: the extra that has to be installed for it.
     """
 
     name: str
@@ -78,6 +80,7 @@ class MeasuredWay:
     bound: str = ""
     ordered: bool = False
     key: str = ""
+    needs: str = ""
     note: str = ""
 
     def __post_init__(self) -> None:
@@ -171,6 +174,23 @@ class Timing:
 
 
 @dataclass(frozen=True)
+class MeasuredTailoring:
+    """A kernel that was tailored to the sizes of one workload and an error asked for.
+
+    bound: what its error is proved to stay below, for the first argument between `ends`. Its times
+    are among those of the record, under its name.
+    """
+
+    name: str
+    workload: str
+    asked: float
+    bound: float
+    sizes: Mapping[str, float]
+    ends: Span
+    degrees: tuple[int, ...]
+
+
+@dataclass(frozen=True)
 class Machine:
     """Where it was measured: the processor, what NumPy uses of it, and versions."""
 
@@ -210,6 +230,7 @@ class Record:
     sets: tuple[SetErrors, ...]
     cells: tuple[Cell, ...]
     cell_errors: tuple[CellErrors, ...]
+    tailored: tuple[MeasuredTailoring, ...]
     times: tuple[Timing, ...]
 
     @property

@@ -116,6 +116,7 @@ def test_out_may_overlap_an_argument(
         (np.empty(7, np.float32), TypeError, "out: expected float64.*got float32"),
         (np.empty(7, int), TypeError, "out: expected float64.*got int64"),
         ([0.0] * 7, TypeError, "out: expected an array, got list"),
+        (np.broadcast_to(0.0, 7), ValueError, "out: expected an array that can be written"),
     ],
 )
 def test_unfit_out_is_refused(out: Any, error: type[Exception], message: str) -> None:

@@ -157,22 +157,22 @@ def test_the_usual_set_is_the_one_that_most_ways_share(record: Record) -> None:
         ([("a", 2, 1)], "is off by at most 2 eps, a by 1; none is faster"),
         (
             [("a", 0.5, 5e4), ("b", 2, 3)],
-            "is off by at most 2 eps, the least of 3 ways; the only faster one loses 4 digits",
+            "is off by at most 2 eps, the least of 3 ways; the only faster other loses 4 digits",
         ),
         (
             [("a", 0.5, 464)],
             "is off by at most 2 eps, the least of 2 ways; "
-            "the only faster one is off by at most 464 eps",
+            "the only faster other is off by at most 464 eps",
         ),
         (
             [("a", 0.5, 1, True), ("b", 0.6, 1e15)],
             "is off by at most 2 eps, the least of 3 ways; "
-            "each of the 2 faster ones somewhere loses whole turns or every digit",
+            "each of the 2 faster others somewhere loses whole turns or every digit",
         ),
         (
             [("a", 0.5, 1, True), ("b", 0.6, 9)],
             "is off by at most 2 eps, the least of 3 ways; "
-            "the best of the 2 faster ones is off by at most 9 eps",
+            "the best of the 2 faster others is off by at most 9 eps",
         ),
     ],
 )

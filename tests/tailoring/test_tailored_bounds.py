@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
 import sympy as sp
-from flint import arb
+from flint import arb, arb_series
 from numpy.typing import NDArray
 
 from mechproof.derivation import find_systems, load_paper, packaged_directory
@@ -17,12 +19,13 @@ from mechproof.lab.subject import Subject, find_subjects
 from mechproof.proof.balls import evaluate, working_precision
 from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Quantity
+from mechproof.tailoring import tailor
 from mechproof.tailoring.build import Built, build
 from mechproof.tailoring.enclosure import BreakError, ExceededError, enclose
 from mechproof.tailoring.kernel import NUMPY, Tailored, make_kernel
 from mechproof.tailoring.model import Model, Piece
 from mechproof.tailoring.request import Request, read_request
-from mechproof.tailoring.series import BITS, Definition, working
+from mechproof.tailoring.series import BITS, Definition, list_terms, working
 from mechproof.tailoring.tracking import track
 
 Array = NDArray[np.float64]
@@ -85,12 +88,12 @@ def list_points(request: Request, kernel: Tailored) -> Array:
     return points[(points >= low) & (points <= high)]
 
 
-def find_worst(request: Request, kernel: Tailored) -> float:
+def find_worst(request: Request, kernel: Tailored, more: Array | None = None) -> float:
     """Return the largest error found, in balls."""
     subject = subject_of(request.name)
     first, *others = subject.quantity.arguments
     sizes = {a.symbols[0]: request.values[a.name] for a in others}
-    points = list_points(request, kernel)
+    points = np.concatenate([list_points(request, kernel), [] if more is None else more])
     worst = 0.0
     for point, value in zip(points.tolist(), kernel(points).tolist(), strict=True):
         true = evaluate(subject.exact, {**sizes, first.symbols[0]: point}, 256)
@@ -107,6 +110,43 @@ def test_no_point_is_off_by_more_than_the_bound(name: str, error: float) -> None
     request, built = prepare(name, error)
     kernel = make_kernel(request, built, NUMPY)
     assert find_worst(request, kernel) <= kernel.bound <= error
+
+
+# Near e = 1 the position turns by half a turn within 1 - e: (1 - e, error asked for).
+STEEP = [(1e-2, 1.0), (5e-3, 1.0), (1e-3, 0.1), (1e-4, 0.1)]
+
+
+@pytest.mark.parametrize(("gap", "error"), STEEP)
+def test_a_steep_turn_is_within_the_bound(gap: float, error: float) -> None:
+    sizes = {"R1": 66, "R2": 16, "e": 1 - gap}
+    request = read_request("elliptic_planetary.position", error, sizes)
+    kernel = make_kernel(request, build(request), NUMPY)
+    assert find_worst(request, kernel, np.linspace(-3 * gap, 3 * gap, 301)) <= kernel.bound
+
+
+@pytest.mark.parametrize(
+    ("name", "sizes"),
+    [
+        ("elliptic_planetary.position", {"R1": 66, "R2": 16, "e": 0.99999}),
+        ("elliptic_planetary.position", {"R1": 66, "R2": 16, "e": 0.999999, "phi1": (0.0, 0.7)}),
+        ("elliptic_planetary.position", {"R1": 1e300, "R2": 16, "e": 0.475}),
+        ("oval_planetary.position", {"e1": 0.2, "e2": 0.999999}),
+        ("oval_planetary.ratio_cylindrical", {"R4": 30, "R5": 20, "e2": 0.999999}),
+    ],
+)
+def test_what_no_few_polynomials_follow_is_refused(name: str, sizes: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match=r"error = 0\.001: (must be at least|nothing that can be)"):
+        build(read_request(name, 1e-3, sizes))
+
+
+def test_threads_change_no_bound() -> None:
+    asked = [{"R1": 66, "R2": 16, "e": 0.3 + 0.05 * i} for i in range(4)]
+
+    def bound(sizes: dict[str, float]) -> float:
+        return tailor("elliptic_planetary.position", error=1e-6, **sizes).bound
+
+    with ThreadPoolExecutor(4) as threads:
+        assert list(threads.map(bound, asked)) == list(map(bound, asked))
 
 
 @pytest.mark.parametrize("case", OTHERS)
@@ -267,7 +307,18 @@ def test_a_definition_has_the_value_and_the_slope_of_its_expression() -> None:
         assert abs(slope - arb(str(place))) < 1e-25
 
 
-def arb_series_at(point: float) -> object:
-    from flint import arb_series
+X, K = sp.symbols("x k", real=True)
 
+
+@pytest.mark.parametrize(
+    "expression",
+    [sp.atan2(X, 1 - K), sp.Piecewise((X, X < 0), (-X, True)), 1 / (X**2 + 1 - K), sp.Abs(X)],
+)
+def test_what_is_not_decided_on_a_ball_has_no_derivative(expression: sp.Expr) -> None:
+    with working(4, BITS):
+        whole = Definition(expression, X, {}, {K: 1}).expand(arb_series([arb(0, 0.5), 1]))
+        assert not any(term.is_finite() for term in list_terms(whole)[1:])
+
+
+def arb_series_at(point: float) -> object:
     return arb_series([arb(point), arb(1)])

@@ -190,6 +190,8 @@ def check_out(out: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
         raise TypeError(f"out: expected {dtype}, the type of the result, got {out.dtype}")
     if out.shape != shape:
         raise ValueError(f"out: expected shape {shape}, that of the result, got {out.shape}")
+    if not out.flags.writeable:
+        raise ValueError("out: expected an array that can be written, got one that is read-only")
 
 
 def _find_target(

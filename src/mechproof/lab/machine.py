@@ -5,14 +5,16 @@ from __future__ import annotations
 import os
 import platform
 import sys
-from importlib.metadata import version
+from collections.abc import Iterator
+from contextlib import suppress
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 import numpy as np
 
 from mechproof.measured import Machine
 
-VERSIONS = ("mechproof", "numpy", "scipy", "sympy", "python-flint")
+VERSIONS = ("mechproof", "numpy", "scipy", "sympy", "python-flint", "numba")
 
 
 def describe_machine() -> Machine:
@@ -24,8 +26,15 @@ def describe_machine() -> Machine:
         simd=tuple(simd["found"]),
         system=platform.system(),
         python=".".join(map(str, sys.version_info[:3])),
-        versions={name: version(name) for name in VERSIONS},
+        versions=dict(_list_versions()),
     )
+
+
+def _list_versions() -> Iterator[tuple[str, str]]:
+    """Yield what is installed of the packages that decide results."""
+    for name in VERSIONS:
+        with suppress(PackageNotFoundError):
+            yield name, version(name)
 
 
 def find_load() -> float | None:

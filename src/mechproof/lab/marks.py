@@ -180,10 +180,10 @@ def _compare_times(shipped: Mark, others: Sequence[Mark]) -> str:
         return "none is faster"
     best = min(faster, key=rank)
     if len(faster) == 1:
-        return f"the only faster one {best.tell_error()}"
+        return f"the only faster other {best.tell_error()}"
     if not best.has_digits:
         kinds = {True: "whole turns", False: "every digit"}
         found = {mark.turns for mark in faster}
         lost = " or ".join(text for turns, text in kinds.items() if turns in found)
-        return f"each of the {len(faster)} faster ones somewhere loses {lost}"
-    return f"the best of the {len(faster)} faster ones {best.tell_error()}"
+        return f"each of the {len(faster)} faster others somewhere loses {lost}"
+    return f"the best of the {len(faster)} faster others {best.tell_error()}"

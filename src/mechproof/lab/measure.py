@@ -15,6 +15,7 @@ from mechproof.lab.machine import describe_machine, find_load
 from mechproof.lab.points import REPORT, TUNE
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
+from mechproof.lab.tailored import list_tailored
 from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs
 from mechproof.lab.ways import Way
 from mechproof.measured import MeasuredWay, Record
@@ -52,6 +53,8 @@ def measure(
     report("proofs")
     ways = describe_ways(subject)
     found = measure_accuracy(subject, depth.points, depth.rounds, report, executor)
+    report("tailoring")
+    tailored = list_tailored(subject, depth.effort.sizes[-1])
     report("time")
     return Record(
         quantity=subject.name,
@@ -71,7 +74,8 @@ def measure(
         sets=found.sets,
         cells=found.cells,
         cell_errors=found.cell_errors,
-        times=tuple(time_subject(subject, depth.effort)),
+        tailored=tuple(about for about, _ in tailored),
+        times=tuple(time_subject(subject, depth.effort, tailored)),
     )
 
 
@@ -94,6 +98,7 @@ def _describe(subject: Subject, way: Way) -> MeasuredWay:
         bound=bound,
         ordered=way.ordered,
         key=way.key,
+        needs=way.needs,
         note=way.note,
     )
     if not way.rows:

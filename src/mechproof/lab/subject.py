@@ -63,6 +63,8 @@ class Subject:
     modules: tuple[ModuleType | None, ModuleType | None]
     peers: tuple[Peer, ...] = ()
     by_hand: ByHand = field(default_factory=ByHand)
+    # Compiled kernels are imported for those who ask for all ways only.
+    load_compiled: Callable[[], ModuleType | None] = lambda: None
     # The folders of the derivation and of its generated modules.
     origin: tuple[Path, Path | None] | None = None
 
@@ -105,12 +107,15 @@ class Subject:
     @cached_property
     def ways(self) -> tuple[Way, ...]:
         """List every way of computing the quantity, the shipped one first."""
-        return list_ways(self.quantity, self.domain, self.list_rows(), self.modules, self.peers)
+        modules = (*self.modules, self.load_compiled())
+        return list_ways(self.quantity, self.domain, self.list_rows(), modules, self.peers)
 
     @property
     def kernel(self) -> Compute:
         """Return the function that is shipped."""
-        return self.ways[0].compute
+        module = self.modules[0]
+        own: Compute | None = getattr(module, self.quantity.name, None)
+        return own or self.ways[0].compute
 
     @cached_property
     def facts(self) -> Facts:
@@ -172,6 +177,7 @@ def make_subjects(paper: Paper, place: Path, generated: Path | None) -> Iterator
         _load_kernels(paper.system, generated),
         _load_kernels(f"forms.{paper.system}", generated),
     )
+    load_compiled = cache(partial(_load_compiled, paper.system, generated))
     for quantity in paper.quantities:
         yield Subject(
             paper,
@@ -180,8 +186,14 @@ def make_subjects(paper: Paper, place: Path, generated: Path | None) -> Iterator
             modules,
             peers.get(quantity.name, ()),
             ByHand.of(points, quantity.name),
+            load_compiled,
             (place, generated),
         )
+
+
+def _load_compiled(system: str, generated: Path | None) -> ModuleType | None:
+    """Import compiled kernels where numba is installed."""
+    return _load_kernels(f"compiled.{system}", generated) if find_spec("numba") else None
 
 
 def _load_kernels(name: str, generated: Path | None) -> ModuleType | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from mechproof.lab.sets import list_workloads
 from mechproof.lab.subject import Subject
+from mechproof.lab.tailored import Tailoring
 from mechproof.lab.ways import Arguments, Way
 from mechproof.measured import COPY, Timing, round_off
 
@@ -40,18 +41,24 @@ FULL = Effort((1_000, 100_000, 10_000_000), (15, 15, 5), 1.5)
 QUICK = Effort((1_000, 100_000), (3, 3), 0.2)
 
 
-def time_subject(subject: Subject, effort: Effort) -> list[Timing]:
-    """Time all ways of a quantity on all its workloads; left out is what takes too long."""
+def time_subject(
+    subject: Subject, effort: Effort, tailored: Sequence[Tailoring] = ()
+) -> list[Timing]:
+    """Time all ways of a quantity on all its workloads; left out is what takes too long.
+
+    Tailored kernels are timed on the workloads that they were tailored to.
+    """
     rows: list[Timing] = []
     for name, workload in list_workloads(subject):
-        pace = _probe(subject, workload(PROBE))
+        ways = (*subject.ways, *(way for about, way in tailored if about.workload == name))
+        pace = _probe(ways, workload(PROBE))
         # What is too slow for every size has at least the time of its few points.
-        slow = [w for w in subject.ways if not _is_worth(w, pace, effort, effort.sizes[0])]
+        slow = [w for w in ways if not _is_worth(w, pace, effort, effort.sizes[0])]
         rows += [_summarise(w.name, name, PROBE, [pace[w.name] * PROBE]) for w in slow]
         for count, rounds in zip(effort.sizes, effort.rounds, strict=True):
             arguments = workload(count)
-            ways = subject.ways if _fits(arguments, effort) else ()
-            worth = [w.name for w in ways if _is_worth(w, pace, effort, count)]
+            fitting = ways if _fits(arguments, effort) else ()
+            worth = [w for w in fitting if _is_worth(w, pace, effort, count)]
             rows += _time_size(subject, name, arguments, worth, (count, rounds), pace)
     return rows
 
@@ -67,10 +74,13 @@ def _is_worth(way: Way, pace: dict[str, float], effort: Effort, count: int) -> b
     return pace[way.name] * count <= effort.longest
 
 
-def _probe(subject: Subject, arguments: Arguments) -> dict[str, float]:
-    """Estimate seconds per point from one call on a few points."""
+def _probe(ways: Sequence[Way], arguments: Arguments) -> dict[str, float]:
+    """Estimate seconds per point from one call on a few points; what is compiled has had one."""
     with np.errstate(all="ignore"):
-        calls = {w.name: _bind(w.compute, arguments) for w in subject.ways}
+        calls = {w.name: _bind(w.compute, arguments) for w in ways}
+        for way in ways:
+            if way.needs:
+                calls[way.name]()
         times = {name: _time_call(call, 1) / PROBE for name, call in calls.items()}
     return {**times, COUNTED: PROBE}
 
@@ -84,15 +94,13 @@ def _time_size(
     subject: Subject,
     workload: str,
     arguments: Arguments,
-    worth: list[str],
+    worth: Sequence[Way],
     size: tuple[int, int],
     pace: dict[str, float],
 ) -> list[Timing]:
     """Time one size (points, rounds); `pace` has the seconds per point of smaller sizes."""
     count, rounds = size
-    calls: dict[str, Callable[[], object]] = {
-        w.name: _bind(w.compute, arguments) for w in subject.ways if w.name in worth
-    }
+    calls: dict[str, Callable[[], object]] = {w.name: _bind(w.compute, arguments) for w in worth}
     calls[COPY] = _copy_call(np.shape(subject.kernel(*arguments)))
     times = interleave(calls, rounds)
     pace |= {name: float(np.median(t)) / count for name, t in times.items()} | {COUNTED: count}

@@ -22,6 +22,8 @@ Array = NDArray[Any]
 Arguments = tuple[Array, ...]
 Compute = Callable[..., Any]
 
+# The extra that compiled kernels need.
+COMPILED = "fast"
 # What SymPy's NumPy printer has no array code for.
 BEYOND_LAMBDIFY = (sp.Sum, sp.Integral, sp.Indexed)
 
@@ -31,7 +33,8 @@ class Way:
     """One way of computing a quantity: the kernel, a form or a peer.
 
     `rows` of the ledger say what its source computes; a peer has none, nothing is proved of it.
-    `key` ends the name of its function, empty for the kernel and for peers.
+    `key` ends the name of its function, empty for the kernel and for peers; `needs` is the extra
+    that it is installed with.
     """
 
     name: str
@@ -42,6 +45,7 @@ class Way:
     ordered: bool = False
     slow: bool = False
     key: str = ""
+    needs: str = ""
     note: str = ""
 
 
@@ -49,18 +53,19 @@ def list_ways(
     quantity: Quantity,
     domain: Domain,
     rows: Iterable[Row],
-    modules: tuple[ModuleType | None, ModuleType | None],
+    modules: tuple[ModuleType | None, ...],
     peers: tuple[Peer, ...],
 ) -> tuple[Way, ...]:
     """List the kernel, its rival forms, peers, and what SymPy prints; the shipped one first.
 
-    `modules` are those of the kernels and of their rival forms.
+    `modules` are those of the kernels, of their rival forms and of the compiled kernels.
     """
     rows = tuple(rows)
     ours = [peer for peer in peers if peer.ours]
     others = [peer for peer in peers if not peer.ours]
-    kernels, forms = modules
-    found = [*_list_kernel(quantity, kernels, rows), *map(_from_peer, ours)]
+    kernels, forms, compiled = modules
+    found = [*_list_kernel(quantity, kernels, rows), *_list_compiled(quantity, compiled, rows)]
+    found += map(_from_peer, ours)
     found += _list_rivals(quantity, forms, rows)
     return (*found, *map(_from_peer, others), *print_by_sympy(quantity, domain))
 
@@ -72,12 +77,28 @@ def _list_kernel(
     if not quantity.forms or module is None:
         return
     kernel: Compute = getattr(module, quantity.name)
-    bound, decided = quantity.shipped[-1].bound, _rows_of(quantity.name, rows)
-    own = Way("kernel", kernel, "kernel", decided, bound)
-    yield own
-    if "out" in inspect.signature(kernel).parameters:
-        yield replace(own, name="kernel, out=", compute=_into_buffer(kernel))
+    yield from _list_with_buffer(_describe_kernel("kernel", kernel, quantity, rows))
     yield Way("kernel, float32", _in_single(kernel), "peer", note="inputs rounded too")
+
+
+def _list_compiled(
+    quantity: Quantity, module: ModuleType | None, rows: tuple[Row, ...]
+) -> Iterator[Way]:
+    """List the compiled kernel, whose source is read back as that of the kernel is."""
+    kernel: Compute | None = getattr(module, quantity.name, None)
+    if kernel is not None:
+        way = _describe_kernel("kernel, compiled", kernel, quantity, rows)
+        yield from _list_with_buffer(replace(way, needs=COMPILED, note="threads for long arrays"))
+
+
+def _describe_kernel(name: str, compute: Compute, quantity: Quantity, rows: tuple[Row, ...]) -> Way:
+    return Way(name, compute, "kernel", _rows_of(quantity.name, rows), quantity.shipped[-1].bound)
+
+
+def _list_with_buffer(way: Way) -> Iterator[Way]:
+    yield way
+    if "out" in inspect.signature(way.compute).parameters:
+        yield replace(way, name=f"{way.name}, out=", compute=_into_buffer(way.compute))
 
 
 def _list_rivals(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from threading import RLock
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -50,6 +51,7 @@ STYLE: Mapping[str, Any] = {
     "ytick.major.size": 2.5,
     "ytick.major.width": 0.6,
 }
+_TURNS = RLock()
 # What belongs to the session, and is no matter of style.
 KEPT = frozenset({"backend", "backend_fallback", "interactive", "toolbar", "timezone"})
 
@@ -80,10 +82,13 @@ def import_matplotlib() -> ModuleType:
 
 @contextmanager
 def use_style(more: Mapping[str, Any] | None = None) -> Iterator[None]:
-    """Hold matplotlib's defaults with the style of the pictures inside the context alone."""
+    """Hold matplotlib's defaults with the style of the pictures inside the context alone.
+
+    Threads take turns: what matplotlib's context restores is the process's.
+    """
     matplotlib = import_matplotlib()
     defaults = {k: v for k, v in matplotlib.rcParamsDefault.items() if k not in KEPT}
-    with matplotlib.rc_context({**defaults, **STYLE, **(more or {})}):
+    with _TURNS, matplotlib.rc_context({**defaults, **STYLE, **(more or {})}):
         yield
 
 

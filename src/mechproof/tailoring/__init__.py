@@ -9,6 +9,8 @@ from __future__ import annotations
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
+from mechproof.executors import BALLS
+
 if TYPE_CHECKING:
     from mechproof.tailoring.kernel import Tailored
 
@@ -73,5 +75,7 @@ def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
     from mechproof.tailoring.kernel import make_kernel
     from mechproof.tailoring.request import read_request
 
-    request = read_request(name, error, arguments)
-    return make_kernel(request, build(request))
+    # Precision and length of series belong to the process.
+    with BALLS:
+        request = read_request(name, error, arguments)
+        return make_kernel(request, build(request))

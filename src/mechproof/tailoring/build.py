@@ -34,8 +34,10 @@ MOST_PERIODS = 2**23
 # Of the error: what may be lost outside of the polynomials where the range is free, and what one
 # word of the period alone may lose.
 OUTSIDE, ONE_WORD = 0.25, 1 / 16
-# Of what is left of the error: where the first plan aims. Plans tried, the later ones lower.
-AIM, PLANS, LOWER = 0.8, 5, 0.7
+# Of what is left of the error: where the first plan aims. Shares of that for the later ones, much
+# lower where the samples that plans are made from miss something steep.
+AIM = 0.8
+LOWER = (1.0, 0.7, 0.5, 0.35, 0.25, 1e-2, 1e-3, 1e-4)
 # Of values, in eps: what evaluating a polynomial rounds, estimated.
 ROUNDED = 2.0**-52
 # How often an error is raised until it is reachable, and then lowered by bisection.
@@ -72,7 +74,8 @@ class Task:
         points = np.linspace(low, high, SLOPE_POINTS)
         values = self.approximate(points)
         self.size = float(np.max(np.abs(values)))
-        self.slope = float(np.max(np.abs(np.gradient(values, points))))
+        with np.errstate(all="ignore"):
+            self.slope = float(np.max(np.abs(np.gradient(values, points))))
 
     def _find_ends(self) -> tuple[float, float]:
         if self.repetition is None:
@@ -111,11 +114,13 @@ def build(request: Request) -> Built:
             return _build(task, request.error)
         except NotReachedError:
             least = _find_reachable(task)
+    except NotReachedError:
+        refuse("error", request.error, "nothing that can be tailored to these sizes comes near it")
     except BreakError as error:
         what = f"{request.name} jumps or is undefined about {error.place:.9g}"
         refuse(request.variable, request.ends, f"{what}: give a range on one side of that")
     where = f"for {request.variable} = {request.ends}" if request.ends else "over one period"
-    refuse("error", request.error, f"must be at least {least}: doubles reach hardly less {where}")
+    refuse("error", request.error, f"must be at least {least}: hardly less is reached {where}")
 
 
 def _repetition_over(request: Request) -> Repetition | None:
@@ -183,12 +188,11 @@ def _build(task: Task, error: float) -> Built:
 
 def _list_plans(stretch: Stretch, tolerance: float) -> Iterator[Plan]:
     """List the cheapest plan, then ones that aim lower."""
-    for _ in range(PLANS):
-        plans = list_plans(stretch, tolerance)
+    for share in LOWER:
+        plans = list_plans(stretch, share * tolerance)
         if not plans:
             return
         yield plans[0]
-        tolerance *= LOWER
 
 
 def _lower(stretch: Stretch, plan: Plan, built: Built, attempt: object) -> Built:

@@ -16,7 +16,7 @@ from flint import arb, arb_series
 from mechproof.codegen.program import Program
 from mechproof.proof.balls import Ball
 from mechproof.tailoring.model import Model, Reduction
-from mechproof.tailoring.series import Series, list_terms, working
+from mechproof.tailoring.series import Series, is_finite, list_terms, working
 from mechproof.tailoring.tracking import LEAST, UNIT, Tracked, UndecidedError, start, track
 
 Exact = Callable[[Series], Series]
@@ -221,9 +221,9 @@ def _enclose_cell(program: Program, exact: Exact, low: float, high: float) -> _W
     near = list_terms(found.middle - true.middle)
     far = list_terms(found.whole - true.whole)
     slope = abs(list_terms(true.whole)[1]) / ((arb(high) - low) / 2)
-    terms = [*near[:-1], far[-1]]
-    if all(term.is_finite() for term in terms):
-        bound = sum(map(abs, terms), arb(0)).upper()
+    # Of the whole cell every term counts: what is undefined may leave the last one zero.
+    if is_finite([*near[:-1], *far]):
+        bound = sum(map(abs, [*near[:-1], far[-1]]), arb(0)).upper()
         met = abs(near[0]).lower() - found.off
     else:
         # A corner within the cell: the values alone.

@@ -37,6 +37,11 @@ def working(order: int, bits: int = BITS) -> Iterator[None]:
         ctx.prec, ctx.cap = precision, length
 
 
+def _leave_open() -> Series:
+    """Return the series of what is not decided: a coefficient that is left out would be zero."""
+    return arb_series([NAN] * ctx.cap)
+
+
 def list_terms(series: Series) -> list[Ball]:
     """List the coefficients of a series, as many as series have."""
     terms: list[Ball] = series.coeffs()
@@ -137,7 +142,7 @@ def _choose(*parts: Any) -> Series:
             break
         if holds:
             return value
-    return arb_series([NAN])
+    return _leave_open()
 
 
 def _compare(kind: type[sp.Basic], left: Series, right: Series) -> bool | None:
@@ -148,7 +153,9 @@ def _compare(kind: type[sp.Basic], left: Series, right: Series) -> bool | None:
 def _raise(base: Series, exponent: sp.Basic) -> Series:
     if isinstance(exponent, sp.Integer):
         power = reduce(mul, [base] * abs(int(exponent)), arb_series([1]))
-        return power if exponent > 0 else 1 / power
+        if exponent > 0:
+            return power
+        return _leave_open() if list_terms(power)[0].contains(0) else 1 / power
     if isinstance(exponent, sp.Rational) and exponent.q == 2:
         return _raise(base.sqrt(), sp.Integer(exponent.p))
     raise NotImplementedError(f"no series of a power {exponent}")
@@ -176,7 +183,7 @@ def _direction(y: Series, x: Series) -> Series:
     start = arb.atan2(list_terms(y)[0], list_terms(x)[0])
     square = x * x + y * y
     if list_terms(square)[0].contains(0):
-        return arb_series([NAN])
+        return _leave_open()
     if ctx.cap == 1:
         return arb_series([start])
     turn = ((x * y.derivative() - y * x.derivative()) / square).integral()
