@@ -301,9 +301,11 @@ def test_findings_come_first_and_what_is_plain_is_counted(tmp_path: Path) -> Non
     places = [next(n for n, line in enumerate(lines) if line.startswith(s)) for s in starts]
     assert places == sorted(places)
     assert not any(line.startswith("(1)") for line in lines)
-    assert lines[-2:] == [
+    assert lines[-3:] == [
         "1 paper, 2 rows, 1 finding",
         "1 row proved or defining not shown: --all shows every row",
+        "What verdicts and marks mean: docs/verdicts.md of the sources, or the start page of "
+        "`mechproof report`",
     ]
     shown = run("verify", "--all", str(file)).output
     assert re.search(r"^\(1\) \(as typed\) +PROVED", shown, re.MULTILINE)
@@ -333,3 +335,18 @@ def test_progress_counts_the_rows_of_each_paper(tmp_path: Path) -> None:
     file = write(tmp_path, PROVED, OPEN % "")
     judge_derivations([file], use_cache=False, processes=1, report=said.append)
     assert said == [f"loading {file}", "mine 1 of 2", "all rows judged"]
+
+
+def test_a_parameter_given_twice_is_named(tmp_path: Path) -> None:
+    sizes = ("--let", "e=0.475", "--let", "R1=66", "--let", "R2=16", "--let", "e=0.3")
+    tailored = ("emit", "c", "elliptic_planetary.position", "--error", "1e-6")
+    result = run(*tailored, *sizes, "--out", str(tmp_path))
+    assert result.exit_code == 2
+    assert "--let e: given twice" in result.output
+    assert not any(tmp_path.iterdir())
+
+
+def test_a_single_quantity_is_told_to_need_an_error(tmp_path: Path) -> None:
+    result = run("emit", "c", "elliptic_planetary.position", "--out", str(tmp_path))
+    assert result.exit_code == 2
+    assert "a single quantity needs --error, and --let" in result.output

@@ -123,3 +123,21 @@ def test_the_command_says_which_drawing_fails(place: Path, tmp_path: Path) -> No
     assert done.exit_code == 1
     assert "fig-1" in done.stderr
     assert "pictures.py:6: ValueError" in done.stderr
+
+
+def test_the_command_draws_the_others_and_names_every_failure_once(
+    place: Path, tmp_path: Path
+) -> None:
+    (place / "pictures.py").write_text(
+        PICTURES + 'for name, act in (("bad", lambda canvas: 1 / 0),'
+        ' ("odd", lambda canvas: canvas.text(0, 0, r"$\\frac$"))):\n'
+        '    FIGURES = (Figure(name, None, "A title", "", "(1)", act), *FIGURES)\n',
+        encoding="utf-8",
+    )
+    out = tmp_path / "figures"
+    done = CliRunner().invoke(app, ["figures", str(place), "--out", str(out)])
+    assert done.exit_code == 1
+    odd, bad = done.stderr.splitlines()
+    assert bad.startswith(f"mine bad: {place.resolve()}/pictures.py:11: ZeroDivisionError")
+    assert odd.startswith("mine odd: ValueError: ")
+    assert sorted(path.name for path in out.iterdir()) == ["mine.fig-1.png", "mine.fig-1.svg"]

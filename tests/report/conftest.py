@@ -58,7 +58,7 @@ def write_hostile(folder: Path) -> Path:
 
 
 def build(locations: Sequence[Path]) -> dict[str, str]:
-    return build_site(locations, judge_derivations(locations))
+    return dict(build_site(locations, judge_derivations(locations)).files)
 
 
 @pytest.fixture(scope="session")

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 from conftest import write_hostile, write_slider_crank
+from pages import find_faults
 from typer.testing import CliRunner, Result
 
 from mechproof.cli import app
@@ -54,19 +56,77 @@ def test_a_derivation_that_fails_is_status_1(tmp_path: Path, text: str, fault: s
     assert not (tmp_path / "pages").exists()
 
 
-def test_a_figure_that_cannot_be_drawn_is_status_1(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("drawing", "fault"),
+    [
+        ("1 / 0", "pictures.py:2: ZeroDivisionError: division by zero"),
+        ("canvas.text(0, 0, r'$\\frac$')", "ValueError"),
+        ("__import__('os')._exit(3)", "its process ended with status 3"),
+    ],
+)
+def test_a_figure_that_cannot_be_drawn_is_shown_and_is_status_1(
+    tmp_path: Path, drawing: str, fault: str
+) -> None:
     folder = tmp_path / "mine"
     folder.mkdir()
     write_slider_crank(folder).rename(folder / "__init__.py")
     (folder / "pictures.py").write_text(
         "from mechproof.plot import Figure\n"
-        "FIGURES = (Figure('one', None, 'A title', '', '(1)', lambda canvas: 1 / 0),)\n",
+        f"FIGURES = (Figure('one', None, 'A title', '', '(1)', lambda canvas: {drawing}),\n"
+        "    Figure('two', None, 'Another', '', '(1)', lambda canvas: None))\n",
         encoding="utf-8",
     )
-    result = run(str(folder), "--out", str(tmp_path / "pages"))
+    out = tmp_path / "pages"
+    result = run(str(folder), "--out", str(out))
     assert result.exit_code == 1
-    assert "division by zero" in result.output
-    assert not (tmp_path / "pages").exists()
+    assert result.stderr.count("mine, one: ") == 1
+    assert fault in result.stderr
+    page = (out / "papers" / "slider_crank.html").read_text(encoding="utf-8")
+    place = page.index('id="figure-one"')
+    assert f"Could not be drawn: {fault}" in page[place : page.index("</figure>", place)]
+    assert page.count("<svg") == 1
+    assert find_faults(out) == []
+
+
+def test_only_what_is_done_is_said(tmp_path: Path) -> None:
+    result = run(str(write_slider_crank(tmp_path)), "--out", str(tmp_path / "pages"))
+    assert "writing the pages" in result.stderr
+    assert "drawing" not in result.stderr
+
+
+def test_only_what_occurs_is_explained(tmp_path: Path) -> None:
+    out = tmp_path / "pages"
+    run(str(write_slider_crank(tmp_path)), "--out", str(out))
+    text = (out / "index.html").read_text(encoding="utf-8")
+    legend = text[text.index('id="legend"') :]
+    assert set(re.findall(r'class="badge v-([\w-]+)"', legend)) == {"proved", "refuted"}
+    assert "mark-fitted" not in legend
+    assert "two completions" not in legend
+    assert "separating balls" in legend
+
+
+@pytest.mark.parametrize("command", ["report", "figures"])
+@pytest.mark.parametrize(
+    ("out", "says"),
+    [
+        ("{}/taken", "{}/taken is no folder"),
+        ("{}/taken/deeper/pages", "{}/taken is no folder"),
+        ("{}/dangling", "{}/dangling is no folder"),
+        ("", "is empty"),
+        ("/proc/pages", "cannot write to /proc"),
+    ],
+)
+def test_a_folder_that_cannot_be_is_refused_first(
+    tmp_path: Path, command: str, out: str, says: str
+) -> None:
+    (tmp_path / "taken").write_text("mine")
+    (tmp_path / "dangling").symlink_to(tmp_path / "nowhere")
+    arguments = [command, "elliptic_planetary", "--out", out.format(tmp_path)]
+    result = CliRunner().invoke(app, arguments)
+    assert result.exit_code == 2, result.output
+    (line,) = result.output.splitlines()
+    assert line.startswith("--out")
+    assert says.format(tmp_path) in line
 
 
 def test_an_unknown_paper_is_bad_usage(tmp_path: Path) -> None:

@@ -60,9 +60,20 @@ def test_the_start_page_has_findings_totals_chart_and_legend(files: dict[str, st
     page = files["index.html"]
     assert 'href="papers/elliptic_planetary.html#finding-eq-12"' in page
     assert "off by 44.3°" in page
-    for part in ("findings", "totals", "speed", "verdicts", "mark-rebuilt", "rungs"):
+    for part in ("findings", "totals", "speed", "verdicts", "marks", "rungs"):
         assert f'id="{part}"' in page
     assert page.count("<svg") == 1
+
+
+def test_the_legend_has_the_marks_and_verdicts_that_the_pages_show(files: dict[str, str]) -> None:
+    page = files["index.html"]
+    legend = page[page.index('id="legend"') :]
+    pages = "".join(text for name, text in files.items() if name.startswith(("papers", "quant")))
+    marks = set(re.findall(r"#(mark-[\w-]+)", pages))
+    assert set(re.findall(r'id="(mark-[\w-]+)"', legend)) == marks != set()
+    badge = r'class="badge v-([\w-]+)"'
+    assert set(re.findall(badge, legend)) == set(re.findall(badge, pages))
+    assert "v-failed" in legend
 
 
 def test_a_paper_has_its_rows_in_order_with_what_was_found(files: dict[str, str]) -> None:
@@ -140,7 +151,8 @@ def test_the_same_papers_give_the_same_bytes(papers: list[Path]) -> None:
         "import sys, hashlib; from pathlib import Path; from mechproof.report import build_site;"
         "from mechproof.verification import judge_derivations;"
         "p = [Path(a) for a in sys.argv[1:]];"
-        "print(hashlib.sha256(repr(build_site(p, judge_derivations(p))).encode()).hexdigest())"
+        "files = build_site(p, judge_derivations(p)).files;"
+        "print(hashlib.sha256(repr(files).encode()).hexdigest())"
     )
     seen = {
         subprocess.run(

@@ -9,8 +9,10 @@ import typer
 
 from mechproof.cli.console import fail, refuse, say
 from mechproof.cli.places import DerivationsOption, find_locations, find_places
-from mechproof.derivation import DerivationError, load_paper
+from mechproof.derivation import DerivationError, find_systems, load_paper, packaged_directory
 from mechproof.files import write_whole
+
+Sizes = dict[str, float | tuple[float, ...]]
 
 app = typer.Typer(help="Write kernels for other languages.", no_args_is_help=True)
 
@@ -53,8 +55,9 @@ def emit_c(
     if error is not None:
         if float32 or derivations:
             refuse("--error goes neither with --float32 nor with --derivations")
-        _emit_tailored(systems or [], error, let or [], out)
+        _emit_tailored(systems or [], error, _read_sizes(let or []), out)
         return
+    _refuse_quantities(systems or [])
     for location in find_locations(systems or (), find_places(derivations, None)):
         try:
             files = render_c(load_paper(location), single=float32)
@@ -67,13 +70,25 @@ def emit_c(
             _write(out / name, text)
 
 
-def _emit_tailored(names: list[str], error: float, let: list[str], out: Path) -> None:
+def _refuse_quantities(names: list[str]) -> None:
+    """Refuse SYSTEM.QUANTITY: without an error there are whole systems only."""
+    known = find_systems(packaged_directory())
+    for name in names:
+        system, dot, quantity = name.partition(".")
+        if dot and system in known and quantity != "py":
+            refuse(
+                f"{name}: a single quantity needs --error, and --let for each of its sizes; "
+                f"without --error, name the system {system}"
+            )
+
+
+def _emit_tailored(names: list[str], error: float, sizes: Sizes, out: Path) -> None:
     from mechproof.tailoring import tailor
 
     if len(names) != 1:
         refuse("--error goes with one SYSTEM.QUANTITY")
     try:
-        kernel = tailor(names[0], error=error, **dict(map(_read_size, let)))
+        kernel = tailor(names[0], error=error, **sizes)
     except (ValueError, TypeError) as wrong:
         refuse(str(wrong))
     say(repr(kernel))
@@ -83,6 +98,15 @@ def _emit_tailored(names: list[str], error: float, let: list[str], out: Path) ->
         fail(f"--out: {failed}")
     for file in files:
         say(str(file))
+
+
+def _read_sizes(texts: list[str]) -> Sizes:
+    sizes: Sizes = {}
+    for name, value in map(_read_size, texts):
+        if name in sizes:
+            refuse(f"--let {name}: given twice, a parameter has one value or one range")
+        sizes[name] = value
+    return sizes
 
 
 def _read_size(text: str) -> tuple[str, float | tuple[float, ...]]:

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli.console import fail, say
-from mechproof.cli.places import DerivationsOption, find_locations, find_places
+from mechproof.cli.places import DerivationsOption, find_locations, find_places, read_out
 from mechproof.derivation import DerivationError
 
 
@@ -17,9 +17,10 @@ def figures(
         list[str] | None,
         typer.Argument(help="Systems, or folders of derivations; all if none."),
     ] = None,
-    out: Annotated[Path, typer.Option(help="The folder that the pictures go to.")] = Path(
-        "figures"
-    ),
+    out: Annotated[
+        Path,
+        typer.Option(metavar="FOLDER", help="The folder that the pictures go to.", parser=read_out),
+    ] = Path("figures"),
     derivations: DerivationsOption = None,
 ) -> None:
     """Draw the papers' figures from the kernels, with what was found marked in them.
@@ -27,23 +28,30 @@ def figures(
     Each is written as PNG and SVG, SYSTEM.FIGURE.png; what is printed is the file and what it
     shows. A folder has figures if its pictures.py binds FIGURES.
 
-    Exit status 0: drawn; 1: a derivation or a drawing fails; 2: bad usage.
+    Exit status 0: drawn; 1: a derivation or a drawing fails, the others are drawn; 2: bad usage.
     """
     from mechproof.plot.figures import DrawingError, find_figures, write_files
 
+    failures: list[str] = []
     for location in find_locations(systems or (), find_places(derivations, None)):
         try:
             found = find_figures(location)
         except DerivationError as error:
-            fail(str(error))
+            failures.append(str(error))
+            continue
         if systems and not found:
-            fail(f"{location}: has no pictures.py, and so no figures")
+            failures.append(f"{location}: has no pictures.py, and so no figures")
         for figure in found:
             try:
                 files = write_files(figure, out, f"{location.stem}.{figure.name}")
             except OSError as error:
                 fail(f"--out: {error}")
-            except (DrawingError, ImportError) as error:
+            except ImportError as error:
                 fail(str(error))
+            except DrawingError as error:
+                failures.append(f"{location.stem} {error}")
+                continue
             for file in files:
                 say(f"{file}: {figure.title}")
+    if failures:
+        fail("\n".join(failures))

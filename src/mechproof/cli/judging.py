@@ -34,7 +34,7 @@ def judge_papers(locations: Sequence[Path], *, use_cache: bool, limit: float) ->
         fail(str(error))
 
 
-def refuse_failures(ledgers: Sequence[Ledger]) -> None:
-    """Name every row that could not be judged and end with status 1."""
-    if failures := [failure for ledger in ledgers for failure in ledger.failures]:
+def refuse_failures(ledgers: Sequence[Ledger], others: Sequence[str] = ()) -> None:
+    """Name every row that could not be judged, then what else failed; end with status 1."""
+    if failures := [*(failure for ledger in ledgers for failure in ledger.failures), *others]:
         fail("\n".join(failures))

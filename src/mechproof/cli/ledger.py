@@ -25,6 +25,10 @@ STYLES = {
     Verdict.ENCLOSED: "magenta",
     Verdict.UNDECIDED: "bold magenta",
 }
+POINTER = (
+    "What verdicts and marks mean: docs/verdicts.md of the sources, or the start page of "
+    "`mechproof report`"
+)
 
 
 def print_ledgers(ledgers: Sequence[Ledger], *, show_all: bool) -> None:
@@ -46,6 +50,7 @@ def print_ledgers(ledgers: Sequence[Ledger], *, show_all: bool) -> None:
     hidden = [row for row in rows if row.verdict in PLAIN]
     if hidden and not show_all:
         say(f"{_count(hidden, 'row')} proved or defining not shown: --all shows every row")
+    say(POINTER)
 
 
 def _count(things: Sequence[object], name: str) -> str:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryFile
 from typing import Annotated
 
 import typer
@@ -54,6 +56,21 @@ def _check(derivations: Path, options: str) -> Places:
         refuse(f"{options.strip()}: there is no folder {derivations}")
     named = derivations if derivations.name.strip(".") else derivations.resolve()
     return Places(derivations, named.parent / "generated", options)
+
+
+def read_out(text: str | Path) -> Path:
+    """Return the folder that --out names, there or not; refuse one that cannot be written to."""
+    if not str(text):
+        refuse("--out: is empty, a folder is needed")
+    folder = Path(text)
+    nearest = next(place for place in (folder, *folder.parents) if os.path.lexists(place))
+    if not nearest.is_dir():
+        refuse(f"--out {folder}: {nearest} is no folder")
+    try:
+        with TemporaryFile(dir=nearest):
+            return folder
+    except OSError as error:
+        refuse(f"--out {folder}: cannot write to {nearest.absolute()}: {error.strerror}")
 
 
 def find_location(name: str, directory: Path) -> Path:

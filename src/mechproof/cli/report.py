@@ -9,7 +9,7 @@ import typer
 
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
-from mechproof.cli.places import DerivationsOption, find_locations, find_places
+from mechproof.cli.places import DerivationsOption, find_locations, find_places, read_out
 from mechproof.derivation import DerivationError
 from mechproof.verification import LIMIT
 
@@ -21,7 +21,10 @@ def report(
             help="Systems, files FILE.py or folders of derivations; all systems if none."
         ),
     ] = None,
-    out: Annotated[Path, typer.Option(help="The folder that the pages go to.")] = Path("report"),
+    out: Annotated[
+        Path,
+        typer.Option(metavar="FOLDER", help="The folder that the pages go to.", parser=read_out),
+    ] = Path("report"),
     derivations: DerivationsOption = None,
     no_cache: NoCacheOption = False,
     limit: LimitOption = LIMIT,
@@ -31,10 +34,10 @@ def report(
     They open from the file, without network or script: index.html first. A folder that holds
     anything but a report is refused.
 
-    Exit status 0: written; 1: a row hangs or crashes, which the page of its paper shows, or a
-    derivation fails; 2: bad usage.
+    Exit status 0: written; 1: a row or a figure hangs or crashes, which the page of its paper
+    shows, or a derivation fails; 2: bad usage.
     """
-    from mechproof.report import FolderError, PictureError, build_site, check_folder, write_folder
+    from mechproof.report import FolderError, build_site, check_folder, write_folder
 
     try:
         check_folder(out)
@@ -43,12 +46,12 @@ def report(
     locations = find_locations(papers or (), find_places(derivations, None))
     ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
     try:
-        with show_progress("drawing what was measured, and the papers' figures") as tell:
-            files = build_site(locations, ledgers, tell)
-        write_folder(out, files)
-    except (DerivationError, PictureError, FolderError, ValueError) as error:
+        with show_progress("writing the pages") as tell:
+            site = build_site(locations, ledgers, tell)
+        write_folder(out, site.files)
+    except (DerivationError, FolderError, ValueError) as error:
         fail(str(error))
     except OSError as error:
         fail(f"--out: {error}")
-    say(f"{out}: {len(files)} files; open {out / 'index.html'}")
-    refuse_failures(ledgers)
+    say(f"{out}: {len(site.files)} files; open {out / 'index.html'}")
+    refuse_failures(ledgers, site.failures)

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import re
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from html import escape
 from io import BytesIO, StringIO
@@ -127,9 +128,14 @@ def draw(figure: Figure) -> Canvas:
         try:
             figure.draw(canvas)
         except Exception as error:
-            what = f"{type(error).__name__}: {error}"
-            raise DrawingError(f"{figure.name}: {_find_line(error)}{what}") from error
+            raise DrawingError(_tell(figure, _find_line(error), error)) from error
     return canvas
+
+
+def _tell(figure: Figure, line: str, error: Exception) -> str:
+    """Say in one line which figure failed, and why."""
+    what = " ".join(f"{type(error).__name__}: {error}".split())
+    return f"{figure.name}: {line}{what}"
 
 
 def _find_line(error: Exception) -> str:
@@ -155,25 +161,35 @@ def write_png(figure: Figure, path: Path) -> None:
 def write_files(figure: Figure, folder: Path, stem: str) -> tuple[Path, Path]:
     """Draw a figure once and write it as PNG and SVG; return the files. Raises as `write_png`."""
     canvas = draw(figure)
+    pixels, text = _save_png(figure, canvas), _save_svg(figure, canvas)
     files = folder / f"{stem}.png", folder / f"{stem}.svg"
     folder.mkdir(parents=True, exist_ok=True)
-    files[0].write_bytes(_save_png(figure, canvas))
-    files[1].write_text(_save_svg(figure, canvas), encoding="utf-8")
+    files[0].write_bytes(pixels)
+    files[1].write_text(text, encoding="utf-8")
     return files
 
 
 def _save_svg(figure: Figure, canvas: Canvas) -> str:
     text = StringIO()
-    with use_style({"svg.hashsalt": f"{figure.name}: {figure.title}"}):
+    with use_style({"svg.hashsalt": f"{figure.name}: {figure.title}"}), _blame(figure):
         canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
     return strip_svg(text.getvalue(), figure.title)
 
 
 def _save_png(figure: Figure, canvas: Canvas) -> bytes:
     pixels = BytesIO()
-    with use_style():
+    with use_style(), _blame(figure):
         canvas.savefig(pixels, format="png", dpi=DPI, metadata={"Title": figure.title})
     return pixels.getvalue()
+
+
+@contextmanager
+def _blame(figure: Figure) -> Iterator[None]:
+    """Raise what saving raises as `DrawingError`: texts are first read then."""
+    try:
+        yield
+    except Exception as error:
+        raise DrawingError(_tell(figure, "", error)) from error
 
 
 def strip_svg(text: str, title: str) -> str:

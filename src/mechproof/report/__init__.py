@@ -6,7 +6,6 @@ themselves from the same templates. Needs the `derive` extra.
 """
 
 from mechproof.report.folder import FolderError, check_folder, write_folder
-from mechproof.report.pictures import PictureError
-from mechproof.report.site import build_site
+from mechproof.report.site import Site, build_site
 
-__all__ = ["FolderError", "PictureError", "build_site", "check_folder", "write_folder"]
+__all__ = ["FolderError", "Site", "build_site", "check_folder", "write_folder"]

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from io import StringIO
 from pathlib import Path
@@ -16,7 +17,7 @@ from mechproof.lab.chart import STYLE, date_records, draw_chart
 from mechproof.lab.marks import collect_marks, list_workloads, write_headline
 from mechproof.lab.overview import draw_panels, write_summary
 from mechproof.measured import Record
-from mechproof.plot.figures import find_figures, render_svg, strip_svg
+from mechproof.plot.figures import DrawingError, find_figures, render_svg, strip_svg
 from mechproof.processes import WorkerError, run_tasks
 
 # Seconds for a picture; beyond, something hangs.
@@ -24,11 +25,15 @@ LIMIT = 300.0
 SMALL = 7.5
 # Points; a column has 241.
 NARROW = 300.0
+OVERVIEW = "overview"
 
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture of a page: what it says and how it is drawn, in one element."""
+    """A picture of a page: what it says and how it is drawn, in one element.
+
+    One that could not be drawn has the `failure` instead of the element.
+    """
 
     title: str
     caption: str
@@ -36,6 +41,7 @@ class Picture:
     name: str = ""
     number: str = ""
     after: str = ""
+    failure: str = ""
 
     @property
     def is_narrow(self) -> bool:
@@ -44,35 +50,42 @@ class Picture:
         return width is not None and float(width[1]) < NARROW
 
 
-class PictureError(RuntimeError):
-    """A picture could not be drawn."""
+@dataclass(frozen=True)
+class Task:
+    """A picture that is to be drawn, and what stands in its place if it hangs or crashes."""
+
+    draw: Callable[[], Picture]
+    blank: Picture
 
 
 def draw_pictures(
-    tasks: Mapping[str, Callable[[], Picture]],
+    tasks: Mapping[str, Task],
     report: Callable[[str], None] = lambda text: None,
     processes: int | None = None,
 ) -> dict[str, Picture]:
-    """Draw on all processors; `PictureError` names the first that fails."""
+    """Draw on all processors; what fails is a picture with its failure."""
     names = list(tasks)
     drawn: dict[str, Picture] = {}
-    results = run_tasks(_draw, list(tasks.values()), limit=LIMIT, processes=processes)
-    for number, picture in results:
+    calls = [task.draw for task in tasks.values()]
+    for number, picture in run_tasks(_call, calls, limit=LIMIT, processes=processes):
+        name = names[number]
         if isinstance(picture, WorkerError):
-            raise PictureError(f"{names[number]}: {picture}")
-        drawn[names[number]] = picture
-        report(f"{len(drawn)} of {len(names)} pictures: {names[number]}")
+            picture = replace(tasks[name].blank, failure=str(picture))
+        drawn[name] = picture
+        report(f"{len(drawn)} of {len(names)} pictures: {name}")
     return {name: drawn[name] for name in names}
 
 
-def _draw(task: Callable[[], Picture]) -> Picture:
-    return task()
+def _call(draw: Callable[[], Picture]) -> Picture:
+    return draw()
 
 
-def list_charts(record: Record) -> dict[str, Callable[[], Picture]]:
+def list_charts(record: Record) -> dict[str, Task]:
     """List the charts of a quantity, one for each workload."""
     return {
-        f"{record.quantity}, {workload}": partial(chart, record, workload, count)
+        f"{record.quantity}, {workload}": Task(
+            partial(chart, record, workload, count), Picture(record.quantity, workload, "")
+        )
         for workload, count in list_workloads(record)
     }
 
@@ -85,6 +98,13 @@ def chart(record: Record, workload: str, count: int) -> Picture:
     return Picture(says, f"{workload}; {_date([record])}", _render(canvas, says))
 
 
+def list_overview(records: Sequence[Record]) -> dict[str, Task]:
+    """List the picture of all quantities where there are several."""
+    if len(records) < 2:
+        return {}
+    return {OVERVIEW: Task(partial(overview, records), Picture("All quantities", "", ""))}
+
+
 def overview(records: Sequence[Record]) -> Picture:
     """Draw a small panel for each quantity."""
     with mpl.rc_context({**STYLE, "font.size": SMALL}):
@@ -93,23 +113,26 @@ def overview(records: Sequence[Record]) -> Picture:
     return Picture(says, _date(records), _render(canvas, says))
 
 
-def list_figures(place: Path) -> dict[str, Callable[[], Picture]]:
+def list_figures(place: Path) -> dict[str, Task]:
     """List what a paper's folder states of its figures."""
-    names = [figure.name for figure in find_figures(place)]
-    return {f"{place.stem}, {name}": partial(draw_figure, place, name) for name in names}
+    blanks = [
+        Picture(figure.title, figure.caption, "", figure.name, figure.number or "", figure.after)
+        for figure in find_figures(place)
+    ]
+    return {
+        f"{place.stem}, {blank.name}": Task(partial(draw_figure, place, blank), blank)
+        for blank in blanks
+    }
 
 
-def draw_figure(place: Path, name: str) -> Picture:
-    """Draw one figure of a paper."""
-    figure = next(f for f in find_figures(place) if f.name == name)
-    return Picture(
-        figure.title,
-        figure.caption,
-        render_svg(figure),
-        figure.name,
-        figure.number or "",
-        figure.after,
-    )
+def draw_figure(place: Path, blank: Picture) -> Picture:
+    """Draw one figure of a paper; where that fails, say it without the place of the folder."""
+    figure = next(f for f in find_figures(place) if f.name == blank.name)
+    try:
+        return replace(blank, svg=render_svg(figure))
+    except DrawingError as error:
+        says = str(error).removeprefix(f"{figure.name}: ")
+        return replace(blank, failure=says.replace(f"{place.resolve()}{os.sep}", ""))
 
 
 def _date(records: Sequence[Record]) -> str:
