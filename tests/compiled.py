@@ -7,11 +7,20 @@ from typing import Any
 
 import pytest
 
+# Of the systems with the longest kernels one is compiled with every test, the rest with the
+# thorough ones.
+LONG, SHOWN = ("oval_planetary", "wedge_linkage"), ".position"
+
 
 def grouped(names: Iterable[str]) -> list[Any]:
     """Return the parameters of a test that calls the compiled kernels named system.quantity."""
     systems = {name: name.removeprefix("compiled.").partition(".")[0] for name in names}
     return [
-        pytest.param(name, marks=pytest.mark.xdist_group(f"compiled {system}"))
+        pytest.param(name, marks=[pytest.mark.xdist_group(f"compiled {system}"), *_weigh(name)])
         for name, system in systems.items()
     ]
+
+
+def _weigh(name: str) -> list[pytest.MarkDecorator]:
+    is_long = name.removeprefix("compiled.").startswith(LONG) and not name.endswith(SHOWN)
+    return [pytest.mark.thorough] if is_long else []

@@ -366,6 +366,7 @@ def test_a_generator_that_cannot_spawn_is_named() -> None:
 # The command line
 
 
+@pytest.mark.thorough
 def test_measure_in_processes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     used: list[Executor | None] = []
 

@@ -74,6 +74,7 @@ LOADED = {
     },
     "tailoring": {
         *("numpy", "sympy", "flint", "mpmath", "mechproof.tailoring", "mechproof.arguments"),
+        "mechproof.executors",
         *("mechproof.codegen", "mechproof.proof", "mechproof.record", "mechproof.files"),
         *("mechproof.derivation", "mechproof.mechanisms"),
     },
@@ -82,6 +83,7 @@ LOADED = {
         *("mechproof.lab", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
         *("mechproof.kernel_support", "mechproof.derivation", "mechproof.measured"),
         "mechproof.executors",
+        "mechproof.tailoring",
     },
 }
 INSIDE = {

@@ -202,6 +202,13 @@ def test_it_is_proved(name: str) -> None:
     assert verdict_of(PROVED[name]) is Verdict.PROVED
 
 
-@pytest.mark.parametrize("name", NOT_CONVICTED)
+# These integrals are enclosed at many points: seconds each.
+SLOW = ("integral of a root", "integral of the absolute value")
+
+
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(n, marks=[pytest.mark.thorough] if n in SLOW else []) for n in NOT_CONVICTED],
+)
 def test_it_is_not_convicted(name: str) -> None:
     assert verdict_of(NOT_CONVICTED[name]) not in CONVICTED

@@ -100,6 +100,7 @@ def test_an_endless_bound_is_refused() -> None:
     assert not holds(subject, replace(claim, proved=math.inf))
 
 
+@pytest.mark.thorough
 def test_another_number_of_boxes_is_refused() -> None:
     claim, subject = plain()
     assert not holds(subject, replace(claim, boxes=claim.boxes - 1))
