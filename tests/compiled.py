@@ -9,7 +9,8 @@ import pytest
 
 # Of the systems with the longest kernels one is compiled with every test, the rest with the
 # thorough ones.
-LONG, SHOWN = ("oval_planetary", "wedge_linkage"), ".position"
+LONG = ("oval_planetary", "tooth_thickness", "wedge_linkage")
+SHOWN = (".position", ".thickness_error")
 
 
 def grouped(names: Iterable[str]) -> list[Any]:

@@ -53,7 +53,7 @@ OTHERS = {
     "ratio": ("elliptic_planetary.ratio", {"R1": 66, "R2": 16, "e": 0.475}),
     "beyond rest": ("wedge_linkage.position", {"x1": (-60, 5), **LINKAGE}),
 }
-ERRORS = (1e-3, 1e-6, 1e-9, 1e-12)
+ERRORS, BETWEEN = (1e-3, 1e-6, 1e-9, 1e-12), (1e-6, 1e-9)
 RNG = 20240711
 
 
@@ -104,7 +104,10 @@ def find_worst(request: Request, kernel: Tailored, more: Array | None = None) ->
     return worst
 
 
-@pytest.mark.parametrize("error", ERRORS)
+@pytest.mark.parametrize(
+    "error",
+    [pytest.param(e, marks=[pytest.mark.thorough] if e in BETWEEN else []) for e in ERRORS],
+)
 @pytest.mark.parametrize("name", CASES)
 def test_no_point_is_off_by_more_than_the_bound(name: str, error: float) -> None:
     request, built = prepare(name, error)
