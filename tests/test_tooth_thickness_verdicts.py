@@ -32,7 +32,7 @@ TOO_WIDE = {
 }
 
 
-# Seconds each: numbers that balls have to separate over a wide range.
+# These take seconds each.
 SLOW = ("(1), influence 0.7284", "step 6, influence of the involute")
 
 
