@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from fractions import Fraction
+from functools import cache
+from math import inf, nan
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 # Numbers per block, arguments and results together: with the temporaries of one expression they
 # stay in a core's own cache, and the temporaries in pages that the process already has.
 BLOCK = 16384
 # Loops along the last axis that cost more than their start.
 LONG_LOOP = 64
-SCALARS = frozenset({np.float64, np.float32})
-NUMBER = frozenset({np.float64})
+SCALARS = frozenset({float, np.float64, np.float32})
+NUMBER = frozenset({float})
+NUMBERS = frozenset({float, np.float64})
 # Types whose finiteness is told by a comparison.
 COMPARED = SCALARS | {Fraction}
 # Types that Python's arithmetic and NumPy's agree on; all others keep their own.
 PLAIN = SCALARS | {np.ndarray}
+BOOLS = frozenset({bool, np.bool})
 WEAK = (bool, int, float)
 # Subclasses without arithmetic of their own, or with one that is not element by element.
 AS_ARRAYS = (np.memmap, np.matrix)
@@ -28,12 +31,13 @@ Function = Any
 DOUBLE, SINGLE = np.dtype(np.float64), np.dtype(np.float32)
 
 
-def as_floats(**arguments: ArrayLike) -> tuple[NDArray[Any], ...]:
-    """Convert to one float type: arrays, NumPy scalars where there are no axes.
+def as_floats(names: str, *values: Any) -> tuple[Any, ...]:
+    """Convert the arguments `names` to one float type: arrays, numbers where there are no axes.
 
-    Python numbers are weak; float32 if every array is float32, float64 otherwise. Subclasses of
-    arrays and other arrays that bring their own ufuncs (masked, lazy, with units) stay what they
-    are, matrices apart.
+    Python numbers are weak; float32 if every array is float32, float64 otherwise. Numbers of the
+    type float64 become Python's, whose arithmetic rounds alike in a third of the time. Subclasses
+    of arrays and other arrays that bring their own ufuncs (masked, lazy, with units) stay what
+    they are, matrices apart.
 
     Raises
     ------
@@ -41,34 +45,54 @@ def as_floats(**arguments: ArrayLike) -> tuple[NDArray[Any], ...]:
         If an argument is complex, longer than float64 or not numeric; the message names it.
 
     """
-    # What most calls give is told by its type alone: nothing below could change it.
-    arrays: list[Any] = []
-    value: Any
-    for value in arguments.values():
+    for value in values:
         kind = type(value)
-        if kind is float:
-            arrays.append(np.float64(value))
-        elif kind is np.float64 or (kind is np.ndarray and value.dtype is DOUBLE and value.shape):
-            arrays.append(value)
-        else:
-            return _convert(arguments)
-    return tuple(arrays)
+        if kind is not float and not (
+            kind is np.ndarray and value.dtype is DOUBLE and value.shape
+        ):
+            return _convert(names.split(), values)
+    # What most calls give is told by its type alone: nothing below could change it.
+    return values
 
 
-def _convert(arguments: Mapping[str, Any]) -> tuple[NDArray[Any], ...]:
-    arrays = [_as_array(value) for value in arguments.values()]
-    for name, array in zip(arguments, arrays, strict=True):
+def as_numpy(value: Any) -> Any:
+    """Return a Python number as NumPy's, and all else as it is."""
+    return np.float64(value) if type(value) is float else value
+
+
+def _convert(names: list[str], values: tuple[Any, ...]) -> tuple[Any, ...]:
+    if all(map(_is_double, values)):
+        return tuple([v if type(v) is np.ndarray else float(v) for v in values])
+    arrays = [_as_array(value) for value in values]
+    for name, array in zip(names, arrays, strict=True):
         if not hasattr(array, "dtype"):
             raise TypeError(f"{name}: expected numbers with a dtype, got {type(array).__name__}")
     dtypes = [array.dtype for array in arrays]
     if dtypes.count(DOUBLE) == len(dtypes):
-        return tuple(arrays)
-    for name, dtype in zip(arguments, dtypes, strict=True):
+        return _weaken(arrays)
+    for name, dtype in zip(names, dtypes, strict=True):
         if dtype.kind not in "biuf" or dtype.itemsize > 8:
             raise TypeError(f"{name}: expected real numbers up to float64, got {dtype}")
-    given = zip(arguments.values(), dtypes, strict=True)
+    given = zip(values, dtypes, strict=True)
     strong = {dtype for value, dtype in given if type(value) not in WEAK}
-    return tuple(_cast(array, SINGLE if strong == {SINGLE} else DOUBLE) for array in arrays)
+    if strong == {SINGLE}:
+        return tuple(_cast(array, SINGLE) for array in arrays)
+    return _weaken([_cast(array, DOUBLE) for array in arrays])
+
+
+def _weaken(arrays: list[Any]) -> tuple[Any, ...]:
+    """Turn doubles into Python's beside plain arrays; foreign ones may tell them apart."""
+    if not PLAIN.issuperset(map(type, arrays)):
+        return tuple(arrays)
+    return tuple(float(a) if type(a) is np.float64 else a for a in arrays)
+
+
+def _is_double(value: Any) -> bool:
+    kind = type(value)
+    if kind is np.ndarray:
+        return value.dtype is DOUBLE and bool(value.shape)
+    # Larger whole numbers are none of NumPy's.
+    return kind in NUMBERS or (kind is int and -(2**63) <= value < 2**63)
 
 
 def _as_array(value: Any) -> Any:
@@ -100,8 +124,9 @@ def check_components(name: str, array: Any, count: int) -> None:
         If the last axis has not `count` components; the message names the argument.
 
     """
-    if array.shape[-1:] != (count,):
-        raise ValueError(f"{name}: last axis must have length {count}, got shape {array.shape}")
+    if type(array) is float or array.shape[-1:] != (count,):
+        shape = np.shape(array)
+        raise ValueError(f"{name}: last axis must have length {count}, got shape {shape}")
     if type(array) is not np.ndarray:
         try:
             array[..., :0]
@@ -113,11 +138,11 @@ def check_components(name: str, array: Any, count: int) -> None:
             ) from None
 
 
-def split_components(name: str, array: Any, count: int) -> tuple[NDArray[Any], ...]:
+def split_components(name: str, array: Any, count: int) -> tuple[Any, ...]:
     """Return the components on the last axis; raises as `check_components`."""
     check_components(name, array, count)
     if array.ndim == 1 and type(array) is np.ndarray:
-        return tuple(array)
+        return tuple(array.tolist() if array.dtype is DOUBLE else array)
     return tuple([array[..., i][()] for i in range(count)])
 
 
@@ -130,6 +155,7 @@ def sum_axes(**arguments: tuple[Any, int]) -> tuple[NDArray[Any], ...]:
         If an axis has another length or is missing; the message names the argument.
 
     """
+    arguments = {name: (as_numpy(array), axes) for name, (array, axes) in arguments.items()}
     lengths = [n for array, axes in arguments.values() for n in array.shape[-axes:]]
     length = next((n for n in lengths if n != 1), 1)
     for name, (array, axes) in arguments.items():
@@ -143,23 +169,35 @@ def sum_axes(**arguments: tuple[Any, int]) -> tuple[NDArray[Any], ...]:
 
 def is_finite(value: Any) -> Any:
     """Return np.isfinite(value), which costs for a scalar as a short loop, or of a fraction."""
-    return abs(value) < np.inf if type(value) in COMPARED else np.isfinite(value)
+    return abs(value) < inf if type(value) in COMPARED else np.isfinite(value)
 
 
 def nan_outside(inside: Any, *values: Any) -> tuple[NDArray[Any], ...]:
     """Return the values where `inside` is true, NaN elsewhere."""
-    if type(inside) is np.bool:
-        return values if inside else tuple([value * np.nan for value in values])
+    if type(inside) in BOOLS:
+        return values if inside else tuple([value * nan for value in values])
     if type(inside) is np.ndarray and PLAIN.issuperset(map(type, values)):
         # Unmasked they keep their own shapes, and so does what is computed of them.
-        return values if inside.all() else tuple([np.where(inside, v, np.nan) for v in values])
+        return values if holds(inside) else tuple([np.where(inside, v, nan) for v in values])
     # A product keeps the mask, the laziness or the unit, which np.where would drop.
     factor = np.where(inside, 1.0, np.nan)
     return tuple([value * factor for value in values])
 
 
+def maximum(a: Any, b: Any) -> Any:
+    """Return np.maximum(a, b), of two numbers without a call of it."""
+    if type(a) in NUMBERS and type(b) in NUMBERS:
+        if a > b:
+            return a
+        if a < b:
+            return b
+    return np.maximum(a, b)
+
+
 def choose_where(condition: Any, value: Any, otherwise: Any) -> Any:
     """Return np.where(condition, value, otherwise), masked if one of them is."""
+    if type(condition) in BOOLS and SCALARS.issuperset((type(value), type(otherwise))):
+        return value if condition else otherwise
     masked = any(isinstance(a, np.ma.MaskedArray) for a in (condition, value, otherwise))
     return (np.ma.where if masked else np.where)(condition, value, otherwise)
 
@@ -167,8 +205,9 @@ def choose_where(condition: Any, value: Any, otherwise: Any) -> Any:
 def holds(condition: Any) -> bool:
     """Say whether a condition is true of every element; those of a lazy array stay unread."""
     if type(condition) is np.ndarray:
-        return bool(condition.all())
-    return type(condition) is np.bool and bool(condition)
+        # Of a short array this costs a fifth of condition.all().
+        return bool(np.count_nonzero(condition) == condition.size)
+    return type(condition) in BOOLS and bool(condition)
 
 
 def store(value: Any, out: NDArray[Any] | None) -> Any:
@@ -207,7 +246,12 @@ def _find_target(
 
 def _components(target: NDArray[Any], shape: tuple[int, ...]) -> list[NDArray[Any]]:
     """Return views of the components on the last axes."""
-    return [target[(..., *index)] for index in np.ndindex(shape)]
+    return [target[index] for index in _list_indices(shape)]
+
+
+@cache
+def _list_indices(shape: tuple[int, ...]) -> tuple[tuple[Any, ...], ...]:
+    return tuple((..., *index) for index in np.ndindex(shape))
 
 
 def _stack(components: tuple[Any, ...], shape: tuple[int, ...]) -> Any:
@@ -254,16 +298,35 @@ def in_blocks(
     if quiet:
         with quietly():
             return in_blocks(evaluate, running, prepare, parameters, out=out, shape=shape)
+    try:
+        return _evaluate(evaluate, running, prepare, parameters, out, shape)
+    except ArithmeticError:
+        # Python refuses what NumPy answers with infinity or NaN.
+        numbers = tuple(map(as_numpy, running)), tuple(map(as_numpy, parameters))
+        return _evaluate(evaluate, numbers[0], prepare, numbers[1], out, shape)
+
+
+def _evaluate(
+    evaluate: Function,
+    running: tuple[Any, ...],
+    prepare: Function,
+    parameters: tuple[Any, ...],
+    out: NDArray[Any] | None,
+    shape: tuple[int, ...],
+) -> Any:
     arrays = (*running, *parameters)
-    kinds = set(map(type, arrays))
-    if kinds == NUMBER and out is None and not shape:
-        return _cast(evaluate(*running, *prepare(*parameters)), DOUBLE)
-    if not kinds <= PLAIN:
+    if NUMBER.issuperset(map(type, arrays)) and out is None and not shape:
+        value = evaluate(*running, *prepare(*parameters))
+        return value if type(value) is np.float64 else np.float64(value)
+    if not PLAIN.issuperset(map(type, arrays)):
         values = evaluate(*running, *prepare(*parameters))
-        return store(_stack(values, shape) if shape else values, out)
+        return store(_stack(values, shape) if shape else as_numpy(values), out)
     large = [array for array in arrays if type(array) is np.ndarray]
-    together = large[0] if len(large) == 1 else np.broadcast(*arrays)
-    whole, dtype = (*together.shape, *shape), arrays[0].dtype
+    together = large[0] if len(large) == 1 else np.broadcast(*large)
+    dtype = large[0].dtype if large else as_numpy(arrays[0]).dtype
+    if large and type(running[0]) is float:
+        # Beside single precision a number of Python's would not count as a double.
+        running, parameters = tuple(map(as_numpy, running)), tuple(map(as_numpy, parameters))
     is_small = 2 * together.size <= BLOCK
     if is_small:
         if dtype == SINGLE:
@@ -271,14 +334,15 @@ def in_blocks(
             parameters = tuple(_cast(array, DOUBLE) for array in parameters)
         values = evaluate(*running, *prepare(*parameters))
         if not shape:
-            return store(_cast(values, dtype), out)
+            return store(_cast(as_numpy(values), dtype), out)
+    whole = (*together.shape, *shape)
     target = _find_target(out, whole, dtype, arrays)
     target = np.empty(whole, dtype) if target is None else target
     if is_small:
         for part, value in zip(_components(target, shape), values, strict=True):
             part[...] = value
     else:
-        _fill(target, evaluate, running, prepare, parameters, shape)
+        _fill(target, evaluate, running, prepare, tuple(map(as_numpy, parameters)), shape)
     return store(target, out)
 
 
@@ -391,7 +455,7 @@ def transform(
     target = _find_target(out, points.shape, points.dtype, (points,))
     if target is None or not target.flags.c_contiguous:
         target = np.empty(points.shape, points.dtype)
-    values = np.array(coefficients(*[_cast(p, DOUBLE) for p in parameters]))
+    values = np.array(coefficients(*[_cast(as_numpy(p), DOUBLE) for p in parameters]))
     matrix, shift = values[:-count].reshape(count, count).T, values[-count:]
     source, rows = points.reshape(-1, count), target.reshape(-1, count)
     size = max(min(len(rows), BLOCK // (2 * count)), 1)
