@@ -38,7 +38,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, in_blocks, is_finite, nan_outside
 from mechproof.kernel_support.facts import Condition, Sizes
 
 __all__ = [
@@ -84,7 +84,7 @@ DOMAIN = (
         "z",
         "1 <= z < oo, z = floor(z)",
         ("z",),
-        lambda z: (z >= 1) & is_finite(z) & (z == np.floor(z)),
+        lambda z: (z >= 1) & is_finite(z) & (z == floor(z)),
         ("height_change", "thickness_change", "linearisation_bound"),
     ),
 )
@@ -244,7 +244,7 @@ def height_change(
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
@@ -324,7 +324,7 @@ def thickness_change(
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
@@ -454,7 +454,7 @@ def linearisation_bound(
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )

@@ -62,6 +62,8 @@ from mechproof.kernel_support.arrays import (
     as_floats,
     check_components,
     choose_where,
+    every,
+    floor,
     in_blocks,
     is_finite,
     nan_outside,
@@ -99,7 +101,7 @@ DOMAIN = (
         "z",
         "1 <= z < oo, z = floor(z)",
         ("z",),
-        lambda z: (z >= 1) & is_finite(z) & (z == np.floor(z)),
+        lambda z: (z >= 1) & is_finite(z) & (z == floor(z)),
         ("radius", "track"),
     ),
     Condition(
@@ -422,7 +424,7 @@ def radius(
 
     """
     phi, R, A, z = as_floats("phi R A z", phi, R, A, z)
-    inside = (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == np.floor(z)) & (abs(A) <= R)
+    inside = (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
     if inside is not True:
         R, A, z = nan_outside(inside, R, A, z)
     return in_blocks(_radius, (phi,), _prepare_radius, (R, A, z), out=out)
@@ -500,7 +502,7 @@ def track(
         & is_finite(H)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (abs(A) <= R)
     )
     if inside is not True:
@@ -700,14 +702,14 @@ def error_sum_correlated(
     inside = (
         (total_scatter > 0)
         & is_finite(total_scatter)
-        & np.all(scatters > 0, axis=-1)
-        & np.all(is_finite(scatters), axis=-1)
-        & np.all(correlation >= -1, axis=(-2, -1))
-        & np.all(correlation <= 1, axis=(-2, -1))
-        & np.all(np.diagonal(correlation, axis1=-2, axis2=-1) == 1, axis=-1)
-        & np.all(correlation == np.swapaxes(correlation, -1, -2), axis=(-2, -1))
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
+        & every(scatters > 0, axis=-1)
+        & every(is_finite(scatters), axis=-1)
+        & every(correlation >= -1, axis=(-2, -1))
+        & every(correlation <= 1, axis=(-2, -1))
+        & every(np.diagonal(correlation, axis1=-2, axis2=-1) == 1, axis=-1)
+        & every(correlation == np.swapaxes(correlation, -1, -2), axis=(-2, -1))
+        & every(tolerances >= 0, axis=-1)
+        & every(is_finite(tolerances), axis=-1)
     )
     if inside is not True:
         (total_scatter,) = nan_outside(inside, total_scatter)
@@ -793,10 +795,10 @@ def error_sum(
     inside = (
         (total_scatter > 0)
         & is_finite(total_scatter)
-        & np.all(scatters > 0, axis=-1)
-        & np.all(is_finite(scatters), axis=-1)
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
+        & every(scatters > 0, axis=-1)
+        & every(is_finite(scatters), axis=-1)
+        & every(tolerances >= 0, axis=-1)
+        & every(is_finite(tolerances), axis=-1)
     )
     if inside is not True:
         (total_scatter,) = nan_outside(inside, total_scatter)
@@ -879,15 +881,15 @@ def error_sum_thermal(
     inside = (
         (total_scatter > 0)
         & is_finite(total_scatter)
-        & np.all(scatters > 0, axis=-1)
-        & np.all(is_finite(scatters), axis=-1)
+        & every(scatters > 0, axis=-1)
+        & every(is_finite(scatters), axis=-1)
         & (thermal_scatter > 0)
         & is_finite(thermal_scatter)
         & (thermal_share >= 0)
         & is_finite(thermal_share)
         & (thermal_share * thermal_scatter < total_scatter)
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
+        & every(tolerances >= 0, axis=-1)
+        & every(is_finite(tolerances), axis=-1)
     )
     if inside is not True:
         total_scatter, thermal_share, thermal_scatter = nan_outside(

@@ -25,7 +25,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, in_blocks, is_finite, nan_outside
 from mechproof.kernel_support.error_free import single, whole_turns_off
 
 __all__ = [
@@ -244,7 +244,7 @@ def _position_floor(phi1: Any, e: Any, k: Any) -> Any:
 
     return (
         phi1
-        + 2.0 * np.pi * np.floor((np.pi + x) / (2.0 * np.pi))
+        + 2.0 * np.pi * floor((np.pi + x) / (2.0 * np.pi))
         + 2.0 * np.arctan((1.0 + e) / (1.0 - e) * np.tan(x / 2.0))
     )
 

@@ -25,7 +25,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, in_blocks, is_finite, nan_outside
 
 __all__ = [
     "acceleration_cylindrical_direct",
@@ -237,7 +237,7 @@ def position_floor(
 def _prepare_position_floor(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
     one_plus_e2 = 1.0 + e2
     term = 1.0 / (1.0 - e2)
-    mount_counted = np.pi * np.floor(0.5 + mount / np.pi) + np.arctan(
+    mount_counted = np.pi * floor(0.5 + mount / np.pi) + np.arctan(
         one_plus_e2 * term * np.tan(mount)
     )
 
@@ -247,7 +247,7 @@ def _prepare_position_floor(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
 def _position_floor(
     phi1: Any, e1: Any, mount: Any, one_plus_e2: Any, term: Any, mount_counted: Any
 ) -> Any:
-    phi6_counted = np.pi * np.floor(0.5 + phi1 / np.pi) + np.arctan(
+    phi6_counted = np.pi * floor(0.5 + phi1 / np.pi) + np.arctan(
         (1.0 + e1) / (1.0 - e1) * np.tan(phi1)
     )
     mount_plus_phi6_counted = mount + phi6_counted
@@ -255,7 +255,7 @@ def _position_floor(
     return (
         mount_counted
         + phi1
-        - np.pi * np.floor(0.5 + mount_plus_phi6_counted / np.pi)
+        - np.pi * floor(0.5 + mount_plus_phi6_counted / np.pi)
         - np.arctan(one_plus_e2 * term * np.tan(mount_plus_phi6_counted))
     )
 
@@ -613,7 +613,7 @@ def _position_cylindrical_floor(phi1: Any, e2: Any, k: Any) -> Any:
 
     return (
         phi1
-        - np.pi * np.floor(0.5 + x / (2.0 * np.pi))
+        - np.pi * floor(0.5 + x / (2.0 * np.pi))
         - np.arctan((1.0 + e2) / (1.0 - e2) * np.tan(x / 2.0))
     )
 

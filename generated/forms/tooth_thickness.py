@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, in_blocks, is_finite, nan_outside
 
 __all__ = [
     "chord_height_handbook",
@@ -141,7 +141,7 @@ def height_change_distances(
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
@@ -206,7 +206,7 @@ def height_change_first_order(
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
@@ -261,7 +261,7 @@ def thickness_change_chords(
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
@@ -327,7 +327,7 @@ def thickness_change_half_angle(
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
@@ -396,7 +396,7 @@ def thickness_change_first_order(
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
@@ -460,7 +460,7 @@ def thickness_change_by_height(
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )

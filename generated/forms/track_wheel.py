@@ -30,6 +30,8 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.kernel_support.arrays import (
     as_floats,
     check_components,
+    every,
+    floor,
     in_blocks,
     is_finite,
     nan_outside,
@@ -211,7 +213,7 @@ def radius_printed(
 
     """
     phi, R, A, z = as_floats("phi R A z", phi, R, A, z)
-    inside = (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == np.floor(z)) & (abs(A) <= R)
+    inside = (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
     if inside is not True:
         R, A, z = nan_outside(inside, R, A, z)
     return in_blocks(_radius_printed, (phi,), _prepare_radius_printed, (R, A, z), out=out)
@@ -260,7 +262,7 @@ def track_printed(
         & is_finite(H)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (abs(A) <= R)
     )
     if inside is not True:
@@ -323,15 +325,15 @@ def error_sum_thermal_direct(
     inside = (
         (total_scatter > 0)
         & is_finite(total_scatter)
-        & np.all(scatters > 0, axis=-1)
-        & np.all(is_finite(scatters), axis=-1)
+        & every(scatters > 0, axis=-1)
+        & every(is_finite(scatters), axis=-1)
         & (thermal_scatter > 0)
         & is_finite(thermal_scatter)
         & (thermal_share >= 0)
         & is_finite(thermal_share)
         & (thermal_share * thermal_scatter < total_scatter)
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
+        & every(tolerances >= 0, axis=-1)
+        & every(is_finite(tolerances), axis=-1)
     )
     if inside is not True:
         total_scatter, thermal_share, thermal_scatter = nan_outside(

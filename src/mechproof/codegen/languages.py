@@ -26,7 +26,7 @@ NUMPY = Syntax(
                 name: f"np.{name}"
                 for name in (
                     "sqrt", "sin", "cos", "tan", "arcsin", "arccos", "arctan", "arctan2", "exp",
-                    "log", "hypot", "floor", "copysign", "sign",
+                    "log", "hypot", "copysign", "sign",
                 )
             },
             "absolute": "abs",
@@ -36,6 +36,7 @@ NUMPY = Syntax(
                 for name in (
                     "is_finite", "product_rest", "sum_rest", "quotient_rest", "small_tangent",
                     "tangent_quotient", "small_arctan", "single", "whole_turns_off", "maximum",
+                    "floor",
                 )
             },
         }

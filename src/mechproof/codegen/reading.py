@@ -259,7 +259,7 @@ class _ProgramReader:
     def _call(self, node: ast.Call) -> Operand:
         name = ast.unparse(node.func).removeprefix("np.").removeprefix("_")
         keywords = {k.arg: ast.unparse(k.value) for k in node.keywords}
-        if name in ("sum", "all") and set(keywords) == {"axis"}:
+        if name in ("sum", "every") and set(keywords) == {"axis"}:
             count = {"-1": 1, "(-2, -1)": 2}[keywords["axis"]]
             (value,) = node.args
             return self._add("sum" if name == "sum" else "every", self.read(value), count)

@@ -67,7 +67,11 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
     if (row := _take_numbers(loops, arguments, out)) is not None:
         return row
     arrays = as_floats(" ".join(loops.names), *arguments)
-    if not any(loops.widths) and all(isinstance(a, (float, np.generic)) for a in arrays) and out is None:
+    if (
+        not any(loops.widths)
+        and all(isinstance(a, (float, np.generic)) for a in arrays)
+        and out is None
+    ):
         value = loops.at(*map(float, arrays))
         dtype = as_numpy(arrays[0]).dtype
         return np.array(value, dtype).reshape(loops.shape) if loops.shape else dtype.type(value)

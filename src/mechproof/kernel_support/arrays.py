@@ -16,7 +16,6 @@ BLOCK = 16384
 # Loops along the last axis that cost more than their start.
 LONG_LOOP = 64
 SCALARS = frozenset({float, np.float64, np.float32})
-NUMBER = frozenset({float})
 NUMBERS = frozenset({float, np.float64})
 # Types whose finiteness is told by a comparison.
 COMPARED = SCALARS | {Fraction}
@@ -47,9 +46,7 @@ def as_floats(names: str, *values: Any) -> tuple[Any, ...]:
     """
     for value in values:
         kind = type(value)
-        if kind is not float and not (
-            kind is np.ndarray and value.dtype is DOUBLE and value.shape
-        ):
+        if kind is not float and not (kind is np.ndarray and value.dtype is DOUBLE and value.shape):
             return _convert(names.split(), values)
     # What most calls give is told by its type alone: nothing below could change it.
     return values
@@ -184,6 +181,19 @@ def nan_outside(inside: Any, *values: Any) -> tuple[NDArray[Any], ...]:
     return tuple([value * factor for value in values])
 
 
+def every(condition: Any, axis: Any) -> Any:
+    """Return np.all(condition, axis), over all axes of an array without a reduction."""
+    count = 1 if axis == -1 else len(axis)
+    if type(condition) is np.ndarray and condition.ndim == count:
+        return holds(condition)
+    return np.all(condition, axis=axis)
+
+
+def floor(a: Any) -> Any:
+    """Return np.floor(a), of Python's numbers one of them."""
+    return float(np.floor(a)) if type(a) is float else np.floor(a)
+
+
 def maximum(a: Any, b: Any) -> Any:
     """Return np.maximum(a, b), of two numbers without a call of it."""
     if type(a) in NUMBERS and type(b) in NUMBERS:
@@ -299,11 +309,27 @@ def in_blocks(
         with quietly():
             return in_blocks(evaluate, running, prepare, parameters, out=out, shape=shape)
     try:
+        if out is None and not shape and _are_few((*running, *parameters)):
+            value = evaluate(*running, *prepare(*parameters))
+            return value if type(value) is np.ndarray and value.shape else np.float64(value)
         return _evaluate(evaluate, running, prepare, parameters, out, shape)
     except ArithmeticError:
-        # Python refuses what NumPy answers with infinity or NaN.
+        # Python refuses what NumPy answers with infinity or NaN; and single precision is NumPy's.
         numbers = tuple(map(as_numpy, running)), tuple(map(as_numpy, parameters))
         return _evaluate(evaluate, numbers[0], prepare, numbers[1], out, shape)
+
+
+def _are_few(arrays: tuple[Any, ...]) -> bool:
+    """Say whether there are doubles alone: numbers, beside a first array others of its shape."""
+    shape: tuple[int, ...] = ()
+    for array in arrays:
+        if type(array) is not float:
+            if type(array) is not np.ndarray or array.dtype is not DOUBLE:
+                return False
+            if array.shape != shape and (shape or 2 * array.size > BLOCK):
+                return False
+            shape = array.shape
+    return not shape or type(arrays[0]) is not float
 
 
 def _evaluate(
@@ -315,9 +341,6 @@ def _evaluate(
     shape: tuple[int, ...],
 ) -> Any:
     arrays = (*running, *parameters)
-    if NUMBER.issuperset(map(type, arrays)) and out is None and not shape:
-        value = evaluate(*running, *prepare(*parameters))
-        return value if type(value) is np.float64 else np.float64(value)
     if not PLAIN.issuperset(map(type, arrays)):
         values = evaluate(*running, *prepare(*parameters))
         return store(_stack(values, shape) if shape else as_numpy(values), out)

@@ -31,9 +31,10 @@ def product_rest(a: Any, b: Any, p: Any) -> Any:
     a_high, a_low, b_high, b_low = map(np.asarray, (a_high, a_low, b_high, b_low))
     rest = a_high * b_high
     rest -= p
-    rest += a_high * b_low
-    rest += a_low * b_high
-    rest += a_low * b_low
+    part = a_high * b_low
+    rest += part
+    rest += np.multiply(a_low, b_high, out=part)
+    rest += np.multiply(a_low, b_low, out=part)
     return rest
 
 
@@ -72,7 +73,7 @@ def _split(a: Any) -> tuple[Any, Any]:
 def single(value: Any) -> Any:
     """Return the value in float32."""
     if type(value) is float:
-        # Python's numbers take the type of float32 beside them; `in_blocks` comes again with NumPy's.
+        # Beside float32 Python's numbers would not count as doubles; NumPy's come instead.
         raise ArithmeticError("a number of Python's has no single precision")
     return value.astype(np.float32)
 

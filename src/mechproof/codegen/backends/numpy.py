@@ -38,6 +38,8 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "as_floats",
             "check_components",
             "choose_where",
+            "every",
+            "floor",
             "holds",
             "in_blocks",
             "is_finite",
