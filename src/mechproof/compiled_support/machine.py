@@ -23,7 +23,7 @@ BLOCK = 1024
 _REAL = types.float64
 __all__ = [
     "BLOCK", "choose", "copysign", "floor", "fma", "has_nan", "is_finite", "loop", "maximum",
-    "overload", "rint", "scalar", "widen",
+    "overload", "power_of_two", "rint", "scalar", "widen",
 ]  # fmt: skip
 
 scalar = njit(error_model="numpy", nogil=True, cache=True, forceinline=True)
@@ -63,6 +63,22 @@ def floor(typingctx: Any, a: Any) -> Any:
 def copysign(typingctx: Any, a: Any, b: Any) -> Any:
     """Return |a| with the sign of b."""
     return _machine("llvm.copysign", 2)
+
+
+@intrinsic
+def power_of_two(typingctx: Any, n: Any) -> Any:
+    """Return 2**n for a whole number n, where that is a normal number.
+
+    The last bits of n + 3/2 * 2**52 + bias are those of the exponent.
+    """
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        real, whole = ir.DoubleType(), ir.IntType(64)
+        shifted = builder.fadd(arguments[0], real(1.5 * 2.0**52 + 1023))
+        bits = builder.shl(builder.bitcast(shifted, whole), whole(52))
+        return builder.bitcast(bits, real)
+
+    return _REAL(_REAL), generate
 
 
 @intrinsic
