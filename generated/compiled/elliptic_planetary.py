@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
+Elementary functions: `elementary` 5c2faebb9a80.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -25,19 +25,16 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
-    choose,
-    copysign,
-    fma,
     has_nan,
     is_finite,
     loop,
     overload,
-    rint,
     run,
     scalar,
     take_row,
     widen,
 )
+from mechproof.kernels.compiled import elementary
 
 __all__ = [
     "acceleration",
@@ -47,201 +44,9 @@ __all__ = [
     "smallest_ratio",
 ]
 
-LARGEST = 67108864.0
-
 
 def __dir__() -> list[str]:
     return __all__
-
-
-# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
-@scalar
-def _tan(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = (
-        fma(
-            v4,
-            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
-            fma(v3, -0.1282823491413398, 1.0),
-        )
-        * v2
-    )
-    v6 = v3 * v3
-    v7 = fma(
-        v6,
-        fma(v3, -0.00020843011349081395, 0.023344354149567717),
-        fma(v3, -0.46161568247467066, 1.0),
-    )
-    v8 = v1 * 0.5
-    v9 = rint(v8) == v8
-
-    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.tan(y)
-
-
-# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
-@scalar
-def _tangent_quotient(y, a, b, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = (
-        fma(
-            v4,
-            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
-            fma(v3, -0.1282823491413398, 1.0),
-        )
-        * v2
-    )
-    v6 = v3 * v3
-    v7 = fma(
-        v6,
-        fma(v3, -0.00020843011349081395, 0.023344354149567717),
-        fma(v3, -0.46161568247467066, 1.0),
-    )
-    v8 = v1 * 0.5
-    v9 = rint(v8) == v8
-    v10 = choose(v9, v5, -v7)
-    v11 = choose(v9, v7, v5)
-
-    value = v10 * v11 / fma(a * v11, v11, b * v10 * v10)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-    v1 = math.tan(y)
-
-    return v1 / (a + b * v1 * v1)
-
-
-# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
-@scalar
-def _arctan(y):
-    v1 = abs(y)
-    v2 = v1 > 1.0
-    v3 = choose(v2, 1.0 / v1, v1)
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v5 * v5
-    v7 = v6 * v6
-    v8 = v7 * v7
-    v9 = fma(
-        v3 * v4,
-        fma(
-            v8,
-            fma(
-                v6,
-                fma(v4, 7.767532298566822e-06, -9.371091633560781e-05),
-                fma(
-                    v5,
-                    fma(v4, 0.0005376794060869381, -0.001961242117363609),
-                    fma(v4, 0.005140885854032265, -0.010412113196030874),
-                ),
-            ),
-            fma(
-                v7,
-                fma(
-                    v6,
-                    fma(
-                        v5,
-                        fma(v4, 0.01718393672751917, -0.02419130675591347),
-                        fma(v4, 0.030330692745374102, -0.03527131689273554),
-                    ),
-                    fma(
-                        v5,
-                        fma(v4, 0.039386869439826874, -0.04330653645791128),
-                        fma(v4, 0.04758080032858198, -0.05262492218979753),
-                    ),
-                ),
-                fma(
-                    v6,
-                    fma(
-                        v5,
-                        fma(v4, 0.05882264415278073, -0.06666657934409811),
-                        fma(v4, 0.07692307078814367, -0.09090909061934628),
-                    ),
-                    fma(
-                        v5,
-                        fma(v4, 0.11111111110268276, -0.14285714285701234),
-                        fma(v4, 0.1999999999999992, -0.3333333333333333),
-                    ),
-                ),
-            ),
-        ),
-        v3,
-    )
-
-    return copysign(choose(v2, 1.5707963267948966 - (v9 - 6.123233995736766e-17), v9), y)
-
-
-# (atan(y)/y - 1)/y**2 in powers of y**2: the whole is off by at most 0.039 eps
-@scalar
-def _small_arctan(y):
-    v1 = y * y
-    v2 = v1 * v1
-    v3 = v2 * v2
-    v4 = v3 * v3
-
-    return fma(
-        y * v1,
-        fma(
-            v4,
-            fma(
-                v3,
-                fma(v1, 0.004874344370582316, -0.016659150283803603),
-                fma(
-                    v2,
-                    fma(v1, 0.029952645730746047, -0.0399373154528896),
-                    fma(v1, 0.04672178312032516, -0.05246779764226303),
-                ),
-            ),
-            fma(
-                v3,
-                fma(
-                    v2,
-                    fma(v1, 0.05880212501481828, -0.06666469622709092),
-                    fma(v1, 0.07692295286707518, -0.09090908582071015),
-                ),
-                fma(
-                    v2,
-                    fma(v1, 0.11111111098553708, -0.14285714285551976),
-                    fma(v1, 0.1999999999999917, -0.3333333333333333),
-                ),
-            ),
-        ),
-        y,
-    )
-
-
-@scalar
-def _small_tangent(y):
-
-    return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
-
-
-@scalar
-def _product_rest(a, b, p):
-
-    return fma(a, b, -p)
-
-
-@scalar
-def _quotient_rest(a, b, q):
-
-    return fma(-q, b, a) / b
 
 
 @scalar
@@ -249,7 +54,7 @@ def _prepare_ratio(R1, R2, e, exact):
     k = R1 / R2
     one_minus_e = 1 - e
     one_plus_e = 1 + e
-    k_low = _quotient_rest(R1, R2, k)
+    k_low = elementary.quotient_rest(R1, R2, k)
 
     return (k, one_minus_e, one_plus_e, k_low)
 
@@ -257,9 +62,9 @@ def _prepare_ratio(R1, R2, e, exact):
 @scalar
 def _ratio(phi1, k, one_minus_e, one_plus_e, k_low, exact):
     x = k * phi1
-    t = _tan(x / 2, exact)
-    x_low = k_low * phi1 + _product_rest(k, phi1, x)
-    t_low = _small_tangent(x_low / 2)
+    t = elementary.tan(x / 2, exact)
+    x_low = k_low * phi1 + elementary.product_rest(k, phi1, x)
+    t_low = elementary.small_tangent(x_low / 2)
     adjacent = 1 - t * t_low
     adjacent_squared = adjacent**2
     opposite = t + t_low
@@ -421,15 +226,15 @@ def _prepare_position_1(R1, R2, e, exact):
 def _position_1(phi1, e, k, one_minus_e, one_plus_e, exact):
     x = k * phi1
 
-    return (1 + k) * phi1 + 2 * _small_arctan(
-        2 * e * _tangent_quotient(x / 2, one_minus_e, one_plus_e, exact)
+    return (1 + k) * phi1 + 2 * elementary.small_arctan(
+        2 * e * elementary.tangent_quotient(x / 2, one_minus_e, one_plus_e, exact)
     )
 
 
 @scalar
 def _prepare_position(R1, R2, e, exact):
     k = R1 / R2
-    k_low = _quotient_rest(R1, R2, k)
+    k_low = elementary.quotient_rest(R1, R2, k)
     one_minus_e = 1 - e
     one_plus_e = 1 + e
 
@@ -439,13 +244,13 @@ def _prepare_position(R1, R2, e, exact):
 @scalar
 def _position(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
     x = k * phi1
-    t = _tan(x / 2, exact)
-    x_low = k_low * phi1 + _product_rest(k, phi1, x)
-    t_low = _small_tangent(x_low / 2)
+    t = elementary.tan(x / 2, exact)
+    x_low = k_low * phi1 + elementary.product_rest(k, phi1, x)
+    t_low = elementary.small_tangent(x_low / 2)
     adjacent = 1 - t * t_low
     opposite = t + t_low
 
-    return (1 + k) * phi1 + 2 * _arctan(
+    return (1 + k) * phi1 + 2 * elementary.arctan(
         2 * e / (one_minus_e * adjacent**2 + one_plus_e * opposite**2) * adjacent * opposite
     )
 
@@ -595,7 +400,7 @@ def _offer_position(
 @scalar
 def _prepare_acceleration(R1, R2, e, exact):
     k = R1 / R2
-    k_low = _quotient_rest(R1, R2, k)
+    k_low = elementary.quotient_rest(R1, R2, k)
     one_minus_e = 1 - e
     one_plus_e = 1 + e
 
@@ -605,9 +410,9 @@ def _prepare_acceleration(R1, R2, e, exact):
 @scalar
 def _acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
     x = k * phi1
-    t = _tan(x / 2, exact)
-    x_low = k_low * phi1 + _product_rest(k, phi1, x)
-    t_low = _small_tangent(x_low / 2)
+    t = elementary.tan(x / 2, exact)
+    x_low = k_low * phi1 + elementary.product_rest(k, phi1, x)
+    t_low = elementary.small_tangent(x_low / 2)
     adjacent = 1 - t * t_low
     opposite = t + t_low
     adjacent_squared = adjacent**2

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
+Elementary functions: `elementary` 5c2faebb9a80.
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -27,20 +27,17 @@ from mechproof.compiled_support import (
     BLOCK,
     Loops,
     choose,
-    copysign,
-    floor,
-    fma,
     has_nan,
     is_finite,
     loop,
     maximum,
     overload,
-    rint,
     run,
     scalar,
     take_row,
     widen,
 )
+from mechproof.kernels.compiled import elementary
 
 __all__ = [
     "clearance",
@@ -55,185 +52,9 @@ __all__ = [
     "wedge_displacement",
 ]
 
-LARGEST = 67108864.0
-
 
 def __dir__() -> list[str]:
     return __all__
-
-
-# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
-# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
-@scalar
-def _sin(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v3 * 0.5
-    v7 = 1.0 - v6
-    v8 = v3 * v3
-    v9 = v8 * v8
-    v10 = v1 * 0.5
-    v11 = choose(
-        rint(v10) == v10,
-        fma(
-            v2 * v3,
-            fma(
-                v5,
-                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                fma(
-                    v4,
-                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
-                    fma(v3, 0.008333333333330948, -0.16666666666666666),
-                ),
-            ),
-            v2,
-        ),
-        v7
-        + fma(
-            v3 * v3,
-            fma(
-                v9,
-                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                fma(
-                    v8,
-                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
-                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
-                ),
-            ),
-            1.0 - v7 - v6,
-        ),
-    )
-    v12 = floor(v10) * 0.5
-
-    value = choose(floor(v12) == v12, v11, -v11)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.sin(y)
-
-
-# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
-# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
-@scalar
-def _cos(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v3 * 0.5
-    v7 = 1.0 - v6
-    v8 = v3 * v3
-    v9 = v8 * v8
-    v10 = v1 * 0.5
-    v11 = choose(
-        rint(v10) == v10,
-        v7
-        + fma(
-            v3 * v3,
-            fma(
-                v9,
-                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                fma(
-                    v8,
-                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
-                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
-                ),
-            ),
-            1.0 - v7 - v6,
-        ),
-        fma(
-            v2 * v3,
-            fma(
-                v5,
-                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                fma(
-                    v4,
-                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
-                    fma(v3, 0.008333333333330948, -0.16666666666666666),
-                ),
-            ),
-            v2,
-        ),
-    )
-    v12 = floor((v1 + 1.0) * 0.5) * 0.5
-
-    value = choose(floor(v12) == v12, v11, -v11)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.cos(y)
-
-
-# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
-@scalar
-def _arctan(y):
-    v1 = abs(y)
-    v2 = v1 > 1.0
-    v3 = choose(v2, 1.0 / v1, v1)
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v5 * v5
-    v7 = v6 * v6
-    v8 = v7 * v7
-    v9 = fma(
-        v3 * v4,
-        fma(
-            v8,
-            fma(
-                v6,
-                fma(v4, 7.767532298566822e-06, -9.371091633560781e-05),
-                fma(
-                    v5,
-                    fma(v4, 0.0005376794060869381, -0.001961242117363609),
-                    fma(v4, 0.005140885854032265, -0.010412113196030874),
-                ),
-            ),
-            fma(
-                v7,
-                fma(
-                    v6,
-                    fma(
-                        v5,
-                        fma(v4, 0.01718393672751917, -0.02419130675591347),
-                        fma(v4, 0.030330692745374102, -0.03527131689273554),
-                    ),
-                    fma(
-                        v5,
-                        fma(v4, 0.039386869439826874, -0.04330653645791128),
-                        fma(v4, 0.04758080032858198, -0.05262492218979753),
-                    ),
-                ),
-                fma(
-                    v6,
-                    fma(
-                        v5,
-                        fma(v4, 0.05882264415278073, -0.06666657934409811),
-                        fma(v4, 0.07692307078814367, -0.09090909061934628),
-                    ),
-                    fma(
-                        v5,
-                        fma(v4, 0.11111111110268276, -0.14285714285701234),
-                        fma(v4, 0.1999999999999992, -0.3333333333333333),
-                    ),
-                ),
-            ),
-        ),
-        v3,
-    )
-
-    return copysign(choose(v2, 1.5707963267948966 - (v9 - 6.123233995736766e-17), v9), y)
 
 
 @scalar
@@ -414,7 +235,7 @@ def _lever_angle(x1, l_BC, arm):
     guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
     guide_sum = guide_length + l_BC
 
-    return -2 * _arctan(x1 / guide_sum)
+    return -2 * elementary.arctan(x1 / guide_sum)
 
 
 @scalar
@@ -580,7 +401,7 @@ def _prepare_rod_displacement(l_DE, alpha_DE, exact):
 @scalar
 def _rod_displacement(phi3, l_DE, alpha_DE, exact):
 
-    return -2 * l_DE * _sin(phi3 / 2, exact) * _sin(alpha_DE + phi3 / 2, exact)
+    return -2 * l_DE * elementary.sin(phi3 / 2, exact) * elementary.sin(alpha_DE + phi3 / 2, exact)
 
 
 @scalar
@@ -851,7 +672,7 @@ def _prepare_roller_offset(l_KL, alpha_KL, exact):
 @scalar
 def _roller_offset(x5, l_KL, alpha_KL, exact):
 
-    return l_KL * _cos(alpha_KL, exact) - x5
+    return l_KL * elementary.cos(alpha_KL, exact) - x5
 
 
 @scalar
@@ -991,13 +812,13 @@ def _prepare_roller_lever_angle(l_KL, alpha_KL, exact):
 @scalar
 def _roller_lever_angle(x5, l_KL, alpha_KL, exact):
 
-    return 2 * _arctan(
+    return 2 * elementary.arctan(
         x5
         / (
-            l_KL * _sin(alpha_KL, exact)
+            l_KL * elementary.sin(alpha_KL, exact)
             + np.sqrt(
-                (x5 + 2 * l_KL * _sin(alpha_KL / 2, exact) ** 2)
-                * (2 * l_KL * _cos(alpha_KL / 2, exact) ** 2 - x5)
+                (x5 + 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2)
+                * (2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2 - x5)
             )
         )
     )
@@ -1140,7 +961,7 @@ def _prepare_wedge_displacement(l_LM, alpha_LM, exact):
 @scalar
 def _wedge_displacement(phi7, l_LM, alpha_LM, exact):
 
-    return 2 * l_LM * _cos(alpha_LM + phi7 / 2, exact) * _sin(phi7 / 2, exact)
+    return 2 * l_LM * elementary.cos(alpha_LM + phi7 / 2, exact) * elementary.sin(phi7 / 2, exact)
 
 
 @scalar
@@ -1276,13 +1097,13 @@ def _prepare_position(
     l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
 ):
     arm = l_AB + l_CD
-    sin_DE = _sin(alpha_DE, exact)
-    cos_DE = _cos(alpha_DE, exact)
-    to_right = 2 * l_KL * _sin(alpha_KL / 2, exact) ** 2
-    to_left = 2 * l_KL * _cos(alpha_KL / 2, exact) ** 2
-    start_height = l_KL * _sin(alpha_KL, exact)
-    cos_LM = _cos(alpha_LM, exact)
-    sin_LM = _sin(alpha_LM, exact)
+    sin_DE = elementary.sin(alpha_DE, exact)
+    cos_DE = elementary.cos(alpha_DE, exact)
+    to_right = 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2
+    to_left = 2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2
+    start_height = l_KL * elementary.sin(alpha_KL, exact)
+    cos_LM = elementary.cos(alpha_LM, exact)
+    sin_LM = elementary.sin(alpha_LM, exact)
 
     return (
         l_BC,
@@ -1671,13 +1492,13 @@ def _prepare_velocity(
     l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
 ):
     arm = l_AB + l_CD
-    sin_DE = _sin(alpha_DE, exact)
-    cos_DE = _cos(alpha_DE, exact)
-    to_right = 2 * l_KL * _sin(alpha_KL / 2, exact) ** 2
-    to_left = 2 * l_KL * _cos(alpha_KL / 2, exact) ** 2
-    start_height = l_KL * _sin(alpha_KL, exact)
-    cos_LM = _cos(alpha_LM, exact)
-    sin_LM = _sin(alpha_LM, exact)
+    sin_DE = elementary.sin(alpha_DE, exact)
+    cos_DE = elementary.cos(alpha_DE, exact)
+    to_right = 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2
+    to_left = 2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2
+    start_height = l_KL * elementary.sin(alpha_KL, exact)
+    cos_LM = elementary.cos(alpha_LM, exact)
+    sin_LM = elementary.sin(alpha_LM, exact)
 
     return (
         l_BC,
@@ -2072,13 +1893,13 @@ def _prepare_sensitivities(
     l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
 ):
     arm = l_AB + l_CD
-    sin_DE = _sin(alpha_DE, exact)
-    cos_DE = _cos(alpha_DE, exact)
-    to_right = 2 * l_KL * _sin(alpha_KL / 2, exact) ** 2
-    to_left = 2 * l_KL * _cos(alpha_KL / 2, exact) ** 2
-    start_height = l_KL * _sin(alpha_KL, exact)
-    cos_LM = _cos(alpha_LM, exact)
-    sin_LM = _sin(alpha_LM, exact)
+    sin_DE = elementary.sin(alpha_DE, exact)
+    cos_DE = elementary.cos(alpha_DE, exact)
+    to_right = 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2
+    to_left = 2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2
+    start_height = l_KL * elementary.sin(alpha_KL, exact)
+    cos_LM = elementary.cos(alpha_LM, exact)
+    sin_LM = elementary.sin(alpha_LM, exact)
 
     return (
         l_BC,

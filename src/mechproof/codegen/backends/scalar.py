@@ -106,6 +106,7 @@ class FunctionText:
     """What is printed of an elementary function; `far` is its value beyond `largest`."""
 
     kind: str
+    meaning: str
     inputs: tuple[str, ...]
     text: Text
     far: Text | None
@@ -299,6 +300,7 @@ def write_elementary(kind: str, form: Format, syntax: Syntax, far: Syntax) -> Fu
     function: Function = build(kind, form)
     return FunctionText(
         kind,
+        function.meaning,
         function.program.inputs,
         write_program(function.program, syntax),
         write_program(function.far, far) if function.far else None,

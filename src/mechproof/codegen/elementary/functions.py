@@ -38,6 +38,7 @@ class Function:
     is wrong and `far`, where there is one, takes the functions of a backend's own library.
     """
 
+    meaning: str
     program: Program
     fits: tuple[Fitted, ...]
     far: Program | None
@@ -270,4 +271,5 @@ def build(kind: str, form: Format) -> Function:
     body, inputs, far = BODIES[kind]
     maker = _Maker(form)
     program = trace(lambda *values: body(maker, *values), inputs)
-    return Function(program, tuple(maker.fits), trace(far, inputs) if far else None)
+    far_program = trace(far, inputs) if far else None
+    return Function(str(body.__doc__), program, tuple(maker.fits), far_program)
