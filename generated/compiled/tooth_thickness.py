@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` 5c2faebb9a80.
+Elementary functions: `elementary` 69cd1416b6a5.
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
