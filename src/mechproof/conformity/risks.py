@@ -93,7 +93,9 @@ def _masses(
 ) -> tuple[Array, Array, Array, Array]:
     """Masses of flat parameter sets: in closed form and arc integrals if both laws are normal."""
     if isinstance(true, Normal) and isinstance(error, Normal):
-        return normal_masses(true, error, tolerance, acceptance)
+        with np.errstate(all="ignore"):
+            parameters = *list_parameters(true), *list_parameters(error)
+            return normal_masses(*parameters, tuple(tolerance), tuple(acceptance))
     return law_masses(true, error, tolerance, acceptance)
 
 
