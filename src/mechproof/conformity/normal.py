@@ -32,8 +32,9 @@ from mechproof.laws.windows import (
     UNIT_NODES,
     UNIT_WEIGHTS,
     Array,
+    complete,
     find_tails,
-    normal_between,
+    integrate_density,
     normal_density,
     normal_interval,
     scale_distance,
@@ -68,15 +69,15 @@ class Corner(NamedTuple):
     """
 
     total: Any  # I(0, pi)
-    along: Any  # the mass between h and k
-    across: Any  # the mass between h and -k
-    gap: Any
-    span: Any  # h + k
+    along: Any  # the mass between h and k, negative where it must be integrated
+    across: Any  # the mass between h and -k, as well
     near: Any
     far: Any
+    exponent: Any
     decay: Any  # exp(-exponent)
-    present: Any  # it does not underflow
-    falling: Any  # from beta towards 0: I(0, beta) is the smaller integral
+
+
+Corners = tuple[tuple[Corner, Corner], tuple[Corner, Corner]]  # by h, then k
 
 
 class Quadrants(NamedTuple):
@@ -131,92 +132,120 @@ def place_plane(mu: Any, sigma: Any, bias: Any, s: Any, tolerance: Pair, accepta
     return Plane(h, k, gap, tangent, sine, cosine, cotangent, *widths)
 
 
-def look_at_corner(plane: Plane, i: int, j: int, h_tails: Pair, k_tails: Pair) -> Corner:
+def place_corner(plane: Plane, i: int, j: int, h_tails: Pair, k_tails: Pair) -> Corner:
     """Find what the quadrants at the limits i of Y and j of M are made of."""
-    h, k, gap = plane.h[i], plane.k[j], plane.gap[i][j]
     (below_h, above_h), (below_k, above_k) = h_tails, k_tails
-    total = np.minimum(np.minimum(below_h, above_h), np.minimum(below_k, above_k))
-    span = choose(h == -k, 0.0, h + k)
+    near, far = (plane.gap[i][j] / plane.tangent) ** 2 / 8, (plane.h[i] + plane.k[j]) ** 2 / 8
     square = plane.tangent * plane.tangent
-    near, far = (gap / plane.tangent) ** 2 / 8, (h + k) ** 2 / 8
     exponent = (near + far) * (1 + square)
-    far = far * square
     return Corner(
-        total=total,
-        along=normal_between(h, k, gap, (below_h, below_k), (above_h, above_k)),
-        across=normal_between(h, -k, span, (below_h, above_k), (above_h, below_k)),
-        gap=gap,
-        span=span,
+        total=np.minimum(np.minimum(below_h, above_h), np.minimum(below_k, above_k)),
+        along=subtract_ordered((below_h, below_k), (above_h, above_k)),
+        across=subtract_ordered((below_h, above_k), (above_h, below_k)),
         near=near,
-        far=far,
+        far=far * square,
+        exponent=exponent,
         decay=exp(-exponent),
-        # An infinite limit and s = 0 have an infinite exponent, or NaN.
-        present=exponent < UNDERFLOW,
-        # NaN: s = 0, I(0, beta) is 0.
-        falling=np.logical_not(2 * (near - far) + plane.cosine <= 0),
+    )
+
+
+def subtract_ordered(below: Pair, above: Pair) -> Any:
+    """Mass between two places in either order, from their tails."""
+    return subtract_tails(
+        (np.minimum(below[0], below[1]), np.maximum(below[0], below[1])),
+        (np.maximum(above[0], above[1]), np.minimum(above[0], above[1])),
+    )
+
+
+def place(
+    mu: Any, sigma: Any, bias: Any, s: Any, tolerance: Pair, acceptance: Pair
+) -> tuple[Plane, Corners]:
+    """Standardise the limits and find what needs no integral."""
+    plane = place_plane(mu, sigma, bias, s, tolerance, acceptance)
+    low, high = find_tails(plane.h[0]), find_tails(plane.h[1])
+    least, most = find_tails(plane.k[0]), find_tails(plane.k[1])
+    return plane, (
+        (place_corner(plane, 0, 0, low, least), place_corner(plane, 0, 1, low, most)),
+        (place_corner(plane, 1, 0, high, least), place_corner(plane, 1, 1, high, most)),
     )
 
 
 def integrate_sides(plane: Plane, corner: Corner, needed: Any) -> Pair:
     """I(0, beta) and I(beta, pi): the smaller integrated where needed, the other by their sum."""
-    falling, square = corner.falling, plane.tangent * plane.tangent
+    # NaN: s = 0, I(0, beta) is 0.
+    falling = np.logical_not(2 * (corner.near - corner.far) + plane.cosine <= 0)
+    square = plane.tangent * plane.tangent
     arguments = (
         choose(falling, corner.near, corner.far),
         choose(falling, corner.far, corner.near),
         choose(falling, 1.0, square),
         choose(falling, square, 1.0),
     )
-    wanted = needed & corner.present
-    arc = compute_where(wanted, integrate_arc, arguments, 0.0)
-    smaller = choose(wanted, plane.sine * corner.decay * arc, 0.0)
+    # An infinite limit and s = 0 have an infinite exponent, or NaN.
+    present = needed & (corner.exponent < UNDERFLOW)
+    arc = compute_where(present, integrate_arc, arguments, 0.0)
+    smaller = choose(present, plane.sine * corner.decay * arc, 0.0)
     larger = corner.total - smaller
     return choose(falling, smaller, larger), choose(falling, larger, smaller)
 
 
-def is_needed(corner: Corner, outward: float, terms: Any) -> Any:
+def is_needed(corner: Corner, toward: Any, terms: Any) -> Any:
     """Mark where I(0, beta) of (lower, upper) or (upper, lower) is not lost in sums.
 
     Where the integrand falls, I(0, beta) <= exp(-exponent)/2. `terms` is the smallest of what it
     is added to: quadrants that hold I(0, beta) of both, or I(beta, pi) of one, of the corners
-    (lower, lower) and (upper, upper), besides the mass between h and k and I(0, pi). `outward` is
-    the sign of k - h at this corner of windows that overlap.
+    (lower, lower) and (upper, upper), besides the mass between h and k and I(0, pi). `toward` is
+    positive where k and h lie as at this corner of windows that overlap.
     """
-    least = np.minimum(np.minimum(corner.total, corner.along), terms)
-    lost = (corner.decay / 2 <= LOST * least) & (corner.near >= corner.far)
-    return np.logical_not(lost & (corner.gap * outward > 0))
+    lost = corner.decay / 2 <= LOST * np.minimum(np.minimum(corner.total, corner.along), terms)
+    return np.logical_not(lost & (corner.near >= corner.far) & (toward > 0))
 
 
-def add_quadrants(corner: Corner, outer_and_inner: Pair) -> Quadrants:
+def complete_corner(plane: Plane, corner: Corner, i: int, j: int) -> Corner:
+    """Integrate the masses between limits that are close."""
+    h, k = plane.h[i], plane.k[j]
+    return Corner(
+        corner.total,
+        complete(corner.along, integrate_density, (np.minimum(h, k), np.abs(plane.gap[i][j]))),
+        complete(corner.across, integrate_density, (np.minimum(h, -k), np.abs(h + k))),
+        corner.near,
+        corner.far,
+        corner.exponent,
+        corner.decay,
+    )
+
+
+def add_quadrants(plane: Plane, corner: Corner, i: int, j: int, outer_and_inner: Pair) -> Quadrants:
     """Add the masses between the limits and the integrals."""
-    outer, inner = outer_and_inner
+    (outer, inner), gap, span = outer_and_inner, plane.gap[i][j], plane.h[i] + plane.k[j]
     return Quadrants(
-        above_above=choose(corner.span < 0, corner.across, 0.0) + inner,
-        above_below=choose(corner.gap > 0, corner.along, 0.0) + outer,
-        below_above=choose(corner.gap < 0, corner.along, 0.0) + outer,
-        below_below=choose(corner.span > 0, corner.across, 0.0) + inner,
+        above_above=choose(span < 0, corner.across, 0.0) + inner,
+        above_below=choose(gap > 0, corner.along, 0.0) + outer,
+        below_above=choose(gap < 0, corner.along, 0.0) + outer,
+        below_below=choose(span > 0, corner.across, 0.0) + inner,
     )
 
 
-def find_quadrants(plane: Plane) -> tuple[tuple[Quadrants, Quadrants], tuple[Quadrants, Quadrants]]:
+def find_quadrants(
+    plane: Plane, corners: Corners
+) -> tuple[tuple[Quadrants, Quadrants], tuple[Quadrants, Quadrants]]:
     """Find the quadrants of all corners, by h, then k."""
-    below, above = find_tails(plane.h[0]), find_tails(plane.h[1])
-    least, most = find_tails(plane.k[0]), find_tails(plane.k[1])
-    lower, upper = (
-        look_at_corner(plane, 0, 0, below, least),
-        look_at_corner(plane, 1, 1, above, most),
+    lower, left = (
+        complete_corner(plane, corners[0][0], 0, 0),
+        complete_corner(plane, corners[0][1], 0, 1),
     )
-    left, right = (
-        look_at_corner(plane, 0, 1, below, most),
-        look_at_corner(plane, 1, 0, above, least),
+    right, upper = (
+        complete_corner(plane, corners[1][0], 1, 0),
+        complete_corner(plane, corners[1][1], 1, 1),
     )
-    low = integrate_sides(plane, lower, lower.present)
-    high = integrate_sides(plane, upper, upper.present)
+    low = integrate_sides(plane, lower, lower.total >= 0)
+    high = integrate_sides(plane, upper, upper.total >= 0)
     terms = np.minimum(np.minimum(low[0], high[0]), np.maximum(low[1], high[1]))
-    first = integrate_sides(plane, left, is_needed(left, 1.0, terms))
-    last = integrate_sides(plane, right, is_needed(right, -1.0, terms))
+    first = integrate_sides(plane, left, is_needed(left, plane.gap[0][1], terms))
+    last = integrate_sides(plane, right, is_needed(right, -plane.gap[1][0], terms))
     return (
-        (add_quadrants(lower, low), add_quadrants(left, first)),
-        (add_quadrants(right, last), add_quadrants(upper, high)),
+        (add_quadrants(plane, lower, 0, 0, low), add_quadrants(plane, left, 0, 1, first)),
+        (add_quadrants(plane, right, 1, 0, last), add_quadrants(plane, upper, 1, 1, high)),
     )
 
 
@@ -232,14 +261,14 @@ def find_accepted(plane: Plane, i: int, below: Pair, above: Pair, side: float) -
     """Mass inside the acceptance window, above (side 1) or below (-1) tolerance limit `i`."""
     argument = plane.gap[i][0] / plane.sine - plane.k[0] * plane.tangent
     strip = plane.k[0], plane.acceptance, side * argument, side * plane.cotangent
-    return subtract_tails(below, above, integrate_strip, strip)
+    return complete(subtract_tails(below, above), integrate_strip, strip)
 
 
 def find_conforming(plane: Plane, j: int, below: Pair, above: Pair, side: float) -> Any:
     """Mass inside the tolerance, above (side 1) or below (-1) acceptance limit `j`."""
     argument = -plane.gap[0][j] / plane.sine - plane.h[0] * plane.tangent
     strip = plane.h[0], plane.tolerance, side * argument, side * plane.cotangent
-    return subtract_tails(below, above, integrate_strip, strip)
+    return complete(subtract_tails(below, above), integrate_strip, strip)
 
 
 def integrate_rectangle(
@@ -258,8 +287,12 @@ def normal_masses(
     mu: Any, sigma: Any, bias: Any, s: Any, tolerance: Pair, acceptance: Pair
 ) -> tuple[Any, Any, Any, Any]:
     """Rightly and wrongly accepted, rightly and wrongly rejected masses of flat arrays."""
-    plane = place_plane(mu, sigma, bias, s, tolerance, acceptance)
-    (lower, left), (right, upper) = find_quadrants(plane)
+    return add_masses(*place(mu, sigma, bias, s, tolerance, acceptance))
+
+
+def add_masses(plane: Plane, corners: Corners) -> tuple[Any, Any, Any, Any]:
+    """Add the masses of a plane and its corners."""
+    (lower, left), (right, upper) = find_quadrants(plane, corners)
     below = (
         find_accepted(
             plane,
@@ -302,7 +335,7 @@ def normal_masses(
         plane.acceptance_in_s,
     )
     return (
-        subtract_tails(below, above, integrate_rectangle, window),
+        complete(subtract_tails(below, above), integrate_rectangle, window),
         below[0] + above[1],
         lower.below_below + upper.above_above + left.below_above + right.above_below,
         find_conforming(

@@ -21,23 +21,23 @@ UNIT_NODES, UNIT_WEIGHTS = (1 + NODES) / 2, WEIGHTS / 2
 FEW_NODES, FEW_WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
-def subtract_tails(
-    below: tuple[Any, Any],
-    above: tuple[Any, Any],
-    integral: Callable[..., Any],
-    arguments: tuple[Any, ...],
-) -> Any:
-    """Mass of a window from the masses below and above its two ends, without cancellation.
+def subtract_tails(below: tuple[Any, Any], above: tuple[Any, Any]) -> Any:
+    """Mass of a window from the masses below and above its two ends, negative where it cancels.
 
     `below` and `above` hold the masses under and over the (lower, upper) end. The smaller tail is
-    differenced. Where the difference keeps less than `NARROW` of it, `integral(*arguments)`
-    supplies the masses. For a log-concave density the window is then so narrow that the logarithm
-    of the density changes by less than 1 across it, so that one Gauss panel is exact to rounding.
+    differenced. Where the difference keeps less than `NARROW` of it, the mass must be integrated.
+    For a log-concave density the window is then so narrow that the logarithm of the density
+    changes by less than 1 across it, so that one Gauss panel is exact to rounding.
     """
     left = below[1] <= above[0]
     tail = choose(left, below[1], above[0])
     mass = tail - choose(left, below[0], above[1])
-    return compute_where(mass < NARROW * tail, integral, arguments, mass)
+    return choose(mass < NARROW * tail, -1.0, mass)
+
+
+def complete(mass: Any, integral: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
+    """Integrate where a difference of tails cancels."""
+    return compute_where(mass < 0, integral, arguments, mass)
 
 
 def find_tails(z: Any) -> tuple[Any, Any]:
@@ -46,33 +46,15 @@ def find_tails(z: Any) -> tuple[Any, Any]:
     return choose(z < 0, smaller, 1 - smaller), choose(z < 0, 1 - smaller, smaller)
 
 
-def normal_between(
-    a: Any, b: Any, distance: Any, below: tuple[Any, Any], above: tuple[Any, Any]
-) -> Any:
-    """Mass of the standard normal law between `a` and `b`, in either order, from their tails."""
-    return subtract_tails(
-        (np.minimum(below[0], below[1]), np.maximum(below[0], below[1])),
-        (np.maximum(above[0], above[1]), np.minimum(above[0], above[1])),
-        integrate_density,
-        (np.minimum(a, b), np.abs(distance)),
-    )
-
-
 def normal_interval(low: Any, high: Any, width: Any) -> Any:
     """Mass of the standard normal law between the limits, zero where they are reversed.
 
     `width` is high - low, given by the caller because it may know it better.
     """
-    (below_low, above_low), (below_high, above_high) = (
-        find_tails(low),
-        find_tails(np.maximum(low, high)),
-    )
-    return subtract_tails(
-        (below_low, below_high),
-        (above_low, above_high),
-        integrate_density,
-        (low, np.maximum(width, 0.0)),
-    )
+    high = np.maximum(low, high)
+    (below_low, above_low), (below_high, above_high) = find_tails(low), find_tails(high)
+    mass = subtract_tails((below_low, below_high), (above_low, above_high))
+    return complete(mass, integrate_density, (low, np.maximum(width, 0.0)))
 
 
 def integrate_density(start: Array, width: Array) -> Array:
