@@ -16,6 +16,7 @@ from mechproof.compiled_support import choose, copysign, floor, fma, power_of_tw
 __all__ = [
     "arctan",
     "arctan2",
+    "arctan_quotient",
     "cos",
     "exp",
     "hypot",
@@ -27,6 +28,8 @@ __all__ = [
     "small_tangent",
     "sum_rest",
     "tan",
+    "tangent_above",
+    "tangent_below",
     "tangent_quotient",
     "total_rest",
 ]
@@ -103,6 +106,74 @@ def tangent_quotient(y, a, b, exact):
         return math.nan
     v1 = math.tan(y)
     return v1 / (a + b * v1 * v1)
+
+
+# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.232 eps
+@scalar
+def tangent_above(y, exact):
+    """Return tan(y) times what `tangent_below` returns."""
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = (
+        fma(
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
+        )
+        * v2
+    )
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
+    )
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
+    value = choose(v9, v5, -v7)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+    return math.tan(y)
+
+
+# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.232 eps
+@scalar
+def tangent_below(y, exact):
+    """Return what the other part of tan(y) is divided by, at least 0.7 or so."""
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = (
+        fma(
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
+        )
+        * v2
+    )
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
+    )
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
+    value = choose(v9, v7, v5)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+    return 1.0
 
 
 # (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
@@ -275,6 +346,69 @@ def arctan(y):
         v3,
     )
     return copysign(choose(v2, 1.5707963267948966 - (v9 - 6.123233995736766e-17), v9), y)
+
+
+# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
+@scalar
+def arctan_quotient(a, b):
+    """Return atan(a/b)."""
+    v1 = abs(a)
+    v2 = abs(b)
+    v3 = v1 > v2
+    v4 = choose(v3, v2, v1) / choose(v3, v1, v2)
+    v5 = v4 * v4
+    v6 = v5 * v5
+    v7 = v6 * v6
+    v8 = v7 * v7
+    v9 = v8 * v8
+    v10 = fma(
+        v4 * v5,
+        fma(
+            v9,
+            fma(
+                v7,
+                fma(v5, 7.767532298566822e-06, -9.371091633560781e-05),
+                fma(
+                    v6,
+                    fma(v5, 0.0005376794060869381, -0.001961242117363609),
+                    fma(v5, 0.005140885854032265, -0.010412113196030874),
+                ),
+            ),
+            fma(
+                v8,
+                fma(
+                    v7,
+                    fma(
+                        v6,
+                        fma(v5, 0.01718393672751917, -0.02419130675591347),
+                        fma(v5, 0.030330692745374102, -0.03527131689273554),
+                    ),
+                    fma(
+                        v6,
+                        fma(v5, 0.039386869439826874, -0.04330653645791128),
+                        fma(v5, 0.04758080032858198, -0.05262492218979753),
+                    ),
+                ),
+                fma(
+                    v7,
+                    fma(
+                        v6,
+                        fma(v5, 0.05882264415278073, -0.06666657934409811),
+                        fma(v5, 0.07692307078814367, -0.09090909061934628),
+                    ),
+                    fma(
+                        v6,
+                        fma(v5, 0.11111111110268276, -0.14285714285701234),
+                        fma(v5, 0.1999999999999992, -0.3333333333333333),
+                    ),
+                ),
+            ),
+        ),
+        v4,
+    )
+    return copysign(1.0, b) * copysign(
+        choose(v3, 1.5707963267948966 - (v10 - 6.123233995736766e-17), v10), a
+    )
 
 
 # (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` 69cd1416b6a5.
+Elementary functions: `elementary` 2c6b3b290f1e.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -25,6 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
+    fma,
     has_nan,
     is_finite,
     loop,
@@ -39,6 +40,7 @@ from mechproof.kernels.compiled import elementary
 __all__ = [
     "acceleration",
     "largest_ratio",
+    "motion",
     "position",
     "ratio",
     "smallest_ratio",
@@ -62,17 +64,24 @@ def _prepare_ratio(R1, R2, e, exact):
 @scalar
 def _ratio(phi1, k, one_minus_e, one_plus_e, k_low, exact):
     x = k * phi1
-    t = elementary.tan(x / 2, exact)
-    x_low = k_low * phi1 + elementary.product_rest(k, phi1, x)
+    t_angle = x / 2
+    t_below = elementary.tangent_below(t_angle, exact)
+    t = elementary.tangent_above(t_angle, exact)
+    x_low = fma(k_low, phi1, elementary.product_rest(k, phi1, x))
     t_low = elementary.small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
+    adjacent = fma(-t, t_low, t_below)
     adjacent_squared = adjacent**2
-    opposite = t + t_low
+    opposite = fma(t_low, t_below, t)
     opposite_squared = opposite**2
 
-    return 1 + k * one_minus_e * one_plus_e / (
-        one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared
-    ) * (adjacent_squared + opposite_squared)
+    return fma(
+        k
+        * one_minus_e
+        * one_plus_e
+        / fma(one_plus_e**2, opposite_squared, one_minus_e**2 * adjacent_squared),
+        adjacent_squared + opposite_squared,
+        1,
+    )
 
 
 @scalar
@@ -108,11 +117,11 @@ def _fill_ratio(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
-        _row_ratio(block, phi1_block, R1, R2, e, None)
-        if has_nan(block):
-            _row_ratio(block, phi1_block, R1, R2, e, True)
+        _row_ratio(out_block, phi1_block, R1, R2, e, None)
+        if has_nan(out_block):
+            _row_ratio(out_block, phi1_block, R1, R2, e, True)
 
 
 @loop
@@ -141,14 +150,14 @@ def _fill_each_ratio(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
         R1_block = R1_values[start:stop]
         R2_block = R2_values[start:stop]
         e_block = e_values[start:stop]
-        _row_each_ratio(block, phi1_block, R1_block, R2_block, e_block, None)
-        if has_nan(block):
-            _row_each_ratio(block, phi1_block, R1_block, R2_block, e_block, True)
+        _row_each_ratio(out_block, phi1_block, R1_block, R2_block, e_block, None)
+        if has_nan(out_block):
+            _row_each_ratio(out_block, phi1_block, R1_block, R2_block, e_block, True)
 
 
 def ratio(
@@ -226,8 +235,12 @@ def _prepare_position_1(R1, R2, e, exact):
 def _position_1(phi1, e, k, one_minus_e, one_plus_e, exact):
     x = k * phi1
 
-    return (1 + k) * phi1 + 2 * elementary.small_arctan(
-        2 * e * elementary.tangent_quotient(x / 2, one_minus_e, one_plus_e, exact)
+    return fma(
+        2,
+        elementary.small_arctan(
+            2 * e * elementary.tangent_quotient(x / 2, one_minus_e, one_plus_e, exact)
+        ),
+        (1 + k) * phi1,
     )
 
 
@@ -244,14 +257,20 @@ def _prepare_position(R1, R2, e, exact):
 @scalar
 def _position(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
     x = k * phi1
-    t = elementary.tan(x / 2, exact)
-    x_low = k_low * phi1 + elementary.product_rest(k, phi1, x)
+    t_angle = x / 2
+    t_below = elementary.tangent_below(t_angle, exact)
+    t = elementary.tangent_above(t_angle, exact)
+    x_low = fma(k_low, phi1, elementary.product_rest(k, phi1, x))
     t_low = elementary.small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
-    opposite = t + t_low
+    adjacent = fma(-t, t_low, t_below)
+    opposite = fma(t_low, t_below, t)
 
-    return (1 + k) * phi1 + 2 * elementary.arctan(
-        2 * e / (one_minus_e * adjacent**2 + one_plus_e * opposite**2) * adjacent * opposite
+    return fma(
+        2,
+        elementary.arctan_quotient(
+            2 * e * adjacent * opposite, fma(one_plus_e, opposite**2, one_minus_e * adjacent**2)
+        ),
+        (1 + k) * phi1,
     )
 
 
@@ -292,11 +311,11 @@ def _fill_position(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
-        _row_position(block, phi1_block, R1, R2, e, None)
-        if has_nan(block):
-            _row_position(block, phi1_block, R1, R2, e, True)
+        _row_position(out_block, phi1_block, R1, R2, e, None)
+        if has_nan(out_block):
+            _row_position(out_block, phi1_block, R1, R2, e, True)
 
 
 @loop
@@ -325,14 +344,14 @@ def _fill_each_position(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
         R1_block = R1_values[start:stop]
         R2_block = R2_values[start:stop]
         e_block = e_values[start:stop]
-        _row_each_position(block, phi1_block, R1_block, R2_block, e_block, None)
-        if has_nan(block):
-            _row_each_position(block, phi1_block, R1_block, R2_block, e_block, True)
+        _row_each_position(out_block, phi1_block, R1_block, R2_block, e_block, None)
+        if has_nan(out_block):
+            _row_each_position(out_block, phi1_block, R1_block, R2_block, e_block, True)
 
 
 def position(
@@ -410,11 +429,13 @@ def _prepare_acceleration(R1, R2, e, exact):
 @scalar
 def _acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
     x = k * phi1
-    t = elementary.tan(x / 2, exact)
-    x_low = k_low * phi1 + elementary.product_rest(k, phi1, x)
+    t_angle = x / 2
+    t_below = elementary.tangent_below(t_angle, exact)
+    t = elementary.tangent_above(t_angle, exact)
+    x_low = fma(k_low, phi1, elementary.product_rest(k, phi1, x))
     t_low = elementary.small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
-    opposite = t + t_low
+    adjacent = fma(-t, t_low, t_below)
+    opposite = fma(t_low, t_below, t)
     adjacent_squared = adjacent**2
     opposite_squared = opposite**2
 
@@ -424,7 +445,7 @@ def _acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
         * one_minus_e
         * one_plus_e
         * k**2
-        / (one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared) ** 2
+        / fma(one_plus_e**2, opposite_squared, one_minus_e**2 * adjacent_squared) ** 2
         * adjacent
         * opposite
         * (adjacent_squared + opposite_squared)
@@ -464,11 +485,11 @@ def _fill_acceleration(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
-        _row_acceleration(block, phi1_block, R1, R2, e, None)
-        if has_nan(block):
-            _row_acceleration(block, phi1_block, R1, R2, e, True)
+        _row_acceleration(out_block, phi1_block, R1, R2, e, None)
+        if has_nan(out_block):
+            _row_acceleration(out_block, phi1_block, R1, R2, e, True)
 
 
 @loop
@@ -497,14 +518,14 @@ def _fill_each_acceleration(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
         R1_block = R1_values[start:stop]
         R2_block = R2_values[start:stop]
         e_block = e_values[start:stop]
-        _row_each_acceleration(block, phi1_block, R1_block, R2_block, e_block, None)
-        if has_nan(block):
-            _row_each_acceleration(block, phi1_block, R1_block, R2_block, e_block, True)
+        _row_each_acceleration(out_block, phi1_block, R1_block, R2_block, e_block, None)
+        if has_nan(out_block):
+            _row_each_acceleration(out_block, phi1_block, R1_block, R2_block, e_block, True)
 
 
 def acceleration(
@@ -579,7 +600,7 @@ def _prepare_largest_ratio(R2, e):
 def _largest_ratio(R1, R2, e):
     k = R1 / R2
 
-    return 1 + (1 + e) / (1 - e) * k
+    return fma((1 + e) / (1 - e), k, 1)
 
 
 @scalar
@@ -726,7 +747,7 @@ def _prepare_smallest_ratio(R2, e):
 def _smallest_ratio(R1, R2, e):
     k = R1 / R2
 
-    return 1 + (1 - e) / (1 + e) * k
+    return fma((1 - e) / (1 + e), k, 1)
 
 
 @scalar
@@ -857,6 +878,189 @@ def _offer_smallest_ratio(
     e,
 ):
     return lambda R1, R2, e: _smallest_ratio_point(
+        float(R1),
+        float(R2),
+        float(e),
+    )
+
+
+@scalar
+def _motion_at(phi1, R1, R2, e, exact):
+    return (
+        _position_at(phi1, R1, R2, e, exact),
+        _ratio_at(phi1, R1, R2, e, exact),
+        _acceleration_at(phi1, R1, R2, e, exact),
+    )
+
+
+@scalar
+def _motion_point(phi1, R1, R2, e):
+    return _motion_at(phi1, R1, R2, e, True)
+
+
+@loop
+def _row_motion(out_position, out_ratio, out_acceleration, phi1_values, R1, R2, e, exact):
+    widen()
+    for i in range(out_position.size):
+        phi1 = float(phi1_values[i])
+
+        value = _motion_at(phi1, R1, R2, e, exact)
+        out_position[i] = value[0]
+        out_ratio[i] = value[1]
+        out_acceleration[i] = value[2]
+
+
+@loop
+def _fill_motion(
+    out_position,
+    out_ratio,
+    out_acceleration,
+    phi1_values,
+    R1,
+    R2,
+    e,
+):
+    for start in range(0, out_position.size, BLOCK):
+        stop = start + BLOCK
+        out_position_block = out_position[start:stop]
+        out_ratio_block = out_ratio[start:stop]
+        out_acceleration_block = out_acceleration[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_motion(
+            out_position_block, out_ratio_block, out_acceleration_block, phi1_block, R1, R2, e, None
+        )
+        if (
+            has_nan(out_position_block)
+            or has_nan(out_ratio_block)
+            or has_nan(out_acceleration_block)
+        ):
+            _row_motion(
+                out_position_block,
+                out_ratio_block,
+                out_acceleration_block,
+                phi1_block,
+                R1,
+                R2,
+                e,
+                True,
+            )
+
+
+@loop
+def _row_each_motion(
+    out_position, out_ratio, out_acceleration, phi1_values, R1_values, R2_values, e_values, exact
+):
+    widen()
+    for i in range(out_position.size):
+        phi1 = float(phi1_values[i])
+
+        R1 = float(R1_values[i])
+
+        R2 = float(R2_values[i])
+
+        e = float(e_values[i])
+
+        value = _motion_at(phi1, R1, R2, e, exact)
+        out_position[i] = value[0]
+        out_ratio[i] = value[1]
+        out_acceleration[i] = value[2]
+
+
+@loop
+def _fill_each_motion(
+    out_position,
+    out_ratio,
+    out_acceleration,
+    phi1_values,
+    R1_values,
+    R2_values,
+    e_values,
+):
+    for start in range(0, out_position.size, BLOCK):
+        stop = start + BLOCK
+        out_position_block = out_position[start:stop]
+        out_ratio_block = out_ratio[start:stop]
+        out_acceleration_block = out_acceleration[start:stop]
+        phi1_block = phi1_values[start:stop]
+        R1_block = R1_values[start:stop]
+        R2_block = R2_values[start:stop]
+        e_block = e_values[start:stop]
+        _row_each_motion(
+            out_position_block,
+            out_ratio_block,
+            out_acceleration_block,
+            phi1_block,
+            R1_block,
+            R2_block,
+            e_block,
+            None,
+        )
+        if (
+            has_nan(out_position_block)
+            or has_nan(out_ratio_block)
+            or has_nan(out_acceleration_block)
+        ):
+            _row_each_motion(
+                out_position_block,
+                out_ratio_block,
+                out_acceleration_block,
+                phi1_block,
+                R1_block,
+                R2_block,
+                e_block,
+                True,
+            )
+
+
+def motion(
+    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute position, ratio and acceleration in one pass.
+
+    They lie along the first axis of the result, each with the bits of its own kernel. Compiled.
+    """
+    return run(
+        _MOTION,
+        (
+            phi1,
+            R1,
+            R2,
+            e,
+        ),
+        out,
+    )
+
+
+_MOTION = Loops(
+    names=(
+        "phi1",
+        "R1",
+        "R2",
+        "e",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_motion_point,
+    uniform=_fill_motion,
+    results=3,
+    each=_fill_each_motion,
+)
+
+
+@overload(motion)
+def _offer_motion(
+    phi1,
+    R1,
+    R2,
+    e,
+):
+    return lambda phi1, R1, R2, e: _motion_point(
+        float(phi1),
         float(R1),
         float(R2),
         float(e),

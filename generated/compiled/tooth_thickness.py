@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` 69cd1416b6a5.
+Elementary functions: `elementary` 2c6b3b290f1e.
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -27,6 +27,7 @@ from mechproof.compiled_support import (
     BLOCK,
     Loops,
     floor,
+    fma,
     has_nan,
     is_finite,
     loop,
@@ -96,11 +97,11 @@ def _fill_constant_chord(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         m_block = m_values[start:stop]
-        _row_constant_chord(block, m_block, alpha, None)
-        if has_nan(block):
-            _row_constant_chord(block, m_block, alpha, True)
+        _row_constant_chord(out_block, m_block, alpha, None)
+        if has_nan(out_block):
+            _row_constant_chord(out_block, m_block, alpha, True)
 
 
 @loop
@@ -123,12 +124,12 @@ def _fill_each_constant_chord(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         m_block = m_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_constant_chord(block, m_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_constant_chord(block, m_block, alpha_block, True)
+        _row_each_constant_chord(out_block, m_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_constant_chord(out_block, m_block, alpha_block, True)
 
 
 def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -224,11 +225,11 @@ def _fill_chord_height(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         m_block = m_values[start:stop]
-        _row_chord_height(block, m_block, alpha, None)
-        if has_nan(block):
-            _row_chord_height(block, m_block, alpha, True)
+        _row_chord_height(out_block, m_block, alpha, None)
+        if has_nan(out_block):
+            _row_chord_height(out_block, m_block, alpha, True)
 
 
 @loop
@@ -251,12 +252,12 @@ def _fill_each_chord_height(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         m_block = m_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_chord_height(block, m_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_chord_height(block, m_block, alpha_block, True)
+        _row_each_chord_height(out_block, m_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_chord_height(out_block, m_block, alpha_block, True)
 
 
 def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -326,8 +327,8 @@ def _height_change(tilt, alpha, cos_alpha, r_b, t_c, exact):
     cos_tilt = 1 + cosm1_tilt
 
     return r_b * (
-        elementary.sin(alpha, exact) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
-        - cos_alpha * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
+        elementary.sin(alpha, exact) * fma(-t_c, cosm1_tilt, fma(-cos_tilt, tilt, sin_tilt))
+        - cos_alpha * fma(sin_tilt, tilt, fma(t_c, sin_tilt, cosm1_tilt))
     )
 
 
@@ -372,11 +373,11 @@ def _fill_height_change(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         tilt_block = tilt_values[start:stop]
-        _row_height_change(block, tilt_block, m, z, alpha, None)
-        if has_nan(block):
-            _row_height_change(block, tilt_block, m, z, alpha, True)
+        _row_height_change(out_block, tilt_block, m, z, alpha, None)
+        if has_nan(out_block):
+            _row_height_change(out_block, tilt_block, m, z, alpha, True)
 
 
 @loop
@@ -405,14 +406,14 @@ def _fill_each_height_change(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         tilt_block = tilt_values[start:stop]
         m_block = m_values[start:stop]
         z_block = z_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_height_change(block, tilt_block, m_block, z_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_height_change(block, tilt_block, m_block, z_block, alpha_block, True)
+        _row_each_height_change(out_block, tilt_block, m_block, z_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_height_change(out_block, tilt_block, m_block, z_block, alpha_block, True)
 
 
 def height_change(
@@ -501,9 +502,10 @@ def _thickness_change(tilt, alpha, cos_alpha, r_b, t_c, exact):
     return (
         -2
         * r_b
-        * (
-            cos_alpha * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
-            + elementary.sin(alpha, exact) * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
+        * fma(
+            elementary.sin(alpha, exact),
+            fma(sin_tilt, tilt, fma(t_c, sin_tilt, cosm1_tilt)),
+            cos_alpha * fma(-t_c, cosm1_tilt, fma(-cos_tilt, tilt, sin_tilt)),
         )
     )
 
@@ -549,11 +551,11 @@ def _fill_thickness_change(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         tilt_block = tilt_values[start:stop]
-        _row_thickness_change(block, tilt_block, m, z, alpha, None)
-        if has_nan(block):
-            _row_thickness_change(block, tilt_block, m, z, alpha, True)
+        _row_thickness_change(out_block, tilt_block, m, z, alpha, None)
+        if has_nan(out_block):
+            _row_thickness_change(out_block, tilt_block, m, z, alpha, True)
 
 
 @loop
@@ -582,14 +584,14 @@ def _fill_each_thickness_change(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         tilt_block = tilt_values[start:stop]
         m_block = m_values[start:stop]
         z_block = z_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_thickness_change(block, tilt_block, m_block, z_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_thickness_change(block, tilt_block, m_block, z_block, alpha_block, True)
+        _row_each_thickness_change(out_block, tilt_block, m_block, z_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_thickness_change(out_block, tilt_block, m_block, z_block, alpha_block, True)
 
 
 def thickness_change(
@@ -702,11 +704,11 @@ def _fill_thickness_change_linear(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         dh_block = dh_values[start:stop]
-        _row_thickness_change_linear(block, dh_block, alpha, None)
-        if has_nan(block):
-            _row_thickness_change_linear(block, dh_block, alpha, True)
+        _row_thickness_change_linear(out_block, dh_block, alpha, None)
+        if has_nan(out_block):
+            _row_thickness_change_linear(out_block, dh_block, alpha, True)
 
 
 @loop
@@ -729,12 +731,12 @@ def _fill_each_thickness_change_linear(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         dh_block = dh_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_thickness_change_linear(block, dh_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_thickness_change_linear(block, dh_block, alpha_block, True)
+        _row_each_thickness_change_linear(out_block, dh_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_thickness_change_linear(out_block, dh_block, alpha_block, True)
 
 
 def thickness_change_linear(
@@ -851,11 +853,11 @@ def _fill_linearisation_bound(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         dh_block = dh_values[start:stop]
-        _row_linearisation_bound(block, dh_block, m, z, alpha, None)
-        if has_nan(block):
-            _row_linearisation_bound(block, dh_block, m, z, alpha, True)
+        _row_linearisation_bound(out_block, dh_block, m, z, alpha, None)
+        if has_nan(out_block):
+            _row_linearisation_bound(out_block, dh_block, m, z, alpha, True)
 
 
 @loop
@@ -884,14 +886,14 @@ def _fill_each_linearisation_bound(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         dh_block = dh_values[start:stop]
         m_block = m_values[start:stop]
         z_block = z_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_linearisation_bound(block, dh_block, m_block, z_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_linearisation_bound(block, dh_block, m_block, z_block, alpha_block, True)
+        _row_each_linearisation_bound(out_block, dh_block, m_block, z_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_linearisation_bound(out_block, dh_block, m_block, z_block, alpha_block, True)
 
 
 def linearisation_bound(
@@ -1000,11 +1002,11 @@ def _fill_thickness_error(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         e_tip_block = e_tip_values[start:stop]
-        _row_thickness_error(block, e_tip_block, height_error, alpha, None)
-        if has_nan(block):
-            _row_thickness_error(block, e_tip_block, height_error, alpha, True)
+        _row_thickness_error(out_block, e_tip_block, height_error, alpha, None)
+        if has_nan(out_block):
+            _row_thickness_error(out_block, e_tip_block, height_error, alpha, True)
 
 
 @loop
@@ -1030,13 +1032,13 @@ def _fill_each_thickness_error(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         e_tip_block = e_tip_values[start:stop]
         height_error_block = height_error_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_thickness_error(block, e_tip_block, height_error_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_thickness_error(block, e_tip_block, height_error_block, alpha_block, True)
+        _row_each_thickness_error(out_block, e_tip_block, height_error_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_thickness_error(out_block, e_tip_block, height_error_block, alpha_block, True)
 
 
 def thickness_error(

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` 69cd1416b6a5.
+Elementary functions: `elementary` 2c6b3b290f1e.
 
 Sums over axes are added in the order of the index, with the rest of every addition. Inside
 functions that numba compiles they take one array of terms for each argument, or a number for
@@ -261,11 +261,11 @@ def _rotation(alpha, cos_beta, cos_gamma, sin_gamma, sin_beta, exact):
 
     return (
         cos_beta * cos_gamma,
-        sin_gamma * cos_alpha + cos_gamma * sin_beta * sin_alpha,
+        fma(cos_gamma * sin_beta, sin_alpha, sin_gamma * cos_alpha),
         sin_gamma * sin_alpha - cos_gamma * sin_beta * cos_alpha,
         -cos_beta * sin_gamma,
         cos_gamma * cos_alpha - sin_beta * sin_gamma * sin_alpha,
-        cos_gamma * sin_alpha + sin_beta * sin_gamma * cos_alpha,
+        fma(sin_beta * sin_gamma, cos_alpha, cos_gamma * sin_alpha),
         sin_beta,
         -cos_beta * sin_alpha,
         cos_beta * cos_alpha,
@@ -309,11 +309,11 @@ def _fill_rotation(
 ):
     for start in range(0, out.size // 9, BLOCK):
         stop = start + BLOCK
-        block = out[9 * start : 9 * stop]
+        out_block = out[9 * start : 9 * stop]
         alpha_block = alpha_values[start:stop]
-        _row_rotation(block, alpha_block, beta, gamma, None)
-        if has_nan(block):
-            _row_rotation(block, alpha_block, beta, gamma, True)
+        _row_rotation(out_block, alpha_block, beta, gamma, None)
+        if has_nan(out_block):
+            _row_rotation(out_block, alpha_block, beta, gamma, True)
 
 
 @loop
@@ -346,13 +346,13 @@ def _fill_each_rotation(
 ):
     for start in range(0, out.size // 9, BLOCK):
         stop = start + BLOCK
-        block = out[9 * start : 9 * stop]
+        out_block = out[9 * start : 9 * stop]
         alpha_block = alpha_values[start:stop]
         beta_block = beta_values[start:stop]
         gamma_block = gamma_values[start:stop]
-        _row_each_rotation(block, alpha_block, beta_block, gamma_block, None)
-        if has_nan(block):
-            _row_each_rotation(block, alpha_block, beta_block, gamma_block, True)
+        _row_each_rotation(out_block, alpha_block, beta_block, gamma_block, None)
+        if has_nan(out_block):
+            _row_each_rotation(out_block, alpha_block, beta_block, gamma_block, True)
 
 
 def rotation(
@@ -409,28 +409,38 @@ def _offer_rotation(
 
 @scalar
 def _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact):
-    t_alpha = elementary.tan(angles_0 / 2, exact)
-    t_beta = elementary.tan(angles_1 / 2, exact)
-    t_gamma = elementary.tan(angles_2 / 2, exact)
-    scale = 2 / ((1 + t_alpha**2) * (1 + t_beta**2) * (1 + t_gamma**2))
-    v_y = t_beta - t_alpha * t_gamma
+    t_alpha_angle = angles_0 / 2
+    t_alpha_below = elementary.tangent_below(t_alpha_angle, exact)
+    t_alpha = elementary.tangent_above(t_alpha_angle, exact)
+    t_beta_angle = angles_1 / 2
+    t_beta_below = elementary.tangent_below(t_beta_angle, exact)
+    t_beta = elementary.tangent_above(t_beta_angle, exact)
+    t_gamma_angle = angles_2 / 2
+    t_gamma_below = elementary.tangent_below(t_gamma_angle, exact)
+    t_gamma = elementary.tangent_above(t_gamma_angle, exact)
+    scale = 2 / (
+        fma(t_alpha, t_alpha, t_alpha_below * t_alpha_below)
+        * fma(t_beta, t_beta, t_beta_below * t_beta_below)
+        * fma(t_gamma, t_gamma, t_gamma_below * t_gamma_below)
+    )
+    v_y = t_beta * t_alpha_below * t_gamma_below - t_alpha * t_gamma * t_beta_below
     v_y_squared = v_y**2
-    v_z = t_gamma + t_alpha * t_beta
+    v_z = fma(t_alpha * t_beta, t_gamma_below, t_gamma * t_alpha_below * t_beta_below)
     v_z_squared = v_z**2
     C11 = scale * (-v_y_squared - v_z_squared)
-    v_x = t_alpha + t_beta * t_gamma
+    v_x = fma(t_beta * t_gamma, t_alpha_below, t_alpha * t_beta_below * t_gamma_below)
     v_x_v_y = v_x * v_y
-    w = 1 - t_alpha * t_beta * t_gamma
-    C12 = scale * (v_x_v_y - v_z * w)
+    w = t_alpha_below * t_beta_below * t_gamma_below - t_alpha * t_beta * t_gamma
+    C12 = scale * fma(-v_z, w, v_x_v_y)
     v_x_v_z = v_x * v_z
-    C13 = scale * (v_x_v_z + v_y * w)
-    C21 = scale * (v_x_v_y + v_z * w)
+    C13 = scale * fma(v_y, w, v_x_v_z)
+    C21 = scale * fma(v_z, w, v_x_v_y)
     v_x_squared = v_x**2
     C22 = scale * (-v_x_squared - v_z_squared)
     v_y_v_z = v_y * v_z
-    C23 = scale * (v_y_v_z - v_x * w)
-    C31 = scale * (v_x_v_z - v_y * w)
-    C32 = scale * (v_y_v_z + v_x * w)
+    C23 = scale * fma(-v_x, w, v_y_v_z)
+    C31 = scale * fma(-v_y, w, v_x_v_z)
+    C32 = scale * fma(v_x, w, v_y_v_z)
     C33 = scale * (-v_x_squared - v_y_squared)
 
     return (C11, C12, C13, C21, C22, C23, C31, C32, C33, shift_0, shift_1, shift_2)
@@ -504,14 +514,22 @@ def _fill_displacement(
 ):
     for start in range(0, out.size // 3, BLOCK):
         stop = start + BLOCK
-        block = out[3 * start : 3 * stop]
+        out_block = out[3 * start : 3 * stop]
         points_block = points_values[3 * start : 3 * stop]
         _row_displacement(
-            block, points_block, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, None
+            out_block, points_block, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, None
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_displacement(
-                block, points_block, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, True
+                out_block,
+                points_block,
+                angles_0,
+                angles_1,
+                angles_2,
+                shift_0,
+                shift_1,
+                shift_2,
+                True,
             )
 
 
@@ -556,13 +574,13 @@ def _fill_each_displacement(
 ):
     for start in range(0, out.size // 3, BLOCK):
         stop = start + BLOCK
-        block = out[3 * start : 3 * stop]
+        out_block = out[3 * start : 3 * stop]
         points_block = points_values[3 * start : 3 * stop]
         angles_block = angles_values[3 * start : 3 * stop]
         shift_block = shift_values[3 * start : 3 * stop]
-        _row_each_displacement(block, points_block, angles_block, shift_block, None)
-        if has_nan(block):
-            _row_each_displacement(block, points_block, angles_block, shift_block, True)
+        _row_each_displacement(out_block, points_block, angles_block, shift_block, None)
+        if has_nan(out_block):
+            _row_each_displacement(out_block, points_block, angles_block, shift_block, True)
 
 
 def displacement(
@@ -862,11 +880,11 @@ def _fill_radius(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi_block = phi_values[start:stop]
-        _row_radius(block, phi_block, R, A, z, None)
-        if has_nan(block):
-            _row_radius(block, phi_block, R, A, z, True)
+        _row_radius(out_block, phi_block, R, A, z, None)
+        if has_nan(out_block):
+            _row_radius(out_block, phi_block, R, A, z, True)
 
 
 @loop
@@ -895,14 +913,14 @@ def _fill_each_radius(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi_block = phi_values[start:stop]
         R_block = R_values[start:stop]
         A_block = A_values[start:stop]
         z_block = z_values[start:stop]
-        _row_each_radius(block, phi_block, R_block, A_block, z_block, None)
-        if has_nan(block):
-            _row_each_radius(block, phi_block, R_block, A_block, z_block, True)
+        _row_each_radius(out_block, phi_block, R_block, A_block, z_block, None)
+        if has_nan(out_block):
+            _row_each_radius(out_block, phi_block, R_block, A_block, z_block, True)
 
 
 def radius(
@@ -1033,11 +1051,11 @@ def _fill_track(
 ):
     for start in range(0, out.size // 3, BLOCK):
         stop = start + BLOCK
-        block = out[3 * start : 3 * stop]
+        out_block = out[3 * start : 3 * stop]
         phi_block = phi_values[start:stop]
-        _row_track(block, phi_block, R, A, z, H, None)
-        if has_nan(block):
-            _row_track(block, phi_block, R, A, z, H, True)
+        _row_track(out_block, phi_block, R, A, z, H, None)
+        if has_nan(out_block):
+            _row_track(out_block, phi_block, R, A, z, H, True)
 
 
 @loop
@@ -1070,15 +1088,15 @@ def _fill_each_track(
 ):
     for start in range(0, out.size // 3, BLOCK):
         stop = start + BLOCK
-        block = out[3 * start : 3 * stop]
+        out_block = out[3 * start : 3 * stop]
         phi_block = phi_values[start:stop]
         R_block = R_values[start:stop]
         A_block = A_values[start:stop]
         z_block = z_values[start:stop]
         H_block = H_values[start:stop]
-        _row_each_track(block, phi_block, R_block, A_block, z_block, H_block, None)
-        if has_nan(block):
-            _row_each_track(block, phi_block, R_block, A_block, z_block, H_block, True)
+        _row_each_track(out_block, phi_block, R_block, A_block, z_block, H_block, None)
+        if has_nan(out_block):
+            _row_each_track(out_block, phi_block, R_block, A_block, z_block, H_block, True)
 
 
 def track(
@@ -1706,8 +1724,8 @@ def _offer_error_sum(
 def _error_sum_thermal(
     tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
 ):
-    K_minus_tau_K_T = total_scatter - thermal_share * thermal_scatter
-    K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter
+    K_minus_tau_K_T = fma(-thermal_share, thermal_scatter, total_scatter)
+    K_plus_tau_K_T = fma(thermal_share, thermal_scatter, total_scatter)
 
     return np.sqrt(_sum_10(sensitivities, scatters, tolerances)) / np.sqrt(
         K_minus_tau_K_T * K_plus_tau_K_T

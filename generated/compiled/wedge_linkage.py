@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` 69cd1416b6a5.
+Elementary functions: `elementary` 2c6b3b290f1e.
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -27,6 +27,7 @@ from mechproof.compiled_support import (
     BLOCK,
     Loops,
     choose,
+    fma,
     has_nan,
     is_finite,
     loop,
@@ -66,7 +67,7 @@ def _prepare_guide_radicand(l_AB, l_BC, l_CD):
 @scalar
 def _guide_radicand(x1, l_AB, l_BC, l_CD):
 
-    return l_BC**2 + x1 * (2 * l_AB + 2 * l_CD + x1)
+    return fma(x1, fma(2, l_CD, 2 * l_AB) + x1, l_BC**2)
 
 
 @scalar
@@ -232,10 +233,10 @@ def _prepare_lever_angle(l_AB, l_BC, l_CD):
 
 @scalar
 def _lever_angle(x1, l_BC, arm):
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = np.sqrt(fma(x1, fma(2, arm, x1), l_BC**2))
     guide_sum = guide_length + l_BC
 
-    return -2 * elementary.arctan(x1 / guide_sum)
+    return -2 * elementary.arctan_quotient(x1, guide_sum)
 
 
 @scalar
@@ -436,11 +437,11 @@ def _fill_rod_displacement(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi3_block = phi3_values[start:stop]
-        _row_rod_displacement(block, phi3_block, l_DE, alpha_DE, None)
-        if has_nan(block):
-            _row_rod_displacement(block, phi3_block, l_DE, alpha_DE, True)
+        _row_rod_displacement(out_block, phi3_block, l_DE, alpha_DE, None)
+        if has_nan(out_block):
+            _row_rod_displacement(out_block, phi3_block, l_DE, alpha_DE, True)
 
 
 @loop
@@ -466,13 +467,13 @@ def _fill_each_rod_displacement(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi3_block = phi3_values[start:stop]
         l_DE_block = l_DE_values[start:stop]
         alpha_DE_block = alpha_DE_values[start:stop]
-        _row_each_rod_displacement(block, phi3_block, l_DE_block, alpha_DE_block, None)
-        if has_nan(block):
-            _row_each_rod_displacement(block, phi3_block, l_DE_block, alpha_DE_block, True)
+        _row_each_rod_displacement(out_block, phi3_block, l_DE_block, alpha_DE_block, None)
+        if has_nan(out_block):
+            _row_each_rod_displacement(out_block, phi3_block, l_DE_block, alpha_DE_block, True)
 
 
 def rod_displacement(
@@ -707,11 +708,11 @@ def _fill_roller_offset(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x5_block = x5_values[start:stop]
-        _row_roller_offset(block, x5_block, l_KL, alpha_KL, None)
-        if has_nan(block):
-            _row_roller_offset(block, x5_block, l_KL, alpha_KL, True)
+        _row_roller_offset(out_block, x5_block, l_KL, alpha_KL, None)
+        if has_nan(out_block):
+            _row_roller_offset(out_block, x5_block, l_KL, alpha_KL, True)
 
 
 @loop
@@ -737,13 +738,13 @@ def _fill_each_roller_offset(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x5_block = x5_values[start:stop]
         l_KL_block = l_KL_values[start:stop]
         alpha_KL_block = alpha_KL_values[start:stop]
-        _row_each_roller_offset(block, x5_block, l_KL_block, alpha_KL_block, None)
-        if has_nan(block):
-            _row_each_roller_offset(block, x5_block, l_KL_block, alpha_KL_block, True)
+        _row_each_roller_offset(out_block, x5_block, l_KL_block, alpha_KL_block, None)
+        if has_nan(out_block):
+            _row_each_roller_offset(out_block, x5_block, l_KL_block, alpha_KL_block, True)
 
 
 def roller_offset(
@@ -812,15 +813,16 @@ def _prepare_roller_lever_angle(l_KL, alpha_KL, exact):
 @scalar
 def _roller_lever_angle(x5, l_KL, alpha_KL, exact):
 
-    return 2 * elementary.arctan(
-        x5
-        / (
-            l_KL * elementary.sin(alpha_KL, exact)
-            + np.sqrt(
-                (x5 + 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2)
+    return 2 * elementary.arctan_quotient(
+        x5,
+        fma(
+            l_KL,
+            elementary.sin(alpha_KL, exact),
+            np.sqrt(
+                fma(2 * l_KL, elementary.sin(alpha_KL / 2, exact) ** 2, x5)
                 * (2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2 - x5)
-            )
-        )
+            ),
+        ),
     )
 
 
@@ -856,11 +858,11 @@ def _fill_roller_lever_angle(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x5_block = x5_values[start:stop]
-        _row_roller_lever_angle(block, x5_block, l_KL, alpha_KL, None)
-        if has_nan(block):
-            _row_roller_lever_angle(block, x5_block, l_KL, alpha_KL, True)
+        _row_roller_lever_angle(out_block, x5_block, l_KL, alpha_KL, None)
+        if has_nan(out_block):
+            _row_roller_lever_angle(out_block, x5_block, l_KL, alpha_KL, True)
 
 
 @loop
@@ -886,13 +888,13 @@ def _fill_each_roller_lever_angle(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x5_block = x5_values[start:stop]
         l_KL_block = l_KL_values[start:stop]
         alpha_KL_block = alpha_KL_values[start:stop]
-        _row_each_roller_lever_angle(block, x5_block, l_KL_block, alpha_KL_block, None)
-        if has_nan(block):
-            _row_each_roller_lever_angle(block, x5_block, l_KL_block, alpha_KL_block, True)
+        _row_each_roller_lever_angle(out_block, x5_block, l_KL_block, alpha_KL_block, None)
+        if has_nan(out_block):
+            _row_each_roller_lever_angle(out_block, x5_block, l_KL_block, alpha_KL_block, True)
 
 
 def roller_lever_angle(
@@ -996,11 +998,11 @@ def _fill_wedge_displacement(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi7_block = phi7_values[start:stop]
-        _row_wedge_displacement(block, phi7_block, l_LM, alpha_LM, None)
-        if has_nan(block):
-            _row_wedge_displacement(block, phi7_block, l_LM, alpha_LM, True)
+        _row_wedge_displacement(out_block, phi7_block, l_LM, alpha_LM, None)
+        if has_nan(out_block):
+            _row_wedge_displacement(out_block, phi7_block, l_LM, alpha_LM, True)
 
 
 @loop
@@ -1026,13 +1028,13 @@ def _fill_each_wedge_displacement(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi7_block = phi7_values[start:stop]
         l_LM_block = l_LM_values[start:stop]
         alpha_LM_block = alpha_LM_values[start:stop]
-        _row_each_wedge_displacement(block, phi7_block, l_LM_block, alpha_LM_block, None)
-        if has_nan(block):
-            _row_each_wedge_displacement(block, phi7_block, l_LM_block, alpha_LM_block, True)
+        _row_each_wedge_displacement(out_block, phi7_block, l_LM_block, alpha_LM_block, None)
+        if has_nan(out_block):
+            _row_each_wedge_displacement(out_block, phi7_block, l_LM_block, alpha_LM_block, True)
 
 
 def wedge_displacement(
@@ -1138,14 +1140,14 @@ def _position(
     sin_LM,
     exact,
 ):
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = np.sqrt(fma(x1, fma(2, arm, x1), l_BC**2))
     guide_sum = guide_length + l_BC
-    lever_square = guide_sum**2 + x1**2
+    lever_square = fma(x1, x1, guide_sum**2)
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = maximum(0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = push**2 + rise_sum**2
+    roller_square = fma(rise_sum, rise_sum, push**2)
 
     return 2 * l_LM / roller_square * push * (cos_LM * rise_sum - sin_LM * push)
 
@@ -1215,10 +1217,10 @@ def _fill_position(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x1_block = x1_values[start:stop]
         _row_position(
-            block,
+            out_block,
             x1_block,
             l_AB,
             l_BC,
@@ -1232,9 +1234,9 @@ def _fill_position(
             alpha_LM,
             None,
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_position(
-                block,
+                out_block,
                 x1_block,
                 l_AB,
                 l_BC,
@@ -1313,7 +1315,7 @@ def _fill_each_position(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x1_block = x1_values[start:stop]
         l_AB_block = l_AB_values[start:stop]
         l_BC_block = l_BC_values[start:stop]
@@ -1326,7 +1328,7 @@ def _fill_each_position(
         alpha_KL_block = alpha_KL_values[start:stop]
         alpha_LM_block = alpha_LM_values[start:stop]
         _row_each_position(
-            block,
+            out_block,
             x1_block,
             l_AB_block,
             l_BC_block,
@@ -1340,9 +1342,9 @@ def _fill_each_position(
             alpha_LM_block,
             None,
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_each_position(
-                block,
+                out_block,
                 x1_block,
                 l_AB_block,
                 l_BC_block,
@@ -1533,15 +1535,15 @@ def _velocity(
     sin_LM,
     exact,
 ):
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = np.sqrt(fma(x1, fma(2, arm, x1), l_BC**2))
     guide_sum = guide_length + l_BC
-    lever_square = guide_sum**2 + x1**2
-    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
+    lever_square = fma(x1, x1, guide_sum**2)
+    cos_lever = fma(2 * l_BC, guide_sum, 2 * arm * x1) / lever_square
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = maximum(0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = push**2 + rise_sum**2
+    roller_square = fma(rise_sum, rise_sum, push**2)
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
@@ -1616,10 +1618,10 @@ def _fill_velocity(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x1_block = x1_values[start:stop]
         _row_velocity(
-            block,
+            out_block,
             x1_block,
             l_AB,
             l_BC,
@@ -1633,9 +1635,9 @@ def _fill_velocity(
             alpha_LM,
             None,
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_velocity(
-                block,
+                out_block,
                 x1_block,
                 l_AB,
                 l_BC,
@@ -1714,7 +1716,7 @@ def _fill_each_velocity(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x1_block = x1_values[start:stop]
         l_AB_block = l_AB_values[start:stop]
         l_BC_block = l_BC_values[start:stop]
@@ -1727,7 +1729,7 @@ def _fill_each_velocity(
         alpha_KL_block = alpha_KL_values[start:stop]
         alpha_LM_block = alpha_LM_values[start:stop]
         _row_each_velocity(
-            block,
+            out_block,
             x1_block,
             l_AB_block,
             l_BC_block,
@@ -1741,9 +1743,9 @@ def _fill_each_velocity(
             alpha_LM_block,
             None,
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_each_velocity(
-                block,
+                out_block,
                 x1_block,
                 l_AB_block,
                 l_BC_block,
@@ -1937,19 +1939,19 @@ def _sensitivities(
     exact,
 ):
     x1_squared = x1**2
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = np.sqrt(fma(x1, fma(2, arm, x1), l_BC**2))
     guide_sum = guide_length + l_BC
-    lever_square = guide_sum**2 + x1_squared
+    lever_square = fma(guide_sum, guide_sum, x1_squared)
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = maximum(0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = push**2 + rise_sum**2
+    roller_square = fma(rise_sum, rise_sum, push**2)
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
     gain = cos_wedge * choose(run < l_GH, 0, l_LM) / rise
-    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
+    cos_lever = fma(2 * l_BC, guide_sum, 2 * arm * x1) / lever_square
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
     term = -2 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared
 
@@ -1961,9 +1963,9 @@ def _sensitivities(
         -gain,
         -gain * push / l_KL,
         2 / roller_square * push * (cos_LM * rise_sum - sin_LM * push),
-        2 * l_DE / lever_square * gain * x1 * (cos_DE * guide_sum + sin_DE * x1),
+        2 * l_DE / lever_square * gain * x1 * fma(sin_DE, x1, cos_DE * guide_sum),
         gain * push * (push + to_right - to_left) / rise_sum,
-        -2 * l_LM / roller_square * push * (cos_LM * push + sin_LM * rise_sum),
+        -2 * l_LM / roller_square * push * fma(sin_LM, rise_sum, cos_LM * push),
     )
 
 
@@ -2055,10 +2057,10 @@ def _fill_sensitivities(
 ):
     for start in range(0, out.size // 10, BLOCK):
         stop = start + BLOCK
-        block = out[10 * start : 10 * stop]
+        out_block = out[10 * start : 10 * stop]
         x1_block = x1_values[start:stop]
         _row_sensitivities(
-            block,
+            out_block,
             x1_block,
             l_AB,
             l_BC,
@@ -2072,9 +2074,9 @@ def _fill_sensitivities(
             alpha_LM,
             None,
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_sensitivities(
-                block,
+                out_block,
                 x1_block,
                 l_AB,
                 l_BC,
@@ -2161,7 +2163,7 @@ def _fill_each_sensitivities(
 ):
     for start in range(0, out.size // 10, BLOCK):
         stop = start + BLOCK
-        block = out[10 * start : 10 * stop]
+        out_block = out[10 * start : 10 * stop]
         x1_block = x1_values[start:stop]
         l_AB_block = l_AB_values[start:stop]
         l_BC_block = l_BC_values[start:stop]
@@ -2174,7 +2176,7 @@ def _fill_each_sensitivities(
         alpha_KL_block = alpha_KL_values[start:stop]
         alpha_LM_block = alpha_LM_values[start:stop]
         _row_each_sensitivities(
-            block,
+            out_block,
             x1_block,
             l_AB_block,
             l_BC_block,
@@ -2188,9 +2190,9 @@ def _fill_each_sensitivities(
             alpha_LM_block,
             None,
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_each_sensitivities(
-                block,
+                out_block,
                 x1_block,
                 l_AB_block,
                 l_BC_block,

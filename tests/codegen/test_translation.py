@@ -268,8 +268,8 @@ def test_reading_knows_public_functions_only(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
-        ("k_low * phi1 + elementary.product_rest", "elementary.product_rest"),
-        ("+ t_low", "- t_low"),
+        ("fma(k_low, phi1, elementary.product_rest", "fma(-k_low, phi1, elementary.product_rest"),
+        ("fma(t_low, t_below, t)", "fma(t_low, t_below, -t)"),
         ("if e <= 0.5:", "if e < 0.5:"),
         ("& (e < 1) & (R2 < R1)", "& (e < 1)"),
     ],

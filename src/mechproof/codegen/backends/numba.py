@@ -11,6 +11,7 @@ from hashlib import sha256
 from mechproof.codegen.backends.numpy import format_source, render_template, tell_origin
 from mechproof.codegen.backends.scalar import (
     extend_syntax,
+    join_scalars,
     list_conditions,
     list_scalars,
     list_stages,
@@ -32,7 +33,7 @@ from mechproof.codegen.reading import (
     read_scalars,
 )
 from mechproof.codegen.syntax import Syntax
-from mechproof.record import Paper
+from mechproof.record import Paper, Together
 
 SUPPORT = (
     "BLOCK", "Loops", "Sums", "choose", "copysign", "count_terms", "floor", "fma", "has_nan",
@@ -55,7 +56,8 @@ def render_compiled(paper: Paper) -> dict[str, str]:
         return {}
     about = (*_describe(paper.system), *(SUMMED if any(k.code.indexed for k in kernels) else ()))
     docstring = (*about, *tell_origin(paper.system))
-    return {f"compiled/{paper.system}.py": render_scalars(paper.system, docstring, kernels)}
+    source = render_scalars(paper.system, docstring, kernels, paper.together)
+    return {f"compiled/{paper.system}.py": source}
 
 
 def _describe(system: str) -> tuple[str, ...]:
@@ -122,10 +124,17 @@ def list_support(text: str) -> tuple[str, ...]:
     return tuple(name for name in SUPPORT if name in words)
 
 
-def render_scalars(system: str, docstring: Sequence[str], kernels: Sequence[Kernel]) -> str:
+def render_scalars(
+    system: str,
+    docstring: Sequence[str],
+    kernels: Sequence[Kernel],
+    together: Iterable[Together] = (),
+) -> str:
     """Render a module of kernels and read it back."""
     folded, reductions = fold_sums(kernels)
     language = extend_syntax(NUMBA, reductions, "_")
+    written = [write_scalar(kernel, language) for kernel in folded]
+    written += [join_scalars(several, written) for several in together]
     data: dict[str, object] = {
         "system": system,
         "docstring": docstring,
@@ -134,7 +143,7 @@ def render_scalars(system: str, docstring: Sequence[str], kernels: Sequence[Kern
         "elementary": False,
         "letters": LOOPS,
         "reductions": [write_reduction(found, language) for found in reductions],
-        "kernels": [write_scalar(kernel, language) for kernel in folded],
+        "kernels": written,
     }
     # What the body names is imported.
     _, _, used = render_template("numba_module.py.jinja", data).partition("__all__")
