@@ -3,7 +3,7 @@
 Needs numba; only the generated package `kernels.compiled` imports it.
 """
 
-from mechproof.compiled_support.loops import Loops, run, take_row
+from mechproof.compiled_support.loops import Loops, run, run_parts, take_row
 from mechproof.compiled_support.machine import (
     BLOCK,
     choose,
@@ -11,6 +11,7 @@ from mechproof.compiled_support.machine import (
     floor,
     fma,
     has_nan,
+    inner,
     is_finite,
     loop,
     maximum,
@@ -18,8 +19,10 @@ from mechproof.compiled_support.machine import (
     power_of_two,
     rint,
     scalar,
+    stand_in,
     widen,
 )
+from mechproof.compiled_support.points import POINTS, count_numbers, put, take
 from mechproof.compiled_support.sums import (
     Sums,
     count_terms,
@@ -30,23 +33,30 @@ from mechproof.compiled_support.sums import (
 
 __all__ = [
     "BLOCK",
+    "POINTS",
     "Loops",
     "Sums",
     "choose",
     "copysign",
+    "count_numbers",
     "count_terms",
     "floor",
     "fma",
     "has_nan",
+    "inner",
     "is_finite",
     "loop",
     "maximum",
     "overload",
     "power_of_two",
+    "put",
     "rint",
     "run",
+    "run_parts",
     "run_sums",
     "scalar",
+    "stand_in",
+    "take",
     "take_row",
     "take_square",
     "take_terms",

@@ -6,6 +6,7 @@ Functions marked `scalar` compute one point; `loop` ones fill a flat array.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 try:
@@ -14,7 +15,7 @@ try:
     from numba.extending import intrinsic, overload
 except ImportError as error:
     raise ImportError(
-        "mechproof.kernels.compiled needs numba, the extra fast: in the folder of the sources, "
+        "compiled kernels and shares need numba, the extra fast: in the folder of the sources, "
         "pip install '.[fast]'"
     ) from error
 
@@ -22,12 +23,28 @@ except ImportError as error:
 BLOCK = 1024
 _REAL = types.float64
 __all__ = [
-    "BLOCK", "choose", "copysign", "floor", "fma", "has_nan", "is_finite", "loop", "maximum",
-    "overload", "power_of_two", "rint", "scalar", "widen",
+    "BLOCK", "choose", "copysign", "floor", "fma", "has_nan", "inner", "is_finite", "loop",
+    "maximum", "overload", "power_of_two", "rint", "scalar", "stand_in", "widen",
 ]  # fmt: skip
 
 scalar = njit(error_model="numpy", nogil=True, cache=True, forceinline=True)
 loop = njit(error_model="numpy", nogil=True, cache=True)
+# A loop that is kept with the one that calls it, not on its own.
+inner = njit(error_model="numpy", nogil=True)
+
+
+def stand_in(function: Callable[..., Any], **options: Any) -> Callable[..., Any]:
+    """Have compiled code call the decorated function wherever `function` is called.
+
+    A function may stand in for itself: compiled code takes it as it is.
+    """
+
+    def register(implementation: Callable[..., Any]) -> Callable[..., Any]:
+        kept = {"error_model": "numpy", **options}
+        overload(function, jit_options=kept, strict=False)(lambda *values: implementation)
+        return implementation
+
+    return register
 
 
 def _machine(name: str, count: int) -> Any:
