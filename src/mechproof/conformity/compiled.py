@@ -171,7 +171,9 @@ def _hash_sources(*modules: ModuleType) -> int:
     return int(sha256(texts).hexdigest()[:15], 16)
 
 
-_fill = _make_fill(_hash_sources(normal, arc, windows, elementary, machine, points))
+# Where the formulas stand that the loop takes.
+SOURCES = (normal, arc, windows, pointwise, elementary, machine, points)
+_fill = _make_fill(_hash_sources(*SOURCES))
 
 
 def _fill_masses(masses: Array, parameters: Sequence[Array]) -> None:

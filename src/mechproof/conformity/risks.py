@@ -22,7 +22,7 @@ from mechproof.laws.windows import Array
 
 Limits = tuple[ArrayLike, ArrayLike]
 
-NORMAL_CHUNK = 5120  # parameter sets at a time: temporaries that the heap keeps
+NORMAL_CHUNK = 8192  # parameter sets at a time: temporaries that the heap keeps
 LAW_CHUNK = 32  # parameter sets at a time, up to some 1 MB each
 LEVEL = 0.95  # of the one-sided bounds of a simulated share
 
