@@ -1,6 +1,6 @@
-"""What compiled kernels call: machine operations, and loops over arrays of every shape.
+"""What compiled code calls: machine operations, and loops over arrays of every shape.
 
-Needs numba; only the generated package `kernels.compiled` imports it.
+Needs numba; only the generated package `kernels.compiled` and `conformity.compiled` import it.
 """
 
 from mechproof.compiled_support.loops import Loops, run, run_parts, take_row
