@@ -158,7 +158,7 @@ EVEN_EXPONENTIAL = Target(
     _even_exponential_sides,
 )
 NORMAL_TAIL = Target(
-    f"(1 + x)*exp(x**2/2)*tail in powers of (x - {TAIL:g})/(x + {TAIL:g}), x <= {TAIL_END:g}",
+    f"(1 + x)*exp(x**2/2)*tail by (x - {TAIL:g})/(x + {TAIL:g}), x <= {TAIL_END:g}",
     _scale_tail,
     lambda: mp.mpf(TAIL_END - TAIL) / (TAIL_END + TAIL),
     _tail_sides,
