@@ -578,7 +578,7 @@ def exp(y):
     )
 
 
-# (1 + x)*exp(x**2/2)*tail in powers of (x - 6)/(x + 6), x <= 39: the whole is off by at most 0.194 eps
+# (1 + x)*exp(x**2/2)*tail by (x - 6)/(x + 6), x <= 39: the whole is off by at most 0.194 eps
 # (sinh(r)/r - 1)/r**2 in powers of r**2, |r| <= log(2)/2: the whole is off by at most 0.009 eps
 # (cosh(r) - 1)/r**2 in powers of r**2, |r| <= log(2)/2: the whole is off by at most 0.056 eps
 @scalar
