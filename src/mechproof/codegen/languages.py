@@ -72,7 +72,10 @@ NUMBA = Syntax(
             **{kind: f"elementary.{kind}" for kind in BODIES},
             **{
                 n: n
-                for n in ("floor", "rint", "fma", "copysign", "is_finite", "maximum", "choose")
+                for n in (
+                    "floor", "rint", "fma", "copysign", "is_finite", "maximum", "choose",
+                    "power_of_two",
+                )
             },
             "sqrt": "np.sqrt",
             "absolute": "abs",
@@ -96,7 +99,7 @@ C99 = Syntax(
     infix=MappingProxyType({**INFIX, "both": ("&&", BOTH), "either": ("||", EITHER)}),
     calls=MappingProxyType(
         {
-            **{kind: f"mp_{kind}" for kind in (*BODIES, "square", "maximum")},
+            **{kind: f"mp_{kind}" for kind in (*BODIES, "square", "maximum", "power_of_two")},
             "sqrt": "sqrt",
             "floor": "floor",
             "rint": "rint",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from itertools import pairwise
@@ -247,6 +247,16 @@ def _fill_uniformly(
     ]
     for task in tasks:
         task.result()
+
+
+def run_parts(act: Callable[[Any], object], parts: Iterable[Any]) -> None:
+    """Call a compiled function for all parts, on all processors."""
+    if _count_processors() == 1:
+        for part in parts:
+            act(part)
+        return
+    for _ in _pool().map(act, parts):
+        pass
 
 
 @cache
