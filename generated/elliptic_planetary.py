@@ -147,7 +147,9 @@ def ratio(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_ratio, (phi1,), _prepare_ratio, (R1, R2, e), out=out)
@@ -230,7 +232,9 @@ def position(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     if holds(e <= 0.5):
@@ -316,7 +320,9 @@ def acceleration(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (R1, R2, e), out=out)
@@ -389,7 +395,9 @@ def largest_ratio(
 
     """
     R1, R2, e = as_floats("R1 R2 e", R1, R2, e)
-    inside = (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
+    inside: Any = (
+        (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_largest_ratio, (R1,), _prepare_largest_ratio, (R2, e), out=out)
@@ -441,7 +449,9 @@ def smallest_ratio(
 
     """
     R1, R2, e = as_floats("R1 R2 e", R1, R2, e)
-    inside = (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
+    inside: Any = (
+        (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_smallest_ratio, (R1,), _prepare_smallest_ratio, (R2, e), out=out)

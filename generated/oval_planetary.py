@@ -154,7 +154,7 @@ def ratio(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
     if inside is not True:
         e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_ratio, (phi1,), _prepare_ratio, (e1, e2, mount), out=out)
@@ -232,7 +232,7 @@ def position(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
     if inside is not True:
         e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_position, (phi1,), _prepare_position, (e1, e2, mount), out=out)
@@ -309,7 +309,7 @@ def acceleration(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
     if inside is not True:
         e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (e1, e2, mount), out=out)
@@ -406,7 +406,7 @@ def ratio_cylindrical(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
     if inside is not True:
         R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(_ratio_cylindrical, (phi1,), _prepare_ratio_cylindrical, (R4, R5, e2), out=out)
@@ -481,7 +481,7 @@ def position_cylindrical(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
     if inside is not True:
         R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     if holds(e2 * R4 <= (1 - e2) * abs(R4 - R5)):
@@ -574,7 +574,7 @@ def acceleration_cylindrical(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
     if inside is not True:
         R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(

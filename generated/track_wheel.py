@@ -421,7 +421,7 @@ def radius(
 
     """
     phi, R, A, z = as_floats("phi R A z", phi, R, A, z)
-    inside = (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
+    inside: Any = (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
     if inside is not True:
         R, A, z = nan_outside(inside, R, A, z)
     return in_blocks(_radius, (phi,), _prepare_radius, (R, A, z), out=out)
@@ -492,7 +492,7 @@ def track(
 
     """
     phi, R, A, z, H = as_floats("phi R A z H", phi, R, A, z, H)
-    inside = (
+    inside: Any = (
         (R > 0)
         & is_finite(R)
         & (H > 0)
@@ -557,7 +557,7 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
 
     """
     R, A = as_floats("R A", R, A)
-    inside = (R > 0) & is_finite(R) & (abs(A) <= R)
+    inside: Any = (R > 0) & is_finite(R) & (abs(A) <= R)
     if inside is not True:
         R, A = nan_outside(inside, R, A)
     return in_blocks(_largest_radius, (R,), _prepare_largest_radius, (A,), out=out)
@@ -605,7 +605,7 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
 
     """
     R, A = as_floats("R A", R, A)
-    inside = (R > 0) & is_finite(R) & (abs(A) <= R)
+    inside: Any = (R > 0) & is_finite(R) & (abs(A) <= R)
     if inside is not True:
         R, A = nan_outside(inside, R, A)
     return in_blocks(_smallest_radius, (R,), _prepare_smallest_radius, (A,), out=out)
@@ -696,7 +696,7 @@ def error_sum_correlated(
         scatters=(scatters, 1),
         correlation=(correlation, 2),
     )
-    inside = (
+    inside: Any = (
         (total_scatter > 0)
         & is_finite(total_scatter)
         & every(scatters > 0, axis=-1)
@@ -789,7 +789,7 @@ def error_sum(
     tolerances, sensitivities, scatters = sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
     )
-    inside = (
+    inside: Any = (
         (total_scatter > 0)
         & is_finite(total_scatter)
         & every(scatters > 0, axis=-1)
@@ -875,7 +875,7 @@ def error_sum_thermal(
     tolerances, sensitivities, scatters = sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
     )
-    inside = (
+    inside: Any = (
         (total_scatter > 0)
         & is_finite(total_scatter)
         & every(scatters > 0, axis=-1)

@@ -208,7 +208,7 @@ def guide_radicand(
 
     """
     x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    inside = (
+    inside: Any = (
         (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
     )
     if inside is not True:
@@ -273,7 +273,7 @@ def lever_angle(
 
     """
     x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    inside = (
+    inside: Any = (
         (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
     )
     if inside is not True:
@@ -330,7 +330,7 @@ def rod_displacement(
 
     """
     phi3, l_DE, alpha_DE = as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
-    inside = (l_DE > 0) & is_finite(l_DE)
+    inside: Any = (l_DE > 0) & is_finite(l_DE)
     if inside is not True:
         (l_DE,) = nan_outside(inside, l_DE)
     return in_blocks(
@@ -378,7 +378,7 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
 
     """
     x5, l_GH = as_floats("x5 l_GH", x5, l_GH)
-    inside = (l_GH > 0) & is_finite(l_GH)
+    inside: Any = (l_GH > 0) & is_finite(l_GH)
     if inside is not True:
         (l_GH,) = nan_outside(inside, l_GH)
     return in_blocks(_clearance, (x5,), _prepare_clearance, (l_GH,), out=out)
@@ -428,7 +428,7 @@ def roller_offset(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    inside: Any = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
     if inside is not True:
         l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(_roller_offset, (x5,), _prepare_roller_offset, (l_KL, alpha_KL), out=out)
@@ -485,7 +485,7 @@ def roller_lever_angle(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    inside: Any = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
     if inside is not True:
         l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(
@@ -551,7 +551,7 @@ def wedge_displacement(
 
     """
     phi7, l_LM, alpha_LM = as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
-    inside = (l_LM > 0) & is_finite(l_LM)
+    inside: Any = (l_LM > 0) & is_finite(l_LM)
     if inside is not True:
         (l_LM,) = nan_outside(inside, l_LM)
     return in_blocks(
@@ -653,7 +653,7 @@ def position(
         alpha_KL,
         alpha_LM,
     )
-    inside = (
+    inside: Any = (
         (l_AB > 0)
         & is_finite(l_AB)
         & (l_BC > 0)
@@ -839,7 +839,7 @@ def velocity(
         alpha_KL,
         alpha_LM,
     )
-    inside = (
+    inside: Any = (
         (l_AB > 0)
         & is_finite(l_AB)
         & (l_BC > 0)
@@ -1045,7 +1045,7 @@ def sensitivities(
         alpha_KL,
         alpha_LM,
     )
-    inside = (
+    inside: Any = (
         (l_AB > 0)
         & is_finite(l_AB)
         & (l_BC > 0)

@@ -34,7 +34,7 @@ PROBES = {
 
 # What the files of a runtime package may import when they are loaded, and inside functions.
 LOADED = {
-    "kernel_support": {"numpy"},
+    "kernel_support": {"numpy", "mechproof.kernel_support"},
     "compiled_support": {
         *("numpy", "numba", "llvmlite"),
         *("mechproof.compiled_support", "mechproof.kernel_support"),

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from functools import cache, partial
+from typing import TypeAlias
 
 import sympy as sp
 from sympy import Rational, pi, sqrt
@@ -41,7 +42,7 @@ from .symbols import (
 )
 
 Signs = Mapping[sp.Symbol, int]
-Displacement = sp.Rational | int | str
+Displacement: TypeAlias = "sp.Rational | int | str"
 
 # Printed of the figure: where it begins, where III and IV cross (mm), and the deviation there (%).
 START, CROSSING, DEVIATION = Rational(-40), Rational("-29.4"), "10"

@@ -73,7 +73,9 @@ def ratio_printed(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_ratio_printed, (phi1,), _prepare_ratio_printed, (R1, R2, e), out=out)
@@ -109,7 +111,9 @@ def ratio_half_angle(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_ratio_half_angle, (phi1,), _prepare_ratio_half_angle, (R1, R2, e), out=out)
@@ -148,7 +152,9 @@ def position_printed(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_position_printed, (phi1,), _prepare_position_printed, (R1, R2, e), out=out)
@@ -189,7 +195,9 @@ def position_principal(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
@@ -228,7 +236,9 @@ def position_floor(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_position_floor, (phi1,), _prepare_position_floor, (R1, R2, e), out=out)
@@ -267,7 +277,9 @@ def position_atan2(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_position_atan2, (phi1,), _prepare_position_atan2, (R1, R2, e), out=out)
@@ -303,7 +315,9 @@ def position_atan2_stable(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
@@ -344,7 +358,9 @@ def position_tan_half(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_position_tan_half, (phi1,), _prepare_position_tan_half, (R1, R2, e), out=out)
@@ -385,7 +401,9 @@ def position_fourier_2(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
@@ -431,7 +449,9 @@ def position_fourier_4(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
@@ -482,7 +502,9 @@ def position_fourier_8(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
@@ -553,7 +575,9 @@ def position_fourier_2_single(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
@@ -607,7 +631,9 @@ def position_fourier_4_single(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
@@ -666,7 +692,9 @@ def position_fourier_8_single(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
@@ -745,7 +773,9 @@ def position_fourier_12_single(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
@@ -826,7 +856,9 @@ def acceleration_direct(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
@@ -872,7 +904,9 @@ def acceleration_half_angle(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    inside: Any = (
+        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+    )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(

@@ -62,7 +62,7 @@ def constant_chord_handbook(
 
     """
     m, alpha = as_floats("m alpha", m, alpha)
-    inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+    inside: Any = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
     if inside is not True:
         m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(
@@ -97,7 +97,7 @@ def chord_height_handbook(
 
     """
     m, alpha = as_floats("m alpha", m, alpha)
-    inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+    inside: Any = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
     if inside is not True:
         m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(
@@ -137,7 +137,7 @@ def height_change_distances(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside = (
+    inside: Any = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
@@ -202,7 +202,7 @@ def height_change_first_order(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside = (
+    inside: Any = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
@@ -257,7 +257,7 @@ def thickness_change_chords(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside = (
+    inside: Any = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
@@ -323,7 +323,7 @@ def thickness_change_half_angle(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside = (
+    inside: Any = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
@@ -392,7 +392,7 @@ def thickness_change_first_order(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside = (
+    inside: Any = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
@@ -456,7 +456,7 @@ def thickness_change_by_height(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside = (
+    inside: Any = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
@@ -524,7 +524,7 @@ def thickness_change_linear_printed(
 
     """
     dh, alpha = as_floats("dh alpha", dh, alpha)
-    inside = (alpha > 0) & (alpha < np.pi / 4)
+    inside: Any = (alpha > 0) & (alpha < np.pi / 4)
     if inside is not True:
         (alpha,) = nan_outside(inside, alpha)
     return in_blocks(
@@ -566,7 +566,7 @@ def thickness_error_printed(
 
     """
     e_tip, height_error, alpha = as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
-    inside = (alpha > 0) & (alpha < np.pi / 4)
+    inside: Any = (alpha > 0) & (alpha < np.pi / 4)
     if inside is not True:
         (alpha,) = nan_outside(inside, alpha)
     return in_blocks(

@@ -211,7 +211,7 @@ def radius_printed(
 
     """
     phi, R, A, z = as_floats("phi R A z", phi, R, A, z)
-    inside = (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
+    inside: Any = (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
     if inside is not True:
         R, A, z = nan_outside(inside, R, A, z)
     return in_blocks(_radius_printed, (phi,), _prepare_radius_printed, (R, A, z), out=out)
@@ -253,7 +253,7 @@ def track_printed(
 
     """
     phi, R, A, z, H = as_floats("phi R A z H", phi, R, A, z, H)
-    inside = (
+    inside: Any = (
         (R > 0)
         & is_finite(R)
         & (H > 0)
@@ -320,7 +320,7 @@ def error_sum_thermal_direct(
     tolerances, sensitivities, scatters = sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
     )
-    inside = (
+    inside: Any = (
         (total_scatter > 0)
         & is_finite(total_scatter)
         & every(scatters > 0, axis=-1)

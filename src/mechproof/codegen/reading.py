@@ -352,7 +352,7 @@ class _KernelReader:
                 self._vectors.append((name, components))
             case ast.Assign(targets=[target], value=ast.Call(func=ast.Name(id=function)) as call):
                 self._read_assignment(statement, target, function, call)
-            case ast.Assign(targets=[ast.Name(id="inside")], value=value):
+            case ast.AnnAssign(target=ast.Name(id="inside"), value=ast.expr() as value):
                 self._inside = read_program(self._scalars(), (), (value,))
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 self._assigned.append((name, value))
@@ -389,8 +389,6 @@ class _KernelReader:
             inside, *values = map(ast.unparse, call.args)
             self._require(statement, inside == "inside" and tuple(values) == names)
             self._masked = names
-        elif names == ("inside",):
-            self._inside = read_program(self._scalars(), (), (call,))
         else:
             (name,) = names
             self._assigned.append((name, call))

@@ -22,7 +22,7 @@ AS_ARRAYS = (np.memmap, np.matrix)
 DOUBLE, SINGLE = np.dtype(np.float64), np.dtype(np.float32)
 
 
-def as_floats(names: str, *values: Any) -> tuple[Any, ...]:
+def as_floats(names: str, *values: Any) -> tuple[NDArray[Any], ...]:
     """Convert the arguments `names` to one float type: arrays, numbers where there are no axes.
 
     Python numbers are weak; float32 if every array is float32, float64 otherwise. Numbers of the
@@ -128,7 +128,7 @@ def check_components(name: str, array: Any, count: int) -> None:
             ) from None
 
 
-def split_components(name: str, array: Any, count: int) -> tuple[Any, ...]:
+def split_components(name: str, array: Any, count: int) -> tuple[NDArray[Any], ...]:
     """Return the components on the last axis; raises as `check_components`."""
     check_components(name, array, count)
     if array.ndim == 1 and type(array) is np.ndarray:

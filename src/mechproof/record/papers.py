@@ -70,7 +70,7 @@ class Paper(Displayed):
         for what, names in (
             ("row numbers", [row.number for row in self.rows]),
             ("symbols", [str(variable.symbol) for variable in self.variables]),
-            ("quantities", [named.name for named in (*self.quantities, *self.together)]),
+            ("quantities", [q.name for q in self.quantities] + [t.name for t in self.together]),
             ("findings", [finding.row for finding in self.findings]),
         ):
             twice = sorted({name for name in names if names.count(name) > 1})

@@ -8,7 +8,7 @@ computed with, their denominators counted, until these cancel.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program, is_unnamed
@@ -127,7 +127,7 @@ def _join(all_powers: Iterable[Powers]) -> Powers:
     return _clean({n: max(p[n] for p in listed) for powers in listed for n in powers})
 
 
-_POWERS = {
+_POWERS: Mapping[str, Callable[..., Powers]] = {
     "multiply": _multiply,
     "divide": _divide,
     "square": _square,
