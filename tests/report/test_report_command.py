@@ -105,7 +105,7 @@ def test_only_what_occurs_is_explained(tmp_path: Path) -> None:
     assert "separating balls" in legend
 
 
-@pytest.mark.parametrize("command", ["report", "figures"])
+@pytest.mark.parametrize("command", [["report"], ["figures"], ["chart"], ["emit", "c"]])
 @pytest.mark.parametrize(
     ("out", "says"),
     [
@@ -117,11 +117,11 @@ def test_only_what_occurs_is_explained(tmp_path: Path) -> None:
     ],
 )
 def test_a_folder_that_cannot_be_is_refused_first(
-    tmp_path: Path, command: str, out: str, says: str
+    tmp_path: Path, command: list[str], out: str, says: str
 ) -> None:
     (tmp_path / "taken").write_text("mine")
     (tmp_path / "dangling").symlink_to(tmp_path / "nowhere")
-    arguments = [command, "elliptic_planetary", "--out", out.format(tmp_path)]
+    arguments = [*command, "elliptic_planetary", "--out", out.format(tmp_path)]
     result = CliRunner().invoke(app, arguments)
     assert result.exit_code == 2, result.output
     (line,) = result.output.splitlines()

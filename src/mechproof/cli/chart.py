@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli.console import refuse, say
+from mechproof.cli.places import read_out
 from mechproof.measured import Record, find_files, goes_by, read_record
 
 
@@ -16,7 +17,10 @@ def chart(
         list[str] | None,
         typer.Argument(help="Quantities, systems or system.quantity; all if none."),
     ] = None,
-    out: Annotated[Path, typer.Option(help="The folder that the pictures go to.")] = Path("charts"),
+    out: Annotated[
+        Path,
+        typer.Option(metavar="FOLDER", help="The folder that the pictures go to.", parser=read_out),
+    ] = Path("charts"),
     measured: Annotated[
         Path | None,
         typer.Option(help="A folder of records; left out: those that come with the package."),

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli.console import fail, refuse, say
-from mechproof.cli.places import DerivationsOption, find_locations, find_places
+from mechproof.cli.places import DerivationsOption, find_locations, find_places, read_out
 from mechproof.derivation import DerivationError, find_systems, load_paper, packaged_directory
 from mechproof.files import write_whole
 
@@ -23,7 +23,10 @@ def emit_c(
         list[str] | None,
         typer.Argument(help="Systems, files FILE.py or folders of derivations; all if none."),
     ] = None,
-    out: Annotated[Path, typer.Option(help="The folder that the files go to.")] = Path("c"),
+    out: Annotated[
+        Path,
+        typer.Option(metavar="FOLDER", help="The folder that the files go to.", parser=read_out),
+    ] = Path("c"),
     float32: Annotated[
         bool, typer.Option("--float32", help="Compute in float, for processors without double.")
     ] = False,
