@@ -89,16 +89,15 @@ ARCTANGENT = _write(
     ("sum", "add", ("arc", "y")),
     ("q", "approximate", ("sum",)),
 )
-# The ways in which an operation is computed, on one host or another.
-WAYS: Mapping[str, Mapping[str, Expansion]] = MappingProxyType(
+BY_FUNCTIONS: Mapping[str, Expansion] = MappingProxyType(
     {
-        "NumPy's functions": {
-            "tangent_quotient": Expansion(PLAIN_QUOTIENT),
-            "small_arctan": Expansion(PLAIN_ARCTANGENT),
-        },
-        "by polynomials": {
-            "tangent_quotient": Expansion(QUOTIENT, {"u": TANGENT_ERROR}),
-            "small_arctan": Expansion(ARCTANGENT, {"q": ARC_ERROR}),
-        },
+        "tangent_quotient": Expansion(PLAIN_QUOTIENT),
+        "small_arctan": Expansion(PLAIN_ARCTANGENT),
+    }
+)
+BY_POLYNOMIALS: Mapping[str, Expansion] = MappingProxyType(
+    {
+        "tangent_quotient": Expansion(QUOTIENT, {"u": TANGENT_ERROR}),
+        "small_arctan": Expansion(ARCTANGENT, {"q": ARC_ERROR}),
     }
 )

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import hashlib
-import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -13,21 +13,35 @@ import sympy as sp
 from flint import arb
 from numpy.typing import NDArray
 
+from mechproof.codegen.backends.scalar import list_stages
 from mechproof.codegen.code import Stage
 from mechproof.codegen.kernel import Kernel, build_kernel, input_names
 from mechproof.codegen.program import MEANINGS, Operand
-from mechproof.proof.balls import working_precision
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL
-from mechproof.roundoff.bound import EPS, Bar, Evaluation
+from mechproof.roundoff.bound import EPS, VALUE, Bar, Evaluation
 from mechproof.roundoff.compensation import hold_compensated
-from mechproof.roundoff.expansions import WAYS
-from mechproof.roundoff.regions import Box, Region, express
+from mechproof.roundoff.elementary import expand as expand_compiled
+from mechproof.roundoff.expansions import BY_FUNCTIONS, BY_POLYNOMIALS, Expansion
+from mechproof.roundoff.germs import Open, Undecided
+from mechproof.roundoff.intervals import careful
+from mechproof.roundoff.regions import Boxes, Region, express
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values, run
-from mechproof.roundoff.steps import EXACT, Step, Straight, flatten_stage
+from mechproof.roundoff.steps import EXACT, Step, Straight, expand_steps, flatten_stage
 from mechproof.roundoff.symmetry import check_symmetry
 
-BITS = 64
+# Boxes that are bounded together.
+TOGETHER = 1024
+# Each adds a variable that may vanish at most.
+VANISHING = ("tan", "rint")
+# The ways of computing: whether those of compiled kernels, and what stands for an operation.
+WAYS: Mapping[str, tuple[bool, Callable[[str], Expansion | None]]] = MappingProxyType(
+    {
+        "NumPy's functions": (False, BY_FUNCTIONS.get),
+        "by polynomials": (False, BY_POLYNOMIALS.get),
+        "compiled": (True, expand_compiled),
+    }
+)
 POLYNOMIAL = ("add", "subtract", "multiply", "square", "negate")
 PLAIN_REWRITES = ("half_angle_tangent",)
 
@@ -66,20 +80,51 @@ class Subject:
         kinds = {step.kind for step in self.straight.steps}
         return (*(FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys())), NORMAL)
 
-    def bound(self, region: Region, box: Box) -> float:
-        """Bound the error in eps of the scale over a box; infinite where it cannot be bounded."""
-        with working_precision(BITS):
-            try:
-                evaluation, scale = self.evaluate(region, box)
-            except (ZeroDivisionError, IndexError):
-                return math.inf
-            return max(evaluation.sum_errors(o, scale) for o in self.straight.outputs)
+    def bound(self, region: Region, boxes: Boxes) -> NDArray[np.float64]:
+        """Bound the error in eps of the scale over boxes; infinite where it cannot be bounded."""
+        bounds = np.full(len(boxes), np.inf)
+        if not len(boxes):
+            return bounds
+        # What is never negative is the same in all boxes that are bounded together.
+        _, groups = np.unique(boxes[:, :, 0] >= 0, axis=0, return_inverse=True)
+        for group in range(groups.max() + 1):
+            rows = np.flatnonzero(groups == group)
+            for start in range(0, len(rows), TOGETHER):
+                part = rows[start : start + TOGETHER]
+                bounds[part] = self._bound_alike(region, boxes[part], ())
+        return bounds
 
-    def evaluate(self, region: Region, box: Box) -> tuple[Evaluation, Bar]:
-        """Return all values over a box, and what errors are relative to."""
+    def _bound_alike(
+        self, region: Region, boxes: Boxes, forced: tuple[int, ...], moves: bool = False
+    ) -> NDArray[np.float64]:
+        try:
+            with careful(moves=moves):
+                evaluation, bar = self.evaluate(region, boxes, forced)
+                sums = [evaluation.sum_errors(o, bar) for o in self.straight.outputs]
+                return np.max([np.broadcast_to(s, len(boxes)) for s in sums], axis=0)
+        except (Open, IndexError):
+            return np.full(len(boxes), np.inf)
+        except FloatingPointError:
+            if moves:
+                return np.full(len(boxes), np.inf)
+            return self._bound_alike(region, boxes, forced, moves=True)
+        except Undecided as undecided:
+            bounds = np.zeros(len(boxes))
+            for number, mask in enumerate(undecided.masks):
+                rows = np.flatnonzero(np.broadcast_to(mask, len(boxes)))
+                if len(rows):
+                    path = (*undecided.path, number)
+                    found = self._bound_alike(region, boxes[rows], path, moves)
+                    bounds[rows] = np.maximum(bounds[rows], found)
+            return bounds
+
+    def evaluate(
+        self, region: Region, boxes: Boxes, forced: tuple[int, ...] = ()
+    ) -> tuple[Evaluation, Bar]:
+        """Return all values over boxes, and what errors are relative to."""
         both = (self.straight, *([self.scale] if self.scale else []))
-        poles = sum(step.kind == "tan" for straight in both for step in straight.steps)
-        frame, germs, turn = region.enter(box, poles)
+        poles = sum(step.kind in VANISHING for straight in both for step in straight.steps)
+        frame, germs, turn = region.enter(boxes, poles, forced)
         names = input_names(self.kernel.quantity)
         arguments = region.chart.arguments.items()
         given = {names[symbol]: express(value, frame, germs) for symbol, value in arguments}
@@ -89,9 +134,9 @@ class Subject:
             stated = {result: express(value, frame, germs) for result, value in plain.items()}
             found.append(Evaluation(straight, frame, given, stated, turn))
         if self.scale is None:
-            return found[0], Bar(None, True)
+            return found[0], VALUE
         whole, *rest = (found[1].value(output) for output in self.scale.outputs)
-        return found[0], Bar(whole, bool(rest) and rest[0].sign > 0)
+        return found[0], Bar(whole, bool(rest) and rest[0].decide_sign() > 0)
 
     def _add_up(self, straight: Straight, chart: Chart) -> Mapping[str, sp.Expr]:
         key = (id(straight), id(chart))
@@ -138,13 +183,15 @@ def add_up(
 
 def list_subjects(kernel: Kernel, paper: Paper) -> Iterator[Subject]:
     """List the stages of a kernel that have charts, in every way of computing them."""
-    for form, stage in zip(kernel.forms, kernel.code.stages, strict=True):
+    compiled = [stage for _, stage in list_stages(kernel)]
+    for form, stage, other in zip(kernel.forms, kernel.code.stages, compiled, strict=True):
         if not form.charts:
             continue
         scale = _write_scale(kernel.quantity, form, paper)
         known: list[Straight] = []
-        for way, expansions in WAYS.items():
-            straight = hold_compensated(flatten_stage(stage, expansions))
+        for way, (is_compiled, expand) in WAYS.items():
+            plain = hold_compensated(flatten_stage(other if is_compiled else stage))
+            straight = expand_steps(plain, expand)
             if straight not in known:
                 known.append(straight)
                 for chart in form.charts:
@@ -179,8 +226,7 @@ def _write_exact(
     (stage,) = build_kernel(
         "scale", replace(quantity, forms=(written,)), (written,), paper
     ).code.stages
-    (plain, *_) = WAYS.values()
-    straight = flatten_stage(stage, plain)
+    straight = flatten_stage(stage)
     return replace(straight, steps=tuple(replace(step, ulps=EXACT) for step in straight.steps))
 
 

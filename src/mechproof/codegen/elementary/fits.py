@@ -34,14 +34,16 @@ class Rational:
 class Target:
     """A function to be approximated in the square of its argument, from 0 to `last`.
 
-    `value` is what the quotient approximates; `sides` are the whole function by the quotient and
-    the true one, both multiplied by what makes them polynomials and entire or analytic.
+    `value` is what the quotient approximates, `above` the polynomial over the line of the whole
+    function; `sides` are the whole function by the quotient and the true one, both multiplied by
+    what makes them polynomials and entire or analytic.
     """
 
     meaning: str
     value: Callable[[mp.mpf], mp.mpf]
     last: Callable[[], mp.mpf]
     sides: Sides
+    above: Callable[[Rational, arb], arb]
 
 
 def _beyond(end: mp.mpf) -> mp.mpf:
@@ -49,34 +51,49 @@ def _beyond(end: mp.mpf) -> mp.mpf:
 
 
 def _put(coefficients: tuple[float, ...], z: arb_series) -> arb_series:
-    value = arb_series([0])
+    value = z * 0
     for number in reversed(coefficients):
         value = value * z + arb(number)
     return value
 
 
+def _tangent_above(fit: Rational, r: arb) -> arb:
+    return r * _put(fit.above, r * r)
+
+
+def _sine_above(fit: Rational, r: arb) -> arb:
+    return r + r * r * r * _put(fit.above, r * r)
+
+
+def _cosine_above(fit: Rational, r: arb) -> arb:
+    z = r * r
+    return 1 - z / 2 + z * z * _put(fit.above, z)
+
+
+def _arctangent_above(fit: Rational, y: arb) -> arb:
+    z = y * y
+    return y * _put(fit.below, z) + y * z * _put(fit.above, z)
+
+
 def _tangent_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
-    return r * _put(fit.above, r * r) * r.cos(), _put(fit.below, r * r) * r.sin()
+    return _tangent_above(fit, r) * r.cos(), _put(fit.below, r * r) * r.sin()
 
 
 def _half_tangent_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
     half = r / 2
-    return r * _put(fit.above, r * r) * half.cos(), _put(fit.below, r * r) * half.sin()
+    return _tangent_above(fit, r) * half.cos(), _put(fit.below, r * r) * half.sin()
 
 
 def _sine_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
-    return r + r * r * r * _put(fit.above, r * r), r.sin()
+    return _sine_above(fit, r), r.sin()
 
 
 def _cosine_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
-    z = r * r
-    return 1 - z / 2 + z * z * _put(fit.above, z), r.cos()
+    return _cosine_above(fit, r), r.cos()
 
 
 def _arctangent_sides(fit: Rational, y: arb_series) -> tuple[arb_series, arb_series]:
-    z = y * y
-    below = _put(fit.below, z)
-    return y * below + y * z * _put(fit.above, z), below * y.atan()
+    return _arctangent_above(fit, y), _put(fit.below, y * y) * y.atan()
 
 
 def _of_root(function: Callable[[mp.mpf], mp.mpf]) -> Callable[[mp.mpf], mp.mpf]:
@@ -88,36 +105,42 @@ TANGENT = Target(
     _of_root(lambda r: mp.tan(r) / r),
     lambda: _beyond(mp.pi / 4),
     _tangent_sides,
+    _tangent_above,
 )
 HALF_TANGENT = Target(
     "tan(r/2)/r in powers of r**2",
     _of_root(lambda r: mp.tan(r / 2) / r),
     lambda: _beyond(mp.pi / 2),
     _half_tangent_sides,
+    _tangent_above,
 )
 SINE = Target(
     "(sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4",
     _of_root(lambda r: (mp.sin(r) / r - 1) / r**2),
     lambda: _beyond(mp.pi / 4),
     _sine_sides,
+    _sine_above,
 )
 COSINE = Target(
     "(cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4",
     _of_root(lambda r: (mp.cos(r) - 1 + r**2 / 2) / r**4),
     lambda: _beyond(mp.pi / 4),
     _cosine_sides,
+    _cosine_above,
 )
 ARCTANGENT = Target(
     "(atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1",
     _of_root(lambda y: (mp.atan(y) / y - 1) / y**2),
     lambda: _beyond(mp.mpf(1)),
     _arctangent_sides,
+    _arctangent_above,
 )
 SMALL_ARCTANGENT = Target(
     "(atan(y)/y - 1)/y**2 in powers of y**2",
     ARCTANGENT.value,
     lambda: mp.mpf(1) / 3 * (1 + MARGIN),
     _arctangent_sides,
+    _arctangent_above,
 )
 
 
