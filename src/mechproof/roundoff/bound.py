@@ -239,4 +239,3 @@ def _limit_by_terms(kind: str, given: Sequence[Interval]) -> Ends:
         product = given[0].largest() * given[1].largest()
         return product * (1 + EPS)
     return np.inf
-

@@ -45,7 +45,9 @@ def lower_bound(starts: Sequence[tuple[Bound, Box]], most: int) -> Cover:
                 halves = halve(bound, boxes[i][high], heights[i][high], _as_boxes(whole))
                 boxes[i] = np.concatenate([boxes[i][~high], halves])
                 heights[i] = np.concatenate([heights[i][~high], bound(halves)])
-    listed = [(h, i, box) for i, hs in enumerate(heights) for h, box in zip(hs, boxes[i], strict=True)]
+    listed = [
+        (h, i, box) for i, hs in enumerate(heights) for h, box in zip(hs, boxes[i], strict=True)
+    ]
     listed.sort(key=lambda entry: -entry[0])
     places = tuple((i, _as_box(box)) for _, i, box in listed[:WORST])
     return Cover(float(listed[0][0]), places, len(listed))
@@ -94,9 +96,7 @@ def halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Boxes:
     return np.concatenate([first, second])
 
 
-def _choose_sides(
-    bound: Bound, boxes: Boxes, heights: Array, whole: Boxes
-) -> NDArray[np.intp]:
+def _choose_sides(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> NDArray[np.intp]:
     """Choose the side without whose length the bound is lowest, or the longest of the box."""
     spans = whole[:, :, 1] - whole[:, :, 0]
     spans = np.where(np.isfinite(spans) & (spans > 0), spans, np.inf)

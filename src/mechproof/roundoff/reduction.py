@@ -18,8 +18,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from flint import arb
 
-from mechproof.codegen.program import Operand
 from mechproof.codegen.elementary.formats import DOUBLE
+from mechproof.codegen.program import Operand
 from mechproof.proof.balls import working_precision
 from mechproof.roundoff.angles import Whole
 from mechproof.roundoff.ends import limit_by_spacing, round_at_ends, widen_by_ulps

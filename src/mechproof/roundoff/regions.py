@@ -10,9 +10,10 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
-import numpy as np
+
 from mechproof.proof.balls import to_ball
 from mechproof.record import Chart
 from mechproof.roundoff.angles import Turn

@@ -11,7 +11,10 @@ from mechproof.roundoff.angles import Turn, take_arctangent, take_cosine, take_s
 from mechproof.roundoff.germs import Germ
 from mechproof.roundoff.intervals import ONE, Interval, exactly
 
-EITHER, SOME = Interval(np.float64(-1.0), np.float64(1.0)), Interval(np.float64(0.0), np.float64(1.0))
+EITHER, SOME = (
+    Interval(np.float64(-1.0), np.float64(1.0)),
+    Interval(np.float64(0.0), np.float64(1.0)),
+)
 
 # How the value of an operation moves with each operand; None where it does not.
 Slopes = tuple[Germ | None, ...]

@@ -67,7 +67,18 @@ IN_DOUBLES: Table = MappingProxyType(
         **{
             kind: getattr(np, kind)
             for kind in (
-                *("sqrt", "hypot", "tan", "arctan", "sin", "cos", "maximum", "minimum", "floor", "rint"),
+                *(
+                    "sqrt",
+                    "hypot",
+                    "tan",
+                    "arctan",
+                    "sin",
+                    "cos",
+                    "maximum",
+                    "minimum",
+                    "floor",
+                    "rint",
+                ),
                 "copysign",
                 *("less", "less_equal", "greater", "greater_equal", "equal"),
             )

@@ -87,9 +87,7 @@ def _expand(step: Step, expansion: Expansion | None) -> Iterator[Step]:
     if expansion is None:
         yield step
         return
-    names: dict[Operand, Operand] = dict(
-        zip(expansion.program.inputs, step.operands, strict=False)
-    )
+    names: dict[Operand, Operand] = dict(zip(expansion.program.inputs, step.operands, strict=False))
     last = expansion.program.outputs[0]
     for inner in expansion.program.operations:
         result = step.result if inner.result == last else f"{step.result}.{inner.result}"
