@@ -13,6 +13,7 @@ from typer.testing import CliRunner
 from mechproof.cli import app
 from mechproof.derivation import packaged_directory
 from mechproof.plot.figures import find_figures, render_svg
+from mechproof.proof.verdict import MEANINGS, Verdict
 from mechproof.record import MARKS
 
 ROOT = Path(__file__).parents[1]
@@ -53,9 +54,12 @@ def marks(finding: dict[str, list[str]]) -> list[str]:
     return [f"*{', '.join(finding['marks'])}*"] if finding["marks"] else []
 
 
-def test_marks_mean_what_the_record_says() -> None:
-    table = PAGES["docs/verdicts.md"].split("| mark | meaning |\n|---|---|\n")[1].split("\n\n")[0]
-    assert table.splitlines() == [f"| *{mark}* | {meaning} |" for mark, meaning in MARKS.items()]
+def test_verdicts_and_marks_mean_what_the_program_says() -> None:
+    assert set(MEANINGS) == set(Verdict)
+    for head, sign, meanings in (("verdict", "`", MEANINGS), ("mark", "*", MARKS)):
+        text = PAGES["docs/verdicts.md"].split(f"| {head} | meaning |\n|---|---|\n")[1]
+        rows = [f"| {sign}{name}{sign} | {meaning} |" for name, meaning in meanings.items()]
+        assert text.split("\n\n")[0].splitlines() == rows
 
 
 @pytest.mark.parametrize("name", PAGES)

@@ -162,3 +162,6 @@ def test_package_has_modules_for_systems_with_forms_and_no_others() -> None:
     folders = ("", "forms/", "compiled/")
     assert set(files) == {f"{d}{n}.py" for d in folders for n in ("__init__", "system")}
     assert all(text.endswith("\n") and STAMP.search(text) for text in files.values())
+    own = render_package([paper, bare], is_own=True)
+    assert set(own) - set(files) == {"compiled/elementary.py"}
+    assert STAMP.search(own["compiled/elementary.py"])

@@ -1,6 +1,6 @@
 """Paper 1: planetary mechanism with one internal cylindrical mesh and one elliptical pair."""
 
-from mechproof.record import Paper, Published
+from mechproof.record import Paper, Published, Together
 
 from .claims import POSITION_CLAIMS
 from .findings import FINDINGS
@@ -23,6 +23,7 @@ PAPER = Paper(
     where=(R2 < R1,),
     rows=RATIO_ROWS + POSITION_ROWS + POSITION_CLAIMS + TYPE_A_ROWS + TABLE_CLAIMS,
     quantities=QUANTITIES,
+    together=(Together("motion", ("position", "ratio", "acceleration")),),
     published=tuple(
         Published(f"Table 1, variant {number}", dict(zip((R1, R2, e), sizes, strict=True)))
         for number, sizes in VARIANTS.items()

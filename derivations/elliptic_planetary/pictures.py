@@ -172,8 +172,10 @@ FIGURES = (
         "Table 3",
         "The interval of variant 3 is half as wide as its uncertainty makes it.",
         "Mean error and interval mean ± 2u of each variant, from the mean and the u of Table 3. "
-        "The printed half-width of variant 3, thin, is once u: either it is to be 0.56°, or u is "
-        "to be 0.14°, which is not decided. By both the interval excludes an error of zero.",
+        "The printed half-width of variant 3, thin, is once u: either it is to be "
+        f"{2 * float(READINGS[3].uncertainty):.2f}°, or u is to be "
+        f"{float(HALF_WIDTHS[3]) / 2:.2f}°, which is not decided. By both the interval excludes an "
+        "error of zero.",
         "table 3, interval 3",
         draw_intervals,
         height=62.0,

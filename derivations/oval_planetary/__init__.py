@@ -1,6 +1,6 @@
 """Paper 2: planetary mechanism with two external pairs of oval wheels."""
 
-from mechproof.record import Paper, Published
+from mechproof.record import Paper, Published, Together
 
 from .cylindrical_pairs import CYLINDRICAL_PAIR_ROWS
 from .equations import EQUATION_ROWS
@@ -21,6 +21,13 @@ PAPER = Paper(
     notation=NOTATION,
     rows=EQUATION_ROWS + OVAL_PAIR_ROWS + CYLINDRICAL_PAIR_ROWS + VARIANT_ROWS + MEASUREMENT_ROWS,
     quantities=QUANTITIES,
+    together=(
+        Together("motion", ("position", "ratio", "acceleration")),
+        Together(
+            "motion_cylindrical",
+            ("position_cylindrical", "ratio_cylindrical", "acceleration_cylindrical"),
+        ),
+    ),
     published=tuple(Published(f"variant {number}", sizes) for number, sizes in VARIANTS.items()),
     findings=FINDINGS,
     conventions=(

@@ -41,6 +41,11 @@ from .symbols import (
 )
 
 Signs = Mapping[sp.Symbol, int]
+Displacement = sp.Rational | int | str
+
+# Printed of the figure: where it begins, where III and IV cross (mm), and the deviation there (%).
+START, CROSSING, DEVIATION = Rational(-40), Rational("-29.4"), "10"
+LAST_PLACE = Rational(1, 10)
 
 # "+" is the upper limit, "-" the lower; what is not named is at its nominal value.
 BOUNDARY_II = {
@@ -60,7 +65,9 @@ def limits(table: Published, signs: Signs) -> dict[sp.Symbol, sp.Expr]:
     return sizes
 
 
-def angles_of(table: Published, signs: Signs, displacement: int | str) -> tuple[sp.Expr, sp.Expr]:
+def angles_of(
+    table: Published, signs: Signs, displacement: Displacement
+) -> tuple[sp.Expr, sp.Expr]:
     """Compose (1), (3), (4) and (7)/(8) at exact sizes: varphi3 and the direction of KL."""
     sizes = limits(table, signs)
     # Unevaluated: SymPy would spend seconds on assumptions of numbers that balls decide.
@@ -71,7 +78,7 @@ def angles_of(table: Published, signs: Signs, displacement: int | str) -> tuple[
         return turned, sp.atan2(sqrt(sizes[l_KL] ** 2 - offset**2), offset)
 
 
-def position_of(table: Published, signs: Signs, displacement: int | str) -> sp.Expr:
+def position_of(table: Published, signs: Signs, displacement: Displacement) -> sp.Expr:
     """Compose the chain with (10) at exact sizes: an exact number."""
     sizes = limits(table, signs)
     _, direction = angles_of(table, signs, displacement)
@@ -79,32 +86,32 @@ def position_of(table: Published, signs: Signs, displacement: int | str) -> sp.E
         return print_10.xreplace({**sizes, phi7: direction - sizes[alpha_KL]})
 
 
-def above(table: Published, one: Signs, other: Signs, displacement: int | str) -> Holds:
+def above(table: Published, one: Signs, other: Signs, displacement: Displacement) -> Holds:
     """State that curve `one` lies above curve `other` at a displacement (mm)."""
     first, second = (position_of(table, signs, displacement) for signs in (one, other))
     return less(second, first)
 
 
 def crossing(table: Published) -> Conjunction:
-    """State that curves III and IV change order within half a last place around -29.4 mm."""
+    """State that curves III and IV change order within half a last place around the crossing."""
     return Conjunction(
         (
-            above(table, BOUNDARY_III, BOUNDARY_IV, "-29.45"),
-            above(table, BOUNDARY_IV, BOUNDARY_III, "-29.35"),
+            above(table, BOUNDARY_III, BOUNDARY_IV, CROSSING - LAST_PLACE / 2),
+            above(table, BOUNDARY_IV, BOUNDARY_III, CROSSING + LAST_PLACE / 2),
         )
     )
 
 
-def spread(table: Published, displacement: int) -> sp.Expr:
+def spread(table: Published, displacement: Displacement) -> sp.Expr:
     """Return the width between the boundaries II and III or IV."""
-    lower = BOUNDARY_III if displacement > Rational("-29.4") else BOUNDARY_IV
+    lower = BOUNDARY_III if Rational(displacement) > CROSSING else BOUNDARY_IV
     upper = position_of(table, BOUNDARY_II, displacement)
     return sp.Add(upper, -position_of(table, lower, displacement), evaluate=False)
 
 
 def largest_at_the_end(table: Published) -> Conjunction:
-    """State that the spread at -40 mm is not below that at -35, -30, ..., 0 mm."""
-    at_the_end = spread(table, -40)
+    """State that the spread at the start is not below that at -35, -30, ..., 0 mm."""
+    at_the_end = spread(table, START)
     return Conjunction(
         tuple(
             not_above(spread(table, displacement), at_the_end) for displacement in range(-35, 1, 5)
@@ -113,7 +120,7 @@ def largest_at_the_end(table: Published) -> Conjunction:
 
 
 def deviations_round(
-    table: Published, displacement: int, lower: Signs, printed: tuple[str, str]
+    table: Published, displacement: Displacement, lower: Signs, printed: tuple[str, str]
 ) -> Conjunction:
     """State to what the deviations of II and a lower boundary round, % of the nominal position."""
     nominal, high, low = (
@@ -126,8 +133,8 @@ def deviations_round(
 
 
 def ten_percent(table: Published) -> Conjunction:
-    """State that both deviations at -40 mm round to 10 % of the nominal position."""
-    return deviations_round(table, -40, BOUNDARY_IV, ("10", "10"))
+    """State that both deviations at the start round to what is printed of them."""
+    return deviations_round(table, START, BOUNDARY_IV, (DEVIATION, DEVIATION))
 
 
 def angles_in_range(table: Published) -> Conjunction:

@@ -14,12 +14,14 @@ from mechproof.plot import Figure
 from mechproof.plot.canvas import Look, label, write
 from mechproof.tolerance import certified_range, corner_range
 
+from . import boundaries
 from .boundaries import BOUNDARY_II, BOUNDARY_III, BOUNDARY_IV, Signs
 from .sizes import LEGIBLE
 
 SETS = {number: WedgeLinkage.published_sizes(number) for number in (1, 2)}
-# What the paper prints of its Fig. 4: its range, where III and IV cross, and the deviation (%).
-START, CROSSING, PRINTED_DEVIATION = -40.0, -29.4, 10.0
+START, CROSSING, PRINTED_DEVIATION = map(
+    float, (boundaries.START, boundaries.CROSSING, boundaries.DEVIATION)
+)
 STROKE = np.linspace(START, 0.0, 401)
 # Where the certified bound is drawn: alpha_KL turns within its tolerance at the upper boundary of
 # the first set, nowhere at that of the second.
@@ -175,7 +177,8 @@ def write_caption(number: int) -> str:
         f"crossing of III and IV at {write(CROSSING)} mm (dotted) was used to choose it and "
         "confirms nothing. "
         "From the top: positions, with the curve that the legible digits give, which ends; by how "
-        "much III lies above IV; deviation from the nominal position, with the printed ±10 %; the "
+        "much III lies above IV; deviation from the nominal position, with the printed "
+        f"±{PRINTED_DEVIATION:g} %; the "
         "spread and its largest value; and, near the place where the influence of alpha_KL turns "
         "within its tolerance, what lies above II: other corners, and the bound certified for all "
         "sizes between the limits."

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
+Elementary functions: `elementary` d4f68e05e3c8.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -25,223 +25,30 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
-    choose,
-    copysign,
     fma,
     has_nan,
     is_finite,
     loop,
     overload,
-    rint,
     run,
     scalar,
     take_row,
     widen,
 )
+from mechproof.kernels.compiled import elementary
 
 __all__ = [
     "acceleration",
     "largest_ratio",
+    "motion",
     "position",
     "ratio",
     "smallest_ratio",
 ]
 
-LARGEST = 67108864.0
-
 
 def __dir__() -> list[str]:
     return __all__
-
-
-# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
-@scalar
-def _tan(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = (
-        fma(
-            v4,
-            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
-            fma(v3, -0.1282823491413398, 1.0),
-        )
-        * v2
-    )
-    v6 = v3 * v3
-    v7 = fma(
-        v6,
-        fma(v3, -0.00020843011349081395, 0.023344354149567717),
-        fma(v3, -0.46161568247467066, 1.0),
-    )
-    v8 = v1 * 0.5
-    v9 = rint(v8) == v8
-
-    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.tan(y)
-
-
-# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
-@scalar
-def _tangent_quotient(y, a, b, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = (
-        fma(
-            v4,
-            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
-            fma(v3, -0.1282823491413398, 1.0),
-        )
-        * v2
-    )
-    v6 = v3 * v3
-    v7 = fma(
-        v6,
-        fma(v3, -0.00020843011349081395, 0.023344354149567717),
-        fma(v3, -0.46161568247467066, 1.0),
-    )
-    v8 = v1 * 0.5
-    v9 = rint(v8) == v8
-    v10 = choose(v9, v5, -v7)
-    v11 = choose(v9, v7, v5)
-
-    value = v10 * v11 / fma(a * v11, v11, b * v10 * v10)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-    v1 = math.tan(y)
-
-    return v1 / (a + b * v1 * v1)
-
-
-# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
-@scalar
-def _arctan(y):
-    v1 = abs(y)
-    v2 = v1 > 1.0
-    v3 = choose(v2, 1.0 / v1, v1)
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v5 * v5
-    v7 = v6 * v6
-    v8 = v7 * v7
-    v9 = fma(
-        v3 * v4,
-        fma(
-            v8,
-            fma(
-                v6,
-                fma(v4, 7.767532298566822e-06, -9.371091633560781e-05),
-                fma(
-                    v5,
-                    fma(v4, 0.0005376794060869381, -0.001961242117363609),
-                    fma(v4, 0.005140885854032265, -0.010412113196030874),
-                ),
-            ),
-            fma(
-                v7,
-                fma(
-                    v6,
-                    fma(
-                        v5,
-                        fma(v4, 0.01718393672751917, -0.02419130675591347),
-                        fma(v4, 0.030330692745374102, -0.03527131689273554),
-                    ),
-                    fma(
-                        v5,
-                        fma(v4, 0.039386869439826874, -0.04330653645791128),
-                        fma(v4, 0.04758080032858198, -0.05262492218979753),
-                    ),
-                ),
-                fma(
-                    v6,
-                    fma(
-                        v5,
-                        fma(v4, 0.05882264415278073, -0.06666657934409811),
-                        fma(v4, 0.07692307078814367, -0.09090909061934628),
-                    ),
-                    fma(
-                        v5,
-                        fma(v4, 0.11111111110268276, -0.14285714285701234),
-                        fma(v4, 0.1999999999999992, -0.3333333333333333),
-                    ),
-                ),
-            ),
-        ),
-        v3,
-    )
-
-    return copysign(choose(v2, 1.5707963267948966 - (v9 - 6.123233995736766e-17), v9), y)
-
-
-# (atan(y)/y - 1)/y**2 in powers of y**2: the whole is off by at most 0.039 eps
-@scalar
-def _small_arctan(y):
-    v1 = y * y
-    v2 = v1 * v1
-    v3 = v2 * v2
-    v4 = v3 * v3
-
-    return fma(
-        y * v1,
-        fma(
-            v4,
-            fma(
-                v3,
-                fma(v1, 0.004874344370582316, -0.016659150283803603),
-                fma(
-                    v2,
-                    fma(v1, 0.029952645730746047, -0.0399373154528896),
-                    fma(v1, 0.04672178312032516, -0.05246779764226303),
-                ),
-            ),
-            fma(
-                v3,
-                fma(
-                    v2,
-                    fma(v1, 0.05880212501481828, -0.06666469622709092),
-                    fma(v1, 0.07692295286707518, -0.09090908582071015),
-                ),
-                fma(
-                    v2,
-                    fma(v1, 0.11111111098553708, -0.14285714285551976),
-                    fma(v1, 0.1999999999999917, -0.3333333333333333),
-                ),
-            ),
-        ),
-        y,
-    )
-
-
-@scalar
-def _small_tangent(y):
-
-    return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
-
-
-@scalar
-def _product_rest(a, b, p):
-
-    return fma(a, b, -p)
-
-
-@scalar
-def _quotient_rest(a, b, q):
-
-    return fma(-q, b, a) / b
 
 
 @scalar
@@ -249,7 +56,7 @@ def _prepare_ratio(R1, R2, e, exact):
     k = R1 / R2
     one_minus_e = 1 - e
     one_plus_e = 1 + e
-    k_low = _quotient_rest(R1, R2, k)
+    k_low = elementary.quotient_rest(R1, R2, k)
 
     return (k, one_minus_e, one_plus_e, k_low)
 
@@ -257,17 +64,24 @@ def _prepare_ratio(R1, R2, e, exact):
 @scalar
 def _ratio(phi1, k, one_minus_e, one_plus_e, k_low, exact):
     x = k * phi1
-    t = _tan(x / 2, exact)
-    x_low = k_low * phi1 + _product_rest(k, phi1, x)
-    t_low = _small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
+    t_angle = x / 2
+    t_below = elementary.tangent_below(t_angle, exact)
+    t = elementary.tangent_above(t_angle, exact)
+    x_low = fma(k_low, phi1, elementary.product_rest(k, phi1, x))
+    t_low = elementary.small_tangent(x_low / 2)
+    adjacent = fma(-t, t_low, t_below)
     adjacent_squared = adjacent**2
-    opposite = t + t_low
+    opposite = fma(t_low, t_below, t)
     opposite_squared = opposite**2
 
-    return 1 + k * one_minus_e * one_plus_e / (
-        one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared
-    ) * (adjacent_squared + opposite_squared)
+    return fma(
+        k
+        * one_minus_e
+        * one_plus_e
+        / fma(one_plus_e**2, opposite_squared, one_minus_e**2 * adjacent_squared),
+        adjacent_squared + opposite_squared,
+        1,
+    )
 
 
 @scalar
@@ -303,11 +117,11 @@ def _fill_ratio(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
-        _row_ratio(block, phi1_block, R1, R2, e, None)
-        if has_nan(block):
-            _row_ratio(block, phi1_block, R1, R2, e, True)
+        _row_ratio(out_block, phi1_block, R1, R2, e, None)
+        if has_nan(out_block):
+            _row_ratio(out_block, phi1_block, R1, R2, e, True)
 
 
 @loop
@@ -336,14 +150,14 @@ def _fill_each_ratio(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
         R1_block = R1_values[start:stop]
         R2_block = R2_values[start:stop]
         e_block = e_values[start:stop]
-        _row_each_ratio(block, phi1_block, R1_block, R2_block, e_block, None)
-        if has_nan(block):
-            _row_each_ratio(block, phi1_block, R1_block, R2_block, e_block, True)
+        _row_each_ratio(out_block, phi1_block, R1_block, R2_block, e_block, None)
+        if has_nan(out_block):
+            _row_each_ratio(out_block, phi1_block, R1_block, R2_block, e_block, True)
 
 
 def ratio(
@@ -421,15 +235,19 @@ def _prepare_position_1(R1, R2, e, exact):
 def _position_1(phi1, e, k, one_minus_e, one_plus_e, exact):
     x = k * phi1
 
-    return (1 + k) * phi1 + 2 * _small_arctan(
-        2 * e * _tangent_quotient(x / 2, one_minus_e, one_plus_e, exact)
+    return fma(
+        2,
+        elementary.small_arctan(
+            2 * e * elementary.tangent_quotient(x / 2, one_minus_e, one_plus_e, exact)
+        ),
+        (1 + k) * phi1,
     )
 
 
 @scalar
 def _prepare_position(R1, R2, e, exact):
     k = R1 / R2
-    k_low = _quotient_rest(R1, R2, k)
+    k_low = elementary.quotient_rest(R1, R2, k)
     one_minus_e = 1 - e
     one_plus_e = 1 + e
 
@@ -439,14 +257,20 @@ def _prepare_position(R1, R2, e, exact):
 @scalar
 def _position(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
     x = k * phi1
-    t = _tan(x / 2, exact)
-    x_low = k_low * phi1 + _product_rest(k, phi1, x)
-    t_low = _small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
-    opposite = t + t_low
+    t_angle = x / 2
+    t_below = elementary.tangent_below(t_angle, exact)
+    t = elementary.tangent_above(t_angle, exact)
+    x_low = fma(k_low, phi1, elementary.product_rest(k, phi1, x))
+    t_low = elementary.small_tangent(x_low / 2)
+    adjacent = fma(-t, t_low, t_below)
+    opposite = fma(t_low, t_below, t)
 
-    return (1 + k) * phi1 + 2 * _arctan(
-        2 * e / (one_minus_e * adjacent**2 + one_plus_e * opposite**2) * adjacent * opposite
+    return fma(
+        2,
+        elementary.arctan_quotient(
+            2 * e * adjacent * opposite, fma(one_plus_e, opposite**2, one_minus_e * adjacent**2)
+        ),
+        (1 + k) * phi1,
     )
 
 
@@ -487,11 +311,11 @@ def _fill_position(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
-        _row_position(block, phi1_block, R1, R2, e, None)
-        if has_nan(block):
-            _row_position(block, phi1_block, R1, R2, e, True)
+        _row_position(out_block, phi1_block, R1, R2, e, None)
+        if has_nan(out_block):
+            _row_position(out_block, phi1_block, R1, R2, e, True)
 
 
 @loop
@@ -520,14 +344,14 @@ def _fill_each_position(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
         R1_block = R1_values[start:stop]
         R2_block = R2_values[start:stop]
         e_block = e_values[start:stop]
-        _row_each_position(block, phi1_block, R1_block, R2_block, e_block, None)
-        if has_nan(block):
-            _row_each_position(block, phi1_block, R1_block, R2_block, e_block, True)
+        _row_each_position(out_block, phi1_block, R1_block, R2_block, e_block, None)
+        if has_nan(out_block):
+            _row_each_position(out_block, phi1_block, R1_block, R2_block, e_block, True)
 
 
 def position(
@@ -595,7 +419,7 @@ def _offer_position(
 @scalar
 def _prepare_acceleration(R1, R2, e, exact):
     k = R1 / R2
-    k_low = _quotient_rest(R1, R2, k)
+    k_low = elementary.quotient_rest(R1, R2, k)
     one_minus_e = 1 - e
     one_plus_e = 1 + e
 
@@ -605,11 +429,13 @@ def _prepare_acceleration(R1, R2, e, exact):
 @scalar
 def _acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
     x = k * phi1
-    t = _tan(x / 2, exact)
-    x_low = k_low * phi1 + _product_rest(k, phi1, x)
-    t_low = _small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
-    opposite = t + t_low
+    t_angle = x / 2
+    t_below = elementary.tangent_below(t_angle, exact)
+    t = elementary.tangent_above(t_angle, exact)
+    x_low = fma(k_low, phi1, elementary.product_rest(k, phi1, x))
+    t_low = elementary.small_tangent(x_low / 2)
+    adjacent = fma(-t, t_low, t_below)
+    opposite = fma(t_low, t_below, t)
     adjacent_squared = adjacent**2
     opposite_squared = opposite**2
 
@@ -619,7 +445,7 @@ def _acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
         * one_minus_e
         * one_plus_e
         * k**2
-        / (one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared) ** 2
+        / fma(one_plus_e**2, opposite_squared, one_minus_e**2 * adjacent_squared) ** 2
         * adjacent
         * opposite
         * (adjacent_squared + opposite_squared)
@@ -659,11 +485,11 @@ def _fill_acceleration(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
-        _row_acceleration(block, phi1_block, R1, R2, e, None)
-        if has_nan(block):
-            _row_acceleration(block, phi1_block, R1, R2, e, True)
+        _row_acceleration(out_block, phi1_block, R1, R2, e, None)
+        if has_nan(out_block):
+            _row_acceleration(out_block, phi1_block, R1, R2, e, True)
 
 
 @loop
@@ -692,14 +518,14 @@ def _fill_each_acceleration(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
         R1_block = R1_values[start:stop]
         R2_block = R2_values[start:stop]
         e_block = e_values[start:stop]
-        _row_each_acceleration(block, phi1_block, R1_block, R2_block, e_block, None)
-        if has_nan(block):
-            _row_each_acceleration(block, phi1_block, R1_block, R2_block, e_block, True)
+        _row_each_acceleration(out_block, phi1_block, R1_block, R2_block, e_block, None)
+        if has_nan(out_block):
+            _row_each_acceleration(out_block, phi1_block, R1_block, R2_block, e_block, True)
 
 
 def acceleration(
@@ -774,7 +600,7 @@ def _prepare_largest_ratio(R2, e):
 def _largest_ratio(R1, R2, e):
     k = R1 / R2
 
-    return 1 + (1 + e) / (1 - e) * k
+    return fma((1 + e) / (1 - e), k, 1)
 
 
 @scalar
@@ -921,7 +747,7 @@ def _prepare_smallest_ratio(R2, e):
 def _smallest_ratio(R1, R2, e):
     k = R1 / R2
 
-    return 1 + (1 - e) / (1 + e) * k
+    return fma((1 - e) / (1 + e), k, 1)
 
 
 @scalar
@@ -1052,6 +878,189 @@ def _offer_smallest_ratio(
     e,
 ):
     return lambda R1, R2, e: _smallest_ratio_point(
+        float(R1),
+        float(R2),
+        float(e),
+    )
+
+
+@scalar
+def _motion_at(phi1, R1, R2, e, exact):
+    return (
+        _position_at(phi1, R1, R2, e, exact),
+        _ratio_at(phi1, R1, R2, e, exact),
+        _acceleration_at(phi1, R1, R2, e, exact),
+    )
+
+
+@scalar
+def _motion_point(phi1, R1, R2, e):
+    return _motion_at(phi1, R1, R2, e, True)
+
+
+@loop
+def _row_motion(out_position, out_ratio, out_acceleration, phi1_values, R1, R2, e, exact):
+    widen()
+    for i in range(out_position.size):
+        phi1 = float(phi1_values[i])
+
+        value = _motion_at(phi1, R1, R2, e, exact)
+        out_position[i] = value[0]
+        out_ratio[i] = value[1]
+        out_acceleration[i] = value[2]
+
+
+@loop
+def _fill_motion(
+    out_position,
+    out_ratio,
+    out_acceleration,
+    phi1_values,
+    R1,
+    R2,
+    e,
+):
+    for start in range(0, out_position.size, BLOCK):
+        stop = start + BLOCK
+        out_position_block = out_position[start:stop]
+        out_ratio_block = out_ratio[start:stop]
+        out_acceleration_block = out_acceleration[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_motion(
+            out_position_block, out_ratio_block, out_acceleration_block, phi1_block, R1, R2, e, None
+        )
+        if (
+            has_nan(out_position_block)
+            or has_nan(out_ratio_block)
+            or has_nan(out_acceleration_block)
+        ):
+            _row_motion(
+                out_position_block,
+                out_ratio_block,
+                out_acceleration_block,
+                phi1_block,
+                R1,
+                R2,
+                e,
+                True,
+            )
+
+
+@loop
+def _row_each_motion(
+    out_position, out_ratio, out_acceleration, phi1_values, R1_values, R2_values, e_values, exact
+):
+    widen()
+    for i in range(out_position.size):
+        phi1 = float(phi1_values[i])
+
+        R1 = float(R1_values[i])
+
+        R2 = float(R2_values[i])
+
+        e = float(e_values[i])
+
+        value = _motion_at(phi1, R1, R2, e, exact)
+        out_position[i] = value[0]
+        out_ratio[i] = value[1]
+        out_acceleration[i] = value[2]
+
+
+@loop
+def _fill_each_motion(
+    out_position,
+    out_ratio,
+    out_acceleration,
+    phi1_values,
+    R1_values,
+    R2_values,
+    e_values,
+):
+    for start in range(0, out_position.size, BLOCK):
+        stop = start + BLOCK
+        out_position_block = out_position[start:stop]
+        out_ratio_block = out_ratio[start:stop]
+        out_acceleration_block = out_acceleration[start:stop]
+        phi1_block = phi1_values[start:stop]
+        R1_block = R1_values[start:stop]
+        R2_block = R2_values[start:stop]
+        e_block = e_values[start:stop]
+        _row_each_motion(
+            out_position_block,
+            out_ratio_block,
+            out_acceleration_block,
+            phi1_block,
+            R1_block,
+            R2_block,
+            e_block,
+            None,
+        )
+        if (
+            has_nan(out_position_block)
+            or has_nan(out_ratio_block)
+            or has_nan(out_acceleration_block)
+        ):
+            _row_each_motion(
+                out_position_block,
+                out_ratio_block,
+                out_acceleration_block,
+                phi1_block,
+                R1_block,
+                R2_block,
+                e_block,
+                True,
+            )
+
+
+def motion(
+    phi1: ArrayLike, R1: ArrayLike, R2: ArrayLike, e: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute position, ratio and acceleration in one pass.
+
+    They lie along the first axis of the result, each with the bits of its own kernel. Compiled.
+    """
+    return run(
+        _MOTION,
+        (
+            phi1,
+            R1,
+            R2,
+            e,
+        ),
+        out,
+    )
+
+
+_MOTION = Loops(
+    names=(
+        "phi1",
+        "R1",
+        "R2",
+        "e",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_motion_point,
+    uniform=_fill_motion,
+    results=3,
+    each=_fill_each_motion,
+)
+
+
+@overload(motion)
+def _offer_motion(
+    phi1,
+    R1,
+    R2,
+    e,
+):
+    return lambda phi1, R1, R2, e: _motion_point(
+        float(phi1),
         float(R1),
         float(R2),
         float(e),

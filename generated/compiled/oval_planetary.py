@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
+Elementary functions: `elementary` d4f68e05e3c8.
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -25,338 +25,32 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
-    choose,
-    copysign,
-    floor,
     fma,
     has_nan,
     is_finite,
     loop,
     overload,
-    rint,
     run,
     scalar,
     take_row,
     widen,
 )
+from mechproof.kernels.compiled import elementary
 
 __all__ = [
     "acceleration",
     "acceleration_cylindrical",
+    "motion",
+    "motion_cylindrical",
     "position",
     "position_cylindrical",
     "ratio",
     "ratio_cylindrical",
 ]
 
-LARGEST = 67108864.0
-
 
 def __dir__() -> list[str]:
     return __all__
-
-
-# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
-@scalar
-def _tan(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = (
-        fma(
-            v4,
-            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
-            fma(v3, -0.1282823491413398, 1.0),
-        )
-        * v2
-    )
-    v6 = v3 * v3
-    v7 = fma(
-        v6,
-        fma(v3, -0.00020843011349081395, 0.023344354149567717),
-        fma(v3, -0.46161568247467066, 1.0),
-    )
-    v8 = v1 * 0.5
-    v9 = rint(v8) == v8
-
-    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.tan(y)
-
-
-# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
-# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
-@scalar
-def _sin(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v3 * 0.5
-    v7 = 1.0 - v6
-    v8 = v3 * v3
-    v9 = v8 * v8
-    v10 = v1 * 0.5
-    v11 = choose(
-        rint(v10) == v10,
-        fma(
-            v2 * v3,
-            fma(
-                v5,
-                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                fma(
-                    v4,
-                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
-                    fma(v3, 0.008333333333330948, -0.16666666666666666),
-                ),
-            ),
-            v2,
-        ),
-        v7
-        + fma(
-            v3 * v3,
-            fma(
-                v9,
-                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                fma(
-                    v8,
-                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
-                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
-                ),
-            ),
-            1.0 - v7 - v6,
-        ),
-    )
-    v12 = floor(v10) * 0.5
-
-    value = choose(floor(v12) == v12, v11, -v11)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.sin(y)
-
-
-# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
-# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
-@scalar
-def _cos(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v3 * 0.5
-    v7 = 1.0 - v6
-    v8 = v3 * v3
-    v9 = v8 * v8
-    v10 = v1 * 0.5
-    v11 = choose(
-        rint(v10) == v10,
-        v7
-        + fma(
-            v3 * v3,
-            fma(
-                v9,
-                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                fma(
-                    v8,
-                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
-                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
-                ),
-            ),
-            1.0 - v7 - v6,
-        ),
-        fma(
-            v2 * v3,
-            fma(
-                v5,
-                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                fma(
-                    v4,
-                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
-                    fma(v3, 0.008333333333330948, -0.16666666666666666),
-                ),
-            ),
-            v2,
-        ),
-    )
-    v12 = floor((v1 + 1.0) * 0.5) * 0.5
-
-    value = choose(floor(v12) == v12, v11, -v11)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.cos(y)
-
-
-# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
-@scalar
-def _arctan(y):
-    v1 = abs(y)
-    v2 = v1 > 1.0
-    v3 = choose(v2, 1.0 / v1, v1)
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v5 * v5
-    v7 = v6 * v6
-    v8 = v7 * v7
-    v9 = fma(
-        v3 * v4,
-        fma(
-            v8,
-            fma(
-                v6,
-                fma(v4, 7.767532298566822e-06, -9.371091633560781e-05),
-                fma(
-                    v5,
-                    fma(v4, 0.0005376794060869381, -0.001961242117363609),
-                    fma(v4, 0.005140885854032265, -0.010412113196030874),
-                ),
-            ),
-            fma(
-                v7,
-                fma(
-                    v6,
-                    fma(
-                        v5,
-                        fma(v4, 0.01718393672751917, -0.02419130675591347),
-                        fma(v4, 0.030330692745374102, -0.03527131689273554),
-                    ),
-                    fma(
-                        v5,
-                        fma(v4, 0.039386869439826874, -0.04330653645791128),
-                        fma(v4, 0.04758080032858198, -0.05262492218979753),
-                    ),
-                ),
-                fma(
-                    v6,
-                    fma(
-                        v5,
-                        fma(v4, 0.05882264415278073, -0.06666657934409811),
-                        fma(v4, 0.07692307078814367, -0.09090909061934628),
-                    ),
-                    fma(
-                        v5,
-                        fma(v4, 0.11111111110268276, -0.14285714285701234),
-                        fma(v4, 0.1999999999999992, -0.3333333333333333),
-                    ),
-                ),
-            ),
-        ),
-        v3,
-    )
-
-    return copysign(choose(v2, 1.5707963267948966 - (v9 - 6.123233995736766e-17), v9), y)
-
-
-# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
-@scalar
-def _arctan2(a, b):
-    v1 = abs(a)
-    v2 = abs(b)
-    v3 = v1 > v2
-    v4 = choose(v3, v1, v2)
-    v5 = choose(v3, v2, v1) / choose(v4 == 0.0, 1.0, v4)
-    v6 = v5 * v5
-    v7 = v6 * v6
-    v8 = v7 * v7
-    v9 = v8 * v8
-    v10 = v9 * v9
-    v11 = fma(
-        v5 * v6,
-        fma(
-            v10,
-            fma(
-                v8,
-                fma(v6, 7.767532298566822e-06, -9.371091633560781e-05),
-                fma(
-                    v7,
-                    fma(v6, 0.0005376794060869381, -0.001961242117363609),
-                    fma(v6, 0.005140885854032265, -0.010412113196030874),
-                ),
-            ),
-            fma(
-                v9,
-                fma(
-                    v8,
-                    fma(
-                        v7,
-                        fma(v6, 0.01718393672751917, -0.02419130675591347),
-                        fma(v6, 0.030330692745374102, -0.03527131689273554),
-                    ),
-                    fma(
-                        v7,
-                        fma(v6, 0.039386869439826874, -0.04330653645791128),
-                        fma(v6, 0.04758080032858198, -0.05262492218979753),
-                    ),
-                ),
-                fma(
-                    v8,
-                    fma(
-                        v7,
-                        fma(v6, 0.05882264415278073, -0.06666657934409811),
-                        fma(v6, 0.07692307078814367, -0.09090909061934628),
-                    ),
-                    fma(
-                        v7,
-                        fma(v6, 0.11111111110268276, -0.14285714285701234),
-                        fma(v6, 0.1999999999999992, -0.3333333333333333),
-                    ),
-                ),
-            ),
-        ),
-        v5,
-    )
-    v12 = copysign(1.0, b) < 0.0
-
-    return copysign(
-        choose(v3, 1.5707963267948966, choose(v12, 3.141592653589793, 0.0))
-        + (
-            choose(v3, 6.123233995736766e-17, choose(v12, 1.2246467991473532e-16, 0.0))
-            + choose(v3, choose(v12, v11, -v11), choose(v12, -v11, v11))
-        ),
-        a,
-    )
-
-
-@scalar
-def _small_tangent(y):
-
-    return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
-
-
-@scalar
-def _product_rest(a, b, p):
-
-    return fma(a, b, -p)
-
-
-@scalar
-def _quotient_rest(a, b, q):
-
-    return fma(-q, b, a) / b
-
-
-@scalar
-def _sum_rest(a, b, s):
-
-    return b - (s - a)
 
 
 @scalar
@@ -366,22 +60,29 @@ def _prepare_ratio(e1, e2, mount, exact):
     one_minus_e1 = 1 - e1
     one_minus_e2 = 1 - e2
     less = one_minus_e1 * one_minus_e2
-    sin_mount = _sin(mount, exact)
+    sin_mount = elementary.sin(mount, exact)
     lever = 4 * e2 * sin_mount / one_minus_e2
     shift = lever * one_minus_e1 * sin_mount
-    rise = lever * one_plus_e1 * _cos(mount, exact)
+    rise = lever * one_plus_e1 * elementary.cos(mount, exact)
 
     return (both, less, shift, rise)
 
 
 @scalar
 def _ratio(phi1, both, less, shift, rise, exact):
-    tan_phi1 = _tan(phi1, exact)
-    y = shift + rise * tan_phi1
+    tan_phi1_below = elementary.tangent_below(phi1, exact)
+    tan_phi1 = elementary.tangent_above(phi1, exact)
+    y = fma(rise, tan_phi1, shift * tan_phi1_below)
     tan_phi1_squared = tan_phi1**2
 
-    return 1 - both * (less + shift) / (both**2 * tan_phi1_squared + (less + y) ** 2) * (
-        1 + tan_phi1_squared
+    return fma(
+        -(
+            both
+            * (less + shift)
+            / fma(both**2, tan_phi1_squared, fma(less, tan_phi1_below, y) ** 2)
+        ),
+        fma(tan_phi1_below, tan_phi1_below, tan_phi1_squared),
+        1,
     )
 
 
@@ -418,11 +119,11 @@ def _fill_ratio(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
-        _row_ratio(block, phi1_block, e1, e2, mount, None)
-        if has_nan(block):
-            _row_ratio(block, phi1_block, e1, e2, mount, True)
+        _row_ratio(out_block, phi1_block, e1, e2, mount, None)
+        if has_nan(out_block):
+            _row_ratio(out_block, phi1_block, e1, e2, mount, True)
 
 
 @loop
@@ -451,14 +152,14 @@ def _fill_each_ratio(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
         e1_block = e1_values[start:stop]
         e2_block = e2_values[start:stop]
         mount_block = mount_values[start:stop]
-        _row_each_ratio(block, phi1_block, e1_block, e2_block, mount_block, None)
-        if has_nan(block):
-            _row_each_ratio(block, phi1_block, e1_block, e2_block, mount_block, True)
+        _row_each_ratio(out_block, phi1_block, e1_block, e2_block, mount_block, None)
+        if has_nan(out_block):
+            _row_each_ratio(out_block, phi1_block, e1_block, e2_block, mount_block, True)
 
 
 def ratio(
@@ -530,14 +231,14 @@ def _offer_ratio(
 
 @scalar
 def _prepare_position(e1, e2, mount, exact):
-    sin_mount = _sin(mount, exact)
+    sin_mount = elementary.sin(mount, exact)
     one_minus_e2 = 1 - e2
     lever = 4 * e2 * sin_mount / one_minus_e2
     one_minus_e1 = 1 - e1
     shift = lever * one_minus_e1 * sin_mount
     one_plus_e1 = 1 + e1
-    rise = lever * one_plus_e1 * _cos(mount, exact)
-    swing = 2 * e1 + 2 * e2
+    rise = lever * one_plus_e1 * elementary.cos(mount, exact)
+    swing = fma(2, e2, 2 * e1)
     less = one_minus_e1 * one_minus_e2
     both = one_plus_e1 * (1 + e2)
 
@@ -546,10 +247,10 @@ def _prepare_position(e1, e2, mount, exact):
 
 @scalar
 def _position(phi1, shift, rise, swing, less, both, exact):
-    tan_phi1 = _tan(phi1, exact)
-    y = shift + rise * tan_phi1
+    tan_phi1 = elementary.tan(phi1, exact)
+    y = fma(rise, tan_phi1, shift)
 
-    return _arctan2(tan_phi1 * (y - swing), less + y + both * tan_phi1**2)
+    return elementary.arctan2(tan_phi1 * (y - swing), fma(both, tan_phi1**2, less + y))
 
 
 @scalar
@@ -585,11 +286,11 @@ def _fill_position(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
-        _row_position(block, phi1_block, e1, e2, mount, None)
-        if has_nan(block):
-            _row_position(block, phi1_block, e1, e2, mount, True)
+        _row_position(out_block, phi1_block, e1, e2, mount, None)
+        if has_nan(out_block):
+            _row_position(out_block, phi1_block, e1, e2, mount, True)
 
 
 @loop
@@ -618,14 +319,14 @@ def _fill_each_position(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
         e1_block = e1_values[start:stop]
         e2_block = e2_values[start:stop]
         mount_block = mount_values[start:stop]
-        _row_each_position(block, phi1_block, e1_block, e2_block, mount_block, None)
-        if has_nan(block):
-            _row_each_position(block, phi1_block, e1_block, e2_block, mount_block, True)
+        _row_each_position(out_block, phi1_block, e1_block, e2_block, mount_block, None)
+        if has_nan(out_block):
+            _row_each_position(out_block, phi1_block, e1_block, e2_block, mount_block, True)
 
 
 def position(
@@ -700,50 +401,51 @@ def _prepare_acceleration(e1, e2, mount, exact):
     one_plus_e1 = 1 + e1
     one_plus_e2 = 1 + e2
     both_high = one_plus_e1 * one_plus_e2
-    one_plus_e2_low = _sum_rest(1, e2, one_plus_e2)
-    one_plus_e1_low = _sum_rest(1, e1, one_plus_e1)
-    both_low = (
-        one_plus_e1 * one_plus_e2_low
-        + one_plus_e1_low * one_plus_e2
-        + _product_rest(one_plus_e1, one_plus_e2, both_high)
-    )
+    one_plus_e2_low = elementary.sum_rest(1, e2, one_plus_e2)
+    one_plus_e1_low = elementary.sum_rest(1, e1, one_plus_e1)
+    both_low = fma(
+        one_plus_e1_low, one_plus_e2, one_plus_e1 * one_plus_e2_low
+    ) + elementary.product_rest(one_plus_e1, one_plus_e2, both_high)
     both = both_high + both_low
     one_minus_e1 = 1 - e1
     one_minus_e2 = 1 - e2
     less_high = one_minus_e1 * one_minus_e2
-    one_minus_e2_low = _sum_rest(1, -e2, one_minus_e2)
-    one_minus_e1_low = _sum_rest(1, -e1, one_minus_e1)
-    less_low = (
-        one_minus_e1 * one_minus_e2_low
-        + one_minus_e1_low * one_minus_e2
-        + _product_rest(one_minus_e1, one_minus_e2, less_high)
-    )
+    one_minus_e2_low = elementary.sum_rest(1, -e2, one_minus_e2)
+    one_minus_e1_low = elementary.sum_rest(1, -e1, one_minus_e1)
+    less_low = fma(
+        one_minus_e1_low, one_minus_e2, one_minus_e1 * one_minus_e2_low
+    ) + elementary.product_rest(one_minus_e1, one_minus_e2, less_high)
     less = less_high + less_low
-    sin_mount = _sin(mount, exact)
+    sin_mount = elementary.sin(mount, exact)
     lever = 4 * e2 * sin_mount / one_minus_e2
     shift = lever * one_minus_e1 * sin_mount
-    rise = lever * one_plus_e1 * _cos(mount, exact)
-    swing = 2 * e1 + 2 * e2
+    rise = lever * one_plus_e1 * elementary.cos(mount, exact)
+    swing = fma(2, e2, 2 * e1)
 
     return (both, less, shift, rise, swing)
 
 
 @scalar
 def _acceleration(phi1, both, less, shift, rise, swing, exact):
-    tan_phi1 = _tan(phi1, exact)
-    y = shift + rise * tan_phi1
+    tan_phi1_below = elementary.tangent_below(phi1, exact)
+    tan_phi1 = elementary.tangent_above(phi1, exact)
+    y = fma(rise, tan_phi1, shift * tan_phi1_below)
     tan_phi1_squared = tan_phi1**2
 
     return (
         2
         * both
         * (less + shift)
-        / (both**2 * tan_phi1_squared + (less + y) ** 2) ** 2
-        * (1 + tan_phi1_squared)
-        * (
-            (swing * (both + less) - 2 * less * shift) * tan_phi1
-            + y * (rise - shift * tan_phi1)
-            + less * rise * (1 - tan_phi1_squared)
+        / fma(both**2, tan_phi1_squared, fma(less, tan_phi1_below, y) ** 2) ** 2
+        * fma(tan_phi1_below, tan_phi1_below, tan_phi1_squared)
+        * fma(
+            less * rise,
+            tan_phi1_below * tan_phi1_below - tan_phi1_squared,
+            fma(
+                y,
+                rise * tan_phi1_below - shift * tan_phi1,
+                (swing * (both + less) - 2 * less * shift) * tan_phi1 * tan_phi1_below,
+            ),
         )
     )
 
@@ -781,11 +483,11 @@ def _fill_acceleration(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
-        _row_acceleration(block, phi1_block, e1, e2, mount, None)
-        if has_nan(block):
-            _row_acceleration(block, phi1_block, e1, e2, mount, True)
+        _row_acceleration(out_block, phi1_block, e1, e2, mount, None)
+        if has_nan(out_block):
+            _row_acceleration(out_block, phi1_block, e1, e2, mount, True)
 
 
 @loop
@@ -814,14 +516,14 @@ def _fill_each_acceleration(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
         e1_block = e1_values[start:stop]
         e2_block = e2_values[start:stop]
         mount_block = mount_values[start:stop]
-        _row_each_acceleration(block, phi1_block, e1_block, e2_block, mount_block, None)
-        if has_nan(block):
-            _row_each_acceleration(block, phi1_block, e1_block, e2_block, mount_block, True)
+        _row_each_acceleration(out_block, phi1_block, e1_block, e2_block, mount_block, None)
+        if has_nan(out_block):
+            _row_each_acceleration(out_block, phi1_block, e1_block, e2_block, mount_block, True)
 
 
 def acceleration(
@@ -896,7 +598,7 @@ def _prepare_ratio_cylindrical(R4, R5, e2, exact):
     k = R4 / R5
     one_minus_e2 = 1 - e2
     one_plus_e2 = 1 + e2
-    k_low = _quotient_rest(R4, R5, k)
+    k_low = elementary.quotient_rest(R4, R5, k)
 
     return (k, one_minus_e2, one_plus_e2, k_low)
 
@@ -904,17 +606,26 @@ def _prepare_ratio_cylindrical(R4, R5, e2, exact):
 @scalar
 def _ratio_cylindrical(phi1, k, one_minus_e2, one_plus_e2, k_low, exact):
     x = 2 * k * phi1
-    t = _tan(x / 2, exact)
-    x_low = 2 * k_low * phi1 + 2 * _product_rest(k, phi1, x / 2)
-    t_low = _small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
+    t_angle = x / 2
+    t_below = elementary.tangent_below(t_angle, exact)
+    t = elementary.tangent_above(t_angle, exact)
+    x_low = fma(2, elementary.product_rest(k, phi1, x / 2), 2 * k_low * phi1)
+    t_low = elementary.small_tangent(x_low / 2)
+    adjacent = fma(-t, t_low, t_below)
     adjacent_squared = adjacent**2
-    opposite = t + t_low
+    opposite = fma(t_low, t_below, t)
     opposite_squared = opposite**2
 
-    return 1 - k * one_minus_e2 * one_plus_e2 / (
-        one_minus_e2**2 * adjacent_squared + one_plus_e2**2 * opposite_squared
-    ) * (adjacent_squared + opposite_squared)
+    return fma(
+        -(
+            k
+            * one_minus_e2
+            * one_plus_e2
+            / fma(one_plus_e2**2, opposite_squared, one_minus_e2**2 * adjacent_squared)
+        ),
+        adjacent_squared + opposite_squared,
+        1,
+    )
 
 
 @scalar
@@ -950,11 +661,11 @@ def _fill_ratio_cylindrical(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
-        _row_ratio_cylindrical(block, phi1_block, R4, R5, e2, None)
-        if has_nan(block):
-            _row_ratio_cylindrical(block, phi1_block, R4, R5, e2, True)
+        _row_ratio_cylindrical(out_block, phi1_block, R4, R5, e2, None)
+        if has_nan(out_block):
+            _row_ratio_cylindrical(out_block, phi1_block, R4, R5, e2, True)
 
 
 @loop
@@ -983,14 +694,14 @@ def _fill_each_ratio_cylindrical(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
         R4_block = R4_values[start:stop]
         R5_block = R5_values[start:stop]
         e2_block = e2_values[start:stop]
-        _row_each_ratio_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, None)
-        if has_nan(block):
-            _row_each_ratio_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, True)
+        _row_each_ratio_cylindrical(out_block, phi1_block, R4_block, R5_block, e2_block, None)
+        if has_nan(out_block):
+            _row_each_ratio_cylindrical(out_block, phi1_block, R4_block, R5_block, e2_block, True)
 
 
 def ratio_cylindrical(
@@ -1067,15 +778,19 @@ def _prepare_position_cylindrical_1(R4, R5, e2, exact):
 @scalar
 def _position_cylindrical_1(phi1, R4, R5, e2, k, one_minus_e2, one_plus_e2, exact):
     x = 2 * k * phi1
-    t = _tan(x / 2, exact)
+    t_angle = x / 2
+    t_below = elementary.tangent_below(t_angle, exact)
+    t = elementary.tangent_above(t_angle, exact)
 
-    return (R5 - R4) / R5 * phi1 - _arctan(2 * e2 / (one_minus_e2 + one_plus_e2 * t**2) * t)
+    return (R5 - R4) / R5 * phi1 - elementary.arctan_quotient(
+        2 * e2 * t * t_below, fma(one_plus_e2, t**2, one_minus_e2 * t_below * t_below)
+    )
 
 
 @scalar
 def _prepare_position_cylindrical(R4, R5, e2, exact):
     k = R4 / R5
-    k_low = _quotient_rest(R4, R5, k)
+    k_low = elementary.quotient_rest(R4, R5, k)
     one_minus_e2 = 1 - e2
     one_plus_e2 = 1 + e2
 
@@ -1085,14 +800,16 @@ def _prepare_position_cylindrical(R4, R5, e2, exact):
 @scalar
 def _position_cylindrical(phi1, R4, R5, e2, k, k_low, one_minus_e2, one_plus_e2, exact):
     x = 2 * k * phi1
-    t = _tan(x / 2, exact)
-    x_low = 2 * k_low * phi1 + 2 * _product_rest(k, phi1, x / 2)
-    t_low = _small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
-    opposite = t + t_low
+    t_angle = x / 2
+    t_below = elementary.tangent_below(t_angle, exact)
+    t = elementary.tangent_above(t_angle, exact)
+    x_low = fma(2, elementary.product_rest(k, phi1, x / 2), 2 * k_low * phi1)
+    t_low = elementary.small_tangent(x_low / 2)
+    adjacent = fma(-t, t_low, t_below)
+    opposite = fma(t_low, t_below, t)
 
-    return (R5 - R4) / R5 * phi1 - _arctan(
-        2 * e2 / (one_minus_e2 * adjacent**2 + one_plus_e2 * opposite**2) * adjacent * opposite
+    return (R5 - R4) / R5 * phi1 - elementary.arctan_quotient(
+        2 * e2 * adjacent * opposite, fma(one_plus_e2, opposite**2, one_minus_e2 * adjacent**2)
     )
 
 
@@ -1133,11 +850,11 @@ def _fill_position_cylindrical(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
-        _row_position_cylindrical(block, phi1_block, R4, R5, e2, None)
-        if has_nan(block):
-            _row_position_cylindrical(block, phi1_block, R4, R5, e2, True)
+        _row_position_cylindrical(out_block, phi1_block, R4, R5, e2, None)
+        if has_nan(out_block):
+            _row_position_cylindrical(out_block, phi1_block, R4, R5, e2, True)
 
 
 @loop
@@ -1166,14 +883,16 @@ def _fill_each_position_cylindrical(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
         R4_block = R4_values[start:stop]
         R5_block = R5_values[start:stop]
         e2_block = e2_values[start:stop]
-        _row_each_position_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, None)
-        if has_nan(block):
-            _row_each_position_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, True)
+        _row_each_position_cylindrical(out_block, phi1_block, R4_block, R5_block, e2_block, None)
+        if has_nan(out_block):
+            _row_each_position_cylindrical(
+                out_block, phi1_block, R4_block, R5_block, e2_block, True
+            )
 
 
 def position_cylindrical(
@@ -1241,7 +960,7 @@ def _offer_position_cylindrical(
 @scalar
 def _prepare_acceleration_cylindrical(R4, R5, e2, exact):
     k = R4 / R5
-    k_low = _quotient_rest(R4, R5, k)
+    k_low = elementary.quotient_rest(R4, R5, k)
     one_minus_e2 = 1 - e2
     one_plus_e2 = 1 + e2
 
@@ -1251,11 +970,13 @@ def _prepare_acceleration_cylindrical(R4, R5, e2, exact):
 @scalar
 def _acceleration_cylindrical(phi1, e2, k, k_low, one_minus_e2, one_plus_e2, exact):
     x = 2 * k * phi1
-    t = _tan(x / 2, exact)
-    x_low = 2 * k_low * phi1 + 2 * _product_rest(k, phi1, x / 2)
-    t_low = _small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
-    opposite = t + t_low
+    t_angle = x / 2
+    t_below = elementary.tangent_below(t_angle, exact)
+    t = elementary.tangent_above(t_angle, exact)
+    x_low = fma(2, elementary.product_rest(k, phi1, x / 2), 2 * k_low * phi1)
+    t_low = elementary.small_tangent(x_low / 2)
+    adjacent = fma(-t, t_low, t_below)
+    opposite = fma(t_low, t_below, t)
     adjacent_squared = adjacent**2
     opposite_squared = opposite**2
 
@@ -1265,7 +986,7 @@ def _acceleration_cylindrical(phi1, e2, k, k_low, one_minus_e2, one_plus_e2, exa
         * one_minus_e2
         * one_plus_e2
         * k**2
-        / (one_minus_e2**2 * adjacent_squared + one_plus_e2**2 * opposite_squared) ** 2
+        / fma(one_plus_e2**2, opposite_squared, one_minus_e2**2 * adjacent_squared) ** 2
         * adjacent
         * opposite
         * (adjacent_squared + opposite_squared)
@@ -1305,11 +1026,11 @@ def _fill_acceleration_cylindrical(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
-        _row_acceleration_cylindrical(block, phi1_block, R4, R5, e2, None)
-        if has_nan(block):
-            _row_acceleration_cylindrical(block, phi1_block, R4, R5, e2, True)
+        _row_acceleration_cylindrical(out_block, phi1_block, R4, R5, e2, None)
+        if has_nan(out_block):
+            _row_acceleration_cylindrical(out_block, phi1_block, R4, R5, e2, True)
 
 
 @loop
@@ -1338,15 +1059,17 @@ def _fill_each_acceleration_cylindrical(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi1_block = phi1_values[start:stop]
         R4_block = R4_values[start:stop]
         R5_block = R5_values[start:stop]
         e2_block = e2_values[start:stop]
-        _row_each_acceleration_cylindrical(block, phi1_block, R4_block, R5_block, e2_block, None)
-        if has_nan(block):
+        _row_each_acceleration_cylindrical(
+            out_block, phi1_block, R4_block, R5_block, e2_block, None
+        )
+        if has_nan(out_block):
             _row_each_acceleration_cylindrical(
-                block, phi1_block, R4_block, R5_block, e2_block, True
+                out_block, phi1_block, R4_block, R5_block, e2_block, True
             )
 
 
@@ -1405,6 +1128,414 @@ def _offer_acceleration_cylindrical(
     e2,
 ):
     return lambda phi1, R4, R5, e2: _acceleration_cylindrical_point(
+        float(phi1),
+        float(R4),
+        float(R5),
+        float(e2),
+    )
+
+
+@scalar
+def _motion_at(phi1, e1, e2, mount, exact):
+    return (
+        _position_at(phi1, e1, e2, mount, exact),
+        _ratio_at(phi1, e1, e2, mount, exact),
+        _acceleration_at(phi1, e1, e2, mount, exact),
+    )
+
+
+@scalar
+def _motion_point(phi1, e1, e2, mount):
+    return _motion_at(phi1, e1, e2, mount, True)
+
+
+@loop
+def _row_motion(out_position, out_ratio, out_acceleration, phi1_values, e1, e2, mount, exact):
+    widen()
+    for i in range(out_position.size):
+        phi1 = float(phi1_values[i])
+
+        value = _motion_at(phi1, e1, e2, mount, exact)
+        out_position[i] = value[0]
+        out_ratio[i] = value[1]
+        out_acceleration[i] = value[2]
+
+
+@loop
+def _fill_motion(
+    out_position,
+    out_ratio,
+    out_acceleration,
+    phi1_values,
+    e1,
+    e2,
+    mount,
+):
+    for start in range(0, out_position.size, BLOCK):
+        stop = start + BLOCK
+        out_position_block = out_position[start:stop]
+        out_ratio_block = out_ratio[start:stop]
+        out_acceleration_block = out_acceleration[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_motion(
+            out_position_block,
+            out_ratio_block,
+            out_acceleration_block,
+            phi1_block,
+            e1,
+            e2,
+            mount,
+            None,
+        )
+        if (
+            has_nan(out_position_block)
+            or has_nan(out_ratio_block)
+            or has_nan(out_acceleration_block)
+        ):
+            _row_motion(
+                out_position_block,
+                out_ratio_block,
+                out_acceleration_block,
+                phi1_block,
+                e1,
+                e2,
+                mount,
+                True,
+            )
+
+
+@loop
+def _row_each_motion(
+    out_position,
+    out_ratio,
+    out_acceleration,
+    phi1_values,
+    e1_values,
+    e2_values,
+    mount_values,
+    exact,
+):
+    widen()
+    for i in range(out_position.size):
+        phi1 = float(phi1_values[i])
+
+        e1 = float(e1_values[i])
+
+        e2 = float(e2_values[i])
+
+        mount = float(mount_values[i])
+
+        value = _motion_at(phi1, e1, e2, mount, exact)
+        out_position[i] = value[0]
+        out_ratio[i] = value[1]
+        out_acceleration[i] = value[2]
+
+
+@loop
+def _fill_each_motion(
+    out_position,
+    out_ratio,
+    out_acceleration,
+    phi1_values,
+    e1_values,
+    e2_values,
+    mount_values,
+):
+    for start in range(0, out_position.size, BLOCK):
+        stop = start + BLOCK
+        out_position_block = out_position[start:stop]
+        out_ratio_block = out_ratio[start:stop]
+        out_acceleration_block = out_acceleration[start:stop]
+        phi1_block = phi1_values[start:stop]
+        e1_block = e1_values[start:stop]
+        e2_block = e2_values[start:stop]
+        mount_block = mount_values[start:stop]
+        _row_each_motion(
+            out_position_block,
+            out_ratio_block,
+            out_acceleration_block,
+            phi1_block,
+            e1_block,
+            e2_block,
+            mount_block,
+            None,
+        )
+        if (
+            has_nan(out_position_block)
+            or has_nan(out_ratio_block)
+            or has_nan(out_acceleration_block)
+        ):
+            _row_each_motion(
+                out_position_block,
+                out_ratio_block,
+                out_acceleration_block,
+                phi1_block,
+                e1_block,
+                e2_block,
+                mount_block,
+                True,
+            )
+
+
+def motion(
+    phi1: ArrayLike,
+    e1: ArrayLike,
+    e2: ArrayLike,
+    mount: ArrayLike = 0.0,
+    *,
+    out: NDArray[Any] | None = None,
+) -> Any:
+    """Compute position, ratio and acceleration in one pass.
+
+    They lie along the first axis of the result, each with the bits of its own kernel. Compiled.
+    """
+    return run(
+        _MOTION,
+        (
+            phi1,
+            e1,
+            e2,
+            mount,
+        ),
+        out,
+    )
+
+
+_MOTION = Loops(
+    names=(
+        "phi1",
+        "e1",
+        "e2",
+        "mount",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_motion_point,
+    uniform=_fill_motion,
+    results=3,
+    each=_fill_each_motion,
+)
+
+
+@overload(motion)
+def _offer_motion(
+    phi1,
+    e1,
+    e2,
+    mount=0.0,
+):
+    return lambda phi1, e1, e2, mount=0.0: _motion_point(
+        float(phi1),
+        float(e1),
+        float(e2),
+        float(mount),
+    )
+
+
+@scalar
+def _motion_cylindrical_at(phi1, R4, R5, e2, exact):
+    return (
+        _position_cylindrical_at(phi1, R4, R5, e2, exact),
+        _ratio_cylindrical_at(phi1, R4, R5, e2, exact),
+        _acceleration_cylindrical_at(phi1, R4, R5, e2, exact),
+    )
+
+
+@scalar
+def _motion_cylindrical_point(phi1, R4, R5, e2):
+    return _motion_cylindrical_at(phi1, R4, R5, e2, True)
+
+
+@loop
+def _row_motion_cylindrical(
+    out_position_cylindrical,
+    out_ratio_cylindrical,
+    out_acceleration_cylindrical,
+    phi1_values,
+    R4,
+    R5,
+    e2,
+    exact,
+):
+    widen()
+    for i in range(out_position_cylindrical.size):
+        phi1 = float(phi1_values[i])
+
+        value = _motion_cylindrical_at(phi1, R4, R5, e2, exact)
+        out_position_cylindrical[i] = value[0]
+        out_ratio_cylindrical[i] = value[1]
+        out_acceleration_cylindrical[i] = value[2]
+
+
+@loop
+def _fill_motion_cylindrical(
+    out_position_cylindrical,
+    out_ratio_cylindrical,
+    out_acceleration_cylindrical,
+    phi1_values,
+    R4,
+    R5,
+    e2,
+):
+    for start in range(0, out_position_cylindrical.size, BLOCK):
+        stop = start + BLOCK
+        out_position_cylindrical_block = out_position_cylindrical[start:stop]
+        out_ratio_cylindrical_block = out_ratio_cylindrical[start:stop]
+        out_acceleration_cylindrical_block = out_acceleration_cylindrical[start:stop]
+        phi1_block = phi1_values[start:stop]
+        _row_motion_cylindrical(
+            out_position_cylindrical_block,
+            out_ratio_cylindrical_block,
+            out_acceleration_cylindrical_block,
+            phi1_block,
+            R4,
+            R5,
+            e2,
+            None,
+        )
+        if (
+            has_nan(out_position_cylindrical_block)
+            or has_nan(out_ratio_cylindrical_block)
+            or has_nan(out_acceleration_cylindrical_block)
+        ):
+            _row_motion_cylindrical(
+                out_position_cylindrical_block,
+                out_ratio_cylindrical_block,
+                out_acceleration_cylindrical_block,
+                phi1_block,
+                R4,
+                R5,
+                e2,
+                True,
+            )
+
+
+@loop
+def _row_each_motion_cylindrical(
+    out_position_cylindrical,
+    out_ratio_cylindrical,
+    out_acceleration_cylindrical,
+    phi1_values,
+    R4_values,
+    R5_values,
+    e2_values,
+    exact,
+):
+    widen()
+    for i in range(out_position_cylindrical.size):
+        phi1 = float(phi1_values[i])
+
+        R4 = float(R4_values[i])
+
+        R5 = float(R5_values[i])
+
+        e2 = float(e2_values[i])
+
+        value = _motion_cylindrical_at(phi1, R4, R5, e2, exact)
+        out_position_cylindrical[i] = value[0]
+        out_ratio_cylindrical[i] = value[1]
+        out_acceleration_cylindrical[i] = value[2]
+
+
+@loop
+def _fill_each_motion_cylindrical(
+    out_position_cylindrical,
+    out_ratio_cylindrical,
+    out_acceleration_cylindrical,
+    phi1_values,
+    R4_values,
+    R5_values,
+    e2_values,
+):
+    for start in range(0, out_position_cylindrical.size, BLOCK):
+        stop = start + BLOCK
+        out_position_cylindrical_block = out_position_cylindrical[start:stop]
+        out_ratio_cylindrical_block = out_ratio_cylindrical[start:stop]
+        out_acceleration_cylindrical_block = out_acceleration_cylindrical[start:stop]
+        phi1_block = phi1_values[start:stop]
+        R4_block = R4_values[start:stop]
+        R5_block = R5_values[start:stop]
+        e2_block = e2_values[start:stop]
+        _row_each_motion_cylindrical(
+            out_position_cylindrical_block,
+            out_ratio_cylindrical_block,
+            out_acceleration_cylindrical_block,
+            phi1_block,
+            R4_block,
+            R5_block,
+            e2_block,
+            None,
+        )
+        if (
+            has_nan(out_position_cylindrical_block)
+            or has_nan(out_ratio_cylindrical_block)
+            or has_nan(out_acceleration_cylindrical_block)
+        ):
+            _row_each_motion_cylindrical(
+                out_position_cylindrical_block,
+                out_ratio_cylindrical_block,
+                out_acceleration_cylindrical_block,
+                phi1_block,
+                R4_block,
+                R5_block,
+                e2_block,
+                True,
+            )
+
+
+def motion_cylindrical(
+    phi1: ArrayLike, R4: ArrayLike, R5: ArrayLike, e2: ArrayLike, *, out: NDArray[Any] | None = None
+) -> Any:
+    """Compute position_cylindrical, ratio_cylindrical and acceleration_cylindrical in one pass.
+
+    They lie along the first axis of the result, each with the bits of its own kernel. Compiled.
+    """
+    return run(
+        _MOTION_CYLINDRICAL,
+        (
+            phi1,
+            R4,
+            R5,
+            e2,
+        ),
+        out,
+    )
+
+
+_MOTION_CYLINDRICAL = Loops(
+    names=(
+        "phi1",
+        "R4",
+        "R5",
+        "e2",
+    ),
+    widths=(
+        0,
+        0,
+        0,
+        0,
+    ),
+    shape=(),
+    at=_motion_cylindrical_point,
+    uniform=_fill_motion_cylindrical,
+    results=3,
+    each=_fill_each_motion_cylindrical,
+)
+
+
+@overload(motion_cylindrical)
+def _offer_motion_cylindrical(
+    phi1,
+    R4,
+    R5,
+    e2,
+):
+    return lambda phi1, R4, R5, e2: _motion_cylindrical_point(
         float(phi1),
         float(R4),
         float(R5),

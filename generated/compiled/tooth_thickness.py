@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
+Elementary functions: `elementary` d4f68e05e3c8.
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -26,19 +26,18 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
-    choose,
     floor,
     fma,
     has_nan,
     is_finite,
     loop,
     overload,
-    rint,
     run,
     scalar,
     take_row,
     widen,
 )
+from mechproof.kernels.compiled import elementary
 
 __all__ = [
     "chord_height",
@@ -50,160 +49,9 @@ __all__ = [
     "thickness_error",
 ]
 
-LARGEST = 67108864.0
-
 
 def __dir__() -> list[str]:
     return __all__
-
-
-# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
-@scalar
-def _tan(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = (
-        fma(
-            v4,
-            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
-            fma(v3, -0.1282823491413398, 1.0),
-        )
-        * v2
-    )
-    v6 = v3 * v3
-    v7 = fma(
-        v6,
-        fma(v3, -0.00020843011349081395, 0.023344354149567717),
-        fma(v3, -0.46161568247467066, 1.0),
-    )
-    v8 = v1 * 0.5
-    v9 = rint(v8) == v8
-
-    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.tan(y)
-
-
-# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
-# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
-@scalar
-def _sin(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v3 * 0.5
-    v7 = 1.0 - v6
-    v8 = v3 * v3
-    v9 = v8 * v8
-    v10 = v1 * 0.5
-    v11 = choose(
-        rint(v10) == v10,
-        fma(
-            v2 * v3,
-            fma(
-                v5,
-                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                fma(
-                    v4,
-                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
-                    fma(v3, 0.008333333333330948, -0.16666666666666666),
-                ),
-            ),
-            v2,
-        ),
-        v7
-        + fma(
-            v3 * v3,
-            fma(
-                v9,
-                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                fma(
-                    v8,
-                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
-                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
-                ),
-            ),
-            1.0 - v7 - v6,
-        ),
-    )
-    v12 = floor(v10) * 0.5
-
-    value = choose(floor(v12) == v12, v11, -v11)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.sin(y)
-
-
-# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
-# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
-@scalar
-def _cos(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v3 * 0.5
-    v7 = 1.0 - v6
-    v8 = v3 * v3
-    v9 = v8 * v8
-    v10 = v1 * 0.5
-    v11 = choose(
-        rint(v10) == v10,
-        v7
-        + fma(
-            v3 * v3,
-            fma(
-                v9,
-                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                fma(
-                    v8,
-                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
-                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
-                ),
-            ),
-            1.0 - v7 - v6,
-        ),
-        fma(
-            v2 * v3,
-            fma(
-                v5,
-                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                fma(
-                    v4,
-                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
-                    fma(v3, 0.008333333333330948, -0.16666666666666666),
-                ),
-            ),
-            v2,
-        ),
-    )
-    v12 = floor((v1 + 1.0) * 0.5) * 0.5
-
-    value = choose(floor(v12) == v12, v11, -v11)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.cos(y)
 
 
 @scalar
@@ -215,7 +63,7 @@ def _prepare_constant_chord(alpha, exact):
 @scalar
 def _constant_chord(m, alpha, exact):
 
-    return np.pi * _cos(alpha, exact) ** 2 / 2 * m
+    return np.pi * elementary.cos(alpha, exact) ** 2 / 2 * m
 
 
 @scalar
@@ -249,11 +97,11 @@ def _fill_constant_chord(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         m_block = m_values[start:stop]
-        _row_constant_chord(block, m_block, alpha, None)
-        if has_nan(block):
-            _row_constant_chord(block, m_block, alpha, True)
+        _row_constant_chord(out_block, m_block, alpha, None)
+        if has_nan(out_block):
+            _row_constant_chord(out_block, m_block, alpha, True)
 
 
 @loop
@@ -276,12 +124,12 @@ def _fill_each_constant_chord(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         m_block = m_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_constant_chord(block, m_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_constant_chord(block, m_block, alpha_block, True)
+        _row_each_constant_chord(out_block, m_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_constant_chord(out_block, m_block, alpha_block, True)
 
 
 def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -343,7 +191,7 @@ def _prepare_chord_height(alpha, exact):
 @scalar
 def _chord_height(m, alpha, exact):
 
-    return (1 - np.pi * _sin(2 * alpha, exact) / 8) * m
+    return (1 - np.pi * elementary.sin(2 * alpha, exact) / 8) * m
 
 
 @scalar
@@ -377,11 +225,11 @@ def _fill_chord_height(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         m_block = m_values[start:stop]
-        _row_chord_height(block, m_block, alpha, None)
-        if has_nan(block):
-            _row_chord_height(block, m_block, alpha, True)
+        _row_chord_height(out_block, m_block, alpha, None)
+        if has_nan(out_block):
+            _row_chord_height(out_block, m_block, alpha, True)
 
 
 @loop
@@ -404,12 +252,12 @@ def _fill_each_chord_height(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         m_block = m_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_chord_height(block, m_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_chord_height(block, m_block, alpha_block, True)
+        _row_each_chord_height(out_block, m_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_chord_height(out_block, m_block, alpha_block, True)
 
 
 def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -464,23 +312,23 @@ def _offer_chord_height(
 
 @scalar
 def _prepare_height_change(m, z, alpha, exact):
-    cosm1_alpha = -2 * _sin(alpha / 2, exact) ** 2
+    cosm1_alpha = -2 * elementary.sin(alpha / 2, exact) ** 2
     cos_alpha = 1 + cosm1_alpha
     r_b = cos_alpha * m * z / 2
-    t_c = np.pi / (2 * z) + _tan(alpha, exact)
+    t_c = np.pi / (2 * z) + elementary.tan(alpha, exact)
 
     return (alpha, cos_alpha, r_b, t_c)
 
 
 @scalar
 def _height_change(tilt, alpha, cos_alpha, r_b, t_c, exact):
-    sin_tilt = _sin(tilt, exact)
-    cosm1_tilt = -2 * _sin(tilt / 2, exact) ** 2
+    sin_tilt = elementary.sin(tilt, exact)
+    cosm1_tilt = -2 * elementary.sin(tilt / 2, exact) ** 2
     cos_tilt = 1 + cosm1_tilt
 
     return r_b * (
-        _sin(alpha, exact) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
-        - cos_alpha * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
+        elementary.sin(alpha, exact) * fma(-t_c, cosm1_tilt, fma(-cos_tilt, tilt, sin_tilt))
+        - cos_alpha * fma(sin_tilt, tilt, fma(t_c, sin_tilt, cosm1_tilt))
     )
 
 
@@ -525,11 +373,11 @@ def _fill_height_change(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         tilt_block = tilt_values[start:stop]
-        _row_height_change(block, tilt_block, m, z, alpha, None)
-        if has_nan(block):
-            _row_height_change(block, tilt_block, m, z, alpha, True)
+        _row_height_change(out_block, tilt_block, m, z, alpha, None)
+        if has_nan(out_block):
+            _row_height_change(out_block, tilt_block, m, z, alpha, True)
 
 
 @loop
@@ -558,14 +406,14 @@ def _fill_each_height_change(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         tilt_block = tilt_values[start:stop]
         m_block = m_values[start:stop]
         z_block = z_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_height_change(block, tilt_block, m_block, z_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_height_change(block, tilt_block, m_block, z_block, alpha_block, True)
+        _row_each_height_change(out_block, tilt_block, m_block, z_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_height_change(out_block, tilt_block, m_block, z_block, alpha_block, True)
 
 
 def height_change(
@@ -637,26 +485,27 @@ def _offer_height_change(
 
 @scalar
 def _prepare_thickness_change(m, z, alpha, exact):
-    cosm1_alpha = -2 * _sin(alpha / 2, exact) ** 2
+    cosm1_alpha = -2 * elementary.sin(alpha / 2, exact) ** 2
     cos_alpha = 1 + cosm1_alpha
     r_b = cos_alpha * m * z / 2
-    t_c = np.pi / (2 * z) + _tan(alpha, exact)
+    t_c = np.pi / (2 * z) + elementary.tan(alpha, exact)
 
     return (alpha, cos_alpha, r_b, t_c)
 
 
 @scalar
 def _thickness_change(tilt, alpha, cos_alpha, r_b, t_c, exact):
-    sin_tilt = _sin(tilt, exact)
-    cosm1_tilt = -2 * _sin(tilt / 2, exact) ** 2
+    sin_tilt = elementary.sin(tilt, exact)
+    cosm1_tilt = -2 * elementary.sin(tilt / 2, exact) ** 2
     cos_tilt = 1 + cosm1_tilt
 
     return (
         -2
         * r_b
-        * (
-            cos_alpha * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
-            + _sin(alpha, exact) * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
+        * fma(
+            elementary.sin(alpha, exact),
+            fma(sin_tilt, tilt, fma(t_c, sin_tilt, cosm1_tilt)),
+            cos_alpha * fma(-t_c, cosm1_tilt, fma(-cos_tilt, tilt, sin_tilt)),
         )
     )
 
@@ -702,11 +551,11 @@ def _fill_thickness_change(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         tilt_block = tilt_values[start:stop]
-        _row_thickness_change(block, tilt_block, m, z, alpha, None)
-        if has_nan(block):
-            _row_thickness_change(block, tilt_block, m, z, alpha, True)
+        _row_thickness_change(out_block, tilt_block, m, z, alpha, None)
+        if has_nan(out_block):
+            _row_thickness_change(out_block, tilt_block, m, z, alpha, True)
 
 
 @loop
@@ -735,14 +584,14 @@ def _fill_each_thickness_change(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         tilt_block = tilt_values[start:stop]
         m_block = m_values[start:stop]
         z_block = z_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_thickness_change(block, tilt_block, m_block, z_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_thickness_change(block, tilt_block, m_block, z_block, alpha_block, True)
+        _row_each_thickness_change(out_block, tilt_block, m_block, z_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_thickness_change(out_block, tilt_block, m_block, z_block, alpha_block, True)
 
 
 def thickness_change(
@@ -821,7 +670,7 @@ def _prepare_thickness_change_linear(alpha, exact):
 @scalar
 def _thickness_change_linear(dh, alpha, exact):
 
-    return 2 * _tan(alpha, exact) * dh
+    return 2 * elementary.tan(alpha, exact) * dh
 
 
 @scalar
@@ -855,11 +704,11 @@ def _fill_thickness_change_linear(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         dh_block = dh_values[start:stop]
-        _row_thickness_change_linear(block, dh_block, alpha, None)
-        if has_nan(block):
-            _row_thickness_change_linear(block, dh_block, alpha, True)
+        _row_thickness_change_linear(out_block, dh_block, alpha, None)
+        if has_nan(out_block):
+            _row_thickness_change_linear(out_block, dh_block, alpha, True)
 
 
 @loop
@@ -882,12 +731,12 @@ def _fill_each_thickness_change_linear(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         dh_block = dh_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_thickness_change_linear(block, dh_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_thickness_change_linear(block, dh_block, alpha_block, True)
+        _row_each_thickness_change_linear(out_block, dh_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_thickness_change_linear(out_block, dh_block, alpha_block, True)
 
 
 def thickness_change_linear(
@@ -944,9 +793,9 @@ def _offer_thickness_change_linear(
 
 @scalar
 def _prepare_linearisation_bound(m, z, alpha, exact):
-    r_b = m * z * _cos(alpha, exact) / 2
-    y_c = m * (z / 2 + np.pi * _sin(2 * alpha, exact) / 8)
-    t_c = np.pi / (2 * z) + _tan(alpha, exact)
+    r_b = m * z * elementary.cos(alpha, exact) / 2
+    y_c = m * (z / 2 + np.pi * elementary.sin(2 * alpha, exact) / 8)
+    t_c = np.pi / (2 * z) + elementary.tan(alpha, exact)
 
     return (r_b, y_c, t_c)
 
@@ -1004,11 +853,11 @@ def _fill_linearisation_bound(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         dh_block = dh_values[start:stop]
-        _row_linearisation_bound(block, dh_block, m, z, alpha, None)
-        if has_nan(block):
-            _row_linearisation_bound(block, dh_block, m, z, alpha, True)
+        _row_linearisation_bound(out_block, dh_block, m, z, alpha, None)
+        if has_nan(out_block):
+            _row_linearisation_bound(out_block, dh_block, m, z, alpha, True)
 
 
 @loop
@@ -1037,14 +886,14 @@ def _fill_each_linearisation_bound(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         dh_block = dh_values[start:stop]
         m_block = m_values[start:stop]
         z_block = z_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_linearisation_bound(block, dh_block, m_block, z_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_linearisation_bound(block, dh_block, m_block, z_block, alpha_block, True)
+        _row_each_linearisation_bound(out_block, dh_block, m_block, z_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_linearisation_bound(out_block, dh_block, m_block, z_block, alpha_block, True)
 
 
 def linearisation_bound(
@@ -1118,7 +967,7 @@ def _prepare_thickness_error(height_error, alpha, exact):
 @scalar
 def _thickness_error(e_tip, height_error, alpha, exact):
 
-    return 2 * _tan(alpha, exact) * (height_error - e_tip / 2)
+    return 2 * elementary.tan(alpha, exact) * (height_error - e_tip / 2)
 
 
 @scalar
@@ -1153,11 +1002,11 @@ def _fill_thickness_error(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         e_tip_block = e_tip_values[start:stop]
-        _row_thickness_error(block, e_tip_block, height_error, alpha, None)
-        if has_nan(block):
-            _row_thickness_error(block, e_tip_block, height_error, alpha, True)
+        _row_thickness_error(out_block, e_tip_block, height_error, alpha, None)
+        if has_nan(out_block):
+            _row_thickness_error(out_block, e_tip_block, height_error, alpha, True)
 
 
 @loop
@@ -1183,13 +1032,13 @@ def _fill_each_thickness_error(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         e_tip_block = e_tip_values[start:stop]
         height_error_block = height_error_values[start:stop]
         alpha_block = alpha_values[start:stop]
-        _row_each_thickness_error(block, e_tip_block, height_error_block, alpha_block, None)
-        if has_nan(block):
-            _row_each_thickness_error(block, e_tip_block, height_error_block, alpha_block, True)
+        _row_each_thickness_error(out_block, e_tip_block, height_error_block, alpha_block, None)
+        if has_nan(out_block):
+            _row_each_thickness_error(out_block, e_tip_block, height_error_block, alpha_block, True)
 
 
 def thickness_error(

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
+Elementary functions: `elementary` d4f68e05e3c8.
 
 Sums over axes are added in the order of the index, with the rest of every addition. Inside
 functions that numba compiles they take one array of terms for each argument, or a number for
@@ -39,7 +39,6 @@ from mechproof.compiled_support import (
     is_finite,
     loop,
     overload,
-    rint,
     run,
     run_sums,
     scalar,
@@ -48,6 +47,7 @@ from mechproof.compiled_support import (
     take_terms,
     widen,
 )
+from mechproof.kernels.compiled import elementary
 
 __all__ = [
     "displacement",
@@ -63,183 +63,9 @@ __all__ = [
     "track",
 ]
 
-LARGEST = 67108864.0
-
 
 def __dir__() -> list[str]:
     return __all__
-
-
-# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
-@scalar
-def _tan(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = (
-        fma(
-            v4,
-            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
-            fma(v3, -0.1282823491413398, 1.0),
-        )
-        * v2
-    )
-    v6 = v3 * v3
-    v7 = fma(
-        v6,
-        fma(v3, -0.00020843011349081395, 0.023344354149567717),
-        fma(v3, -0.46161568247467066, 1.0),
-    )
-    v8 = v1 * 0.5
-    v9 = rint(v8) == v8
-
-    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.tan(y)
-
-
-# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
-# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
-@scalar
-def _sin(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v3 * 0.5
-    v7 = 1.0 - v6
-    v8 = v3 * v3
-    v9 = v8 * v8
-    v10 = v1 * 0.5
-    v11 = choose(
-        rint(v10) == v10,
-        fma(
-            v2 * v3,
-            fma(
-                v5,
-                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                fma(
-                    v4,
-                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
-                    fma(v3, 0.008333333333330948, -0.16666666666666666),
-                ),
-            ),
-            v2,
-        ),
-        v7
-        + fma(
-            v3 * v3,
-            fma(
-                v9,
-                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                fma(
-                    v8,
-                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
-                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
-                ),
-            ),
-            1.0 - v7 - v6,
-        ),
-    )
-    v12 = floor(v10) * 0.5
-
-    value = choose(floor(v12) == v12, v11, -v11)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.sin(y)
-
-
-# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
-# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
-@scalar
-def _cos(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v3 * 0.5
-    v7 = 1.0 - v6
-    v8 = v3 * v3
-    v9 = v8 * v8
-    v10 = v1 * 0.5
-    v11 = choose(
-        rint(v10) == v10,
-        v7
-        + fma(
-            v3 * v3,
-            fma(
-                v9,
-                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                fma(
-                    v8,
-                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
-                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
-                ),
-            ),
-            1.0 - v7 - v6,
-        ),
-        fma(
-            v2 * v3,
-            fma(
-                v5,
-                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                fma(
-                    v4,
-                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
-                    fma(v3, 0.008333333333330948, -0.16666666666666666),
-                ),
-            ),
-            v2,
-        ),
-    )
-    v12 = floor((v1 + 1.0) * 0.5) * 0.5
-
-    value = choose(floor(v12) == v12, v11, -v11)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.cos(y)
-
-
-@scalar
-def _hypot(a, b):
-    v1 = abs(a)
-    v2 = abs(b)
-    v3 = choose(v1 > v2, v1, v2)
-    v4 = choose(
-        v3 > 3.273390607896142e150,
-        2.409919865102884e-181,
-        choose(v3 < 3.054936363499605e-151, 4.149515568880993e180, 1.0),
-    )
-    v5 = v1 * v4
-    v6 = v2 * v4
-
-    return np.sqrt(fma(v5, v5, v6 * v6)) / v4
-
-
-@scalar
-def _total_rest(a, b, s):
-    v1 = s - a
-
-    return a - (s - v1) + (b - v1)
 
 
 @scalar
@@ -279,7 +105,7 @@ def _sum_1(sensitivities, correlation, scatters, tolerances):
                 float(tolerances[j]),
             )
             total = high + term
-            low += _total_rest(high, term, total)
+            low += elementary.total_rest(high, term, total)
             high = total
     # A sum that leaves the range of doubles has no rest.
     return choose(is_finite(low), high + low, high)
@@ -412,7 +238,7 @@ def _sum_10(sensitivities, scatters, tolerances):
     for i in range(len(sensitivities)):
         term = _sum_10_term(float(sensitivities[i]), float(scatters[i]), float(tolerances[i]))
         total = high + term
-        low += _total_rest(high, term, total)
+        low += elementary.total_rest(high, term, total)
         high = total
     # A sum that leaves the range of doubles has no rest.
     return choose(is_finite(low), high + low, high)
@@ -420,26 +246,26 @@ def _sum_10(sensitivities, scatters, tolerances):
 
 @scalar
 def _prepare_rotation(beta, gamma, exact):
-    cos_beta = _cos(beta, exact)
-    cos_gamma = _cos(gamma, exact)
-    sin_gamma = _sin(gamma, exact)
-    sin_beta = _sin(beta, exact)
+    cos_beta = elementary.cos(beta, exact)
+    cos_gamma = elementary.cos(gamma, exact)
+    sin_gamma = elementary.sin(gamma, exact)
+    sin_beta = elementary.sin(beta, exact)
 
     return (cos_beta, cos_gamma, sin_gamma, sin_beta)
 
 
 @scalar
 def _rotation(alpha, cos_beta, cos_gamma, sin_gamma, sin_beta, exact):
-    cos_alpha = _cos(alpha, exact)
-    sin_alpha = _sin(alpha, exact)
+    cos_alpha = elementary.cos(alpha, exact)
+    sin_alpha = elementary.sin(alpha, exact)
 
     return (
         cos_beta * cos_gamma,
-        sin_gamma * cos_alpha + cos_gamma * sin_beta * sin_alpha,
+        fma(cos_gamma * sin_beta, sin_alpha, sin_gamma * cos_alpha),
         sin_gamma * sin_alpha - cos_gamma * sin_beta * cos_alpha,
         -cos_beta * sin_gamma,
         cos_gamma * cos_alpha - sin_beta * sin_gamma * sin_alpha,
-        cos_gamma * sin_alpha + sin_beta * sin_gamma * cos_alpha,
+        fma(sin_beta * sin_gamma, cos_alpha, cos_gamma * sin_alpha),
         sin_beta,
         -cos_beta * sin_alpha,
         cos_beta * cos_alpha,
@@ -483,11 +309,11 @@ def _fill_rotation(
 ):
     for start in range(0, out.size // 9, BLOCK):
         stop = start + BLOCK
-        block = out[9 * start : 9 * stop]
+        out_block = out[9 * start : 9 * stop]
         alpha_block = alpha_values[start:stop]
-        _row_rotation(block, alpha_block, beta, gamma, None)
-        if has_nan(block):
-            _row_rotation(block, alpha_block, beta, gamma, True)
+        _row_rotation(out_block, alpha_block, beta, gamma, None)
+        if has_nan(out_block):
+            _row_rotation(out_block, alpha_block, beta, gamma, True)
 
 
 @loop
@@ -520,13 +346,13 @@ def _fill_each_rotation(
 ):
     for start in range(0, out.size // 9, BLOCK):
         stop = start + BLOCK
-        block = out[9 * start : 9 * stop]
+        out_block = out[9 * start : 9 * stop]
         alpha_block = alpha_values[start:stop]
         beta_block = beta_values[start:stop]
         gamma_block = gamma_values[start:stop]
-        _row_each_rotation(block, alpha_block, beta_block, gamma_block, None)
-        if has_nan(block):
-            _row_each_rotation(block, alpha_block, beta_block, gamma_block, True)
+        _row_each_rotation(out_block, alpha_block, beta_block, gamma_block, None)
+        if has_nan(out_block):
+            _row_each_rotation(out_block, alpha_block, beta_block, gamma_block, True)
 
 
 def rotation(
@@ -583,28 +409,38 @@ def _offer_rotation(
 
 @scalar
 def _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact):
-    t_alpha = _tan(angles_0 / 2, exact)
-    t_beta = _tan(angles_1 / 2, exact)
-    t_gamma = _tan(angles_2 / 2, exact)
-    scale = 2 / ((1 + t_alpha**2) * (1 + t_beta**2) * (1 + t_gamma**2))
-    v_y = t_beta - t_alpha * t_gamma
+    t_alpha_angle = angles_0 / 2
+    t_alpha_below = elementary.tangent_below(t_alpha_angle, exact)
+    t_alpha = elementary.tangent_above(t_alpha_angle, exact)
+    t_beta_angle = angles_1 / 2
+    t_beta_below = elementary.tangent_below(t_beta_angle, exact)
+    t_beta = elementary.tangent_above(t_beta_angle, exact)
+    t_gamma_angle = angles_2 / 2
+    t_gamma_below = elementary.tangent_below(t_gamma_angle, exact)
+    t_gamma = elementary.tangent_above(t_gamma_angle, exact)
+    scale = 2 / (
+        fma(t_alpha, t_alpha, t_alpha_below * t_alpha_below)
+        * fma(t_beta, t_beta, t_beta_below * t_beta_below)
+        * fma(t_gamma, t_gamma, t_gamma_below * t_gamma_below)
+    )
+    v_y = t_beta * t_alpha_below * t_gamma_below - t_alpha * t_gamma * t_beta_below
     v_y_squared = v_y**2
-    v_z = t_gamma + t_alpha * t_beta
+    v_z = fma(t_alpha * t_beta, t_gamma_below, t_gamma * t_alpha_below * t_beta_below)
     v_z_squared = v_z**2
     C11 = scale * (-v_y_squared - v_z_squared)
-    v_x = t_alpha + t_beta * t_gamma
+    v_x = fma(t_beta * t_gamma, t_alpha_below, t_alpha * t_beta_below * t_gamma_below)
     v_x_v_y = v_x * v_y
-    w = 1 - t_alpha * t_beta * t_gamma
-    C12 = scale * (v_x_v_y - v_z * w)
+    w = t_alpha_below * t_beta_below * t_gamma_below - t_alpha * t_beta * t_gamma
+    C12 = scale * fma(-v_z, w, v_x_v_y)
     v_x_v_z = v_x * v_z
-    C13 = scale * (v_x_v_z + v_y * w)
-    C21 = scale * (v_x_v_y + v_z * w)
+    C13 = scale * fma(v_y, w, v_x_v_z)
+    C21 = scale * fma(v_z, w, v_x_v_y)
     v_x_squared = v_x**2
     C22 = scale * (-v_x_squared - v_z_squared)
     v_y_v_z = v_y * v_z
-    C23 = scale * (v_y_v_z - v_x * w)
-    C31 = scale * (v_x_v_z - v_y * w)
-    C32 = scale * (v_y_v_z + v_x * w)
+    C23 = scale * fma(-v_x, w, v_y_v_z)
+    C31 = scale * fma(-v_y, w, v_x_v_z)
+    C32 = scale * fma(v_x, w, v_y_v_z)
     C33 = scale * (-v_x_squared - v_y_squared)
 
     return (C11, C12, C13, C21, C22, C23, C31, C32, C33, shift_0, shift_1, shift_2)
@@ -678,14 +514,22 @@ def _fill_displacement(
 ):
     for start in range(0, out.size // 3, BLOCK):
         stop = start + BLOCK
-        block = out[3 * start : 3 * stop]
+        out_block = out[3 * start : 3 * stop]
         points_block = points_values[3 * start : 3 * stop]
         _row_displacement(
-            block, points_block, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, None
+            out_block, points_block, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, None
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_displacement(
-                block, points_block, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, True
+                out_block,
+                points_block,
+                angles_0,
+                angles_1,
+                angles_2,
+                shift_0,
+                shift_1,
+                shift_2,
+                True,
             )
 
 
@@ -730,13 +574,13 @@ def _fill_each_displacement(
 ):
     for start in range(0, out.size // 3, BLOCK):
         stop = start + BLOCK
-        block = out[3 * start : 3 * stop]
+        out_block = out[3 * start : 3 * stop]
         points_block = points_values[3 * start : 3 * stop]
         angles_block = angles_values[3 * start : 3 * stop]
         shift_block = shift_values[3 * start : 3 * stop]
-        _row_each_displacement(block, points_block, angles_block, shift_block, None)
-        if has_nan(block):
-            _row_each_displacement(block, points_block, angles_block, shift_block, True)
+        _row_each_displacement(out_block, points_block, angles_block, shift_block, None)
+        if has_nan(out_block):
+            _row_each_displacement(out_block, points_block, angles_block, shift_block, True)
 
 
 def displacement(
@@ -797,7 +641,7 @@ def _offer_displacement(
 @scalar
 def _planar_error(displacement_0, displacement_1):
 
-    return _hypot(displacement_0, displacement_1)
+    return elementary.hypot(displacement_0, displacement_1)
 
 
 @scalar
@@ -892,7 +736,7 @@ def _offer_planar_error(
 @scalar
 def _spatial_error(displacement_0, displacement_1, displacement_2):
 
-    return _hypot(_hypot(displacement_0, displacement_1), displacement_2)
+    return elementary.hypot(elementary.hypot(displacement_0, displacement_1), displacement_2)
 
 
 @scalar
@@ -997,8 +841,8 @@ def _prepare_radius(R, A, z, exact):
 
 @scalar
 def _radius(phi, A, z, w, exact):
-    u = A * _cos(z * phi, exact)
-    q = abs(u) + _hypot(np.sqrt(w), u)
+    u = A * elementary.cos(z * phi, exact)
+    q = abs(u) + elementary.hypot(np.sqrt(w), u)
 
     return choose(u >= 0, q, w / q)
 
@@ -1036,11 +880,11 @@ def _fill_radius(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi_block = phi_values[start:stop]
-        _row_radius(block, phi_block, R, A, z, None)
-        if has_nan(block):
-            _row_radius(block, phi_block, R, A, z, True)
+        _row_radius(out_block, phi_block, R, A, z, None)
+        if has_nan(out_block):
+            _row_radius(out_block, phi_block, R, A, z, True)
 
 
 @loop
@@ -1069,14 +913,14 @@ def _fill_each_radius(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi_block = phi_values[start:stop]
         R_block = R_values[start:stop]
         A_block = A_values[start:stop]
         z_block = z_values[start:stop]
-        _row_each_radius(block, phi_block, R_block, A_block, z_block, None)
-        if has_nan(block):
-            _row_each_radius(block, phi_block, R_block, A_block, z_block, True)
+        _row_each_radius(out_block, phi_block, R_block, A_block, z_block, None)
+        if has_nan(out_block):
+            _row_each_radius(out_block, phi_block, R_block, A_block, z_block, True)
 
 
 def radius(
@@ -1152,13 +996,13 @@ def _prepare_track(R, A, z, H, exact):
 
 @scalar
 def _track(phi, A, z, H, w, exact):
-    u = A * _cos(z * phi, exact)
-    q = abs(u) + _hypot(np.sqrt(w), u)
+    u = A * elementary.cos(z * phi, exact)
+    q = abs(u) + elementary.hypot(np.sqrt(w), u)
     term = choose(u >= 0, q, w / q)
 
     return (
-        term * _cos(phi, exact),
-        term * _sin(phi, exact),
+        term * elementary.cos(phi, exact),
+        term * elementary.sin(phi, exact),
         H,
     )
 
@@ -1207,11 +1051,11 @@ def _fill_track(
 ):
     for start in range(0, out.size // 3, BLOCK):
         stop = start + BLOCK
-        block = out[3 * start : 3 * stop]
+        out_block = out[3 * start : 3 * stop]
         phi_block = phi_values[start:stop]
-        _row_track(block, phi_block, R, A, z, H, None)
-        if has_nan(block):
-            _row_track(block, phi_block, R, A, z, H, True)
+        _row_track(out_block, phi_block, R, A, z, H, None)
+        if has_nan(out_block):
+            _row_track(out_block, phi_block, R, A, z, H, True)
 
 
 @loop
@@ -1244,15 +1088,15 @@ def _fill_each_track(
 ):
     for start in range(0, out.size // 3, BLOCK):
         stop = start + BLOCK
-        block = out[3 * start : 3 * stop]
+        out_block = out[3 * start : 3 * stop]
         phi_block = phi_values[start:stop]
         R_block = R_values[start:stop]
         A_block = A_values[start:stop]
         z_block = z_values[start:stop]
         H_block = H_values[start:stop]
-        _row_each_track(block, phi_block, R_block, A_block, z_block, H_block, None)
-        if has_nan(block):
-            _row_each_track(block, phi_block, R_block, A_block, z_block, H_block, True)
+        _row_each_track(out_block, phi_block, R_block, A_block, z_block, H_block, None)
+        if has_nan(out_block):
+            _row_each_track(out_block, phi_block, R_block, A_block, z_block, H_block, True)
 
 
 def track(
@@ -1880,8 +1724,8 @@ def _offer_error_sum(
 def _error_sum_thermal(
     tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
 ):
-    K_minus_tau_K_T = total_scatter - thermal_share * thermal_scatter
-    K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter
+    K_minus_tau_K_T = fma(-thermal_share, thermal_scatter, total_scatter)
+    K_plus_tau_K_T = fma(thermal_share, thermal_scatter, total_scatter)
 
     return np.sqrt(_sum_10(sensitivities, scatters, tolerances)) / np.sqrt(
         K_minus_tau_K_T * K_plus_tau_K_T

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Angles up to 67108864.0 rad are reduced here; farther out the C library's functions are taken.
+Elementary functions: `elementary` d4f68e05e3c8.
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -27,20 +27,18 @@ from mechproof.compiled_support import (
     BLOCK,
     Loops,
     choose,
-    copysign,
-    floor,
     fma,
     has_nan,
     is_finite,
     loop,
     maximum,
     overload,
-    rint,
     run,
     scalar,
     take_row,
     widen,
 )
+from mechproof.kernels.compiled import elementary
 
 __all__ = [
     "clearance",
@@ -55,185 +53,9 @@ __all__ = [
     "wedge_displacement",
 ]
 
-LARGEST = 67108864.0
-
 
 def __dir__() -> list[str]:
     return __all__
-
-
-# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
-# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
-@scalar
-def _sin(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v3 * 0.5
-    v7 = 1.0 - v6
-    v8 = v3 * v3
-    v9 = v8 * v8
-    v10 = v1 * 0.5
-    v11 = choose(
-        rint(v10) == v10,
-        fma(
-            v2 * v3,
-            fma(
-                v5,
-                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                fma(
-                    v4,
-                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
-                    fma(v3, 0.008333333333330948, -0.16666666666666666),
-                ),
-            ),
-            v2,
-        ),
-        v7
-        + fma(
-            v3 * v3,
-            fma(
-                v9,
-                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                fma(
-                    v8,
-                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
-                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
-                ),
-            ),
-            1.0 - v7 - v6,
-        ),
-    )
-    v12 = floor(v10) * 0.5
-
-    value = choose(floor(v12) == v12, v11, -v11)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.sin(y)
-
-
-# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
-# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
-@scalar
-def _cos(y, exact):
-    v1 = rint(y * 0.6366197723675814)
-    v2 = fma(
-        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
-    )
-    v3 = v2 * v2
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v3 * 0.5
-    v7 = 1.0 - v6
-    v8 = v3 * v3
-    v9 = v8 * v8
-    v10 = v1 * 0.5
-    v11 = choose(
-        rint(v10) == v10,
-        v7
-        + fma(
-            v3 * v3,
-            fma(
-                v9,
-                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
-                fma(
-                    v8,
-                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
-                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
-                ),
-            ),
-            1.0 - v7 - v6,
-        ),
-        fma(
-            v2 * v3,
-            fma(
-                v5,
-                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
-                fma(
-                    v4,
-                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
-                    fma(v3, 0.008333333333330948, -0.16666666666666666),
-                ),
-            ),
-            v2,
-        ),
-    )
-    v12 = floor((v1 + 1.0) * 0.5) * 0.5
-
-    value = choose(floor(v12) == v12, v11, -v11)
-    if abs(y) <= LARGEST:
-        return value
-    if exact is None:
-        return math.nan
-
-    return math.cos(y)
-
-
-# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
-@scalar
-def _arctan(y):
-    v1 = abs(y)
-    v2 = v1 > 1.0
-    v3 = choose(v2, 1.0 / v1, v1)
-    v4 = v3 * v3
-    v5 = v4 * v4
-    v6 = v5 * v5
-    v7 = v6 * v6
-    v8 = v7 * v7
-    v9 = fma(
-        v3 * v4,
-        fma(
-            v8,
-            fma(
-                v6,
-                fma(v4, 7.767532298566822e-06, -9.371091633560781e-05),
-                fma(
-                    v5,
-                    fma(v4, 0.0005376794060869381, -0.001961242117363609),
-                    fma(v4, 0.005140885854032265, -0.010412113196030874),
-                ),
-            ),
-            fma(
-                v7,
-                fma(
-                    v6,
-                    fma(
-                        v5,
-                        fma(v4, 0.01718393672751917, -0.02419130675591347),
-                        fma(v4, 0.030330692745374102, -0.03527131689273554),
-                    ),
-                    fma(
-                        v5,
-                        fma(v4, 0.039386869439826874, -0.04330653645791128),
-                        fma(v4, 0.04758080032858198, -0.05262492218979753),
-                    ),
-                ),
-                fma(
-                    v6,
-                    fma(
-                        v5,
-                        fma(v4, 0.05882264415278073, -0.06666657934409811),
-                        fma(v4, 0.07692307078814367, -0.09090909061934628),
-                    ),
-                    fma(
-                        v5,
-                        fma(v4, 0.11111111110268276, -0.14285714285701234),
-                        fma(v4, 0.1999999999999992, -0.3333333333333333),
-                    ),
-                ),
-            ),
-        ),
-        v3,
-    )
-
-    return copysign(choose(v2, 1.5707963267948966 - (v9 - 6.123233995736766e-17), v9), y)
 
 
 @scalar
@@ -245,7 +67,7 @@ def _prepare_guide_radicand(l_AB, l_BC, l_CD):
 @scalar
 def _guide_radicand(x1, l_AB, l_BC, l_CD):
 
-    return l_BC**2 + x1 * (2 * l_AB + 2 * l_CD + x1)
+    return fma(x1, fma(2, l_CD, 2 * l_AB) + x1, l_BC**2)
 
 
 @scalar
@@ -411,10 +233,10 @@ def _prepare_lever_angle(l_AB, l_BC, l_CD):
 
 @scalar
 def _lever_angle(x1, l_BC, arm):
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = np.sqrt(fma(x1, fma(2, arm, x1), l_BC**2))
     guide_sum = guide_length + l_BC
 
-    return -2 * _arctan(x1 / guide_sum)
+    return -2 * elementary.arctan_quotient(x1, guide_sum)
 
 
 @scalar
@@ -580,7 +402,7 @@ def _prepare_rod_displacement(l_DE, alpha_DE, exact):
 @scalar
 def _rod_displacement(phi3, l_DE, alpha_DE, exact):
 
-    return -2 * l_DE * _sin(phi3 / 2, exact) * _sin(alpha_DE + phi3 / 2, exact)
+    return -2 * l_DE * elementary.sin(phi3 / 2, exact) * elementary.sin(alpha_DE + phi3 / 2, exact)
 
 
 @scalar
@@ -615,11 +437,11 @@ def _fill_rod_displacement(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi3_block = phi3_values[start:stop]
-        _row_rod_displacement(block, phi3_block, l_DE, alpha_DE, None)
-        if has_nan(block):
-            _row_rod_displacement(block, phi3_block, l_DE, alpha_DE, True)
+        _row_rod_displacement(out_block, phi3_block, l_DE, alpha_DE, None)
+        if has_nan(out_block):
+            _row_rod_displacement(out_block, phi3_block, l_DE, alpha_DE, True)
 
 
 @loop
@@ -645,13 +467,13 @@ def _fill_each_rod_displacement(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi3_block = phi3_values[start:stop]
         l_DE_block = l_DE_values[start:stop]
         alpha_DE_block = alpha_DE_values[start:stop]
-        _row_each_rod_displacement(block, phi3_block, l_DE_block, alpha_DE_block, None)
-        if has_nan(block):
-            _row_each_rod_displacement(block, phi3_block, l_DE_block, alpha_DE_block, True)
+        _row_each_rod_displacement(out_block, phi3_block, l_DE_block, alpha_DE_block, None)
+        if has_nan(out_block):
+            _row_each_rod_displacement(out_block, phi3_block, l_DE_block, alpha_DE_block, True)
 
 
 def rod_displacement(
@@ -851,7 +673,7 @@ def _prepare_roller_offset(l_KL, alpha_KL, exact):
 @scalar
 def _roller_offset(x5, l_KL, alpha_KL, exact):
 
-    return l_KL * _cos(alpha_KL, exact) - x5
+    return l_KL * elementary.cos(alpha_KL, exact) - x5
 
 
 @scalar
@@ -886,11 +708,11 @@ def _fill_roller_offset(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x5_block = x5_values[start:stop]
-        _row_roller_offset(block, x5_block, l_KL, alpha_KL, None)
-        if has_nan(block):
-            _row_roller_offset(block, x5_block, l_KL, alpha_KL, True)
+        _row_roller_offset(out_block, x5_block, l_KL, alpha_KL, None)
+        if has_nan(out_block):
+            _row_roller_offset(out_block, x5_block, l_KL, alpha_KL, True)
 
 
 @loop
@@ -916,13 +738,13 @@ def _fill_each_roller_offset(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x5_block = x5_values[start:stop]
         l_KL_block = l_KL_values[start:stop]
         alpha_KL_block = alpha_KL_values[start:stop]
-        _row_each_roller_offset(block, x5_block, l_KL_block, alpha_KL_block, None)
-        if has_nan(block):
-            _row_each_roller_offset(block, x5_block, l_KL_block, alpha_KL_block, True)
+        _row_each_roller_offset(out_block, x5_block, l_KL_block, alpha_KL_block, None)
+        if has_nan(out_block):
+            _row_each_roller_offset(out_block, x5_block, l_KL_block, alpha_KL_block, True)
 
 
 def roller_offset(
@@ -991,15 +813,16 @@ def _prepare_roller_lever_angle(l_KL, alpha_KL, exact):
 @scalar
 def _roller_lever_angle(x5, l_KL, alpha_KL, exact):
 
-    return 2 * _arctan(
-        x5
-        / (
-            l_KL * _sin(alpha_KL, exact)
-            + np.sqrt(
-                (x5 + 2 * l_KL * _sin(alpha_KL / 2, exact) ** 2)
-                * (2 * l_KL * _cos(alpha_KL / 2, exact) ** 2 - x5)
-            )
-        )
+    return 2 * elementary.arctan_quotient(
+        x5,
+        fma(
+            l_KL,
+            elementary.sin(alpha_KL, exact),
+            np.sqrt(
+                fma(2 * l_KL, elementary.sin(alpha_KL / 2, exact) ** 2, x5)
+                * (2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2 - x5)
+            ),
+        ),
     )
 
 
@@ -1035,11 +858,11 @@ def _fill_roller_lever_angle(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x5_block = x5_values[start:stop]
-        _row_roller_lever_angle(block, x5_block, l_KL, alpha_KL, None)
-        if has_nan(block):
-            _row_roller_lever_angle(block, x5_block, l_KL, alpha_KL, True)
+        _row_roller_lever_angle(out_block, x5_block, l_KL, alpha_KL, None)
+        if has_nan(out_block):
+            _row_roller_lever_angle(out_block, x5_block, l_KL, alpha_KL, True)
 
 
 @loop
@@ -1065,13 +888,13 @@ def _fill_each_roller_lever_angle(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x5_block = x5_values[start:stop]
         l_KL_block = l_KL_values[start:stop]
         alpha_KL_block = alpha_KL_values[start:stop]
-        _row_each_roller_lever_angle(block, x5_block, l_KL_block, alpha_KL_block, None)
-        if has_nan(block):
-            _row_each_roller_lever_angle(block, x5_block, l_KL_block, alpha_KL_block, True)
+        _row_each_roller_lever_angle(out_block, x5_block, l_KL_block, alpha_KL_block, None)
+        if has_nan(out_block):
+            _row_each_roller_lever_angle(out_block, x5_block, l_KL_block, alpha_KL_block, True)
 
 
 def roller_lever_angle(
@@ -1140,7 +963,7 @@ def _prepare_wedge_displacement(l_LM, alpha_LM, exact):
 @scalar
 def _wedge_displacement(phi7, l_LM, alpha_LM, exact):
 
-    return 2 * l_LM * _cos(alpha_LM + phi7 / 2, exact) * _sin(phi7 / 2, exact)
+    return 2 * l_LM * elementary.cos(alpha_LM + phi7 / 2, exact) * elementary.sin(phi7 / 2, exact)
 
 
 @scalar
@@ -1175,11 +998,11 @@ def _fill_wedge_displacement(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi7_block = phi7_values[start:stop]
-        _row_wedge_displacement(block, phi7_block, l_LM, alpha_LM, None)
-        if has_nan(block):
-            _row_wedge_displacement(block, phi7_block, l_LM, alpha_LM, True)
+        _row_wedge_displacement(out_block, phi7_block, l_LM, alpha_LM, None)
+        if has_nan(out_block):
+            _row_wedge_displacement(out_block, phi7_block, l_LM, alpha_LM, True)
 
 
 @loop
@@ -1205,13 +1028,13 @@ def _fill_each_wedge_displacement(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         phi7_block = phi7_values[start:stop]
         l_LM_block = l_LM_values[start:stop]
         alpha_LM_block = alpha_LM_values[start:stop]
-        _row_each_wedge_displacement(block, phi7_block, l_LM_block, alpha_LM_block, None)
-        if has_nan(block):
-            _row_each_wedge_displacement(block, phi7_block, l_LM_block, alpha_LM_block, True)
+        _row_each_wedge_displacement(out_block, phi7_block, l_LM_block, alpha_LM_block, None)
+        if has_nan(out_block):
+            _row_each_wedge_displacement(out_block, phi7_block, l_LM_block, alpha_LM_block, True)
 
 
 def wedge_displacement(
@@ -1276,13 +1099,13 @@ def _prepare_position(
     l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
 ):
     arm = l_AB + l_CD
-    sin_DE = _sin(alpha_DE, exact)
-    cos_DE = _cos(alpha_DE, exact)
-    to_right = 2 * l_KL * _sin(alpha_KL / 2, exact) ** 2
-    to_left = 2 * l_KL * _cos(alpha_KL / 2, exact) ** 2
-    start_height = l_KL * _sin(alpha_KL, exact)
-    cos_LM = _cos(alpha_LM, exact)
-    sin_LM = _sin(alpha_LM, exact)
+    sin_DE = elementary.sin(alpha_DE, exact)
+    cos_DE = elementary.cos(alpha_DE, exact)
+    to_right = 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2
+    to_left = 2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2
+    start_height = l_KL * elementary.sin(alpha_KL, exact)
+    cos_LM = elementary.cos(alpha_LM, exact)
+    sin_LM = elementary.sin(alpha_LM, exact)
 
     return (
         l_BC,
@@ -1317,14 +1140,14 @@ def _position(
     sin_LM,
     exact,
 ):
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = np.sqrt(fma(x1, fma(2, arm, x1), l_BC**2))
     guide_sum = guide_length + l_BC
-    lever_square = guide_sum**2 + x1**2
+    lever_square = fma(x1, x1, guide_sum**2)
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = maximum(0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = push**2 + rise_sum**2
+    roller_square = fma(rise_sum, rise_sum, push**2)
 
     return 2 * l_LM / roller_square * push * (cos_LM * rise_sum - sin_LM * push)
 
@@ -1394,10 +1217,10 @@ def _fill_position(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x1_block = x1_values[start:stop]
         _row_position(
-            block,
+            out_block,
             x1_block,
             l_AB,
             l_BC,
@@ -1411,9 +1234,9 @@ def _fill_position(
             alpha_LM,
             None,
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_position(
-                block,
+                out_block,
                 x1_block,
                 l_AB,
                 l_BC,
@@ -1492,7 +1315,7 @@ def _fill_each_position(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x1_block = x1_values[start:stop]
         l_AB_block = l_AB_values[start:stop]
         l_BC_block = l_BC_values[start:stop]
@@ -1505,7 +1328,7 @@ def _fill_each_position(
         alpha_KL_block = alpha_KL_values[start:stop]
         alpha_LM_block = alpha_LM_values[start:stop]
         _row_each_position(
-            block,
+            out_block,
             x1_block,
             l_AB_block,
             l_BC_block,
@@ -1519,9 +1342,9 @@ def _fill_each_position(
             alpha_LM_block,
             None,
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_each_position(
-                block,
+                out_block,
                 x1_block,
                 l_AB_block,
                 l_BC_block,
@@ -1671,13 +1494,13 @@ def _prepare_velocity(
     l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
 ):
     arm = l_AB + l_CD
-    sin_DE = _sin(alpha_DE, exact)
-    cos_DE = _cos(alpha_DE, exact)
-    to_right = 2 * l_KL * _sin(alpha_KL / 2, exact) ** 2
-    to_left = 2 * l_KL * _cos(alpha_KL / 2, exact) ** 2
-    start_height = l_KL * _sin(alpha_KL, exact)
-    cos_LM = _cos(alpha_LM, exact)
-    sin_LM = _sin(alpha_LM, exact)
+    sin_DE = elementary.sin(alpha_DE, exact)
+    cos_DE = elementary.cos(alpha_DE, exact)
+    to_right = 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2
+    to_left = 2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2
+    start_height = l_KL * elementary.sin(alpha_KL, exact)
+    cos_LM = elementary.cos(alpha_LM, exact)
+    sin_LM = elementary.sin(alpha_LM, exact)
 
     return (
         l_BC,
@@ -1712,15 +1535,15 @@ def _velocity(
     sin_LM,
     exact,
 ):
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = np.sqrt(fma(x1, fma(2, arm, x1), l_BC**2))
     guide_sum = guide_length + l_BC
-    lever_square = guide_sum**2 + x1**2
-    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
+    lever_square = fma(x1, x1, guide_sum**2)
+    cos_lever = fma(2 * l_BC, guide_sum, 2 * arm * x1) / lever_square
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = maximum(0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = push**2 + rise_sum**2
+    roller_square = fma(rise_sum, rise_sum, push**2)
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
@@ -1795,10 +1618,10 @@ def _fill_velocity(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x1_block = x1_values[start:stop]
         _row_velocity(
-            block,
+            out_block,
             x1_block,
             l_AB,
             l_BC,
@@ -1812,9 +1635,9 @@ def _fill_velocity(
             alpha_LM,
             None,
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_velocity(
-                block,
+                out_block,
                 x1_block,
                 l_AB,
                 l_BC,
@@ -1893,7 +1716,7 @@ def _fill_each_velocity(
 ):
     for start in range(0, out.size, BLOCK):
         stop = start + BLOCK
-        block = out[start:stop]
+        out_block = out[start:stop]
         x1_block = x1_values[start:stop]
         l_AB_block = l_AB_values[start:stop]
         l_BC_block = l_BC_values[start:stop]
@@ -1906,7 +1729,7 @@ def _fill_each_velocity(
         alpha_KL_block = alpha_KL_values[start:stop]
         alpha_LM_block = alpha_LM_values[start:stop]
         _row_each_velocity(
-            block,
+            out_block,
             x1_block,
             l_AB_block,
             l_BC_block,
@@ -1920,9 +1743,9 @@ def _fill_each_velocity(
             alpha_LM_block,
             None,
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_each_velocity(
-                block,
+                out_block,
                 x1_block,
                 l_AB_block,
                 l_BC_block,
@@ -2072,13 +1895,13 @@ def _prepare_sensitivities(
     l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
 ):
     arm = l_AB + l_CD
-    sin_DE = _sin(alpha_DE, exact)
-    cos_DE = _cos(alpha_DE, exact)
-    to_right = 2 * l_KL * _sin(alpha_KL / 2, exact) ** 2
-    to_left = 2 * l_KL * _cos(alpha_KL / 2, exact) ** 2
-    start_height = l_KL * _sin(alpha_KL, exact)
-    cos_LM = _cos(alpha_LM, exact)
-    sin_LM = _sin(alpha_LM, exact)
+    sin_DE = elementary.sin(alpha_DE, exact)
+    cos_DE = elementary.cos(alpha_DE, exact)
+    to_right = 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2
+    to_left = 2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2
+    start_height = l_KL * elementary.sin(alpha_KL, exact)
+    cos_LM = elementary.cos(alpha_LM, exact)
+    sin_LM = elementary.sin(alpha_LM, exact)
 
     return (
         l_BC,
@@ -2116,19 +1939,19 @@ def _sensitivities(
     exact,
 ):
     x1_squared = x1**2
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = np.sqrt(fma(x1, fma(2, arm, x1), l_BC**2))
     guide_sum = guide_length + l_BC
-    lever_square = guide_sum**2 + x1_squared
+    lever_square = fma(guide_sum, guide_sum, x1_squared)
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = maximum(0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = push**2 + rise_sum**2
+    roller_square = fma(rise_sum, rise_sum, push**2)
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
     gain = cos_wedge * choose(run < l_GH, 0, l_LM) / rise
-    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
+    cos_lever = fma(2 * l_BC, guide_sum, 2 * arm * x1) / lever_square
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
     term = -2 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared
 
@@ -2140,9 +1963,9 @@ def _sensitivities(
         -gain,
         -gain * push / l_KL,
         2 / roller_square * push * (cos_LM * rise_sum - sin_LM * push),
-        2 * l_DE / lever_square * gain * x1 * (cos_DE * guide_sum + sin_DE * x1),
+        2 * l_DE / lever_square * gain * x1 * fma(sin_DE, x1, cos_DE * guide_sum),
         gain * push * (push + to_right - to_left) / rise_sum,
-        -2 * l_LM / roller_square * push * (cos_LM * push + sin_LM * rise_sum),
+        -2 * l_LM / roller_square * push * fma(sin_LM, rise_sum, cos_LM * push),
     )
 
 
@@ -2234,10 +2057,10 @@ def _fill_sensitivities(
 ):
     for start in range(0, out.size // 10, BLOCK):
         stop = start + BLOCK
-        block = out[10 * start : 10 * stop]
+        out_block = out[10 * start : 10 * stop]
         x1_block = x1_values[start:stop]
         _row_sensitivities(
-            block,
+            out_block,
             x1_block,
             l_AB,
             l_BC,
@@ -2251,9 +2074,9 @@ def _fill_sensitivities(
             alpha_LM,
             None,
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_sensitivities(
-                block,
+                out_block,
                 x1_block,
                 l_AB,
                 l_BC,
@@ -2340,7 +2163,7 @@ def _fill_each_sensitivities(
 ):
     for start in range(0, out.size // 10, BLOCK):
         stop = start + BLOCK
-        block = out[10 * start : 10 * stop]
+        out_block = out[10 * start : 10 * stop]
         x1_block = x1_values[start:stop]
         l_AB_block = l_AB_values[start:stop]
         l_BC_block = l_BC_values[start:stop]
@@ -2353,7 +2176,7 @@ def _fill_each_sensitivities(
         alpha_KL_block = alpha_KL_values[start:stop]
         alpha_LM_block = alpha_LM_values[start:stop]
         _row_each_sensitivities(
-            block,
+            out_block,
             x1_block,
             l_AB_block,
             l_BC_block,
@@ -2367,9 +2190,9 @@ def _fill_each_sensitivities(
             alpha_LM_block,
             None,
         )
-        if has_nan(block):
+        if has_nan(out_block):
             _row_each_sensitivities(
-                block,
+                out_block,
                 x1_block,
                 l_AB_block,
                 l_BC_block,

@@ -192,7 +192,7 @@ def test_a_name_that_c_keeps_for_itself_is_refused() -> None:
         arguments=(replace(argument, name="double"), *PAPER.quantities[0].arguments[1:]),
     )
     with pytest.raises(ValueError, match=r"\['double'\] mean something else in C"):
-        render_c(replace(PAPER, quantities=(quantity,)))
+        render_c(replace(PAPER, quantities=(quantity,), together=()))
 
 
 def test_the_command_writes_what_a_program_includes(tmp_path: Path) -> None:

@@ -13,7 +13,12 @@ import sympy as sp
 from trial import load_paper, load_source, paper_of, quantity_of
 
 from mechproof.codegen import syntax
-from mechproof.codegen.backends.numba import check_translation, render_compiled
+from mechproof.codegen.backends.numba import (
+    check_elementary,
+    check_translation,
+    render_compiled,
+    render_elementary,
+)
 from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.backends.scalar import list_scalars
 from mechproof.codegen.error_free import WholeTurnsOff
@@ -263,11 +268,8 @@ def test_reading_knows_public_functions_only(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
-        ("k_low * phi1 + _product_rest", "_product_rest"),
-        ("+ t_low", "- t_low"),
-        ("fma(a, b, -p)", "fma(a, b, p)"),
-        ("choose(v9, v5, -v7)", "choose(v9, -v7, v5)"),
-        ("-1.5707963267948966", "-1.5707963267948968"),
+        ("fma(k_low, phi1, elementary.product_rest", "fma(-k_low, phi1, elementary.product_rest"),
+        ("fma(t_low, t_below, t)", "fma(t_low, t_below, -t)"),
         ("if e <= 0.5:", "if e < 0.5:"),
         ("& (e < 1) & (R2 < R1)", "& (e < 1)"),
     ],
@@ -286,7 +288,26 @@ def test_a_compiled_source_that_computes_something_else_is_caught(right: str, wr
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
-        ("low += _total_rest", "low -= _total_rest"),
+        ("fma(a, b, -p)", "fma(a, b, p)"),
+        ("choose(v9, v5, -v7)", "choose(v9, -v7, v5)"),
+        ("-1.5707963267948966", "-1.5707963267948968"),
+        ("def hypot(a, b)", "def hypot(b, a)"),
+    ],
+)
+def test_an_elementary_function_that_computes_something_else_is_caught(
+    right: str, wrong: str
+) -> None:
+    source = render_elementary()
+    check_elementary(source)
+    assert right in source
+    with pytest.raises(TranslationError, match="meant"):
+        check_elementary(source.replace(right, wrong, 1))
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        ("low += elementary.total_rest", "low -= elementary.total_rest"),
         ("total = high + term", "total = high - term"),
         ("choose(is_finite(low), high + low, high)", "high"),
         ("float(correlation[j, i])", "float(correlation[i, j])"),

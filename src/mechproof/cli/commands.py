@@ -26,7 +26,7 @@ from mechproof.codegen.regenerate import (
     render_package,
     update_files,
 )
-from mechproof.derivation import DerivationError
+from mechproof.derivation import DerivationError, find_systems, packaged_directory
 from mechproof.proof.ledger import Ledger, to_json, to_markdown
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Paper
@@ -216,8 +216,11 @@ def _render(
     ledgers: Sequence[Ledger], certificates: Sequence[Certificate | None], places: Places
 ) -> dict[str, str]:
     pairs = list(zip((ledger.paper for ledger in ledgers), certificates, strict=True))
+    papers = [tell_proofs(paper, certificate) for paper, certificate in pairs]
+    # Nobody else has all of our systems.
+    is_own = {paper.system for paper in papers} >= set(find_systems(packaged_directory()))
     try:
-        files = render_package([tell_proofs(paper, certificate) for paper, certificate in pairs])
+        files = render_package(papers, is_own=is_own)
     except (ValueError, NotImplementedError) as error:
         fail(f"{places.derivations}: {error}")
     files.update(write_certificates(c for c in certificates if c))

@@ -65,7 +65,7 @@ NUMBA = Syntax(
     infix=INFIX,
     calls=MappingProxyType(
         {
-            **{kind: f"_{kind}" for kind in BODIES},
+            **{kind: f"elementary.{kind}" for kind in BODIES},
             **{
                 n: n
                 for n in ("floor", "rint", "fma", "copysign", "is_finite", "maximum", "choose")

@@ -40,6 +40,8 @@ LAST_CONSTANT: Mapping[str, str] = MappingProxyType(
 )
 
 
+# Where compiled kernels find the elementary functions.
+ELEMENTARY = "elementary."
 # The last argument of a compiled function that is right up to the largest angle only.
 EXACT = "exact"
 
@@ -107,7 +109,7 @@ high, low = (0.0, 0.0)
 {loops}
 {space}term = TERM
 {space}total = high + term
-{space}low += _total_rest(high, term, total)
+{space}low += elementary.total_rest(high, term, total)
 {space}high = total
 return choose(is_finite(low), high + low, high)
 """
@@ -198,6 +200,8 @@ def _read_scalar(node: ast.FunctionDef) -> Program:
                 return read_program(inputs, assigned, outputs)
             case ast.Return(value=ast.expr() as output):
                 return read_program(inputs, assigned, (output,))
+            case ast.Expr(value=ast.Constant(value=str())):
+                continue
             case _:
                 break
     raise ReadingError(f"line {node.lineno}: {node.name} computes no point")
@@ -257,7 +261,9 @@ class _ProgramReader:
         return self._add(kind, self.read(node.value))
 
     def _call(self, node: ast.Call) -> Operand:
-        name = ast.unparse(node.func).removeprefix("np.").removeprefix("_")
+        function = ast.unparse(node.func)
+        is_scalar = function.startswith(("_", ELEMENTARY))
+        name = function.removeprefix("np.").removeprefix(ELEMENTARY).removeprefix("_")
         keywords = {k.arg: ast.unparse(k.value) for k in node.keywords}
         if name in ("sum", "all") and set(keywords) == {"axis"}:
             count = {"-1": 1, "(-2, -1)": 2}[keywords["axis"]]
@@ -272,7 +278,6 @@ class _ProgramReader:
         arguments = list(node.args)
         if keywords:
             raise ReadingError(f"line {node.lineno}: no operation is written {ast.unparse(node)!r}")
-        is_scalar = ast.unparse(node.func).startswith("_")
         constant = None if is_scalar else LAST_CONSTANT.get(name)
         if constant and ast.unparse(arguments.pop()) != constant:
             raise ReadingError(f"line {node.lineno}: {name} takes {LAST_CONSTANT[name]} last")

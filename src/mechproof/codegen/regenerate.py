@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from mechproof.codegen.backends.numba import render_compiled
+from mechproof.codegen.backends.numba import render_compiled, render_elementary
 from mechproof.codegen.backends.numpy import render_init, render_modules
 from mechproof.record import Paper
 
@@ -25,10 +25,11 @@ class ForeignFileError(RuntimeError):
     """A file that was not generated lies where one is to be written."""
 
 
-def render_package(papers: Iterable[Paper]) -> dict[str, str]:
+def render_package(papers: Iterable[Paper], *, is_own: bool = False) -> dict[str, str]:
     """Render every file of the generated package, by its name relative to the package.
 
-    Papers without forms have no module.
+    Papers without forms have no module. `is_own` says that it is `mechproof.kernels`, where the
+    compiled kernels of all packages find the elementary functions.
     """
     files = {
         name: text
@@ -40,6 +41,7 @@ def render_package(papers: Iterable[Paper]) -> dict[str, str]:
         "__init__.py": render_init("Generated kernels: one module per system."),
         "forms/__init__.py": render_init("Other forms of the kernels: one module per system."),
         "compiled/__init__.py": render_init("Compiled kernels: one module per system."),
+        **({"compiled/elementary.py": render_elementary()} if is_own else {}),
         **dict(sorted(files.items())),
     }
 

@@ -28,7 +28,8 @@ class Loops(NamedTuple):
     """A compiled kernel: its arguments, the shape of a result, and three ways to call it.
 
     `widths` are the lengths of last axes, 0 where there is none. `at` takes one point, `uniform`
-    a flat array of points and parameters that are numbers, `each` flat arrays of all arguments.
+    a flat array of points and parameters that are numbers, `each` flat arrays of all arguments;
+    both take flat targets first, one for each of several `results`.
     """
 
     names: tuple[str, ...]
@@ -37,6 +38,7 @@ class Loops(NamedTuple):
     at: Callable[..., Any]
     uniform: Callable[..., None]
     each: Callable[..., None]
+    results: int = 1
 
 
 def take_row(first: NDArray[Any], out: NDArray[Any] | None) -> NDArray[Any] | None:
@@ -70,6 +72,8 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
     if not any(loops.widths) and all(isinstance(a, np.generic) for a in arrays) and out is None:
         value = loops.at(*map(float, arrays))
         dtype = arrays[0].dtype
+        if loops.results > 1:
+            return np.array(value, dtype)
         return np.array(value, dtype).reshape(loops.shape) if loops.shape else dtype.type(value)
     return _run(loops, arrays, out)
 
@@ -79,7 +83,7 @@ def _take_numbers(
 ) -> NDArray[Any] | None:
     """Fill a short row of doubles whose parameters are numbers of any kind; None for all else."""
     first, *parameters = arguments
-    if type(first) is not np.ndarray or any(loops.widths) or loops.shape:
+    if type(first) is not np.ndarray or any(loops.widths) or loops.shape or loops.results > 1:
         return None
     if not all(map(_is_double, parameters)):
         return None
@@ -105,9 +109,12 @@ def _run(loops: Loops, arrays: tuple[Any, ...], out: NDArray[Any] | None) -> Any
     points = np.broadcast_shapes(*outer)
 
     def fill(target: NDArray[Any]) -> None:
-        _fill(loops, target, points, arrays, outer)
+        several = loops.results > 1
+        targets = [target[i, ...] for i in range(loops.results)] if several else [target]
+        _fill(loops, targets, points, arrays, outer)
 
-    return fill_target(fill, points + loops.shape, arrays, out)
+    first = (loops.results,) if loops.results > 1 else ()
+    return fill_target(fill, first + points + loops.shape, arrays, out)
 
 
 def check_arrays(names: tuple[str, ...], arrays: tuple[Any, ...], widths: tuple[int, ...]) -> None:
@@ -146,17 +153,17 @@ def fill_target(
 
 def _fill(
     loops: Loops,
-    target: NDArray[Any],
+    targets: list[NDArray[Any]],
     points: tuple[int, ...],
     arrays: tuple[Any, ...],
     outer: list[tuple[int, ...]],
 ) -> None:
-    """Fill a target whose last axes are a result's: rows of equal parameters if they are long."""
+    """Fill targets whose last axes are a result's: rows of equal parameters if they are long."""
     depth = len(points) - _count_common_axes(outer[1:], len(points))
     if not depth and outer[0] == points:
         first, *parameters = arrays
         numbers = [number for array in parameters for number in array.reshape(-1).tolist()]
-        _fill_uniformly(loops, target.reshape(-1), first.reshape(-1), numbers)
+        _fill_uniformly(loops, [t.reshape(-1) for t in targets], first.reshape(-1), numbers)
         return
     wide = [
         _spread(a, (*points, width) if width else points)
@@ -165,13 +172,13 @@ def _fill(
     if depth and math.prod(points[depth:]) < LONG_ROW:
         for index in cut(points, PIECE):
             flat = [np.ascontiguousarray(a[index]).reshape(-1) for a in wide]
-            loops.each(target[index].reshape(-1), *flat)
+            loops.each(*(t[index].reshape(-1) for t in targets), *flat)
         return
-    rows = target.reshape((*points[:depth], -1))
+    rows = [target.reshape((*points[:depth], -1)) for target in targets]
     table = _list_parameters(wide[1:], loops.widths[1:], points, depth)
     for index, numbers in zip(np.ndindex(points[:depth]), table, strict=True):
         row = np.ascontiguousarray(wide[0][index]).reshape(-1)
-        _fill_uniformly(loops, rows[index], row, numbers)
+        _fill_uniformly(loops, [r[index] for r in rows], row, numbers)
 
 
 def _spread(array: Any, shape: tuple[int, ...]) -> NDArray[Any]:
@@ -213,18 +220,23 @@ def cut(shape: tuple[int, ...], size: int) -> Iterator[tuple[slice, ...]]:
         yield (slice(start, start + step),)
 
 
-def _fill_uniformly(loops: Loops, target: NDArray[Any], row: NDArray[Any], parameters: Any) -> None:
-    """Fill a flat target, on several threads if it is long."""
+def _fill_uniformly(
+    loops: Loops, targets: list[NDArray[Any]], row: NDArray[Any], parameters: Any
+) -> None:
+    """Fill flat targets, on several threads if they are long."""
     width, count = max(loops.widths[0], 1), math.prod(loops.shape)
     points = row.size // width
     workers = _count_processors() if points >= THREADED else 1
     if workers == 1:
-        loops.uniform(target, row, *parameters)
+        loops.uniform(*targets, row, *parameters)
         return
     ends = [points * i // workers for i in range(workers + 1)]
     tasks = [
         _pool().submit(
-            loops.uniform, target[a * count : b * count], row[a * width : b * width], *parameters
+            loops.uniform,
+            *(target[a * count : b * count] for target in targets),
+            row[a * width : b * width],
+            *parameters,
         )
         for a, b in pairwise(ends)
     ]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from types import MappingProxyType
 
 from mechproof.notebook import Displayed
 
@@ -20,6 +22,28 @@ class Verdict(StrEnum):
     ENCLOSED = "ENCLOSED"
     UNDERDETERMINED = "UNDERDETERMINED"
     UNDECIDED = "UNDECIDED"
+
+
+MEANINGS: Mapping[Verdict, str] = MappingProxyType(
+    {
+        Verdict.PROVED: "a complete decision procedure, the named rung, says so on the whole "
+        "domain",
+        Verdict.REFUTED: "a counterexample whose enclosures separate both sides; the corrected "
+        "form is proved",
+        Verdict.ILL_FORMED: "cannot be evaluated as printed: the witness is shown, the corrected "
+        "form is proved",
+        Verdict.CONDITIONAL: "true on a stated part of the domain, false elsewhere with a "
+        "counterexample there",
+        Verdict.CONVENTION: "true after a stated change of sign, order, direction or reading; "
+        "both are shown",
+        Verdict.DEFINITION: "introduces a symbol or a datum, or is compared with what was built "
+        "from it: nothing to prove beyond dimensions and consistent use",
+        Verdict.ENCLOSED: "not proved: the difference is enclosed at stated points",
+        Verdict.UNDERDETERMINED: "the paper lacks a named datum: two completions of it give "
+        "opposite answers",
+        Verdict.UNDECIDED: "none of the others, with what could not be shown",
+    }
+)
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,15 @@ from mechproof.record.expressions import (
 from mechproof.record.findings import Cost, Finding, Follower
 from mechproof.record.forms import Chart, Form, Peer, Written
 from mechproof.record.papers import RESERVED, Paper, Published, Toleranced
-from mechproof.record.quantities import Accuracy, Argument, Quantity, Repeats, Scale, Singular
+from mechproof.record.quantities import (
+    Accuracy,
+    Argument,
+    Quantity,
+    Repeats,
+    Scale,
+    Singular,
+    Together,
+)
 from mechproof.record.rows import (
     MARKS,
     Claim,
@@ -88,6 +96,7 @@ __all__ = [
     "Sign",
     "Singular",
     "Statement",
+    "Together",
     "Toleranced",
     "ValueWhere",
     "Variable",

@@ -11,7 +11,7 @@ import sympy as sp
 
 from mechproof.notebook import Displayed
 from mechproof.record.findings import Finding
-from mechproof.record.quantities import Quantity
+from mechproof.record.quantities import Quantity, Together
 from mechproof.record.rows import Row
 from mechproof.record.variables import Notation, Variable
 
@@ -54,6 +54,7 @@ class Paper(Displayed):
     rows: tuple[Row, ...]
     where: tuple[sp.Basic, ...] = ()
     quantities: tuple[Quantity, ...] = ()
+    together: tuple[Together, ...] = ()
     published: tuple[Published, ...] = ()
     findings: tuple[Finding, ...] = ()
     conventions: str = ""
@@ -69,12 +70,28 @@ class Paper(Displayed):
         for what, names in (
             ("row numbers", [row.number for row in self.rows]),
             ("symbols", [str(variable.symbol) for variable in self.variables]),
-            ("quantities", [quantity.name for quantity in self.quantities]),
+            ("quantities", [named.name for named in (*self.quantities, *self.together)]),
             ("findings", [finding.row for finding in self.findings]),
         ):
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:
                 raise ValueError(f"paper {self.system!r}: {what} given twice: {twice}")
+        for together in self.together:
+            _check_together(self, together)
+
+
+def _check_together(paper: Paper, together: Together) -> None:
+    arguments = {
+        q.name: tuple((a.name, a.symbols, a.default) for a in q.arguments)
+        for q in paper.quantities
+        if q.forms
+    }
+    where = f"paper {paper.system!r}: {together.name!r}"
+    unknown = sorted(set(together.quantities) - arguments.keys())
+    if unknown:
+        raise ValueError(f"{where}: no quantities with forms: {unknown}")
+    if len({arguments[name] for name in together.quantities}) != 1:
+        raise ValueError(f"{where}: quantities of different arguments: {together.quantities}")
 
 
 def _names_module(system: str) -> bool:

@@ -124,3 +124,14 @@ class Quantity:
         )
         if wrong:
             raise ValueError(f"quantity {self.name!r}: keys of rivals {wrong}: no names, or twice")
+
+
+@dataclass(frozen=True)
+class Together:
+    """Quantities of the same arguments that compiled kernels compute in one pass, by their names.
+
+    What they have in common is computed once.
+    """
+
+    name: str
+    quantities: tuple[str, ...]

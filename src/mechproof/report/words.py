@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from markupsafe import Markup, escape
 
-from mechproof.proof.verdict import Verdict
+from mechproof.proof.verdict import MEANINGS, Verdict
 
 
 @dataclass(frozen=True)
@@ -22,42 +22,21 @@ class Look:
     meaning: str
 
 
+# The key of a style, a word and a sign for each verdict, in the order in which reports count them.
+_SHOWN = (
+    (Verdict.REFUTED, "refuted", "refuted", "✗"),
+    (Verdict.ILL_FORMED, "ill-formed", "ill-formed", "∅"),
+    (Verdict.UNDECIDED, "undecided", "undecided", "?"),
+    (Verdict.UNDERDETERMINED, "underdetermined", "underdetermined", "…"),
+    (Verdict.CONDITIONAL, "conditional", "true in part", "◐"),
+    (Verdict.CONVENTION, "convention", "convention", "⇄"),
+    (Verdict.ENCLOSED, "enclosed", "enclosed", "≈"),
+    (Verdict.PROVED, "proved", "proved", "✓"),
+    (Verdict.DEFINITION, "definition", "definition", "≔"),
+)
 LOOKS: Mapping[str, Look] = {
-    Verdict.REFUTED: Look(
-        "refuted", "refuted", "✗",
-        "a counterexample whose enclosures separate both sides; the corrected form is proved",
-    ),
-    Verdict.ILL_FORMED: Look(
-        "ill-formed", "ill-formed", "∅",
-        "cannot be evaluated as printed: the witness is shown, the corrected form is proved",
-    ),
-    Verdict.UNDECIDED: Look(
-        "undecided", "undecided", "?", "none of the others, with what could not be shown"
-    ),
-    Verdict.UNDERDETERMINED: Look(
-        "underdetermined", "underdetermined", "…",
-        "the paper lacks a named datum: two completions of it give opposite answers",
-    ),
-    Verdict.CONDITIONAL: Look(
-        "conditional", "true in part", "◐",
-        "true on a stated part of the domain, false elsewhere with a counterexample there",
-    ),
-    Verdict.CONVENTION: Look(
-        "convention", "convention", "⇄",
-        "true after a stated change of sign, order, direction or reading; both are shown",
-    ),
-    Verdict.ENCLOSED: Look(
-        "enclosed", "enclosed", "≈", "not proved: the difference is enclosed at stated points"
-    ),
-    Verdict.PROVED: Look(
-        "proved", "proved", "✓",
-        "a complete decision procedure, the named rung, says so on the whole domain",
-    ),
-    Verdict.DEFINITION: Look(
-        "definition", "definition", "≔",
-        "introduces a symbol or a datum: nothing to prove beyond dimensions and consistent use",
-    ),
-}  # fmt: skip
+    verdict: Look(key, word, sign, MEANINGS[verdict]) for verdict, key, word, sign in _SHOWN
+}
 MEASURED = Look(
     "measured", "measured", "∿", "no formula of ours: nothing is proved, it is measured"
 )

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
+from hashlib import sha256
 
 from mechproof.codegen.backends.numpy import format_source, render_template, tell_origin
 from mechproof.codegen.backends.scalar import (
     extend_syntax,
+    join_scalars,
     list_conditions,
-    list_elementary,
     list_scalars,
     list_stages,
     write_elementary,
@@ -18,18 +21,19 @@ from mechproof.codegen.backends.scalar import (
 )
 from mechproof.codegen.backends.sums import LOOPS, fold_sums
 from mechproof.codegen.elementary.formats import DOUBLE
-from mechproof.codegen.elementary.functions import build
+from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import NUMBA, NUMBA_FAR
 from mechproof.codegen.program import NOTHING, Program
 from mechproof.codegen.reading import (
+    ELEMENTARY,
     TranslationError,
     read_guards,
     read_reductions,
     read_scalars,
 )
 from mechproof.codegen.syntax import Syntax
-from mechproof.record import Paper
+from mechproof.record import Paper, Together
 
 SUPPORT = (
     "BLOCK", "Loops", "Sums", "choose", "copysign", "count_terms", "floor", "fma", "has_nan",
@@ -52,7 +56,8 @@ def render_compiled(paper: Paper) -> dict[str, str]:
         return {}
     about = (*_describe(paper.system), *(SUMMED if any(k.code.indexed for k in kernels) else ()))
     docstring = (*about, *tell_origin(paper.system))
-    return {f"compiled/{paper.system}.py": render_scalars(paper.system, docstring, kernels)}
+    source = render_scalars(paper.system, docstring, kernels, paper.together)
+    return {f"compiled/{paper.system}.py": source}
 
 
 def _describe(system: str) -> tuple[str, ...]:
@@ -69,33 +74,81 @@ def _describe(system: str) -> tuple[str, ...]:
         "is proved",
         "of the NumPy kernels alone.",
         "",
-        f"Angles up to {DOUBLE.largest} rad are reduced here; farther out the C library's "
-        "functions are taken.",
+        f"Elementary functions: `{ELEMENTARY.strip('.')}` {_hash_elementary()}.",
         "",
     )
 
 
-def render_scalars(system: str, docstring: Sequence[str], kernels: Sequence[Kernel]) -> str:
+# What is said of the elementary functions.
+ELEMENTARY_TEXT = (
+    "Elementary functions in plain arithmetic, for compiled kernels.",
+    "",
+    "What their approximations are off by is enclosed in balls over the whole interval.",
+    f"Angles up to {DOUBLE.largest} rad are reduced here. Farther out the C library's functions",
+    "are taken if `exact` is true; for None it is NaN.",
+    "",
+    "Regenerate with `mechproof regenerate`; edits are overwritten.",
+)
+
+
+@cache
+def render_elementary() -> str:
+    """Render the elementary functions and read them back."""
+    data: dict[str, object] = {
+        "docstring": ELEMENTARY_TEXT,
+        "largest": DOUBLE.largest,
+        "support": SUPPORT,
+        "functions": [write_elementary(kind, DOUBLE, NUMBA, NUMBA_FAR) for kind in BODIES],
+    }
+    _, _, used = render_template("numba_elementary.py.jinja", data).partition("LARGEST")
+    data["support"] = list_support(used)
+    source = format_source(render_template("numba_elementary.py.jinja", data))
+    check_elementary(source)
+    return source
+
+
+def check_elementary(source: str) -> None:
+    """Read the elementary functions back; `TranslationError` where one is not its program."""
+    _compare({kind: build(kind, DOUBLE).program for kind in BODIES}, read_scalars(source))
+
+
+@cache
+def _hash_elementary() -> str:
+    """Hash what kernels take: a module with another hash is compiled anew, not read from caches."""
+    return sha256(render_elementary().encode()).hexdigest()[:12]
+
+
+def list_support(text: str) -> tuple[str, ...]:
+    """List the names of the support package that a text has."""
+    words = frozenset(re.findall(r"\w+", text))
+    return tuple(name for name in SUPPORT if name in words)
+
+
+def render_scalars(
+    system: str,
+    docstring: Sequence[str],
+    kernels: Sequence[Kernel],
+    together: Iterable[Together] = (),
+) -> str:
     """Render a module of kernels and read it back."""
     folded, reductions = fold_sums(kernels)
     language = extend_syntax(NUMBA, reductions, "_")
+    written = [write_scalar(kernel, language) for kernel in folded]
+    written += [join_scalars(several, written) for several in together]
     data: dict[str, object] = {
         "system": system,
         "docstring": docstring,
-        "largest": DOUBLE.largest,
         "support": SUPPORT,
         "numpy": [],
-        "functions": [
-            write_elementary(kind, DOUBLE, NUMBA, NUMBA_FAR)
-            for kind in list_elementary(folded, reductions)
-        ],
+        "elementary": False,
         "letters": LOOPS,
         "reductions": [write_reduction(found, language) for found in reductions],
-        "kernels": [write_scalar(kernel, language) for kernel in folded],
+        "kernels": written,
     }
     # What the body names is imported.
     _, _, used = render_template("numba_module.py.jinja", data).partition("__all__")
-    data["support"] = tuple(name for name in SUPPORT if name in used)
+    data["support"] = list_support(used)
+    data["elementary"] = ELEMENTARY in used
     data["numpy"] = [
         *(["import numpy as np"] if "np." in used else []),
         *(["from numpy import float64, ndarray"] if "float64(" in used else []),
@@ -108,9 +161,7 @@ def render_scalars(system: str, docstring: Sequence[str], kernels: Sequence[Kern
 def check_translation(source: str, kernels: Iterable[Kernel]) -> None:
     """Read the functions of a module back; `TranslationError` where one is not its program."""
     folded, reductions = fold_sums(kernels)
-    elementary = list_elementary(folded, reductions)
-    meant = {f"_{kind}": build(kind, DOUBLE).program for kind in elementary}
-    meant |= {f"_{found.name}_term": found.term for found in reductions}
+    meant = {f"_{found.name}_term": found.term for found in reductions}
     for kernel in folded:
         for name, stage in list_stages(kernel):
             meant[f"_prepare{name}"] = stage.prepare

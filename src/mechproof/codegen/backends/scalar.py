@@ -6,19 +6,20 @@ elementary functions that occur are programs of plain arithmetic themselves.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from mechproof.codegen.backends.quotients import put_off_divisions
 from mechproof.codegen.backends.sums import ADDED, Reduction
 from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.elementary.fits import enclose
 from mechproof.codegen.elementary.formats import Format
 from mechproof.codegen.elementary.functions import BODIES, Function, build
 from mechproof.codegen.kernel import Kernel, list_functions
-from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program
+from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program, fuse
 from mechproof.codegen.reading import EXACT
 from mechproof.codegen.syntax import COMPARISONS, Syntax, Text, write_program
-from mechproof.record import Paper
+from mechproof.record import Paper, Together
 
 BOOLEAN = frozenset({*COMPARISONS, "both", "either", "is_finite"})
 
@@ -55,7 +56,10 @@ class ScalarArgument:
 
 @dataclass(frozen=True)
 class ScalarKernel:
-    """What is printed of a kernel; `checked` are the components that the domain is about."""
+    """What is printed of a kernel; `checked` are the components that the domain is about.
+
+    `members` are kernels that this one calls, each for a result of its own.
+    """
 
     name: str
     summary: str
@@ -65,6 +69,12 @@ class ScalarKernel:
     stages: tuple[ScalarStage, ...]
     shape: tuple[int, ...]
     limited: bool
+    members: tuple[ScalarKernel, ...] = ()
+
+    @property
+    def outs(self) -> tuple[str, ...]:
+        """Return the names of the arrays that results are stored in."""
+        return tuple(f"out_{m.name}" for m in self.members) or ("out",)
 
     @property
     def count(self) -> int:
@@ -88,6 +98,7 @@ class ScalarKernel:
     def taken(self) -> frozenset[str]:
         """Return the components that a value or the domain depends on."""
         used = {n for stage in self.stages for n in (*stage.running, *stage.parameters)}
+        used |= {n for member in self.members for n in member.taken}
         return frozenset(used) | {n for n in self.names if n in self.checked}
 
     @property
@@ -106,6 +117,7 @@ class FunctionText:
     """What is printed of an elementary function; `far` is its value beyond `largest`."""
 
     kind: str
+    meaning: str
     inputs: tuple[str, ...]
     text: Text
     far: Text | None
@@ -114,8 +126,27 @@ class FunctionText:
 
 
 def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
-    """List the shipped kernels."""
-    return tuple(k for k in list_functions(paper) if k.is_shipped)
+    """List the shipped kernels with programs for one point at a time.
+
+    Divisions are put off, and sums of products fused: both cost more there than an operation on
+    arrays, which waits for memory.
+    """
+    return tuple(_adapt(k) for k in list_functions(paper) if k.is_shipped)
+
+
+def _adapt(kernel: Kernel) -> Kernel:
+    def adapt(program: Program) -> Program:
+        return program if program is NOTHING else fuse(put_off_divisions(program))
+
+    stages = tuple(
+        replace(
+            stage,
+            prepare=adapt(stage.prepare),
+            evaluate=adapt(stage.evaluate) if stage.evaluate else None,
+        )
+        for stage in kernel.code.stages
+    )
+    return replace(kernel, code=replace(kernel.code, stages=stages))
 
 
 def write_scalar(kernel: Kernel, syntax: Syntax) -> ScalarKernel:
@@ -135,6 +166,31 @@ def write_scalar(kernel: Kernel, syntax: Syntax) -> ScalarKernel:
         code.shape,
         any(is_limited(p, syntax) for s in code.stages for p in s.programs),
     )
+
+
+def join_scalars(together: Together, kernels: Sequence[ScalarKernel]) -> ScalarKernel:
+    """Return the kernel that computes several in one pass.
+
+    Raises NotImplementedError for sums and for results with components.
+    """
+    named = {kernel.name: kernel for kernel in kernels}
+    members = tuple(named[name] for name in together.quantities)
+    if wrong := [member.name for member in members if member.shape or member.sums]:
+        raise NotImplementedError(f"{together.name}: {wrong} are not computed in one pass")
+    return replace(
+        members[0],
+        name=together.name,
+        summary=f"Compute {_list_words(together.quantities)} in one pass.",
+        inside="",
+        checked=frozenset(),
+        stages=(),
+        limited=any(member.limited for member in members),
+        members=members,
+    )
+
+
+def _list_words(names: Sequence[str]) -> str:
+    return f"{', '.join(names[:-1])} and {names[-1]}"
 
 
 def _write_stage(name: str, stage: Stage, syntax: Syntax) -> ScalarStage:
@@ -299,6 +355,7 @@ def write_elementary(kind: str, form: Format, syntax: Syntax, far: Syntax) -> Fu
     function: Function = build(kind, form)
     return FunctionText(
         kind,
+        function.meaning,
         function.program.inputs,
         write_program(function.program, syntax),
         write_program(function.far, far) if function.far else None,

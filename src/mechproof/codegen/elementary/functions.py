@@ -37,6 +37,7 @@ class Function:
     is wrong and `far`, where there is one, takes the functions of a backend's own library.
     """
 
+    meaning: str
     program: Program
     fits: tuple[Fitted, ...]
     far: Program | None
@@ -86,6 +87,14 @@ class _Maker:
         above, below = self.tangent_parts(y)
         return above / below
 
+    def tangent_above(self, y: Value) -> Value:
+        """Return tan(y) times what `tangent_below` returns."""
+        return self.tangent_parts(y)[0]
+
+    def tangent_below(self, y: Value) -> Value:
+        """Return what the other part of tan(y) is divided by, at least 0.7 or so."""
+        return self.tangent_parts(y)[1]
+
     def tangent_quotient(self, y: Value, a: Value, b: Value) -> Value:
         """Return t/(a + b*t**2), t = tan(y)."""
         above, below = self.tangent_parts(y)
@@ -123,6 +132,16 @@ class _Maker:
         arc = self.arc(choose(is_large, 1.0 / size, size))
         high, low = self.split_turn(0.5)
         return copysign(choose(is_large, high - (arc - low), arc), y)
+
+    def arctan_quotient(self, a: Value, b: Value) -> Value:
+        """Return atan(a/b)."""
+        rise, run = abs(a), abs(b)
+        is_large = rise > run
+        below = choose(is_large, rise, run)
+        arc = self.arc(choose(is_large, run, rise) / below)
+        high, low = self.split_turn(0.5)
+        size = choose(is_large, high - (arc - low), arc)
+        return copysign(1.0, b) * copysign(size, a)
 
     def arctan2(self, a: Value, b: Value) -> Value:
         """Return atan2(a, b)."""
@@ -208,9 +227,12 @@ BODIES: Mapping[str, tuple[Body, tuple[str, ...], Body | None]] = MappingProxyTy
     {
         "tan": (_Maker.tan, ("y",), _far("tan")),
         "tangent_quotient": (_Maker.tangent_quotient, ("y", "a", "b"), _far_quotient),
+        "tangent_above": (_Maker.tangent_above, ("y",), _far("tan")),
+        "tangent_below": (_Maker.tangent_below, ("y",), lambda y: y.apply("copy", 1.0)),
         "sin": (_Maker.sin, ("y",), _far("sin")),
         "cos": (_Maker.cos, ("y",), _far("cos")),
         "arctan": (_Maker.arctan, ("y",), None),
+        "arctan_quotient": (_Maker.arctan_quotient, ("a", "b"), None),
         "arctan2": (_Maker.arctan2, ("a", "b"), None),
         "small_arctan": (_Maker.small_arctan, ("y",), None),
         "small_tangent": (_Maker.small_tangent, ("y",), None),
@@ -232,4 +254,5 @@ def build(kind: str, form: Format) -> Function:
     body, inputs, far = BODIES[kind]
     maker = _Maker(form)
     program = trace(lambda *values: body(maker, *values), inputs)
-    return Function(program, tuple(maker.fits), trace(far, inputs) if far else None)
+    far_program = trace(far, inputs) if far else None
+    return Function(str(body.__doc__), program, tuple(maker.fits), far_program)

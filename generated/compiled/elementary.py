@@ -1,0 +1,565 @@
+"""Elementary functions in plain arithmetic, for compiled kernels.
+
+What their approximations are off by is enclosed in balls over the whole interval.
+Angles up to 67108864.0 rad are reduced here. Farther out the C library's functions
+are taken if `exact` is true; for None it is NaN.
+
+Regenerate with `mechproof regenerate`; edits are overwritten.
+"""
+
+import math
+
+import numpy as np
+
+from mechproof.compiled_support import choose, copysign, floor, fma, rint, scalar
+
+__all__ = [
+    "arctan",
+    "arctan2",
+    "arctan_quotient",
+    "cos",
+    "hypot",
+    "product_rest",
+    "quotient_rest",
+    "sin",
+    "small_arctan",
+    "small_tangent",
+    "sum_rest",
+    "tan",
+    "tangent_above",
+    "tangent_below",
+    "tangent_quotient",
+    "total_rest",
+]
+
+LARGEST = 67108864.0
+
+
+# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
+@scalar
+def tan(y, exact):
+    """Return tan(y)."""
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = (
+        fma(
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
+        )
+        * v2
+    )
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
+    )
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
+    value = choose(v9, v5, -v7) / choose(v9, v7, v5)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+    return math.tan(y)
+
+
+# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
+@scalar
+def tangent_quotient(y, a, b, exact):
+    """Return t/(a + b*t**2), t = tan(y)."""
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = (
+        fma(
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
+        )
+        * v2
+    )
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
+    )
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
+    v10 = choose(v9, v5, -v7)
+    v11 = choose(v9, v7, v5)
+    value = v10 * v11 / fma(a * v11, v11, b * v10 * v10)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+    v1 = math.tan(y)
+    return v1 / (a + b * v1 * v1)
+
+
+# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
+@scalar
+def tangent_above(y, exact):
+    """Return tan(y) times what `tangent_below` returns."""
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = (
+        fma(
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
+        )
+        * v2
+    )
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
+    )
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
+    value = choose(v9, v5, -v7)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+    return math.tan(y)
+
+
+# tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.235 eps
+@scalar
+def tangent_below(y, exact):
+    """Return what the other part of tan(y) is divided by, at least 0.7 or so."""
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = (
+        fma(
+            v4,
+            fma(v3, -7.482425926557501e-06, 0.00280579332473998),
+            fma(v3, -0.1282823491413398, 1.0),
+        )
+        * v2
+    )
+    v6 = v3 * v3
+    v7 = fma(
+        v6,
+        fma(v3, -0.00020843011349081395, 0.023344354149567717),
+        fma(v3, -0.46161568247467066, 1.0),
+    )
+    v8 = v1 * 0.5
+    v9 = rint(v8) == v8
+    value = choose(v9, v7, v5)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+    return 1.0
+
+
+# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
+# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
+@scalar
+def sin(y, exact):
+    """Return sin(y)."""
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        fma(
+            v2 * v3,
+            fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
+                fma(
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
+                ),
+            ),
+            v2,
+        ),
+        v7
+        + fma(
+            v3 * v3,
+            fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
+                fma(
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
+                ),
+            ),
+            1.0 - v7 - v6,
+        ),
+    )
+    v12 = floor(v10) * 0.5
+    value = choose(floor(v12) == v12, v11, -v11)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+    return math.sin(y)
+
+
+# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
+# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
+@scalar
+def cos(y, exact):
+    """Return cos(y)."""
+    v1 = rint(y * 0.6366197723675814)
+    v2 = fma(
+        v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))
+    )
+    v3 = v2 * v2
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v3 * 0.5
+    v7 = 1.0 - v6
+    v8 = v3 * v3
+    v9 = v8 * v8
+    v10 = v1 * 0.5
+    v11 = choose(
+        rint(v10) == v10,
+        v7
+        + fma(
+            v3 * v3,
+            fma(
+                v9,
+                fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
+                fma(
+                    v8,
+                    fma(v3, -2.7557317271718644e-07, 2.4801587298765665e-05),
+                    fma(v3, -0.0013888888888887398, 0.041666666666666664),
+                ),
+            ),
+            1.0 - v7 - v6,
+        ),
+        fma(
+            v2 * v3,
+            fma(
+                v5,
+                fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
+                fma(
+                    v4,
+                    fma(v3, 2.7557316102534617e-06, -0.0001984126983675854),
+                    fma(v3, 0.008333333333330948, -0.16666666666666666),
+                ),
+            ),
+            v2,
+        ),
+    )
+    v12 = floor((v1 + 1.0) * 0.5) * 0.5
+    value = choose(floor(v12) == v12, v11, -v11)
+    if abs(y) <= LARGEST:
+        return value
+    if exact is None:
+        return math.nan
+    return math.cos(y)
+
+
+# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
+@scalar
+def arctan(y):
+    """Return atan(y)."""
+    v1 = abs(y)
+    v2 = v1 > 1.0
+    v3 = choose(v2, 1.0 / v1, v1)
+    v4 = v3 * v3
+    v5 = v4 * v4
+    v6 = v5 * v5
+    v7 = v6 * v6
+    v8 = v7 * v7
+    v9 = fma(
+        v3 * v4,
+        fma(
+            v8,
+            fma(
+                v6,
+                fma(v4, 7.767532298566822e-06, -9.371091633560781e-05),
+                fma(
+                    v5,
+                    fma(v4, 0.0005376794060869381, -0.001961242117363609),
+                    fma(v4, 0.005140885854032265, -0.010412113196030874),
+                ),
+            ),
+            fma(
+                v7,
+                fma(
+                    v6,
+                    fma(
+                        v5,
+                        fma(v4, 0.01718393672751917, -0.02419130675591347),
+                        fma(v4, 0.030330692745374102, -0.03527131689273554),
+                    ),
+                    fma(
+                        v5,
+                        fma(v4, 0.039386869439826874, -0.04330653645791128),
+                        fma(v4, 0.04758080032858198, -0.05262492218979753),
+                    ),
+                ),
+                fma(
+                    v6,
+                    fma(
+                        v5,
+                        fma(v4, 0.05882264415278073, -0.06666657934409811),
+                        fma(v4, 0.07692307078814367, -0.09090909061934628),
+                    ),
+                    fma(
+                        v5,
+                        fma(v4, 0.11111111110268276, -0.14285714285701234),
+                        fma(v4, 0.1999999999999992, -0.3333333333333333),
+                    ),
+                ),
+            ),
+        ),
+        v3,
+    )
+    return copysign(choose(v2, 1.5707963267948966 - (v9 - 6.123233995736766e-17), v9), y)
+
+
+# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
+@scalar
+def arctan_quotient(a, b):
+    """Return atan(a/b)."""
+    v1 = abs(a)
+    v2 = abs(b)
+    v3 = v1 > v2
+    v4 = choose(v3, v2, v1) / choose(v3, v1, v2)
+    v5 = v4 * v4
+    v6 = v5 * v5
+    v7 = v6 * v6
+    v8 = v7 * v7
+    v9 = v8 * v8
+    v10 = fma(
+        v4 * v5,
+        fma(
+            v9,
+            fma(
+                v7,
+                fma(v5, 7.767532298566822e-06, -9.371091633560781e-05),
+                fma(
+                    v6,
+                    fma(v5, 0.0005376794060869381, -0.001961242117363609),
+                    fma(v5, 0.005140885854032265, -0.010412113196030874),
+                ),
+            ),
+            fma(
+                v8,
+                fma(
+                    v7,
+                    fma(
+                        v6,
+                        fma(v5, 0.01718393672751917, -0.02419130675591347),
+                        fma(v5, 0.030330692745374102, -0.03527131689273554),
+                    ),
+                    fma(
+                        v6,
+                        fma(v5, 0.039386869439826874, -0.04330653645791128),
+                        fma(v5, 0.04758080032858198, -0.05262492218979753),
+                    ),
+                ),
+                fma(
+                    v7,
+                    fma(
+                        v6,
+                        fma(v5, 0.05882264415278073, -0.06666657934409811),
+                        fma(v5, 0.07692307078814367, -0.09090909061934628),
+                    ),
+                    fma(
+                        v6,
+                        fma(v5, 0.11111111110268276, -0.14285714285701234),
+                        fma(v5, 0.1999999999999992, -0.3333333333333333),
+                    ),
+                ),
+            ),
+        ),
+        v4,
+    )
+    return copysign(1.0, b) * copysign(
+        choose(v3, 1.5707963267948966 - (v10 - 6.123233995736766e-17), v10), a
+    )
+
+
+# (atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1: the whole is off by at most 0.068 eps
+@scalar
+def arctan2(a, b):
+    """Return atan2(a, b)."""
+    v1 = abs(a)
+    v2 = abs(b)
+    v3 = v1 > v2
+    v4 = choose(v3, v1, v2)
+    v5 = choose(v3, v2, v1) / choose(v4 == 0.0, 1.0, v4)
+    v6 = v5 * v5
+    v7 = v6 * v6
+    v8 = v7 * v7
+    v9 = v8 * v8
+    v10 = v9 * v9
+    v11 = fma(
+        v5 * v6,
+        fma(
+            v10,
+            fma(
+                v8,
+                fma(v6, 7.767532298566822e-06, -9.371091633560781e-05),
+                fma(
+                    v7,
+                    fma(v6, 0.0005376794060869381, -0.001961242117363609),
+                    fma(v6, 0.005140885854032265, -0.010412113196030874),
+                ),
+            ),
+            fma(
+                v9,
+                fma(
+                    v8,
+                    fma(
+                        v7,
+                        fma(v6, 0.01718393672751917, -0.02419130675591347),
+                        fma(v6, 0.030330692745374102, -0.03527131689273554),
+                    ),
+                    fma(
+                        v7,
+                        fma(v6, 0.039386869439826874, -0.04330653645791128),
+                        fma(v6, 0.04758080032858198, -0.05262492218979753),
+                    ),
+                ),
+                fma(
+                    v8,
+                    fma(
+                        v7,
+                        fma(v6, 0.05882264415278073, -0.06666657934409811),
+                        fma(v6, 0.07692307078814367, -0.09090909061934628),
+                    ),
+                    fma(
+                        v7,
+                        fma(v6, 0.11111111110268276, -0.14285714285701234),
+                        fma(v6, 0.1999999999999992, -0.3333333333333333),
+                    ),
+                ),
+            ),
+        ),
+        v5,
+    )
+    v12 = copysign(1.0, b) < 0.0
+    return copysign(
+        choose(v3, 1.5707963267948966, choose(v12, 3.141592653589793, 0.0))
+        + (
+            choose(v3, 6.123233995736766e-17, choose(v12, 1.2246467991473532e-16, 0.0))
+            + choose(v3, choose(v12, v11, -v11), choose(v12, -v11, v11))
+        ),
+        a,
+    )
+
+
+# (atan(y)/y - 1)/y**2 in powers of y**2: the whole is off by at most 0.039 eps
+@scalar
+def small_arctan(y):
+    """Return atan(y) for |y| <= 1/sqrt(3)."""
+    v1 = y * y
+    v2 = v1 * v1
+    v3 = v2 * v2
+    v4 = v3 * v3
+    return fma(
+        y * v1,
+        fma(
+            v4,
+            fma(
+                v3,
+                fma(v1, 0.004874344370582316, -0.016659150283803603),
+                fma(
+                    v2,
+                    fma(v1, 0.029952645730746047, -0.0399373154528896),
+                    fma(v1, 0.04672178312032516, -0.05246779764226303),
+                ),
+            ),
+            fma(
+                v3,
+                fma(
+                    v2,
+                    fma(v1, 0.05880212501481828, -0.06666469622709092),
+                    fma(v1, 0.07692295286707518, -0.09090908582071015),
+                ),
+                fma(
+                    v2,
+                    fma(v1, 0.11111111098553708, -0.14285714285551976),
+                    fma(v1, 0.1999999999999917, -0.3333333333333333),
+                ),
+            ),
+        ),
+        y,
+    )
+
+
+@scalar
+def small_tangent(y):
+    """Return tan(y) for y the half of a low word."""
+    return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
+
+
+@scalar
+def hypot(a, b):
+    """Return sqrt(a**2 + b**2), scaled where squares would leave the range."""
+    v1 = abs(a)
+    v2 = abs(b)
+    v3 = choose(v1 > v2, v1, v2)
+    v4 = choose(
+        v3 > 3.273390607896142e150,
+        2.409919865102884e-181,
+        choose(v3 < 3.054936363499605e-151, 4.149515568880993e180, 1.0),
+    )
+    v5 = v1 * v4
+    v6 = v2 * v4
+    return np.sqrt(fma(v5, v5, v6 * v6)) / v4
+
+
+@scalar
+def product_rest(a, b, p):
+    """Return a*b - p."""
+    return fma(a, b, -p)
+
+
+@scalar
+def quotient_rest(a, b, q):
+    """Return a/b - q."""
+    return fma(-q, b, a) / b
+
+
+@scalar
+def sum_rest(a, b, s):
+    """Return a + b - s."""
+    return b - (s - a)
+
+
+@scalar
+def total_rest(a, b, s):
+    """Return a + b - s, whichever of both is larger."""
+    v1 = s - a
+    return a - (s - v1) + (b - v1)

@@ -1,0 +1,145 @@
+"""Programs for one point at a time: fewer divisions, products fused, the same value."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import mpmath as mp
+import pytest
+from derived import SYSTEMS, paper_of
+
+from mechproof.codegen.backends.quotients import put_off_divisions
+from mechproof.codegen.kernel import list_functions
+from mechproof.codegen.program import Operand, Operation, Program, fuse
+
+DIGITS = 60
+STAGES = [
+    pytest.param(program, id=f"{system}.{kernel.name} {number}")
+    for system in SYSTEMS
+    for kernel in list_functions(paper_of(system))
+    if kernel.is_shipped
+    for number, program in enumerate(p for s in kernel.code.stages for p in s.programs)
+    if put_off_divisions(program) != program
+]
+
+
+def meanings(scale: int) -> Mapping[str, Callable[..., Any]]:
+    return {
+        "add": lambda a, b: a + b,
+        "subtract": lambda a, b: a - b,
+        "multiply": lambda a, b: a * b,
+        "divide": lambda a, b: a / b,
+        "square": lambda a: a**2,
+        "negate": lambda a: -a,
+        "fma": lambda a, b, c: a * b + c,
+        "copy": lambda a: a,
+        "sqrt": mp.sqrt,
+        "sin": mp.sin,
+        "cos": mp.cos,
+        "tan": mp.tan,
+        "tangent_above": lambda y: scale * mp.sin(y),
+        "tangent_below": lambda y: scale * mp.cos(y),
+        "arctan": mp.atan,
+        "arctan_quotient": lambda a, b: mp.atan(a / b),
+        "small_tangent": mp.tan,
+        "product_rest": lambda a, b, p: a * b - p,
+        "quotient_rest": lambda a, b, q: a / b - q,
+    }
+
+
+def run(program: Program, scale: int = 1) -> list[Any]:
+    """Evaluate a program at fixed inputs, with parts of tangents of a scale."""
+    table = meanings(scale)
+    known: dict[Operand, Any] = {
+        name: mp.mpf(2 + 3 * i) / 7 for i, name in enumerate(program.inputs)
+    }
+
+    def find(operand: Operand) -> Any:
+        return known[operand] if isinstance(operand, str) else mp.mpf(operand)
+
+    for step in program.operations:
+        known[step.result] = table[step.kind](*map(find, step.operands))
+    return [find(output) for output in program.outputs]
+
+
+def count(program: Program, *kinds: str) -> int:
+    return sum(step.kind in kinds for step in program.operations)
+
+
+def test_there_are_programs_to_test() -> None:
+    assert len(STAGES) > 8
+
+
+@pytest.mark.parametrize("program", STAGES)
+def test_the_value_stays_whatever_the_scale_of_a_tangent(program: Program) -> None:
+    changed = fuse(put_off_divisions(program))
+    with mp.workdps(DIGITS):
+        wanted = run(program)
+        for scale in (1, 3):
+            for one, other in zip(run(changed, scale), wanted, strict=True):
+                assert mp.almosteq(one, other, 10 ** (5 - DIGITS))
+
+
+def write(*lines: tuple[Any, ...], inputs: str = "x y z") -> Program:
+    """Write a program; the last result is its output."""
+    operations = tuple(Operation(result, kind, tuple(given)) for result, kind, *given in lines)
+    return Program(tuple(inputs.split()), operations, (operations[-1].result,)).normal_form()
+
+
+def test_a_tangent_that_does_not_cancel_stays() -> None:
+    program = write(("t", "tan", "x"), ("_1", "multiply", "t", "t"), ("_2", "add", "_1", "y"))
+    assert put_off_divisions(program) == program
+
+
+def test_a_tangent_over_its_square_cancels() -> None:
+    program = write(
+        ("_1", "divide", "x", 2),
+        ("t", "tan", "_1"),
+        ("_2", "square", "t"),
+        ("_3", "add", 1, "_2"),
+        ("_4", "divide", "t", "_3"),
+    )
+    changed = put_off_divisions(program)
+    assert count(program, "divide", "tan") == 3
+    assert count(changed, "divide", "tan") == 2
+    with mp.workdps(DIGITS):
+        assert mp.almosteq(run(changed, 5)[0], run(program)[0], 10 ** (5 - DIGITS))
+
+
+def test_a_wrong_scale_is_seen() -> None:
+    """The comparison above fails for a value that depends on the scale."""
+    program = write(("_1", "tangent_above", "x"), ("_2", "multiply", "_1", "y"))
+    with mp.workdps(DIGITS):
+        assert run(program, 3) != run(program)
+
+
+@pytest.mark.parametrize(
+    ("lines", "kinds"),
+    [
+        ([("_1", "multiply", "x", "y"), ("_2", "add", "_1", "z")], ["fma"]),
+        ([("_1", "multiply", "x", "y"), ("_2", "subtract", "z", "_1")], ["negate", "fma"]),
+        ([("_1", "multiply", "x", "y"), ("_2", "subtract", "_1", "z")], ["multiply", "subtract"]),
+        ([("a", "multiply", "x", "y"), ("_2", "add", "a", "z")], ["multiply", "add"]),
+        (
+            [("_1", "multiply", "x", "y"), ("_2", "square", "z"), ("_3", "subtract", "_1", "_2")],
+            ["multiply", "square", "subtract"],
+        ),
+        (
+            [("_1", "multiply", "x", "y"), ("_2", "square", "z"), ("_3", "add", "_1", "_2")],
+            ["multiply", "fma"],
+        ),
+        (
+            [("_1", "add", "x", "y"), ("_2", "square", "_1"), ("_3", "add", "z", "_2")],
+            ["add", "square", "add"],
+        ),
+    ],
+)
+def test_products_are_fused_with_sums_but_not_with_differences_of_products(
+    lines: list[tuple[Any, ...]], kinds: list[str]
+) -> None:
+    program = write(*lines)
+    fused = fuse(program)
+    assert [step.kind for step in fused.operations] == kinds
+    with mp.workdps(DIGITS):
+        assert mp.almosteq(run(fused)[0], run(program)[0])
