@@ -33,7 +33,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, holds, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, holds, is_finite, nan_outside
+from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent
 from mechproof.kernel_support.facts import Condition, Sizes
 from mechproof.kernel_support.polynomials import small_arctan, tangent_quotient
@@ -46,7 +47,7 @@ __all__ = [
     "smallest_ratio",
 ]
 
-# tan(r/2)/r in powers of r**2; the whole function is off by at most 0.235 eps
+# tan(r/2)/r in powers of r**2; the whole function is off by at most 0.232 eps
 TANGENT = (
     (0.5, -0.016035293642667474, 8.768104139812438e-05, -5.8456452551230476e-08),
     (1.0, -0.11540392061866767, 0.0014590221343479823, -3.256720523293968e-06),
@@ -145,16 +146,17 @@ def ratio(
     Source: Prikhodko et al. 2024, equation (8).
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_ratio, (phi1,), _prepare_ratio, (R1, R2, e), out=out)
 
 
 def _prepare_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
-    one_minus_e = 1 - e
-    one_plus_e = 1 + e
+    one_minus_e = 1.0 - e
+    one_plus_e = 1.0 + e
     k_low = quotient_rest(R1, R2, k)
 
     return (k, one_minus_e, one_plus_e, k_low)
@@ -162,15 +164,15 @@ def _prepare_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 
 def _ratio(phi1: Any, k: Any, one_minus_e: Any, one_plus_e: Any, k_low: Any) -> Any:
     x = k * phi1
-    t = np.tan(x / 2)
+    t = np.tan(x / 2.0)
     x_low = k_low * phi1 + product_rest(k, phi1, x)
-    t_low = small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
+    t_low = small_tangent(x_low / 2.0)
+    adjacent = 1.0 - t * t_low
     adjacent_squared = adjacent**2
     opposite = t + t_low
     opposite_squared = opposite**2
 
-    return 1 + k * one_minus_e * one_plus_e / (
+    return 1.0 + k * one_minus_e * one_plus_e / (
         one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared
     ) * (adjacent_squared + opposite_squared)
 
@@ -219,7 +221,7 @@ def position(
     Accuracy: 6 eps of the value, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|).
 
     Proved of half-angle atan, where |x| <= 2**26: at most 4.45 eps with np.arctan within 1 ulp
-    and np.tan within 1 ulp, found 3.34; at most 6.74 eps by polynomials, found 4.51.
+    and np.tan within 1 ulp, found 3.34; at most 6.69 eps by polynomials, found 4.51.
 
     Proved of half-angle atan with low word, where |x| <= 22/7 or |x| <= 2**26 and e <= 1 -
     2**-10: at most 10.73 eps with np.arctan within 1 ulp and np.tan within 1 ulp, found 2.49.
@@ -227,9 +229,10 @@ def position(
     Source: Prikhodko et al. 2024, integral (9) of equation (8).
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     if holds(e <= 0.5):
         return in_blocks(_position_1, (phi1,), _prepare_position_1, (R1, R2, e), out=out)
     return in_blocks(_position, (phi1,), _prepare_position, (R1, R2, e), out=out)
@@ -237,8 +240,8 @@ def position(
 
 def _prepare_position_1(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
-    one_minus_e = 1 - e
-    one_plus_e = 1 + e
+    one_minus_e = 1.0 - e
+    one_plus_e = 1.0 + e
 
     return (e, k, one_minus_e, one_plus_e)
 
@@ -246,30 +249,30 @@ def _prepare_position_1(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 def _position_1(phi1: Any, e: Any, k: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
     x = k * phi1
 
-    return (1 + k) * phi1 + 2 * small_arctan(
-        2 * e * tangent_quotient(x / 2, one_minus_e, one_plus_e, TANGENT), ARCTANGENT
+    return (1.0 + k) * phi1 + 2.0 * small_arctan(
+        2.0 * e * tangent_quotient(x / 2.0, one_minus_e, one_plus_e, TANGENT), ARCTANGENT
     )
 
 
 def _prepare_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
     k_low = quotient_rest(R1, R2, k)
-    one_minus_e = 1 - e
-    one_plus_e = 1 + e
+    one_minus_e = 1.0 - e
+    one_plus_e = 1.0 + e
 
     return (e, k, k_low, one_minus_e, one_plus_e)
 
 
 def _position(phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
     x = k * phi1
-    t = np.tan(x / 2)
+    t = np.tan(x / 2.0)
     x_low = k_low * phi1 + product_rest(k, phi1, x)
-    t_low = small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
+    t_low = small_tangent(x_low / 2.0)
+    adjacent = 1.0 - t * t_low
     opposite = t + t_low
 
-    return (1 + k) * phi1 + 2 * np.arctan(
-        2 * e / (one_minus_e * adjacent**2 + one_plus_e * opposite**2) * adjacent * opposite
+    return (1.0 + k) * phi1 + 2.0 * np.arctan(
+        2.0 * e / (one_minus_e * adjacent**2 + one_plus_e * opposite**2) * adjacent * opposite
     )
 
 
@@ -312,33 +315,34 @@ def acceleration(
     Source: derivative of Prikhodko et al. 2024, equation (8).
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (R1, R2, e), out=out)
 
 
 def _prepare_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
     k_low = quotient_rest(R1, R2, k)
-    one_minus_e = 1 - e
-    one_plus_e = 1 + e
+    one_minus_e = 1.0 - e
+    one_plus_e = 1.0 + e
 
     return (e, k, k_low, one_minus_e, one_plus_e)
 
 
 def _acceleration(phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
     x = k * phi1
-    t = np.tan(x / 2)
+    t = np.tan(x / 2.0)
     x_low = k_low * phi1 + product_rest(k, phi1, x)
-    t_low = small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
+    t_low = small_tangent(x_low / 2.0)
+    adjacent = 1.0 - t * t_low
     opposite = t + t_low
     adjacent_squared = adjacent**2
     opposite_squared = opposite**2
 
     return (
-        -4
+        -4.0
         * e
         * one_minus_e
         * one_plus_e
@@ -384,9 +388,10 @@ def largest_ratio(
     Source: extremes of Prikhodko et al. 2024, equation (8).
 
     """
-    R1, R2, e = as_floats(R1=R1, R2=R2, e=e)
+    R1, R2, e = as_floats("R1 R2 e", R1, R2, e)
     inside = (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_largest_ratio, (R1,), _prepare_largest_ratio, (R2, e), out=out)
 
 
@@ -398,7 +403,7 @@ def _prepare_largest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
 def _largest_ratio(R1: Any, R2: Any, e: Any) -> Any:
     k = R1 / R2
 
-    return 1 + (1 + e) / (1 - e) * k
+    return 1.0 + (1.0 + e) / (1.0 - e) * k
 
 
 # Source: extremes of Prikhodko et al. 2024, equation (8)
@@ -435,9 +440,10 @@ def smallest_ratio(
     Source: extremes of Prikhodko et al. 2024, equation (8).
 
     """
-    R1, R2, e = as_floats(R1=R1, R2=R2, e=e)
+    R1, R2, e = as_floats("R1 R2 e", R1, R2, e)
     inside = (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_smallest_ratio, (R1,), _prepare_smallest_ratio, (R2, e), out=out)
 
 
@@ -449,4 +455,4 @@ def _prepare_smallest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
 def _smallest_ratio(R1: Any, R2: Any, e: Any) -> Any:
     k = R1 / R2
 
-    return 1 + (1 - e) / (1 + e) * k
+    return 1.0 + (1.0 - e) / (1.0 + e) * k

@@ -46,7 +46,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, holds, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, holds, is_finite, nan_outside
+from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent, sum_rest
 from mechproof.kernel_support.facts import Condition, Sizes
 
@@ -152,20 +153,21 @@ def ratio(
     Source: Prikhodko et al. 2024 (oval wheels), equation (10).
 
     """
-    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
     inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
-    e1, e2 = nan_outside(inside, e1, e2)
+    if inside is not True:
+        e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_ratio, (phi1,), _prepare_ratio, (e1, e2, mount), out=out)
 
 
 def _prepare_ratio(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    one_plus_e1 = 1 + e1
-    both = one_plus_e1 * (1 + e2)
-    one_minus_e1 = 1 - e1
-    one_minus_e2 = 1 - e2
+    one_plus_e1 = 1.0 + e1
+    both = one_plus_e1 * (1.0 + e2)
+    one_minus_e1 = 1.0 - e1
+    one_minus_e2 = 1.0 - e2
     less = one_minus_e1 * one_minus_e2
     sin_mount = np.sin(mount)
-    lever = 4 * e2 * sin_mount / one_minus_e2
+    lever = 4.0 * e2 * sin_mount / one_minus_e2
     shift = lever * one_minus_e1 * sin_mount
     rise = lever * one_plus_e1 * np.cos(mount)
 
@@ -177,8 +179,8 @@ def _ratio(phi1: Any, both: Any, less: Any, shift: Any, rise: Any) -> Any:
     y = shift + rise * tan_phi1
     tan_phi1_squared = tan_phi1**2
 
-    return 1 - both * (less + shift) / (both**2 * tan_phi1_squared + (less + y) ** 2) * (
-        1 + tan_phi1_squared
+    return 1.0 - both * (less + shift) / (both**2 * tan_phi1_squared + (less + y) ** 2) * (
+        1.0 + tan_phi1_squared
     )
 
 
@@ -229,23 +231,24 @@ def position(
     Source: Prikhodko et al. 2024 (oval wheels), integral (11).
 
     """
-    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
     inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
-    e1, e2 = nan_outside(inside, e1, e2)
+    if inside is not True:
+        e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_position, (phi1,), _prepare_position, (e1, e2, mount), out=out)
 
 
 def _prepare_position(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
     sin_mount = np.sin(mount)
-    one_minus_e2 = 1 - e2
-    lever = 4 * e2 * sin_mount / one_minus_e2
-    one_minus_e1 = 1 - e1
+    one_minus_e2 = 1.0 - e2
+    lever = 4.0 * e2 * sin_mount / one_minus_e2
+    one_minus_e1 = 1.0 - e1
     shift = lever * one_minus_e1 * sin_mount
-    one_plus_e1 = 1 + e1
+    one_plus_e1 = 1.0 + e1
     rise = lever * one_plus_e1 * np.cos(mount)
-    swing = 2 * e1 + 2 * e2
+    swing = 2.0 * e1 + 2.0 * e2
     less = one_minus_e1 * one_minus_e2
-    both = one_plus_e1 * (1 + e2)
+    both = one_plus_e1 * (1.0 + e2)
 
     return (shift, rise, swing, less, both)
 
@@ -305,29 +308,30 @@ def acceleration(
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10).
 
     """
-    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
     inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
-    e1, e2 = nan_outside(inside, e1, e2)
+    if inside is not True:
+        e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (e1, e2, mount), out=out)
 
 
 def _prepare_acceleration(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    one_plus_e1 = 1 + e1
-    one_plus_e2 = 1 + e2
+    one_plus_e1 = 1.0 + e1
+    one_plus_e2 = 1.0 + e2
     both_high = one_plus_e1 * one_plus_e2
-    one_plus_e2_low = sum_rest(1, e2, one_plus_e2)
-    one_plus_e1_low = sum_rest(1, e1, one_plus_e1)
+    one_plus_e2_low = sum_rest(1.0, e2, one_plus_e2)
+    one_plus_e1_low = sum_rest(1.0, e1, one_plus_e1)
     both_low = (
         one_plus_e1 * one_plus_e2_low
         + one_plus_e1_low * one_plus_e2
         + product_rest(one_plus_e1, one_plus_e2, both_high)
     )
     both = both_high + both_low
-    one_minus_e1 = 1 - e1
-    one_minus_e2 = 1 - e2
+    one_minus_e1 = 1.0 - e1
+    one_minus_e2 = 1.0 - e2
     less_high = one_minus_e1 * one_minus_e2
-    one_minus_e2_low = sum_rest(1, -e2, one_minus_e2)
-    one_minus_e1_low = sum_rest(1, -e1, one_minus_e1)
+    one_minus_e2_low = sum_rest(1.0, -e2, one_minus_e2)
+    one_minus_e1_low = sum_rest(1.0, -e1, one_minus_e1)
     less_low = (
         one_minus_e1 * one_minus_e2_low
         + one_minus_e1_low * one_minus_e2
@@ -335,10 +339,10 @@ def _prepare_acceleration(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
     )
     less = less_high + less_low
     sin_mount = np.sin(mount)
-    lever = 4 * e2 * sin_mount / one_minus_e2
+    lever = 4.0 * e2 * sin_mount / one_minus_e2
     shift = lever * one_minus_e1 * sin_mount
     rise = lever * one_plus_e1 * np.cos(mount)
-    swing = 2 * e1 + 2 * e2
+    swing = 2.0 * e1 + 2.0 * e2
 
     return (both, less, shift, rise, swing)
 
@@ -349,15 +353,15 @@ def _acceleration(phi1: Any, both: Any, less: Any, shift: Any, rise: Any, swing:
     tan_phi1_squared = tan_phi1**2
 
     return (
-        2
+        2.0
         * both
         * (less + shift)
         / (both**2 * tan_phi1_squared + (less + y) ** 2) ** 2
-        * (1 + tan_phi1_squared)
+        * (1.0 + tan_phi1_squared)
         * (
-            (swing * (both + less) - 2 * less * shift) * tan_phi1
+            (swing * (both + less) - 2.0 * less * shift) * tan_phi1
             + y * (rise - shift * tan_phi1)
-            + less * rise * (1 - tan_phi1_squared)
+            + less * rise * (1.0 - tan_phi1_squared)
         )
     )
 
@@ -401,39 +405,40 @@ def ratio_cylindrical(
     Source: Prikhodko et al. 2024 (oval wheels), equation (10), pair 4-5 cylindrical.
 
     """
-    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
     inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
-    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    if inside is not True:
+        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(_ratio_cylindrical, (phi1,), _prepare_ratio_cylindrical, (R4, R5, e2), out=out)
 
 
 def _prepare_ratio_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
-    one_minus_e2 = 1 - e2
-    one_plus_e2 = 1 + e2
+    one_minus_e2 = 1.0 - e2
+    one_plus_e2 = 1.0 + e2
     k_low = quotient_rest(R4, R5, k)
 
     return (k, one_minus_e2, one_plus_e2, k_low)
 
 
 def _ratio_cylindrical(phi1: Any, k: Any, one_minus_e2: Any, one_plus_e2: Any, k_low: Any) -> Any:
-    x = 2 * k * phi1
-    t = np.tan(x / 2)
-    x_low = 2 * k_low * phi1 + 2 * product_rest(k, phi1, x / 2)
-    t_low = small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
+    x = 2.0 * k * phi1
+    t = np.tan(x / 2.0)
+    x_low = 2.0 * k_low * phi1 + 2.0 * product_rest(k, phi1, x / 2.0)
+    t_low = small_tangent(x_low / 2.0)
+    adjacent = 1.0 - t * t_low
     adjacent_squared = adjacent**2
     opposite = t + t_low
     opposite_squared = opposite**2
 
-    return 1 - k * one_minus_e2 * one_plus_e2 / (
+    return 1.0 - k * one_minus_e2 * one_plus_e2 / (
         one_minus_e2**2 * adjacent_squared + one_plus_e2**2 * opposite_squared
     ) * (adjacent_squared + opposite_squared)
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
 # Expressions sha256: f8b907549eae029485216bcc629080770ee49b161db6cef2debba288a7aae18d
-# Form where e2 * R4 <= (1 - e2) * np.abs(R4 - R5): half-angle atan
+# Form where e2 * R4 <= (1 - e2) * abs(R4 - R5): half-angle atan
 # Rewrites: positive_atan2, half_angle_tangent
 # Operations: 18
 # Form: half-angle atan with low word
@@ -475,10 +480,11 @@ def position_cylindrical(
     Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical.
 
     """
-    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
     inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
-    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
-    if holds(e2 * R4 <= (1 - e2) * np.abs(R4 - R5)):
+    if inside is not True:
+        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    if holds(e2 * R4 <= (1 - e2) * abs(R4 - R5)):
         return in_blocks(
             _position_cylindrical_1, (phi1,), _prepare_position_cylindrical_1, (R4, R5, e2), out=out
         )
@@ -489,8 +495,8 @@ def position_cylindrical(
 
 def _prepare_position_cylindrical_1(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
-    one_minus_e2 = 1 - e2
-    one_plus_e2 = 1 + e2
+    one_minus_e2 = 1.0 - e2
+    one_plus_e2 = 1.0 + e2
 
     return (R4, R5, e2, k, one_minus_e2, one_plus_e2)
 
@@ -498,17 +504,17 @@ def _prepare_position_cylindrical_1(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...
 def _position_cylindrical_1(
     phi1: Any, R4: Any, R5: Any, e2: Any, k: Any, one_minus_e2: Any, one_plus_e2: Any
 ) -> Any:
-    x = 2 * k * phi1
-    t = np.tan(x / 2)
+    x = 2.0 * k * phi1
+    t = np.tan(x / 2.0)
 
-    return (R5 - R4) / R5 * phi1 - np.arctan(2 * e2 / (one_minus_e2 + one_plus_e2 * t**2) * t)
+    return (R5 - R4) / R5 * phi1 - np.arctan(2.0 * e2 / (one_minus_e2 + one_plus_e2 * t**2) * t)
 
 
 def _prepare_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
     k_low = quotient_rest(R4, R5, k)
-    one_minus_e2 = 1 - e2
-    one_plus_e2 = 1 + e2
+    one_minus_e2 = 1.0 - e2
+    one_plus_e2 = 1.0 + e2
 
     return (R4, R5, e2, k, k_low, one_minus_e2, one_plus_e2)
 
@@ -516,15 +522,15 @@ def _prepare_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
 def _position_cylindrical(
     phi1: Any, R4: Any, R5: Any, e2: Any, k: Any, k_low: Any, one_minus_e2: Any, one_plus_e2: Any
 ) -> Any:
-    x = 2 * k * phi1
-    t = np.tan(x / 2)
-    x_low = 2 * k_low * phi1 + 2 * product_rest(k, phi1, x / 2)
-    t_low = small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
+    x = 2.0 * k * phi1
+    t = np.tan(x / 2.0)
+    x_low = 2.0 * k_low * phi1 + 2.0 * product_rest(k, phi1, x / 2.0)
+    t_low = small_tangent(x_low / 2.0)
+    adjacent = 1.0 - t * t_low
     opposite = t + t_low
 
     return (R5 - R4) / R5 * phi1 - np.arctan(
-        2 * e2 / (one_minus_e2 * adjacent**2 + one_plus_e2 * opposite**2) * adjacent * opposite
+        2.0 * e2 / (one_minus_e2 * adjacent**2 + one_plus_e2 * opposite**2) * adjacent * opposite
     )
 
 
@@ -567,9 +573,10 @@ def acceleration_cylindrical(
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10), pair 4-5 cylindrical.
 
     """
-    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
     inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
-    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    if inside is not True:
+        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
         _acceleration_cylindrical, (phi1,), _prepare_acceleration_cylindrical, (R4, R5, e2), out=out
     )
@@ -578,8 +585,8 @@ def acceleration_cylindrical(
 def _prepare_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
     k_low = quotient_rest(R4, R5, k)
-    one_minus_e2 = 1 - e2
-    one_plus_e2 = 1 + e2
+    one_minus_e2 = 1.0 - e2
+    one_plus_e2 = 1.0 + e2
 
     return (e2, k, k_low, one_minus_e2, one_plus_e2)
 
@@ -587,17 +594,17 @@ def _prepare_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, .
 def _acceleration_cylindrical(
     phi1: Any, e2: Any, k: Any, k_low: Any, one_minus_e2: Any, one_plus_e2: Any
 ) -> Any:
-    x = 2 * k * phi1
-    t = np.tan(x / 2)
-    x_low = 2 * k_low * phi1 + 2 * product_rest(k, phi1, x / 2)
-    t_low = small_tangent(x_low / 2)
-    adjacent = 1 - t * t_low
+    x = 2.0 * k * phi1
+    t = np.tan(x / 2.0)
+    x_low = 2.0 * k_low * phi1 + 2.0 * product_rest(k, phi1, x / 2.0)
+    t_low = small_tangent(x_low / 2.0)
+    adjacent = 1.0 - t * t_low
     opposite = t + t_low
     adjacent_squared = adjacent**2
     opposite_squared = opposite**2
 
     return (
-        8
+        8.0
         * e2
         * one_minus_e2
         * one_plus_e2

@@ -38,7 +38,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, is_finite, nan_outside
+from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.facts import Condition, Sizes
 
 __all__ = [
@@ -84,7 +85,7 @@ DOMAIN = (
         "z",
         "1 <= z < oo, z = floor(z)",
         ("z",),
-        lambda z: (z >= 1) & is_finite(z) & (z == np.floor(z)),
+        lambda z: (z >= 1) & is_finite(z) & (z == floor(z)),
         ("height_change", "thickness_change", "linearisation_bound"),
     ),
 )
@@ -130,9 +131,10 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
     Source: paper on tooth thickness, design data; basic rack.
 
     """
-    m, alpha = as_floats(m=m, alpha=alpha)
+    m, alpha = as_floats("m alpha", m, alpha)
     inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-    m, alpha = nan_outside(inside, m, alpha)
+    if inside is not True:
+        m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(_constant_chord, (m,), _prepare_constant_chord, (alpha,), out=out)
 
 
@@ -143,7 +145,7 @@ def _prepare_constant_chord(alpha: Any) -> tuple[Any, ...]:
 
 def _constant_chord(m: Any, alpha: Any) -> Any:
 
-    return np.pi * np.cos(alpha) ** 2 / 2 * m
+    return np.pi * np.cos(alpha) ** 2 / 2.0 * m
 
 
 # Source: paper on tooth thickness, design data; basic rack
@@ -175,9 +177,10 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
     Source: paper on tooth thickness, design data; basic rack.
 
     """
-    m, alpha = as_floats(m=m, alpha=alpha)
+    m, alpha = as_floats("m alpha", m, alpha)
     inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-    m, alpha = nan_outside(inside, m, alpha)
+    if inside is not True:
+        m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(_chord_height, (m,), _prepare_chord_height, (alpha,), out=out)
 
 
@@ -188,7 +191,7 @@ def _prepare_chord_height(alpha: Any) -> tuple[Any, ...]:
 
 def _chord_height(m: Any, alpha: Any) -> Any:
 
-    return (1 - np.pi * np.sin(2 * alpha) / 8) * m
+    return (1.0 - np.pi * np.sin(2.0 * alpha) / 8.0) * m
 
 
 # Source: paper on tooth thickness, step 6, on the involute
@@ -236,33 +239,34 @@ def height_change(
     Source: paper on tooth thickness, step 6, on the involute.
 
     """
-    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
-    m, z, alpha = nan_outside(inside, m, z, alpha)
+    if inside is not True:
+        m, z, alpha = nan_outside(inside, m, z, alpha)
     return in_blocks(_height_change, (tilt,), _prepare_height_change, (m, z, alpha), out=out)
 
 
 def _prepare_height_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    cosm1_alpha = -2 * np.sin(alpha / 2) ** 2
-    cos_alpha = 1 + cosm1_alpha
-    r_b = cos_alpha * m * z / 2
-    t_c = np.pi / (2 * z) + np.tan(alpha)
+    cosm1_alpha = -2.0 * np.sin(alpha / 2.0) ** 2
+    cos_alpha = 1.0 + cosm1_alpha
+    r_b = cos_alpha * m * z / 2.0
+    t_c = np.pi / (2.0 * z) + np.tan(alpha)
 
     return (alpha, cos_alpha, r_b, t_c)
 
 
 def _height_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
     sin_tilt = np.sin(tilt)
-    cosm1_tilt = -2 * np.sin(tilt / 2) ** 2
-    cos_tilt = 1 + cosm1_tilt
+    cosm1_tilt = -2.0 * np.sin(tilt / 2.0) ** 2
+    cos_tilt = 1.0 + cosm1_tilt
 
     return r_b * (
         np.sin(alpha) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
@@ -315,36 +319,37 @@ def thickness_change(
     Source: paper on tooth thickness, step 6, on the involute.
 
     """
-    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
-    m, z, alpha = nan_outside(inside, m, z, alpha)
+    if inside is not True:
+        m, z, alpha = nan_outside(inside, m, z, alpha)
     return in_blocks(_thickness_change, (tilt,), _prepare_thickness_change, (m, z, alpha), out=out)
 
 
 def _prepare_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    cosm1_alpha = -2 * np.sin(alpha / 2) ** 2
-    cos_alpha = 1 + cosm1_alpha
-    r_b = cos_alpha * m * z / 2
-    t_c = np.pi / (2 * z) + np.tan(alpha)
+    cosm1_alpha = -2.0 * np.sin(alpha / 2.0) ** 2
+    cos_alpha = 1.0 + cosm1_alpha
+    r_b = cos_alpha * m * z / 2.0
+    t_c = np.pi / (2.0 * z) + np.tan(alpha)
 
     return (alpha, cos_alpha, r_b, t_c)
 
 
 def _thickness_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
     sin_tilt = np.sin(tilt)
-    cosm1_tilt = -2 * np.sin(tilt / 2) ** 2
-    cos_tilt = 1 + cosm1_tilt
+    cosm1_tilt = -2.0 * np.sin(tilt / 2.0) ** 2
+    cos_tilt = 1.0 + cosm1_tilt
 
     return (
-        -2
+        -2.0
         * r_b
         * (
             cos_alpha * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
@@ -384,9 +389,10 @@ def thickness_change_linear(
     Source: paper on tooth thickness, equation (1) with the exact derivative.
 
     """
-    dh, alpha = as_floats(dh=dh, alpha=alpha)
+    dh, alpha = as_floats("dh alpha", dh, alpha)
     inside = (alpha > 0) & (alpha < np.pi / 4)
-    (alpha,) = nan_outside(inside, alpha)
+    if inside is not True:
+        (alpha,) = nan_outside(inside, alpha)
     return in_blocks(
         _thickness_change_linear, (dh,), _prepare_thickness_change_linear, (alpha,), out=out
     )
@@ -399,7 +405,7 @@ def _prepare_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
 
 def _thickness_change_linear(dh: Any, alpha: Any) -> Any:
 
-    return 2 * np.tan(alpha) * dh
+    return 2.0 * np.tan(alpha) * dh
 
 
 # Source: paper on tooth thickness, step 6, second derivative on the involute
@@ -443,17 +449,18 @@ def linearisation_bound(
     Source: paper on tooth thickness, step 6, second derivative on the involute.
 
     """
-    dh, m, z, alpha = as_floats(dh=dh, m=m, z=z, alpha=alpha)
+    dh, m, z, alpha = as_floats("dh m z alpha", dh, m, z, alpha)
     inside = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
-    m, z, alpha = nan_outside(inside, m, z, alpha)
+    if inside is not True:
+        m, z, alpha = nan_outside(inside, m, z, alpha)
     return in_blocks(
         _linearisation_bound,
         (dh,),
@@ -465,21 +472,21 @@ def linearisation_bound(
 
 
 def _prepare_linearisation_bound(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    r_b = m * z * np.cos(alpha) / 2
-    y_c = m * (z / 2 + np.pi * np.sin(2 * alpha) / 8)
-    t_c = np.pi / (2 * z) + np.tan(alpha)
+    r_b = m * z * np.cos(alpha) / 2.0
+    y_c = m * (z / 2.0 + np.pi * np.sin(2.0 * alpha) / 8.0)
+    t_c = np.pi / (2.0 * z) + np.tan(alpha)
 
     return (r_b, y_c, t_c)
 
 
 def _linearisation_bound(dh: Any, r_b: Any, y_c: Any, t_c: Any) -> Any:
-    abs_Delta_h = np.abs(dh)
+    abs_Delta_h = abs(dh)
     abs_Delta_h_plus_y_c = abs_Delta_h + y_c
 
     return (
         dh**2
         * (abs_Delta_h_plus_y_c * abs_Delta_h_plus_y_c**2)
-        / (r_b * r_b**2 * np.sqrt(r_b**2 * t_c**2 - abs_Delta_h * (2 * y_c - abs_Delta_h)))
+        / (r_b * r_b**2 * np.sqrt(r_b**2 * t_c**2 - abs_Delta_h * (2.0 * y_c - abs_Delta_h)))
     )
 
 
@@ -516,9 +523,10 @@ def thickness_error(
     Source: paper on tooth thickness, steps 5 and 6 corrected.
 
     """
-    e_tip, height_error, alpha = as_floats(e_tip=e_tip, height_error=height_error, alpha=alpha)
+    e_tip, height_error, alpha = as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
     inside = (alpha > 0) & (alpha < np.pi / 4)
-    (alpha,) = nan_outside(inside, alpha)
+    if inside is not True:
+        (alpha,) = nan_outside(inside, alpha)
     return in_blocks(
         _thickness_error, (e_tip,), _prepare_thickness_error, (height_error, alpha), out=out
     )
@@ -531,4 +539,4 @@ def _prepare_thickness_error(height_error: Any, alpha: Any) -> tuple[Any, ...]:
 
 def _thickness_error(e_tip: Any, height_error: Any, alpha: Any) -> Any:
 
-    return 2 * np.tan(alpha) * (height_error - e_tip / 2)
+    return 2.0 * np.tan(alpha) * (height_error - e_tip / 2.0)

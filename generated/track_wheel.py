@@ -62,15 +62,14 @@ from mechproof.kernel_support.arrays import (
     as_floats,
     check_components,
     choose_where,
-    in_blocks,
+    every,
+    floor,
     is_finite,
     nan_outside,
-    quietly,
     split_components,
-    store,
     sum_axes,
-    transform,
 )
+from mechproof.kernel_support.blocks import in_blocks, quietly, store, transform
 from mechproof.kernel_support.facts import Condition, Sizes
 
 __all__ = [
@@ -99,14 +98,14 @@ DOMAIN = (
         "z",
         "1 <= z < oo, z = floor(z)",
         ("z",),
-        lambda z: (z >= 1) & is_finite(z) & (z == np.floor(z)),
+        lambda z: (z >= 1) & is_finite(z) & (z == floor(z)),
         ("radius", "track"),
     ),
     Condition(
         "A",
         "|A| <= R",
         ("R", "A"),
-        lambda R, A: np.abs(A) <= R,
+        lambda R, A: abs(A) <= R,
         ("radius", "track", "largest_radius", "smallest_radius"),
     ),
     Condition("H", "0 < H < oo", ("H",), lambda H: (H > 0) & is_finite(H), ("track",)),
@@ -201,7 +200,7 @@ def rotation(
     Source: Kapitonov, Yakubovsky 2022, equation (14).
 
     """
-    alpha, beta, gamma = as_floats(alpha=alpha, beta=beta, gamma=gamma)
+    alpha, beta, gamma = as_floats("alpha beta gamma", alpha, beta, gamma)
     return in_blocks(_rotation, (alpha,), _prepare_rotation, (beta, gamma), out=out, shape=(3, 3))
 
 
@@ -271,7 +270,7 @@ def displacement(
     Source: Kapitonov, Yakubovsky 2022, equation (15).
 
     """
-    points, angles, shift = as_floats(points=points, angles=angles, shift=shift)
+    points, angles, shift = as_floats("points angles shift", points, angles, shift)
     check_components("points", points, 3)
     alpha, beta, gamma = split_components("angles", angles, 3)
     a, b, c = split_components("shift", shift, 3)
@@ -279,10 +278,10 @@ def displacement(
 
 
 def _displacement(alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any) -> tuple[Any, ...]:
-    t_alpha = np.tan(alpha / 2)
-    t_beta = np.tan(beta / 2)
-    t_gamma = np.tan(gamma / 2)
-    scale = 2 / ((1 + t_alpha**2) * (1 + t_beta**2) * (1 + t_gamma**2))
+    t_alpha = np.tan(alpha / 2.0)
+    t_beta = np.tan(beta / 2.0)
+    t_gamma = np.tan(gamma / 2.0)
+    scale = 2.0 / ((1.0 + t_alpha**2) * (1.0 + t_beta**2) * (1.0 + t_gamma**2))
     v_y = t_beta - t_alpha * t_gamma
     v_y_squared = v_y**2
     v_z = t_gamma + t_alpha * t_beta
@@ -290,7 +289,7 @@ def _displacement(alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any) -> 
     C11 = scale * (-v_y_squared - v_z_squared)
     v_x = t_alpha + t_beta * t_gamma
     v_x_v_y = v_x * v_y
-    w = 1 - t_alpha * t_beta * t_gamma
+    w = 1.0 - t_alpha * t_beta * t_gamma
     C12 = scale * (v_x_v_y - v_z * w)
     v_x_v_z = v_x * v_z
     C13 = scale * (v_x_v_z + v_y * w)
@@ -334,7 +333,7 @@ def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) ->
     Source: Kapitonov, Yakubovsky 2022, equation (17).
 
     """
-    (displacement,) = as_floats(displacement=displacement)
+    (displacement,) = as_floats("displacement", displacement)
     Delta_x0, Delta_y0, _ = split_components("displacement", displacement, 3)
     return in_blocks(_planar_error, (Delta_x0, Delta_y0), out=out)
 
@@ -372,7 +371,7 @@ def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -
     Source: Kapitonov, Yakubovsky 2022, equation (18).
 
     """
-    (displacement,) = as_floats(displacement=displacement)
+    (displacement,) = as_floats("displacement", displacement)
     Delta_x0, Delta_y0, Delta_z0 = split_components("displacement", displacement, 3)
     return in_blocks(_spatial_error, (Delta_x0, Delta_y0, Delta_z0), out=out)
 
@@ -421,11 +420,10 @@ def radius(
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
     """
-    phi, R, A, z = as_floats(phi=phi, R=R, A=A, z=z)
-    inside = (
-        (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == np.floor(z)) & (np.abs(A) <= R)
-    )
-    R, A, z = nan_outside(inside, R, A, z)
+    phi, R, A, z = as_floats("phi R A z", phi, R, A, z)
+    inside = (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
+    if inside is not True:
+        R, A, z = nan_outside(inside, R, A, z)
     return in_blocks(_radius, (phi,), _prepare_radius, (R, A, z), out=out)
 
 
@@ -439,9 +437,9 @@ def _prepare_radius(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
 
 def _radius(phi: Any, A: Any, z: Any, w: Any) -> Any:
     u = A * np.cos(z * phi)
-    q = np.abs(u) + np.hypot(np.sqrt(w), u)
+    q = abs(u) + np.hypot(np.sqrt(w), u)
 
-    return choose_where(u >= 0, q, w / q)
+    return choose_where(u >= 0.0, q, w / q)
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (16)
@@ -493,7 +491,7 @@ def track(
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
     """
-    phi, R, A, z, H = as_floats(phi=phi, R=R, A=A, z=z, H=H)
+    phi, R, A, z, H = as_floats("phi R A z H", phi, R, A, z, H)
     inside = (
         (R > 0)
         & is_finite(R)
@@ -501,10 +499,11 @@ def track(
         & is_finite(H)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
-        & (np.abs(A) <= R)
+        & (z == floor(z))
+        & (abs(A) <= R)
     )
-    R, A, z, H = nan_outside(inside, R, A, z, H)
+    if inside is not True:
+        R, A, z, H = nan_outside(inside, R, A, z, H)
     return in_blocks(_track, (phi,), _prepare_track, (R, A, z, H), out=out, shape=(3,))
 
 
@@ -518,8 +517,8 @@ def _prepare_track(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
 
 def _track(phi: Any, A: Any, z: Any, H: Any, w: Any) -> Any:
     u = A * np.cos(z * phi)
-    q = np.abs(u) + np.hypot(np.sqrt(w), u)
-    term = choose_where(u >= 0, q, w / q)
+    q = abs(u) + np.hypot(np.sqrt(w), u)
+    term = choose_where(u >= 0.0, q, w / q)
 
     return (
         term * np.cos(phi),
@@ -557,9 +556,10 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
     Source: extremes of Kapitonov, Yakubovsky 2022, equation (16).
 
     """
-    R, A = as_floats(R=R, A=A)
-    inside = (R > 0) & is_finite(R) & (np.abs(A) <= R)
-    R, A = nan_outside(inside, R, A)
+    R, A = as_floats("R A", R, A)
+    inside = (R > 0) & is_finite(R) & (abs(A) <= R)
+    if inside is not True:
+        R, A = nan_outside(inside, R, A)
     return in_blocks(_largest_radius, (R,), _prepare_largest_radius, (A,), out=out)
 
 
@@ -570,7 +570,7 @@ def _prepare_largest_radius(A: Any) -> tuple[Any, ...]:
 
 def _largest_radius(R: Any, A: Any) -> Any:
 
-    return R + np.abs(A)
+    return R + abs(A)
 
 
 # Source: extremes of Kapitonov, Yakubovsky 2022, equation (16)
@@ -604,9 +604,10 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
     Source: extremes of Kapitonov, Yakubovsky 2022, equation (16).
 
     """
-    R, A = as_floats(R=R, A=A)
-    inside = (R > 0) & is_finite(R) & (np.abs(A) <= R)
-    R, A = nan_outside(inside, R, A)
+    R, A = as_floats("R A", R, A)
+    inside = (R > 0) & is_finite(R) & (abs(A) <= R)
+    if inside is not True:
+        R, A = nan_outside(inside, R, A)
     return in_blocks(_smallest_radius, (R,), _prepare_smallest_radius, (A,), out=out)
 
 
@@ -617,7 +618,7 @@ def _prepare_smallest_radius(A: Any) -> tuple[Any, ...]:
 
 def _smallest_radius(R: Any, A: Any) -> Any:
 
-    return R - np.abs(A)
+    return R - abs(A)
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (3) with its indices corrected
@@ -682,11 +683,12 @@ def error_sum_correlated(
 
     """
     tolerances, sensitivities, scatters, correlation, total_scatter = as_floats(
-        tolerances=tolerances,
-        sensitivities=sensitivities,
-        scatters=scatters,
-        correlation=correlation,
-        total_scatter=total_scatter,
+        "tolerances sensitivities scatters correlation total_scatter",
+        tolerances,
+        sensitivities,
+        scatters,
+        correlation,
+        total_scatter,
     )
     tolerances, sensitivities, scatters, correlation = sum_axes(
         tolerances=(tolerances, 1),
@@ -697,16 +699,17 @@ def error_sum_correlated(
     inside = (
         (total_scatter > 0)
         & is_finite(total_scatter)
-        & np.all(scatters > 0, axis=-1)
-        & np.all(is_finite(scatters), axis=-1)
-        & np.all(correlation >= -1, axis=(-2, -1))
-        & np.all(correlation <= 1, axis=(-2, -1))
-        & np.all(np.diagonal(correlation, axis1=-2, axis2=-1) == 1, axis=-1)
-        & np.all(correlation == np.swapaxes(correlation, -1, -2), axis=(-2, -1))
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
+        & every(scatters > 0, axis=-1)
+        & every(is_finite(scatters), axis=-1)
+        & every(correlation >= -1, axis=(-2, -1))
+        & every(correlation <= 1, axis=(-2, -1))
+        & every(np.diagonal(correlation, axis1=-2, axis2=-1) == 1, axis=-1)
+        & every(correlation == np.swapaxes(correlation, -1, -2), axis=(-2, -1))
+        & every(tolerances >= 0, axis=-1)
+        & every(is_finite(tolerances), axis=-1)
     )
-    (total_scatter,) = nan_outside(inside, total_scatter)
+    if inside is not True:
+        (total_scatter,) = nan_outside(inside, total_scatter)
 
     with quietly():
         return store(
@@ -777,10 +780,11 @@ def error_sum(
 
     """
     tolerances, sensitivities, scatters, total_scatter = as_floats(
-        tolerances=tolerances,
-        sensitivities=sensitivities,
-        scatters=scatters,
-        total_scatter=total_scatter,
+        "tolerances sensitivities scatters total_scatter",
+        tolerances,
+        sensitivities,
+        scatters,
+        total_scatter,
     )
     tolerances, sensitivities, scatters = sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
@@ -788,12 +792,13 @@ def error_sum(
     inside = (
         (total_scatter > 0)
         & is_finite(total_scatter)
-        & np.all(scatters > 0, axis=-1)
-        & np.all(is_finite(scatters), axis=-1)
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
+        & every(scatters > 0, axis=-1)
+        & every(is_finite(scatters), axis=-1)
+        & every(tolerances >= 0, axis=-1)
+        & every(is_finite(tolerances), axis=-1)
     )
-    (total_scatter,) = nan_outside(inside, total_scatter)
+    if inside is not True:
+        (total_scatter,) = nan_outside(inside, total_scatter)
 
     return store(
         np.sqrt(np.sum(sensitivities**2 * scatters**2 * tolerances**2, axis=-1)) / total_scatter,
@@ -859,12 +864,13 @@ def error_sum_thermal(
 
     """
     tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter = as_floats(
-        tolerances=tolerances,
-        sensitivities=sensitivities,
-        scatters=scatters,
-        total_scatter=total_scatter,
-        thermal_share=thermal_share,
-        thermal_scatter=thermal_scatter,
+        "tolerances sensitivities scatters total_scatter thermal_share thermal_scatter",
+        tolerances,
+        sensitivities,
+        scatters,
+        total_scatter,
+        thermal_share,
+        thermal_scatter,
     )
     tolerances, sensitivities, scatters = sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
@@ -872,19 +878,20 @@ def error_sum_thermal(
     inside = (
         (total_scatter > 0)
         & is_finite(total_scatter)
-        & np.all(scatters > 0, axis=-1)
-        & np.all(is_finite(scatters), axis=-1)
+        & every(scatters > 0, axis=-1)
+        & every(is_finite(scatters), axis=-1)
         & (thermal_scatter > 0)
         & is_finite(thermal_scatter)
         & (thermal_share >= 0)
         & is_finite(thermal_share)
         & (thermal_share * thermal_scatter < total_scatter)
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
+        & every(tolerances >= 0, axis=-1)
+        & every(is_finite(tolerances), axis=-1)
     )
-    total_scatter, thermal_share, thermal_scatter = nan_outside(
-        inside, total_scatter, thermal_share, thermal_scatter
-    )
+    if inside is not True:
+        total_scatter, thermal_share, thermal_scatter = nan_outside(
+            inside, total_scatter, thermal_share, thermal_scatter
+        )
 
     K_minus_tau_K_T = total_scatter - thermal_share * thermal_scatter
     K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter

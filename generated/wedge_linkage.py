@@ -52,13 +52,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import (
-    as_floats,
-    choose_where,
-    in_blocks,
-    is_finite,
-    nan_outside,
-)
+from mechproof.kernel_support.arrays import as_floats, choose_where, is_finite, maximum, nan_outside
+from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.facts import Condition, Sizes
 
 __all__ = [
@@ -212,11 +207,12 @@ def guide_radicand(
     Source: Bazuev et al. 2021, equation (1).
 
     """
-    x1, l_AB, l_BC, l_CD = as_floats(x1=x1, l_AB=l_AB, l_BC=l_BC, l_CD=l_CD)
+    x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
     inside = (
         (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
     )
-    l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
+    if inside is not True:
+        l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
     return in_blocks(_guide_radicand, (x1,), _prepare_guide_radicand, (l_AB, l_BC, l_CD), out=out)
 
 
@@ -227,7 +223,7 @@ def _prepare_guide_radicand(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
 
 def _guide_radicand(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any) -> Any:
 
-    return l_BC**2 + x1 * (2 * l_AB + 2 * l_CD + x1)
+    return l_BC**2 + x1 * (2.0 * l_AB + 2.0 * l_CD + x1)
 
 
 # Source: Bazuev et al. 2021, equation (1)
@@ -276,11 +272,12 @@ def lever_angle(
     Source: Bazuev et al. 2021, equation (1).
 
     """
-    x1, l_AB, l_BC, l_CD = as_floats(x1=x1, l_AB=l_AB, l_BC=l_BC, l_CD=l_CD)
+    x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
     inside = (
         (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
     )
-    l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
+    if inside is not True:
+        l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
     return in_blocks(
         _lever_angle, (x1,), _prepare_lever_angle, (l_AB, l_BC, l_CD), out=out, quiet=True
     )
@@ -293,10 +290,10 @@ def _prepare_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
 
 
 def _lever_angle(x1: Any, l_BC: Any, arm: Any) -> Any:
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = np.sqrt(l_BC**2 + x1 * (2.0 * arm + x1))
     guide_sum = guide_length + l_BC
 
-    return -2 * np.arctan(x1 / guide_sum)
+    return -2.0 * np.arctan(x1 / guide_sum)
 
 
 # Source: Bazuev et al. 2021, equation (3)
@@ -332,9 +329,10 @@ def rod_displacement(
     Source: Bazuev et al. 2021, equation (3).
 
     """
-    phi3, l_DE, alpha_DE = as_floats(phi3=phi3, l_DE=l_DE, alpha_DE=alpha_DE)
+    phi3, l_DE, alpha_DE = as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
     inside = (l_DE > 0) & is_finite(l_DE)
-    (l_DE,) = nan_outside(inside, l_DE)
+    if inside is not True:
+        (l_DE,) = nan_outside(inside, l_DE)
     return in_blocks(
         _rod_displacement, (phi3,), _prepare_rod_displacement, (l_DE, alpha_DE), out=out
     )
@@ -347,7 +345,7 @@ def _prepare_rod_displacement(l_DE: Any, alpha_DE: Any) -> tuple[Any, ...]:
 
 def _rod_displacement(phi3: Any, l_DE: Any, alpha_DE: Any) -> Any:
 
-    return -2 * l_DE * np.sin(phi3 / 2) * np.sin(alpha_DE + phi3 / 2)
+    return -2.0 * l_DE * np.sin(phi3 / 2.0) * np.sin(alpha_DE + phi3 / 2.0)
 
 
 # Source: Bazuev et al. 2021, equation (4)
@@ -379,9 +377,10 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
     Source: Bazuev et al. 2021, equation (4).
 
     """
-    x5, l_GH = as_floats(x5=x5, l_GH=l_GH)
+    x5, l_GH = as_floats("x5 l_GH", x5, l_GH)
     inside = (l_GH > 0) & is_finite(l_GH)
-    (l_GH,) = nan_outside(inside, l_GH)
+    if inside is not True:
+        (l_GH,) = nan_outside(inside, l_GH)
     return in_blocks(_clearance, (x5,), _prepare_clearance, (l_GH,), out=out)
 
 
@@ -392,7 +391,7 @@ def _prepare_clearance(l_GH: Any) -> tuple[Any, ...]:
 
 def _clearance(x5: Any, l_GH: Any) -> Any:
 
-    return np.maximum(0, x5 - l_GH)
+    return maximum(0.0, x5 - l_GH)
 
 
 # Source: Bazuev et al. 2021, equations (7) and (8)
@@ -428,9 +427,10 @@ def roller_offset(
     Source: Bazuev et al. 2021, equations (7) and (8).
 
     """
-    x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
+    x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
     inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
-    l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    if inside is not True:
+        l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(_roller_offset, (x5,), _prepare_roller_offset, (l_KL, alpha_KL), out=out)
 
 
@@ -484,9 +484,10 @@ def roller_lever_angle(
     Source: Bazuev et al. 2021, equations (7) and (8).
 
     """
-    x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
+    x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
     inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
-    l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    if inside is not True:
+        l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(
         _roller_lever_angle,
         (x5,),
@@ -504,13 +505,13 @@ def _prepare_roller_lever_angle(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
 
 def _roller_lever_angle(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
 
-    return 2 * np.arctan(
+    return 2.0 * np.arctan(
         x5
         / (
             l_KL * np.sin(alpha_KL)
             + np.sqrt(
-                (x5 + 2 * l_KL * np.sin(alpha_KL / 2) ** 2)
-                * (2 * l_KL * np.cos(alpha_KL / 2) ** 2 - x5)
+                (x5 + 2.0 * l_KL * np.sin(alpha_KL / 2.0) ** 2)
+                * (2.0 * l_KL * np.cos(alpha_KL / 2.0) ** 2 - x5)
             )
         )
     )
@@ -549,9 +550,10 @@ def wedge_displacement(
     Source: Bazuev et al. 2021, equation (10).
 
     """
-    phi7, l_LM, alpha_LM = as_floats(phi7=phi7, l_LM=l_LM, alpha_LM=alpha_LM)
+    phi7, l_LM, alpha_LM = as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
     inside = (l_LM > 0) & is_finite(l_LM)
-    (l_LM,) = nan_outside(inside, l_LM)
+    if inside is not True:
+        (l_LM,) = nan_outside(inside, l_LM)
     return in_blocks(
         _wedge_displacement, (phi7,), _prepare_wedge_displacement, (l_LM, alpha_LM), out=out
     )
@@ -564,7 +566,7 @@ def _prepare_wedge_displacement(l_LM: Any, alpha_LM: Any) -> tuple[Any, ...]:
 
 def _wedge_displacement(phi7: Any, l_LM: Any, alpha_LM: Any) -> Any:
 
-    return 2 * l_LM * np.cos(alpha_LM + phi7 / 2) * np.sin(phi7 / 2)
+    return 2.0 * l_LM * np.cos(alpha_LM + phi7 / 2.0) * np.sin(phi7 / 2.0)
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
@@ -638,17 +640,18 @@ def position(
 
     """
     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
-        x1=x1,
-        l_AB=l_AB,
-        l_BC=l_BC,
-        l_CD=l_CD,
-        l_DE=l_DE,
-        l_GH=l_GH,
-        l_KL=l_KL,
-        l_LM=l_LM,
-        alpha_DE=alpha_DE,
-        alpha_KL=alpha_KL,
-        alpha_LM=alpha_LM,
+        "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
+        x1,
+        l_AB,
+        l_BC,
+        l_CD,
+        l_DE,
+        l_GH,
+        l_KL,
+        l_LM,
+        alpha_DE,
+        alpha_KL,
+        alpha_LM,
     )
     inside = (
         (l_AB > 0)
@@ -668,9 +671,10 @@ def position(
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-    )
+    if inside is not True:
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+        )
     return in_blocks(
         _position,
         (x1,),
@@ -696,8 +700,8 @@ def _prepare_position(
     arm = l_AB + l_CD
     sin_DE = np.sin(alpha_DE)
     cos_DE = np.cos(alpha_DE)
-    to_right = 2 * l_KL * np.sin(alpha_KL / 2) ** 2
-    to_left = 2 * l_KL * np.cos(alpha_KL / 2) ** 2
+    to_right = 2.0 * l_KL * np.sin(alpha_KL / 2.0) ** 2
+    to_left = 2.0 * l_KL * np.cos(alpha_KL / 2.0) ** 2
     start_height = l_KL * np.sin(alpha_KL)
     cos_LM = np.cos(alpha_LM)
     sin_LM = np.sin(alpha_LM)
@@ -733,16 +737,16 @@ def _position(
     cos_LM: Any,
     sin_LM: Any,
 ) -> Any:
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = np.sqrt(l_BC**2 + x1 * (2.0 * arm + x1))
     guide_sum = guide_length + l_BC
     lever_square = guide_sum**2 + x1**2
-    run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
-    push = np.maximum(0, run - l_GH)
+    run = 2.0 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
+    push = maximum(0.0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
     roller_square = push**2 + rise_sum**2
 
-    return 2 * l_LM / roller_square * push * (cos_LM * rise_sum - sin_LM * push)
+    return 2.0 * l_LM / roller_square * push * (cos_LM * rise_sum - sin_LM * push)
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
@@ -822,17 +826,18 @@ def velocity(
 
     """
     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
-        x1=x1,
-        l_AB=l_AB,
-        l_BC=l_BC,
-        l_CD=l_CD,
-        l_DE=l_DE,
-        l_GH=l_GH,
-        l_KL=l_KL,
-        l_LM=l_LM,
-        alpha_DE=alpha_DE,
-        alpha_KL=alpha_KL,
-        alpha_LM=alpha_LM,
+        "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
+        x1,
+        l_AB,
+        l_BC,
+        l_CD,
+        l_DE,
+        l_GH,
+        l_KL,
+        l_LM,
+        alpha_DE,
+        alpha_KL,
+        alpha_LM,
     )
     inside = (
         (l_AB > 0)
@@ -852,9 +857,10 @@ def velocity(
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-    )
+    if inside is not True:
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+        )
     return in_blocks(
         _velocity,
         (x1,),
@@ -880,8 +886,8 @@ def _prepare_velocity(
     arm = l_AB + l_CD
     sin_DE = np.sin(alpha_DE)
     cos_DE = np.cos(alpha_DE)
-    to_right = 2 * l_KL * np.sin(alpha_KL / 2) ** 2
-    to_left = 2 * l_KL * np.cos(alpha_KL / 2) ** 2
+    to_right = 2.0 * l_KL * np.sin(alpha_KL / 2.0) ** 2
+    to_left = 2.0 * l_KL * np.cos(alpha_KL / 2.0) ** 2
     start_height = l_KL * np.sin(alpha_KL)
     cos_LM = np.cos(alpha_LM)
     sin_LM = np.sin(alpha_LM)
@@ -917,20 +923,20 @@ def _velocity(
     cos_LM: Any,
     sin_LM: Any,
 ) -> Any:
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = np.sqrt(l_BC**2 + x1 * (2.0 * arm + x1))
     guide_sum = guide_length + l_BC
     lever_square = guide_sum**2 + x1**2
-    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
-    run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
-    push = np.maximum(0, run - l_GH)
+    cos_lever = (2.0 * arm * x1 + 2.0 * l_BC * guide_sum) / lever_square
+    run = 2.0 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
+    push = maximum(0.0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
     roller_square = push**2 + rise_sum**2
     cos_wedge = (
-        cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
+        cos_LM * (push + rise_sum) * (rise_sum - push) - 2.0 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = cos_wedge * choose_where(run < l_GH, 0, l_LM) / rise
-    sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
+    gain = cos_wedge * choose_where(run < l_GH, 0.0, l_LM) / rise
+    sin_arm = sin_DE * cos_lever - 2.0 * cos_DE / lever_square * guide_sum * x1
 
     return l_DE / guide_length * cos_lever * gain * sin_arm
 
@@ -1026,17 +1032,18 @@ def sensitivities(
 
     """
     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
-        x1=x1,
-        l_AB=l_AB,
-        l_BC=l_BC,
-        l_CD=l_CD,
-        l_DE=l_DE,
-        l_GH=l_GH,
-        l_KL=l_KL,
-        l_LM=l_LM,
-        alpha_DE=alpha_DE,
-        alpha_KL=alpha_KL,
-        alpha_LM=alpha_LM,
+        "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
+        x1,
+        l_AB,
+        l_BC,
+        l_CD,
+        l_DE,
+        l_GH,
+        l_KL,
+        l_LM,
+        alpha_DE,
+        alpha_KL,
+        alpha_LM,
     )
     inside = (
         (l_AB > 0)
@@ -1056,9 +1063,10 @@ def sensitivities(
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-    )
+    if inside is not True:
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+        )
     return in_blocks(
         _sensitivities,
         (x1,),
@@ -1085,8 +1093,8 @@ def _prepare_sensitivities(
     arm = l_AB + l_CD
     sin_DE = np.sin(alpha_DE)
     cos_DE = np.cos(alpha_DE)
-    to_right = 2 * l_KL * np.sin(alpha_KL / 2) ** 2
-    to_left = 2 * l_KL * np.cos(alpha_KL / 2) ** 2
+    to_right = 2.0 * l_KL * np.sin(alpha_KL / 2.0) ** 2
+    to_left = 2.0 * l_KL * np.cos(alpha_KL / 2.0) ** 2
     start_height = l_KL * np.sin(alpha_KL)
     cos_LM = np.cos(alpha_LM)
     sin_LM = np.sin(alpha_LM)
@@ -1125,31 +1133,31 @@ def _sensitivities(
     sin_LM: Any,
 ) -> Any:
     x1_squared = x1**2
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = np.sqrt(l_BC**2 + x1 * (2.0 * arm + x1))
     guide_sum = guide_length + l_BC
     lever_square = guide_sum**2 + x1_squared
-    run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
-    push = np.maximum(0, run - l_GH)
+    run = 2.0 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
+    push = maximum(0.0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
     roller_square = push**2 + rise_sum**2
     cos_wedge = (
-        cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
+        cos_LM * (push + rise_sum) * (rise_sum - push) - 2.0 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = cos_wedge * choose_where(run < l_GH, 0, l_LM) / rise
-    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
-    sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
-    term = -2 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared
+    gain = cos_wedge * choose_where(run < l_GH, 0.0, l_LM) / rise
+    cos_lever = (2.0 * arm * x1 + 2.0 * l_BC * guide_sum) / lever_square
+    sin_arm = sin_DE * cos_lever - 2.0 * cos_DE / lever_square * guide_sum * x1
+    term = -2.0 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared
 
     return (
         term,
-        -2 * l_DE / (guide_length * lever_square) * gain * guide_sum * sin_arm * x1,
+        -2.0 * l_DE / (guide_length * lever_square) * gain * guide_sum * sin_arm * x1,
         term,
         gain * run / l_DE,
         -gain,
         -gain * push / l_KL,
-        2 / roller_square * push * (cos_LM * rise_sum - sin_LM * push),
-        2 * l_DE / lever_square * gain * x1 * (cos_DE * guide_sum + sin_DE * x1),
+        2.0 / roller_square * push * (cos_LM * rise_sum - sin_LM * push),
+        2.0 * l_DE / lever_square * gain * x1 * (cos_DE * guide_sum + sin_DE * x1),
         gain * push * (push + to_right - to_left) / rise_sum,
-        -2 * l_LM / roller_square * push * (cos_LM * push + sin_LM * rise_sum),
+        -2.0 * l_LM / roller_square * push * (cos_LM * push + sin_LM * rise_sum),
     )

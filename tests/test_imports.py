@@ -45,6 +45,10 @@ LOADED = {
         *("numpy", "mechproof.arguments", "mechproof.conformity", "mechproof.executors"),
         "mechproof.laws",
     },
+    "conformity.compiled": {
+        *("numpy", "mechproof.compiled_support", "mechproof.conformity", "mechproof.executors"),
+        *("mechproof.kernels", "mechproof.laws"),
+    },
     "measurement": {"numpy", "mechproof.arguments", "mechproof.measurement"},
     "tolerance": {
         *("numpy", "mechproof.arguments", "mechproof.executors", "mechproof.laws"),
@@ -174,7 +178,9 @@ def breaches(source: str, package: str) -> set[str]:
 
 def layer_files() -> list[tuple[str, Path]]:
     root = Path(mechproof.__file__).parent
-    return [(package, path) for package in LOADED for path in (root / package).rglob("*.py")]
+    found = ((package, path) for package in LOADED for path in (root / package).rglob("*.py"))
+    apart = ((f"{package}.{path.stem}", package, path) for package, path in found)
+    return [(file if file in LOADED else package, path) for file, package, path in apart]
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` d4f68e05e3c8.
+Elementary functions: `elementary` b3f157f39885.
 
 Sums over axes are added in the order of the index, with the rest of every addition. Inside
 functions that numba compiles they take one array of terms for each argument, or a number for

@@ -25,7 +25,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, is_finite, nan_outside
+from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.error_free import single, whole_turns_off
 
 __all__ = [
@@ -71,9 +72,10 @@ def ratio_printed(
     Source: Prikhodko et al. 2024, equation (8).
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_ratio_printed, (phi1,), _prepare_ratio_printed, (R1, R2, e), out=out)
 
 
@@ -87,7 +89,7 @@ def _prepare_ratio_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 def _ratio_printed(phi1: Any, R1: Any, R2: Any, e: Any, e_squared: Any, k: Any) -> Any:
     x = k * phi1
 
-    return 1 + R1 * (1 - e_squared) / (R2 * (1 + e_squared - 2 * e * np.cos(x)))
+    return 1.0 + R1 * (1.0 - e_squared) / (R2 * (1.0 + e_squared - 2.0 * e * np.cos(x)))
 
 
 # Source: Prikhodko et al. 2024, equation (8)
@@ -106,15 +108,16 @@ def ratio_half_angle(
     Domain as that of `ratio`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_ratio_half_angle, (phi1,), _prepare_ratio_half_angle, (R1, R2, e), out=out)
 
 
 def _prepare_ratio_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
-    one_minus_e = 1 - e
+    one_minus_e = 1.0 - e
 
     return (e, k, one_minus_e)
 
@@ -122,7 +125,7 @@ def _prepare_ratio_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 def _ratio_half_angle(phi1: Any, e: Any, k: Any, one_minus_e: Any) -> Any:
     x = k * phi1
 
-    return 1 + k * one_minus_e * (1 + e) / (one_minus_e**2 + 4 * e * np.sin(x / 2) ** 2)
+    return 1.0 + k * one_minus_e * (1.0 + e) / (one_minus_e**2 + 4.0 * e * np.sin(x / 2.0) ** 2)
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -144,23 +147,24 @@ def position_printed(
     Source: Prikhodko et al. 2024, equation (12).
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_position_printed, (phi1,), _prepare_position_printed, (R1, R2, e), out=out)
 
 
 def _prepare_position_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    one_minus_e = 1 - e
-    one_plus_e = 1 + e
+    one_minus_e = 1.0 - e
+    one_plus_e = 1.0 + e
 
     return (R1, R2, one_minus_e, one_plus_e)
 
 
 def _position_printed(phi1: Any, R1: Any, R2: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
 
-    return phi1 + 2 * np.sqrt(one_minus_e / one_plus_e) * np.arctan(
-        np.sqrt(one_plus_e / one_minus_e) * np.tan(R1 / (2 * R2) * phi1)
+    return phi1 + 2.0 * np.sqrt(one_minus_e / one_plus_e) * np.arctan(
+        np.sqrt(one_plus_e / one_minus_e) * np.tan(R1 / (2.0 * R2) * phi1)
     )
 
 
@@ -184,9 +188,10 @@ def position_principal(
     Source: Prikhodko et al. 2024, equation (12) with the factor of (11) corrected.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
         _position_principal, (phi1,), _prepare_position_principal, (R1, R2, e), out=out
     )
@@ -201,7 +206,7 @@ def _prepare_position_principal(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 def _position_principal(phi1: Any, e: Any, k: Any) -> Any:
     x = k * phi1
 
-    return phi1 + 2 * np.arctan((1 + e) / (1 - e) * np.tan(x / 2))
+    return phi1 + 2.0 * np.arctan((1.0 + e) / (1.0 - e) * np.tan(x / 2.0))
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -222,9 +227,10 @@ def position_floor(
     Domain as that of `position`, |x| < pi, the first branch of the half-angle.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_position_floor, (phi1,), _prepare_position_floor, (R1, R2, e), out=out)
 
 
@@ -239,8 +245,8 @@ def _position_floor(phi1: Any, e: Any, k: Any) -> Any:
 
     return (
         phi1
-        + 2 * np.pi * np.floor((np.pi + x) / (2 * np.pi))
-        + 2 * np.arctan((1 + e) / (1 - e) * np.tan(x / 2))
+        + 2.0 * np.pi * floor((np.pi + x) / (2.0 * np.pi))
+        + 2.0 * np.arctan((1.0 + e) / (1.0 - e) * np.tan(x / 2.0))
     )
 
 
@@ -260,9 +266,10 @@ def position_atan2(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_position_atan2, (phi1,), _prepare_position_atan2, (R1, R2, e), out=out)
 
 
@@ -275,7 +282,7 @@ def _prepare_position_atan2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 def _position_atan2(phi1: Any, e: Any, k: Any) -> Any:
     x = k * phi1
 
-    return (1 + k) * phi1 + 2 * np.arctan2(e * np.sin(x), 1 - e * np.cos(x))
+    return (1.0 + k) * phi1 + 2.0 * np.arctan2(e * np.sin(x), 1.0 - e * np.cos(x))
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -295,9 +302,10 @@ def position_atan2_stable(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
         _position_atan2_stable, (phi1,), _prepare_position_atan2_stable, (R1, R2, e), out=out
     )
@@ -305,7 +313,7 @@ def position_atan2_stable(
 
 def _prepare_position_atan2_stable(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
-    nearest = 1 - e
+    nearest = 1.0 - e
 
     return (e, k, nearest)
 
@@ -313,7 +321,9 @@ def _prepare_position_atan2_stable(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 def _position_atan2_stable(phi1: Any, e: Any, k: Any, nearest: Any) -> Any:
     x = k * phi1
 
-    return (1 + k) * phi1 + 2 * np.arctan2(e * np.sin(x), nearest + 2 * e * np.sin(x / 2) ** 2)
+    return (1.0 + k) * phi1 + 2.0 * np.arctan2(
+        e * np.sin(x), nearest + 2.0 * e * np.sin(x / 2.0) ** 2
+    )
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -333,24 +343,25 @@ def position_tan_half(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(_position_tan_half, (phi1,), _prepare_position_tan_half, (R1, R2, e), out=out)
 
 
 def _prepare_position_tan_half(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
-    nearest = 1 - e
+    nearest = 1.0 - e
 
     return (e, k, nearest)
 
 
 def _position_tan_half(phi1: Any, e: Any, k: Any, nearest: Any) -> Any:
     x = k * phi1
-    tan__x = np.tan(x / 2)
+    tan__x = np.tan(x / 2.0)
 
-    return (1 + k) * phi1 + 2 * np.arctan(2 * e / (nearest + (1 + e) * tan__x**2) * tan__x)
+    return (1.0 + k) * phi1 + 2.0 * np.arctan(2.0 * e / (nearest + (1.0 + e) * tan__x**2) * tan__x)
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -373,16 +384,17 @@ def position_fourier_2(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
         _position_fourier_2, (phi1,), _prepare_position_fourier_2, (R1, R2, e), out=out
     )
 
 
 def _prepare_position_fourier_2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    c_1 = 2 * e
+    c_1 = 2.0 * e
     c_2 = e**2
     k = R1 / R2
 
@@ -391,10 +403,10 @@ def _prepare_position_fourier_2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 
 def _position_fourier_2(phi1: Any, c_1: Any, c_2: Any, k: Any) -> Any:
     x = k * phi1
-    twice_cosine = 2 * np.cos(x)
+    twice_cosine = 2.0 * np.cos(x)
     b_1 = c_1 + c_2 * twice_cosine
 
-    return b_1 * np.sin(x) + (1 + k) * phi1
+    return b_1 * np.sin(x) + (1.0 + k) * phi1
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -418,18 +430,19 @@ def position_fourier_4(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
         _position_fourier_4, (phi1,), _prepare_position_fourier_4, (R1, R2, e), out=out
     )
 
 
 def _prepare_position_fourier_4(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    c_1 = 2 * e
-    c_3 = 2 * (e * e**2) / 3
-    c_4 = (e**2) ** 2 / 2
+    c_1 = 2.0 * e
+    c_3 = 2.0 * (e * e**2) / 3.0
+    c_4 = (e**2) ** 2 / 2.0
     k = R1 / R2
     c_2 = e**2
 
@@ -438,12 +451,12 @@ def _prepare_position_fourier_4(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 
 def _position_fourier_4(phi1: Any, c_1: Any, c_3: Any, c_4: Any, k: Any, c_2: Any) -> Any:
     x = k * phi1
-    twice_cosine = 2 * np.cos(x)
+    twice_cosine = 2.0 * np.cos(x)
     b_3 = c_3 + c_4 * twice_cosine
     b_2 = c_2 + b_3 * twice_cosine - c_4
     b_1 = c_1 + b_2 * twice_cosine - b_3
 
-    return b_1 * np.sin(x) + (1 + k) * phi1
+    return b_1 * np.sin(x) + (1.0 + k) * phi1
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -468,23 +481,24 @@ def position_fourier_8(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
         _position_fourier_8, (phi1,), _prepare_position_fourier_8, (R1, R2, e), out=out
     )
 
 
 def _prepare_position_fourier_8(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    c_1 = 2 * e
-    c_3 = 2 * (e * e**2) / 3
-    c_5 = 2 * (e * (e**2) ** 2) / 5
-    c_7 = 2 * (e * (e * e**2) ** 2) / 7
-    c_8 = ((e**2) ** 2) ** 2 / 4
+    c_1 = 2.0 * e
+    c_3 = 2.0 * (e * e**2) / 3.0
+    c_5 = 2.0 * (e * (e**2) ** 2) / 5.0
+    c_7 = 2.0 * (e * (e * e**2) ** 2) / 7.0
+    c_8 = ((e**2) ** 2) ** 2 / 4.0
     k = R1 / R2
-    c_6 = (e * e**2) ** 2 / 3
-    c_4 = (e**2) ** 2 / 2
+    c_6 = (e * e**2) ** 2 / 3.0
+    c_4 = (e**2) ** 2 / 2.0
     c_2 = e**2
 
     return (c_1, c_3, c_5, c_7, c_8, k, c_6, c_4, c_2)
@@ -503,7 +517,7 @@ def _position_fourier_8(
     c_2: Any,
 ) -> Any:
     x = k * phi1
-    twice_cosine = 2 * np.cos(x)
+    twice_cosine = 2.0 * np.cos(x)
     b_7 = c_7 + c_8 * twice_cosine
     b_6 = c_6 + b_7 * twice_cosine - c_8
     b_5 = c_5 + b_6 * twice_cosine - b_7
@@ -512,7 +526,7 @@ def _position_fourier_8(
     b_2 = c_2 + b_3 * twice_cosine - b_4
     b_1 = c_1 + b_2 * twice_cosine - b_3
 
-    return b_1 * np.sin(x) + (1 + k) * phi1
+    return b_1 * np.sin(x) + (1.0 + k) * phi1
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -538,9 +552,10 @@ def position_fourier_2_single(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
         _position_fourier_2_single,
         (phi1,),
@@ -551,7 +566,7 @@ def position_fourier_2_single(
 
 
 def _prepare_position_fourier_2_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    c_1 = single(2 * e)
+    c_1 = single(2.0 * e)
     c_2 = single(e**2)
     k = R1 / R2
 
@@ -561,10 +576,10 @@ def _prepare_position_fourier_2_single(R1: Any, R2: Any, e: Any) -> tuple[Any, .
 def _position_fourier_2_single(phi1: Any, c_1: Any, c_2: Any, k: Any) -> Any:
     x = k * phi1
     single_x = single(whole_turns_off(x))
-    twice_cosine = 2 * np.cos(single_x)
+    twice_cosine = 2.0 * np.cos(single_x)
     b_1 = c_1 + c_2 * twice_cosine
 
-    return b_1 * np.sin(single_x) + (1 + k) * phi1
+    return b_1 * np.sin(single_x) + (1.0 + k) * phi1
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -591,9 +606,10 @@ def position_fourier_4_single(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
         _position_fourier_4_single,
         (phi1,),
@@ -604,9 +620,9 @@ def position_fourier_4_single(
 
 
 def _prepare_position_fourier_4_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    c_1 = single(2 * e)
-    c_3 = single(2 * (e * e**2) / 3)
-    c_4 = single((e**2) ** 2 / 2)
+    c_1 = single(2.0 * e)
+    c_3 = single(2.0 * (e * e**2) / 3.0)
+    c_4 = single((e**2) ** 2 / 2.0)
     k = R1 / R2
     c_2 = single(e**2)
 
@@ -616,12 +632,12 @@ def _prepare_position_fourier_4_single(R1: Any, R2: Any, e: Any) -> tuple[Any, .
 def _position_fourier_4_single(phi1: Any, c_1: Any, c_3: Any, c_4: Any, k: Any, c_2: Any) -> Any:
     x = k * phi1
     single_x = single(whole_turns_off(x))
-    twice_cosine = 2 * np.cos(single_x)
+    twice_cosine = 2.0 * np.cos(single_x)
     b_3 = c_3 + c_4 * twice_cosine
     b_2 = c_2 + b_3 * twice_cosine - c_4
     b_1 = c_1 + b_2 * twice_cosine - b_3
 
-    return b_1 * np.sin(single_x) + (1 + k) * phi1
+    return b_1 * np.sin(single_x) + (1.0 + k) * phi1
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -649,9 +665,10 @@ def position_fourier_8_single(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
         _position_fourier_8_single,
         (phi1,),
@@ -662,14 +679,14 @@ def position_fourier_8_single(
 
 
 def _prepare_position_fourier_8_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    c_1 = single(2 * e)
-    c_3 = single(2 * (e * e**2) / 3)
-    c_5 = single(2 * (e * (e**2) ** 2) / 5)
-    c_7 = single(2 * (e * (e * e**2) ** 2) / 7)
-    c_8 = single(((e**2) ** 2) ** 2 / 4)
+    c_1 = single(2.0 * e)
+    c_3 = single(2.0 * (e * e**2) / 3.0)
+    c_5 = single(2.0 * (e * (e**2) ** 2) / 5.0)
+    c_7 = single(2.0 * (e * (e * e**2) ** 2) / 7.0)
+    c_8 = single(((e**2) ** 2) ** 2 / 4.0)
     k = R1 / R2
-    c_6 = single((e * e**2) ** 2 / 3)
-    c_4 = single((e**2) ** 2 / 2)
+    c_6 = single((e * e**2) ** 2 / 3.0)
+    c_4 = single((e**2) ** 2 / 2.0)
     c_2 = single(e**2)
 
     return (c_1, c_3, c_5, c_7, c_8, k, c_6, c_4, c_2)
@@ -689,7 +706,7 @@ def _position_fourier_8_single(
 ) -> Any:
     x = k * phi1
     single_x = single(whole_turns_off(x))
-    twice_cosine = 2 * np.cos(single_x)
+    twice_cosine = 2.0 * np.cos(single_x)
     b_7 = c_7 + c_8 * twice_cosine
     b_6 = c_6 + b_7 * twice_cosine - c_8
     b_5 = c_5 + b_6 * twice_cosine - b_7
@@ -698,7 +715,7 @@ def _position_fourier_8_single(
     b_2 = c_2 + b_3 * twice_cosine - b_4
     b_1 = c_1 + b_2 * twice_cosine - b_3
 
-    return b_1 * np.sin(single_x) + (1 + k) * phi1
+    return b_1 * np.sin(single_x) + (1.0 + k) * phi1
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -727,9 +744,10 @@ def position_fourier_12_single(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
         _position_fourier_12_single,
         (phi1,),
@@ -740,18 +758,18 @@ def position_fourier_12_single(
 
 
 def _prepare_position_fourier_12_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    c_1 = single(2 * e)
-    c_3 = single(2 * (e * e**2) / 3)
-    c_5 = single(2 * (e * (e**2) ** 2) / 5)
-    c_7 = single(2 * (e * (e * e**2) ** 2) / 7)
-    c_9 = single(2 * (e * ((e**2) ** 2) ** 2) / 9)
-    c_11 = single(2 * (e * (e * (e**2) ** 2) ** 2) / 11)
-    c_12 = single(((e * e**2) ** 2) ** 2 / 6)
+    c_1 = single(2.0 * e)
+    c_3 = single(2.0 * (e * e**2) / 3.0)
+    c_5 = single(2.0 * (e * (e**2) ** 2) / 5.0)
+    c_7 = single(2.0 * (e * (e * e**2) ** 2) / 7.0)
+    c_9 = single(2.0 * (e * ((e**2) ** 2) ** 2) / 9.0)
+    c_11 = single(2.0 * (e * (e * (e**2) ** 2) ** 2) / 11.0)
+    c_12 = single(((e * e**2) ** 2) ** 2 / 6.0)
     k = R1 / R2
-    c_10 = single((e * (e**2) ** 2) ** 2 / 5)
-    c_8 = single(((e**2) ** 2) ** 2 / 4)
-    c_6 = single((e * e**2) ** 2 / 3)
-    c_4 = single((e**2) ** 2 / 2)
+    c_10 = single((e * (e**2) ** 2) ** 2 / 5.0)
+    c_8 = single(((e**2) ** 2) ** 2 / 4.0)
+    c_6 = single((e * e**2) ** 2 / 3.0)
+    c_4 = single((e**2) ** 2 / 2.0)
     c_2 = single(e**2)
 
     return (c_1, c_3, c_5, c_7, c_9, c_11, c_12, k, c_10, c_8, c_6, c_4, c_2)
@@ -775,7 +793,7 @@ def _position_fourier_12_single(
 ) -> Any:
     x = k * phi1
     single_x = single(whole_turns_off(x))
-    twice_cosine = 2 * np.cos(single_x)
+    twice_cosine = 2.0 * np.cos(single_x)
     b_11 = c_11 + c_12 * twice_cosine
     b_10 = c_10 + b_11 * twice_cosine - c_12
     b_9 = c_9 + b_10 * twice_cosine - b_11
@@ -788,7 +806,7 @@ def _position_fourier_12_single(
     b_2 = c_2 + b_3 * twice_cosine - b_4
     b_1 = c_1 + b_2 * twice_cosine - b_3
 
-    return b_1 * np.sin(single_x) + (1 + k) * phi1
+    return b_1 * np.sin(single_x) + (1.0 + k) * phi1
 
 
 # Source: derivative of Prikhodko et al. 2024, equation (8)
@@ -807,9 +825,10 @@ def acceleration_direct(
     Domain as that of `acceleration`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
         _acceleration_direct, (phi1,), _prepare_acceleration_direct, (R1, R2, e), out=out
     )
@@ -825,7 +844,14 @@ def _prepare_acceleration_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 def _acceleration_direct(phi1: Any, e: Any, k: Any, e_squared: Any) -> Any:
     x = k * phi1
 
-    return -2 * e * k**2 * (1 - e_squared) / (1 + e_squared - 2 * e * np.cos(x)) ** 2 * np.sin(x)
+    return (
+        -2.0
+        * e
+        * k**2
+        * (1.0 - e_squared)
+        / (1.0 + e_squared - 2.0 * e * np.cos(x)) ** 2
+        * np.sin(x)
+    )
 
 
 # Source: derivative of Prikhodko et al. 2024, equation (8)
@@ -845,16 +871,17 @@ def acceleration_half_angle(
     Domain as that of `acceleration`.
 
     """
-    phi1, R1, R2, e = as_floats(phi1=phi1, R1=R1, R2=R2, e=e)
+    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside = (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
-    R1, R2, e = nan_outside(inside, R1, R2, e)
+    if inside is not True:
+        R1, R2, e = nan_outside(inside, R1, R2, e)
     return in_blocks(
         _acceleration_half_angle, (phi1,), _prepare_acceleration_half_angle, (R1, R2, e), out=out
     )
 
 
 def _prepare_acceleration_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    one_minus_e = 1 - e
+    one_minus_e = 1.0 - e
     k = R1 / R2
 
     return (e, one_minus_e, k)
@@ -864,11 +891,11 @@ def _acceleration_half_angle(phi1: Any, e: Any, one_minus_e: Any, k: Any) -> Any
     x = k * phi1
 
     return (
-        -2
+        -2.0
         * e
         * one_minus_e
         * k**2
-        * (1 + e)
-        / (one_minus_e**2 + 4 * e * np.sin(x / 2) ** 2) ** 2
+        * (1.0 + e)
+        / (one_minus_e**2 + 4.0 * e * np.sin(x / 2.0) ** 2) ** 2
         * np.sin(x)
     )

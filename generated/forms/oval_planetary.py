@@ -25,7 +25,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, is_finite, nan_outside
+from mechproof.kernel_support.blocks import in_blocks
 
 __all__ = [
     "acceleration_cylindrical_direct",
@@ -74,15 +75,16 @@ def ratio_printed(
     Source: Prikhodko et al. 2024 (oval wheels), equations (3)-(6) and (10).
 
     """
-    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
     inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
-    e1, e2 = nan_outside(inside, e1, e2)
+    if inside is not True:
+        e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_ratio_printed, (phi1,), _prepare_ratio_printed, (e1, e2, mount), out=out)
 
 
 def _prepare_ratio_printed(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    one_minus_e1_squared = 1 - e1**2
-    one_minus_e2_squared = 1 - e2**2
+    one_minus_e1_squared = 1.0 - e1**2
+    one_minus_e2_squared = 1.0 - e2**2
 
     return (e1, e2, mount, one_minus_e1_squared, one_minus_e2_squared)
 
@@ -90,13 +92,13 @@ def _prepare_ratio_printed(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
 def _ratio_printed(
     phi1: Any, e1: Any, e2: Any, mount: Any, one_minus_e1_squared: Any, one_minus_e2_squared: Any
 ) -> Any:
-    phi6 = phi1 + np.arctan2(e1 * np.sin(2 * phi1), 1 - e1 * np.cos(2 * phi1))
-    one_plus_e1_cos_two_phi6 = 1 + e1 * np.cos(2 * phi6)
-    term = 1 / (1 - e2 * np.cos(2 * mount + 2 * phi6))
+    phi6 = phi1 + np.arctan2(e1 * np.sin(2.0 * phi1), 1.0 - e1 * np.cos(2.0 * phi1))
+    one_plus_e1_cos_two_phi6 = 1.0 + e1 * np.cos(2.0 * phi6)
+    term = 1.0 / (1.0 - e2 * np.cos(2.0 * mount + 2.0 * phi6))
 
     return (
-        -2
-        / (one_minus_e1_squared * (2 - one_minus_e2_squared * term))
+        -2.0
+        / (one_minus_e1_squared * (2.0 - one_minus_e2_squared * term))
         * one_plus_e1_cos_two_phi6
         * (one_minus_e2_squared * term - one_minus_e1_squared / one_plus_e1_cos_two_phi6)
     )
@@ -126,28 +128,29 @@ def ratio_direct(
     Domain as that of `ratio`.
 
     """
-    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
     inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
-    e1, e2 = nan_outside(inside, e1, e2)
+    if inside is not True:
+        e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_ratio_direct, (phi1,), _prepare_ratio_direct, (e1, e2, mount), out=out)
 
 
 def _prepare_ratio_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
     e2_squared = e2**2
-    alpha_double = (1 + e1) * (1 - e2_squared)
-    beta_double = (1 - e1) * (1 + e2_squared - 2 * e2 * np.cos(2 * mount))
-    gamma_double = e2 * (2 + 2 * e1) * np.sin(2 * mount)
+    alpha_double = (1.0 + e1) * (1.0 - e2_squared)
+    beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * np.cos(2.0 * mount))
+    gamma_double = e2 * (2.0 + 2.0 * e1) * np.sin(2.0 * mount)
 
     return (alpha_double, beta_double, gamma_double)
 
 
 def _ratio_direct(phi1: Any, alpha_double: Any, beta_double: Any, gamma_double: Any) -> Any:
-    cos_two_phi1 = np.cos(2 * phi1)
+    cos_two_phi1 = np.cos(2.0 * phi1)
 
-    return 1 - 2 * alpha_double * beta_double / (
-        beta_double**2 * (1 + cos_two_phi1)
-        + (alpha_double**2 + gamma_double**2) * (1 - cos_two_phi1)
-        + 2 * beta_double * gamma_double * np.sin(2 * phi1)
+    return 1.0 - 2.0 * alpha_double * beta_double / (
+        beta_double**2 * (1.0 + cos_two_phi1)
+        + (alpha_double**2 + gamma_double**2) * (1.0 - cos_two_phi1)
+        + 2.0 * beta_double * gamma_double * np.sin(2.0 * phi1)
     )
 
 
@@ -174,9 +177,10 @@ def position_atan2(
     Domain as that of `position`.
 
     """
-    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
     inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
-    e1, e2 = nan_outside(inside, e1, e2)
+    if inside is not True:
+        e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_position_atan2, (phi1,), _prepare_position_atan2, (e1, e2, mount), out=out)
 
 
@@ -186,14 +190,16 @@ def _prepare_position_atan2(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
 
 
 def _position_atan2(phi1: Any, e1: Any, e2: Any, mount: Any) -> Any:
-    phi6 = phi1 + np.arctan2(e1 * np.sin(2 * phi1), 1 - e1 * np.cos(2 * phi1))
-    two_mount_plus_two_phi6 = 2 * mount + 2 * phi6
+    phi6 = phi1 + np.arctan2(e1 * np.sin(2.0 * phi1), 1.0 - e1 * np.cos(2.0 * phi1))
+    two_mount_plus_two_phi6 = 2.0 * mount + 2.0 * phi6
 
     return (
         phi1
-        + np.arctan2(e2 * np.sin(2 * mount), 1 - e2 * np.cos(2 * mount))
+        + np.arctan2(e2 * np.sin(2.0 * mount), 1.0 - e2 * np.cos(2.0 * mount))
         - phi6
-        - np.arctan2(e2 * np.sin(two_mount_plus_two_phi6), 1 - e2 * np.cos(two_mount_plus_two_phi6))
+        - np.arctan2(
+            e2 * np.sin(two_mount_plus_two_phi6), 1.0 - e2 * np.cos(two_mount_plus_two_phi6)
+        )
     )
 
 
@@ -222,16 +228,17 @@ def position_floor(
     Domain as that of `position`, each angle on its first branch.
 
     """
-    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
     inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
-    e1, e2 = nan_outside(inside, e1, e2)
+    if inside is not True:
+        e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_position_floor, (phi1,), _prepare_position_floor, (e1, e2, mount), out=out)
 
 
 def _prepare_position_floor(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    one_plus_e2 = 1 + e2
-    term = 1 / (1 - e2)
-    mount_counted = np.pi * np.floor(0.5 + mount / np.pi) + np.arctan(
+    one_plus_e2 = 1.0 + e2
+    term = 1.0 / (1.0 - e2)
+    mount_counted = np.pi * floor(0.5 + mount / np.pi) + np.arctan(
         one_plus_e2 * term * np.tan(mount)
     )
 
@@ -241,15 +248,15 @@ def _prepare_position_floor(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
 def _position_floor(
     phi1: Any, e1: Any, mount: Any, one_plus_e2: Any, term: Any, mount_counted: Any
 ) -> Any:
-    phi6_counted = np.pi * np.floor(0.5 + phi1 / np.pi) + np.arctan(
-        (1 + e1) / (1 - e1) * np.tan(phi1)
+    phi6_counted = np.pi * floor(0.5 + phi1 / np.pi) + np.arctan(
+        (1.0 + e1) / (1.0 - e1) * np.tan(phi1)
     )
     mount_plus_phi6_counted = mount + phi6_counted
 
     return (
         mount_counted
         + phi1
-        - np.pi * np.floor(0.5 + mount_plus_phi6_counted / np.pi)
+        - np.pi * floor(0.5 + mount_plus_phi6_counted / np.pi)
         - np.arctan(one_plus_e2 * term * np.tan(mount_plus_phi6_counted))
     )
 
@@ -278,9 +285,10 @@ def position_unsplit(
     Domain as that of `position`.
 
     """
-    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
     inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
-    e1, e2 = nan_outside(inside, e1, e2)
+    if inside is not True:
+        e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(
         _position_unsplit, (phi1,), _prepare_position_unsplit, (e1, e2, mount), out=out
     )
@@ -288,9 +296,9 @@ def position_unsplit(
 
 def _prepare_position_unsplit(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
     e2_squared = e2**2
-    beta_double = (1 - e1) * (1 + e2_squared - 2 * e2 * np.cos(2 * mount))
-    gamma_double = e2 * (2 + 2 * e1) * np.sin(2 * mount)
-    alpha_double = (1 + e1) * (1 - e2_squared)
+    beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * np.cos(2.0 * mount))
+    gamma_double = e2 * (2.0 + 2.0 * e1) * np.sin(2.0 * mount)
+    alpha_double = (1.0 + e1) * (1.0 - e2_squared)
 
     return (beta_double, gamma_double, alpha_double)
 
@@ -331,9 +339,10 @@ def acceleration_direct(
     Domain as that of `acceleration`.
 
     """
-    phi1, e1, e2, mount = as_floats(phi1=phi1, e1=e1, e2=e2, mount=mount)
+    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
     inside = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
-    e1, e2 = nan_outside(inside, e1, e2)
+    if inside is not True:
+        e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(
         _acceleration_direct, (phi1,), _prepare_acceleration_direct, (e1, e2, mount), out=out
     )
@@ -341,10 +350,10 @@ def acceleration_direct(
 
 def _prepare_acceleration_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
     e2_squared = e2**2
-    alpha_double = (1 + e1) * (1 - e2_squared)
-    beta_double = (1 - e1) * (1 + e2_squared - 2 * e2 * np.cos(2 * mount))
+    alpha_double = (1.0 + e1) * (1.0 - e2_squared)
+    beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * np.cos(2.0 * mount))
     beta_double_squared = beta_double**2
-    gamma_double = e2 * (2 + 2 * e1) * np.sin(2 * mount)
+    gamma_double = e2 * (2.0 + 2.0 * e1) * np.sin(2.0 * mount)
     term = alpha_double**2 + gamma_double**2
 
     return (alpha_double, beta_double, beta_double_squared, gamma_double, term)
@@ -358,23 +367,23 @@ def _acceleration_direct(
     gamma_double: Any,
     term: Any,
 ) -> Any:
-    cos_two_phi1 = np.cos(2 * phi1)
-    sin_two_phi1 = np.sin(2 * phi1)
+    cos_two_phi1 = np.cos(2.0 * phi1)
+    sin_two_phi1 = np.sin(2.0 * phi1)
 
     return (
-        -2
+        -2.0
         * alpha_double
         * beta_double
         / (
-            beta_double_squared * (1 + cos_two_phi1)
-            + term * (1 - cos_two_phi1)
-            + 2 * beta_double * gamma_double * sin_two_phi1
+            beta_double_squared * (1.0 + cos_two_phi1)
+            + term * (1.0 - cos_two_phi1)
+            + 2.0 * beta_double * gamma_double * sin_two_phi1
         )
         ** 2
         * (
-            2 * beta_double_squared * sin_two_phi1
-            - 2 * term * sin_two_phi1
-            - 4 * beta_double * gamma_double * cos_two_phi1
+            2.0 * beta_double_squared * sin_two_phi1
+            - 2.0 * term * sin_two_phi1
+            - 4.0 * beta_double * gamma_double * cos_two_phi1
         )
     )
 
@@ -400,9 +409,10 @@ def ratio_cylindrical_printed(
     Source: Prikhodko et al. 2024 (oval wheels), equations (4) and (10).
 
     """
-    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
     inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
-    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    if inside is not True:
+        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
         _ratio_cylindrical_printed,
         (phi1,),
@@ -413,8 +423,8 @@ def ratio_cylindrical_printed(
 
 
 def _prepare_ratio_cylindrical_printed(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    term_2 = R4 / 2 + R5 / 2
-    one_minus_e2_squared = 1 - e2**2
+    term_2 = R4 / 2.0 + R5 / 2.0
+    one_minus_e2_squared = 1.0 - e2**2
     k = R4 / R5
 
     return (R4, R5, e2, term_2, one_minus_e2_squared, k)
@@ -423,11 +433,11 @@ def _prepare_ratio_cylindrical_printed(R4: Any, R5: Any, e2: Any) -> tuple[Any, 
 def _ratio_cylindrical_printed(
     phi1: Any, R4: Any, R5: Any, e2: Any, term_2: Any, one_minus_e2_squared: Any, k: Any
 ) -> Any:
-    x = 2 * k * phi1
-    term = 1 / (1 - e2 * np.cos(x))
+    x = 2.0 * k * phi1
+    term = 1.0 / (1.0 - e2 * np.cos(x))
 
     return (
-        -2
+        -2.0
         * term_2
         / (R5 * (R4 + R5 - one_minus_e2_squared * term_2 * term))
         * (one_minus_e2_squared * term_2 * term - R5)
@@ -450,9 +460,10 @@ def ratio_cylindrical_half_angle(
     Domain as that of `ratio_cylindrical`.
 
     """
-    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
     inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
-    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    if inside is not True:
+        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
         _ratio_cylindrical_half_angle,
         (phi1,),
@@ -464,15 +475,15 @@ def ratio_cylindrical_half_angle(
 
 def _prepare_ratio_cylindrical_half_angle(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
-    one_minus_e2 = 1 - e2
+    one_minus_e2 = 1.0 - e2
 
     return (e2, k, one_minus_e2)
 
 
 def _ratio_cylindrical_half_angle(phi1: Any, e2: Any, k: Any, one_minus_e2: Any) -> Any:
-    x = 2 * k * phi1
+    x = 2.0 * k * phi1
 
-    return 1 - k * one_minus_e2 * (1 + e2) / (one_minus_e2**2 + 4 * e2 * np.sin(x / 2) ** 2)
+    return 1.0 - k * one_minus_e2 * (1.0 + e2) / (one_minus_e2**2 + 4.0 * e2 * np.sin(x / 2.0) ** 2)
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
@@ -491,9 +502,10 @@ def position_cylindrical_atan2(
     Domain as that of `position_cylindrical`.
 
     """
-    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
     inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
-    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    if inside is not True:
+        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
         _position_cylindrical_atan2,
         (phi1,),
@@ -510,9 +522,9 @@ def _prepare_position_cylindrical_atan2(R4: Any, R5: Any, e2: Any) -> tuple[Any,
 
 
 def _position_cylindrical_atan2(phi1: Any, e2: Any, k: Any) -> Any:
-    x = 2 * k * phi1
+    x = 2.0 * k * phi1
 
-    return (1 - k) * phi1 - np.arctan2(e2 * np.sin(x), 1 - e2 * np.cos(x))
+    return (1.0 - k) * phi1 - np.arctan2(e2 * np.sin(x), 1.0 - e2 * np.cos(x))
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
@@ -533,9 +545,10 @@ def position_cylindrical_atan2_stable(
     Domain as that of `position_cylindrical`.
 
     """
-    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
     inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
-    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    if inside is not True:
+        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
         _position_cylindrical_atan2_stable,
         (phi1,),
@@ -547,15 +560,15 @@ def position_cylindrical_atan2_stable(
 
 def _prepare_position_cylindrical_atan2_stable(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
-    nearest = 1 - e2
+    nearest = 1.0 - e2
 
     return (e2, k, nearest)
 
 
 def _position_cylindrical_atan2_stable(phi1: Any, e2: Any, k: Any, nearest: Any) -> Any:
-    x = 2 * k * phi1
+    x = 2.0 * k * phi1
 
-    return (1 - k) * phi1 - np.arctan2(e2 * np.sin(x), nearest + 2 * e2 * np.sin(x / 2) ** 2)
+    return (1.0 - k) * phi1 - np.arctan2(e2 * np.sin(x), nearest + 2.0 * e2 * np.sin(x / 2.0) ** 2)
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
@@ -577,9 +590,10 @@ def position_cylindrical_floor(
     Domain as that of `position_cylindrical`, |x| < pi, the first branch.
 
     """
-    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
     inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
-    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    if inside is not True:
+        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
         _position_cylindrical_floor,
         (phi1,),
@@ -596,12 +610,12 @@ def _prepare_position_cylindrical_floor(R4: Any, R5: Any, e2: Any) -> tuple[Any,
 
 
 def _position_cylindrical_floor(phi1: Any, e2: Any, k: Any) -> Any:
-    x = 2 * k * phi1
+    x = 2.0 * k * phi1
 
     return (
         phi1
-        - np.pi * np.floor(0.5 + x / (2 * np.pi))
-        - np.arctan((1 + e2) / (1 - e2) * np.tan(x / 2))
+        - np.pi * floor(0.5 + x / (2.0 * np.pi))
+        - np.arctan((1.0 + e2) / (1.0 - e2) * np.tan(x / 2.0))
     )
 
 
@@ -622,9 +636,10 @@ def acceleration_cylindrical_direct(
     Domain as that of `acceleration_cylindrical`.
 
     """
-    phi1, R4, R5, e2 = as_floats(phi1=phi1, R4=R4, R5=R5, e2=e2)
+    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
     inside = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
-    R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    if inside is not True:
+        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
         _acceleration_cylindrical_direct,
         (phi1,),
@@ -642,6 +657,13 @@ def _prepare_acceleration_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple
 
 
 def _acceleration_cylindrical_direct(phi1: Any, e2: Any, k: Any, e2_squared: Any) -> Any:
-    x = 2 * k * phi1
+    x = 2.0 * k * phi1
 
-    return 4 * e2 * k**2 * (1 - e2_squared) / (1 + e2_squared - 2 * e2 * np.cos(x)) ** 2 * np.sin(x)
+    return (
+        4.0
+        * e2
+        * k**2
+        * (1.0 - e2_squared)
+        / (1.0 + e2_squared - 2.0 * e2 * np.cos(x)) ** 2
+        * np.sin(x)
+    )

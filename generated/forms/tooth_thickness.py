@@ -24,7 +24,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, in_blocks, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, is_finite, nan_outside
+from mechproof.kernel_support.blocks import in_blocks
 
 __all__ = [
     "chord_height_handbook",
@@ -60,9 +61,10 @@ def constant_chord_handbook(
     Domain as that of `constant_chord`.
 
     """
-    m, alpha = as_floats(m=m, alpha=alpha)
+    m, alpha = as_floats("m alpha", m, alpha)
     inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-    m, alpha = nan_outside(inside, m, alpha)
+    if inside is not True:
+        m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(
         _constant_chord_handbook, (m,), _prepare_constant_chord_handbook, (alpha,), out=out
     )
@@ -75,7 +77,7 @@ def _prepare_constant_chord_handbook(alpha: Any) -> tuple[Any, ...]:
 
 def _constant_chord_handbook(m: Any, alpha: Any) -> Any:
 
-    return 1387 / 1000 * m + 0 * alpha
+    return 1387.0 / 1000.0 * m + 0.0 * alpha
 
 
 # Source: paper on tooth thickness, design data; basic rack
@@ -94,9 +96,10 @@ def chord_height_handbook(
     Domain as that of `chord_height`.
 
     """
-    m, alpha = as_floats(m=m, alpha=alpha)
+    m, alpha = as_floats("m alpha", m, alpha)
     inside = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
-    m, alpha = nan_outside(inside, m, alpha)
+    if inside is not True:
+        m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(
         _chord_height_handbook, (m,), _prepare_chord_height_handbook, (alpha,), out=out
     )
@@ -109,7 +112,7 @@ def _prepare_chord_height_handbook(alpha: Any) -> tuple[Any, ...]:
 
 def _chord_height_handbook(m: Any, alpha: Any) -> Any:
 
-    return 1869 / 2500 * m + 0 * alpha
+    return 1869.0 / 2500.0 * m + 0.0 * alpha
 
 
 # Source: paper on tooth thickness, step 6, on the involute
@@ -133,17 +136,18 @@ def height_change_distances(
     Domain as that of `height_change`.
 
     """
-    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
-    m, z, alpha = nan_outside(inside, m, z, alpha)
+    if inside is not True:
+        m, z, alpha = nan_outside(inside, m, z, alpha)
     return in_blocks(
         _height_change_distances, (tilt,), _prepare_height_change_distances, (m, z, alpha), out=out
     )
@@ -151,9 +155,9 @@ def height_change_distances(
 
 def _prepare_height_change_distances(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
     cos_alpha = np.cos(alpha)
-    r_b = cos_alpha * m * z / 2
+    r_b = cos_alpha * m * z / 2.0
     tan_alpha = np.tan(alpha)
-    term = np.pi / (2 * z)
+    term = np.pi / (2.0 * z)
 
     return (alpha, cos_alpha, r_b, tan_alpha, term)
 
@@ -197,17 +201,18 @@ def height_change_first_order(
     Domain as that of `height_change`.
 
     """
-    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
-    m, z, alpha = nan_outside(inside, m, z, alpha)
+    if inside is not True:
+        m, z, alpha = nan_outside(inside, m, z, alpha)
     return in_blocks(
         _height_change_first_order,
         (tilt,),
@@ -219,8 +224,8 @@ def height_change_first_order(
 
 def _prepare_height_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
     cos_alpha = np.cos(alpha)
-    r_b = cos_alpha * m * z / 2
-    t_c = np.pi / (2 * z) + np.tan(alpha)
+    r_b = cos_alpha * m * z / 2.0
+    t_c = np.pi / (2.0 * z) + np.tan(alpha)
 
     return (cos_alpha, r_b, t_c)
 
@@ -251,17 +256,18 @@ def thickness_change_chords(
     Domain as that of `thickness_change`.
 
     """
-    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
-    m, z, alpha = nan_outside(inside, m, z, alpha)
+    if inside is not True:
+        m, z, alpha = nan_outside(inside, m, z, alpha)
     return in_blocks(
         _thickness_change_chords, (tilt,), _prepare_thickness_change_chords, (m, z, alpha), out=out
     )
@@ -269,9 +275,9 @@ def thickness_change_chords(
 
 def _prepare_thickness_change_chords(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
     cos_alpha = np.cos(alpha)
-    r_b = cos_alpha * m * z / 2
+    r_b = cos_alpha * m * z / 2.0
     tan_alpha = np.tan(alpha)
-    term = np.pi / (2 * z)
+    term = np.pi / (2.0 * z)
 
     return (alpha, cos_alpha, r_b, tan_alpha, term)
 
@@ -282,7 +288,7 @@ def _thickness_change_chords(
     alpha_plus_tilt = alpha + tilt
 
     return (
-        2
+        2.0
         * r_b
         * (
             (tan_alpha + term + tilt) * np.cos(alpha_plus_tilt)
@@ -316,17 +322,18 @@ def thickness_change_half_angle(
     Domain as that of `thickness_change`.
 
     """
-    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
-    m, z, alpha = nan_outside(inside, m, z, alpha)
+    if inside is not True:
+        m, z, alpha = nan_outside(inside, m, z, alpha)
     return in_blocks(
         _thickness_change_half_angle,
         (tilt,),
@@ -338,22 +345,22 @@ def thickness_change_half_angle(
 
 def _prepare_thickness_change_half_angle(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
     cos_alpha = np.cos(alpha)
-    r_b = cos_alpha * m * z / 2
-    t_c = np.pi / (2 * z) + np.tan(alpha)
+    r_b = cos_alpha * m * z / 2.0
+    t_c = np.pi / (2.0 * z) + np.tan(alpha)
 
     return (alpha, cos_alpha, r_b, t_c)
 
 
 def _thickness_change_half_angle(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
     sin_tilt = np.sin(tilt)
-    sin__tilt_squared = np.sin(tilt / 2) ** 2
+    sin__tilt_squared = np.sin(tilt / 2.0) ** 2
 
     return (
-        -2
+        -2.0
         * r_b
         * (
-            cos_alpha * (sin_tilt + 2 * t_c * sin__tilt_squared - tilt * np.cos(tilt))
-            + np.sin(alpha) * (sin_tilt * (t_c + tilt) - 2 * sin__tilt_squared)
+            cos_alpha * (sin_tilt + 2.0 * t_c * sin__tilt_squared - tilt * np.cos(tilt))
+            + np.sin(alpha) * (sin_tilt * (t_c + tilt) - 2.0 * sin__tilt_squared)
         )
     )
 
@@ -384,17 +391,18 @@ def thickness_change_first_order(
     Domain as that of `thickness_change`.
 
     """
-    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
-    m, z, alpha = nan_outside(inside, m, z, alpha)
+    if inside is not True:
+        m, z, alpha = nan_outside(inside, m, z, alpha)
     return in_blocks(
         _thickness_change_first_order,
         (tilt,),
@@ -405,15 +413,15 @@ def thickness_change_first_order(
 
 
 def _prepare_thickness_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    r_b = m * z * np.cos(alpha) / 2
-    t_c = np.pi / (2 * z) + np.tan(alpha)
+    r_b = m * z * np.cos(alpha) / 2.0
+    t_c = np.pi / (2.0 * z) + np.tan(alpha)
 
     return (alpha, r_b, t_c)
 
 
 def _thickness_change_first_order(tilt: Any, alpha: Any, r_b: Any, t_c: Any) -> Any:
 
-    return -2 * r_b * t_c * np.sin(alpha) * tilt
+    return -2.0 * r_b * t_c * np.sin(alpha) * tilt
 
 
 # Source: paper on tooth thickness, step 6, on the involute
@@ -447,17 +455,18 @@ def thickness_change_by_height(
     Source: paper on tooth thickness, step 6 with the exact derivative.
 
     """
-    tilt, m, z, alpha = as_floats(tilt=tilt, m=m, z=z, alpha=alpha)
+    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside = (
         (m > 0)
         & is_finite(m)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
+        & (z == floor(z))
         & (alpha > 0)
         & (alpha < np.pi / 4)
     )
-    m, z, alpha = nan_outside(inside, m, z, alpha)
+    if inside is not True:
+        m, z, alpha = nan_outside(inside, m, z, alpha)
     return in_blocks(
         _thickness_change_by_height,
         (tilt,),
@@ -469,11 +478,11 @@ def thickness_change_by_height(
 
 def _prepare_thickness_change_by_height(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
     tan_alpha = np.tan(alpha)
-    K_m = 2 * tan_alpha
-    cosm1_alpha = -2 * np.sin(alpha / 2) ** 2
-    cos_alpha = 1 + cosm1_alpha
-    r_b = cos_alpha * m * z / 2
-    t_c = tan_alpha + np.pi / (2 * z)
+    K_m = 2.0 * tan_alpha
+    cosm1_alpha = -2.0 * np.sin(alpha / 2.0) ** 2
+    cos_alpha = 1.0 + cosm1_alpha
+    r_b = cos_alpha * m * z / 2.0
+    t_c = tan_alpha + np.pi / (2.0 * z)
 
     return (alpha, K_m, cos_alpha, r_b, t_c)
 
@@ -482,8 +491,8 @@ def _thickness_change_by_height(
     tilt: Any, alpha: Any, K_m: Any, cos_alpha: Any, r_b: Any, t_c: Any
 ) -> Any:
     sin_tilt = np.sin(tilt)
-    cosm1_tilt = -2 * np.sin(tilt / 2) ** 2
-    cos_tilt = 1 + cosm1_tilt
+    cosm1_tilt = -2.0 * np.sin(tilt / 2.0) ** 2
+    cos_tilt = 1.0 + cosm1_tilt
 
     return (
         K_m
@@ -514,9 +523,10 @@ def thickness_change_linear_printed(
     Source: paper on tooth thickness, equation (1).
 
     """
-    dh, alpha = as_floats(dh=dh, alpha=alpha)
+    dh, alpha = as_floats("dh alpha", dh, alpha)
     inside = (alpha > 0) & (alpha < np.pi / 4)
-    (alpha,) = nan_outside(inside, alpha)
+    if inside is not True:
+        (alpha,) = nan_outside(inside, alpha)
     return in_blocks(
         _thickness_change_linear_printed,
         (dh,),
@@ -533,7 +543,7 @@ def _prepare_thickness_change_linear_printed(alpha: Any) -> tuple[Any, ...]:
 
 def _thickness_change_linear_printed(dh: Any, alpha: Any) -> Any:
 
-    return 1821 / 2500 * dh + 0 * alpha
+    return 1821.0 / 2500.0 * dh + 0.0 * alpha
 
 
 # Source: paper on tooth thickness, steps 5 and 6 corrected
@@ -555,9 +565,10 @@ def thickness_error_printed(
     Source: paper on tooth thickness, equation (1) and step 5.
 
     """
-    e_tip, height_error, alpha = as_floats(e_tip=e_tip, height_error=height_error, alpha=alpha)
+    e_tip, height_error, alpha = as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
     inside = (alpha > 0) & (alpha < np.pi / 4)
-    (alpha,) = nan_outside(inside, alpha)
+    if inside is not True:
+        (alpha,) = nan_outside(inside, alpha)
     return in_blocks(
         _thickness_error_printed,
         (e_tip,),
@@ -574,4 +585,4 @@ def _prepare_thickness_error_printed(height_error: Any, alpha: Any) -> tuple[Any
 
 def _thickness_error_printed(e_tip: Any, height_error: Any, alpha: Any) -> Any:
 
-    return 1821 * height_error / 2500 + 1821 / 2500 * e_tip + 0 * alpha
+    return 1821.0 * height_error / 2500.0 + 1821.0 / 2500.0 * e_tip + 0.0 * alpha

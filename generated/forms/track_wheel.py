@@ -30,14 +30,14 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.kernel_support.arrays import (
     as_floats,
     check_components,
-    in_blocks,
+    every,
+    floor,
     is_finite,
     nan_outside,
     split_components,
-    store,
     sum_axes,
-    transform,
 )
+from mechproof.kernel_support.blocks import in_blocks, store, transform
 
 __all__ = [
     "displacement_direct",
@@ -78,7 +78,7 @@ def displacement_direct(
     Source: Kapitonov, Yakubovsky 2022, equation (15).
 
     """
-    points, angles, shift = as_floats(points=points, angles=angles, shift=shift)
+    points, angles, shift = as_floats("points angles shift", points, angles, shift)
     check_components("points", points, 3)
     alpha, beta, gamma = split_components("angles", angles, 3)
     a, b, c = split_components("shift", shift, 3)
@@ -96,15 +96,15 @@ def _displacement_direct(
     sin_alpha = np.sin(alpha)
 
     return (
-        cos_beta * cos_gamma - 1,
+        cos_beta * cos_gamma - 1.0,
         -cos_beta * sin_gamma,
         sin_beta,
         cos_alpha * sin_gamma + cos_gamma * sin_alpha * sin_beta,
-        cos_alpha * cos_gamma - 1 - sin_alpha * sin_beta * sin_gamma,
+        cos_alpha * cos_gamma - 1.0 - sin_alpha * sin_beta * sin_gamma,
         -cos_beta * sin_alpha,
         sin_alpha * sin_gamma - cos_alpha * cos_gamma * sin_beta,
         cos_gamma * sin_alpha + cos_alpha * sin_beta * sin_gamma,
-        cos_alpha * cos_beta - 1,
+        cos_alpha * cos_beta - 1.0,
         a,
         b,
         c,
@@ -132,7 +132,7 @@ def displacement_linear(
     Domain as that of `displacement`.
 
     """
-    points, angles, shift = as_floats(points=points, angles=angles, shift=shift)
+    points, angles, shift = as_floats("points angles shift", points, angles, shift)
     check_components("points", points, 3)
     alpha, beta, gamma = split_components("angles", angles, 3)
     a, b, c = split_components("shift", shift, 3)
@@ -143,7 +143,7 @@ def _displacement_linear(
     alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any
 ) -> tuple[Any, ...]:
 
-    return (0, -gamma, beta, gamma, 0, -alpha, -beta, alpha, 0, a, b, c)
+    return (0.0, -gamma, beta, gamma, 0.0, -alpha, -beta, alpha, 0.0, a, b, c)
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (17)
@@ -160,7 +160,7 @@ def planar_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None = 
     Source: Kapitonov, Yakubovsky 2022, equation (17).
 
     """
-    (displacement,) = as_floats(displacement=displacement)
+    (displacement,) = as_floats("displacement", displacement)
     Delta_x0, Delta_y0, _ = split_components("displacement", displacement, 3)
     return in_blocks(_planar_error_printed, (Delta_x0, Delta_y0), out=out)
 
@@ -184,7 +184,7 @@ def spatial_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None =
     Source: Kapitonov, Yakubovsky 2022, equation (18).
 
     """
-    (displacement,) = as_floats(displacement=displacement)
+    (displacement,) = as_floats("displacement", displacement)
     Delta_x0, Delta_y0, Delta_z0 = split_components("displacement", displacement, 3)
     return in_blocks(_spatial_error_printed, (Delta_x0, Delta_y0, Delta_z0), out=out)
 
@@ -210,11 +210,10 @@ def radius_printed(
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
     """
-    phi, R, A, z = as_floats(phi=phi, R=R, A=A, z=z)
-    inside = (
-        (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == np.floor(z)) & (np.abs(A) <= R)
-    )
-    R, A, z = nan_outside(inside, R, A, z)
+    phi, R, A, z = as_floats("phi R A z", phi, R, A, z)
+    inside = (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
+    if inside is not True:
+        R, A, z = nan_outside(inside, R, A, z)
     return in_blocks(_radius_printed, (phi,), _prepare_radius_printed, (R, A, z), out=out)
 
 
@@ -253,7 +252,7 @@ def track_printed(
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
     """
-    phi, R, A, z, H = as_floats(phi=phi, R=R, A=A, z=z, H=H)
+    phi, R, A, z, H = as_floats("phi R A z H", phi, R, A, z, H)
     inside = (
         (R > 0)
         & is_finite(R)
@@ -261,10 +260,11 @@ def track_printed(
         & is_finite(H)
         & (z >= 1)
         & is_finite(z)
-        & (z == np.floor(z))
-        & (np.abs(A) <= R)
+        & (z == floor(z))
+        & (abs(A) <= R)
     )
-    R, A, z, H = nan_outside(inside, R, A, z, H)
+    if inside is not True:
+        R, A, z, H = nan_outside(inside, R, A, z, H)
     return in_blocks(
         _track_printed, (phi,), _prepare_track_printed, (R, A, z, H), out=out, shape=(3,)
     )
@@ -309,12 +309,13 @@ def error_sum_thermal_direct(
 
     """
     tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter = as_floats(
-        tolerances=tolerances,
-        sensitivities=sensitivities,
-        scatters=scatters,
-        total_scatter=total_scatter,
-        thermal_share=thermal_share,
-        thermal_scatter=thermal_scatter,
+        "tolerances sensitivities scatters total_scatter thermal_share thermal_scatter",
+        tolerances,
+        sensitivities,
+        scatters,
+        total_scatter,
+        thermal_share,
+        thermal_scatter,
     )
     tolerances, sensitivities, scatters = sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
@@ -322,19 +323,20 @@ def error_sum_thermal_direct(
     inside = (
         (total_scatter > 0)
         & is_finite(total_scatter)
-        & np.all(scatters > 0, axis=-1)
-        & np.all(is_finite(scatters), axis=-1)
+        & every(scatters > 0, axis=-1)
+        & every(is_finite(scatters), axis=-1)
         & (thermal_scatter > 0)
         & is_finite(thermal_scatter)
         & (thermal_share >= 0)
         & is_finite(thermal_share)
         & (thermal_share * thermal_scatter < total_scatter)
-        & np.all(tolerances >= 0, axis=-1)
-        & np.all(is_finite(tolerances), axis=-1)
+        & every(tolerances >= 0, axis=-1)
+        & every(is_finite(tolerances), axis=-1)
     )
-    total_scatter, thermal_share, thermal_scatter = nan_outside(
-        inside, total_scatter, thermal_share, thermal_scatter
-    )
+    if inside is not True:
+        total_scatter, thermal_share, thermal_scatter = nan_outside(
+            inside, total_scatter, thermal_share, thermal_scatter
+        )
 
     return store(
         np.sqrt(np.sum(sensitivities**2 * scatters**2 * tolerances**2, axis=-1))

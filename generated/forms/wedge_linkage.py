@@ -37,13 +37,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import (
-    as_floats,
-    choose_where,
-    in_blocks,
-    is_finite,
-    nan_outside,
-)
+from mechproof.kernel_support.arrays import as_floats, choose_where, is_finite, maximum, nan_outside
+from mechproof.kernel_support.blocks import in_blocks
 
 __all__ = [
     "clearance_printed",
@@ -91,11 +86,12 @@ def lever_angle_printed(
     Source: Bazuev et al. 2021, equation (1).
 
     """
-    x1, l_AB, l_BC, l_CD = as_floats(x1=x1, l_AB=l_AB, l_BC=l_BC, l_CD=l_CD)
+    x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
     inside = (
         (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
     )
-    l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
+    if inside is not True:
+        l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
     return in_blocks(
         _lever_angle_printed,
         (x1,),
@@ -113,7 +109,7 @@ def _prepare_lever_angle_printed(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, 
 
 
 def _lever_angle_printed(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared: Any) -> Any:
-    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2 * l_AB + 2 * l_CD + x1))
+    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
 
     return np.arctan(
         (l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1))
@@ -142,11 +138,12 @@ def lever_angle_atan2(
     Domain as that of `lever_angle`, the radicand of Q is positive.
 
     """
-    x1, l_AB, l_BC, l_CD = as_floats(x1=x1, l_AB=l_AB, l_BC=l_BC, l_CD=l_CD)
+    x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
     inside = (
         (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
     )
-    l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
+    if inside is not True:
+        l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
     return in_blocks(
         _lever_angle_atan2,
         (x1,),
@@ -164,7 +161,7 @@ def _prepare_lever_angle_atan2(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ..
 
 
 def _lever_angle_atan2(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared: Any) -> Any:
-    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2 * l_AB + 2 * l_CD + x1))
+    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
 
     return np.arctan2(
         l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
@@ -188,9 +185,10 @@ def rod_displacement_printed(
     Source: Bazuev et al. 2021, equation (3).
 
     """
-    phi3, l_DE, alpha_DE = as_floats(phi3=phi3, l_DE=l_DE, alpha_DE=alpha_DE)
+    phi3, l_DE, alpha_DE = as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
     inside = (l_DE > 0) & is_finite(l_DE)
-    (l_DE,) = nan_outside(inside, l_DE)
+    if inside is not True:
+        (l_DE,) = nan_outside(inside, l_DE)
     return in_blocks(
         _rod_displacement_printed,
         (phi3,),
@@ -224,9 +222,10 @@ def clearance_printed(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | Non
     Source: Bazuev et al. 2021, equation (4).
 
     """
-    x5, l_GH = as_floats(x5=x5, l_GH=l_GH)
+    x5, l_GH = as_floats("x5 l_GH", x5, l_GH)
     inside = (l_GH > 0) & is_finite(l_GH)
-    (l_GH,) = nan_outside(inside, l_GH)
+    if inside is not True:
+        (l_GH,) = nan_outside(inside, l_GH)
     return in_blocks(_clearance_printed, (x5,), _prepare_clearance_printed, (l_GH,), out=out)
 
 
@@ -237,7 +236,7 @@ def _prepare_clearance_printed(l_GH: Any) -> tuple[Any, ...]:
 
 def _clearance_printed(x5: Any, l_GH: Any) -> Any:
 
-    return choose_where(x5 < l_GH, 0, x5 - l_GH)
+    return choose_where(x5 < l_GH, 0.0, x5 - l_GH)
 
 
 # Source: Bazuev et al. 2021, equations (7) and (8)
@@ -261,9 +260,10 @@ def roller_lever_angle_printed(
     Source: Bazuev et al. 2021, equations (7) and (8).
 
     """
-    x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
+    x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
     inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
-    l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    if inside is not True:
+        l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(
         _roller_lever_angle_printed,
         (x5,),
@@ -284,7 +284,7 @@ def _roller_lever_angle_printed(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
     term = np.arctan(np.sqrt(l_KL**2 - term_2**2) / term_2)
 
     return choose_where(
-        term_2 > 0, term - alpha_KL, choose_where(term_2 < 0, np.pi + term - alpha_KL, np.nan)
+        term_2 > 0.0, term - alpha_KL, choose_where(term_2 < 0.0, np.pi + term - alpha_KL, np.nan)
     )
 
 
@@ -307,9 +307,10 @@ def roller_lever_angle_or_else(
     Domain as that of `roller_lever_angle`, R > 0 or R < 0, |R| <= l_KL.
 
     """
-    x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
+    x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
     inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
-    l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    if inside is not True:
+        l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(
         _roller_lever_angle_or_else,
         (x5,),
@@ -329,7 +330,7 @@ def _roller_lever_angle_or_else(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
     term_2 = l_KL * np.cos(alpha_KL) - x5
     term = np.arctan(np.sqrt(l_KL**2 - term_2**2) / term_2)
 
-    return choose_where(term_2 > 0, term - alpha_KL, np.pi + term - alpha_KL)
+    return choose_where(term_2 > 0.0, term - alpha_KL, np.pi + term - alpha_KL)
 
 
 # Source: Bazuev et al. 2021, equations (7) and (8)
@@ -347,9 +348,10 @@ def roller_lever_angle_atan2(
     Domain as that of `roller_lever_angle`, the roller lever follows the link 5'.
 
     """
-    x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
+    x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
     inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
-    l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    if inside is not True:
+        l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(
         _roller_lever_angle_atan2,
         (x5,),
@@ -385,9 +387,10 @@ def roller_lever_angle_arccosine(
     Domain as that of `roller_lever_angle`, alpha_KL = 2 arctan(kappa) in [0, pi), KL upwards.
 
     """
-    x5, l_KL, alpha_KL = as_floats(x5=x5, l_KL=l_KL, alpha_KL=alpha_KL)
+    x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
     inside = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
-    l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    if inside is not True:
+        l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(
         _roller_lever_angle_arccosine,
         (x5,),
@@ -424,9 +427,10 @@ def wedge_displacement_printed(
     Source: Bazuev et al. 2021, equation (10).
 
     """
-    phi7, l_LM, alpha_LM = as_floats(phi7=phi7, l_LM=l_LM, alpha_LM=alpha_LM)
+    phi7, l_LM, alpha_LM = as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
     inside = (l_LM > 0) & is_finite(l_LM)
-    (l_LM,) = nan_outside(inside, l_LM)
+    if inside is not True:
+        (l_LM,) = nan_outside(inside, l_LM)
     return in_blocks(
         _wedge_displacement_printed,
         (phi7,),
@@ -489,17 +493,18 @@ def position_printed(
 
     """
     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
-        x1=x1,
-        l_AB=l_AB,
-        l_BC=l_BC,
-        l_CD=l_CD,
-        l_DE=l_DE,
-        l_GH=l_GH,
-        l_KL=l_KL,
-        l_LM=l_LM,
-        alpha_DE=alpha_DE,
-        alpha_KL=alpha_KL,
-        alpha_LM=alpha_LM,
+        "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
+        x1,
+        l_AB,
+        l_BC,
+        l_CD,
+        l_DE,
+        l_GH,
+        l_KL,
+        l_LM,
+        alpha_DE,
+        alpha_KL,
+        alpha_LM,
     )
     inside = (
         (l_AB > 0)
@@ -519,9 +524,10 @@ def position_printed(
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-    )
+    if inside is not True:
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+        )
     return in_blocks(
         _position_printed,
         (x1,),
@@ -563,19 +569,19 @@ def _position_printed(
     alpha_LM: Any,
     l_BC_squared: Any,
 ) -> Any:
-    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2 * l_AB + 2 * l_CD + x1))
+    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
     turn_3_printed = np.arctan(
         (l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1))
         / (l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)))
     )
     travel_5_printed = l_DE * (np.cos(alpha_DE + turn_3_printed) - np.cos(alpha_DE))
-    driven_5_printed = choose_where(travel_5_printed < l_GH, 0, travel_5_printed - l_GH)
+    driven_5_printed = choose_where(travel_5_printed < l_GH, 0.0, travel_5_printed - l_GH)
     KL_x_printed = l_KL * np.cos(alpha_KL) - driven_5_printed
     term = np.arctan(np.sqrt(l_KL**2 - KL_x_printed**2) / KL_x_printed)
     turn_7_printed = choose_where(
-        KL_x_printed > 0,
+        KL_x_printed > 0.0,
         term - alpha_KL,
-        choose_where(KL_x_printed < 0, np.pi + term - alpha_KL, np.nan),
+        choose_where(KL_x_printed < 0.0, np.pi + term - alpha_KL, np.nan),
     )
 
     return l_LM * (np.sin(alpha_LM + turn_7_printed) - np.sin(alpha_LM))
@@ -613,17 +619,18 @@ def position_atan2(
 
     """
     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
-        x1=x1,
-        l_AB=l_AB,
-        l_BC=l_BC,
-        l_CD=l_CD,
-        l_DE=l_DE,
-        l_GH=l_GH,
-        l_KL=l_KL,
-        l_LM=l_LM,
-        alpha_DE=alpha_DE,
-        alpha_KL=alpha_KL,
-        alpha_LM=alpha_LM,
+        "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
+        x1,
+        l_AB,
+        l_BC,
+        l_CD,
+        l_DE,
+        l_GH,
+        l_KL,
+        l_LM,
+        alpha_DE,
+        alpha_KL,
+        alpha_LM,
     )
     inside = (
         (l_AB > 0)
@@ -643,9 +650,10 @@ def position_atan2(
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-    )
+    if inside is not True:
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+        )
     return in_blocks(
         _position_atan2,
         (x1,),
@@ -687,13 +695,13 @@ def _position_atan2(
     alpha_LM: Any,
     l_BC_squared: Any,
 ) -> Any:
-    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2 * l_AB + 2 * l_CD + x1))
+    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
     turn_3_atan2 = np.arctan2(
         l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
         l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
     )
     travel_5_atan2 = l_DE * (np.cos(alpha_DE + turn_3_atan2) - np.cos(alpha_DE))
-    driven_5_atan2 = np.maximum(0, travel_5_atan2 - l_GH)
+    driven_5_atan2 = maximum(0.0, travel_5_atan2 - l_GH)
     KL_x_atan2 = l_KL * np.cos(alpha_KL) - driven_5_atan2
     turn_7_atan2 = np.arctan2(np.sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
 
@@ -734,17 +742,18 @@ def velocity_slopes(
 
     """
     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
-        x1=x1,
-        l_AB=l_AB,
-        l_BC=l_BC,
-        l_CD=l_CD,
-        l_DE=l_DE,
-        l_GH=l_GH,
-        l_KL=l_KL,
-        l_LM=l_LM,
-        alpha_DE=alpha_DE,
-        alpha_KL=alpha_KL,
-        alpha_LM=alpha_LM,
+        "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
+        x1,
+        l_AB,
+        l_BC,
+        l_CD,
+        l_DE,
+        l_GH,
+        l_KL,
+        l_LM,
+        alpha_DE,
+        alpha_KL,
+        alpha_LM,
     )
     inside = (
         (l_AB > 0)
@@ -764,9 +773,10 @@ def velocity_slopes(
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-    )
+    if inside is not True:
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+        )
     return in_blocks(
         _velocity_slopes,
         (x1,),
@@ -808,7 +818,7 @@ def _velocity_slopes(
     alpha_LM: Any,
     l_BC_squared: Any,
 ) -> Any:
-    term = 2 * l_AB + 2 * l_CD + x1
+    term = 2.0 * l_AB + 2.0 * l_CD + x1
     Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * term * x1)
     turn_3_atan2 = np.arctan2(
         l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
@@ -816,9 +826,9 @@ def _velocity_slopes(
     )
     term_2 = alpha_DE + turn_3_atan2
     travel_5_atan2 = l_DE * (np.cos(term_2) - np.cos(alpha_DE))
-    engaged_atan2 = choose_where(travel_5_atan2 < l_GH, 0, 1)
+    engaged_atan2 = choose_where(travel_5_atan2 < l_GH, 0.0, 1.0)
     BC_length = np.sqrt(l_BC_squared + term * x1)
-    driven_5_atan2 = np.maximum(0, travel_5_atan2 - l_GH)
+    driven_5_atan2 = maximum(0.0, travel_5_atan2 - l_GH)
     KL_x_atan2 = l_KL * np.cos(alpha_KL) - driven_5_atan2
     turn_7_atan2 = np.arctan2(np.sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
 
@@ -883,17 +893,18 @@ def sensitivities_slopes(
 
     """
     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
-        x1=x1,
-        l_AB=l_AB,
-        l_BC=l_BC,
-        l_CD=l_CD,
-        l_DE=l_DE,
-        l_GH=l_GH,
-        l_KL=l_KL,
-        l_LM=l_LM,
-        alpha_DE=alpha_DE,
-        alpha_KL=alpha_KL,
-        alpha_LM=alpha_LM,
+        "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
+        x1,
+        l_AB,
+        l_BC,
+        l_CD,
+        l_DE,
+        l_GH,
+        l_KL,
+        l_LM,
+        alpha_DE,
+        alpha_KL,
+        alpha_LM,
     )
     inside = (
         (l_AB > 0)
@@ -913,9 +924,10 @@ def sensitivities_slopes(
         & (alpha_KL > 0)
         & (alpha_KL < np.pi)
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-    )
+    if inside is not True:
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+        )
     return in_blocks(
         _sensitivities_slopes,
         (x1,),
@@ -973,7 +985,7 @@ def _sensitivities_slopes(
     l_BC_squared: Any,
     cos_alpha_KL: Any,
 ) -> Any:
-    term = 2 * l_AB + 2 * l_CD + x1
+    term = 2.0 * l_AB + 2.0 * l_CD + x1
     Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * term * x1)
     turn_3_atan2 = np.arctan2(
         l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
@@ -982,13 +994,13 @@ def _sensitivities_slopes(
     term_7 = alpha_DE + turn_3_atan2
     term_2 = np.cos(term_7) - np.cos(alpha_DE)
     travel_5_atan2 = l_DE * term_2
-    engaged_atan2 = choose_where(travel_5_atan2 < l_GH, 0, 1)
-    driven_5_atan2 = np.maximum(0, travel_5_atan2 - l_GH)
+    engaged_atan2 = choose_where(travel_5_atan2 < l_GH, 0.0, 1.0)
+    driven_5_atan2 = maximum(0.0, travel_5_atan2 - l_GH)
     KL_x_atan2 = cos_alpha_KL * l_KL - driven_5_atan2
     turn_7_atan2 = np.arctan2(np.sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
     term_8 = alpha_KL + turn_7_atan2
-    term_3 = 1 / np.sin(term_8)
-    term_4 = 1 - np.cos(turn_3_atan2)
+    term_3 = 1.0 / np.sin(term_8)
+    term_4 = 1.0 - np.cos(turn_3_atan2)
     term_9 = alpha_LM + turn_7_atan2
     term_5 = np.cos(term_9)
     term_6 = np.sin(term_7)
@@ -1010,6 +1022,6 @@ def _sensitivities_slopes(
         l_LM / l_KL * engaged_atan2 * term_3 * term_5 * (np.cos(term_8) - cos_alpha_KL),
         engaged_atan2 * (np.sin(term_9) - np.sin(alpha_LM)),
         l_DE * l_LM / l_KL * engaged_atan2 * term_3 * term_5 * (np.sin(alpha_DE) - term_6),
-        l_LM * engaged_atan2 * term_5 * (np.sin(alpha_KL) * term_3 - 1),
+        l_LM * engaged_atan2 * term_5 * (np.sin(alpha_KL) * term_3 - 1.0),
         l_LM * engaged_atan2 * (term_5 - np.cos(alpha_LM)),
     )

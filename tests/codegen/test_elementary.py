@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import ctypes
 import math
+import shutil
+import subprocess
 from collections.abc import Callable
 from fractions import Fraction
+from pathlib import Path
+from typing import Any
 
 import mpmath as mp
 import pytest
 
+from mechproof.codegen.backends.numpy import render_template
+from mechproof.codegen.backends.scalar import write_elementary
 from mechproof.codegen.elementary.fits import Rational, enclose
 from mechproof.codegen.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.codegen.elementary.functions import BODIES, Function, build
+from mechproof.codegen.languages import C99, C99_SINGLE
 from mechproof.codegen.program import Operand, Program
 
 FORMATS = (DOUBLE, SINGLE)
@@ -42,9 +50,14 @@ DOUBLES: dict[str, Callable[..., float | bool]] = {
     "multiply": lambda a, b: a * b,
     "divide": lambda a, b: a / b if b else math.copysign(math.inf, a),
     "negate": lambda a: -a,
-    "fma": lambda a, b, c: float(Fraction(a) * Fraction(b) + Fraction(c)),
-    "rint": lambda a: float(round(a)),
-    "floor": lambda a: float(math.floor(a)),
+    "fma": lambda a, b, c: (
+        float(Fraction(a) * Fraction(b) + Fraction(c))
+        if all(map(math.isfinite, (a, b, c)))
+        else a * b + c
+    ),
+    "rint": lambda a: float(round(a)) if math.isfinite(a) else a,
+    "floor": lambda a: float(math.floor(a)) if math.isfinite(a) else a,
+    "power_of_two": lambda n: math.ldexp(1.0, int(n)) if math.isfinite(n) else 1.0,
     "sqrt": math.sqrt,
     "absolute": abs,
     "copysign": math.copysign,
@@ -102,14 +115,59 @@ def hard_angles() -> list[float]:
 
 ANGLES = hard_angles()
 SLOPES = [10.0**k for k in range(-300, 301, 25)] + [0.1, 0.5, 0.9, 0.9999999, 1.0, 1.0000001, 1.7]
+# Where one half of log(2) ends and the next begins, a ladder to zero, and the ends of the range.
+EXPONENTS = [
+    *(n * math.log(2) / 2 * (1 + e) for n in (1, 3, 7, 255, 1021) for e in (-1e-15, 0, 1e-15)),
+    *(10.0**-k for k in range(0, 301, 12)),
+    0.1, 0.3465, 0.7, 2.2, 33.0, 690.0, 708.3,
+]  # fmt: skip
+LIMITS = [10.0**-k for k in range(0, 301, 12)] + [i / 7 for i in range(1, 263)]
 # ulp: the approximation, the rounding of what is reduced or the quotient, the last operation.
 CASES = {
     "tan": (ANGLES, mp.tan, 2.5),
     "sin": (ANGLES, mp.sin, 1.7),
     "cos": (ANGLES, mp.cos, 1.7),
     "arctan": (SLOPES, mp.atan, 1.1),
+    "exp": (EXPONENTS, mp.exp, 0.8),
+    "normal_tail": (LIMITS, lambda x: mp.erfc(abs(x) / mp.sqrt(2)) / 2, 2.9),
     "small_arctan": ([s for s in SLOPES if s < 0.57], mp.atan, 1.2),
 }
+
+
+COMPILER = shutil.which("cc")
+
+
+@pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+@pytest.mark.parametrize("form", FORMATS, ids=lambda f: f.name)
+def test_exponentials_in_c(form: Format, tmp_path: Path) -> None:
+    """Of doubles the bits are those of the program; of floats a few ulp are off."""
+    language, real = (C99, ctypes.c_double) if form == DOUBLE else (C99_SINGLE, ctypes.c_float)
+    kinds = ("exp", "normal_tail")
+    data = {
+        **{"system": "", "file": "none", "reductions": [], "kernels": [], "powers": True},
+        **{"form": form, "largest": 0, "number": language.number},
+        **{"absolute": "", "limit": "", "letters": ""},
+        "real": form.name.replace("single", "float"),
+        "functions": [write_elementary(kind, form, language, language) for kind in kinds],
+    }
+    text = render_template("c_source.c.jinja", data).replace("static inline", "")
+    (tmp_path / "none.h").write_text("")
+    (tmp_path / "none.c").write_text(text)
+    command = [str(COMPILER), "-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-pedantic"]
+    command += ["-ffp-contract=off", "-shared", "-fPIC", "none.c", "-o", "none.so", "-lm"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    library = ctypes.CDLL(str(tmp_path / "none.so"))
+    for kind in kinds:
+        points, true, bound = CASES[kind]
+        function = getattr(library, f"mp_{kind}")
+        function.restype, function.argtypes = real, [real]
+        for x in (*points, *(-x for x in points)):
+            number = real(x).value
+            wanted = float(true(mp.mpf(number)))
+            if form == DOUBLE:
+                assert function(x) == run(build(kind, form).program, x)
+            elif 2.0**-126 < wanted < 2.0**127:
+                assert function(x) == pytest.approx(wanted, rel=2 * bound * form.eps, abs=0)
 
 
 @pytest.mark.parametrize("kind", CASES)
@@ -139,6 +197,20 @@ def test_the_length_of_a_side_that_has_no_square() -> None:
     for a, b in ((3e200, 4e200), (3e-200, 4e-200), (3.0, -4.0), (0.0, 2.0), (1e-300, 1e300)):
         wanted = math.hypot(a, b)
         assert run(program, a, b) == pytest.approx(wanted, rel=1.5 * DOUBLE.eps, abs=0)
+
+
+@pytest.mark.parametrize(
+    ("kind", "points", "values"),
+    [
+        ("exp", (0.0, 709.8, 1e9, math.inf), (1.0, math.inf, math.inf, math.inf)),
+        ("exp", (-740.0, -745.0, -746.0, -math.inf), (4.2e-322, 5e-324, 0.0, 0.0)),
+        ("normal_tail", (38.4, -38.4, 38.6, 1e300, -math.inf), (6.4e-323, 6.4e-323, 0.0, 0.0, 0.0)),
+    ],
+)
+def test_the_ends_of_the_range(kind: str, points: Any, values: Any) -> None:
+    program = build(kind, DOUBLE).program
+    assert [run(program, x) for x in points] == list(values)
+    assert math.isnan(run(program, math.nan))
 
 
 def test_a_reduction_that_lost_a_word_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from mechproof.conformity import arc as conformity_arc
-from mechproof.conformity.arc import LENGTHS, choose_sizes, integrate_arc, make_panel
+from mechproof.conformity.arc import LENGTHS, choose_size, integrate_arc, make_panel
 
 PARTS, ORDER = 60, 32
 CUT = 45.0  # nats; beyond lies less than 1e-19 of the integral
@@ -49,7 +49,7 @@ def test_one_panel_is_as_good_as_sixty() -> None:
     error = np.abs(integrate_arc(*arcs) / integrate_finely(*arcs) - 1)
     # What is cut off, 1.3e-14, and what the nodes leave.
     assert np.max(error) < 1e-13
-    assert np.ptp(choose_sizes(*arcs[:2])) > 0.9 * len(LENGTHS)
+    assert np.ptp(choose_size(*arcs[:2])) > 0.9 * len(LENGTHS)
 
 
 @pytest.mark.parametrize("length", LENGTHS[:45:4])

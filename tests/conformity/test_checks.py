@@ -82,23 +82,23 @@ def test_fractions_are_real_numbers() -> None:
 
 
 @pytest.mark.parametrize("limits", [40, (1, 2, 3), None, [1]])
-def test_what_is_no_pair_of_limits_is_named(limits: Any) -> None:
+def test_what_is_no_pair_of_limits_is_named(limits: Any, find: Any) -> None:
     message = r"must be a pair \(lower, upper\)"
     with pytest.raises(TypeError, match=r"^tolerance = .*" + message):
-        shares(ONE, ONE, limits)
+        find(ONE, ONE, limits)
     with pytest.raises(TypeError, match=r"^tolerance = .*" + message):
         conformance_probability(0, ONE, ONE, limits)
     if limits is not None:
         with pytest.raises(TypeError, match=r"^acceptance = .*" + message):
-            shares(ONE, ONE, (-1, 1), limits)
+            find(ONE, ONE, (-1, 1), limits)
 
 
-def test_what_is_no_law_is_named() -> None:
+def test_what_is_no_law_is_named(find: Any) -> None:
     wrong: Any = 3
     with pytest.raises(TypeError, match=r"^true = 3: must be a law, Normal or Uniform"):
-        shares(wrong, ONE, (-1, 1))
+        find(wrong, ONE, (-1, 1))
     with pytest.raises(TypeError, match=r"^error = 3: must be a law"):
-        shares(ONE, wrong, (-1, 1))
+        find(ONE, wrong, (-1, 1))
     with pytest.raises(TypeError, match=r"^error\[1\] = 3: must be a law"):
         simulate_shares(ONE, [ONE, wrong], (-1, 1), rng=np.random.default_rng(1), count=3)
     uniform: Any = Uniform(-1, 1)
@@ -121,11 +121,11 @@ def test_widths_beyond_the_range_are_refused(width: float) -> None:
 
 @pytest.mark.parametrize("part", [1e150, 1e100, 1e6, 1e-6, 1e-100, 1e-150])
 @pytest.mark.parametrize("whole", [1e150, 1.0, 1e-150])
-def test_the_shares_add_up_to_one(whole: float, part: float) -> None:
+def test_the_shares_add_up_to_one(whole: float, part: float, find: Any) -> None:
     for true in (Normal(0, whole), Uniform(-whole, whole), TruncatedNormal(0, whole, 0, whole)):
         for error in (Normal(0, part), Uniform(0, part), TruncatedNormal(0, part, -part, part)):
             for tolerance in ((-whole, whole), (-part, part), (-np.inf, part)):
-                found = shares(true, error, tolerance)
+                found = find(true, error, tolerance)
                 four = np.array(list(vars(found).values()))
                 assert (four >= 0).all()
                 # The stated accuracy of a share.
@@ -169,7 +169,7 @@ def test_a_law_keeps_its_own_parameters() -> None:
     assert law == Normal([0, 1], 1)
 
 
-def test_missing_numbers_warn_of_nothing() -> None:
+def test_missing_numbers_warn_of_nothing(find: Any) -> None:
     odd = np.array([np.nan, np.inf, -np.inf, 0.0, 1e300])
     unknown = Normal(np.nan, 1), Uniform(np.nan, 1), TruncatedNormal(np.nan, 1, -1, 1)
     with warnings.catch_warnings():
@@ -179,7 +179,7 @@ def test_missing_numbers_warn_of_nothing() -> None:
         for true in (*LAWS, *unknown):
             for error in (*LAWS, *unknown):
                 for tolerance in ((-1, 1), (-np.inf, np.inf), (np.nan, 1)):
-                    found = shares(true, error, tolerance)
+                    found = find(true, error, tolerance)
                     missing = any(np.isnan([*vars(law).values()]).any() for law in (true, error))
                     assert np.isnan(found.rightly_accepted) == (
                         missing or tolerance[0] != tolerance[0]

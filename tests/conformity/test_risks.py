@@ -28,6 +28,7 @@ from mechproof.laws.kinds import list_parameters
 
 INF = np.inf
 BAR = 1e-12
+Find = Callable[..., Shares]
 NAMES = ("rightly_accepted", "wrongly_accepted", "rightly_rejected", "wrongly_rejected")
 
 
@@ -46,9 +47,9 @@ class Case:
     tolerance: tuple[float, float]
     acceptance: tuple[float, float]
 
-    def shares(self) -> Shares:
+    def shares(self, find: Find = shares) -> Shares:
         laws = Normal(self.mu, self.sigma), Normal(self.bias, self.s)
-        return shares(*laws, self.tolerance, self.acceptance)
+        return find(*laws, self.tolerance, self.acceptance)
 
 
 HARD = {
@@ -147,9 +148,9 @@ def relative_errors(got: list[Any], case: Case) -> list[float]:
 
 
 @pytest.mark.parametrize("name", HARD)
-def test_every_share_is_relatively_accurate(name: str) -> None:
+def test_every_share_is_relatively_accurate(name: str, find: Find) -> None:
     case = HARD[name]
-    assert max(relative_errors(four(case.shares()), case)) < BAR
+    assert max(relative_errors(four(case.shares(find)), case)) < BAR
 
 
 def random_case(rng: np.random.Generator) -> Case:
@@ -164,13 +165,13 @@ def random_case(rng: np.random.Generator) -> Case:
     return Case(rng.normal(0, 0.5), 1, bias, s, tolerance, acceptance)
 
 
-def test_random_sets_are_relatively_accurate_where_no_share_underflows() -> None:
+def test_random_sets_are_relatively_accurate_where_no_share_underflows(find: Find) -> None:
     rng = np.random.default_rng(7)
     cases = [
         case for case in (random_case(rng) for _ in range(60)) if min(four(case.shares())) > 1e-100
     ]
     assert len(cases) > 30
-    assert max(max(relative_errors(four(case.shares()), case)) for case in cases) < BAR
+    assert max(max(relative_errors(four(case.shares(find)), case)) for case in cases) < BAR
 
 
 def test_the_comparison_rejects_a_cancelling_formula() -> None:
@@ -192,21 +193,21 @@ def random_sets(seed: int, count: int) -> tuple[Normal, Normal, Any, Any]:
     return true, error, tolerance, (middle - half - guard, middle + half + guard)
 
 
-def test_arc_integrals_and_panel_quadrature_agree() -> None:
+def test_arc_integrals_and_panel_quadrature_agree(find: Find) -> None:
     true, error, tolerance, acceptance = random_sets(1, 300)
-    got = four(shares(true, error, tolerance, acceptance))
+    got = four(find(true, error, tolerance, acceptance))
     panels = law_masses(true, error, np.stack(tolerance), np.stack(acceptance))
     for value, other in zip(got, panels, strict=True):
         seen = other > 1e-250
         np.testing.assert_allclose(value[seen], other[seen], rtol=BAR)
 
 
-def test_shares_add_up_and_mirror() -> None:
+def test_shares_add_up_and_mirror(find: Find) -> None:
     true, error, tolerance, acceptance = random_sets(2, 5000)
-    got = four(shares(true, error, tolerance, acceptance))
+    got = four(find(true, error, tolerance, acceptance))
     # Four roundings of numbers below 1 and their own errors, each below some ulp.
     np.testing.assert_allclose(np.sum(got, axis=0), 1, rtol=0, atol=2e-14)
-    mirrored = shares(
+    mirrored = find(
         Normal(-true.mean, true.std),
         Normal(-error.mean, error.std),
         (-tolerance[1], -tolerance[0]),
@@ -217,14 +218,14 @@ def test_shares_add_up_and_mirror() -> None:
         np.testing.assert_allclose(value[seen], other[seen], rtol=BAR)
 
 
-def test_errorless_gauge_is_the_limit_of_a_good_one() -> None:
-    simple = shares(Normal(0, 1), Normal(0, 0), (-1, 2))
+def test_errorless_gauge_is_the_limit_of_a_good_one(find: Find) -> None:
+    simple = find(Normal(0, 1), Normal(0, 0), (-1, 2))
     np.testing.assert_allclose(simple.rightly_accepted, ndtr(2) - ndtr(-1), rtol=1e-14)
     assert (simple.wrongly_accepted, simple.wrongly_rejected) == (0, 0)
     windows = (-1.0, 2.0), (-0.5, 3.0)
-    exact = four(shares(Normal(0, 1), Normal(0, 0), *windows))
+    exact = four(find(Normal(0, 1), Normal(0, 0), *windows))
     # Each limit lies at least 0.5 from the other windows' limits: s = 1e-20 changes nothing.
-    near = four(shares(Normal(0, 1), Normal(0, 1e-20), *windows))
+    near = four(find(Normal(0, 1), Normal(0, 1e-20), *windows))
     expected = [
         ndtr(2) - ndtr(-0.5),
         ndtr(-2) - ndtr(-3),
@@ -237,8 +238,8 @@ def test_errorless_gauge_is_the_limit_of_a_good_one() -> None:
 
 @pytest.mark.parametrize("error", [Normal(0.1, 0.4), Normal(0.1, 0), Uniform(-0.6, 0.9)])
 @pytest.mark.parametrize("value", [-3.0, -1.0, 0.7, 2.9, 3.0, 4.0])
-def test_a_fixed_true_value(value: float, error: Law) -> None:
-    right, wrong, out, lost = four(shares(Normal(value, 0), error, (-3, 3), (-2, 2.5)))
+def test_a_fixed_true_value(value: float, error: Law, find: Find) -> None:
+    right, wrong, out, lost = four(find(Normal(value, 0), error, (-3, 3), (-2, 2.5)))
     accepted = error.probability(-2 - value, 2.5 - value)
     conforms = -3 < value < 3
     np.testing.assert_allclose(right if conforms else wrong, accepted, rtol=1e-14)
@@ -248,9 +249,9 @@ def test_a_fixed_true_value(value: float, error: Law) -> None:
     assert (wrong, out) == (0, 0) if conforms else (right, lost) == (0, 0)
 
 
-def test_values_on_a_limit_are_outside() -> None:
-    assert four(shares(Normal(3, 0), Normal(0, 0), (-3, 3), (-4, 4))) == [0, 1, 0, 0]
-    assert four(shares(Normal(2, 0), Normal(1, 0), (-3, 3))) == [0, 0, 0, 1]
+def test_values_on_a_limit_are_outside(find: Find) -> None:
+    assert four(find(Normal(3, 0), Normal(0, 0), (-3, 3), (-4, 4))) == [0, 1, 0, 0]
+    assert four(find(Normal(2, 0), Normal(1, 0), (-3, 3))) == [0, 0, 0, 1]
 
 
 def test_uniform_laws_give_the_areas_of_polygons() -> None:
@@ -296,17 +297,17 @@ def test_parts_sorted_before_are_the_conforming_parts_of_a_normal_law(
     assert (kept.wrongly_accepted, kept.rightly_rejected) == (0, 0)
 
 
-def test_broadcasting_scalars_and_nan() -> None:
-    one = shares(Normal(0, 1), Normal(0, 0.3), (-3, 3))
+def test_broadcasting_scalars_and_nan(find: Find) -> None:
+    one = find(Normal(0, 1), Normal(0, 0.3), (-3, 3))
     assert all(isinstance(value, np.float64) for value in four(one))
-    assert shares(Normal(0, np.ones((0, 3))), Normal(0, 1), (-1, 1)).rightly_accepted.shape == (
+    assert find(Normal(0, np.ones((0, 3))), Normal(0, 1), (-1, 1)).rightly_accepted.shape == (
         0,
         3,
     )
     column, row = np.array([[-4.0], [np.nan]]), np.array([0.3, 0.4, 0.5])
     for true in (Normal(column, 1), Uniform(column, 4)):
-        many = shares(true, Normal(0, row), (-3, 3))
-        single = shares(
+        many = find(true, Normal(0, row), (-3, 3))
+        single = find(
             type(true)(*(p.flat[0] for p in list_parameters(true))),
             Normal(0, 0.4),
             (-3, 3),

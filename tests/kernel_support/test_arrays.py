@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from mechproof.kernel_support import arrays, error_free
+from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernels import elliptic_planetary, oval_planetary, track_wheel, wedge_linkage
 
 RADII = (66.0, 16.0)
@@ -48,14 +49,14 @@ CALLS: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
 
 @pytest.fixture
 def small_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(arrays, "BLOCK", 6)
+    monkeypatch.setattr("mechproof.kernel_support.blocks.BLOCK", 6)
 
 
 @pytest.mark.parametrize("name", CALLS)
 def test_blocks_change_no_digit(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     function, arguments = CALLS[name]
     whole = function(*arguments)
-    monkeypatch.setattr(arrays, "BLOCK", 6)
+    monkeypatch.setattr("mechproof.kernel_support.blocks.BLOCK", 6)
     in_blocks = function(*arguments)
     # A matrix product may sum in another order: an ulp of the largest of four terms, below 20.
     tolerance = 4 * np.finfo(float).eps * 20 if name == "one pose" else 0
@@ -66,7 +67,7 @@ def test_blocks_change_no_digit(name: str, monkeypatch: pytest.MonkeyPatch) -> N
 @pytest.mark.parametrize("blocks", [6, 32768])
 @pytest.mark.parametrize("name", CALLS)
 def test_out_receives_the_result(name: str, blocks: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(arrays, "BLOCK", blocks)
+    monkeypatch.setattr("mechproof.kernel_support.blocks.BLOCK", blocks)
     function, arguments = CALLS[name]
     expected = function(*arguments)
     for order in ("C", "F"):
@@ -93,7 +94,7 @@ def test_single_precision_is_the_rounded_double(name: str) -> None:
 def test_out_may_overlap_an_argument(
     e: float, blocks: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(arrays, "BLOCK", blocks)
+    monkeypatch.setattr("mechproof.kernel_support.blocks.BLOCK", blocks)
     phi = spread(40)
     expected = elliptic_planetary.position(phi[:30], *RADII, e)
     for start in (0, 7, 10):
@@ -320,6 +321,72 @@ def test_the_low_word_is_paid_for_only_above_its_threshold(
             elliptic_planetary.position(spread(2), *RADII, e)
 
 
+def random_doubles(count: int) -> np.ndarray:
+    random = np.random.default_rng(37)
+    return random.uniform(-2, 2, count) * 10.0 ** random.integers(-20, 20, count)
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        lambda a, b: error_free.product_rest(a, b, a * b),
+        lambda a, b: error_free.quotient_rest(a, b, a / b),
+        lambda a, b: error_free.small_tangent(a),
+    ],
+)
+def test_rests_have_the_same_bits_of_numbers_and_in_arrays(function: Any) -> None:
+    a, b = random_doubles(500).reshape(2, -1)
+    point = [function(np.float64(x), np.float64(y)) for x, y in zip(a, b, strict=True)]
+    assert [function(float(x), float(y)) for x, y in zip(a, b, strict=True)] == point
+    assert function(a, b).tolist() == point
+    for x, y in ((float(a[0]), b), (a, float(b[0]))):
+        wide = np.broadcast_to(x, 250), np.broadcast_to(y, 250)
+        assert np.array_equal(function(x, y) + np.zeros(250), function(*wide))
+
+
+@pytest.mark.parametrize("kind", [float, np.float64])
+def test_functions_of_numbers_are_those_of_arrays(kind: Any) -> None:
+    values = (-np.inf, -2.5, -1.0, -0.0, 0.0, 1.0, 2.5, np.inf, np.nan)
+    for a in map(kind, values):
+        assert np.array_equal(arrays.floor(a), np.floor(a), equal_nan=True)
+        for b in map(kind, values):
+            given, expected = arrays.maximum(a, b), np.maximum(a, b)
+            assert np.array_equal(given, expected, equal_nan=True)
+            assert np.signbit(given) == np.signbit(expected) or np.isnan(expected)
+            given, expected = arrays.choose_where(a < b, a, b), np.where(a < b, a, b)
+            assert np.array_equal(given, expected, equal_nan=True)
+
+
+def test_every_condition_is_asked() -> None:
+    for shape, axis in (((3,), -1), ((2, 3), -1), ((3, 3), (-2, -1)), ((2, 3, 3), (-2, -1))):
+        condition = np.ones(shape, bool)
+        assert np.array_equal(arrays.every(condition, axis), np.all(condition, axis=axis))
+        condition[(-1,) * len(shape)] = False
+        assert np.array_equal(arrays.every(condition, axis), np.all(condition, axis=axis))
+    assert arrays.every(np.ones(0, bool), -1)
+
+
+@pytest.mark.parametrize("running", [0.3, np.array([0.3, 0.4])])
+@pytest.mark.parametrize(
+    "evaluate", [lambda x, p: x / p, lambda x, p: x + 1e300 / (p + 1e-200) ** 2]
+)
+def test_what_python_refuses_is_computed_as_numpy_does(evaluate: Any, running: Any) -> None:
+    """Python raises for a division by zero and for a power beyond the largest double."""
+    with np.errstate(all="ignore"):
+        found = in_blocks(evaluate, (running,), lambda p: (p,), (0.0,))
+        expected = evaluate(running, np.float64(0.0))
+    assert type(found) is (np.float64 if type(running) is float else np.ndarray)
+    assert np.array_equal(found, expected)
+
+
+def test_single_precision_is_not_widened_or_narrowed_by_numbers() -> None:
+    def evaluate(x: Any, p: Any) -> Any:
+        return error_free.single(x) + p
+
+    found = in_blocks(evaluate, (0.1,), lambda p: (p,), (0.2,))
+    assert found == np.float32(0.1) + np.float64(0.2)
+
+
 def test_lazy_conditions_stay_unread() -> None:
     assert arrays.holds(np.array([True, True]))
     assert not arrays.holds(np.array([True, False]))
@@ -332,7 +399,7 @@ def test_outer_products_keep_what_depends_on_few_arguments_short(
     shape: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Arrays along axes of their own, in slices: the same as all of them written out."""
-    monkeypatch.setattr(arrays, "BLOCK", 256)
+    monkeypatch.setattr("mechproof.kernel_support.blocks.BLOCK", 256)
     x1 = np.linspace(-40, 0, shape[-1])
     l_de = np.linspace(82, 84, shape[0]).reshape(-1, *[1] * (len(shape) - 1))
     l_kl = np.linspace(59.8, 60.2, shape[-2])[:, np.newaxis]

@@ -67,7 +67,7 @@ def test_a_foreign_scalar_without_numbers_is_refused() -> None:
             return self
 
     with pytest.raises(TypeError, match=r"^R1: expected numbers with a dtype, got Opaque"):
-        as_floats(R1=Opaque())  # type: ignore[arg-type]
+        as_floats("R1", Opaque())
 
 
 @pytest.mark.parametrize("value", [Length(1.0), Length(np.ones(2))])

@@ -217,11 +217,11 @@ def test_uncorrelated_is_the_plain_sum() -> None:
 
 
 def test_conversion_of_arguments() -> None:
-    (weak,) = arrays.as_floats(a=1)
-    assert weak.dtype == np.float64
-    single, mixed = arrays.as_floats(a=np.float32(1), b=True)
+    (weak,) = arrays.as_floats("a", 1)
+    assert type(weak) is float
+    single, mixed = arrays.as_floats("a b", np.float32(1), True)
     assert single.dtype == mixed.dtype == np.float32
-    single, integer = arrays.as_floats(a=np.float32(1), b=np.int64(2))
-    assert single.dtype == integer.dtype == np.float64
+    single, integer = arrays.as_floats("a b", np.float32(1), np.int64(2))
+    assert type(single) is type(integer) is float
     with pytest.raises(TypeError, match="b: expected real numbers"):
-        arrays.as_floats(a=1.0, b=[1j])
+        arrays.as_floats("a b", 1.0, [1j])

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from mechproof.kernel_support import arrays, polynomials
+from mechproof.kernel_support import polynomials
 from mechproof.lab.sets import list_workloads
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Arguments
@@ -26,7 +26,7 @@ PUSHED = (np.nan, -np.inf, -1e9, -1.0, -1e-9, 0.0, 0.5, 1.0, 1.5, 20.0, 1e9, np.
 @pytest.fixture(params=["one piece", "blocks", "polynomials"])
 def _evaluation(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     if request.param != "one piece":
-        monkeypatch.setattr(arrays, "BLOCK", 6)
+        monkeypatch.setattr("mechproof.kernel_support.blocks.BLOCK", 6)
     if request.param == "polynomials":
         monkeypatch.setattr(polynomials, "IS_WORTH_IT", True)
         monkeypatch.setattr(polynomials, "LONG", 1)

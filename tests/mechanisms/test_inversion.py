@@ -137,6 +137,6 @@ def test_what_is_not_finite_is_nan_in_any_kind(name: str) -> None:
 
 
 def test_the_sign_of_zero_is_kept() -> None:
-    (given,) = as_floats(x=Series(np.array([-0.0, 0.0]), ["a", "b"]))
+    (given,) = as_floats("x", Series(np.array([-0.0, 0.0]), ["a", "b"]))
     kept = follow_kind(given, np.array([-0.0, 0.0]))
     assert np.signbit(kept.values).tolist() == [True, False]

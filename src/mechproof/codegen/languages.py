@@ -26,16 +26,17 @@ NUMPY = Syntax(
                 name: f"np.{name}"
                 for name in (
                     "sqrt", "sin", "cos", "tan", "arcsin", "arccos", "arctan", "arctan2", "exp",
-                    "log", "hypot", "floor", "copysign", "sign", "maximum",
+                    "log", "hypot", "copysign", "sign",
                 )
             },
-            "absolute": "np.abs",
+            "absolute": "abs",
             "choose": "choose_where",
             **{
                 name: name
                 for name in (
                     "is_finite", "product_rest", "sum_rest", "quotient_rest", "small_tangent",
-                    "tangent_quotient", "small_arctan", "single", "whole_turns_off",
+                    "tangent_quotient", "small_arctan", "single", "whole_turns_off", "maximum",
+                    "floor",
                 )
             },
         }
@@ -57,6 +58,9 @@ NUMPY = Syntax(
         {"#pi": "np.pi", "#e": "np.e", "#inf": "np.inf", "#nan": "np.nan"}
     ),
 )  # fmt: skip
+# In bodies whole numbers are floats, which NumPy converts faster beside an array; in conditions,
+# which the runtime asks of fractions, they are not.
+NUMPY_BODY = replace(NUMPY, number=lambda number: repr(float(number)))
 # The functions of a language's own library, for angles that are reduced there.
 _LIBRARY = ("tan", "sin", "cos")
 # One number at a time; `exact` says whether what angles far out give is wanted, however long it
@@ -68,7 +72,10 @@ NUMBA = Syntax(
             **{kind: f"elementary.{kind}" for kind in BODIES},
             **{
                 n: n
-                for n in ("floor", "rint", "fma", "copysign", "is_finite", "maximum", "choose")
+                for n in (
+                    "floor", "rint", "fma", "copysign", "is_finite", "maximum", "choose",
+                    "power_of_two",
+                )
             },
             "sqrt": "np.sqrt",
             "absolute": "abs",
@@ -92,7 +99,7 @@ C99 = Syntax(
     infix=MappingProxyType({**INFIX, "both": ("&&", BOTH), "either": ("||", EITHER)}),
     calls=MappingProxyType(
         {
-            **{kind: f"mp_{kind}" for kind in (*BODIES, "square", "maximum")},
+            **{kind: f"mp_{kind}" for kind in (*BODIES, "square", "maximum", "power_of_two")},
             "sqrt": "sqrt",
             "floor": "floor",
             "rint": "rint",

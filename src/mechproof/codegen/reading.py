@@ -265,7 +265,7 @@ class _ProgramReader:
         is_scalar = function.startswith(("_", ELEMENTARY))
         name = function.removeprefix("np.").removeprefix(ELEMENTARY).removeprefix("_")
         keywords = {k.arg: ast.unparse(k.value) for k in node.keywords}
-        if name in ("sum", "all") and set(keywords) == {"axis"}:
+        if name in ("sum", "every") and set(keywords) == {"axis"}:
             count = {"-1": 1, "(-2, -1)": 2}[keywords["axis"]]
             (value,) = node.args
             return self._add("sum" if name == "sum" else "every", self.read(value), count)
@@ -335,10 +335,11 @@ class _KernelReader:
         )
 
     def _check_conversion(self, statement: ast.stmt) -> None:
-        """Require `a, b = as_floats(a=a, b=b)` with the arguments in their order."""
-        pairs = ", ".join(f"{name}={name}" for name in self._arguments)
-        names = ", ".join(self._arguments) + ("," if len(self._arguments) == 1 else "")
-        expected = ast.unparse(ast.parse(f"{names} = as_floats({pairs})"))
+        """Require `a, b = as_floats("a b", a, b)` with the arguments in their order."""
+        names = ", ".join(self._arguments)
+        comma = "," if len(self._arguments) == 1 else ""
+        text = f"{names}{comma} = as_floats({' '.join(self._arguments)!r}, {names})"
+        expected = ast.unparse(ast.parse(text))
         if ast.unparse(statement) != expected:
             raise ReadingError(f"line {statement.lineno}: expected {expected!r}")
 
@@ -355,6 +356,10 @@ class _KernelReader:
                 self._inside = read_program(self._scalars(), (), (value,))
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 self._assigned.append((name, value))
+            case ast.If(test=test, body=[ast.Assign() as inner], orelse=[]):
+                self._require(test, ast.unparse(test) == "inside is not True")
+                self._require(inner, ast.unparse(inner.value).startswith("nan_outside("))
+                self._read_statement(inner)
             case ast.If(test=ast.Call(func=ast.Name(id="holds"), args=[when]), body=[inner]):
                 self._read_return(inner, read_program(self._scalars(), (), (when,)))
             case ast.Return():

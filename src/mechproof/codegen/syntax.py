@@ -110,4 +110,4 @@ class _Writer:
         return f"{REDUCTIONS[kind]}({self.show(value)[0]}, axis={where})"
 
 
-REDUCTIONS: Mapping[str, str] = MappingProxyType({"sum": "np.sum", "every": "np.all"})
+REDUCTIONS: Mapping[str, str] = MappingProxyType({"sum": "np.sum", "every": "every"})

@@ -1,9 +1,9 @@
-"""What compiled kernels call: machine operations, and loops over arrays of every shape.
+"""What compiled code calls: machine operations, and loops over arrays of every shape.
 
-Needs numba; only the generated package `kernels.compiled` imports it.
+Needs numba; only the generated package `kernels.compiled` and `conformity.compiled` import it.
 """
 
-from mechproof.compiled_support.loops import Loops, run, take_row
+from mechproof.compiled_support.loops import Loops, run, run_parts, take_row
 from mechproof.compiled_support.machine import (
     BLOCK,
     choose,
@@ -11,14 +11,18 @@ from mechproof.compiled_support.machine import (
     floor,
     fma,
     has_nan,
+    inner,
     is_finite,
     loop,
     maximum,
     overload,
+    power_of_two,
     rint,
     scalar,
+    stand_in,
     widen,
 )
+from mechproof.compiled_support.points import POINTS, count_numbers, put, take
 from mechproof.compiled_support.sums import (
     Sums,
     count_terms,
@@ -29,22 +33,30 @@ from mechproof.compiled_support.sums import (
 
 __all__ = [
     "BLOCK",
+    "POINTS",
     "Loops",
     "Sums",
     "choose",
     "copysign",
+    "count_numbers",
     "count_terms",
     "floor",
     "fma",
     "has_nan",
+    "inner",
     "is_finite",
     "loop",
     "maximum",
     "overload",
+    "power_of_two",
+    "put",
     "rint",
     "run",
+    "run_parts",
     "run_sums",
     "scalar",
+    "stand_in",
+    "take",
     "take_row",
     "take_square",
     "take_terms",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from itertools import pairwise
@@ -13,7 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from mechproof.kernel_support.arrays import PLAIN, as_floats, check_components, check_out
+from mechproof.kernel_support.arrays import PLAIN, as_floats, as_numpy, check_components
+from mechproof.kernel_support.blocks import check_out
 
 # Points in a row for which a call of its own pays, and those for which a second thread does.
 LONG_ROW = 32
@@ -68,14 +69,18 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
     """
     if (row := _take_numbers(loops, arguments, out)) is not None:
         return row
-    arrays = as_floats(**dict(zip(loops.names, arguments, strict=True)))
-    if not any(loops.widths) and all(isinstance(a, np.generic) for a in arrays) and out is None:
+    arrays = as_floats(" ".join(loops.names), *arguments)
+    if (
+        not any(loops.widths)
+        and all(isinstance(a, (float, np.generic)) for a in arrays)
+        and out is None
+    ):
         value = loops.at(*map(float, arrays))
-        dtype = arrays[0].dtype
+        dtype = as_numpy(arrays[0]).dtype
         if loops.results > 1:
             return np.array(value, dtype)
         return np.array(value, dtype).reshape(loops.shape) if loops.shape else dtype.type(value)
-    return _run(loops, arrays, out)
+    return _run(loops, tuple(map(as_numpy, arrays)), out)
 
 
 def _take_numbers(
@@ -242,6 +247,16 @@ def _fill_uniformly(
     ]
     for task in tasks:
         task.result()
+
+
+def run_parts(act: Callable[[Any], object], parts: Iterable[Any]) -> None:
+    """Call a compiled function for all parts, on all processors."""
+    if _count_processors() == 1:
+        for part in parts:
+            act(part)
+        return
+    for _ in _pool().map(act, parts):
+        pass
 
 
 @cache

@@ -6,6 +6,7 @@ Functions marked `scalar` compute one point; `loop` ones fill a flat array.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 try:
@@ -14,7 +15,7 @@ try:
     from numba.extending import intrinsic, overload
 except ImportError as error:
     raise ImportError(
-        "mechproof.kernels.compiled needs numba, the extra fast: in the folder of the sources, "
+        "compiled kernels and shares need numba, the extra fast: in the folder of the sources, "
         "pip install '.[fast]'"
     ) from error
 
@@ -22,12 +23,28 @@ except ImportError as error:
 BLOCK = 1024
 _REAL = types.float64
 __all__ = [
-    "BLOCK", "choose", "copysign", "floor", "fma", "has_nan", "is_finite", "loop", "maximum",
-    "overload", "rint", "scalar", "widen",
+    "BLOCK", "choose", "copysign", "floor", "fma", "has_nan", "inner", "is_finite", "loop",
+    "maximum", "overload", "power_of_two", "rint", "scalar", "stand_in", "widen",
 ]  # fmt: skip
 
 scalar = njit(error_model="numpy", nogil=True, cache=True, forceinline=True)
 loop = njit(error_model="numpy", nogil=True, cache=True)
+# A loop that is kept with the one that calls it, not on its own.
+inner = njit(error_model="numpy", nogil=True)
+
+
+def stand_in(function: Callable[..., Any], **options: Any) -> Callable[..., Any]:
+    """Have compiled code call the decorated function wherever `function` is called.
+
+    A function may stand in for itself: compiled code takes it as it is.
+    """
+
+    def register(implementation: Callable[..., Any]) -> Callable[..., Any]:
+        kept = {"error_model": "numpy", **options}
+        overload(function, jit_options=kept, strict=False)(lambda *values: implementation)
+        return implementation
+
+    return register
 
 
 def _machine(name: str, count: int) -> Any:
@@ -63,6 +80,22 @@ def floor(typingctx: Any, a: Any) -> Any:
 def copysign(typingctx: Any, a: Any, b: Any) -> Any:
     """Return |a| with the sign of b."""
     return _machine("llvm.copysign", 2)
+
+
+@intrinsic
+def power_of_two(typingctx: Any, n: Any) -> Any:
+    """Return 2**n for a whole number n, where that is a normal number.
+
+    The last bits of n + 3/2 * 2**52 + bias are those of the exponent.
+    """
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        real, whole = ir.DoubleType(), ir.IntType(64)
+        shifted = builder.fadd(arguments[0], real(1.5 * 2.0**52 + 1023))
+        bits = builder.shl(builder.bitcast(shifted, whole), whole(52))
+        return builder.bitcast(bits, real)
+
+    return _REAL(_REAL), generate
 
 
 @intrinsic

@@ -13,7 +13,7 @@ from numba.extending import overload
 from numpy.typing import NDArray
 
 from mechproof.compiled_support.loops import PIECE, check_arrays, cut, fill_target
-from mechproof.kernel_support.arrays import as_floats, sum_axes
+from mechproof.kernel_support.arrays import as_floats, as_numpy, sum_axes
 
 
 class Sums(NamedTuple):
@@ -38,7 +38,7 @@ def run_sums(sums: Sums, arguments: tuple[Any, ...], out: NDArray[Any] | None) -
         As the kernels of NumPy; TypeError for arrays with ufuncs of their own, too.
 
     """
-    arrays = as_floats(**dict(zip(sums.names, arguments, strict=True)))
+    arrays = tuple(map(as_numpy, as_floats(" ".join(sums.names), *arguments)))
     check_arrays(sums.names, arrays, sums.widths)
     known = dict(zip(sums.names, arrays, strict=True))
     counts = {name: n for name, n in zip(sums.names, sums.axes, strict=True) if n}

@@ -14,6 +14,8 @@ between the tolerance limits (paper on tooth thickness, steps 2 and 9). The four
 The *specific* risks belong to one measured value: `conformance_probability`. A guard band is an
 acceptance limit other than the tolerance limit. All shares are fractions of one.
 
+`conformity.compiled.shares` is `shares` in one loop by numba; nothing else here needs it.
+
 The mechanisms, the laboratory and users may import it; it imports NumPy, and SciPy inside the
 functions that need it.
 """

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 
@@ -17,6 +18,7 @@ BLOCK = 512  # corners at a time: nodes stay in the cache
 GROWTH, STEP = 1.25, 0.2
 SHORT = 0.02 * GROWTH ** np.arange(17)
 LENGTHS = np.concatenate([SHORT, np.arange(SHORT[-1] + STEP, DROP + STEP, STEP)])
+GROWTHS = np.expm1(2 * LENGTHS)
 NODE_COUNTS = ((1.25, 16), (2.0, 14), (3.0, 16), (4.0, 19), (5.0, 22), (7.0, 36), (np.inf, 80))
 LONG = 7.0  # beyond, the weight u alone decays over most of the panel
 PARTS, ORDER = 16, 40  # of the panels on which the weights of a Gauss rule are integrated
@@ -70,17 +72,11 @@ def _find_gauss(x: Array, masses: Array, count: int) -> tuple[Array, Array]:
     return found, np.sum(masses) * vectors[0] ** 2
 
 
-def choose_sizes(p: Array, q: Array) -> Array:
+def choose_size(p: Any, q: Any) -> Any:
     """Choose for every integrand the shortest panel on which it falls by `DROP`."""
-    with np.errstate(divide="ignore", over="ignore"):
-        ahead = q - p + DROP
-        fall = (ahead + np.sqrt(ahead * ahead + 4 * DROP * p)) / (2 * p)
-        length = np.minimum(0.5 * np.log1p(fall), DROP)
-        grown = np.ceil(np.log(length / SHORT[0]) * (1 / np.log(GROWTH)))
-        stepped = len(SHORT) - 1 + np.ceil((length - SHORT[-1]) / STEP)
-        steps = np.where(length <= SHORT[-1], grown, stepped)
-    sizes: Array = np.clip(steps, 0, len(LENGTHS) - 1).astype(np.uint16)
-    return sizes
+    ahead = q - p + DROP
+    growth = (ahead + np.sqrt(ahead * ahead + 4 * DROP * p)) / (2 * p)
+    return np.minimum(np.searchsorted(GROWTHS, growth), len(GROWTHS) - 1)
 
 
 def integrate_arc(p: Array, q: Array, one: Array, square: Array) -> Array:
@@ -89,7 +85,7 @@ def integrate_arc(p: Array, q: Array, one: Array, square: Array) -> Array:
     exp(p (1 - u**-2) + q (1 - u**2)) u (one + square) / (one + square u**2); it is cut where the
     exponential has fallen by `DROP`.
     """
-    sizes = choose_sizes(p, q)
+    sizes = choose_size(p, q)
     order = np.argsort(sizes, kind="stable")
     exponents, powers = np.stack([p, q], axis=1)[order], np.stack([one, square], axis=1)[order]
     values, start = np.empty_like(p), 0

@@ -22,309 +22,334 @@ log-concave: one Gauss panel from the end at beta to where it has died out suffi
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from mechproof.conformity.arc import integrate_arc
-from mechproof.laws import Normal
-from mechproof.laws.kinds import list_parameters
+from mechproof.laws.pointwise import choose, compute_where, exp, hypot
 from mechproof.laws.windows import (
     UNIT_NODES,
     UNIT_WEIGHTS,
     Array,
-    Mask,
+    complete,
+    find_tails,
     integrate_density,
     normal_density,
     normal_interval,
-    standardise,
+    scale_distance,
     subtract_tails,
 )
 
 UNDERFLOW = 745.0  # exp(-745) is the smallest double
 LOST = 2.0**-60  # what is this small beside another term does not change their sum
-# Corners (lower, lower) and (upper, upper); (lower, upper) and (upper, lower): of h, then of k.
-ALIKE, CROSSED = ([0, 1], [0, 1]), ([0, 1], [1, 0])
-# The sign of k - h at the crossed corners of windows that overlap.
-OUTWARD = np.array([[1], [-1]])
+Pair = tuple[Any, Any]  # of the lower and the upper limit
 
 
-@dataclass(frozen=True)
-class Plane:
-    """Standardised limits; axis 0 of `h` and `k` is (lower, upper), of `gap` that of h, then k."""
+class Plane(NamedTuple):
+    """Standardised limits."""
 
-    h: Array
-    k: Array
-    gap: Array  # k - h without cancellation
-    tangent: Array  # tan(beta / 2)
-    widths: tuple[Array, Array]  # of the tolerance in sigma, of the acceptance in rho
-    acceptance_in_s: Array
-
-    @property
-    def sine(self) -> Array:
-        """Sine of beta."""
-        sine: Array = 2 * self.tangent / (1 + self.tangent**2)
-        return sine
-
-    @property
-    def cosine(self) -> Array:
-        """Cosine of beta."""
-        cosine: Array = (1 - self.tangent) * (1 + self.tangent) / (1 + self.tangent**2)
-        return cosine
-
-    @property
-    def cotangent(self) -> Array:
-        """Cotangent of beta; 0 for beta = 0, where the slope it multiplies is never needed."""
-        return np.where(self.tangent == 0, 0.0, _divide(self.cosine, self.sine))
+    h: Pair
+    k: Pair
+    gap: tuple[Pair, Pair]  # k - h without cancellation, by h, then k
+    tangent: Any  # tan(beta / 2)
+    sine: Any  # of beta
+    cosine: Any
+    cotangent: Any  # 0 for beta = 0, where the slope it multiplies is never needed
+    tolerance: Any  # width in sigma
+    acceptance: Any  # width in rho
+    acceptance_in_s: Any
 
 
-def _divide(a: Array, b: Array) -> Array:
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        quotient: Array = a / b
-    return quotient
+class Corner(NamedTuple):
+    """What the quadrants of a corner (h, k) are made of, and its arc at x = beta.
 
-
-def _subtract_twice(a: Array, b: Array, c: Array) -> Array:
-    """Subtract b and c from a; the rounding error of a - b is carried along (TwoSum)."""
-    with np.errstate(invalid="ignore"):
-        high = a - b
-        back = high - a
-        low = (a - (high - back)) - (b + back)
-        return np.where(np.isfinite(high), (high - c) + low, high - c)
-
-
-def _standard_plane(true: Normal, error: Normal, tolerance: Array, acceptance: Array) -> Plane:
-    (mu, sigma), (bias, s) = list_parameters(true), list_parameters(error)
-    rho = np.hypot(sigma, s)
-    tangent = np.where(rho == 0, 0.0, _divide(s, rho + sigma))
-    edge = np.array([np.inf, -np.inf])[:, None]  # a fixed value on a limit is outside it
-    h = standardise(tolerance - mu, sigma, edge)
-    k = standardise(_subtract_twice(acceptance, mu, bias), rho, edge)
-    offset = _subtract_twice(acceptance[None], tolerance[:, None], bias)
-    versine = 2 * tangent**2 / (1 + tangent**2)
-    with np.errstate(invalid="ignore"):
-        gap = _divide(offset, rho) - h[:, None] * versine
-        finite = np.isfinite(h[:, None]) & np.isfinite(k[None])
-        both = h[:, None] == k[None]
-        gap = np.where(finite, gap, np.where(both, 0.0, k[None] - h[:, None]))
-    return Plane(
-        h,
-        k,
-        gap,
-        tangent,
-        (
-            _divide(np.diff(tolerance, axis=0)[0], sigma),
-            _divide(np.diff(acceptance, axis=0)[0], rho),
-        ),
-        _divide(np.diff(acceptance, axis=0)[0], s),
-    )
-
-
-@dataclass(frozen=True)
-class Arcs:
-    """The integrands of some corners at x = beta: the terms of the exponent, and which end decays.
-
-    `near` belongs to h - k, `far` to h + k, each as what multiplies u**-2 and u**2 of the arc.
+    `near` belongs to h - k, `far` to h + k: the terms of the exponent at u = 1 of the arc that
+    are multiplied by u**-2 and u**2, or the other way round.
     """
 
-    near: Array
-    far: Array
-    exponent: Array
-    falling: Mask  # from beta towards 0: I(0, beta) is the smaller integral
-    square: Array  # tan(beta/2)**2
-    sine: Array
-
-    def take(self, chosen: Any) -> Arcs:
-        """Return some of the corners."""
-        return Arcs(*(getattr(self, field.name)[chosen] for field in fields(self)))
+    total: Any  # I(0, pi)
+    along: Any  # the mass between h and k, negative where it must be integrated
+    across: Any  # the mass between h and -k, as well
+    near: Any
+    far: Any
+    exponent: Any
+    decay: Any  # exp(-exponent)
 
 
-def _place_arcs(plane: Plane) -> Arcs:
-    square = plane.tangent**2
-    with np.errstate(invalid="ignore", over="ignore"):
-        near = _divide(plane.gap, plane.tangent) ** 2 / 8
-        far = (plane.h[:, None] + plane.k) ** 2 / 8
-        exponent = (near + far) * (1 + square)
-        far *= square
-        # NaN: s = 0, I(0, beta) is 0.
-        falling = ~(2 * (near - far) + plane.cosine <= 0)
-    alike = (np.broadcast_to(v, near.shape) for v in (square, plane.sine))
-    return Arcs(near, far, exponent, falling, *alike)
+Corners = tuple[tuple[Corner, Corner], tuple[Corner, Corner]]  # by h, then k
 
 
-def _integrate_smaller(arcs: Arcs) -> Array:
-    """Return the smaller of I(0, beta) and I(beta, pi) of every corner."""
-    # An infinite limit and s = 0 have an infinite exponent, or NaN.
-    present = arcs.exponent < UNDERFLOW
-    if not present.all():
-        smaller = np.zeros_like(arcs.near)
-        smaller[present] = _integrate_smaller(arcs.take(present)) if present.any() else 0.0
-        return smaller
-    first = np.where(arcs.falling, arcs.near, arcs.far)
-    second = np.where(arcs.falling, arcs.far, arcs.near)
-    one, square = np.where(arcs.falling, 1.0, arcs.square), np.where(arcs.falling, arcs.square, 1.0)
-    parts = (part.ravel() for part in (first, second, one, square))
-    arc = integrate_arc(*parts).reshape(first.shape)
-    return arcs.sine * np.exp(-arcs.exponent) * arc
+class Quadrants(NamedTuple):
+    """Masses at a corner (h, k); the first word is Y's side of h, the second M's side of k."""
+
+    above_above: Any
+    above_below: Any
+    below_above: Any
+    below_below: Any
 
 
-@dataclass(frozen=True)
-class Quadrants:
-    """Masses at every corner (h, k); the first word is Y's side of h, the second M's side of k."""
-
-    above_above: Array
-    above_below: Array
-    below_above: Array
-    below_below: Array
+def subtract_twice(a: Any, b: Any, c: Any) -> Any:
+    """Subtract b and c from a; the rounding error of a - b is carried along (TwoSum)."""
+    high = a - b
+    back = high - a
+    low = (a - (high - back)) - (b + back)
+    return choose(np.isfinite(high), (high - c) + low, high - c)
 
 
-def _quadrants(plane: Plane) -> Quadrants:
-    h, k = plane.h[:, None], plane.k[None]
-    (below_h, above_h), (below_k, above_k) = _find_tails(h), _find_tails(k)
-    total = np.minimum(np.minimum(below_h, above_h), np.minimum(below_k, above_k))
-    along = _normal_between(h, k, plane.gap, (below_h, below_k), (above_h, above_k))
-    outer, inner = _outer_and_inner(plane, total, along)
-    with np.errstate(invalid="ignore"):
-        span = np.where(h == -k, 0.0, h + k)
-    across = _normal_between(h, -k, span, (below_h, above_k), (above_h, below_k))
-    return Quadrants(
-        above_above=np.where(span < 0, across, 0.0) + inner,
-        above_below=np.where(plane.gap > 0, along, 0.0) + outer,
-        below_above=np.where(plane.gap < 0, along, 0.0) + outer,
-        below_below=np.where(span > 0, across, 0.0) + inner,
+def find_gap(h: Any, k: Any, offset: Any, versine: Any) -> Any:
+    """Return k - h; `offset` is the distance of the limits in rho."""
+    apart = choose(h == k, 0.0, k - h)
+    return choose(np.isfinite(h) & np.isfinite(k), offset - h * versine, apart)
+
+
+def place_plane(mu: Any, sigma: Any, bias: Any, s: Any, tolerance: Pair, acceptance: Pair) -> Plane:
+    """Standardise the limits. A fixed value on a limit is outside it."""
+    rho = hypot(sigma, s)
+    tangent = choose(rho == 0, 0.0, s / (rho + sigma))
+    square = tangent * tangent
+    sine, cosine = 2 * tangent / (1 + square), (1 - tangent) * (1 + tangent) / (1 + square)
+    low, high = tolerance
+    least, most = acceptance
+    h = scale_distance(low - mu, sigma, np.inf), scale_distance(high - mu, sigma, -np.inf)
+    k = (
+        scale_distance(subtract_twice(least, mu, bias), rho, np.inf),
+        scale_distance(subtract_twice(most, mu, bias), rho, -np.inf),
+    )
+    versine = 2 * square / (1 + square)
+    gap = (
+        (
+            find_gap(h[0], k[0], subtract_twice(least, low, bias) / rho, versine),
+            find_gap(h[0], k[1], subtract_twice(most, low, bias) / rho, versine),
+        ),
+        (
+            find_gap(h[1], k[0], subtract_twice(least, high, bias) / rho, versine),
+            find_gap(h[1], k[1], subtract_twice(most, high, bias) / rho, versine),
+        ),
+    )
+    cotangent = choose(tangent == 0, 0.0, cosine / sine)
+    widths = (high - low) / sigma, (most - least) / rho, (most - least) / s
+    return Plane(h, k, gap, tangent, sine, cosine, cotangent, *widths)
+
+
+def place_corner(plane: Plane, i: int, j: int, h_tails: Pair, k_tails: Pair) -> Corner:
+    """Find what the quadrants at the limits i of Y and j of M are made of."""
+    (below_h, above_h), (below_k, above_k) = h_tails, k_tails
+    near, far = (plane.gap[i][j] / plane.tangent) ** 2 / 8, (plane.h[i] + plane.k[j]) ** 2 / 8
+    square = plane.tangent * plane.tangent
+    exponent = (near + far) * (1 + square)
+    return Corner(
+        total=np.minimum(np.minimum(below_h, above_h), np.minimum(below_k, above_k)),
+        along=subtract_ordered((below_h, below_k), (above_h, above_k)),
+        across=subtract_ordered((below_h, above_k), (above_h, below_k)),
+        near=near,
+        far=far * square,
+        exponent=exponent,
+        decay=exp(-exponent),
     )
 
 
-def _outer_and_inner(plane: Plane, total: Array, along: Array) -> tuple[Array, Array]:
-    """I(0, beta) and I(beta, pi) of every corner, the smaller integrated, the other by `total`."""
-    arcs = _place_arcs(plane)
-    smaller = np.zeros_like(total)
-    smaller[ALIKE] = _integrate_smaller(arcs.take(ALIKE))
-    crossed = arcs.take(CROSSED)
-    beside = np.min(np.where(arcs.falling, smaller, total - smaller)[ALIKE], axis=0)
-    opposite = np.max(np.where(arcs.falling, total - smaller, smaller)[ALIKE], axis=0)
-    terms = np.minimum(total, along)[CROSSED]
-    needed = ~_is_lost(crossed, plane.gap[CROSSED], np.minimum(terms, np.minimum(beside, opposite)))
-    if needed.any():
-        part = np.zeros_like(terms)
-        part[needed] = _integrate_smaller(crossed.take(needed))
-        smaller[CROSSED] = part
-    larger = total - smaller
-    return np.where(arcs.falling, smaller, larger), np.where(arcs.falling, larger, smaller)
+def subtract_ordered(below: Pair, above: Pair) -> Any:
+    """Mass between two places in either order, from their tails."""
+    return subtract_tails(
+        (np.minimum(below[0], below[1]), np.maximum(below[0], below[1])),
+        (np.maximum(above[0], above[1]), np.minimum(above[0], above[1])),
+    )
 
 
-def _is_lost(crossed: Arcs, gap: Array, terms: Array) -> Mask:
-    """Mark the corners (lower, upper) and (upper, lower) whose I(0, beta) is lost in sums.
+def place(
+    mu: Any, sigma: Any, bias: Any, s: Any, tolerance: Pair, acceptance: Pair
+) -> tuple[Plane, Corners]:
+    """Standardise the limits and find what needs no integral."""
+    plane = place_plane(mu, sigma, bias, s, tolerance, acceptance)
+    low, high = find_tails(plane.h[0]), find_tails(plane.h[1])
+    least, most = find_tails(plane.k[0]), find_tails(plane.k[1])
+    return plane, (
+        (place_corner(plane, 0, 0, low, least), place_corner(plane, 0, 1, low, most)),
+        (place_corner(plane, 1, 0, high, least), place_corner(plane, 1, 1, high, most)),
+    )
+
+
+def integrate_sides(plane: Plane, corner: Corner, needed: Any) -> Pair:
+    """I(0, beta) and I(beta, pi): the smaller integrated where needed, the other by their sum."""
+    # NaN: s = 0, I(0, beta) is 0.
+    falling = np.logical_not(2 * (corner.near - corner.far) + plane.cosine <= 0)
+    square = plane.tangent * plane.tangent
+    arguments = (
+        choose(falling, corner.near, corner.far),
+        choose(falling, corner.far, corner.near),
+        choose(falling, 1.0, square),
+        choose(falling, square, 1.0),
+    )
+    # An infinite limit and s = 0 have an infinite exponent, or NaN.
+    present = needed & (corner.exponent < UNDERFLOW)
+    arc = compute_where(present, integrate_arc, arguments, 0.0)
+    smaller = choose(present, plane.sine * corner.decay * arc, 0.0)
+    larger = corner.total - smaller
+    return choose(falling, smaller, larger), choose(falling, larger, smaller)
+
+
+def is_needed(corner: Corner, toward: Any, terms: Any) -> Any:
+    """Mark where I(0, beta) of (lower, upper) or (upper, lower) is not lost in sums.
 
     Where the integrand falls, I(0, beta) <= exp(-exponent)/2. `terms` is the smallest of what it
-    is added to: the mass between h and k, I(0, pi), and quadrants that hold I(0, beta) of both, or
-    I(beta, pi) of one, of the corners (lower, lower) and (upper, upper).
+    is added to: quadrants that hold I(0, beta) of both, or I(beta, pi) of one, of the corners
+    (lower, lower) and (upper, upper), besides the mass between h and k and I(0, pi). `toward` is
+    positive where k and h lie as at this corner of windows that overlap.
     """
-    with np.errstate(invalid="ignore"):
-        lost: Mask = np.exp(-crossed.exponent) / 2 <= LOST * terms
-        lost &= (crossed.near >= crossed.far) & (gap * OUTWARD > 0)
-    return lost
+    lost = corner.decay / 2 <= LOST * np.minimum(np.minimum(corner.total, corner.along), terms)
+    return np.logical_not(lost & (corner.near >= corner.far) & (toward > 0))
 
 
-def _find_tails(z: Array) -> tuple[Array, Array]:
-    """Masses of the standard normal law below and above, the larger by what the smaller leaves."""
-    from scipy.special import ndtr
-
-    smaller = ndtr(-np.abs(z))
-    return np.where(z < 0, smaller, 1 - smaller), np.where(z < 0, 1 - smaller, smaller)
-
-
-def _normal_between(
-    a: Array, b: Array, distance: Array, below: tuple[Array, Array], above: tuple[Array, Array]
-) -> Array:
-    """Mass of the standard normal law between `a` and `b`, in either order, from their tails."""
-    start = np.minimum(a, b)
-    return subtract_tails(
-        (np.minimum(*below), np.maximum(*below)),
-        (np.maximum(*above), np.minimum(*above)),
-        lambda mask: integrate_density(start[mask], np.abs(distance[mask])),
+def complete_corner(plane: Plane, corner: Corner, i: int, j: int) -> Corner:
+    """Integrate the masses between limits that are close."""
+    h, k = plane.h[i], plane.k[j]
+    return Corner(
+        corner.total,
+        complete(corner.along, integrate_density, (np.minimum(h, k), np.abs(plane.gap[i][j]))),
+        complete(corner.across, integrate_density, (np.minimum(h, -k), np.abs(h + k))),
+        corner.near,
+        corner.far,
+        corner.exponent,
+        corner.decay,
     )
 
 
-def _integrate_strip(start: Array, width: Array, argument: Array, slope: Array, side: int) -> Array:
-    """Mass of start < z < start + width on one side of a line: phi(z) Phi(argument + slope z)."""
-    from scipy.special import ndtr
+def add_quadrants(plane: Plane, corner: Corner, i: int, j: int, outer_and_inner: Pair) -> Quadrants:
+    """Add the masses between the limits and the integrals."""
+    (outer, inner), gap, span = outer_and_inner, plane.gap[i][j], plane.h[i] + plane.k[j]
+    return Quadrants(
+        above_above=choose(span < 0, corner.across, 0.0) + inner,
+        above_below=choose(gap > 0, corner.along, 0.0) + outer,
+        below_above=choose(gap < 0, corner.along, 0.0) + outer,
+        below_below=choose(span > 0, corner.across, 0.0) + inner,
+    )
 
+
+def find_quadrants(
+    plane: Plane, corners: Corners
+) -> tuple[tuple[Quadrants, Quadrants], tuple[Quadrants, Quadrants]]:
+    """Find the quadrants of all corners, by h, then k."""
+    lower, left = (
+        complete_corner(plane, corners[0][0], 0, 0),
+        complete_corner(plane, corners[0][1], 0, 1),
+    )
+    right, upper = (
+        complete_corner(plane, corners[1][0], 1, 0),
+        complete_corner(plane, corners[1][1], 1, 1),
+    )
+    low = integrate_sides(plane, lower, lower.total >= 0)
+    high = integrate_sides(plane, upper, upper.total >= 0)
+    terms = np.minimum(np.minimum(low[0], high[0]), np.maximum(low[1], high[1]))
+    first = integrate_sides(plane, left, is_needed(left, plane.gap[0][1], terms))
+    last = integrate_sides(plane, right, is_needed(right, -plane.gap[1][0], terms))
+    return (
+        (add_quadrants(plane, lower, 0, 0, low), add_quadrants(plane, left, 0, 1, first)),
+        (add_quadrants(plane, right, 1, 0, last), add_quadrants(plane, upper, 1, 1, high)),
+    )
+
+
+def integrate_strip(start: Array, width: Array, argument: Array, slope: Array) -> Array:
+    """Mass of start < z < start + width on one side of a line: phi(z) Phi(argument + slope z)."""
     step = width[:, None] * UNIT_NODES
-    beyond = ndtr(side * (argument[:, None] + slope[:, None] * step))
+    beyond, _ = find_tails(argument[:, None] + slope[:, None] * step)
     mass: Array = (normal_density(start[:, None] + step) * beyond) @ UNIT_WEIGHTS * width
     return mass
 
 
-def _accepted(plane: Plane, corner: Quadrants, i: int, above: bool) -> Array:
-    """Mass inside the acceptance window, above or below tolerance limit `i`."""
-    below_k, above_k = (
-        (corner.above_below[i], corner.above_above[i])
-        if above
-        else (corner.below_below[i], corner.below_above[i])
-    )
-    strip = plane.k[0], plane.widths[1], plane.gap[i, 0]
-    return _strip_mass(plane, below_k, above_k, strip, above)
+def find_accepted(plane: Plane, i: int, below: Pair, above: Pair, side: float) -> Any:
+    """Mass inside the acceptance window, above (side 1) or below (-1) tolerance limit `i`."""
+    argument = plane.gap[i][0] / plane.sine - plane.k[0] * plane.tangent
+    strip = plane.k[0], plane.acceptance, side * argument, side * plane.cotangent
+    return complete(subtract_tails(below, above), integrate_strip, strip)
 
 
-def _conforming(plane: Plane, corner: Quadrants, j: int, above: bool) -> Array:
-    """Mass inside the tolerance, above or below acceptance limit `j`."""
-    below_h, above_h = (
-        (corner.below_above[:, j], corner.above_above[:, j])
-        if above
-        else (corner.below_below[:, j], corner.above_below[:, j])
-    )
-    strip = plane.h[0], plane.widths[0], -plane.gap[0, j]
-    return _strip_mass(plane, below_h, above_h, strip, above)
+def find_conforming(plane: Plane, j: int, below: Pair, above: Pair, side: float) -> Any:
+    """Mass inside the tolerance, above (side 1) or below (-1) acceptance limit `j`."""
+    argument = -plane.gap[0][j] / plane.sine - plane.h[0] * plane.tangent
+    strip = plane.h[0], plane.tolerance, side * argument, side * plane.cotangent
+    return complete(subtract_tails(below, above), integrate_strip, strip)
 
 
-def _strip_mass(
-    plane: Plane, below: Array, above: Array, strip: tuple[Array, Array, Array], beyond: bool
+def integrate_rectangle(
+    start: Array, width: Array, low: Array, high: Array, slope: Array, span: Array
 ) -> Array:
-    """Mass of a strip (start, width, start - line) on one side of the line that crosses it."""
-
-    def integrate(mask: Mask) -> Array:
-        start, width, distance = strip
-        argument = _divide(distance, plane.sine) - start * plane.tangent
-        window = start[mask], width[mask]
-        line = argument[mask], plane.cotangent[mask]
-        return _integrate_strip(*window, *line, 1 if beyond else -1)
-
-    return subtract_tails((below[0], below[1]), (above[0], above[1]), integrate)
-
-
-def _integrate_rectangle(plane: Plane, mask: Mask) -> Array:
     """Mass inside both windows where the tolerance is narrow."""
-    width = plane.widths[0][mask]
     step = width[:, None] * UNIT_NODES
-    shift = (plane.h[0] * plane.tangent)[mask][:, None] - plane.cotangent[mask][:, None] * step
-    low, high = (_divide(plane.gap[0, j], plane.sine)[mask][:, None] + shift for j in (0, 1))
-    inner = normal_interval(low, high, plane.acceptance_in_s[mask][:, None])
-    density = normal_density(plane.h[0][mask][:, None] + step)
-    return (density * inner) @ UNIT_WEIGHTS * width
+    shift = slope[:, None] * step
+    ends = low[:, None] - shift, high[:, None] - shift
+    inner = normal_interval(*ends, np.broadcast_to(span[:, None], shift.shape))
+    mass: Array = (normal_density(start[:, None] + step) * inner) @ UNIT_WEIGHTS * width
+    return mass
 
 
 def normal_masses(
-    true: Normal, error: Normal, tolerance: Array, acceptance: Array
-) -> tuple[Array, Array, Array, Array]:
-    """Rightly and wrongly accepted, rightly and wrongly rejected masses.
+    mu: Any, sigma: Any, bias: Any, s: Any, tolerance: Pair, acceptance: Pair
+) -> tuple[Any, Any, Any, Any]:
+    """Rightly and wrongly accepted, rightly and wrongly rejected masses of flat arrays."""
+    return add_masses(*place(mu, sigma, bias, s, tolerance, acceptance))
 
-    The parameters of the laws have shape (n,), the limits shape (2, n); the results (n,).
-    """
-    plane = _standard_plane(true, error, tolerance, acceptance)
-    corner = _quadrants(plane)
-    below = tuple(_accepted(plane, corner, i, above=False) for i in (0, 1))
-    above = tuple(_accepted(plane, corner, i, above=True) for i in (0, 1))
-    right = subtract_tails(
-        (below[0], below[1]), (above[0], above[1]), lambda mask: _integrate_rectangle(plane, mask)
+
+def add_masses(plane: Plane, corners: Corners) -> tuple[Any, Any, Any, Any]:
+    """Add the masses of a plane and its corners."""
+    (lower, left), (right, upper) = find_quadrants(plane, corners)
+    below = (
+        find_accepted(
+            plane,
+            0,
+            (lower.below_below, left.below_below),
+            (lower.below_above, left.below_above),
+            -1.0,
+        ),
+        find_accepted(
+            plane,
+            1,
+            (right.below_below, upper.below_below),
+            (right.below_above, upper.below_above),
+            -1.0,
+        ),
+    )
+    above = (
+        find_accepted(
+            plane,
+            0,
+            (lower.above_below, left.above_below),
+            (lower.above_above, left.above_above),
+            1.0,
+        ),
+        find_accepted(
+            plane,
+            1,
+            (right.above_below, upper.above_below),
+            (right.above_above, upper.above_above),
+            1.0,
+        ),
+    )
+    start = plane.h[0] * plane.tangent
+    window = (
+        plane.h[0],
+        plane.tolerance,
+        plane.gap[0][0] / plane.sine + start,
+        plane.gap[0][1] / plane.sine + start,
+        plane.cotangent,
+        plane.acceptance_in_s,
     )
     return (
-        right,
+        complete(subtract_tails(below, above), integrate_rectangle, window),
         below[0] + above[1],
-        corner.below_below[0, 0]
-        + corner.above_above[1, 1]
-        + corner.below_above[0, 1]
-        + corner.above_below[1, 0],
-        _conforming(plane, corner, 0, above=False) + _conforming(plane, corner, 1, above=True),
+        lower.below_below + upper.above_above + left.below_above + right.above_below,
+        find_conforming(
+            plane,
+            0,
+            (lower.below_below, right.below_below),
+            (lower.above_below, right.above_below),
+            -1.0,
+        )
+        + find_conforming(
+            plane,
+            1,
+            (left.below_above, upper.below_above),
+            (left.above_above, upper.above_above),
+            1.0,
+        ),
     )

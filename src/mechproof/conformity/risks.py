@@ -22,7 +22,7 @@ from mechproof.laws.windows import Array
 
 Limits = tuple[ArrayLike, ArrayLike]
 
-NORMAL_CHUNK = 5120  # parameter sets at a time: temporaries that the heap keeps
+NORMAL_CHUNK = 8192  # parameter sets at a time: temporaries that the heap keeps
 LAW_CHUNK = 32  # parameter sets at a time, up to some 1 MB each
 LEVEL = 0.95  # of the one-sided bounds of a simulated share
 
@@ -70,31 +70,41 @@ def shares(true: Law, error: Law, tolerance: Limits, acceptance: Limits | None =
 
     Source: paper on tooth thickness, algorithm steps 1-10; JCGM 106:2012, 9.5.
     """
+    return find_shares(true, error, tolerance, acceptance, _fill_normal)
+
+
+def find_shares(
+    true: Law,
+    error: Law,
+    tolerance: Limits,
+    acceptance: Limits | None,
+    fill_normal: Callable[[Array, Sequence[Array]], None],
+) -> Shares:
+    """Find shares; `fill_normal` fills the masses of normal laws, given flat parameters."""
     for name, law in (("true", true), ("error", error)):
         check_law(name, law)
     limits = _check_limits(tolerance, acceptance)
     inputs = [*list_parameters(true), *list_parameters(error), *limits]
     shape = np.broadcast_shapes(*(p.shape for p in inputs))
     missing = np.any(np.broadcast_arrays(*map(np.isnan, inputs)), axis=0)
-    flat = [np.broadcast_to(p, shape).reshape(-1) for p in limits]
-    both_normal = isinstance(true, Normal) and isinstance(error, Normal)
-    chunk = NORMAL_CHUNK if both_normal else LAW_CHUNK
-    masses = np.empty((4, flat[0].size))
-    for start in range(0, flat[0].size, chunk):
-        part = slice(start, start + chunk)
-        laws = select(true, shape, part), select(error, shape, part)
-        windows = np.stack([p[part] for p in flat[:2]]), np.stack([p[part] for p in flat[2:]])
-        masses[:, part] = _masses(*laws, *windows)
+    masses = np.empty((4, missing.size))
+    flat = [np.broadcast_to(p, shape).reshape(-1) for p in inputs]
+    if isinstance(true, Normal) and isinstance(error, Normal):
+        fill_normal(masses, flat)
+    else:
+        for part in slices(missing.size, LAW_CHUNK):
+            laws = select(true, shape, part), select(error, shape, part)
+            windows = (np.stack([p[part] for p in pair]) for pair in (flat[-4:-2], flat[-2:]))
+            masses[:, part] = law_masses(*laws, *windows)
     return Shares(*(np.where(missing, np.nan, m.reshape(shape))[()] for m in masses))
 
 
-def _masses(
-    true: Law, error: Law, tolerance: Array, acceptance: Array
-) -> tuple[Array, Array, Array, Array]:
-    """Masses of flat parameter sets: in closed form and arc integrals if both laws are normal."""
-    if isinstance(true, Normal) and isinstance(error, Normal):
-        return normal_masses(true, error, tolerance, acceptance)
-    return law_masses(true, error, tolerance, acceptance)
+def _fill_normal(masses: Array, parameters: Sequence[Array]) -> None:
+    """Fill the masses of two normal laws, by arc integrals."""
+    for part in slices(masses.shape[1], NORMAL_CHUNK):
+        mu, sigma, bias, s, low, high, least, most = (p[part] for p in parameters)
+        with np.errstate(all="ignore"):
+            masses[:, part] = normal_masses(mu, sigma, bias, s, (low, high), (least, most))
 
 
 def conformance_probability(

@@ -42,15 +42,18 @@ IS_WORTH_IT = not _has_vector_loop("tan")
 
 def tangent_quotient(y: Any, a: Any, b: Any, fit: Fit) -> Any:
     """Return t/(a + b*t**2) for t = tan(y), a and b positive; `fit` is tan(r/2)/r in r**2."""
-    is_one = type(a) is np.float64 and type(b) is np.float64
+    is_one = isinstance(a, float) and isinstance(b, float)
     if is_one and _is_long(y) and y.min() >= -LARGEST and y.max() <= LARGEST:
         return _in_blocks(_fill_tangent_quotient, y, fit, a, b)
-    t = np.tan(y)
+    # A number of NumPy's would slow down what follows.
+    t = float(np.tan(y)) if type(y) is float else np.tan(y)
     return t / (a + b * t**2)
 
 
 def small_arctan(y: Any, fit: Fit) -> Any:
     """Return atan(y) for |y| <= 1/sqrt(3); `fit` is (atan(y)/y - 1)/y**2 in y**2."""
+    if type(y) is float:
+        return float(np.arctan(y))
     return _in_blocks(_fill_arctangent, y, fit) if _is_long(y) else np.arctan(y)
 
 

@@ -17,7 +17,7 @@ from flint import arb
 from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.reading import TranslationError
-from mechproof.kernel_support import arrays, polynomials
+from mechproof.kernel_support import blocks, polynomials
 from mechproof.lab.error import find_errors
 from mechproof.lab.oracle import count_points, find_truth
 from mechproof.lab.points import TUNE, PointSet, choose_evenly, draw_points
@@ -77,10 +77,10 @@ def _compute_every_way(compute: Compute, point: Arguments) -> Iterator[float | n
     with np.errstate(all="ignore"):
         yield compute(*point)
         first, *others = point
-        many = np.broadcast_to(first, (arrays.BLOCK, *first.shape)).copy()
+        many = np.broadcast_to(first, (blocks.BLOCK, *first.shape)).copy()
         for polynomial in (True, False):
             with _with_polynomials(polynomial):
-                yield compute(many, *others)[arrays.BLOCK // 2]
+                yield compute(many, *others)[blocks.BLOCK // 2]
 
 
 @contextmanager

@@ -47,7 +47,7 @@ class Normal(ByValue):
     def pdf(self, x: ArrayLike) -> Any:
         """Probability density; infinite at the mean of a fixed value."""
         z = standardise(check_array("x", x) - self.mean, self.std, 0.0)
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             density = normal_density(z) / self.std
         return np.where((np.asarray(self.std) == 0) & np.isinf(z), 0.0, density)[()]
 
@@ -64,9 +64,9 @@ class Normal(ByValue):
             standardise(low - self.mean, self.std, np.inf),
             standardise(high - self.mean, self.std, -np.inf),
         )
-        with np.errstate(invalid="ignore"):
+        with np.errstate(invalid="ignore", over="ignore"):
             width = standardise(high - low, self.std)
-        return normal_interval(*ends, width)[()]
+            return normal_interval(*np.broadcast_arrays(*ends, width))[()]
 
     def outside(self, lower: ArrayLike, upper: ArrayLike) -> Any:
         """Probability of a value at or beyond either limit, lower < upper."""

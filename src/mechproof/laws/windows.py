@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from mechproof.laws.pointwise import choose, compute_where, exp, normal_tail
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -18,41 +21,40 @@ UNIT_NODES, UNIT_WEIGHTS = (1 + NODES) / 2, WEIGHTS / 2
 FEW_NODES, FEW_WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
-def subtract_tails(
-    below: tuple[Array, Array], above: tuple[Array, Array], integral: Callable[[Mask], Array]
-) -> Array:
-    """Mass of a window from the masses below and above its two ends, without cancellation.
+def subtract_tails(below: tuple[Any, Any], above: tuple[Any, Any]) -> Any:
+    """Mass of a window from the masses below and above its two ends, negative where it cancels.
 
     `below` and `above` hold the masses under and over the (lower, upper) end. The smaller tail is
-    differenced. Where the difference keeps less than `NARROW` of it, `integral(mask)` supplies
-    the masses. For a log-concave density the window is then so narrow that the logarithm of the
-    density changes by less than 1 across it, so that one Gauss panel is exact to rounding.
+    differenced. Where the difference keeps less than `NARROW` of it, the mass must be integrated.
+    For a log-concave density the window is then so narrow that the logarithm of the density
+    changes by less than 1 across it, so that one Gauss panel is exact to rounding.
     """
     left = below[1] <= above[0]
-    tail = np.where(left, below[1], above[0])
-    mass = np.asarray(tail - np.where(left, below[0], above[1]))
-    narrow = mass < NARROW * tail
-    if narrow.any():
-        mass[narrow] = integral(narrow)
-    return mass
+    tail = choose(left, below[1], above[0])
+    mass = tail - choose(left, below[0], above[1])
+    return choose(mass < NARROW * tail, -1.0, mass)
 
 
-def normal_interval(lower: ArrayLike, upper: ArrayLike, width: ArrayLike) -> Array:
+def complete(mass: Any, integral: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
+    """Integrate where a difference of tails cancels."""
+    return compute_where(mass < 0, integral, arguments, mass)
+
+
+def find_tails(z: Any) -> tuple[Any, Any]:
+    """Masses of the standard normal law below and above, the larger by what the smaller leaves."""
+    smaller = normal_tail(z)
+    return choose(z < 0, smaller, 1 - smaller), choose(z < 0, 1 - smaller, smaller)
+
+
+def normal_interval(low: Any, high: Any, width: Any) -> Any:
     """Mass of the standard normal law between the limits, zero where they are reversed.
 
-    `width` is upper - lower, given by the caller because it may know it better.
+    `width` is high - low, given by the caller because it may know it better.
     """
-    from scipy.special import ndtr
-
-    low, high, span = np.broadcast_arrays(*(np.asarray(v, float) for v in (lower, upper, width)))
-    high = np.where(high < low, low, high)
-
-    tails: tuple[Array, ...] = tuple(ndtr(z) for z in (low, high, -low, -high))
-    return subtract_tails(
-        (tails[0], tails[1]),
-        (tails[2], tails[3]),
-        lambda mask: integrate_density(low[mask], np.maximum(span[mask], 0)),
-    )
+    high = np.maximum(low, high)
+    (below_low, above_low), (below_high, above_high) = find_tails(low), find_tails(high)
+    mass = subtract_tails((below_low, below_high), (above_low, above_high))
+    return complete(mass, integrate_density, (low, np.maximum(width, 0.0)))
 
 
 def integrate_density(start: Array, width: Array) -> Array:
@@ -63,16 +65,20 @@ def integrate_density(start: Array, width: Array) -> Array:
     return mass
 
 
-def normal_density(z: Array) -> Array:
+def normal_density(z: Any) -> Any:
     """Density of the standard normal law."""
-    with np.errstate(over="ignore"):
-        density: Array = np.exp(-0.5 * z * z) / np.sqrt(2 * np.pi)
-    return density
+    return exp(-0.5 * z * z) / np.sqrt(2 * np.pi)
+
+
+def scale_distance(distance: Any, scale: Any, at_zero: Any) -> Any:
+    """Divide; for scale 0 the infinity of the sign of `distance`, `at_zero` for 0/0."""
+    return choose((distance == 0) & (scale == 0), at_zero, distance / scale)
 
 
 def standardise(distance: ArrayLike, scale: ArrayLike, at_zero: ArrayLike = np.nan) -> Array:
-    """Divide; for scale 0 the infinity of the sign of `distance`, `at_zero` for 0/0."""
+    """Scale distances that are array-likes."""
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        ratio = np.asarray(distance, float) / np.asarray(scale, float)
-    both_zero = (np.asarray(distance) == 0) & (np.asarray(scale) == 0)
-    return np.where(both_zero, at_zero, ratio)
+        scaled: Array = scale_distance(
+            np.asarray(distance, float), np.asarray(scale, float), at_zero
+        )
+    return scaled

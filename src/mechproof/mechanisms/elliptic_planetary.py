@@ -137,7 +137,7 @@ class EllipticPlanetary(Displayed):
         step to a neighbour of phi1 makes of the position.
 
         """
-        (given,) = as_floats(phi3=phi3)
+        (given,) = as_floats("phi3", phi3)
         refuse_units("phi3", given)
         target = np.asarray(given)
         proper = np.isfinite(target) & (target != 0)

@@ -98,7 +98,7 @@ def follow_kind(given: Any, values: NDArray[Any]) -> Any:
 
     NaN where `given` is not finite. A NumPy scalar where there are no axes.
     """
-    if type(given) is np.ndarray or isinstance(given, np.generic):
+    if type(given) is np.ndarray or isinstance(given, (float, np.generic)):
         return values[()]
     with np.errstate(invalid="ignore"):
         return (1 + (given - given)) * values

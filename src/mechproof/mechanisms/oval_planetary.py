@@ -228,7 +228,7 @@ class OvalPlanetary(Displayed):
 
         """
         sign = self._direction()
-        (given,) = as_floats(phi3=phi3)
+        (given,) = as_floats("phi3", phi3)
         refuse_units("phi3", given)
         target = np.asarray(given)
         proper = np.isfinite(target) & (target != 0)

@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 
 from mechproof.arguments.arrays import refuse_units
 from mechproof.arguments.scalars import check_count, check_real
-from mechproof.kernel_support.arrays import as_floats
+from mechproof.kernel_support.arrays import as_floats, as_numpy
 from mechproof.kernels import tooth_thickness as kernels
 from mechproof.mechanisms.facts import check_domain
 from mechproof.mechanisms.inversion import follow_kind, invert
@@ -123,7 +123,7 @@ class ToothThickness(Displayed):
         times its influence 2*tan of the flank's angle <= 2, and as often the eps of the tilt.
 
         """
-        (given,) = as_floats(dh=dh)
+        (given,) = as_floats("dh", dh)
         refuse_units("dh", given)
         depth = np.asarray(given)
         proper = (depth >= -self.chord_height) & (depth <= self.deepest)
@@ -141,7 +141,7 @@ class ToothThickness(Displayed):
 
         NaN where |dh| > `deepest`; see `kernels.tooth_thickness.linearisation_bound`.
         """
-        (depth,) = as_floats(dh=dh)
+        depth = as_numpy(*as_floats("dh", dh))
         within = np.where(np.abs(depth) <= self.deepest, depth, depth.dtype.type(np.nan))
         return kernels.linearisation_bound(within, self.m, self.z, self.alpha)
 

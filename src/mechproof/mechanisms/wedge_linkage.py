@@ -171,7 +171,7 @@ class WedgeLinkage(Displayed):
 
     def _check_reach(self, x1: ArrayLike) -> None:
         """Raise for the first displacement that the linkage cannot follow; NaN passes."""
-        (moved,) = (np.ravel(a).astype(np.float64) for a in as_floats(x1=x1))
+        (moved,) = (np.ravel(a).astype(np.float64) for a in as_floats("x1", x1))
         radicand = kernels.guide_radicand(moved, self.l_AB, self.l_BC, self.l_CD)
         if (beyond := radicand < 0).any():
             raise PusherReachError(

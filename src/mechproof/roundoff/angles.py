@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from mechproof.roundoff.germs import Germ, Powers
 from mechproof.roundoff.intervals import (
     ONE,
     PI,
+    Ends,
     Interval,
     apply,
     arctangent,
@@ -42,11 +42,6 @@ class Turn:
     residue: Interval
     whole: Interval
 
-    @property
-    def count(self) -> Interval:
-        """Return the number of turns."""
-        return (self.whole - self.residue) / (PI * exactly(2.0))
-
     def holds(self, germ: Germ) -> bool:
         """Say whether a germ is a multiple of the angle."""
         return germ.powers == self.powers
@@ -69,7 +64,7 @@ def over_argument(name: str, z: Interval) -> Interval:
     return _quotient(name, size.low).union(_quotient(name, size.high))
 
 
-def _quotient(name: str, size: Interval) -> Interval:
+def _quotient(name: str, size: Ends) -> Interval:
     tiny = size <= TINY
     safe = np.where(tiny, 1.0, size)
     found = apply(name, safe) / Interval(safe, safe)
@@ -109,11 +104,9 @@ def take_cosine(germ: Germ, turn: Turn | None) -> Germ:
 
 def take_arctangent(germ: Germ) -> Germ:
     """Return the arctangent, of the reciprocal of what vanishes, too."""
-    if min(germ.powers, default=0) < 0:
+    if min(germ.powers, default=0) < 0 and (sign := germ.decide_sign()):
         inverse = germ.frame.constant(ONE) / germ
-        above = germ.span.low > 0
-        sign = germ.frame.choose(above, germ.span.high < 0, ~above & ~(germ.span.high < 0))
-        quarter = PI * exactly((0.5, -0.5, math.nan)[sign])
+        quarter = PI * exactly(0.5 * sign)
         return germ.frame.constant(quarter - arctangent(inverse.expanded()))
     return take_odd(germ, germ.expanded(), "arctan", arctangent, math.inf)
 
@@ -129,29 +122,3 @@ def _odd_or_reduced(
     if turn and turn.holds(germ):
         return germ.frame.constant(function(z))
     return take_odd(germ, z, name, function, end)
-
-
-@dataclass(frozen=True)
-class Whole:
-    """A whole number: so many for each whole turn, whatever their number, and a count."""
-
-    each: Fraction
-    count: Fraction
-
-    def times(self, factor: float) -> Whole:
-        """Return a multiple, whole or not."""
-        return Whole(self.each * Fraction(factor), self.count * Fraction(factor))
-
-    def rounded(self, to: Callable[[Fraction], int]) -> Whole:
-        """Round to a whole number, which must not depend on the number of turns."""
-        if self.each.denominator != 1:
-            raise ValueError(f"{self.each} for each turn is no whole number")
-        return Whole(self.each, Fraction(to(self.count)))
-
-    def expanded(self, turn: Turn | None) -> Interval:
-        """Return the interval of the number."""
-        count = exactly(float(self.count))
-        if not self.each:
-            return count
-        assert turn is not None
-        return turn.count * exactly(float(self.each)) + count

@@ -16,16 +16,15 @@ from mechproof.codegen.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
 from mechproof.roundoff.ends import limit_by_spacing, round_at_ends, widen_by_ulps
 from mechproof.roundoff.germs import Frame, Germ
-from mechproof.roundoff.intervals import ONE, Ends, Interval, around, between, exactly
-from mechproof.roundoff.reduction import Reducer
+from mechproof.roundoff.intervals import ONE, Ends, Interval, around, exactly
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.steps import HALF, Step, Straight
 
 UNIT = 2.0**-53
 EPS = 2.0**-52
-# What 28 bits of pi leave of it, which the reduction multiplies by the number of half turns.
 # Where they are exact or a rounding away from it: `compensation` shows that nothing moves them.
 RESTS = ("product_rest", "quotient_rest")
+# What 28 bits of pi leave of it, which the reduction multiplies by the number of half turns.
 PI_REST = 2.0**-26
 
 
@@ -35,9 +34,6 @@ class Bar:
 
     scale: Germ | None
     holds_value: bool
-
-
-VALUE = Bar(None, True)
 
 
 @dataclass
@@ -67,20 +63,14 @@ class Evaluation:
         # What is computed, its rounding known to be monotone; not what lies on the way to it.
         self.computed = {name: germ.expanded() for name, germ in given.items()}
         self.moving: list[Moving] = []
-        reducer = Reducer(self, straight)
         for step in straight.steps:
-            if not reducer.take(step):
-                self._move(step, stated.get(step.result))
+            self._move(step, stated.get(step.result))
 
     def value(self, operand: Operand) -> Germ:
         """Return the germ of a result, an input or a number."""
         if isinstance(operand, str):
             return self.values[operand]
         return self.frame.constant(exactly(operand))
-
-    def computed_value(self, operand: Operand) -> Interval:
-        """Return what an operand is computed to be."""
-        return self.computed[operand] if isinstance(operand, str) else exactly(operand)
 
     def _move(self, step: Step, stated: Germ | None) -> None:
         given = [self.value(operand) for operand in step.operands]
@@ -91,46 +81,34 @@ class Evaluation:
         elif step.kind in RESTS:
             # Of what is compensated: a rounding of its own, which nothing here moves.
             reach = UNIT * (1 + EPS)
-            self.round(step, given[2].scaled(around(0.0, reach)), (None, None, None))
+            self._round(step, given[2].scaled(around(0.0, reach)), (None, None, None))
         elif step.kind in ("copy", "approximate"):
-            self._approximate(step, given[0])
+            self._round(step, given[0], (self._one,))
         else:
             exact, slopes = RULES[step.kind](given, self.turn)
             is_exact = step.kind == "subtract" and self._is_near(*given)
-            self.round(step, stated or exact, slopes, is_exact)
-
-    def _approximate(self, step: Step, exact: Germ) -> None:
-        """Take a step that approximates: where it does, of its second operand, up to the third."""
-        if len(step.operands) > 1:
-            inside = self.value(step.operands[1]).expanded().largest() <= step.operands[2]
-            exact = exact.scaled(between(np.where(inside, 1.0, np.nan), np.float64(1.0)))
-        self.round(step, exact, (self.one,))
+            self._round(step, stated or exact, slopes, is_exact)
 
     @property
-    def one(self) -> Germ:
-        """Return the germ of 1."""
+    def _one(self) -> Germ:
         return self.frame.constant(ONE)
 
-    @property
-    def in_units(self) -> Bar:
-        """Return what absolute errors are relative to."""
-        return Bar(self.one, False)
-
-    def round(self, step: Step, exact: Germ, slopes: Slopes, is_exact: bool = False) -> None:
-        """Add a step: its value, and by how much it is rounded."""
+    def _round(self, step: Step, exact: Germ, slopes: Slopes, is_exact: bool = False) -> None:
         relative = 0.0 if is_exact else EPS * step.ulps
-        given = [self.computed_value(o) for o in step.operands]
+        given = [self.computed[o] if isinstance(o, str) else exactly(o) for o in step.operands]
         found = round_at_ends(step.kind, given, exact.expanded())
         limit = None
-        if step.ulps and not is_exact and step.kind != "approximate":
+        is_rounded = step.kind != "approximate"
+        if step.ulps and not is_exact and is_rounded:
             limit = limit_by_spacing(found, step.ulps)
             if step.ulps <= HALF:
                 limit = _least(limit, _limit_by_terms(step.kind, given))
-        near = step.kind not in ("approximate",) and step.ulps <= HALF
-        span = found.span if near else widen_by_ulps(found.span, step.ulps)
-        self.add(step, exact, slopes, relative, limit, span)
+        span = (
+            found.span if is_rounded and step.ulps <= HALF else widen_by_ulps(found.span, step.ulps)
+        )
+        self._add(step, exact, slopes, relative, limit, span)
 
-    def add(
+    def _add(
         self,
         step: Step,
         exact: Germ,
@@ -153,18 +131,18 @@ class Evaluation:
         small = self.frame.constant(angle.expanded()) if self.turn else angle
         exact = small.scaled(ONE.union(around(1.0, off)))
         value = exact.scaled(around(1.0, off))
-        self.add(step, exact, (self.one + exact.squared(),), off, None, value.expanded())
+        self._add(step, exact, (self._one + exact.squared(),), off, None, value.expanded())
 
     def _take_half_turns_off(self, step: Step, angle: Germ) -> None:
         """Reduce as the support does: exact without a turn, else off by two roundings."""
         if self.turn is None:
-            self.add(step, angle, (self.one,), 0.0, None, angle.expanded())
+            self._add(step, angle, (self._one,), 0.0, None, angle.expanded())
             return
         turns = angle.expanded().largest() / 3 + 1
         exact = reduce(angle, self.turn, 2)
         error = (exact.largest() + 2 * PI_REST * turns) * UNIT * (1 + EPS)
         value = exact + around(0.0, error)
-        self.add(step, self.frame.constant(value), (self.one,), 0.0, error, value)
+        self._add(step, self.frame.constant(value), (self._one,), 0.0, error, value)
 
     def _is_near(self, a: Germ, b: Germ) -> bool:
         """Say whether two doubles differ by at most a factor of two: their difference is exact."""
@@ -172,7 +150,7 @@ class Evaluation:
         near = (2 * other.low >= one.high) & (other.high <= 2 * one.low)
         return self.frame.choose(near, ~near) == 0
 
-    def sum_errors(self, output: Operand, bar: Bar = VALUE) -> Ends:
+    def sum_errors(self, output: Operand, bar: Bar) -> Ends:
         """Bound the error of an output in eps of a scale; infinite where it cannot be bounded."""
         total = sum(self.list_errors(output, bar).values(), np.float64(0.0))
         total = total * (1 + EPS * len(self.moving))
@@ -180,8 +158,8 @@ class Evaluation:
 
     def list_errors(self, output: Operand, bar: Bar) -> dict[str, Ends]:
         """Bound what each step adds to the error of an output, in eps of the scale."""
-        inverses = [self.one / scale for scale in self._list_scales(output, bar)]
-        slopes = {output: self.one}
+        inverses = [self._one / scale for scale in self._list_scales(output, bar)]
+        slopes = {output: self._one}
         errors = {}
         for moving in reversed(self.moving):
             slope = slopes.pop(moving.step.result, None)
@@ -193,7 +171,7 @@ class Evaluation:
             if moving.step.result == output and bar.holds_value:
                 # The rounding of the value itself, of which the scale has no less.
                 errors[output] = _least(errors[output], moving.relative / EPS)
-            for operand, own in zip(moving.step.operands, moving.slopes, strict=False):
+            for operand, own in zip(moving.step.operands, moving.slopes, strict=True):
                 if own is not None and isinstance(operand, str):
                     part = slope * own
                     slopes[operand] = slopes[operand] + part if operand in slopes else part
@@ -235,7 +213,4 @@ def _limit_by_terms(kind: str, given: Sequence[Interval]) -> Ends:
     """Bound the rounding of a sum by a term of it: the other one is a double."""
     if kind in ("add", "subtract"):
         return np.fmin(given[0].largest(), given[1].largest())
-    if kind == "fma":
-        product = given[0].largest() * given[1].largest()
-        return product * (1 + EPS)
     return np.inf

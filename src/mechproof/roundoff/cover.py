@@ -1,8 +1,8 @@
-"""Cover: branch and bound over the boxes of a region, the worst first, many at once."""
+"""Cover: in, a box and an aim; out, its parts with bounds below the aim, many at once."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,64 +14,50 @@ Array = NDArray[np.float64]
 Bound = Callable[[Boxes], Array]
 # No side is cut to less than this share of the whole while another is longer.
 FINEST = 2.0**-9
-# So many of the boxes with the largest bounds are kept, and this share of all is halved at once.
-WORST, AT_ONCE = 32, 2
+# So many of the parts with the largest bounds are kept.
+WORST = 32
 # So often all sides are halved before any box is bounded.
 CUTS = 2
 
 
 @dataclass(frozen=True)
 class Cover:
-    """The largest bound over all boxes, where it is, and how many boxes there are.
+    """How many parts are below an aim, those with the largest bounds, and one that is not."""
 
-    `worst` are the numbers of the starts, and boxes in them.
-    """
-
-    bound: float
-    worst: tuple[tuple[int, Box], ...]
     count: int
+    worst: tuple[tuple[float, Box], ...]
+    open: Box | None
 
 
-def lower_bound(starts: Sequence[tuple[Bound, Box]], most: int) -> Cover:
-    """Halve the boxes with the largest bounds, whichever start they are of, until enough."""
-    boxes = [_divide(_as_boxes(box)) for _, box in starts]
-    heights = [bound(own) for (bound, _), own in zip(starts, boxes, strict=True)]
-    while (count := sum(map(len, boxes))) < most:
-        together = np.sort(np.concatenate(heights))
-        level = together[-min(count, 1 + count // AT_ONCE, most - count)]
-        for i, (bound, whole) in enumerate(starts):
-            high = heights[i] >= level
-            if np.any(high):
-                halves = halve(bound, boxes[i][high], heights[i][high], _as_boxes(whole))
-                boxes[i] = np.concatenate([boxes[i][~high], halves])
-                heights[i] = np.concatenate([heights[i][~high], bound(halves)])
-    listed = [
-        (h, i, box) for i, hs in enumerate(heights) for h, box in zip(hs, boxes[i], strict=True)
-    ]
-    listed.sort(key=lambda entry: -entry[0])
-    places = tuple((i, _as_box(box)) for _, i, box in listed[:WORST])
-    return Cover(float(listed[0][0]), places, len(listed))
-
-
-def cover_below(bound: Bound, box: Box, aim: float, most: int) -> tuple[int, Box | None]:
-    """Divide a box until every part is below an aim; the number of parts, and one that is not.
+def cover_below(bound: Bound, box: Box, aim: float, most: int) -> Cover:
+    """Divide a box until every part is below an aim, or one that is not is found.
 
     A part whose middle alone is above the aim cannot be divided into parts below it.
     """
     whole, count = _as_boxes(box), 0
+    worst: list[tuple[float, Box]] = []
     waiting = _divide(whole)
     while len(waiting):
         heights = bound(waiting)
         high = ~(heights <= aim)
         count += int(np.sum(~high))
+        worst = _keep_worst(worst, heights[~high], waiting[~high])
         waiting, heights = waiting[high], heights[high]
         if not len(waiting):
             break
-        worst = waiting[np.argmax(heights)]
-        if count + 2 * len(waiting) > most or bound(_take_middle(worst))[0] > aim:
-            return count, _as_box(worst)
-        waiting = halve(bound, waiting, heights, whole)
-    return count, None
+        highest = waiting[np.argmax(heights)]
+        if count + 2 * len(waiting) > most or bound(_take_middle(highest))[0] > aim:
+            return Cover(count, tuple(worst), _as_box(highest))
+        waiting = _halve(bound, waiting, heights, whole)
+    return Cover(count, tuple(worst), None)
+
+
+def _keep_worst(
+    known: list[tuple[float, Box]], heights: Array, boxes: Boxes
+) -> list[tuple[float, Box]]:
+    highest = np.argsort(-heights, kind="stable")[:WORST]
+    more = [(float(heights[i]), _as_box(boxes[i])) for i in highest]
+    return sorted([*known, *more], key=lambda entry: -entry[0])[:WORST]
 
 
 def _divide(whole: Boxes) -> Boxes:
@@ -86,7 +72,7 @@ def _divide(whole: Boxes) -> Boxes:
     return whole
 
 
-def halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Boxes:
+def _halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Boxes:
     """Cut a side of every box in two: that which adds most to its bound, or the longest."""
     sides, rows = _choose_sides(bound, boxes, heights, whole), np.arange(len(boxes))
     first, second = boxes.copy(), boxes.copy()
@@ -111,7 +97,8 @@ def _choose_sides(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> N
     lowest = np.full(shares.shape, np.inf)
     lowest[rows, sides] = bound(thin)
     best = np.argmin(lowest, axis=1)
-    return np.where(lowest.min(axis=1) < heights, best, longest)
+    chosen: NDArray[np.intp] = np.where(lowest.min(axis=1) < heights, best, longest)
+    return chosen
 
 
 def _find_middles(boxes: Boxes) -> Array:

@@ -79,24 +79,12 @@ def _square(a: Interval) -> Rounded:
     return _multiply(size, size)
 
 
-def _fma(a: Interval, b: Interval, c: Interval) -> Rounded:
-    ends = []
-    for (product, rest), end in zip(_corners(a, b), (c.low, c.high), strict=True):
-        total, left = _sum(product, end)
-        ends.append((total, left + rest))
-    found = _outward(*ends)
-    # Rounded twice here: a neighbour may be meant.
-    off = [np.where(rest == 0, 0.0, np.spacing(np.abs(total))) for total, rest in ends]
-    return Rounded(Interval(found.span.low - off[0], found.span.high + off[1]), found.beyond)
-
-
 AT_ENDS: Mapping[str, Callable[..., Rounded]] = MappingProxyType(
     {
         "add": _add,
         "subtract": _subtract,
         "multiply": _multiply,
         "square": _square,
-        "fma": _fma,
         "negate": lambda a: Rounded(-a, 0.0),
         "absolute": lambda a: Rounded(a.size(), 0.0),
     }
@@ -110,6 +98,8 @@ def round_at_ends(kind: str, given: Sequence[Interval], whole: Interval) -> Roun
         return plain
     found = AT_ENDS[kind](*given)
     known = found.span.is_finite
+    for span in given:
+        known = known & span.is_finite
     narrow = known & ~(whole.high - whole.low < found.span.high - found.span.low)
     low = np.where(narrow, found.span.low, whole.low)
     high = np.where(narrow, found.span.high, whole.high)
@@ -122,7 +112,8 @@ def limit_by_spacing(rounded: Rounded, ulps: float) -> Ends:
     share, exponent = np.frexp(largest)
     # A power of two is a double: what is hardly above it is off by less than what is below.
     passed = (share == 0.5) & (rounded.beyond <= largest * HARDLY)
-    return ulps * np.ldexp(1.0, np.where(passed, exponent - 1, exponent) - BITS)
+    limit = ulps * np.ldexp(1.0, np.where(passed, exponent - 1, exponent) - BITS)
+    return np.where(np.isfinite(largest), limit, np.inf)
 
 
 def widen_by_ulps(span: Interval, ulps: float) -> Interval:

@@ -89,15 +89,16 @@ ARCTANGENT = _write(
     ("sum", "add", ("arc", "y")),
     ("q", "approximate", ("sum",)),
 )
-BY_FUNCTIONS: Mapping[str, Expansion] = MappingProxyType(
+# The ways in which an operation is computed, on one host or another.
+WAYS: Mapping[str, Mapping[str, Expansion]] = MappingProxyType(
     {
-        "tangent_quotient": Expansion(PLAIN_QUOTIENT),
-        "small_arctan": Expansion(PLAIN_ARCTANGENT),
-    }
-)
-BY_POLYNOMIALS: Mapping[str, Expansion] = MappingProxyType(
-    {
-        "tangent_quotient": Expansion(QUOTIENT, {"u": TANGENT_ERROR}),
-        "small_arctan": Expansion(ARCTANGENT, {"q": ARC_ERROR}),
+        "NumPy's functions": {
+            "tangent_quotient": Expansion(PLAIN_QUOTIENT),
+            "small_arctan": Expansion(PLAIN_ARCTANGENT),
+        },
+        "by polynomials": {
+            "tangent_quotient": Expansion(QUOTIENT, {"u": TANGENT_ERROR}),
+            "small_arctan": Expansion(ARCTANGENT, {"q": ARC_ERROR}),
+        },
     }
 )

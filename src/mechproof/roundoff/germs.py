@@ -16,16 +16,12 @@ from mechproof.roundoff.intervals import ONE, Interval, Mask
 Powers = tuple[int, ...]
 
 
-class Undecided(Exception):
-    """The boxes of a frame differ in what holds; `masks` are those of each alternative."""
+class UndecidedError(Exception):
+    """The boxes of a frame differ in what holds; each is in one of the masks."""
 
     def __init__(self, path: tuple[int, ...], masks: Sequence[Mask]) -> None:
         super().__init__("boxes that differ in what holds")
         self.path, self.masks = path, masks
-
-
-class Open(Exception):
-    """Nothing can be said of the boxes of a frame."""
 
 
 class Frame:
@@ -47,16 +43,20 @@ class Frame:
         self._free = list(range(len(spans), len(spans) + poles))
         self.none: Powers = (0,) * (len(spans) + poles)
         self._known: dict[Powers, Interval] = {}
-        self._forced, self._path = forced, ()
+        self._forced = forced
+        self._path: tuple[int, ...] = ()
 
     def choose(self, *masks: Mask) -> int:
-        """Return the number of what holds in all boxes; `Undecided` where some differ."""
+        """Return the number of what holds in all boxes; `UndecidedError` where some differ.
+
+        Each box is in one mask: in the last where nothing can be said of it.
+        """
         if len(self._path) < len(self._forced):
             choice = self._forced[len(self._path)]
         else:
             some = [number for number, mask in enumerate(masks) if np.any(mask)]
             if len(some) != 1:
-                raise Undecided(self._path, masks)
+                raise UndecidedError(self._path, masks)
             (choice,) = some
         self._path = (*self._path, choice)
         return choice

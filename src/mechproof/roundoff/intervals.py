@@ -95,32 +95,23 @@ class Interval:
         """Return the hull of both."""
         return Interval(np.minimum(self.low, other.low), np.maximum(self.high, other.high))
 
-    def within(self, low: Ends, high: Ends) -> Interval:
-        """Return what of the numbers lies between two others."""
-        return Interval(np.maximum(self.low, low), np.minimum(self.high, high))
-
     def power(self, exponent: int) -> Interval:
         """Return a whole power."""
         if exponent < 0:
             return self.power(-exponent).inverted()
         base = self.size() if exponent % 2 == 0 else self
-        low, high = np.float64(1.0), np.float64(1.0)
-        value = Interval(low, high)
-        for _ in range(exponent):
-            # Of a base of one sign, and of an odd power, the ends go with the ends.
-            value = _power_step(value, base)
-        return value
+        return Interval(_raise(base.low, exponent).low, _raise(base.high, exponent).high)
 
     def sqrt(self) -> Interval:
         """Return the roots."""
         return widen(np.sqrt(self.low), np.sqrt(self.high))
 
 
-def _power_step(value: Interval, base: Interval) -> Interval:
-    ends = value.low * np.abs(base.low), value.high * np.abs(base.high)
-    if base.sign >= 0:
-        return widen(*ends)
-    return value * base
+def _raise(end: Ends, exponent: int) -> Interval:
+    base = value = Interval(end, end)
+    for _ in range(exponent - 1):
+        value *= base
+    return value
 
 
 def list_corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[Ends, Ends]] | None:

@@ -11,10 +11,8 @@ from mechproof.roundoff.angles import Turn, take_arctangent, take_cosine, take_s
 from mechproof.roundoff.germs import Germ
 from mechproof.roundoff.intervals import ONE, Interval, exactly
 
-EITHER, SOME = (
-    Interval(np.float64(-1.0), np.float64(1.0)),
-    Interval(np.float64(0.0), np.float64(1.0)),
-)
+EITHER = Interval(np.float64(-1.0), np.float64(1.0))
+SOME = Interval(np.float64(0.0), np.float64(1.0))
 
 # How the value of an operation moves with each operand; None where it does not.
 Slopes = tuple[Germ | None, ...]
@@ -62,9 +60,12 @@ def _square(given: Sequence[Germ], turn: Turn | None) -> Moved:
 
 def _sqrt(given: Sequence[Germ], turn: Turn | None) -> Moved:
     (a,) = given
-    # Odd powers of what vanishes have no root among the germs.
-    rooted = a if all(p % 2 == 0 for p in a.powers) else a.frame.constant(a.expanded())
-    root = Germ(a.frame, rooted.span.sqrt(), tuple([p // 2 for p in rooted.powers]))
+    # Odd powers of what vanishes have no root among the germs, nor squares of what has any sign.
+    halves = a.frame.intern(tuple([p // 2 for p in a.powers]))
+    if any(p % 2 for p in a.powers) or not a.frame.is_positive(halves):
+        root = a.frame.constant(a.expanded().sqrt())
+    else:
+        root = Germ(a.frame, a.span.sqrt(), halves)
     return root, (a.frame.constant(exactly(0.5)) / root,)
 
 
@@ -79,16 +80,6 @@ def _absolute(given: Sequence[Germ], turn: Turn | None) -> Moved:
     if sign := a.decide_sign():
         return (a if sign > 0 else -a), (a.frame.constant(exactly(sign)),)
     return a.frame.constant(a.expanded().size()), (a.frame.constant(EITHER),)
-
-
-def _copysign(given: Sequence[Germ], turn: Turn | None) -> Moved:
-    """Return the absolute value of a number with the sign of another."""
-    size, (slope, *_) = _absolute(given[:1], turn)
-    assert slope is not None
-    if sign := given[1].decide_sign():
-        return (size, (slope, None)) if sign > 0 else (-size, (-slope, None))
-    either = size.frame.constant(EITHER)
-    return size * either, (slope * either, None)
 
 
 def _maximum(given: Sequence[Germ], turn: Turn | None) -> Moved:
@@ -141,7 +132,6 @@ RULES: Mapping[str, Rule] = MappingProxyType(
         "sqrt": _sqrt,
         "hypot": _hypot,
         "absolute": _absolute,
-        "copysign": _copysign,
         "maximum": _maximum,
         "minimum": _minimum,
         "sin": _sin,

@@ -24,23 +24,6 @@ def _take_half_turns_off(y: Any) -> Any:
     return (y - turns * PI) - turns * PI_LOW
 
 
-def _fuse(a: Any, b: Any, c: Any) -> Any:
-    """Return a*b + c rounded once: what is left is rounded to odd before (Boldo, Melquiond)."""
-    product = a * b
-    low, low_rest = _add(c, error_free.product_rest(a, b, product))
-    high, rest = _add(product, low)
-    left, lost = _add(low_rest, rest)
-    even = np.asarray(left, float).view(np.int64) % 2 == 0
-    odd = np.where((lost != 0) & even, np.nextafter(left, np.copysign(np.inf, lost)), left)
-    return high + odd
-
-
-def _add(a: Any, b: Any) -> tuple[Any, Any]:
-    total = a + b
-    part = total - a
-    return total, (a - (total - part)) + (b - part)
-
-
 ARITHMETIC: Table = MappingProxyType(
     {
         "add": lambda a, b: a + b,
@@ -51,35 +34,20 @@ ARITHMETIC: Table = MappingProxyType(
         "square": lambda a: a * a,
         "absolute": abs,
         "copy": lambda a: a,
-        "approximate": lambda a, *_: a,
-        "within": lambda a, limit: a,
+        "approximate": lambda a: a,
     }
 )
 IN_DOUBLES: Table = MappingProxyType(
     {
         **ARITHMETIC,
         "pi_off": _take_half_turns_off,
-        "fma": _fuse,
-        "choose": np.where,
         "product_rest": error_free.product_rest,
         "quotient_rest": error_free.quotient_rest,
         "small_tangent": error_free.small_tangent,
         **{
             kind: getattr(np, kind)
             for kind in (
-                *(
-                    "sqrt",
-                    "hypot",
-                    "tan",
-                    "arctan",
-                    "sin",
-                    "cos",
-                    "maximum",
-                    "minimum",
-                    "floor",
-                    "rint",
-                ),
-                "copysign",
+                *("sqrt", "hypot", "tan", "arctan", "sin", "cos", "maximum", "minimum", "floor"),
                 *("less", "less_equal", "greater", "greater_equal", "equal"),
             )
         },

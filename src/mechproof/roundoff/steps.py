@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from mechproof.codegen.code import Stage
@@ -14,10 +14,7 @@ from mechproof.roundoff.expansions import Expansion
 HALF = 0.5
 EXACT = 0.0
 ALWAYS_EXACT = frozenset(
-    {
-        *("negate", "absolute", "maximum", "minimum", "copy", "approximate", "product_rest"),
-        *("choose", "within", "copysign", "rint", "floor", "greater", "less", "equal"),
-    }
+    {"negate", "absolute", "maximum", "minimum", "copy", "approximate", "product_rest"}
 )
 
 
@@ -44,31 +41,36 @@ class Straight:
     held: frozenset[str] = frozenset()
 
 
-def flatten_stage(stage: Stage) -> Straight:
-    """Put what is prepared before what is evaluated."""
+def flatten_stage(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight:
+    """Put what is prepared before what is evaluated, and kinds with an expansion into it."""
     inputs = (*stage.running, *(p for p in stage.parameters if p not in stage.running))
     known: dict[Operand, Operand] = {name: name for name in inputs}
     steps: list[Step] = []
     given: Sequence[Operand] = stage.prepare.outputs
     if stage.prepare.operations or stage.prepare.outputs:
-        given = _append(steps, stage.prepare, known, "prepared.")
+        given = _append(steps, stage.prepare, known, "prepared.", expansions)
     if stage.evaluate is None:
         return Straight(inputs, tuple(steps), tuple(given))
     passed = zip(stage.evaluate.inputs[len(stage.running) :], given, strict=True)
     inside: dict[Operand, Operand] = {name: name for name in stage.running}
     inside.update(passed)
-    outputs = _append(steps, stage.evaluate, inside, "")
+    outputs = _append(steps, stage.evaluate, inside, "", expansions)
     return Straight(inputs, tuple(steps), outputs)
 
 
 def _append(
-    steps: list[Step], program: Program, known: Mapping[Operand, Operand], prefix: str
+    steps: list[Step],
+    program: Program,
+    known: Mapping[Operand, Operand],
+    prefix: str,
+    expansions: Mapping[str, Expansion],
 ) -> tuple[Operand, ...]:
     names = dict(known)
     for operation in program.operations:
         result = f"{prefix}{operation.result}"
         operands = tuple(_rename(names, o) for o in operation.operands)
-        steps.append(_make_step(replace(operation, result=result, operands=operands)))
+        renamed = replace(operation, result=result, operands=operands)
+        steps.extend(_expand(renamed, expansions))
         names[operation.result] = result
     return tuple(_rename(names, o) for o in program.outputs)
 
@@ -77,20 +79,17 @@ def _rename(names: Mapping[Operand, Operand], operand: Operand) -> Operand:
     return names[operand] if isinstance(operand, str) and operand in names else operand
 
 
-def expand_steps(straight: Straight, expand: Callable[[str], Expansion | None]) -> Straight:
-    """Put expansions in place of steps of their kinds."""
-    steps = (inner for step in straight.steps for inner in _expand(step, expand(step.kind)))
-    return replace(straight, steps=tuple(steps))
-
-
-def _expand(step: Step, expansion: Expansion | None) -> Iterator[Step]:
-    if expansion is None:
-        yield step
+def _expand(operation: Operation, expansions: Mapping[str, Expansion]) -> Iterator[Step]:
+    if operation.kind not in expansions:
+        yield _make_step(operation)
         return
-    names: dict[Operand, Operand] = dict(zip(expansion.program.inputs, step.operands, strict=False))
+    expansion = expansions[operation.kind]
+    names: dict[Operand, Operand] = dict(
+        zip(expansion.program.inputs, operation.operands, strict=False)
+    )
     last = expansion.program.outputs[0]
     for inner in expansion.program.operations:
-        result = step.result if inner.result == last else f"{step.result}.{inner.result}"
+        result = operation.result if inner.result == last else f"{operation.result}.{inner.result}"
         operands = tuple(_rename(names, o) for o in inner.operands)
         names[inner.result] = result
         made = _make_step(Operation(result, inner.kind, operands))

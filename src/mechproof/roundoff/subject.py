@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -13,35 +12,23 @@ import sympy as sp
 from flint import arb
 from numpy.typing import NDArray
 
-from mechproof.codegen.backends.scalar import list_stages
 from mechproof.codegen.code import Stage
 from mechproof.codegen.kernel import Kernel, build_kernel, input_names
 from mechproof.codegen.program import MEANINGS, Operand
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL
-from mechproof.roundoff.bound import EPS, VALUE, Bar, Evaluation
+from mechproof.roundoff.bound import EPS, Bar, Evaluation
 from mechproof.roundoff.compensation import hold_compensated
-from mechproof.roundoff.elementary import expand as expand_compiled
-from mechproof.roundoff.expansions import BY_FUNCTIONS, BY_POLYNOMIALS, Expansion
-from mechproof.roundoff.germs import Open, Undecided
+from mechproof.roundoff.expansions import WAYS
+from mechproof.roundoff.germs import UndecidedError
 from mechproof.roundoff.intervals import careful
 from mechproof.roundoff.regions import Boxes, Region, express
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values, run
-from mechproof.roundoff.steps import EXACT, Step, Straight, expand_steps, flatten_stage
+from mechproof.roundoff.steps import EXACT, Step, Straight, flatten_stage
 from mechproof.roundoff.symmetry import check_symmetry
 
 # Boxes that are bounded together.
 TOGETHER = 1024
-# Each adds a variable that may vanish at most.
-VANISHING = ("tan", "rint")
-# The ways of computing: whether those of compiled kernels, and what stands for an operation.
-WAYS: Mapping[str, tuple[bool, Callable[[str], Expansion | None]]] = MappingProxyType(
-    {
-        "NumPy's functions": (False, BY_FUNCTIONS.get),
-        "by polynomials": (False, BY_POLYNOMIALS.get),
-        "compiled": (True, expand_compiled),
-    }
-)
 POLYNOMIAL = ("add", "subtract", "multiply", "square", "negate")
 PLAIN_REWRITES = ("half_angle_tangent",)
 
@@ -100,22 +87,23 @@ class Subject:
         try:
             with careful(moves=moves):
                 evaluation, bar = self.evaluate(region, boxes, forced)
-                sums = [evaluation.sum_errors(o, bar) for o in self.straight.outputs]
-                return np.max([np.broadcast_to(s, len(boxes)) for s in sums], axis=0)
-        except (Open, IndexError):
+                highest = np.zeros(len(boxes))
+                for output in self.straight.outputs:
+                    highest = np.maximum(highest, evaluation.sum_errors(output, bar))
+                return highest
+        except IndexError:
             return np.full(len(boxes), np.inf)
         except FloatingPointError:
             if moves:
                 return np.full(len(boxes), np.inf)
             return self._bound_alike(region, boxes, forced, moves=True)
-        except Undecided as undecided:
-            bounds = np.zeros(len(boxes))
+        except UndecidedError as undecided:
+            bounds = np.full(len(boxes), np.inf)
             for number, mask in enumerate(undecided.masks):
                 rows = np.flatnonzero(np.broadcast_to(mask, len(boxes)))
                 if len(rows):
                     path = (*undecided.path, number)
-                    found = self._bound_alike(region, boxes[rows], path, moves)
-                    bounds[rows] = np.maximum(bounds[rows], found)
+                    bounds[rows] = self._bound_alike(region, boxes[rows], path, moves)
             return bounds
 
     def evaluate(
@@ -123,7 +111,7 @@ class Subject:
     ) -> tuple[Evaluation, Bar]:
         """Return all values over boxes, and what errors are relative to."""
         both = (self.straight, *([self.scale] if self.scale else []))
-        poles = sum(step.kind in VANISHING for straight in both for step in straight.steps)
+        poles = sum(step.kind == "tan" for straight in both for step in straight.steps)
         frame, germs, turn = region.enter(boxes, poles, forced)
         names = input_names(self.kernel.quantity)
         arguments = region.chart.arguments.items()
@@ -134,7 +122,7 @@ class Subject:
             stated = {result: express(value, frame, germs) for result, value in plain.items()}
             found.append(Evaluation(straight, frame, given, stated, turn))
         if self.scale is None:
-            return found[0], VALUE
+            return found[0], Bar(None, True)
         whole, *rest = (found[1].value(output) for output in self.scale.outputs)
         return found[0], Bar(whole, bool(rest) and rest[0].decide_sign() > 0)
 
@@ -183,15 +171,13 @@ def add_up(
 
 def list_subjects(kernel: Kernel, paper: Paper) -> Iterator[Subject]:
     """List the stages of a kernel that have charts, in every way of computing them."""
-    compiled = [stage for _, stage in list_stages(kernel)]
-    for form, stage, other in zip(kernel.forms, kernel.code.stages, compiled, strict=True):
+    for form, stage in zip(kernel.forms, kernel.code.stages, strict=True):
         if not form.charts:
             continue
         scale = _write_scale(kernel.quantity, form, paper)
         known: list[Straight] = []
-        for way, (is_compiled, expand) in WAYS.items():
-            plain = hold_compensated(flatten_stage(other if is_compiled else stage))
-            straight = expand_steps(plain, expand)
+        for way, expansions in WAYS.items():
+            straight = hold_compensated(flatten_stage(stage, expansions))
             if straight not in known:
                 known.append(straight)
                 for chart in form.charts:
@@ -226,7 +212,8 @@ def _write_exact(
     (stage,) = build_kernel(
         "scale", replace(quantity, forms=(written,)), (written,), paper
     ).code.stages
-    straight = flatten_stage(stage)
+    (plain, *_) = WAYS.values()
+    straight = flatten_stage(stage, plain)
     return replace(straight, steps=tuple(replace(step, ulps=EXACT) for step in straight.steps))
 
 

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from itertools import product
 from types import MappingProxyType
 
 from mechproof.record import Chart
 from mechproof.roundoff.steps import Straight
 
-CONDITIONS = ("equal", "greater", "less")
 # 1 for what stays, -1 for what is negated.
 Parity = int
 
@@ -38,14 +36,8 @@ PARITIES: Mapping[str, Callable[..., Parity]] = MappingProxyType(
         **dict.fromkeys(("add", "subtract"), _same),
         **dict.fromkeys(("multiply", "divide"), _product),
         **dict.fromkeys(("square", "cos", "absolute"), _even),
-        "approximate": lambda a, *_: a,
-        "within": lambda a, limit: a,
-        **dict.fromkeys(("negate", "copy", "pi_off", "rint"), _keep),
+        **dict.fromkeys(("negate", "copy", "approximate", "pi_off"), _keep),
         **dict.fromkeys(("tan", "sin", "arctan", "small_tangent"), _keep),
-        "greater": _same,
-        "less": _same,
-        "equal": lambda a, b: _same(a, b) ** 2,
-        "copysign": lambda a, b: b,
         "fma": lambda a, b, c: _same(a * b, c),
         "product_rest": lambda a, b, p: _same(a * b, p),
         "quotient_rest": lambda a, b, q: _same(a * b, q),
@@ -64,22 +56,8 @@ def check_symmetry(straight: Straight, chart: Chart, names: Mapping[object, str]
         if turned not in (value, -value):
             raise ValueError(f"chart: {value} is neither odd nor even in {angle}")
         parities[names[symbol]] = 1 if turned == value else -1
-    conditions = [step.result for step in straight.steps if step.kind in CONDITIONS]
-    for outcome in product((True, False), repeat=len(conditions)):
-        _follow(straight, dict(parities), dict(zip(conditions, outcome, strict=True)))
-
-
-def _follow(
-    straight: Straight, parities: dict[object, Parity], outcome: Mapping[object, bool]
-) -> None:
     for step in straight.steps:
-        operands = step.operands
-        if step.kind == "choose":
-            operands = (operands[1] if outcome[operands[0]] else operands[2],)
-        given = [parities[o] if isinstance(o, str) else 1 for o in operands]
-        if step.kind in ("greater", "less") and given != [1, 1]:
-            raise ValueError(f"{step}: its outcome changes with the sign of the angle")
-        if step.kind != "choose" and step.kind not in PARITIES:
+        given = [parities[o] if isinstance(o, str) else 1 for o in step.operands]
+        if step.kind not in PARITIES:
             raise ValueError(f"{step.kind} has no parity")
-        rule = _keep if step.kind == "choose" else PARITIES[step.kind]
-        parities[step.result] = rule(*given)
+        parities[step.result] = PARITIES[step.kind](*given)

@@ -16,6 +16,7 @@ from mechproof.codegen.backends.scalar import (
 )
 from mechproof.codegen.backends.sums import LOOPS, fold_sums
 from mechproof.codegen.elementary.formats import DOUBLE, SINGLE
+from mechproof.codegen.elementary.functions import build
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
 from mechproof.record import Paper
@@ -68,6 +69,8 @@ def render_c_kernels(
         "real": "float" if single else "double",
         "kernels": written,
     }
+    elementary = list_elementary(folded, reductions)
+    steps = [step for kind in elementary for step in build(kind, form).program.operations]
     header = {
         **common,
         "citation": textwrap.wrap(citation, WIDTH),
@@ -83,10 +86,9 @@ def render_c_kernels(
         "limit": language.number(form.largest),
         "absolute": language.calls["absolute"],
         "number": language.number,
-        "functions": [
-            write_elementary(kind, form, language, far)
-            for kind in list_elementary(folded, reductions)
-        ],
+        "powers": any(step.kind == "power_of_two" for step in steps),
+        "form": form,
+        "functions": [write_elementary(kind, form, language, far) for kind in elementary],
         "letters": LOOPS,
         "reductions": [write_reduction(found, extended) for found in reductions],
     }

@@ -37,8 +37,8 @@ from mechproof.record import Paper, Together
 
 SUPPORT = (
     "BLOCK", "Loops", "Sums", "choose", "copysign", "count_terms", "floor", "fma", "has_nan",
-    "is_finite", "loop", "maximum", "overload", "rint", "run", "run_sums", "scalar", "take_row",
-    "take_square", "take_terms", "widen",
+    "is_finite", "loop", "maximum", "overload", "power_of_two", "rint", "run", "run_sums",
+    "scalar", "take_row", "take_square", "take_terms", "widen",
 )  # fmt: skip
 # What is said of sums besides.
 SUMMED = (

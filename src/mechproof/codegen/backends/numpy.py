@@ -25,7 +25,7 @@ from mechproof.codegen.elementary.fits import (
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.facts import Condition, Sizes, list_conditions, list_sizes
 from mechproof.codegen.kernel import Kernel, list_functions
-from mechproof.codegen.languages import NUMPY
+from mechproof.codegen.languages import NUMPY, NUMPY_BODY
 from mechproof.codegen.program import Program
 from mechproof.codegen.syntax import Text, write_program
 from mechproof.record import Form, Paper
@@ -38,16 +38,16 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "as_floats",
             "check_components",
             "choose_where",
+            "every",
+            "floor",
             "holds",
-            "in_blocks",
             "is_finite",
+            "maximum",
             "nan_outside",
-            "quietly",
             "split_components",
-            "store",
             "sum_axes",
-            "transform",
         ),
+        "blocks": ("in_blocks", "quietly", "store", "transform"),
         "error_free": (
             "product_rest",
             "quotient_rest",
@@ -174,8 +174,8 @@ def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:
                 "" if last else f"_{number + 1}",
                 _write_condition(stage.when),
                 stage,
-                write_program(stage.prepare, NUMPY),
-                write_program(stage.evaluate, NUMPY) if stage.evaluate else Text((), ()),
+                write_program(stage.prepare, NUMPY_BODY),
+                write_program(stage.evaluate, NUMPY_BODY) if stage.evaluate else Text((), ()),
             )
         )
     return KernelText(kernel, docstring, _write_condition(code.inside), tuple(stages))

@@ -19,6 +19,12 @@ from mechproof.codegen.elementary.formats import DIGITS, DOUBLE, Format
 # Beyond the ends, for the rounding of what is reduced to an interval.
 MARGIN = 2.0**-20
 PIECES, ORDER, BITS = 64, 24, 400
+# A piece whose rest is more than this is halved.
+REST = 2.0**-70
+# Of the variable (x - TAIL)/(x + TAIL): polynomials in it need the fewest terms near this.
+TAIL = 6.0
+# Beyond, the tail is less than the smallest double.
+TAIL_END = 39.0
 Sides = Callable[["Rational", arb_series], tuple[arb_series, arb_series]]
 
 
@@ -34,16 +40,16 @@ class Rational:
 class Target:
     """A function to be approximated in the square of its argument, from 0 to `last`.
 
-    `value` is what the quotient approximates, `above` the polynomial over the line of the whole
-    function; `sides` are the whole function by the quotient and the true one, both multiplied by
-    what makes them polynomials and entire or analytic.
+    `value` is what the quotient approximates; `sides` are the whole function by the quotient and
+    the true one, both multiplied by what makes them polynomials and entire or analytic. What has a
+    `first` is approximated in its argument, from there.
     """
 
     meaning: str
     value: Callable[[mp.mpf], mp.mpf]
     last: Callable[[], mp.mpf]
     sides: Sides
-    above: Callable[[Rational, arb], arb]
+    first: float | None = None
 
 
 def _beyond(end: mp.mpf) -> mp.mpf:
@@ -51,49 +57,52 @@ def _beyond(end: mp.mpf) -> mp.mpf:
 
 
 def _put(coefficients: tuple[float, ...], z: arb_series) -> arb_series:
-    value = z * 0
+    value = arb_series([0])
     for number in reversed(coefficients):
         value = value * z + arb(number)
     return value
 
 
-def _tangent_above(fit: Rational, r: arb) -> arb:
-    return r * _put(fit.above, r * r)
-
-
-def _sine_above(fit: Rational, r: arb) -> arb:
-    return r + r * r * r * _put(fit.above, r * r)
-
-
-def _cosine_above(fit: Rational, r: arb) -> arb:
-    z = r * r
-    return 1 - z / 2 + z * z * _put(fit.above, z)
-
-
-def _arctangent_above(fit: Rational, y: arb) -> arb:
-    z = y * y
-    return y * _put(fit.below, z) + y * z * _put(fit.above, z)
-
-
 def _tangent_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
-    return _tangent_above(fit, r) * r.cos(), _put(fit.below, r * r) * r.sin()
+    return r * _put(fit.above, r * r) * r.cos(), _put(fit.below, r * r) * r.sin()
 
 
 def _half_tangent_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
     half = r / 2
-    return _tangent_above(fit, r) * half.cos(), _put(fit.below, r * r) * half.sin()
+    return r * _put(fit.above, r * r) * half.cos(), _put(fit.below, r * r) * half.sin()
 
 
 def _sine_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
-    return _sine_above(fit, r), r.sin()
+    return r + r * r * r * _put(fit.above, r * r), r.sin()
 
 
 def _cosine_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
-    return _cosine_above(fit, r), r.cos()
+    z = r * r
+    return 1 - z / 2 + z * z * _put(fit.above, z), r.cos()
 
 
 def _arctangent_sides(fit: Rational, y: arb_series) -> tuple[arb_series, arb_series]:
-    return _arctangent_above(fit, y), _put(fit.below, y * y) * y.atan()
+    z = y * y
+    below = _put(fit.below, z)
+    return y * below + y * z * _put(fit.above, z), below * y.atan()
+
+
+def _odd_exponential_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
+    return r + r * r * r * _put(fit.above, r * r), (r.exp() - (-r).exp()) / 2
+
+
+def _even_exponential_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
+    return 1 + r * r * _put(fit.above, r * r), (r.exp() + (-r).exp()) / 2
+
+
+def _tail_sides(fit: Rational, t: arb_series) -> tuple[arb_series, arb_series]:
+    x = TAIL * (1 + t) / (1 - t)
+    return _put(fit.above, t), (1 + x) * (x * x / 2).exp() * (x / arb(2).sqrt()).erfc() / 2
+
+
+def _scale_tail(t: mp.mpf) -> mp.mpf:
+    x = TAIL * (1 + t) / (1 - t)
+    return (1 + x) * mp.exp(x * x / 2) * mp.erfc(x / mp.sqrt(2)) / 2
 
 
 def _of_root(function: Callable[[mp.mpf], mp.mpf]) -> Callable[[mp.mpf], mp.mpf]:
@@ -105,42 +114,55 @@ TANGENT = Target(
     _of_root(lambda r: mp.tan(r) / r),
     lambda: _beyond(mp.pi / 4),
     _tangent_sides,
-    _tangent_above,
 )
 HALF_TANGENT = Target(
     "tan(r/2)/r in powers of r**2",
     _of_root(lambda r: mp.tan(r / 2) / r),
     lambda: _beyond(mp.pi / 2),
     _half_tangent_sides,
-    _tangent_above,
 )
 SINE = Target(
     "(sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4",
     _of_root(lambda r: (mp.sin(r) / r - 1) / r**2),
     lambda: _beyond(mp.pi / 4),
     _sine_sides,
-    _sine_above,
 )
 COSINE = Target(
     "(cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4",
     _of_root(lambda r: (mp.cos(r) - 1 + r**2 / 2) / r**4),
     lambda: _beyond(mp.pi / 4),
     _cosine_sides,
-    _cosine_above,
 )
 ARCTANGENT = Target(
     "(atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1",
     _of_root(lambda y: (mp.atan(y) / y - 1) / y**2),
     lambda: _beyond(mp.mpf(1)),
     _arctangent_sides,
-    _arctangent_above,
 )
 SMALL_ARCTANGENT = Target(
     "(atan(y)/y - 1)/y**2 in powers of y**2",
     ARCTANGENT.value,
     lambda: mp.mpf(1) / 3 * (1 + MARGIN),
     _arctangent_sides,
-    _arctangent_above,
+)
+ODD_EXPONENTIAL = Target(
+    "(sinh(r)/r - 1)/r**2 in powers of r**2, |r| <= log(2)/2",
+    _of_root(lambda r: (mp.sinh(r) / r - 1) / r**2),
+    lambda: _beyond(mp.log(2) / 2),
+    _odd_exponential_sides,
+)
+EVEN_EXPONENTIAL = Target(
+    "(cosh(r) - 1)/r**2 in powers of r**2, |r| <= log(2)/2",
+    _of_root(lambda r: (mp.cosh(r) - 1) / r**2),
+    lambda: _beyond(mp.log(2) / 2),
+    _even_exponential_sides,
+)
+NORMAL_TAIL = Target(
+    f"(1 + x)*exp(x**2/2)*tail by (x - {TAIL:g})/(x + {TAIL:g}), x <= {TAIL_END:g}",
+    _scale_tail,
+    lambda: mp.mpf(TAIL_END - TAIL) / (TAIL_END + TAIL),
+    _tail_sides,
+    first=-1.0,
 )
 
 
@@ -148,9 +170,10 @@ SMALL_ARCTANGENT = Target(
 def fit(target: Target, above: int, below: int = 0, form: Format = DOUBLE) -> Rational:
     """Interpolate by a quotient of polynomials of degrees `above` and `below`."""
     with mp.workdps(DIGITS):
-        last = target.last()
-        count = above + below + 1
-        nodes = [last / 2 * (1 + mp.cos(mp.pi * (2 * i + 1) / (2 * count))) for i in range(count)]
+        first, count = mp.mpf(target.first or 0), above + below + 1
+        half = (target.last() - first) / 2
+        places = (1 + mp.cos(mp.pi * (2 * i + 1) / (2 * count)) for i in range(count))
+        nodes = [first + half * place for place in places]
         values = [target.value(z) for z in nodes]
         rows = [
             [z**j for j in range(above + 1)] + [-v * z**j for j in range(1, below + 1)]
@@ -173,23 +196,31 @@ def enclose(target: Target, fitted: Rational) -> float:
 
 def _enclose(target: Target, fitted: Rational) -> float:
     with mp.workdps(DIGITS):
-        half = arb(str(mp.sqrt(target.last()))) / (2 * PIECES)
-    worst = 0.0
-    for i in range(PIECES):
+        last = mp.sqrt(target.last()) if target.first is None else target.last() - target.first
+        half = arb(str(last)) / (2 * PIECES)
+    start = arb(target.first or 0)
+    pieces = [(start + half * (2 * i + 1), half) for i in range(PIECES)]
+    if target.first is None:
         # The first piece is expanded at 0, where both sides vanish with their argument.
-        middle, reach = (half * (2 * i + 1), half) if i else (arb(0), 2 * half)
-        ball = arb(middle.mid(), reach)
-        _, true = target.sides(fitted, arb_series([middle, 1]))
-        lowest = 1 if i == 0 and true.coeffs()[0] == 0 else 0
-        near = _differ(target, fitted, middle)
-        terms = [abs(c) * reach ** (k - lowest) for k, c in enumerate(near[:ORDER]) if k >= lowest]
-        rest = abs(_differ(target, fitted, ball)[ORDER]) * reach ** (ORDER - lowest)
-        _, size = target.sides(fitted, arb_series([ball, 1]))
-        worst = max(worst, float((sum(terms, rest) / size.coeffs()[lowest].abs_lower()).upper()))
-    return worst
+        pieces[0] = arb(0), 2 * half
+    return max(_enclose_piece(target, fitted, *piece) for piece in pieces)
 
 
-def _differ(target: Target, fitted: Rational, place: arb) -> list[arb]:
-    found, true = target.sides(fitted, arb_series([place, 1]))
-    coefficients: list[arb] = (found - true).coeffs()
-    return coefficients + [arb(0)] * (ORDER + 1 - len(coefficients))
+def _enclose_piece(target: Target, fitted: Rational, middle: arb, reach: arb) -> float:
+    near = target.sides(fitted, arb_series([middle, 1]))
+    around = target.sides(fitted, arb_series([arb(middle.mid(), reach), 1]))
+    lowest = 1 if near[1][0] == 0 else 0
+    powers = [reach ** (k - lowest) for k in range(lowest, ORDER + 1)]
+
+    def bound(at_middle: arb_series, in_piece: arb_series) -> list[arb]:
+        """Bound the terms of a Taylor polynomial, and last its rest."""
+        terms = [*(at_middle[k] for k in range(lowest, ORDER)), in_piece[ORDER]]
+        return [abs(c) * power for c, power in zip(terms, powers, strict=True)]
+
+    off = bound(near[0] - near[1], around[0] - around[1])
+    first, *others = bound(near[1], around[1])
+    least = first - sum(others, arb(0))
+    if not off[-1] < least * REST:
+        sides = (middle - reach / 2, middle + reach / 2)
+        return max(_enclose_piece(target, fitted, side, reach / 2) for side in sides)
+    return float((sum(off, arb(0)) / least).upper())

@@ -14,7 +14,8 @@ class Format:
     """A binary format with `bits` of precision and the degrees of its approximations.
 
     `largest` is the largest angle, and the reciprocal of `margin` the number of quarter turns,
-    up to which the reduction is as exact as an ulp of what it leaves.
+    up to which the reduction is as exact as an ulp of what it leaves. Numbers from
+    2**`exponent` on are infinite.
     """
 
     name: str
@@ -25,7 +26,10 @@ class Format:
     cosine: int
     arctangent: int
     small_arctangent: int
+    exponential: int
+    tail: int
     scale: int
+    exponent: int
 
     @property
     def eps(self) -> float:
@@ -46,5 +50,5 @@ class Format:
         return tuple(words)
 
 
-DOUBLE = Format("double", 53, 2.0**26, (3, 3), 5, 5, 21, 13, 600)
-SINGLE = Format("single", 24, 2.0**11, (1, 2), 2, 2, 8, 5, 70)
+DOUBLE = Format("double", 53, 2.0**26, (3, 3), 5, 5, 21, 13, 4, 22, 600, 1024)
+SINGLE = Format("single", 24, 2.0**11, (1, 2), 2, 2, 8, 5, 2, 12, 70, 128)

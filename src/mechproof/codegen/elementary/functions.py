@@ -19,6 +19,7 @@ from mechproof.codegen.elementary.trace import (
     floor,
     fma,
     polynomial,
+    power_of_two,
     rint,
     root,
     trace,
@@ -186,6 +187,41 @@ class _Maker:
         x, y = one * factor, other * factor
         return root(fma(x, x, y * y)) / factor
 
+    def exp(self, y: Value) -> Value:
+        """Return exp(y).
+
+        The first fma is exact, as for angles. The power of two is a product of two, of which the
+        second alone rounds: where the result is subnormal.
+        """
+        with mp.workdps(DIGITS):
+            words = self.form.split(mp.log(2), 2)
+            per_word = self.form.round(1 / mp.log(2))
+            top = float(mp.ceil(self.form.exponent * mp.log(2)))
+            bottom = float(mp.floor((2 - self.form.exponent - self.form.bits) * mp.log(2)))
+        inside = choose(y > top, top, choose(y < bottom, bottom, y))
+        n = rint(inside * per_word)
+        r = inside
+        for word in words:
+            r = fma(n, -word, r)
+        odd = self.fit(fits.ODD_EXPONENTIAL, self.form.exponential)
+        even = self.fit(fits.EVEN_EXPONENTIAL, self.form.exponential)
+        z = r * r
+        bent = fma(r, polynomial(z, odd.above), polynomial(z, even.above))
+        half = floor(n * 0.5)
+        return (1.0 + fma(z, bent, r)) * power_of_two(half) * power_of_two(n - half)
+
+    def normal_tail(self, y: Value) -> Value:
+        """Return the mass of the standard normal law beyond |y|.
+
+        The square of |y| is taken with the rest of its rounding: the tail is as exact far out.
+        """
+        size = abs(y)
+        x = choose(size > fits.TAIL_END, fits.TAIL_END, size)
+        fitted = self.fit(fits.NORMAL_TAIL, self.form.tail)
+        scaled = polynomial((x - fits.TAIL) / (x + fits.TAIL), fitted.above) / (1.0 + x)
+        square = x * x
+        return self.exp(square * -0.5) * fma(fma(x, x, -square) * -0.5, scaled, scaled)
+
     def small_tangent(self, y: Value) -> Value:
         """Return tan(y) for y the half of a low word."""
         return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
@@ -236,6 +272,8 @@ BODIES: Mapping[str, tuple[Body, tuple[str, ...], Body | None]] = MappingProxyTy
         "arctan2": (_Maker.arctan2, ("a", "b"), None),
         "small_arctan": (_Maker.small_arctan, ("y",), None),
         "small_tangent": (_Maker.small_tangent, ("y",), None),
+        "exp": (_Maker.exp, ("y",), None),
+        "normal_tail": (_Maker.normal_tail, ("y",), None),
         "hypot": (_Maker.hypot, ("a", "b"), None),
         "product_rest": (_Maker.product_rest, ("a", "b", "p"), None),
         "quotient_rest": (_Maker.quotient_rest, ("a", "b", "q"), None),

@@ -87,6 +87,11 @@ def floor(a: Value) -> Value:
     return a.apply("floor", a)
 
 
+def power_of_two(n: Value) -> Value:
+    """Return 2**n for a whole number n, where that is a normal number."""
+    return n.apply("power_of_two", n)
+
+
 def root(a: Value) -> Value:
     """Return the square root of a."""
     return a.apply("sqrt", a)

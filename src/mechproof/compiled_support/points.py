@@ -1,0 +1,80 @@
+"""Many points: what one loop computes of each and the next one takes.
+
+The numbers of one kind lie beside each other, so that a loop which puts them can be vectorised.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from llvmlite import ir
+from numba import types
+from numba.extending import intrinsic
+
+# Points in a block: fifty numbers of each stay in the fastest cache.
+POINTS = 64
+
+
+@intrinsic
+def put(typingctx: Any, block: Any, point: Any, values: Any) -> Any:
+    """Put the numbers of tuples in tuples into a flat array, for one point of a block."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        places = _point_at(context, builder, signature, arguments)
+        for place, number in zip(places, _flatten(builder, values, arguments[2]), strict=False):
+            builder.store(number, place)
+        return context.get_dummy_value()
+
+    return types.void(block, types.intp, values), generate
+
+
+@intrinsic
+def take(typingctx: Any, block: Any, point: Any, example: Any) -> Any:
+    """Take what was put for one point, in tuples like those of the example."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        places = _point_at(context, builder, signature, arguments)
+        return _build(context, builder, example, map(builder.load, places))
+
+    return example(block, types.intp, example), generate
+
+
+@intrinsic
+def count_numbers(typingctx: Any, example: Any) -> Any:
+    """Count the numbers of tuples in tuples."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return context.get_constant(types.intp, _count(example))
+
+    return types.intp(example), generate
+
+
+def _count(kind: Any) -> int:
+    return sum(map(_count, kind.types)) if isinstance(kind, types.BaseTuple) else 1
+
+
+def _point_at(context: Any, builder: Any, signature: Any, arguments: Any) -> Iterator[Any]:
+    """Yield where the numbers of a point lie, one after another."""
+    block, point = arguments[:2]
+    data = context.make_array(signature.args[0])(context, builder, block).data
+    number = 0
+    while True:
+        offset = ir.Constant(point.type, number * POINTS)
+        yield builder.gep(data, [builder.add(point, offset)])
+        number += 1
+
+
+def _flatten(builder: Any, kind: Any, value: Any) -> Iterator[Any]:
+    if not isinstance(kind, types.BaseTuple):
+        yield value
+        return
+    for i, part in enumerate(kind.types):
+        yield from _flatten(builder, part, builder.extract_value(value, i))
+
+
+def _build(context: Any, builder: Any, kind: Any, numbers: Iterator[Any]) -> Any:
+    if not isinstance(kind, types.BaseTuple):
+        return next(numbers)
+    parts = [_build(context, builder, part, numbers) for part in kind.types]
+    return context.make_tuple(builder, kind, parts)

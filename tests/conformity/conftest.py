@@ -1,0 +1,28 @@
+"""The ways to find exact shares, which have the same tests."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from mechproof import conformity
+
+GROUP = "compiled shares"
+
+
+def find_compiled(*arguments: Any) -> conformity.Shares:
+    from mechproof.conformity.compiled import shares
+
+    return shares(*arguments)
+
+
+@pytest.fixture(
+    params=[
+        pytest.param(conformity.shares, id="NumPy"),
+        pytest.param(find_compiled, id="compiled", marks=pytest.mark.xdist_group(GROUP)),
+    ]
+)
+def find(request: pytest.FixtureRequest) -> Any:
+    """A function that finds shares."""
+    return request.param
