@@ -130,6 +130,12 @@ def test_a_cover_names_a_box_that_stays_open() -> None:
     found = cover_below(edge, ((0.0, 1.0), (0.0, 1.0)), 1.9, 1000)
     assert found.open is not None
     assert sum(high for _, high in found.open) > 1.9
+    assert found.worst[0][1] == found.open
+
+
+def test_what_has_no_bound_is_below_no_aim() -> None:
+    box = ((0.0, 1.0), (0.0, 1.0))
+    assert cover_below(lambda boxes: np.full(len(boxes), math.inf), box, math.inf, 1000).open
 
 
 def test_a_cover_stops_when_there_are_enough_parts() -> None:

@@ -22,7 +22,7 @@ CUTS = 2
 
 @dataclass(frozen=True)
 class Cover:
-    """How many parts are below an aim, those with the largest bounds, and one that is not."""
+    """How many parts are below an aim, the worst of all, and one that is not below."""
 
     count: int
     worst: tuple[tuple[float, Box], ...]
@@ -39,7 +39,7 @@ def cover_below(bound: Bound, box: Box, aim: float, most: int) -> Cover:
     waiting = _divide(whole)
     while len(waiting):
         heights = bound(waiting)
-        high = ~(heights <= aim)
+        high = ~(np.isfinite(heights) & (heights <= aim))
         count += int(np.sum(~high))
         worst = _keep_worst(worst, heights[~high], waiting[~high])
         waiting, heights = waiting[high], heights[high]
@@ -47,7 +47,8 @@ def cover_below(bound: Bound, box: Box, aim: float, most: int) -> Cover:
             break
         highest = waiting[np.argmax(heights)]
         if count + 2 * len(waiting) > most or bound(_take_middle(highest))[0] > aim:
-            return Cover(count, tuple(worst), _as_box(highest))
+            left = _as_box(highest)
+            return Cover(count, ((float(heights.max()), left), *worst), left)
         waiting = _halve(bound, waiting, heights, whole)
     return Cover(count, tuple(worst), None)
 
