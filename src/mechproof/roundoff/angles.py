@@ -1,7 +1,7 @@
 """Functions of small and of large angles: their germs, whole turns taken off.
 
 A function that vanishes with its argument is its argument times a quotient that is monotone in
-its size, so that balls of it stay narrow down to zero.
+its size, so that intervals of it stay narrow down to zero.
 """
 
 from __future__ import annotations
@@ -10,9 +10,23 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from flint import arb
+import numpy as np
 
-from mechproof.roundoff.germs import Ball, Germ, Powers
+from mechproof.roundoff.germs import Germ, Powers
+from mechproof.roundoff.intervals import (
+    ONE,
+    PI,
+    Ends,
+    Interval,
+    apply,
+    arctangent,
+    around,
+    cosine,
+    cotangent,
+    exactly,
+    sine,
+    tangent,
+)
 
 # A tangent is taken through its reciprocal, which vanishes at the pole, from here on.
 STEEP = 0.9
@@ -25,69 +39,86 @@ class Turn:
     """An angle that stands in a frame as a variable to a power, and what it is less whole turns."""
 
     powers: Powers
-    residue: Ball
-    whole: Ball
+    residue: Interval
+    whole: Interval
 
-    def reduce(self, germ: Germ, period: int) -> Ball | None:
-        """Return a multiple of the angle less multiples of pi/period; None for no such multiple."""
-        if germ.powers != self.powers:
-            return None
-        nearest = round(float(germ.ball.mid()) * period) / period
-        return self.residue * nearest + (germ.ball - nearest) * self.whole
+    def holds(self, germ: Germ) -> bool:
+        """Say whether a germ is a multiple of the angle."""
+        return germ.powers == self.powers
+
+    def reduce(self, germ: Germ, period: int) -> Interval:
+        """Return a multiple of the angle less multiples of pi/period."""
+        nearest = round(float(np.mean(germ.span.low)) * period) / period
+        over = (germ.span - exactly(nearest)) * self.whole
+        return self.residue * exactly(nearest) + over
 
 
-def reduce(germ: Germ, turn: Turn | None, period: int) -> Ball:
+def reduce(germ: Germ, turn: Turn | None, period: int) -> Interval:
     """Return the argument of a function, period the number of its periods in 2*pi."""
-    found = turn.reduce(germ, period) if turn else None
-    return germ.expanded() if found is None else found
+    return turn.reduce(germ, period) if turn and turn.holds(germ) else germ.expanded()
 
 
-def over_argument(function: Callable[[Ball], Ball], z: Ball) -> Ball:
+def over_argument(name: str, z: Interval) -> Interval:
     """Return function(z)/z for an odd function, that quotient monotone in |z|."""
-    ends = (z.abs_lower(), z.abs_upper())
-    near, far = (function(end) / end if end > TINY else arb(1, TINY**2) for end in ends)
-    return near.union(far)
+    size = z.size()
+    return _quotient(name, size.low).union(_quotient(name, size.high))
 
 
-def take_odd(germ: Germ, z: Ball, function: Callable[[Ball], Ball], end: float) -> Germ:
+def _quotient(name: str, size: Ends) -> Interval:
+    tiny = size <= TINY
+    safe = np.where(tiny, 1.0, size)
+    found = apply(name, safe) / Interval(safe, safe)
+    near = around(1.0, TINY**2)
+    return Interval(np.where(tiny, near.low, found.low), np.where(tiny, near.high, found.high))
+
+
+def take_odd(
+    germ: Germ, z: Interval, name: str, function: Callable[[Interval], Interval], end: float
+) -> Germ:
     """Return an odd function, function(z)/z monotone up to an end, keeping what vanishes."""
-    vanishes = any(germ.powers) and min(germ.powers) >= 0
-    if vanishes and abs(z) < end:
-        return germ.scaled(over_argument(function, z))
+    if any(germ.powers) and min(germ.powers) >= 0:
+        inside = z.largest() < end
+        if germ.frame.choose(inside, ~inside) == 0:
+            return germ.scaled(over_argument(name, z))
     return germ.frame.constant(function(z))
 
 
 def take_tangent(germ: Germ, turn: Turn | None) -> Germ:
     """Return the tangent, near its pole by a variable that is its reciprocal."""
     z = reduce(germ, turn, 2)
-    if abs(z) > STEEP:
-        pole = germ.frame.add_variable(z.cot())
-        return germ.frame.variable(pole, -1)
-    return _odd_or_reduced(germ, z, turn, arb.tan, 1.5)
+    steep = (z.low > STEEP) | (z.high < -STEEP)
+    if germ.frame.choose(steep, ~steep) == 0:
+        return germ.frame.constant(ONE) / germ.frame.add_variable(cotangent(z))
+    return _odd_or_reduced(germ, z, turn, "tan", tangent, 1.5)
 
 
 def take_sine(germ: Germ, turn: Turn | None) -> Germ:
     """Return the sine."""
-    return _odd_or_reduced(germ, reduce(germ, turn, 1), turn, arb.sin, 4.0)
+    return _odd_or_reduced(germ, reduce(germ, turn, 1), turn, "sin", sine, 4.0)
 
 
 def take_cosine(germ: Germ, turn: Turn | None) -> Germ:
     """Return the cosine."""
-    return germ.frame.constant(reduce(germ, turn, 1).cos())
+    return germ.frame.constant(cosine(reduce(germ, turn, 1)))
 
 
 def take_arctangent(germ: Germ) -> Germ:
     """Return the arctangent, of the reciprocal of what vanishes, too."""
-    if min(germ.powers, default=0) < 0:
-        inverse = germ.frame.constant(arb(1)) / germ
-        half = arb.pi() / 2 * germ.ball.sgn()
-        return germ.frame.constant(half - inverse.expanded().atan())
-    return take_odd(germ, germ.expanded(), arb.atan, math.inf)
+    if min(germ.powers, default=0) < 0 and (sign := germ.decide_sign()):
+        inverse = germ.frame.constant(ONE) / germ
+        quarter = PI * exactly(0.5 * sign)
+        return germ.frame.constant(quarter - arctangent(inverse.expanded()))
+    return take_odd(germ, germ.expanded(), "arctan", arctangent, math.inf)
 
 
 def _odd_or_reduced(
-    germ: Germ, z: Ball, turn: Turn | None, function: Callable[[Ball], Ball], end: float
+    germ: Germ,
+    z: Interval,
+    turn: Turn | None,
+    name: str,
+    function: Callable[[Interval], Interval],
+    end: float,
 ) -> Germ:
-    if turn and germ.powers == turn.powers:
+    if turn and turn.holds(germ):
         return germ.frame.constant(function(z))
-    return take_odd(germ, z, function, end)
+    return take_odd(germ, z, name, function, end)

@@ -18,15 +18,15 @@ from mechproof.codegen.kernel import list_functions
 from mechproof.json_rows import read_fields, write_lines
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.assumptions import NORMAL
-from mechproof.roundoff.cover import Cover, cover_below, lower_bound
+from mechproof.roundoff.cover import WORST, Cover, cover_below
 from mechproof.roundoff.regions import Region, list_regions
 from mechproof.roundoff.subject import Subject, list_subjects
 from mechproof.roundoff.worst import Found, find_worst, measure
 
-# Boxes when a bound is looked for, and the most of all regions when it is checked.
-MOST, MOST_CHECKED = 7000, 20000
-# A claim is so much above what the search for it came down to, so that fewer boxes show it.
-SLACK = 1.01
+# The most boxes of all regions that may show a bound.
+MOST = 10000
+# Where the search for the lowest bound starts, where it ends, and how near it comes.
+FIRST, LAST, RESOLUTION = 4.0, 2.0**20, 0.01
 DIGITS = 2
 SEEDS = (1,)
 
@@ -139,8 +139,8 @@ def holds(subject: Subject, claim: Claim) -> bool:
     if not 0 <= off.eps <= claim.proved or claim.found > claim.proved:
         return False
     # A wrong claim is known by one box too many.
-    most = MOST_CHECKED if claim.open else claim.boxes
-    return count_boxes(subject, claim.proved, most) == (claim.boxes, claim.open)
+    covers = cover_all(subject, claim.proved, MOST if claim.open else claim.boxes)
+    return (_count(covers), _tell_open(covers)) == (claim.boxes, claim.open)
 
 
 def _measure_again(subject: Subject, claim: Claim) -> Found:
@@ -149,16 +149,26 @@ def _measure_again(subject: Subject, claim: Claim) -> Found:
     return Found(float(measure(subject, points)[0]), at)
 
 
-def count_boxes(subject: Subject, claimed: float, most: int) -> tuple[int, str]:
-    """Return how many boxes show that the error is at most as claimed, and what stays open."""
-    total = 0
-    for region in _list_regions(subject):
-        bound = partial(subject.bound, region)
-        count, worst = cover_below(bound, region.box, claimed, most - total)
-        total += count
-        if worst is not None:
-            return total, f"{region.describe()}: {worst}"
-    return total, ""
+def cover_all(subject: Subject, aim: float, most: int) -> list[tuple[Region, Cover]]:
+    """Show region by region that the error is at most an aim; the last may stay open."""
+    covers: list[tuple[Region, Cover]] = []
+    for chart in subject.form.charts:
+        for region in list_regions(chart):
+            bound = partial(subject.bound, region)
+            cover = cover_below(bound, region.box, aim, most - _count(covers))
+            covers.append((region, cover))
+            if cover.open is not None:
+                return covers
+    return covers
+
+
+def _count(covers: Sequence[tuple[Region, Cover]]) -> int:
+    return sum(cover.count for _, cover in covers)
+
+
+def _tell_open(covers: Sequence[tuple[Region, Cover]]) -> str:
+    region, cover = covers[-1]
+    return "" if cover.open is None else f"{region.describe()}: {cover.open}"
 
 
 def make_claim(subject: Subject, known: Claim | None = None) -> Claim:
@@ -166,34 +176,45 @@ def make_claim(subject: Subject, known: Claim | None = None) -> Claim:
 
     An input that was known before counts if it is off by more.
     """
-    regions = list(_list_regions(subject))
-    starts = [(partial(subject.bound, region), region.box) for region in regions]
-    cover = lower_bound(starts, MOST)
-    bound = cover.bound * SLACK
-    proved = math.ceil(bound * 10**DIGITS) / 10**DIGITS if math.isfinite(bound) else math.inf
     before = [_measure_again(subject, known)] if known else []
-    worst = max((*_search(subject, regions, cover), *before), key=lambda found: found.eps)
-    count, stays_open = count_boxes(subject, proved, MOST_CHECKED)
+    proved = _lower_bound(subject, max((found.eps for found in before), default=0.0))
+    covers = cover_all(subject, proved, MOST)
+    worst = max((*_search(subject, covers), *before), key=lambda found: found.eps)
     return Claim(
         *_key(subject),
         where=subject.where,
         proved=proved,
         found=math.floor(worst.eps * 10**DIGITS) / 10**DIGITS,
         at={name: float(value).hex() for name, value in worst.at.items()},
-        boxes=count,
-        open=stays_open,
+        boxes=_count(covers),
+        open=_tell_open(covers),
         assumptions=subject.assumptions,
         program=subject.digest,
     )
 
 
-def _list_regions(subject: Subject) -> Iterator[Region]:
-    return (region for chart in subject.form.charts for region in list_regions(chart))
+def _lower_bound(subject: Subject, low: float) -> float:
+    """Return the lowest bound above another that can be shown, nearly."""
+    high = max(FIRST, 2 * low)
+    while _tell_open(cover_all(subject, high, MOST)):
+        low, high = high, 2 * high
+        if high > LAST:
+            return math.inf
+    while high - low > RESOLUTION * high:
+        middle = round((low + high) / 2, DIGITS)
+        if _tell_open(cover_all(subject, middle, MOST)):
+            low = middle
+        else:
+            high = middle
+    return round(high, DIGITS)
 
 
-def _search(subject: Subject, regions: Sequence[Region], cover: Cover) -> Iterator[Found]:
+def _search(subject: Subject, covers: Sequence[tuple[Region, Cover]]) -> Iterator[Found]:
     """Search from the worst boxes, those of each region together."""
-    for number in sorted({number for number, _ in cover.worst}):
-        boxes = [box for of, box in cover.worst if of == number]
-        for seed in SEEDS:
-            yield find_worst(subject, regions[number], boxes, seed)
+    heights = sorted((h for _, cover in covers for h, _ in cover.worst), reverse=True)
+    least = heights[:WORST][-1]
+    for region, cover in covers:
+        boxes = [box for height, box in cover.worst if height >= least]
+        if boxes:
+            for seed in SEEDS:
+                yield find_worst(subject, region, boxes, seed)

@@ -1,90 +1,122 @@
-"""Cover: branch and bound over the boxes of a region, the worst first."""
+"""Cover: in, a box and an aim; out, its parts with bounds below the aim, many at once."""
 
 from __future__ import annotations
 
-import heapq
-import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
-from mechproof.roundoff.regions import Box, put_side
+import numpy as np
+from numpy.typing import NDArray
 
-Bound = Callable[[Box], float]
+from mechproof.roundoff.regions import Box, Boxes
+
+Array = NDArray[np.float64]
+Bound = Callable[[Boxes], Array]
 # No side is cut to less than this share of the whole while another is longer.
 FINEST = 2.0**-9
-# So many of the boxes with the largest bounds are kept.
+# So many of the parts with the largest bounds are kept.
 WORST = 32
+# So often all sides are halved before any box is bounded.
+CUTS = 2
 
 
 @dataclass(frozen=True)
 class Cover:
-    """The largest bound over all boxes, where it is, and how many boxes there are.
+    """How many parts are below an aim, the worst of all, and one that is not below."""
 
-    `worst` are the numbers of the starts, and boxes in them.
-    """
-
-    bound: float
-    worst: tuple[tuple[int, Box], ...]
     count: int
+    worst: tuple[tuple[float, Box], ...]
+    open: Box | None
 
 
-def lower_bound(starts: Sequence[tuple[Bound, Box]], most: int) -> Cover:
-    """Halve the box with the largest bound, whichever start it is of, until there are enough."""
-    heap = [(-bound(box), number, number, box) for number, (bound, box) in enumerate(starts)]
-    heapq.heapify(heap)
-    made = len(heap)
-    while len(heap) < most:
-        height, _, number, worst = heapq.heappop(heap)
-        bound, whole = starts[number]
-        for half in halve(worst, choose_side(bound, worst, -height, whole)):
-            heapq.heappush(heap, (-bound(half), made, number, half))
-            made += 1
-    places = tuple(entry[2:] for entry in heapq.nsmallest(WORST, heap))
-    return Cover(-heap[0][0], places, len(heap))
-
-
-def cover_below(bound: Bound, box: Box, aim: float, most: int) -> tuple[int, Box | None]:
-    """Divide a box until every part is below an aim; the number of parts, and one that is not.
+def cover_below(bound: Bound, box: Box, aim: float, most: int) -> Cover:
+    """Divide a box until every part is below an aim, or one that is not is found.
 
     A part whose middle alone is above the aim cannot be divided into parts below it.
     """
-    waiting, count = [box], 0
-    while waiting:
-        part = waiting.pop()
-        height = bound(part)
-        if height <= aim:
-            count += 1
-            continue
-        if count + len(waiting) >= most or bound(_middle(part)) > aim:
-            return count, part
-        waiting.extend(halve(part, choose_side(bound, part, height, box)))
-    return count, None
+    whole, count = _as_boxes(box), 0
+    worst: list[tuple[float, Box]] = []
+    waiting = _divide(whole)
+    while len(waiting):
+        heights = bound(waiting)
+        high = ~(np.isfinite(heights) & (heights <= aim))
+        count += int(np.sum(~high))
+        worst = _keep_worst(worst, heights[~high], waiting[~high])
+        waiting, heights = waiting[high], heights[high]
+        if not len(waiting):
+            break
+        highest = waiting[np.argmax(heights)]
+        if count + 2 * len(waiting) > most or bound(_take_middle(highest))[0] > aim:
+            left = _as_box(highest)
+            return Cover(count, ((float(heights.max()), left), *worst), left)
+        waiting = _halve(bound, waiting, heights, whole)
+    return Cover(count, tuple(worst), None)
 
 
-def choose_side(bound: Bound, box: Box, height: float, whole: Box) -> int:
+def _keep_worst(
+    known: list[tuple[float, Box]], heights: Array, boxes: Boxes
+) -> list[tuple[float, Box]]:
+    highest = np.argsort(-heights, kind="stable")[:WORST]
+    more = [(float(heights[i]), _as_box(boxes[i])) for i in highest]
+    return sorted([*known, *more], key=lambda entry: -entry[0])[:WORST]
+
+
+def _divide(whole: Boxes) -> Boxes:
+    """Cut all sides that have a length, so that there are many boxes to begin with."""
+    for _ in range(CUTS):
+        for side in range(whole.shape[1]):
+            low, high = whole[0, side]
+            if low < high < np.inf:
+                first, second = whole.copy(), whole.copy()
+                first[:, side, 1] = second[:, side, 0] = _find_middles(whole)[:, side]
+                whole = np.concatenate([first, second])
+    return whole
+
+
+def _halve(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> Boxes:
+    """Cut a side of every box in two: that which adds most to its bound, or the longest."""
+    sides, rows = _choose_sides(bound, boxes, heights, whole), np.arange(len(boxes))
+    first, second = boxes.copy(), boxes.copy()
+    middles = _find_middles(boxes)[rows, sides]
+    first[rows, sides, 1] = middles
+    second[rows, sides, 0] = middles
+    return np.concatenate([first, second])
+
+
+def _choose_sides(bound: Bound, boxes: Boxes, heights: Array, whole: Boxes) -> NDArray[np.intp]:
     """Choose the side without whose length the bound is lowest, or the longest of the box."""
-    spans = {i: end - start for i, (start, end) in enumerate(whole) if start < end < math.inf}
-    shares = {i: (box[i][1] - box[i][0]) / span for i, span in spans.items()}
-    long = [i for i in shares if shares[i] > FINEST]
-    if len(long) > 1:
-        thin = {i: bound(put_side(box, i, (middle := _halfway(*box[i]), middle))) for i in long}
-        if min(thin.values()) < height:
-            return min(long, key=lambda i: thin[i])
-    return max(shares, key=lambda i: shares[i])
+    spans = whole[:, :, 1] - whole[:, :, 0]
+    spans = np.where(np.isfinite(spans) & (spans > 0), spans, np.inf)
+    with np.errstate(invalid="ignore"):
+        lengths = np.where(np.isfinite(spans), boxes[:, :, 1] - boxes[:, :, 0], 0.0)
+    shares = lengths / spans
+    longest = np.argmax(shares, axis=1)
+    middles = _find_middles(boxes)
+    rows, sides = np.nonzero((shares > FINEST) & np.isfinite(heights)[:, np.newaxis])
+    thin = boxes[rows]
+    thin[np.arange(len(rows)), sides] = middles[rows, sides, np.newaxis]
+    lowest = np.full(shares.shape, np.inf)
+    lowest[rows, sides] = bound(thin)
+    best = np.argmin(lowest, axis=1)
+    chosen: NDArray[np.intp] = np.where(lowest.min(axis=1) < heights, best, longest)
+    return chosen
 
 
-def halve(box: Box, index: int) -> tuple[Box, Box]:
-    """Cut a side of a box in two."""
-    low, high = box[index]
-    middle = _halfway(low, high)
-    return put_side(box, index, (low, middle)), put_side(box, index, (middle, high))
+def _find_middles(boxes: Boxes) -> Array:
+    with np.errstate(invalid="ignore"):
+        middles: Array = boxes[:, :, 0] + (boxes[:, :, 1] - boxes[:, :, 0]) / 2
+    return middles
 
 
-def _middle(box: Box) -> Box:
-    return tuple(
-        (low, high) if math.isinf(high) else (_halfway(low, high),) * 2 for low, high in box
-    )
+def _take_middle(box: Boxes) -> Boxes:
+    middle = _find_middles(box[np.newaxis])[0]
+    endless = np.isinf(box[:, 1])
+    return np.where(endless[:, np.newaxis], box, middle[:, np.newaxis])[np.newaxis]
 
 
-def _halfway(low: float, high: float) -> float:
-    return low + (high - low) / 2
+def _as_boxes(box: Box) -> Boxes:
+    return np.array([box], float)
+
+
+def _as_box(box: Boxes) -> Box:
+    return tuple((float(low), float(high)) for low, high in box)

@@ -1,4 +1,4 @@
-"""Germs: balls times powers of variables that may be zero.
+"""Germs: intervals times powers of variables that may be zero.
 
 What vanishes with a variable keeps it as a factor: quotients of what vanishes alike stay finite on
 boxes that hold zero, and an error is compared with a value that vanishes as it does. A pole is a
@@ -7,57 +7,68 @@ germ too: the reciprocal of a variable that is its value's reciprocal.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from typing import Any
 
-from flint import arb
+import numpy as np
 
-Ball = Any
+from mechproof.roundoff.intervals import ONE, Interval, Mask
+
 Powers = tuple[int, ...]
 
 
-def ball_between(low: float, high: float) -> Ball:
-    """Return a ball that holds an interval of doubles; not finite for an endless one."""
-    if math.isinf(high - low):
-        return arb("nan")
-    if low == high:
-        return arb(low)
-    middle = low + (high - low) / 2
-    reach = math.nextafter(max(high - middle, middle - low), math.inf)
-    return arb(middle, reach)
+class UndecidedError(Exception):
+    """The boxes of a frame differ in what holds; each is in one of the masks."""
 
-
-def raise_ball(ball: Ball, power: int) -> Ball:
-    """Return a whole power, from the ends: a product of a ball with itself is wider."""
-    if power == 1:
-        return ball
-    if power < 0:
-        return 1 / raise_ball(ball, -power)
-    if power % 2 or ball > 0:
-        return (ball.lower() ** power).union(ball.upper() ** power)
-    # Not abs(): the ball of a size may hold negative numbers.
-    return (ball.abs_lower() ** power).union(ball.abs_upper() ** power)
+    def __init__(self, path: tuple[int, ...], masks: Sequence[Mask]) -> None:
+        super().__init__("boxes that differ in what holds")
+        self.path, self.masks = path, masks
 
 
 class Frame:
-    """The variables of one evaluation, the balls they are in, and which are never negative."""
+    """The variables of one evaluation, the intervals they are in, and which are never negative.
 
-    def __init__(self, balls: Sequence[Ball], positive: Sequence[bool], poles: int = 0) -> None:
+    It holds many boxes at once. What is decided differently for some is decided by `choose`:
+    `forced` are the first decisions.
+    """
+
+    def __init__(
+        self,
+        spans: Sequence[Interval],
+        positive: Sequence[bool],
+        poles: int = 0,
+        forced: tuple[int, ...] = (),
+    ) -> None:
         self._positive = (*positive, *(False,) * poles)
-        self.balls = list(balls)
-        self._free = list(range(len(balls), len(balls) + poles))
-        self.none: Powers = (0,) * (len(balls) + poles)
-        self._known: dict[Powers, Ball] = {}
+        self.spans = list(spans)
+        self._free = list(range(len(spans), len(spans) + poles))
+        self.none: Powers = (0,) * (len(spans) + poles)
+        self._known: dict[Powers, Interval] = {}
+        self._forced = forced
+        self._path: tuple[int, ...] = ()
 
-    def constant(self, ball: Ball) -> Germ:
+    def choose(self, *masks: Mask) -> int:
+        """Return the number of what holds in all boxes; `UndecidedError` where some differ.
+
+        Each box is in one mask: in the last where nothing can be said of it.
+        """
+        if len(self._path) < len(self._forced):
+            choice = self._forced[len(self._path)]
+        else:
+            some = [number for number, mask in enumerate(masks) if np.any(mask)]
+            if len(some) != 1:
+                raise UndecidedError(self._path, masks)
+            (choice,) = some
+        self._path = (*self._path, choice)
+        return choice
+
+    def constant(self, span: Interval) -> Germ:
         """Return a germ that vanishes with no variable."""
-        return Germ(self, ball, self.none)
+        return Germ(self, span, self.none)
 
     def variable(self, index: int, power: int = 1) -> Germ:
         """Return a variable, or a power of it."""
         powers = tuple(power if i == index else 0 for i in range(len(self.none)))
-        return Germ(self, arb(1), powers)
+        return Germ(self, ONE, powers)
 
     def is_positive(self, powers: Powers) -> bool:
         """Say whether a product of powers is never negative."""
@@ -70,34 +81,34 @@ class Frame:
         """Return no powers as the one object that says so."""
         return powers if any(powers) else self.none
 
-    def add_variable(self, ball: Ball) -> int:
-        """Take in a variable, the reciprocal of what has a pole, and return its index."""
+    def add_variable(self, span: Interval) -> Germ:
+        """Take in a variable that may vanish, or the reciprocal of what has a pole."""
         index = self._free.pop(0)
-        self.balls.append(ball)
-        return index
+        self.spans.append(span)
+        return self.variable(index)
 
-    def expand(self, powers: Powers) -> Ball:
-        """Return the ball of a product of powers; not finite for reciprocals of what may vanish."""
+    def expand(self, powers: Powers) -> Interval:
+        """Return a product of powers; not finite for reciprocals of what may vanish."""
         if powers not in self._known:
-            product = arb(1)
-            for ball, power in zip(self.balls, powers, strict=False):
+            product = ONE
+            for span, power in zip(self.spans, powers, strict=False):
                 if power:
-                    product *= raise_ball(ball, power)
+                    product *= span.power(power)
             self._known[powers] = product
         return self._known[powers]
 
 
 class Germ:
-    """A ball times powers of the frame's variables."""
+    """An interval times powers of the frame's variables."""
 
-    __slots__ = ("ball", "frame", "powers")
+    __slots__ = ("frame", "powers", "span")
 
-    def __init__(self, frame: Frame, ball: Ball, powers: Powers) -> None:
-        self.frame, self.ball, self.powers = frame, ball, powers
+    def __init__(self, frame: Frame, span: Interval, powers: Powers) -> None:
+        self.frame, self.span, self.powers = frame, span, powers
 
     def __add__(self, other: Germ) -> Germ:
         if self.powers is other.powers or self.powers == other.powers:
-            return Germ(self.frame, self.ball + other.ball, self.powers)
+            return Germ(self.frame, self.span + other.span, self.powers)
         common = self.frame.intern(tuple(map(min, self.powers, other.powers)))
         return Germ(self.frame, self._over(common) + other._over(common), common)
 
@@ -105,7 +116,7 @@ class Germ:
         return self + -other
 
     def __neg__(self) -> Germ:
-        return Germ(self.frame, -self.ball, self.powers)
+        return Germ(self.frame, -self.span, self.powers)
 
     def __mul__(self, other: Germ) -> Germ:
         powers, others, none = self.powers, other.powers, self.frame.none
@@ -113,7 +124,7 @@ class Germ:
             powers = others
         elif others is not none:
             powers = self.frame.intern(tuple([a + b for a, b in zip(powers, others, strict=True)]))
-        return Germ(self.frame, self.ball * other.ball, powers)
+        return Germ(self.frame, self.span * other.span, powers)
 
     def __truediv__(self, other: Germ) -> Germ:
         powers = self.powers
@@ -121,39 +132,39 @@ class Germ:
             powers = self.frame.intern(
                 tuple([a - b for a, b in zip(powers, other.powers, strict=True)])
             )
-        return Germ(self.frame, self.ball / other.ball, powers)
+        return Germ(self.frame, self.span / other.span, powers)
 
-    def scaled(self, ball: Ball) -> Germ:
-        """Return the germ times a ball."""
-        return Germ(self.frame, self.ball * ball, self.powers)
+    def scaled(self, span: Interval) -> Germ:
+        """Return the germ times an interval."""
+        return Germ(self.frame, self.span * span, self.powers)
 
     def squared(self) -> Germ:
         """Return the square, which is never negative."""
         powers = self.powers
         if powers is not self.frame.none:
             powers = tuple([2 * p for p in powers])
-        return Germ(self.frame, raise_ball(self.ball, 2), powers)
+        return Germ(self.frame, self.span.power(2), powers)
 
-    def expanded(self) -> Ball:
-        """Return the ball of the value."""
+    def expanded(self) -> Interval:
+        """Return the interval of the value."""
         if self.powers is self.frame.none:
-            return self.ball
-        return self.ball * self.frame.expand(self.powers)
+            return self.span
+        return self.span * self.frame.expand(self.powers)
 
-    @property
-    def sign(self) -> int:
+    def decide_sign(self) -> int:
         """Return the sign of the value, where it vanishes too, 0 if it is not known."""
         if not self.frame.is_positive(self.powers):
             return 0
-        return 1 if self.ball >= 0 else -1 if self.ball <= 0 else 0
+        above, below = self.span.low >= 0, self.span.high <= 0
+        return (1, -1, 0)[self.frame.choose(above, below & ~above, ~(above | below))]
 
     def united(self, other: Germ) -> Germ:
         """Return a germ that holds the values of both."""
         common = self.frame.intern(tuple(map(min, self.powers, other.powers)))
         return Germ(self.frame, self._over(common).union(other._over(common)), common)
 
-    def _over(self, common: Powers) -> Ball:
+    def _over(self, common: Powers) -> Interval:
         if self.powers == common:
-            return self.ball
+            return self.span
         left = tuple([a - b for a, b in zip(self.powers, common, strict=True)])
-        return self.ball * self.frame.expand(left)
+        return self.span * self.frame.expand(left)

@@ -10,16 +10,20 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
 import sympy as sp
-from flint import arb
+from numpy.typing import NDArray
 
 from mechproof.proof.balls import to_ball
 from mechproof.record import Chart
 from mechproof.roundoff.angles import Turn
-from mechproof.roundoff.germs import Frame, Germ, ball_between, raise_ball
+from mechproof.roundoff.germs import Frame, Germ
+from mechproof.roundoff.intervals import ONE, PI, between, enclose_ball, exactly
 
 Side = tuple[float, float]
 Box = tuple[Side, ...]
+# Many boxes: their sides, and of each the ends.
+Boxes = NDArray[np.float64]
 # Half a turn and a little: where the nearest number of turns is no matter of rounding.
 HALF_TURN = math.pi * (1 + 2.0**-40)
 # Turns that are told apart; more are one region.
@@ -45,22 +49,26 @@ class Region:
             return "no turn" if self.chart.angle else "all"
         return f"{self.turns} turns" if self.turns else f"{APART} turns and more"
 
-    def enter(self, box: Box, poles: int) -> tuple[Frame, dict[sp.Symbol, Germ], Turn | None]:
-        """Return the frame of a box, its coordinates as germs and the angle's turn."""
-        balls = [ball_between(*side) for side in box]
-        positive = [low >= 0 for low, _ in box]
+    def enter(
+        self, boxes: Boxes, poles: int, forced: tuple[int, ...] = ()
+    ) -> tuple[Frame, dict[sp.Symbol, Germ], Turn | None]:
+        """Return the frame of boxes, its coordinates as germs and the angle's turn."""
+        spans = [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
+        rest = spans[self.names.index(self.angle)] if self.is_turned else ONE
+        if self.is_turned and self.turns is not None:
+            spans.append(ONE / (PI * exactly(2.0 * self.turns) + rest))
+        frame = Frame(spans, self._list_positive(boxes), poles, forced)
+        germs = {name: frame.variable(i) for i, name in enumerate(self.names)}
         if not self.is_turned:
-            frame = Frame(balls, positive, poles)
-            return frame, self._name(frame), None
-        rest = balls[self.names.index(self.angle)]
-        inverse = balls.pop() if self.turns is None else 1 / (2 * arb.pi() * self.turns + rest)
-        frame = Frame([*balls, inverse], [*positive[: len(balls)], True], poles)
-        whole = frame.variable(len(balls), -1)
-        germs = {**self._name(frame), self.angle: whole}
-        return frame, germs, Turn(whole.powers, rest, 1 / inverse)
+            return frame, germs, None
+        whole = frame.variable(len(self.names), -1)
+        turn = Turn(whole.powers, rest, ONE / spans[-1])
+        return frame, {**germs, self.angle: whole}, turn
 
-    def _name(self, frame: Frame) -> dict[sp.Symbol, Germ]:
-        return {name: frame.variable(i) for i, name in enumerate(self.names)}
+    def _list_positive(self, boxes: Boxes) -> list[bool]:
+        """Say which coordinates are never negative, of the angle's rest the reciprocal."""
+        positive = [bool(np.all(boxes[:, i, 0] >= 0)) for i in range(len(self.names))]
+        return [*positive, True] if self.is_turned else positive
 
     @property
     def angle(self) -> sp.Symbol:
@@ -74,7 +82,7 @@ def express(value: sp.Expr, frame: Frame, germs: Mapping[sp.Symbol, Germ]) -> Ge
     if value in germs:
         return germs[value]
     if value.is_Number:
-        return frame.constant(to_ball(value))
+        return frame.constant(enclose_ball(to_ball(value)))
     parts = [express(part, frame, germs) for part in value.args[:1] if value.is_Pow] or [
         express(part, frame, germs) for part in value.args
     ]
@@ -89,7 +97,7 @@ def express(value: sp.Expr, frame: Frame, germs: Mapping[sp.Symbol, Germ]) -> Ge
 
 
 def _raise(germ: Germ, power: int) -> Germ:
-    return Germ(germ.frame, raise_ball(germ.ball, power), tuple([power * p for p in germ.powers]))
+    return Germ(germ.frame, germ.span.power(power), tuple([power * p for p in germ.powers]))
 
 
 def list_regions(chart: Chart) -> Iterator[Region]:

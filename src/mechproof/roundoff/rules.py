@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 
-from flint import arb
+import numpy as np
 
 from mechproof.roundoff.angles import Turn, take_arctangent, take_cosine, take_sine, take_tangent
 from mechproof.roundoff.germs import Germ
+from mechproof.roundoff.intervals import ONE, Interval, exactly
+
+EITHER = Interval(np.float64(-1.0), np.float64(1.0))
+SOME = Interval(np.float64(0.0), np.float64(1.0))
 
 # How the value of an operation moves with each operand; None where it does not.
 Slopes = tuple[Germ | None, ...]
@@ -17,7 +21,7 @@ Rule = Callable[[Sequence[Germ], Turn | None], Moved]
 
 
 def _one(germ: Germ) -> Germ:
-    return germ.frame.constant(arb(1))
+    return germ.frame.constant(ONE)
 
 
 def _add(given: Sequence[Germ], turn: Turn | None) -> Moved:
@@ -51,15 +55,18 @@ def _negate(given: Sequence[Germ], turn: Turn | None) -> Moved:
 
 
 def _square(given: Sequence[Germ], turn: Turn | None) -> Moved:
-    return given[0].squared(), (given[0].scaled(arb(2)),)
+    return given[0].squared(), (given[0].scaled(exactly(2.0)),)
 
 
 def _sqrt(given: Sequence[Germ], turn: Turn | None) -> Moved:
     (a,) = given
-    # Odd powers of what vanishes have no root among the germs.
-    rooted = a if all(p % 2 == 0 for p in a.powers) else a.frame.constant(a.expanded())
-    root = Germ(a.frame, rooted.ball.sqrt(), tuple([p // 2 for p in rooted.powers]))
-    return root, (a.frame.constant(arb(0.5)) / root,)
+    # Odd powers of what vanishes have no root among the germs, nor squares of what has any sign.
+    halves = a.frame.intern(tuple([p // 2 for p in a.powers]))
+    if any(p % 2 for p in a.powers) or not a.frame.is_positive(halves):
+        root = a.frame.constant(a.expanded().sqrt())
+    else:
+        root = Germ(a.frame, a.span.sqrt(), halves)
+    return root, (a.frame.constant(exactly(0.5)) / root,)
 
 
 def _hypot(given: Sequence[Germ], turn: Turn | None) -> Moved:
@@ -70,10 +77,9 @@ def _hypot(given: Sequence[Germ], turn: Turn | None) -> Moved:
 
 def _absolute(given: Sequence[Germ], turn: Turn | None) -> Moved:
     (a,) = given
-    if a.sign:
-        sign = a.frame.constant(arb(a.sign))
-        return a * sign, (sign,)
-    return a.frame.constant(abs(a.expanded())), (a.frame.constant(arb(0, 1)),)
+    if sign := a.decide_sign():
+        return (a if sign > 0 else -a), (a.frame.constant(exactly(sign)),)
+    return a.frame.constant(a.expanded().size()), (a.frame.constant(EITHER),)
 
 
 def _maximum(given: Sequence[Germ], turn: Turn | None) -> Moved:
@@ -84,15 +90,15 @@ def _minimum(given: Sequence[Germ], turn: Turn | None) -> Moved:
     return _either(given, (given[1] - given[0]).expanded())
 
 
-def _either(given: Sequence[Germ], lead: arb) -> Moved:
+def _either(given: Sequence[Germ], lead: Interval) -> Moved:
     """Return the first where it leads, the second where it does not, both where undecided."""
     a, b = given
     one = _one(a)
-    if lead >= 0:
-        return a, (one, None)
-    if lead <= 0:
-        return b, (None, one)
-    some = a.frame.constant(arb(0.5, 0.5))
+    leads, follows = lead.low >= 0, lead.high <= 0
+    choice = a.frame.choose(leads, follows & ~leads, ~(leads | follows))
+    if choice < 2:
+        return given[choice], ((one, None), (None, one))[choice]
+    some = a.frame.constant(SOME)
     return a.united(b), (some, some)
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -16,18 +15,20 @@ from numpy.typing import NDArray
 from mechproof.codegen.code import Stage
 from mechproof.codegen.kernel import Kernel, build_kernel, input_names
 from mechproof.codegen.program import MEANINGS, Operand
-from mechproof.proof.balls import working_precision
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL
 from mechproof.roundoff.bound import EPS, Bar, Evaluation
 from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.expansions import WAYS
-from mechproof.roundoff.regions import Box, Region, express
+from mechproof.roundoff.germs import UndecidedError
+from mechproof.roundoff.intervals import careful
+from mechproof.roundoff.regions import Boxes, Region, express
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values, run
 from mechproof.roundoff.steps import EXACT, Step, Straight, flatten_stage
 from mechproof.roundoff.symmetry import check_symmetry
 
-BITS = 64
+# Boxes that are bounded together.
+TOGETHER = 1024
 POLYNOMIAL = ("add", "subtract", "multiply", "square", "negate")
 PLAIN_REWRITES = ("half_angle_tangent",)
 
@@ -66,20 +67,52 @@ class Subject:
         kinds = {step.kind for step in self.straight.steps}
         return (*(FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys())), NORMAL)
 
-    def bound(self, region: Region, box: Box) -> float:
-        """Bound the error in eps of the scale over a box; infinite where it cannot be bounded."""
-        with working_precision(BITS):
-            try:
-                evaluation, scale = self.evaluate(region, box)
-            except (ZeroDivisionError, IndexError):
-                return math.inf
-            return max(evaluation.sum_errors(o, scale) for o in self.straight.outputs)
+    def bound(self, region: Region, boxes: Boxes) -> NDArray[np.float64]:
+        """Bound the error in eps of the scale over boxes; infinite where it cannot be bounded."""
+        bounds = np.full(len(boxes), np.inf)
+        if not len(boxes):
+            return bounds
+        # What is never negative is the same in all boxes that are bounded together.
+        _, groups = np.unique(boxes[:, :, 0] >= 0, axis=0, return_inverse=True)
+        for group in range(groups.max() + 1):
+            rows = np.flatnonzero(groups == group)
+            for start in range(0, len(rows), TOGETHER):
+                part = rows[start : start + TOGETHER]
+                bounds[part] = self._bound_alike(region, boxes[part], ())
+        return bounds
 
-    def evaluate(self, region: Region, box: Box) -> tuple[Evaluation, Bar]:
-        """Return all values over a box, and what errors are relative to."""
+    def _bound_alike(
+        self, region: Region, boxes: Boxes, forced: tuple[int, ...], moves: bool = False
+    ) -> NDArray[np.float64]:
+        try:
+            with careful(moves=moves):
+                evaluation, bar = self.evaluate(region, boxes, forced)
+                highest = np.zeros(len(boxes))
+                for output in self.straight.outputs:
+                    highest = np.maximum(highest, evaluation.sum_errors(output, bar))
+                return highest
+        except IndexError:
+            return np.full(len(boxes), np.inf)
+        except FloatingPointError:
+            if moves:
+                return np.full(len(boxes), np.inf)
+            return self._bound_alike(region, boxes, forced, moves=True)
+        except UndecidedError as undecided:
+            bounds = np.full(len(boxes), np.inf)
+            for number, mask in enumerate(undecided.masks):
+                rows = np.flatnonzero(np.broadcast_to(mask, len(boxes)))
+                if len(rows):
+                    path = (*undecided.path, number)
+                    bounds[rows] = self._bound_alike(region, boxes[rows], path, moves)
+            return bounds
+
+    def evaluate(
+        self, region: Region, boxes: Boxes, forced: tuple[int, ...] = ()
+    ) -> tuple[Evaluation, Bar]:
+        """Return all values over boxes, and what errors are relative to."""
         both = (self.straight, *([self.scale] if self.scale else []))
         poles = sum(step.kind == "tan" for straight in both for step in straight.steps)
-        frame, germs, turn = region.enter(box, poles)
+        frame, germs, turn = region.enter(boxes, poles, forced)
         names = input_names(self.kernel.quantity)
         arguments = region.chart.arguments.items()
         given = {names[symbol]: express(value, frame, germs) for symbol, value in arguments}
@@ -91,7 +124,7 @@ class Subject:
         if self.scale is None:
             return found[0], Bar(None, True)
         whole, *rest = (found[1].value(output) for output in self.scale.outputs)
-        return found[0], Bar(whole, bool(rest) and rest[0].sign > 0)
+        return found[0], Bar(whole, bool(rest) and rest[0].decide_sign() > 0)
 
     def _add_up(self, straight: Straight, chart: Chart) -> Mapping[str, sp.Expr]:
         key = (id(straight), id(chart))

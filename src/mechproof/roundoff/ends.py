@@ -1,0 +1,124 @@
+"""Ends: an operation at the ends of what is computed, rounded as the operation itself is.
+
+To round to nearest keeps the order: the results lie between the rounded results at the ends. What
+the rounding leaves there says whether a power of two is passed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from mechproof.kernel_support.error_free import product_rest
+from mechproof.roundoff.intervals import Interval, list_corners
+
+Ends = Any
+BITS = 53
+# Of a power of two: less than a quarter of the spacing below it.
+HARDLY = 2.0**-56
+
+
+@dataclass(frozen=True)
+class Rounded:
+    """Rounded results, and by how much what is rounded may lie farther out than both ends."""
+
+    span: Interval
+    beyond: Ends
+
+
+def _sum(a: Ends, b: Ends) -> tuple[Ends, Ends]:
+    total = a + b
+    part = total - a
+    return total, (a - (total - part)) + (b - part)
+
+
+def _outward(low: tuple[Ends, Ends], high: tuple[Ends, Ends]) -> Rounded:
+    span = Interval(low[0], high[0])
+    beyond = np.where(-low[0] > high[0], -low[1], high[1])
+    return Rounded(span, np.where(-low[0] == high[0], np.maximum(-low[1], high[1]), beyond))
+
+
+def _add(a: Interval, b: Interval) -> Rounded:
+    return _outward(_sum(a.low, b.low), _sum(a.high, b.high))
+
+
+def _subtract(a: Interval, b: Interval) -> Rounded:
+    return _add(a, -b)
+
+
+def _corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[Ends, Ends]]:
+    """Return the smallest and the largest product, each of two ends."""
+    if known := list_corners(a, b):
+        low, high = ((x * y, x, y) for x, y in known)
+        return _rest(*low), _rest(*high)
+    pairs = [(x, y) for x in (a.low, a.high) for y in (b.low, b.high)]
+    found = [(x * y, x, y) for x, y in pairs]
+    low, high = found[0], found[0]
+    for other in found[1:]:
+        less, more = other[0] < low[0], other[0] > high[0]
+        low = tuple(np.where(less, new, old) for new, old in zip(other, low, strict=True))
+        high = tuple(np.where(more, new, old) for new, old in zip(other, high, strict=True))
+    return _rest(*low), _rest(*high)
+
+
+def _rest(product: Ends, x: Ends, y: Ends) -> tuple[Ends, Ends]:
+    return product, product_rest(x, y, product)
+
+
+def _multiply(a: Interval, b: Interval) -> Rounded:
+    return _outward(*_corners(a, b))
+
+
+def _square(a: Interval) -> Rounded:
+    size = a.size()
+    return _multiply(size, size)
+
+
+AT_ENDS: Mapping[str, Callable[..., Rounded]] = MappingProxyType(
+    {
+        "add": _add,
+        "subtract": _subtract,
+        "multiply": _multiply,
+        "square": _square,
+        "negate": lambda a: Rounded(-a, 0.0),
+        "absolute": lambda a: Rounded(a.size(), 0.0),
+    }
+)
+
+
+def round_at_ends(kind: str, given: Sequence[Interval], whole: Interval) -> Rounded:
+    """Enclose an operation's rounded results by those at the ends, and by an interval of it."""
+    plain = Rounded(whole, np.inf)
+    if kind not in AT_ENDS:
+        return plain
+    found = AT_ENDS[kind](*given)
+    known = found.span.is_finite
+    for span in given:
+        known = known & span.is_finite
+    narrow = known & ~(whole.high - whole.low < found.span.high - found.span.low)
+    low = np.where(narrow, found.span.low, whole.low)
+    high = np.where(narrow, found.span.high, whole.high)
+    return Rounded(Interval(low, high), np.where(narrow, found.beyond, np.inf))
+
+
+def limit_by_spacing(rounded: Rounded, ulps: float) -> Ends:
+    """Bound a rounding by so many spacings of doubles at the largest result."""
+    largest = rounded.span.largest()
+    share, exponent = np.frexp(largest)
+    # A power of two is a double: what is hardly above it is off by less than what is below.
+    passed = (share == 0.5) & (rounded.beyond <= largest * HARDLY)
+    limit = ulps * np.ldexp(1.0, np.where(passed, exponent - 1, exponent) - BITS)
+    return np.where(np.isfinite(largest), limit, np.inf)
+
+
+def widen_by_ulps(span: Interval, ulps: float) -> Interval:
+    """Enclose what is off by so many ulps."""
+    share = math.ldexp(ulps, 1 - BITS)
+    return Interval(
+        span.low - np.abs(span.low) * 2 * share, span.high + np.abs(span.high) * 2 * share
+    )
