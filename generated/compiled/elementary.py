@@ -145,7 +145,7 @@ def tangent_above(y, exact):
 # tan(r)/r in powers of r**2, |r| <= pi/4: the whole is off by at most 0.232 eps
 @scalar
 def tangent_below(y, exact):
-    """Return what the other part of tan(y) is divided by, at least 0.7 or so."""
+    """Return what tan(y) is to be multiplied by: it vanishes where cos(y) does."""
     v1 = rint(y * 0.6366197723675814)
     v2 = fma(
         v1, 1.4973849048591698e-33, fma(v1, -6.123233995736766e-17, fma(v1, -1.5707963267948966, y))

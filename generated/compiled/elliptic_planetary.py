@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` b3f157f39885.
+Elementary functions: `elementary` b9f07d24e6d5.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -25,7 +25,6 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
-    fma,
     has_nan,
     is_finite,
     loop,
@@ -67,21 +66,16 @@ def _ratio(phi1, k, one_minus_e, one_plus_e, k_low, exact):
     t_angle = x / 2
     t_below = elementary.tangent_below(t_angle, exact)
     t = elementary.tangent_above(t_angle, exact)
-    x_low = fma(k_low, phi1, elementary.product_rest(k, phi1, x))
+    x_low = k_low * phi1 + elementary.product_rest(k, phi1, x)
     t_low = elementary.small_tangent(x_low / 2)
-    adjacent = fma(-t, t_low, t_below)
+    adjacent = t_below - t * t_low
     adjacent_squared = adjacent**2
-    opposite = fma(t_low, t_below, t)
+    opposite = t + t_low * t_below
     opposite_squared = opposite**2
 
-    return fma(
-        k
-        * one_minus_e
-        * one_plus_e
-        / fma(one_plus_e**2, opposite_squared, one_minus_e**2 * adjacent_squared),
-        adjacent_squared + opposite_squared,
-        1,
-    )
+    return 1 + k * one_minus_e * one_plus_e / (
+        one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared
+    ) * (adjacent_squared + opposite_squared)
 
 
 @scalar
@@ -235,12 +229,8 @@ def _prepare_position_1(R1, R2, e, exact):
 def _position_1(phi1, e, k, one_minus_e, one_plus_e, exact):
     x = k * phi1
 
-    return fma(
-        2,
-        elementary.small_arctan(
-            2 * e * elementary.tangent_quotient(x / 2, one_minus_e, one_plus_e, exact)
-        ),
-        (1 + k) * phi1,
+    return (1 + k) * phi1 + 2 * elementary.small_arctan(
+        2 * e * elementary.tangent_quotient(x / 2, one_minus_e, one_plus_e, exact)
     )
 
 
@@ -260,17 +250,13 @@ def _position(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
     t_angle = x / 2
     t_below = elementary.tangent_below(t_angle, exact)
     t = elementary.tangent_above(t_angle, exact)
-    x_low = fma(k_low, phi1, elementary.product_rest(k, phi1, x))
+    x_low = k_low * phi1 + elementary.product_rest(k, phi1, x)
     t_low = elementary.small_tangent(x_low / 2)
-    adjacent = fma(-t, t_low, t_below)
-    opposite = fma(t_low, t_below, t)
+    adjacent = t_below - t * t_low
+    opposite = t + t_low * t_below
 
-    return fma(
-        2,
-        elementary.arctan_quotient(
-            2 * e * adjacent * opposite, fma(one_plus_e, opposite**2, one_minus_e * adjacent**2)
-        ),
-        (1 + k) * phi1,
+    return (1 + k) * phi1 + 2 * elementary.arctan_quotient(
+        2 * e * adjacent * opposite, one_minus_e * adjacent**2 + one_plus_e * opposite**2
     )
 
 
@@ -432,10 +418,10 @@ def _acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
     t_angle = x / 2
     t_below = elementary.tangent_below(t_angle, exact)
     t = elementary.tangent_above(t_angle, exact)
-    x_low = fma(k_low, phi1, elementary.product_rest(k, phi1, x))
+    x_low = k_low * phi1 + elementary.product_rest(k, phi1, x)
     t_low = elementary.small_tangent(x_low / 2)
-    adjacent = fma(-t, t_low, t_below)
-    opposite = fma(t_low, t_below, t)
+    adjacent = t_below - t * t_low
+    opposite = t + t_low * t_below
     adjacent_squared = adjacent**2
     opposite_squared = opposite**2
 
@@ -445,7 +431,7 @@ def _acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
         * one_minus_e
         * one_plus_e
         * k**2
-        / fma(one_plus_e**2, opposite_squared, one_minus_e**2 * adjacent_squared) ** 2
+        / (one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared) ** 2
         * adjacent
         * opposite
         * (adjacent_squared + opposite_squared)
@@ -600,7 +586,7 @@ def _prepare_largest_ratio(R2, e):
 def _largest_ratio(R1, R2, e):
     k = R1 / R2
 
-    return fma((1 + e) / (1 - e), k, 1)
+    return 1 + (1 + e) / (1 - e) * k
 
 
 @scalar
@@ -747,7 +733,7 @@ def _prepare_smallest_ratio(R2, e):
 def _smallest_ratio(R1, R2, e):
     k = R1 / R2
 
-    return fma((1 - e) / (1 + e), k, 1)
+    return 1 + (1 - e) / (1 + e) * k
 
 
 @scalar

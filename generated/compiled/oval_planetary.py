@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` b3f157f39885.
+Elementary functions: `elementary` b9f07d24e6d5.
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -25,7 +25,6 @@ from numpy.typing import ArrayLike, NDArray
 from mechproof.compiled_support import (
     BLOCK,
     Loops,
-    fma,
     has_nan,
     is_finite,
     loop,
@@ -72,18 +71,12 @@ def _prepare_ratio(e1, e2, mount, exact):
 def _ratio(phi1, both, less, shift, rise, exact):
     tan_phi1_below = elementary.tangent_below(phi1, exact)
     tan_phi1 = elementary.tangent_above(phi1, exact)
-    y = fma(rise, tan_phi1, shift * tan_phi1_below)
+    y = shift * tan_phi1_below + rise * tan_phi1
     tan_phi1_squared = tan_phi1**2
 
-    return fma(
-        -(
-            both
-            * (less + shift)
-            / fma(both**2, tan_phi1_squared, fma(less, tan_phi1_below, y) ** 2)
-        ),
-        fma(tan_phi1_below, tan_phi1_below, tan_phi1_squared),
-        1,
-    )
+    return 1 - both * (less + shift) / (
+        both**2 * tan_phi1_squared + (less * tan_phi1_below + y) ** 2
+    ) * (tan_phi1_below * tan_phi1_below + tan_phi1_squared)
 
 
 @scalar
@@ -238,7 +231,7 @@ def _prepare_position(e1, e2, mount, exact):
     shift = lever * one_minus_e1 * sin_mount
     one_plus_e1 = 1 + e1
     rise = lever * one_plus_e1 * elementary.cos(mount, exact)
-    swing = fma(2, e2, 2 * e1)
+    swing = 2 * e1 + 2 * e2
     less = one_minus_e1 * one_minus_e2
     both = one_plus_e1 * (1 + e2)
 
@@ -248,9 +241,9 @@ def _prepare_position(e1, e2, mount, exact):
 @scalar
 def _position(phi1, shift, rise, swing, less, both, exact):
     tan_phi1 = elementary.tan(phi1, exact)
-    y = fma(rise, tan_phi1, shift)
+    y = shift + rise * tan_phi1
 
-    return elementary.arctan2(tan_phi1 * (y - swing), fma(both, tan_phi1**2, less + y))
+    return elementary.arctan2(tan_phi1 * (y - swing), less + y + both * tan_phi1**2)
 
 
 @scalar
@@ -403,24 +396,28 @@ def _prepare_acceleration(e1, e2, mount, exact):
     both_high = one_plus_e1 * one_plus_e2
     one_plus_e2_low = elementary.sum_rest(1, e2, one_plus_e2)
     one_plus_e1_low = elementary.sum_rest(1, e1, one_plus_e1)
-    both_low = fma(
-        one_plus_e1_low, one_plus_e2, one_plus_e1 * one_plus_e2_low
-    ) + elementary.product_rest(one_plus_e1, one_plus_e2, both_high)
+    both_low = (
+        one_plus_e1 * one_plus_e2_low
+        + one_plus_e1_low * one_plus_e2
+        + elementary.product_rest(one_plus_e1, one_plus_e2, both_high)
+    )
     both = both_high + both_low
     one_minus_e1 = 1 - e1
     one_minus_e2 = 1 - e2
     less_high = one_minus_e1 * one_minus_e2
     one_minus_e2_low = elementary.sum_rest(1, -e2, one_minus_e2)
     one_minus_e1_low = elementary.sum_rest(1, -e1, one_minus_e1)
-    less_low = fma(
-        one_minus_e1_low, one_minus_e2, one_minus_e1 * one_minus_e2_low
-    ) + elementary.product_rest(one_minus_e1, one_minus_e2, less_high)
+    less_low = (
+        one_minus_e1 * one_minus_e2_low
+        + one_minus_e1_low * one_minus_e2
+        + elementary.product_rest(one_minus_e1, one_minus_e2, less_high)
+    )
     less = less_high + less_low
     sin_mount = elementary.sin(mount, exact)
     lever = 4 * e2 * sin_mount / one_minus_e2
     shift = lever * one_minus_e1 * sin_mount
     rise = lever * one_plus_e1 * elementary.cos(mount, exact)
-    swing = fma(2, e2, 2 * e1)
+    swing = 2 * e1 + 2 * e2
 
     return (both, less, shift, rise, swing)
 
@@ -429,23 +426,19 @@ def _prepare_acceleration(e1, e2, mount, exact):
 def _acceleration(phi1, both, less, shift, rise, swing, exact):
     tan_phi1_below = elementary.tangent_below(phi1, exact)
     tan_phi1 = elementary.tangent_above(phi1, exact)
-    y = fma(rise, tan_phi1, shift * tan_phi1_below)
+    y = shift * tan_phi1_below + rise * tan_phi1
     tan_phi1_squared = tan_phi1**2
 
     return (
         2
         * both
         * (less + shift)
-        / fma(both**2, tan_phi1_squared, fma(less, tan_phi1_below, y) ** 2) ** 2
-        * fma(tan_phi1_below, tan_phi1_below, tan_phi1_squared)
-        * fma(
-            less * rise,
-            tan_phi1_below * tan_phi1_below - tan_phi1_squared,
-            fma(
-                y,
-                rise * tan_phi1_below - shift * tan_phi1,
-                (swing * (both + less) - 2 * less * shift) * tan_phi1 * tan_phi1_below,
-            ),
+        / (both**2 * tan_phi1_squared + (less * tan_phi1_below + y) ** 2) ** 2
+        * (tan_phi1_below * tan_phi1_below + tan_phi1_squared)
+        * (
+            (swing * (both + less) - 2 * less * shift) * tan_phi1 * tan_phi1_below
+            + y * (rise * tan_phi1_below - shift * tan_phi1)
+            + less * rise * (tan_phi1_below * tan_phi1_below - tan_phi1_squared)
         )
     )
 
@@ -609,23 +602,16 @@ def _ratio_cylindrical(phi1, k, one_minus_e2, one_plus_e2, k_low, exact):
     t_angle = x / 2
     t_below = elementary.tangent_below(t_angle, exact)
     t = elementary.tangent_above(t_angle, exact)
-    x_low = fma(2, elementary.product_rest(k, phi1, x / 2), 2 * k_low * phi1)
+    x_low = 2 * k_low * phi1 + 2 * elementary.product_rest(k, phi1, x / 2)
     t_low = elementary.small_tangent(x_low / 2)
-    adjacent = fma(-t, t_low, t_below)
+    adjacent = t_below - t * t_low
     adjacent_squared = adjacent**2
-    opposite = fma(t_low, t_below, t)
+    opposite = t + t_low * t_below
     opposite_squared = opposite**2
 
-    return fma(
-        -(
-            k
-            * one_minus_e2
-            * one_plus_e2
-            / fma(one_plus_e2**2, opposite_squared, one_minus_e2**2 * adjacent_squared)
-        ),
-        adjacent_squared + opposite_squared,
-        1,
-    )
+    return 1 - k * one_minus_e2 * one_plus_e2 / (
+        one_minus_e2**2 * adjacent_squared + one_plus_e2**2 * opposite_squared
+    ) * (adjacent_squared + opposite_squared)
 
 
 @scalar
@@ -783,7 +769,7 @@ def _position_cylindrical_1(phi1, R4, R5, e2, k, one_minus_e2, one_plus_e2, exac
     t = elementary.tangent_above(t_angle, exact)
 
     return (R5 - R4) / R5 * phi1 - elementary.arctan_quotient(
-        2 * e2 * t * t_below, fma(one_plus_e2, t**2, one_minus_e2 * t_below * t_below)
+        2 * e2 * t * t_below, one_minus_e2 * t_below * t_below + one_plus_e2 * t**2
     )
 
 
@@ -803,13 +789,13 @@ def _position_cylindrical(phi1, R4, R5, e2, k, k_low, one_minus_e2, one_plus_e2,
     t_angle = x / 2
     t_below = elementary.tangent_below(t_angle, exact)
     t = elementary.tangent_above(t_angle, exact)
-    x_low = fma(2, elementary.product_rest(k, phi1, x / 2), 2 * k_low * phi1)
+    x_low = 2 * k_low * phi1 + 2 * elementary.product_rest(k, phi1, x / 2)
     t_low = elementary.small_tangent(x_low / 2)
-    adjacent = fma(-t, t_low, t_below)
-    opposite = fma(t_low, t_below, t)
+    adjacent = t_below - t * t_low
+    opposite = t + t_low * t_below
 
     return (R5 - R4) / R5 * phi1 - elementary.arctan_quotient(
-        2 * e2 * adjacent * opposite, fma(one_plus_e2, opposite**2, one_minus_e2 * adjacent**2)
+        2 * e2 * adjacent * opposite, one_minus_e2 * adjacent**2 + one_plus_e2 * opposite**2
     )
 
 
@@ -973,10 +959,10 @@ def _acceleration_cylindrical(phi1, e2, k, k_low, one_minus_e2, one_plus_e2, exa
     t_angle = x / 2
     t_below = elementary.tangent_below(t_angle, exact)
     t = elementary.tangent_above(t_angle, exact)
-    x_low = fma(2, elementary.product_rest(k, phi1, x / 2), 2 * k_low * phi1)
+    x_low = 2 * k_low * phi1 + 2 * elementary.product_rest(k, phi1, x / 2)
     t_low = elementary.small_tangent(x_low / 2)
-    adjacent = fma(-t, t_low, t_below)
-    opposite = fma(t_low, t_below, t)
+    adjacent = t_below - t * t_low
+    opposite = t + t_low * t_below
     adjacent_squared = adjacent**2
     opposite_squared = opposite**2
 
@@ -986,7 +972,7 @@ def _acceleration_cylindrical(phi1, e2, k, k_low, one_minus_e2, one_plus_e2, exa
         * one_minus_e2
         * one_plus_e2
         * k**2
-        / fma(one_plus_e2**2, opposite_squared, one_minus_e2**2 * adjacent_squared) ** 2
+        / (one_minus_e2**2 * adjacent_squared + one_plus_e2**2 * opposite_squared) ** 2
         * adjacent
         * opposite
         * (adjacent_squared + opposite_squared)

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` b3f157f39885.
+Elementary functions: `elementary` b9f07d24e6d5.
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -27,7 +27,6 @@ from mechproof.compiled_support import (
     BLOCK,
     Loops,
     floor,
-    fma,
     has_nan,
     is_finite,
     loop,
@@ -327,8 +326,8 @@ def _height_change(tilt, alpha, cos_alpha, r_b, t_c, exact):
     cos_tilt = 1 + cosm1_tilt
 
     return r_b * (
-        elementary.sin(alpha, exact) * fma(-t_c, cosm1_tilt, fma(-cos_tilt, tilt, sin_tilt))
-        - cos_alpha * fma(sin_tilt, tilt, fma(t_c, sin_tilt, cosm1_tilt))
+        elementary.sin(alpha, exact) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
+        - cos_alpha * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
     )
 
 
@@ -502,10 +501,9 @@ def _thickness_change(tilt, alpha, cos_alpha, r_b, t_c, exact):
     return (
         -2
         * r_b
-        * fma(
-            elementary.sin(alpha, exact),
-            fma(sin_tilt, tilt, fma(t_c, sin_tilt, cosm1_tilt)),
-            cos_alpha * fma(-t_c, cosm1_tilt, fma(-cos_tilt, tilt, sin_tilt)),
+        * (
+            cos_alpha * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
+            + elementary.sin(alpha, exact) * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
         )
     )
 

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` b3f157f39885.
+Elementary functions: `elementary` b9f07d24e6d5.
 
 Sums over axes are added in the order of the index, with the rest of every addition. Inside
 functions that numba compiles they take one array of terms for each argument, or a number for
@@ -261,11 +261,11 @@ def _rotation(alpha, cos_beta, cos_gamma, sin_gamma, sin_beta, exact):
 
     return (
         cos_beta * cos_gamma,
-        fma(cos_gamma * sin_beta, sin_alpha, sin_gamma * cos_alpha),
+        sin_gamma * cos_alpha + cos_gamma * sin_beta * sin_alpha,
         sin_gamma * sin_alpha - cos_gamma * sin_beta * cos_alpha,
         -cos_beta * sin_gamma,
         cos_gamma * cos_alpha - sin_beta * sin_gamma * sin_alpha,
-        fma(sin_beta * sin_gamma, cos_alpha, cos_gamma * sin_alpha),
+        cos_gamma * sin_alpha + sin_beta * sin_gamma * cos_alpha,
         sin_beta,
         -cos_beta * sin_alpha,
         cos_beta * cos_alpha,
@@ -419,28 +419,28 @@ def _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_
     t_gamma_below = elementary.tangent_below(t_gamma_angle, exact)
     t_gamma = elementary.tangent_above(t_gamma_angle, exact)
     scale = 2 / (
-        fma(t_alpha, t_alpha, t_alpha_below * t_alpha_below)
-        * fma(t_beta, t_beta, t_beta_below * t_beta_below)
-        * fma(t_gamma, t_gamma, t_gamma_below * t_gamma_below)
+        (t_alpha_below * t_alpha_below + t_alpha**2)
+        * (t_beta_below * t_beta_below + t_beta**2)
+        * (t_gamma_below * t_gamma_below + t_gamma**2)
     )
     v_y = t_beta * t_alpha_below * t_gamma_below - t_alpha * t_gamma * t_beta_below
     v_y_squared = v_y**2
-    v_z = fma(t_alpha * t_beta, t_gamma_below, t_gamma * t_alpha_below * t_beta_below)
+    v_z = t_gamma * t_alpha_below * t_beta_below + t_alpha * t_beta * t_gamma_below
     v_z_squared = v_z**2
     C11 = scale * (-v_y_squared - v_z_squared)
-    v_x = fma(t_beta * t_gamma, t_alpha_below, t_alpha * t_beta_below * t_gamma_below)
+    v_x = t_alpha * t_beta_below * t_gamma_below + t_beta * t_gamma * t_alpha_below
     v_x_v_y = v_x * v_y
     w = t_alpha_below * t_beta_below * t_gamma_below - t_alpha * t_beta * t_gamma
-    C12 = scale * fma(-v_z, w, v_x_v_y)
+    C12 = scale * (v_x_v_y - v_z * w)
     v_x_v_z = v_x * v_z
-    C13 = scale * fma(v_y, w, v_x_v_z)
-    C21 = scale * fma(v_z, w, v_x_v_y)
+    C13 = scale * (v_x_v_z + v_y * w)
+    C21 = scale * (v_x_v_y + v_z * w)
     v_x_squared = v_x**2
     C22 = scale * (-v_x_squared - v_z_squared)
     v_y_v_z = v_y * v_z
-    C23 = scale * fma(-v_x, w, v_y_v_z)
-    C31 = scale * fma(-v_y, w, v_x_v_z)
-    C32 = scale * fma(v_x, w, v_y_v_z)
+    C23 = scale * (v_y_v_z - v_x * w)
+    C31 = scale * (v_x_v_z - v_y * w)
+    C32 = scale * (v_y_v_z + v_x * w)
     C33 = scale * (-v_x_squared - v_y_squared)
 
     return (C11, C12, C13, C21, C22, C23, C31, C32, C33, shift_0, shift_1, shift_2)
@@ -1724,8 +1724,8 @@ def _offer_error_sum(
 def _error_sum_thermal(
     tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
 ):
-    K_minus_tau_K_T = fma(-thermal_share, thermal_scatter, total_scatter)
-    K_plus_tau_K_T = fma(thermal_share, thermal_scatter, total_scatter)
+    K_minus_tau_K_T = total_scatter - thermal_share * thermal_scatter
+    K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter
 
     return np.sqrt(_sum_10(sensitivities, scatters, tolerances)) / np.sqrt(
         K_minus_tau_K_T * K_plus_tau_K_T

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` b3f157f39885.
+Elementary functions: `elementary` b9f07d24e6d5.
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -27,7 +27,6 @@ from mechproof.compiled_support import (
     BLOCK,
     Loops,
     choose,
-    fma,
     has_nan,
     is_finite,
     loop,
@@ -67,7 +66,7 @@ def _prepare_guide_radicand(l_AB, l_BC, l_CD):
 @scalar
 def _guide_radicand(x1, l_AB, l_BC, l_CD):
 
-    return fma(x1, fma(2, l_CD, 2 * l_AB) + x1, l_BC**2)
+    return l_BC**2 + x1 * (2 * l_AB + 2 * l_CD + x1)
 
 
 @scalar
@@ -233,7 +232,7 @@ def _prepare_lever_angle(l_AB, l_BC, l_CD):
 
 @scalar
 def _lever_angle(x1, l_BC, arm):
-    guide_length = np.sqrt(fma(x1, fma(2, arm, x1), l_BC**2))
+    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
     guide_sum = guide_length + l_BC
 
     return -2 * elementary.arctan_quotient(x1, guide_sum)
@@ -815,13 +814,10 @@ def _roller_lever_angle(x5, l_KL, alpha_KL, exact):
 
     return 2 * elementary.arctan_quotient(
         x5,
-        fma(
-            l_KL,
-            elementary.sin(alpha_KL, exact),
-            np.sqrt(
-                fma(2 * l_KL, elementary.sin(alpha_KL / 2, exact) ** 2, x5)
-                * (2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2 - x5)
-            ),
+        l_KL * elementary.sin(alpha_KL, exact)
+        + np.sqrt(
+            (x5 + 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2)
+            * (2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2 - x5)
         ),
     )
 
@@ -1140,14 +1136,14 @@ def _position(
     sin_LM,
     exact,
 ):
-    guide_length = np.sqrt(fma(x1, fma(2, arm, x1), l_BC**2))
+    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
     guide_sum = guide_length + l_BC
-    lever_square = fma(x1, x1, guide_sum**2)
+    lever_square = guide_sum**2 + x1**2
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = maximum(0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = fma(rise_sum, rise_sum, push**2)
+    roller_square = push**2 + rise_sum**2
 
     return 2 * l_LM / roller_square * push * (cos_LM * rise_sum - sin_LM * push)
 
@@ -1535,15 +1531,15 @@ def _velocity(
     sin_LM,
     exact,
 ):
-    guide_length = np.sqrt(fma(x1, fma(2, arm, x1), l_BC**2))
+    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
     guide_sum = guide_length + l_BC
-    lever_square = fma(x1, x1, guide_sum**2)
-    cos_lever = fma(2 * l_BC, guide_sum, 2 * arm * x1) / lever_square
+    lever_square = guide_sum**2 + x1**2
+    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = maximum(0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = fma(rise_sum, rise_sum, push**2)
+    roller_square = push**2 + rise_sum**2
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
@@ -1939,19 +1935,19 @@ def _sensitivities(
     exact,
 ):
     x1_squared = x1**2
-    guide_length = np.sqrt(fma(x1, fma(2, arm, x1), l_BC**2))
+    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
     guide_sum = guide_length + l_BC
-    lever_square = fma(guide_sum, guide_sum, x1_squared)
+    lever_square = guide_sum**2 + x1_squared
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = maximum(0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = fma(rise_sum, rise_sum, push**2)
+    roller_square = push**2 + rise_sum**2
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
     gain = cos_wedge * choose(run < l_GH, 0, l_LM) / rise
-    cos_lever = fma(2 * l_BC, guide_sum, 2 * arm * x1) / lever_square
+    cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
     term = -2 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared
 
@@ -1963,9 +1959,9 @@ def _sensitivities(
         -gain,
         -gain * push / l_KL,
         2 / roller_square * push * (cos_LM * rise_sum - sin_LM * push),
-        2 * l_DE / lever_square * gain * x1 * fma(sin_DE, x1, cos_DE * guide_sum),
+        2 * l_DE / lever_square * gain * x1 * (cos_DE * guide_sum + sin_DE * x1),
         gain * push * (push + to_right - to_left) / rise_sum,
-        -2 * l_LM / roller_square * push * fma(sin_LM, rise_sum, cos_LM * push),
+        -2 * l_LM / roller_square * push * (cos_LM * push + sin_LM * rise_sum),
     )
 
 

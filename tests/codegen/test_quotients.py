@@ -1,4 +1,4 @@
-"""Programs for one point at a time: fewer divisions, products fused, the same value."""
+"""Programs for one point at a time: fewer divisions, the same value."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from derived import SYSTEMS, paper_of
 
 from mechproof.codegen.backends.quotients import put_off_divisions
 from mechproof.codegen.kernel import list_functions
-from mechproof.codegen.program import Operand, Operation, Program, fuse
+from mechproof.codegen.program import Operand, Operation, Program
 
 DIGITS = 60
 STAGES = [
@@ -73,7 +73,7 @@ def test_there_are_programs_to_test() -> None:
 
 @pytest.mark.parametrize("program", STAGES)
 def test_the_value_stays_whatever_the_scale_of_a_tangent(program: Program) -> None:
-    changed = fuse(put_off_divisions(program))
+    changed = put_off_divisions(program)
     with mp.workdps(DIGITS):
         wanted = run(program)
         for scale in (1, 3):
@@ -112,34 +112,3 @@ def test_a_wrong_scale_is_seen() -> None:
     program = write(("_1", "tangent_above", "x"), ("_2", "multiply", "_1", "y"))
     with mp.workdps(DIGITS):
         assert run(program, 3) != run(program)
-
-
-@pytest.mark.parametrize(
-    ("lines", "kinds"),
-    [
-        ([("_1", "multiply", "x", "y"), ("_2", "add", "_1", "z")], ["fma"]),
-        ([("_1", "multiply", "x", "y"), ("_2", "subtract", "z", "_1")], ["negate", "fma"]),
-        ([("_1", "multiply", "x", "y"), ("_2", "subtract", "_1", "z")], ["multiply", "subtract"]),
-        ([("a", "multiply", "x", "y"), ("_2", "add", "a", "z")], ["multiply", "add"]),
-        (
-            [("_1", "multiply", "x", "y"), ("_2", "square", "z"), ("_3", "subtract", "_1", "_2")],
-            ["multiply", "square", "subtract"],
-        ),
-        (
-            [("_1", "multiply", "x", "y"), ("_2", "square", "z"), ("_3", "add", "_1", "_2")],
-            ["multiply", "fma"],
-        ),
-        (
-            [("_1", "add", "x", "y"), ("_2", "square", "_1"), ("_3", "add", "z", "_2")],
-            ["add", "square", "add"],
-        ),
-    ],
-)
-def test_products_are_fused_with_sums_but_not_with_differences_of_products(
-    lines: list[tuple[Any, ...]], kinds: list[str]
-) -> None:
-    program = write(*lines)
-    fused = fuse(program)
-    assert [step.kind for step in fused.operations] == kinds
-    with mp.workdps(DIGITS):
-        assert mp.almosteq(run(fused)[0], run(program)[0])

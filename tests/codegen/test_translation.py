@@ -270,8 +270,8 @@ def test_reading_knows_public_functions_only(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
-        ("fma(k_low, phi1, elementary.product_rest", "fma(-k_low, phi1, elementary.product_rest"),
-        ("fma(t_low, t_below, t)", "fma(t_low, t_below, -t)"),
+        ("k_low * phi1 + elementary.product_rest", "elementary.product_rest"),
+        ("t + t_low * t_below", "t - t_low * t_below"),
         ("if e <= 0.5:", "if e < 0.5:"),
         ("& (e < 1) & (R2 < R1)", "& (e < 1)"),
     ],

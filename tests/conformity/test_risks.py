@@ -297,6 +297,23 @@ def test_parts_sorted_before_are_the_conforming_parts_of_a_normal_law(
     assert (kept.wrongly_accepted, kept.rightly_rejected) == (0, 0)
 
 
+@pytest.mark.parametrize(
+    ("mean", "scatter", "tolerance", "acceptance", "sure"),
+    [
+        (28.0, 0.2, (-10.0, 1.0), (-10.5, INF), "wrongly_accepted"),
+        (37.75, 0.1, (-INF, 0.0), (-INF, 0.0), "rightly_rejected"),
+        (-37.75, 0.1, (0.0, INF), (0.0, INF), "rightly_rejected"),
+    ],
+)
+def test_endless_windows_among_the_smallest_numbers(
+    find: Find, mean: float, scatter: float, tolerance: Any, acceptance: Any, sure: str
+) -> None:
+    """Tails that have lost their digits cancel; no window without an end is integrated."""
+    found = find(Normal(mean, 1.0), Normal(0.0, scatter), tolerance, acceptance)
+    assert getattr(found, sure) == 1.0
+    assert all(0 <= getattr(found, name) < 1e-100 for name in NAMES if name != sure)
+
+
 def test_broadcasting_scalars_and_nan(find: Find) -> None:
     one = find(Normal(0, 1), Normal(0, 0.3), (-3, 3))
     assert all(isinstance(value, np.float64) for value in four(one))

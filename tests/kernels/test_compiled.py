@@ -296,6 +296,20 @@ def test_what_is_no_number_is_refused(arguments: tuple[Any, ...], message: str) 
         elliptic_planetary.position(*arguments)
 
 
+def test_dead_centres_are_reached_as_in_numpy() -> None:
+    """Where both products of a radicand are equal, their difference has to vanish."""
+    from mechproof.kernels import wedge_linkage as plain_linkage
+    from mechproof.kernels.compiled import wedge_linkage
+
+    rod = np.arange(1, 1000) / 10
+    for arguments in ((-rod, rod / 2, rod, rod / 2), (-0.7, 0.35, 0.7, 0.35)):
+        assert np.all(wedge_linkage.guide_radicand(*arguments) == 0)
+        wanted = plain_linkage.lever_angle(*arguments)
+        assert np.array_equal(wedge_linkage.lever_angle(*arguments), wanted)
+    end = -8.999999999999998, 9.0, np.pi / 2
+    assert wedge_linkage.roller_lever_angle(*end) == plain_linkage.roller_lever_angle(*end)
+
+
 def test_threads_change_no_bit(monkeypatch: pytest.MonkeyPatch) -> None:
     phi = np.linspace(-1e3, 1e3, 10_001)
     alone = elliptic_planetary.position(phi, *SIZES)

@@ -80,43 +80,6 @@ def is_unnamed(operand: Operand) -> bool:
     return isinstance(operand, str) and operand.startswith(TEMPORARY)
 
 
-def fuse(program: Program) -> Program:
-    """Return the program with an fma for each sum of a product.
-
-    A difference of two products stays: with one of them rounded, it would not vanish where both
-    are equal.
-    """
-    made = {step.result: step for step in program.operations}
-
-    def find(operand: Operand) -> tuple[Operand, Operand] | None:
-        step = made.get(str(operand)) if is_unnamed(operand) else None
-        if step and step.kind == "multiply":
-            return step.operands[0], step.operands[1]
-        if step and step.kind == "square" and not is_unnamed(step.operands[0]):
-            return step.operands[0], step.operands[0]
-        return None
-
-    operations: list[Operation] = []
-    for step in program.operations:
-        product = None
-        if step.kind in ("add", "subtract"):
-            one, other = step.operands
-            product, rest, first = find(other), one, find(one)
-            if step.kind == "subtract" and product and first:
-                product = None
-            elif step.kind == "add" and first and not product:
-                product, rest = first, other
-        if product:
-            factor, times = product
-            if step.kind == "subtract":
-                minus = f"{TEMPORARY}minus_{step.result}"
-                operations.append(Operation(minus, "negate", (factor,)))
-                factor = minus
-            step = Operation(step.result, "fma", (factor, times, rest))
-        operations.append(step)
-    return replace(program, operations=tuple(operations)).normal_form()
-
-
 def unfuse(program: Program) -> Program:
     """Return the program with a product and a sum for each fma, for languages that have none."""
     operations: list[Operation] = []

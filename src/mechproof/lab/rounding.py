@@ -94,6 +94,9 @@ FUNCTIONS: Mapping[str, Callable[..., arb]] = MappingProxyType(
         "small_tangent": lambda a: a.tan(),
         "tangent_quotient": _tangent_quotient,
         "small_arctan": lambda a: a.atan(),
+        "tangent_above": lambda y: y.sin(),
+        "tangent_below": lambda y: y.cos(),
+        "arctan_quotient": lambda a, b: (a / b).atan(),
     }
 )
 

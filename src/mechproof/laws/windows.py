@@ -36,8 +36,12 @@ def subtract_tails(below: tuple[Any, Any], above: tuple[Any, Any]) -> Any:
 
 
 def complete(mass: Any, integral: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
-    """Integrate where a difference of tails cancels."""
-    return compute_where(mass < 0, integral, arguments, mass)
+    """Integrate where a difference of tails cancels.
+
+    That of an endless window, which has no integral here, cancels among the smallest numbers only.
+    """
+    found = compute_where(mass < 0, integral, arguments, mass)
+    return choose((mass < 0) & np.isnan(found), 0.0, found)
 
 
 def find_tails(z: Any) -> tuple[Any, Any]:

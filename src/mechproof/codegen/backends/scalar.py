@@ -16,7 +16,7 @@ from mechproof.codegen.elementary.fits import enclose
 from mechproof.codegen.elementary.formats import Format
 from mechproof.codegen.elementary.functions import BODIES, Function, build
 from mechproof.codegen.kernel import Kernel, list_functions
-from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program, fuse
+from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program
 from mechproof.codegen.reading import EXACT
 from mechproof.codegen.syntax import COMPARISONS, Syntax, Text, write_program
 from mechproof.record import Paper, Together
@@ -126,23 +126,16 @@ class FunctionText:
 
 
 def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
-    """List the shipped kernels with programs for one point at a time.
-
-    Divisions are put off, and sums of products fused: both cost more there than an operation on
-    arrays, which waits for memory.
-    """
+    """List the shipped kernels with programs that put divisions off."""
     return tuple(_adapt(k) for k in list_functions(paper) if k.is_shipped)
 
 
 def _adapt(kernel: Kernel) -> Kernel:
-    def adapt(program: Program) -> Program:
-        return program if program is NOTHING else fuse(put_off_divisions(program))
-
     stages = tuple(
         replace(
             stage,
-            prepare=adapt(stage.prepare),
-            evaluate=adapt(stage.evaluate) if stage.evaluate else None,
+            prepare=put_off_divisions(stage.prepare),
+            evaluate=put_off_divisions(stage.evaluate) if stage.evaluate else None,
         )
         for stage in kernel.code.stages
     )

@@ -93,7 +93,7 @@ class _Maker:
         return self.tangent_parts(y)[0]
 
     def tangent_below(self, y: Value) -> Value:
-        """Return what the other part of tan(y) is divided by, at least 0.7 or so."""
+        """Return what tan(y) is to be multiplied by: it vanishes where cos(y) does."""
         return self.tangent_parts(y)[1]
 
     def tangent_quotient(self, y: Value, a: Value, b: Value) -> Value:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import subprocess
 import sys
-import time
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -71,22 +69,6 @@ def test_four_threads_at_once() -> None:
 def test_other_laws_take_the_quadrature() -> None:
     laws = Uniform(-4, 4), Normal(0, 0.5)
     assert same(compiled.shares(*laws, (-3, 3)), conformity.shares(*laws, (-3, 3)))
-
-
-def test_they_are_far_cheaper_than_arrays() -> None:
-    sets = draw_sets(compiled.PART)
-
-    def best(act: Callable[..., object]) -> float:
-        times = []
-        for _ in range(9):
-            start = time.thread_time()
-            act(*sets)
-            times.append(time.thread_time() - start)
-        return min(times)
-
-    compiled.shares(*sets)
-    # Some 4 times on a quiet machine.
-    assert best(conformity.shares) > 2 * best(compiled.shares)
 
 
 def test_without_numba_the_error_names_the_extra() -> None:
