@@ -1,7 +1,7 @@
 """Scalar kernels: in, a paper; out, what backends print that compute one point at a time.
 
-The programs are those of the NumPy kernels; an affine stage becomes fused products, and the
-elementary functions that occur are programs of plain arithmetic themselves.
+The programs are those of the NumPy kernels with divisions put off; an affine stage becomes fused
+products, and the elementary functions that occur are programs of plain arithmetic themselves.
 """
 
 from __future__ import annotations
