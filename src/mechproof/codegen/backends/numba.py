@@ -8,7 +8,12 @@ from dataclasses import replace
 from functools import cache
 from hashlib import sha256
 
-from mechproof.codegen.backends.numpy import format_source, render_template, tell_origin
+from mechproof.codegen.backends.numpy import (
+    REGENERATED,
+    format_source,
+    render_template,
+    tell_origin,
+)
 from mechproof.codegen.backends.scalar import (
     extend_syntax,
     join_scalars,
@@ -87,7 +92,7 @@ ELEMENTARY_TEXT = (
     f"Angles up to {DOUBLE.largest} rad are reduced here. Farther out the C library's functions",
     "are taken if `exact` is true; for None it is NaN.",
     "",
-    "Regenerate with `mechproof regenerate`; edits are overwritten.",
+    REGENERATED,
 )
 
 

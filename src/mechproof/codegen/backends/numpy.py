@@ -32,6 +32,7 @@ from mechproof.record import Form, Paper
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 LINE_LENGTH = 100
+REGENERATED = "Regenerate with `mechproof regenerate`; edits are overwritten."
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "arrays": (
@@ -122,7 +123,7 @@ def tell_origin(system: str) -> tuple[str, ...]:
     """Say what a module is generated from, and how."""
     return (
         f"Generated from mechproof.derivations.{system} with SymPy {sp.__version__}.",
-        "Regenerate with `mechproof regenerate`; edits are overwritten.",
+        REGENERATED,
     )
 
 
@@ -196,7 +197,8 @@ def _check_reserved(name: str, stage: Stage) -> None:
 
 def render_init(text: str) -> str:
     """Render the file of a package."""
-    return format_source(render_template("numpy_package.py.jinja", {"text": text}))
+    docstring = text, "", REGENERATED
+    return format_source(render_template("numpy_package.py.jinja", {"docstring": docstring}))
 
 
 def render_template(name: str, data: Mapping[str, object], folder: Path = TEMPLATES) -> str:
