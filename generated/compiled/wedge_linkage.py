@@ -2018,6 +2018,7 @@ def _sensitivities_point(
 def _row_sensitivities(
     out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
 ):
+    widen()
     for i in range(out.size // 10):
         x1 = float(x1_values[i])
 
@@ -2104,6 +2105,7 @@ def _row_each_sensitivities(
     alpha_LM_values,
     exact,
 ):
+    widen()
     for i in range(out.size // 10):
         x1 = float(x1_values[i])
 
