@@ -136,7 +136,7 @@ def _evaluate_few(
     prepare: Function,
     parameters: tuple[Any, ...],
 ) -> Any:
-    """Evaluate what `_are_few`, in numbers if there is one point: arrays take five times as long."""
+    """Evaluate few points, one alone in numbers: arrays take five times as long."""
     first = running[0]
     if type(first) is np.ndarray and first.size == 1:
         found = np.empty(first.shape)
