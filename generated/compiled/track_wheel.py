@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` b9f07d24e6d5.
+Elementary functions: `elementary` d11d8d6145e0.
 
 Sums over axes are added in the order of the index, with the rest of every addition. Inside
 functions that numba compiles they take one array of terms for each argument, or a number for

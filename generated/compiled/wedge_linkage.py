@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors is proved
 of the NumPy kernels alone.
 
-Elementary functions: `elementary` b9f07d24e6d5.
+Elementary functions: `elementary` d11d8d6145e0.
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
