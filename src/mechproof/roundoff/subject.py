@@ -16,11 +16,11 @@ from mechproof.codegen.code import Stage
 from mechproof.codegen.kernel import Kernel, build_kernel, input_names
 from mechproof.codegen.program import MEANINGS, Operand
 from mechproof.record import Chart, Form, Paper, Quantity
+from mechproof.roundoff.apart import Rows, bound_apart
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL
 from mechproof.roundoff.bound import EPS, Bar, Evaluation
 from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.expansions import WAYS
-from mechproof.roundoff.germs import UndecidedError
 from mechproof.roundoff.intervals import careful
 from mechproof.roundoff.regions import Boxes, Region, express
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values, run
@@ -78,33 +78,29 @@ class Subject:
             rows = np.flatnonzero(groups == group)
             for start in range(0, len(rows), TOGETHER):
                 part = rows[start : start + TOGETHER]
-                bounds[part] = self._bound_alike(region, boxes[part], ())
+                bounds[part] = self._bound_alike(region, boxes[part], moves=False)
         return bounds
 
-    def _bound_alike(
-        self, region: Region, boxes: Boxes, forced: tuple[int, ...], moves: bool = False
-    ) -> NDArray[np.float64]:
-        try:
-            with careful(moves=moves):
-                evaluation, bar = self.evaluate(region, boxes, forced)
-                highest = np.zeros(len(boxes))
-                for output in self.straight.outputs:
-                    highest = np.maximum(highest, evaluation.sum_errors(output, bar))
-                return highest
-        except IndexError:
-            return np.full(len(boxes), np.inf)
-        except FloatingPointError:
-            if moves:
-                return np.full(len(boxes), np.inf)
-            return self._bound_alike(region, boxes, forced, moves=True)
-        except UndecidedError as undecided:
-            bounds = np.full(len(boxes), np.inf)
-            for number, mask in enumerate(undecided.masks):
-                rows = np.flatnonzero(np.broadcast_to(mask, len(boxes)))
-                if len(rows):
-                    path = (*undecided.path, number)
-                    bounds[rows] = self._bound_alike(region, boxes[rows], path, moves)
-            return bounds
+    def _bound_alike(self, region: Region, boxes: Boxes, *, moves: bool) -> NDArray[np.float64]:
+        def compute(rows: Rows, forced: tuple[int, ...]) -> NDArray[np.float64]:
+            evaluation, bar = self.evaluate(region, boxes[rows], forced)
+            highest = np.zeros(len(rows))
+            for output in self.straight.outputs:
+                highest = np.maximum(highest, evaluation.sum_errors(output, bar))
+            return highest
+
+        def try_rows(rows: Rows, forced: tuple[int, ...]) -> NDArray[np.float64]:
+            try:
+                with careful(moves=moves):
+                    return compute(rows, forced)
+            except IndexError:
+                return np.full(len(rows), np.inf)
+            except FloatingPointError:
+                if moves:
+                    return np.full(len(rows), np.inf)
+                return self._bound_alike(region, boxes[rows], moves=True)
+
+        return bound_apart(try_rows, len(boxes))
 
     def evaluate(
         self, region: Region, boxes: Boxes, forced: tuple[int, ...] = ()
