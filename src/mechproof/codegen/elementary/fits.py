@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 
 import mpmath as mp
 from flint import arb, arb_series, ctx
@@ -25,7 +25,7 @@ REST = 2.0**-70
 TAIL = 6.0
 # Beyond, the tail is less than the smallest double.
 TAIL_END = 39.0
-Sides = Callable[["Rational", arb_series], tuple[arb_series, arb_series]]
+Sides = Callable[[arb_series], tuple[arb_series, arb_series]]
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class Target:
     meaning: str
     value: Callable[[mp.mpf], mp.mpf]
     last: Callable[[], mp.mpf]
-    sides: Sides
+    sides: Callable[[Rational, arb_series], tuple[arb_series, arb_series]]
     first: float | None = None
 
 
@@ -186,29 +186,33 @@ def fit(target: Target, above: int, below: int = 0, form: Format = DOUBLE) -> Ra
 @cache
 def enclose(target: Target, fitted: Rational) -> float:
     """Bound the relative error of the function, from 0 to the end of its interval."""
+    with mp.workdps(DIGITS):
+        last = str(mp.sqrt(target.last()) if target.first is None else target.last())
+    return enclose_sides(partial(target.sides, fitted), last, target.first)
+
+
+def enclose_sides(sides: Sides, last: str, first: float | None = None) -> float:
+    """Bound the relative difference of two sides, up to a decimal number from `first`, or from 0.
+
+    From 0 both may vanish with their argument.
+    """
     precision, length = ctx.prec, ctx.cap
     ctx.prec, ctx.cap = BITS, ORDER + 2
     try:
-        return _enclose(target, fitted)
+        start = arb(first or 0)
+        half = (arb(last) - start) / (2 * PIECES)
+        pieces = [(start + half * (2 * i + 1), half) for i in range(PIECES)]
+        if first is None:
+            # The first piece is expanded at 0, where both sides vanish with their argument.
+            pieces[0] = arb(0), 2 * half
+        return max(_enclose_piece(sides, *piece) for piece in pieces)
     finally:
         ctx.prec, ctx.cap = precision, length
 
 
-def _enclose(target: Target, fitted: Rational) -> float:
-    with mp.workdps(DIGITS):
-        last = mp.sqrt(target.last()) if target.first is None else target.last() - target.first
-        half = arb(str(last)) / (2 * PIECES)
-    start = arb(target.first or 0)
-    pieces = [(start + half * (2 * i + 1), half) for i in range(PIECES)]
-    if target.first is None:
-        # The first piece is expanded at 0, where both sides vanish with their argument.
-        pieces[0] = arb(0), 2 * half
-    return max(_enclose_piece(target, fitted, *piece) for piece in pieces)
-
-
-def _enclose_piece(target: Target, fitted: Rational, middle: arb, reach: arb) -> float:
-    near = target.sides(fitted, arb_series([middle, 1]))
-    around = target.sides(fitted, arb_series([arb(middle.mid(), reach), 1]))
+def _enclose_piece(sides: Sides, middle: arb, reach: arb) -> float:
+    near = sides(arb_series([middle, 1]))
+    around = sides(arb_series([arb(middle.mid(), reach), 1]))
     lowest = 1 if near[1][0] == 0 else 0
     powers = [reach ** (k - lowest) for k in range(lowest, ORDER + 1)]
 
@@ -221,6 +225,6 @@ def _enclose_piece(target: Target, fitted: Rational, middle: arb, reach: arb) ->
     first, *others = bound(near[1], around[1])
     least = first - sum(others, arb(0))
     if not off[-1] < least * REST:
-        sides = (middle - reach / 2, middle + reach / 2)
-        return max(_enclose_piece(target, fitted, side, reach / 2) for side in sides)
+        halves = (middle - reach / 2, middle + reach / 2)
+        return max(_enclose_piece(sides, side, reach / 2) for side in halves)
     return float((sum(off, arb(0)) / least).upper())
