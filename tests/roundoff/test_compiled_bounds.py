@@ -7,7 +7,6 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from importlib import import_module
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -21,8 +20,7 @@ from mechproof.codegen.elementary.functions import Function, build
 from mechproof.codegen.kernel import list_functions
 from mechproof.codegen.program import Operation, Program
 from mechproof.proof.balls import working_precision
-from mechproof.roundoff import compiled, elementary
-from mechproof.roundoff.certificate import holds, read_certificate
+from mechproof.roundoff import elementary
 from mechproof.roundoff.compiled import COMPILED, WAY, find_part
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.fused import fma
@@ -161,9 +159,7 @@ def prove_changed(kind: str, changed: Function, monkeypatch: pytest.MonkeyPatch)
 
 
 @pytest.mark.parametrize("kind", TRUTH)
-def test_a_wrong_coefficient_has_a_larger_bound(
-    kind: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_wrong_coefficient_has_a_larger_bound(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
     low = max(
         abs(o)
         for step in build(kind, DOUBLE).program.operations

@@ -94,7 +94,9 @@ class Evaluation:
             is_exact = step.kind == "subtract" and self._is_near(*given)
             if step.proved and step.ulps:
                 error = self._look_up(step, given[0]) * EPS
-                self._add(step, exact, slopes, error, None, exact.scaled(around(1.0, error)).expanded())
+                self._add(
+                    step, exact, slopes, error, None, exact.scaled(around(1.0, error)).expanded()
+                )
             else:
                 self._round(step, stated or exact, slopes, is_exact)
 

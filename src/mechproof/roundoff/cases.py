@@ -91,7 +91,7 @@ class _Resolver:
         straight = keep_needed(Straight(self._program.inputs, tuple(self._steps), outputs))
         if len(self._per) > 1 or len(self._words) > 1:
             raise ValueError("an angle is reduced in more than one way")
-        return Resolved(straight, *(self._per or {0.0}), *(self._words or {()}))
+        return Resolved(straight, max(self._per, default=0.0), max(self._words, default=()))
 
     def _find(self, operand: Operand) -> Operand:
         if isinstance(operand, str) and (chain := self._chains.get(operand)):

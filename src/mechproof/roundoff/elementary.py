@@ -14,9 +14,9 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from flint import arb, arb_series
+from flint import arb
 
-from mechproof.codegen.elementary.fits import MARGIN, enclose_sides
+from mechproof.codegen.elementary.fits import MARGIN, Sides, enclose_pieces
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import build
 from mechproof.roundoff.apart import Rows, bound_apart
@@ -77,9 +77,11 @@ def _prove_angle(kind: str) -> Profile:
     for quarters in range(QUARTERS):
         number = Whole(Fraction(QUARTERS), Fraction(quarters))
         found = resolve(build(kind, DOUBLE).program, Case(number))
-        check_parity(found.straight, {REST: -1})
-        straight, off = _leave_quotient(found.straight), _enclose_angle(kind, found, quarters)
+        # Of the other sign it is off as much, or this is an error.
+        find_parities(found.straight, {REST: -1})
         places, low, high = _list_rests(edges, quarters)
+        straight = _leave_quotient(found.straight)
+        off = _enclose_angle(kind, found, quarters, low, high)
         bounds = _put_on(_bound_reduced(replace(found, straight=straight), low, high), off)
         if not quarters:
             unreduced[places] = _put_on(_bound(straight, {REST: None}, low, high), off)
@@ -99,7 +101,7 @@ def _leave_quotient(straight: Straight) -> Straight:
     return replace(straight, steps=(*others, replace(last, ulps=EXACT)))
 
 
-def _enclose_angle(kind: str, found: Resolved, quarters: int) -> float:
+def _enclose_angle(kind: str, found: Resolved, quarters: int, low: Array, high: Array) -> Array:
     """Bound the error of the approximation, in eps, for so many quarter turns."""
     *_, last = found.straight.steps
     outputs = last.operands if last.kind == "divide" else found.straight.outputs
@@ -109,7 +111,14 @@ def _enclose_angle(kind: str, found: Resolved, quarters: int) -> float:
         above, *below = run(plain, {REST: rest}, IN_BALLS)
         return ANGLES[kind](above, (*below, arb(1))[0], rest, quarters)
 
-    return enclose_sides(sides, str(float((PI * exactly(0.25)).high) * BEYOND)) / EPS
+    return _enclose(sides, low, high)
+
+
+def _enclose(sides: Sides, low: Array, high: Array) -> Array:
+    # What may vanish is expanded where it does.
+    start = np.where(low < high - low, 0.0, low)
+    pieces = zip(map(arb, start.tolist()), map(arb, high.tolist()), strict=True)
+    return np.array(enclose_pieces(sides, pieces)) / EPS
 
 
 def _list_angles() -> Array:
@@ -118,7 +127,7 @@ def _list_angles() -> Array:
     return np.array([0.0, NEAR, *inner, np.pi / 2 - 2 * NEAR, quarter])
 
 
-def _list_rests(edges: Array, quarters: int) -> tuple[Array, Array, Array]:
+def _list_rests(edges: Array, quarters: int) -> tuple[Rows, Array, Array]:
     """Return which pieces have so many quarter turns, and how large their rests are."""
     least, most = edges[:-1], edges[1:]
     if quarters % 2:
@@ -143,9 +152,7 @@ def _bound_reduced(found: Resolved, low: Array, high: Array) -> Array:
     return bounds
 
 
-def _bound(
-    straight: Straight, given: Mapping[str, float | None], low: Array, high: Array
-) -> Array:
+def _bound(straight: Straight, given: Mapping[str, float | None], low: Array, high: Array) -> Array:
     """Bound the roundings of steps in eps of their value; what is not given is in the pieces."""
 
     def compute(rows: Rows, forced: tuple[int, ...]) -> Array:
@@ -163,48 +170,39 @@ def _bound(
     return bound_apart(compute, len(low))
 
 
-def _put_on(bounds: Array, off: float) -> Array:
+def _put_on(bounds: Array, off: Array) -> Array:
     """Return bounds of roundings with that of the approximation."""
     return (bounds * (1 + off * EPS) + off) * (1 + 4 * EPS)
 
 
-def check_parity(straight: Straight, given: Mapping[str, int]) -> None:
-    """Require that arguments of the other sign are off as much; ValueError if not."""
-    find_parities(straight, given)
-
-
 def _prove_quotient(kind: str) -> Profile:
     """Bound the arctangent of a quotient, its place that of the quotient."""
-    one, other = map(name_size, build(kind, DOUBLE).program.inputs)
-    inner = np.linspace(0.0, 1.0, PIECES + 1)
-    bounds = []
-    for is_larger in (False, True):
-        found = resolve(build(kind, DOUBLE).program, Case(is_larger=is_larger))
-        above, below = (other, one) if is_larger else (one, other)
+    edges = np.linspace(0.0, 1.0, PIECES + 1)
+    flat, steep = (_bound_arc(kind, edges[:-1], edges[1:], is_steep) for is_steep in (False, True))
+    places = np.array([*edges, *(2 - edges[-2::-1])])
+    return Profile(places, find_highest(np.array([*flat, *steep[::-1]])))
 
-        def sides(
-            w: Series, plain: Straight = found.straight, given: Any = (above, below)
-        ) -> tuple[Series, Series]:
-            (value,) = run(plain, {given[0]: w, given[1]: arb(1)}, IN_BALLS)
-            return value, w.atan()
 
-        def turned(w: Series, sides: Any = sides) -> tuple[Series, Series]:
-            value, arc = sides(w)
-            return value, arb.pi() / 2 - arc
+def _bound_arc(kind: str, low: Array, high: Array, is_steep: bool) -> Array:
+    """Bound the arctangent of quotients, or of their reciprocals, of at most 1."""
+    program = build(kind, DOUBLE).program
+    found = resolve(program, Case(is_larger=is_steep))
+    one, other = map(name_size, program.inputs)
+    above, below = (other, one) if is_steep else (one, other)
 
-        off = enclose_sides(turned if is_larger else sides, "1") / EPS
-        given = {above: None, below: 1.0}
-        found_bounds = _put_on(_bound(found.straight, given, inner[:-1], inner[1:]), off)
-        bounds.append(found_bounds[::-1] if is_larger else found_bounds)
-    edges = np.array([*inner, *(2 - inner[-2::-1])])
-    return Profile(edges, find_highest(np.concatenate(bounds)))
+    def sides(w: Series) -> tuple[Series, Series]:
+        (value,) = run(found.straight, {above: w, below: arb(1)}, IN_BALLS)
+        return value, arb.pi() / 2 - w.atan() if is_steep else w.atan()
+
+    bounds = _bound(found.straight, {above: None, below: 1.0}, low, high)
+    return _put_on(bounds, _enclose(sides, low, high))
 
 
 def _prove_small(kind: str) -> Profile:
     """Bound the arctangent of what is meant to be at most 1/sqrt(3)."""
     (name,) = build(kind, DOUBLE).program.inputs
     found = resolve(build(kind, DOUBLE).program, Case())
-    check_parity(found.straight, {name: -1})
+    find_parities(found.straight, {name: -1})
     legal = float(np.nextafter((ONE / exactly(3.0)).sqrt().high, 1.0))
     end = legal * BEYOND
 
@@ -212,8 +210,8 @@ def _prove_small(kind: str) -> Profile:
         (value,) = run(found.straight, {name: y}, IN_BALLS)
         return value, y.atan()
 
-    off = enclose_sides(sides, str(end)) / EPS
     edges = np.linspace(0.0, end, PIECES + 1)
+    off = _enclose(sides, edges[:-1], edges[1:])
     bounds = _put_on(_bound(found.straight, {name: None}, edges[:-1], edges[1:]), off)
     return Profile(edges, find_highest(bounds), legal=legal)
 

@@ -14,13 +14,10 @@ def fma(a: Any, b: Any, c: Any) -> Any:
 
     By a sum that is rounded to odd (Boldo and Melquiond 2008).
     """
-    a, b, c = (np.asarray(value, float) for value in (a, b, c))
     product = a * b
-    with np.errstate(all="ignore"):
-        rest = product_rest(a, b, product)
-        low, lowest = add_exactly(c, rest)
-        high, middle = add_exactly(product, low)
-        fused = high + _add_to_odd(middle, lowest)
+    low, lowest = add_exactly(c, product_rest(a, b, product))
+    high, middle = add_exactly(product, low)
+    fused = high + _add_to_odd(middle, lowest)
     return np.where(np.isfinite(fused), fused, product + c)
 
 
@@ -34,6 +31,7 @@ def add_exactly(a: Any, b: Any) -> tuple[Any, Any]:
 def _add_to_odd(a: Any, b: Any) -> Any:
     """Return the sum, of its two neighbours that with an odd last bit if it is no double."""
     total, rest = add_exactly(a, b)
-    is_even = total.view(np.int64) & 1 == 0
-    toward = np.where(rest > 0, np.inf, -np.inf)
-    return np.where((rest != 0) & is_even, np.nextafter(total, toward), total)
+    bits = np.asarray(total).view(np.int64)
+    outward = np.where((rest > 0) == (total > 0), 1, -1)
+    moved = (rest != 0) & (bits & 1 == 0)
+    return np.where(moved, (bits + outward).view(np.float64), total)

@@ -53,9 +53,7 @@ def bound_reduction(per: float, words: tuple[float, ...]) -> Reduction:
     least_taken = 0.5 / per * (1 - EPS)
     later, least = abs(words[2]), find_nearest(largest)
     first_is_exact = (
-        least_taken > 0.5
-        and Fraction(words[0]) * 2**53 % 1 == 0
-        and rest + most * after_first < 1
+        least_taken > 0.5 and Fraction(words[0]) * 2**53 % 1 == 0 and rest + most * after_first < 1
     )
     if not first_is_exact:
         raise ValueError(f"{words[0]}: the first product and difference may be rounded")

@@ -64,7 +64,7 @@ def check_symmetry(straight: Straight, chart: Chart, names: Mapping[sp.Basic, st
 
 def find_parities(straight: Straight, given: Mapping[str, Parity]) -> Mapping[Operand, Parity]:
     """Return what becomes of all results where the given ones do; ValueError if that is neither."""
-    parities: dict[Operand, Parity] = {**given}
+    parities: dict[Operand, Parity] = dict(given.items())
     for step in straight.steps:
         operands = [parities[o] if isinstance(o, str) else 1 for o in step.operands]
         if step.kind not in PARITIES:

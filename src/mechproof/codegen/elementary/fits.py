@@ -7,9 +7,11 @@ interval by Taylor polynomials in balls.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, partial
+from itertools import pairwise
 
 import mpmath as mp
 from flint import arb, arb_series, ctx
@@ -188,26 +190,36 @@ def enclose(target: Target, fitted: Rational) -> float:
     """Bound the relative error of the function, from 0 to the end of its interval."""
     with mp.workdps(DIGITS):
         last = str(mp.sqrt(target.last()) if target.first is None else target.last())
-    return enclose_sides(partial(target.sides, fitted), last, target.first)
+    with _working():
+        first = arb(target.first or 0)
+        step = (arb(last) - first) / PIECES
+        ends = [first + step * i for i in range(PIECES + 1)]
+    return max(enclose_pieces(partial(target.sides, fitted), pairwise(ends)))
 
 
-def enclose_sides(sides: Sides, last: str, first: float | None = None) -> float:
-    """Bound the relative difference of two sides, up to a decimal number from `first`, or from 0.
-
-    From 0 both may vanish with their argument.
-    """
+@contextmanager
+def _working() -> Iterator[None]:
     precision, length = ctx.prec, ctx.cap
     ctx.prec, ctx.cap = BITS, ORDER + 2
     try:
-        start = arb(first or 0)
-        half = (arb(last) - start) / (2 * PIECES)
-        pieces = [(start + half * (2 * i + 1), half) for i in range(PIECES)]
-        if first is None:
-            # The first piece is expanded at 0, where both sides vanish with their argument.
-            pieces[0] = arb(0), 2 * half
-        return max(_enclose_piece(sides, *piece) for piece in pieces)
+        yield
     finally:
         ctx.prec, ctx.cap = precision, length
+
+
+def enclose_pieces(sides: Sides, pieces: Iterable[tuple[arb, arb]]) -> list[float]:
+    """Bound the relative difference of two sides on intervals.
+
+    Both may vanish with their argument at 0, where an interval begins.
+    """
+    bounds = []
+    with _working():
+        for low, high in pieces:
+            half = (high - low) / 2
+            # From 0 both are expanded there.
+            place = (low, high) if low == 0 else (low + half, half)
+            bounds.append(_enclose_piece(sides, *place))
+    return bounds
 
 
 def _enclose_piece(sides: Sides, middle: arb, reach: arb) -> float:
