@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,18 +16,24 @@ from compiled import grouped
 from derived import paper_of
 from flint import arb
 
+import mechproof.kernels
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import Function, build
 from mechproof.codegen.kernel import list_functions
 from mechproof.codegen.program import Operation, Program
 from mechproof.proof.balls import working_precision
 from mechproof.roundoff import elementary
+from mechproof.roundoff import subject as subject_module
+from mechproof.roundoff.certificate import Claim, holds, read_certificate
 from mechproof.roundoff.compiled import COMPILED, WAY, find_part
 from mechproof.roundoff.elementary import prove
+from mechproof.roundoff.ends import AT_ENDS
 from mechproof.roundoff.fused import fma
 from mechproof.roundoff.intervals import Interval
+from mechproof.roundoff.profiles import Profile
 from mechproof.roundoff.reduction import bound_reduction, find_nearest
 from mechproof.roundoff.regions import list_regions
+from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.scales import find_scaled
 from mechproof.roundoff.steps import Step, Straight
 from mechproof.roundoff.subject import Subject, list_subjects
@@ -79,6 +86,98 @@ def test_what_is_proved_is_what_runs(name: str) -> None:
             found = subject.compute(points)
             assert found.shape[1] > 50
             assert np.array_equal(np.moveaxis(found, 0, -1).ravel(), wanted.ravel())
+
+
+@cache
+def claims(system: str) -> tuple[Claim, ...]:
+    path = Path(next(iter(mechproof.kernels.__path__)), "certificates", f"{system}.json")
+    return read_certificate(path.read_text(encoding="utf-8"), str(path)).claims
+
+
+@pytest.mark.parametrize("name", grouped(NAMES))
+def test_both_kernels_differ_by_no_more_than_both_bounds(name: str) -> None:
+    """On drawn points, and some ulps around those that are off most in any way."""
+    system, _, quantity = name.partition(".")
+    plain, fast = (
+        getattr(import_module(f"mechproof.kernels{package}.{system}"), quantity)
+        for package in ("", ".compiled")
+    )
+    rng = np.random.default_rng(3)
+    for subject in compiled_subjects(name):
+        told = [c for c in claims(system) if (c.quantity, c.form) == (quantity, subject.form.name)]
+        (proved,) = (c.proved for c in told if c.way == WAY)
+        both = proved + max(c.proved for c in told if c.way != WAY)
+        hurting = {
+            argument: np.concatenate([shake(float.fromhex(c.at[argument]), rng) for c in told])
+            for argument in told[0].at
+        }
+        inside = np.broadcast_to(subject.holds(hurting), (len(told) * SHAKEN,))
+        hurting = {argument: column[inside] for argument, column in hurting.items()}
+        for points in (*draw_points(subject, 1000, 12), hurting):
+            given = [points[a.name] for a in subject.kernel.quantity.arguments]
+            one, other = plain(*given), fast(*given)
+            scale = np.abs(one)
+            if subject.scale:
+                scale = run(subject.scale, points, IN_DOUBLES)[0]
+                scale = np.broadcast_to(scale, len(given[0])).reshape(-1, *[1] * (one.ndim - 1))
+            # The scale is computed, too.
+            assert np.all(np.abs(one - other) <= both * EPS * scale * (1 + 2.0**-40))
+
+
+SHAKEN = 200
+
+
+def shake(value: float, rng: np.random.Generator) -> np.ndarray:
+    moved: np.ndarray = value + rng.integers(-9, 10, SHAKEN) * np.spacing(value)
+    return moved
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name != "elliptic_planetary.ratio"])
+def test_a_bound_lowered_by_a_tenth_is_refused(name: str) -> None:
+    system, _, quantity = name.partition(".")
+    subject = next(compiled_subjects(name))
+    (claim,) = (
+        c
+        for c in claims(system)
+        if (c.quantity, c.form, c.way) == (quantity, subject.form.name, WAY)
+    )
+    assert not holds(subject, replace(claim, proved=0.9 * claim.proved))
+
+
+def test_what_is_proved_of_a_function_counts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With worse functions the bound of a kernel is higher, with exact ones lower."""
+    subject = next(compiled_subjects("elliptic_planetary.position"))
+    region = next(list_regions(subject.form.charts[0]))
+    boxes = np.array([[(0.3, 0.31) if np.isfinite(side[1]) else side for side in region.box]])
+    whole = subject.bound(region, boxes)
+    for factor in (0.0, 2.0):
+
+        def scaled(kind: str, factor: float = factor) -> Profile:
+            profile = prove(kind)
+            unreduced = None if profile.unreduced is None else factor * profile.unreduced
+            return replace(profile, highest=factor * profile.highest, unreduced=unreduced)
+
+        monkeypatch.setattr(subject_module, "prove", scaled)
+        assert np.sign(subject.bound(region, boxes) - whole) == np.sign(factor - 1)
+
+
+def test_fused_ends_hold_what_is_fused_between_them() -> None:
+    rng = np.random.default_rng(9)
+    for signs in ((1, 1), (-1, 1), (1, -1), (-1, -1)):
+        low = rng.uniform(0, 2, (3, 500))
+        high = low * (1 + rng.uniform(0, 1, (3, 500)))
+        a, b = (
+            Interval(least, most) if sign > 0 else Interval(-most, -least)
+            for sign, least, most in zip(signs, low, high, strict=False)
+        )
+        c = Interval(-high[2], -low[2])
+        found = AT_ENDS["fma"](a, b, c)
+        for share in np.linspace(0, 1, 9):
+            x, y, z = (i.low + share * (i.high - i.low) for i in (a, b, c))
+            inner = fma(*(np.clip(v, i.low, i.high) for v, i in ((x, a), (y, b), (z, c))))
+            assert np.all((found.span.low <= inner) & (inner <= found.span.high))
+    unknown = Interval(-low[0], high[0])
+    assert not AT_ENDS["fma"](unknown, unknown, c).span.is_finite.any()
 
 
 def test_fused_products_are_rounded_once() -> None:
@@ -134,6 +233,12 @@ def test_elementary_functions_are_off_by_no_more_than_is_proved(kind: str) -> No
 def test_angles_that_are_not_reduced_have_no_bound() -> None:
     far = np.array([2 * DOUBLE.largest, np.nan])
     assert np.isnan(prove("sin").of_angle(Interval(far, far), Interval(far, far))).all()
+
+
+def test_the_steepest_quotients_have_a_bound() -> None:
+    size = np.array([1e300, 2.0**45, 1.0, 0.0])
+    found = prove("arctan_quotient").of_size(Interval(size, size))
+    assert np.all(found <= prove("arctan_quotient").most)
 
 
 def test_no_double_is_nearer_to_a_quarter_turn() -> None:

@@ -127,6 +127,9 @@ class Evaluation:
         is_rounded = step.kind != "approximate"
         if step.ulps and not is_exact and is_rounded:
             limit = limit_by_spacing(found, step.ulps)
+            if step.result in self._scaled:
+                # Of what is scaled the terms are doubles, too, but nobody knows their spacing.
+                limit, given = np.inf, [self.value(o).expanded() for o in step.operands]
             if step.ulps <= HALF:
                 limit = _least(limit, _limit_by_terms(step.kind, given))
         span = (
@@ -145,7 +148,7 @@ class Evaluation:
     ) -> None:
         """Add a step with the sizes of its error, of itself and absolute."""
         if step.result in self._scaled:
-            absolute, computed = None, UNKNOWN
+            computed = UNKNOWN
         self.moving.append(Moving(step, exact, slopes, relative, absolute))
         self.computed[step.result] = computed
         moved = exact.scaled(around(1.0, relative)) if np.any(relative) else exact

@@ -22,7 +22,6 @@ WAY = "compiled"
 # Whose error is what is proved.
 PROVED = float("inf")
 PARTS = ("tangent_above", "tangent_below")
-SUPPORT = ("small_tangent", "product_rest", "quotient_rest")
 
 
 def _expand_function(kind: str, name: str) -> Expansion:

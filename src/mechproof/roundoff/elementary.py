@@ -179,7 +179,8 @@ def _prove_quotient(kind: str) -> Profile:
     """Bound the arctangent of a quotient, its place that of the quotient."""
     edges = np.linspace(0.0, 1.0, PIECES + 1)
     flat, steep = (_bound_arc(kind, edges[:-1], edges[1:], is_steep) for is_steep in (False, True))
-    places = np.array([*edges, *(2 - edges[-2::-1])])
+    # All reciprocals that are rounded to zero have a place, too.
+    places = np.array([*edges, *(2 - edges[-2:0:-1]), 2 * BEYOND])
     return Profile(places, find_highest(np.array([*flat, *steep[::-1]])))
 
 
