@@ -144,6 +144,21 @@ def test_a_bound_lowered_by_a_tenth_is_refused(name: str) -> None:
     assert not holds(subject, replace(claim, proved=0.9 * claim.proved))
 
 
+def test_a_claim_about_other_steps_or_functions_is_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    subject = next(compiled_subjects("track_wheel.rotation"))
+    (claim,) = (c for c in claims("track_wheel") if c.way == WAY)
+    assert subject.computed is not None
+    for field in ("straight", "computed"):
+        steps = getattr(subject, field)
+        lost = replace(steps, steps=steps.steps[:-1])
+        assert not holds(replace(subject, **{field: lost}), claim)
+    changed = change("cos", lambda step: replace(step, kind="add") if step.kind == "fma" else step)
+    monkeypatch.setattr(subject_module, "build", lambda *_: changed)
+    assert not holds(subject, claim)
+
+
 def test_what_is_proved_of_a_function_counts(monkeypatch: pytest.MonkeyPatch) -> None:
     """With worse functions the bound of a kernel is higher, with exact ones lower."""
     subject = next(compiled_subjects("elliptic_planetary.position"))

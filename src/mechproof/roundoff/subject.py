@@ -44,8 +44,8 @@ class Subject:
     """A stage of a kernel in one of the ways in which it is computed.
 
     `exact` are the steps whose values without rounding are the truth, `scale` those of what an
-    error is relative to, if it is not the value, `computed` those that run. `sums` are kept for
-    each chart.
+    error is relative to, if it is not the value; `computed` are those of a compiled kernel, with
+    calls of elementary functions. `sums` are kept for each chart.
     """
 
     kernel: Kernel
@@ -55,14 +55,14 @@ class Subject:
     straight: Straight
     exact: Straight
     scale: Straight | None
-    computed: Straight
+    computed: Straight | None = None
     sums: dict[tuple[int, int], Mapping[str, sp.Expr]] = field(default_factory=dict, compare=False)
 
     @property
     def digest(self) -> str:
         """Return the SHA-256 of the steps and of the coordinates."""
         text = f"{self.straight}\n{self.form.charts}"
-        if self.way == WAY:
+        if self.computed:
             kinds = sorted({step.kind for step in self.computed.steps} & BODIES.keys())
             text += f"\n{self.computed}\n{[build(kind, DOUBLE).program for kind in kinds]}"
         return hashlib.sha256(text.encode()).hexdigest()
@@ -141,8 +141,9 @@ class Subject:
 
     def compute(self, points: Mapping[str, Any]) -> NDArray[np.float64]:
         """Return the outputs in doubles, as they are computed."""
-        table = COMPILED if self.way == WAY else IN_DOUBLES
-        return np.array(run(self.computed, points, table))
+        if self.computed:
+            return np.array(run(self.computed, points, COMPILED))
+        return np.array(run(self.straight, points, IN_DOUBLES))
 
     def weigh(self, found: NDArray[np.float64], exact: Sequence[arb], given: Values) -> float:
         """Return the largest error of the outputs in eps of the scale."""
@@ -193,7 +194,7 @@ def list_subjects(kernel: Kernel, paper: Paper) -> Iterator[Subject]:
             if straight not in known:
                 known.append(straight)
                 _check_charts(straight, kernel, form)
-                yield Subject(kernel, form, stage, way, straight, known[0], scale, straight)
+                yield Subject(kernel, form, stage, way, straight, known[0], scale)
         if kernel.is_shipped:
             compiled = put_off_stage(stage)
             expanded = keep_needed(flatten_stage(compiled, list_expansions()))
