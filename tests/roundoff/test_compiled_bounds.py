@@ -33,7 +33,7 @@ from mechproof.roundoff.intervals import Interval
 from mechproof.roundoff.profiles import Profile
 from mechproof.roundoff.reduction import bound_reduction, find_nearest
 from mechproof.roundoff.regions import list_regions
-from mechproof.roundoff.running import IN_DOUBLES, run
+from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
 from mechproof.roundoff.scales import find_scaled
 from mechproof.roundoff.steps import Step, Straight
 from mechproof.roundoff.subject import Subject, list_subjects
@@ -243,6 +243,30 @@ def test_elementary_functions_are_off_by_no_more_than_is_proved(kind: str) -> No
     proved = look_up(kind, arguments)
     assert np.all(errors <= proved + last)
     assert max(errors) > 0.3 * prove(kind).most
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_without_roundings_compiled_steps_have_the_value_of_the_others(name: str) -> None:
+    for subject in compiled_subjects(name):
+        for points in draw_points(subject, 5, 4):
+            for values in zip(*points.values(), strict=True):
+                with working_precision(300):
+                    given = dict(zip(points, map(arb, map(float, values)), strict=True))
+                    pairs = zip(
+                        run(subject.straight, given, IN_BALLS),
+                        run(subject.exact, given, IN_BALLS),
+                        strict=True,
+                    )
+                    assert all(abs(one - other) < arb(2) ** -150 for one, other in pairs)
+
+
+def test_what_a_small_arctangent_is_not_meant_for_has_no_bound() -> None:
+    profile = prove("small_arctan")
+    large = Interval(np.array([0.5, 0.5]), np.array([0.6, 0.6]))
+    assert np.isnan(profile.of_size(large)).all()
+    found = profile.of_size(profile.limit(large, np.array([2.0**-40, np.inf])))
+    assert found[0] <= profile.most
+    assert np.isnan(found[1])
 
 
 def test_angles_that_are_not_reduced_have_no_bound() -> None:
