@@ -354,6 +354,14 @@ def test_a_decision_without_a_rule_is_refused(monkeypatch: pytest.MonkeyPatch) -
         prove_changed("cos", change("cos", swap), monkeypatch)
 
 
+def test_another_comparison_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    def turn(step: Operation) -> Operation:
+        return replace(step, operands=step.operands[::-1]) if step.kind == "greater" else step
+
+    with pytest.raises(ValueError, match="only the sizes of both arguments"):
+        prove_changed("arctan_quotient", change("arctan_quotient", turn), monkeypatch)
+
+
 def test_a_scale_that_stays_is_refused() -> None:
     part = Step("t", "copy", (1.0,), 0.0, scaled="y")
     for kind, operands in (("add", ("t", 1)), ("arctan", ("t",)), ("square", ("t",))):

@@ -114,8 +114,8 @@ class _Resolver:
 
     def _compare(self, operation: Operation) -> bool:
         # Both are doubles that were given: no rounding has a part in this.
-        if not {self._find(o) for o in operation.operands} <= set(self._sizes.values()):
-            raise ValueError(f"{operation}: only sizes of arguments are compared")
+        if [self._find(o) for o in operation.operands] != list(self._sizes.values()):
+            raise ValueError(f"{operation}: only the sizes of both arguments are compared")
         self._facts[operation.result] = self._case.is_larger
         return True
 
@@ -153,7 +153,8 @@ class _Resolver:
 
     def _take_off(self, operation: Operation) -> bool:
         number, word, rest = operation.operands
-        if self._facts.get(str(number)) != self._case.number or isinstance(word, str):
+        known = self._facts.get(str(number))
+        if known is None or known != self._case.number or isinstance(word, str):
             return False
         if rest != self._program.inputs[0] and rest not in self._chains:
             return False
