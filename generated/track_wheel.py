@@ -195,7 +195,7 @@ def rotation(
     Accuracy: 7 eps of the largest size of an entry.
 
     Proved, where |alpha|, |beta|, |gamma| <= 22/7: at most 5.06 eps with np.cos within 1 ulp
-    and np.sin within 1 ulp, found 1.36.
+    and np.sin within 1 ulp, found 1.36; at most 4.31 eps compiled, found 1.76.
 
     Source: Kapitonov, Yakubovsky 2022, equation (14).
 

@@ -12,19 +12,25 @@ import sympy as sp
 from flint import arb
 from numpy.typing import NDArray
 
+from mechproof.codegen.backends.scalar import put_off_stage
 from mechproof.codegen.code import Stage
+from mechproof.codegen.elementary.formats import DOUBLE
+from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.kernel import Kernel, build_kernel, input_names
 from mechproof.codegen.program import MEANINGS, Operand
 from mechproof.record import Chart, Form, Paper, Quantity
+from mechproof.roundoff.apart import Rows, bound_apart
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL
 from mechproof.roundoff.bound import EPS, Bar, Evaluation
 from mechproof.roundoff.compensation import hold_compensated
+from mechproof.roundoff.compiled import COMPILED, WAY, list_expansions
+from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.expansions import WAYS
-from mechproof.roundoff.germs import UndecidedError
 from mechproof.roundoff.intervals import careful
 from mechproof.roundoff.regions import Boxes, Region, express
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values, run
-from mechproof.roundoff.steps import EXACT, Step, Straight, flatten_stage
+from mechproof.roundoff.scales import find_scaled
+from mechproof.roundoff.steps import EXACT, Step, Straight, flatten_stage, keep_needed
 from mechproof.roundoff.symmetry import check_symmetry
 
 # Boxes that are bounded together.
@@ -38,7 +44,8 @@ class Subject:
     """A stage of a kernel in one of the ways in which it is computed.
 
     `exact` are the steps whose values without rounding are the truth, `scale` those of what an
-    error is relative to, if it is not the value. `sums` are kept for each chart.
+    error is relative to, if it is not the value; `computed` are those of a compiled kernel, with
+    calls of elementary functions. `sums` are kept for each chart.
     """
 
     kernel: Kernel
@@ -48,12 +55,16 @@ class Subject:
     straight: Straight
     exact: Straight
     scale: Straight | None
+    computed: Straight | None = None
     sums: dict[tuple[int, int], Mapping[str, sp.Expr]] = field(default_factory=dict, compare=False)
 
     @property
     def digest(self) -> str:
         """Return the SHA-256 of the steps and of the coordinates."""
         text = f"{self.straight}\n{self.form.charts}"
+        if self.computed:
+            kinds = sorted({step.kind for step in self.computed.steps} & BODIES.keys())
+            text += f"\n{self.computed}\n{[build(kind, DOUBLE).program for kind in kinds]}"
         return hashlib.sha256(text.encode()).hexdigest()
 
     @property
@@ -64,7 +75,7 @@ class Subject:
     @property
     def assumptions(self) -> tuple[str, ...]:
         """List what the bound rests on."""
-        kinds = {step.kind for step in self.straight.steps}
+        kinds = {step.kind for step in self.straight.steps if not step.proved}
         return (*(FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys())), NORMAL)
 
     def bound(self, region: Region, boxes: Boxes) -> NDArray[np.float64]:
@@ -78,33 +89,29 @@ class Subject:
             rows = np.flatnonzero(groups == group)
             for start in range(0, len(rows), TOGETHER):
                 part = rows[start : start + TOGETHER]
-                bounds[part] = self._bound_alike(region, boxes[part], ())
+                bounds[part] = self._bound_alike(region, boxes[part], moves=False)
         return bounds
 
-    def _bound_alike(
-        self, region: Region, boxes: Boxes, forced: tuple[int, ...], moves: bool = False
-    ) -> NDArray[np.float64]:
-        try:
-            with careful(moves=moves):
-                evaluation, bar = self.evaluate(region, boxes, forced)
-                highest = np.zeros(len(boxes))
-                for output in self.straight.outputs:
-                    highest = np.maximum(highest, evaluation.sum_errors(output, bar))
-                return highest
-        except IndexError:
-            return np.full(len(boxes), np.inf)
-        except FloatingPointError:
-            if moves:
-                return np.full(len(boxes), np.inf)
-            return self._bound_alike(region, boxes, forced, moves=True)
-        except UndecidedError as undecided:
-            bounds = np.full(len(boxes), np.inf)
-            for number, mask in enumerate(undecided.masks):
-                rows = np.flatnonzero(np.broadcast_to(mask, len(boxes)))
-                if len(rows):
-                    path = (*undecided.path, number)
-                    bounds[rows] = self._bound_alike(region, boxes[rows], path, moves)
-            return bounds
+    def _bound_alike(self, region: Region, boxes: Boxes, *, moves: bool) -> NDArray[np.float64]:
+        def compute(rows: Rows, forced: tuple[int, ...]) -> NDArray[np.float64]:
+            evaluation, bar = self.evaluate(region, boxes[rows], forced)
+            highest = np.zeros(len(rows))
+            for output in self.straight.outputs:
+                highest = np.maximum(highest, evaluation.sum_errors(output, bar))
+            return highest
+
+        def try_rows(rows: Rows, forced: tuple[int, ...]) -> NDArray[np.float64]:
+            try:
+                with careful(moves=moves):
+                    return compute(rows, forced)
+            except IndexError:
+                return np.full(len(rows), np.inf)
+            except FloatingPointError:
+                if moves:
+                    return np.full(len(rows), np.inf)
+                return self._bound_alike(region, boxes[rows], moves=True)
+
+        return bound_apart(try_rows, len(boxes))
 
     def evaluate(
         self, region: Region, boxes: Boxes, forced: tuple[int, ...] = ()
@@ -120,7 +127,7 @@ class Subject:
         for straight in both:
             plain = self._add_up(straight, region.chart)
             stated = {result: express(value, frame, germs) for result, value in plain.items()}
-            found.append(Evaluation(straight, frame, given, stated, turn))
+            found.append(Evaluation(straight, frame, given, stated, turn, prove))
         if self.scale is None:
             return found[0], Bar(None, True)
         whole, *rest = (found[1].value(output) for output in self.scale.outputs)
@@ -131,6 +138,12 @@ class Subject:
         if key not in self.sums:
             self.sums[key] = add_up(straight, chart, input_names(self.kernel.quantity))
         return self.sums[key]
+
+    def compute(self, points: Mapping[str, Any]) -> NDArray[np.float64]:
+        """Return the outputs in doubles, as they are computed."""
+        if self.computed:
+            return np.array(run(self.computed, points, COMPILED))
+        return np.array(run(self.straight, points, IN_DOUBLES))
 
     def weigh(self, found: NDArray[np.float64], exact: Sequence[arb], given: Values) -> float:
         """Return the largest error of the outputs in eps of the scale."""
@@ -180,9 +193,20 @@ def list_subjects(kernel: Kernel, paper: Paper) -> Iterator[Subject]:
             straight = hold_compensated(flatten_stage(stage, expansions))
             if straight not in known:
                 known.append(straight)
-                for chart in form.charts:
-                    check_symmetry(straight, chart, input_names(kernel.quantity))
+                _check_charts(straight, kernel, form)
                 yield Subject(kernel, form, stage, way, straight, known[0], scale)
+        if kernel.is_shipped:
+            compiled = put_off_stage(stage)
+            expanded = keep_needed(flatten_stage(compiled, list_expansions()))
+            straight = find_scaled(hold_compensated(expanded))
+            _check_charts(straight, kernel, form)
+            computed = flatten_stage(compiled, {})
+            yield Subject(kernel, form, stage, WAY, straight, known[0], scale, computed)
+
+
+def _check_charts(straight: Straight, kernel: Kernel, form: Form) -> None:
+    for chart in form.charts:
+        check_symmetry(straight, chart, input_names(kernel.quantity))
 
 
 def _write_scale(quantity: Quantity, form: Form, paper: Paper) -> Straight | None:

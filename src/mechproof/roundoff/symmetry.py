@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+import sympy as sp
+
+from mechproof.codegen.program import Operand
 from mechproof.record import Chart
 from mechproof.roundoff.steps import Straight
 
@@ -45,9 +48,9 @@ PARITIES: Mapping[str, Callable[..., Parity]] = MappingProxyType(
 )
 
 
-def check_symmetry(straight: Straight, chart: Chart, names: Mapping[object, str]) -> None:
+def check_symmetry(straight: Straight, chart: Chart, names: Mapping[sp.Basic, str]) -> None:
     """Require that negative angles are off as positive ones are; ValueError if not."""
-    parities: dict[object, Parity] = {}
+    parities: dict[str, Parity] = {}
     angle = chart.angle
     if angle is None:
         return
@@ -56,8 +59,15 @@ def check_symmetry(straight: Straight, chart: Chart, names: Mapping[object, str]
         if turned not in (value, -value):
             raise ValueError(f"chart: {value} is neither odd nor even in {angle}")
         parities[names[symbol]] = 1 if turned == value else -1
+    find_parities(straight, parities)
+
+
+def find_parities(straight: Straight, given: Mapping[str, Parity]) -> Mapping[Operand, Parity]:
+    """Return what becomes of all results where the given ones do; ValueError if that is neither."""
+    parities: dict[Operand, Parity] = dict(given.items())
     for step in straight.steps:
-        given = [parities[o] if isinstance(o, str) else 1 for o in step.operands]
+        operands = [parities[o] if isinstance(o, str) else 1 for o in step.operands]
         if step.kind not in PARITIES:
             raise ValueError(f"{step.kind} has no parity")
-        parities[step.result] = PARITIES[step.kind](*given)
+        parities[step.result] = PARITIES[step.kind](*operands)
+    return parities

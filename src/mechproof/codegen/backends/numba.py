@@ -76,9 +76,8 @@ def _describe(system: str) -> tuple[str, ...]:
         "are then",
         "indexed, and so are results.",
         "",
-        "Tests hold them to the same accuracy bounds. What help says is proved of rounding errors "
-        "is proved",
-        "of the NumPy kernels alone.",
+        "Tests hold them to the same accuracy bounds. What help says is proved of rounding errors",
+        "is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.",
         "",
         f"Elementary functions: `{ELEMENTARY.strip('.')}` {_hash_elementary()}.",
         "",

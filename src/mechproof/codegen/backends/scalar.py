@@ -131,15 +131,17 @@ def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
 
 
 def _adapt(kernel: Kernel) -> Kernel:
-    stages = tuple(
-        replace(
-            stage,
-            prepare=put_off_divisions(stage.prepare),
-            evaluate=put_off_divisions(stage.evaluate) if stage.evaluate else None,
-        )
-        for stage in kernel.code.stages
-    )
+    stages = tuple(map(put_off_stage, kernel.code.stages))
     return replace(kernel, code=replace(kernel.code, stages=stages))
+
+
+def put_off_stage(stage: Stage) -> Stage:
+    """Return a stage with programs that put divisions off."""
+    return replace(
+        stage,
+        prepare=put_off_divisions(stage.prepare),
+        evaluate=put_off_divisions(stage.evaluate) if stage.evaluate else None,
+    )
 
 
 def write_scalar(kernel: Kernel, syntax: Syntax) -> ScalarKernel:
