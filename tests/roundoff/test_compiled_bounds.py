@@ -383,6 +383,38 @@ def test_the_sign_of_another_argument_is_refused(
         prove_changed("arctan_quotient", change("arctan_quotient", swap), monkeypatch)
 
 
+def test_an_arctangent_of_more_than_a_quotient_is_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Where the larger size is 1 the smaller one is the quotient."""
+    steps = build("arctan_quotient", DOUBLE).program.operations
+    (quotient,) = (step for step in steps if step.kind == "divide")
+    last = [step for step in steps if step.kind == "fma"][-1]
+
+    def swap(step: Operation) -> Operation:
+        if step is not last:
+            return step
+        return replace(step, operands=(*step.operands[:2], quotient.operands[0]))
+
+    assert last.operands[2] == quotient.result
+    with pytest.raises(ValueError, match="scaled"):
+        prove_changed("arctan_quotient", change("arctan_quotient", swap), monkeypatch)
+
+
+def test_what_does_not_vanish_with_a_function_has_no_bound(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Sines for cosines and cosines for sines: one at 0 is off by more than any share of none."""
+
+    def swap(step: Operation) -> Operation:
+        condition, *both = step.operands
+        inner = step.kind == "choose" and step is chosen
+        return replace(step, operands=(condition, *both[::-1])) if inner else step
+
+    chosen = next(s for s in build("sin", DOUBLE).program.operations if s.kind == "choose")
+    assert prove_changed("sin", change("sin", swap), monkeypatch) == np.inf
+
+
 def test_what_is_negated_is_not_compared() -> None:
     for step in (Step("q", "greater", ("y", 1), 0.0), Step("q", "choose", (1, "y", 1), 0.0)):
         with pytest.raises(ValueError, match="negated"):

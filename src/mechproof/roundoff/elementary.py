@@ -28,6 +28,7 @@ from mechproof.roundoff.intervals import ONE, PI, Interval, careful, exactly
 from mechproof.roundoff.profiles import Array, Profile, find_highest
 from mechproof.roundoff.reduction import NEAR, bound_reduction
 from mechproof.roundoff.running import IN_BALLS, run
+from mechproof.roundoff.scales import find_scaled
 from mechproof.roundoff.steps import EXACT, HALF, Step, Straight, keep_needed, make_step
 from mechproof.roundoff.symmetry import find_parities
 
@@ -200,6 +201,9 @@ def _bound_arc(kind: str, low: Array, high: Array, is_steep: bool) -> Array:
     program = build(kind, DOUBLE).program
     found = resolve(program, Case(is_larger=is_steep))
     one, other = map(name_size, program.inputs)
+    # What holds where one size is 1 holds everywhere: nothing but their quotient counts.
+    sizes = (Step(name, "copy", (1.0,), EXACT, scaled="size") for name in (one, other))
+    find_scaled(replace(found.straight, steps=(*sizes, *found.straight.steps)))
     above, below = (other, one) if is_steep else (one, other)
 
     def sides(w: Series) -> tuple[Series, Series]:
