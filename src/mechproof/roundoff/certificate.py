@@ -147,7 +147,8 @@ def holds(subject: Subject, claim: Claim) -> bool:
 
 
 def _round_down(eps: float) -> float:
-    return math.floor(eps * 10**DIGITS) / 10**DIGITS
+    cut: float = math.floor(eps * 10**DIGITS) / 10**DIGITS
+    return cut
 
 
 def _measure_again(subject: Subject, claim: Claim) -> Found:
