@@ -17,7 +17,13 @@ import mechproof.kernels
 from mechproof.codegen.kernel import input_names, list_functions
 from mechproof.kernel_support import polynomials
 from mechproof.kernels import elliptic_planetary as kernels
-from mechproof.roundoff.certificate import Certificate, Claim, holds, read_certificate
+from mechproof.roundoff.certificate import (
+    Certificate,
+    Claim,
+    holds,
+    list_digests,
+    read_certificate,
+)
 from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.expansions import ARCTANGENT, QUOTIENT
 from mechproof.roundoff.intervals import careful
@@ -110,6 +116,23 @@ def test_another_number_of_boxes_is_refused() -> None:
 def test_a_left_out_assumption_is_refused() -> None:
     claim, subject = plain()
     assert not holds(subject, replace(claim, assumptions=claim.assumptions[1:]))
+
+
+@pytest.mark.parametrize("found", [0.0, -1.0, math.nan])
+def test_another_error_than_that_of_the_input_is_refused(found: float) -> None:
+    claim, subject = by_polynomials()
+    assert not holds(subject, replace(claim, found=found))
+
+
+def test_what_errors_are_told_in_is_part_of_what_is_kept() -> None:
+    paper = paper_of("track_wheel")
+    (rotation,) = (q for q in paper.quantities if q.name == "rotation")
+    assert rotation.accuracy is not None
+    assert rotation.accuracy.scale is not None
+    scale = replace(rotation.accuracy.scale, expression=sp.Integer(2))
+    other = replace(rotation, accuracy=replace(rotation.accuracy, scale=scale))
+    changed = tuple(other if q is rotation else q for q in paper.quantities)
+    assert list_digests(replace(paper, quantities=changed)) != list_digests(paper)
 
 
 def test_a_changed_step_is_refused() -> None:

@@ -37,6 +37,7 @@ from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
 from mechproof.roundoff.scales import find_scaled
 from mechproof.roundoff.steps import Step, Straight
 from mechproof.roundoff.subject import Subject, list_subjects
+from mechproof.roundoff.symmetry import find_parities
 from mechproof.roundoff.worst import draw
 
 EPS = 2.0**-52
@@ -298,8 +299,10 @@ def change(kind: str, edit: Callable[[Operation], Operation]) -> Function:
 
 
 def prove_changed(kind: str, changed: Function, monkeypatch: pytest.MonkeyPatch) -> float:
-    monkeypatch.setattr(elementary, "build", lambda *_: changed)
-    return prove.__wrapped__(kind).most
+    # What is proved of the function itself is kept: it must not be of the changed one.
+    with monkeypatch.context() as patch:
+        patch.setattr(elementary, "build", lambda *_: changed)
+        return prove.__wrapped__(kind).most
 
 
 @pytest.mark.parametrize("kind", TRUTH)
@@ -352,6 +355,70 @@ def test_a_decision_without_a_rule_is_refused(monkeypatch: pytest.MonkeyPatch) -
     # Halves of odd numbers rounded to even ones: the sign is another.
     with pytest.raises(ValueError, match="decides what rounding does"):
         prove_changed("cos", change("cos", swap), monkeypatch)
+
+
+@pytest.mark.parametrize("added", [2 - EPS, 2.0**60])
+def test_numbers_of_quarter_turns_that_are_rounded_are_refused(
+    added: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without a rounding 2 - eps has the signs of 1, but no large number is off by it."""
+
+    def add(step: Operation) -> Operation:
+        wrong = step.kind == "add" and step.operands[1:] == (1.0,)
+        return replace(step, operands=(step.operands[0], added)) if wrong else step
+
+    with pytest.raises(ValueError, match="may be rounded"):
+        prove_changed("cos", change("cos", add), monkeypatch)
+
+
+@pytest.mark.parametrize(("one", "other"), [("a", "b"), ("b", "a")])
+def test_the_sign_of_another_argument_is_refused(
+    one: str, other: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def swap(step: Operation) -> Operation:
+        signed = step.kind == "copysign" and step.operands[1] == one
+        return replace(step, operands=(step.operands[0], other)) if signed else step
+
+    with pytest.raises(ValueError, match="the sign is not that of"):
+        prove_changed("arctan_quotient", change("arctan_quotient", swap), monkeypatch)
+
+
+def test_an_arctangent_of_more_than_a_quotient_is_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Where the larger size is 1 the smaller one is the quotient."""
+    steps = build("arctan_quotient", DOUBLE).program.operations
+    (quotient,) = (step for step in steps if step.kind == "divide")
+    last = [step for step in steps if step.kind == "fma"][-1]
+
+    def swap(step: Operation) -> Operation:
+        if step is not last:
+            return step
+        return replace(step, operands=(*step.operands[:2], quotient.operands[0]))
+
+    assert last.operands[2] == quotient.result
+    with pytest.raises(ValueError, match="scaled"):
+        prove_changed("arctan_quotient", change("arctan_quotient", swap), monkeypatch)
+
+
+def test_what_does_not_vanish_with_a_function_has_no_bound(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Sines for cosines and cosines for sines: one at 0 is off by more than any share of none."""
+
+    def swap(step: Operation) -> Operation:
+        condition, *both = step.operands
+        inner = step.kind == "choose" and step is chosen
+        return replace(step, operands=(condition, *both[::-1])) if inner else step
+
+    chosen = next(s for s in build("sin", DOUBLE).program.operations if s.kind == "choose")
+    assert prove_changed("sin", change("sin", swap), monkeypatch) == np.inf
+
+
+def test_what_is_negated_is_not_compared() -> None:
+    for step in (Step("q", "greater", ("y", 1), 0.0), Step("q", "choose", (1, "y", 1), 0.0)):
+        with pytest.raises(ValueError, match="negated"):
+            find_parities(Straight(("y",), (step,), ("q",)), {"y": -1})
 
 
 def test_another_comparison_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -17,6 +17,8 @@ from mechproof.roundoff.steps import Step, Straight, keep_needed, make_step
 
 # An angle less its quarter turns.
 REST = "rest"
+# Numbers of quarter turns have so many parts, and no more is added: doubles without a rounding.
+PARTS, MOST_ADDED = 8, 8
 
 
 def name_size(name: str) -> str:
@@ -30,6 +32,11 @@ class Whole:
 
     each: Fraction
     count: Fraction
+
+    def __post_init__(self) -> None:
+        parts = [number * PARTS for number in (self.each, self.count)]
+        if any(p.denominator != 1 or abs(p) > PARTS * MOST_ADDED for p in parts):
+            raise ValueError(f"{self.each} for each turn and {self.count} may be rounded")
 
     def times(self, factor: float) -> Whole:
         """Return a multiple, whole or not."""

@@ -19,6 +19,7 @@ from flint import arb
 from mechproof.codegen.elementary.fits import MARGIN, Sides, enclose_pieces
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import build
+from mechproof.codegen.program import Program
 from mechproof.roundoff.apart import Rows, bound_apart
 from mechproof.roundoff.bound import EPS, Bar, Evaluation
 from mechproof.roundoff.cases import REST, Case, Resolved, Whole, name_size, resolve
@@ -27,7 +28,8 @@ from mechproof.roundoff.intervals import ONE, PI, Interval, careful, exactly
 from mechproof.roundoff.profiles import Array, Profile, find_highest
 from mechproof.roundoff.reduction import NEAR, bound_reduction
 from mechproof.roundoff.running import IN_BALLS, run
-from mechproof.roundoff.steps import EXACT, HALF, Step, Straight, keep_needed
+from mechproof.roundoff.scales import find_scaled
+from mechproof.roundoff.steps import EXACT, HALF, Step, Straight, keep_needed, make_step
 from mechproof.roundoff.symmetry import find_parities
 
 # So many pieces has a quarter turn, or an interval of the other functions.
@@ -177,6 +179,7 @@ def _put_on(bounds: Array, off: Array) -> Array:
 
 def _prove_quotient(kind: str) -> Profile:
     """Bound the arctangent of a quotient, its place that of the quotient."""
+    _check_signs(build(kind, DOUBLE).program)
     edges = np.linspace(0.0, 1.0, PIECES + 1)
     flat, steep = (_bound_arc(kind, edges[:-1], edges[1:], is_steep) for is_steep in (False, True))
     # All reciprocals that are rounded to zero have a place, too.
@@ -184,11 +187,23 @@ def _prove_quotient(kind: str) -> Profile:
     return Profile(places, find_highest(np.array([*flat, *steep[::-1]])))
 
 
+def _check_signs(program: Program) -> None:
+    """Require that the sign turns with that of each argument; ValueError if not."""
+    whole = Straight(program.inputs, tuple(map(make_step, program.operations)), program.outputs)
+    for turned in program.inputs:
+        parities = find_parities(whole, {n: -1 if n == turned else 1 for n in program.inputs})
+        if any(parities[output] > 0 for output in program.outputs):
+            raise ValueError(f"the sign is not that of {turned}")
+
+
 def _bound_arc(kind: str, low: Array, high: Array, is_steep: bool) -> Array:
     """Bound the arctangent of quotients, or of their reciprocals, of at most 1."""
     program = build(kind, DOUBLE).program
     found = resolve(program, Case(is_larger=is_steep))
     one, other = map(name_size, program.inputs)
+    # What holds where one size is 1 holds everywhere: nothing but their quotient counts.
+    sizes = (Step(name, "copy", (1.0,), EXACT, scaled="size") for name in (one, other))
+    find_scaled(replace(found.straight, steps=(*sizes, *found.straight.steps)))
     above, below = (other, one) if is_steep else (one, other)
 
     def sides(w: Series) -> tuple[Series, Series]:

@@ -33,6 +33,20 @@ def _keep(parity: Parity) -> Parity:
     return parity
 
 
+def _compare(a: Parity, b: Parity) -> Parity:
+    if a < 0 or b < 0:
+        raise ValueError("what is negated is compared")
+    return 1
+
+
+def _choose(condition: Parity, a: Parity, b: Parity) -> Parity:
+    return _same(a, b)
+
+
+def _take_sign(size: Parity, sign: Parity) -> Parity:
+    return sign
+
+
 # To round to nearest is odd, and so are NumPy's odd functions.
 PARITIES: Mapping[str, Callable[..., Parity]] = MappingProxyType(
     {
@@ -41,6 +55,9 @@ PARITIES: Mapping[str, Callable[..., Parity]] = MappingProxyType(
         **dict.fromkeys(("square", "cos", "absolute"), _even),
         **dict.fromkeys(("negate", "copy", "approximate", "pi_off"), _keep),
         **dict.fromkeys(("tan", "sin", "arctan", "small_tangent"), _keep),
+        "greater": _compare,
+        "choose": _choose,
+        "copysign": _take_sign,
         "fma": lambda a, b, c: _same(a * b, c),
         "product_rest": lambda a, b, p: _same(a * b, p),
         "quotient_rest": lambda a, b, q: _same(a * b, q),

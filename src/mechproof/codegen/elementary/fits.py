@@ -7,6 +7,7 @@ interval by Taylor polynomials in balls.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -225,7 +226,10 @@ def enclose_pieces(sides: Sides, pieces: Iterable[tuple[arb, arb]]) -> list[floa
 def _enclose_piece(sides: Sides, middle: arb, reach: arb) -> float:
     near = sides(arb_series([middle, 1]))
     around = sides(arb_series([arb(middle.mid(), reach), 1]))
-    lowest = 1 if near[1][0] == 0 else 0
+    vanishes = [bool(side[0] == 0) for side in near]
+    if vanishes[1] and not vanishes[0]:
+        return math.inf
+    lowest = 1 if vanishes[1] else 0
     powers = [reach ** (k - lowest) for k in range(lowest, ORDER + 1)]
 
     def bound(at_middle: arb_series, in_piece: arb_series) -> list[arb]:
