@@ -1,9 +1,11 @@
-"""Symmetry: whether steps with an angle negated round as they did, all signs turned."""
+"""Symmetry: whether steps with arguments negated round as they did, but for signs."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
+
+import sympy as sp
 
 from mechproof.record import Chart
 from mechproof.roundoff.steps import Straight
@@ -45,17 +47,31 @@ PARITIES: Mapping[str, Callable[..., Parity]] = MappingProxyType(
 )
 
 
-def check_symmetry(straight: Straight, chart: Chart, names: Mapping[object, str]) -> None:
+def check_symmetry(straight: Straight, chart: Chart, names: Mapping[sp.Basic, str]) -> None:
     """Require that negative angles are off as positive ones are; ValueError if not."""
-    parities: dict[object, Parity] = {}
-    angle = chart.angle
-    if angle is None:
-        return
+    if chart.angle is not None:
+        _check_parities(straight, dict(_list_parities(chart, chart.angle, names)))
+
+
+def check_mirror(
+    straight: Straight, mirror: Sequence[sp.Basic], names: Mapping[sp.Basic, str]
+) -> None:
+    """Require that arguments, all negated, turn no more than signs; ValueError if not."""
+    parities = {name: -1 if symbol in mirror else 1 for symbol, name in names.items()}
+    _check_parities(straight, parities)
+
+
+def _list_parities(
+    chart: Chart, angle: sp.Symbol, names: Mapping[sp.Basic, str]
+) -> Iterator[tuple[str, Parity]]:
     for symbol, value in chart.arguments.items():
         turned = value.subs(angle, -angle)
         if turned not in (value, -value):
             raise ValueError(f"chart: {value} is neither odd nor even in {angle}")
-        parities[names[symbol]] = 1 if turned == value else -1
+        yield names[symbol], 1 if turned == value else -1
+
+
+def _check_parities(straight: Straight, parities: dict[str, Parity]) -> None:
     for step in straight.steps:
         given = [parities[o] if isinstance(o, str) else 1 for o in step.operands]
         if step.kind not in PARITIES:
