@@ -86,8 +86,7 @@ LOADED = {
         *("numpy", "sympy", "flint", "matplotlib", "PIL"),
         *("mechproof.lab", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
         *("mechproof.kernel_support", "mechproof.derivation", "mechproof.measured"),
-        "mechproof.executors",
-        "mechproof.tailoring",
+        *("mechproof.executors", "mechproof.tailoring", "mechproof.roundoff"),
     },
 }
 INSIDE = {

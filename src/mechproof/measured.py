@@ -27,6 +27,7 @@ from mechproof.json_rows import read_fields, write_lines
 
 __all__ = [
     "COPY",
+    "FOLDER",
     "MEASURED",
     "Cell",
     "CellErrors",
@@ -58,6 +59,8 @@ COPY = "memory copy"
 ALL_BITS = 64.0
 ERROR_DIGITS, TIME_DIGITS = 4, 3
 SUFFIX = ".json"
+# Of the generated package.
+FOLDER = "measured"
 
 
 @dataclass(frozen=True)
@@ -270,7 +273,7 @@ def goes_by(quantity: str, name: str) -> bool:
 
 def find_files(folder: Traversable | None = None) -> dict[str, Traversable]:
     """Return the files of a folder, by default those that come with the package, by quantity."""
-    folder = files("mechproof.kernels").joinpath("measured") if folder is None else folder
+    folder = files("mechproof.kernels").joinpath(FOLDER) if folder is None else folder
     found = folder.iterdir() if folder.is_dir() else iter(())
     named = {file.name.removesuffix(SUFFIX): file for file in found if file.name.endswith(SUFFIX)}
     return dict(sorted(named.items()))

@@ -306,6 +306,15 @@ def test_an_elementary_function_that_computes_something_else_is_caught(
         check_elementary(source.replace(right, wrong, 1))
 
 
+def test_modules_change_with_what_is_compiled_into_them(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    source = render_elementary()
+    (tmp_path / "machine.py").write_text("another")
+    monkeypatch.setattr("mechproof.codegen.backends.numba.SUPPORT_FOLDER", tmp_path)
+    assert render_elementary.__wrapped__() != source
+
+
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [

@@ -360,10 +360,21 @@ def test_functions_of_numbers_are_those_of_arrays(kind: Any) -> None:
 def test_every_condition_is_asked() -> None:
     for shape, axis in (((3,), -1), ((2, 3), -1), ((3, 3), (-2, -1)), ((2, 3, 3), (-2, -1))):
         condition = np.ones(shape, bool)
-        assert np.array_equal(arrays.every(condition, axis), np.all(condition, axis=axis))
+        assert arrays.every(condition, axis) is True
         condition[(-1,) * len(shape)] = False
         assert np.array_equal(arrays.every(condition, axis), np.all(condition, axis=axis))
     assert arrays.every(np.ones(0, bool), -1)
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_one_point_is_computed_as_among_others(name: str) -> None:
+    function, arguments = CALLS[name]
+    first, *parameters = arguments
+    if np.ndim(first) != 1 or any(np.ndim(p) for p in parameters):
+        return
+    among = function(first, *parameters)
+    for i in range(len(first)):
+        assert np.array_equal(function(first[i : i + 1], *parameters), among[i : i + 1])
 
 
 @pytest.mark.parametrize("running", [0.3, np.array([0.3, 0.4])])

@@ -51,10 +51,10 @@ def test_the_arc_stays_small_where_the_plain_product_is_taken() -> None:
 
 
 def one_by_one(*arguments: Array) -> Array:
-    """Compute each point by itself: one mechanism, an array of one angle."""
+    """Compute each point by itself, twice: one angle alone is computed in numbers."""
     phi, *parameters = np.broadcast_arrays(*map(np.atleast_1d, arguments))
     points = zip(phi.ravel(), *(p.ravel() for p in parameters), strict=True)
-    return np.array([position([p], *rest)[0] for p, *rest in points]).reshape(phi.shape)
+    return np.array([position([p, p], *rest)[0] for p, *rest in points]).reshape(phi.shape)
 
 
 def test_the_bound_of_the_position_holds() -> None:

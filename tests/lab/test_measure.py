@@ -15,6 +15,7 @@ from mechproof.lab.chart import draw_charts
 from mechproof.lab.jumps import draw_jumps
 from mechproof.lab.machine import describe_machine
 from mechproof.lab.measure import describe_ways, measure
+from mechproof.lab.proofs import list_claims
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.table import PAGE, headline, list_lines, write_tables
 from mechproof.lab.timing import Effort, interleave, time_subject
@@ -225,5 +226,11 @@ def test_the_page_in_the_repository_is_of_the_records() -> None:
     folder = Path(__file__).parents[2] / "generated" / "measured"
     page, records = (folder / PAGE).read_text(encoding="utf-8"), read_records(folder)
     assert page == "\n".join(list_lines(records))
+    # What is proved stands there with what was measured, and nothing else does.
+    claims = [claim for record in records for claim in list_claims(record)]
+    proved = page.split("## What is proved")[1].split("\n## ")[0]
+    assert all(f"|{claim.proved:g}|{claim.found:g}|" in proved for claim in claims)
+    assert proved.count("\n|") == len(claims) + 2
+    assert "## What is proved" not in "\n".join(list_lines(records, lambda record: ()))
     # A page to be read: some 25 lines for each quantity.
     assert len(page.encode()) < 1_900 * len(records)

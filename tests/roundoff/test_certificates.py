@@ -218,9 +218,10 @@ def test_certificates_are_what_the_derivations_say() -> None:
         assert told[name] == (subject.digest, subject.where, "")
 
 
-def test_a_rest_that_is_not_added_is_refused() -> None:
+@pytest.mark.parametrize("way", ["NumPy's functions", "compiled"])
+def test_a_rest_that_is_not_added_is_refused(way: str) -> None:
     """Without its low word the angle's rounding moves the output: nothing may hold it."""
-    (subject,) = (s for s in subjects().values() if s.form.name == "half-angle atan with low word")
+    subject = subjects()["position", "half-angle atan with low word", way]
     free = replace(subject.straight, held=frozenset())
     assert hold_compensated(free) == subject.straight
     steps = tuple(

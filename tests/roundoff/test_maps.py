@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 
@@ -26,10 +27,14 @@ ENDLESS = (-np.inf, np.inf)
 
 
 @cache
-def displacement() -> Subject:
+def displacements() -> Mapping[str, Subject]:
     paper = paper_of("track_wheel")
     kernel = next(k for k in list_functions(paper) if k.name == "displacement")
-    return next(list_subjects(kernel, paper))
+    return {subject.way: subject for subject in list_subjects(kernel, paper)}
+
+
+def displacement(way: str = "NumPy's functions") -> Subject:
+    return displacements()[way]
 
 
 def length(symbols: tuple[sp.Symbol, ...]) -> sp.Expr:
@@ -80,8 +85,9 @@ def test_the_scale_is_the_norm_of_the_matrix() -> None:
     assert sp.simplify(sp.expand(halved)) == 0
 
 
-def test_roundings_of_the_entries_and_of_the_sums_count() -> None:
-    subject = displacement()
+@pytest.mark.parametrize("way", ["NumPy's functions", "compiled"])
+def test_roundings_of_the_entries_and_of_the_sums_count(way: str) -> None:
+    subject = displacement(way)
     assert subject.map is not None
     whole = bound_at(subject, 0.5, 0.4, 0.3)
     entries = subject.map.entries

@@ -183,9 +183,9 @@ def measure(
     from mechproof.lab.measure import measure as measure_subject
     from mechproof.lab.subject import find_subjects
     from mechproof.lab.table import headline, write_tables
-    from mechproof.measured import write_record
+    from mechproof.measured import FOLDER, write_record
 
-    target = places.generated / "measured" / ("quick" if quick else "")
+    target = places.generated / FOLDER / ("quick" if quick else "")
     directory = None if places.is_packaged else places.derivations
     try:
         subjects = find_subjects(tuple(quantities or ()), directory)
@@ -226,7 +226,23 @@ def _render(
     files.update(write_certificates(c for c in certificates if c))
     files["ledger.json"] = to_json(ledgers)
     files["LEDGER.md"] = to_markdown(ledgers)
+    files.update(_render_tables(places.generated, certificates))
     return files
+
+
+def _render_tables(generated: Path, certificates: Sequence[Certificate | None]) -> dict[str, str]:
+    """Write the page of what was measured, with what is now proved beside it."""
+    from mechproof.lab.proofs import select_claims
+    from mechproof.lab.table import PAGE, list_lines
+    from mechproof.measured import FOLDER, read_records
+
+    known = [certificate for certificate in certificates if certificate]
+    try:
+        records = read_records(generated / FOLDER)
+    except ValueError as error:
+        fail(str(error))
+    lines = list_lines(records, lambda record: select_claims(record, known))
+    return {f"{FOLDER}/{PAGE}": "\n".join(lines)} if records else {}
 
 
 def _validate(

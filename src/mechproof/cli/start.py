@@ -11,6 +11,7 @@ from rich.text import Text
 from mechproof.cli.console import console, say
 from mechproof.cli.places import Places
 from mechproof.derivation import find_systems
+from mechproof.measured import FOLDER
 
 # Command -> what it does; the words in capitals stand for what is here.
 EXAMPLES = {
@@ -46,7 +47,7 @@ def list_examples(places: Places) -> Iterator[tuple[str, str]]:
     """Yield each command that works with what is here, and what it does."""
     systems = list(find_systems(places.derivations))
     kernels = [name for name in systems if (places.generated / f"{name}.py").is_file()]
-    measured = [path.stem for path in (places.generated / "measured").glob("*.json")]
+    measured = [path.stem for path in (places.generated / FOLDER).glob("*.json")]
     names = {
         "SYSTEM": kernels or systems,
         "KERNELS": kernels,

@@ -16,7 +16,7 @@ from mechproof.codegen.backends.numpy import render_init, render_modules
 from mechproof.record import Paper
 
 # What was generated, and may be replaced and removed: these, and modules with the line STAMP.
-LEDGERS = ("LEDGER.md", "ledger.json")
+PAGES = ("LEDGER.md", "ledger.json", "measured/TABLES.md")
 CERTIFICATES = "certificates/*.json"
 STAMP = re.compile("^Regenerate with `mechproof regenerate`", re.MULTILINE)
 
@@ -74,7 +74,7 @@ class Change:
 def compare_files(directory: Path, files: Mapping[str, str]) -> list[Change]:
     """Return the missing, surplus and different files, in the order of their names.
 
-    Surplus is only what was generated: a ledger, a certificate, or a module with the stamp. Raises
+    Surplus is only what was generated: a page, a certificate, or a module with the stamp. Raises
     `ForeignFileError` if a name is taken by a file that was not.
     """
     present = _read_own_files(directory, files)
@@ -105,12 +105,12 @@ def _read_own_files(directory: Path, wanted: Iterable[str]) -> dict[str, str]:
     """Read what was generated, and what lies where something is to be."""
     modules = (path.relative_to(directory).as_posix() for path in directory.rglob("*.py"))
     certificates = {path.relative_to(directory).as_posix() for path in directory.glob(CERTIFICATES)}
-    names = sorted({*modules, *LEDGERS, *certificates, *wanted})
+    names = sorted({*modules, *PAGES, *certificates, *wanted})
     texts = {name: _read(directory / name) for name in names if (directory / name).is_file()}
     own = {
         name
         for name, text in texts.items()
-        if name in {*LEDGERS, *certificates} or STAMP.search(text)
+        if name in {*PAGES, *certificates} or STAMP.search(text)
     }
     if taken := sorted(n for n in wanted if n in texts and n not in own and texts[n].strip()):
         raise ForeignFileError(

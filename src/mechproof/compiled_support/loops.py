@@ -22,6 +22,7 @@ THREADED = 2**17
 # Points of which arguments that are spread are copied at once: the copies stay in a cache.
 PIECE = 2**14
 DOUBLE = np.dtype(np.float64)
+IN_A_ROW = (DOUBLE.itemsize,)
 NUMBERS = (float, np.float64)
 
 
@@ -47,15 +48,24 @@ def take_row(first: NDArray[Any], out: NDArray[Any] | None) -> NDArray[Any] | No
 
     The first test of a call: nothing here may cost as much as the loop over ten points.
     """
-    if first.dtype is not DOUBLE or first.ndim != 1 or not first.flags.c_contiguous:
+    if first.dtype is not DOUBLE or first.strides != IN_A_ROW:
         return None
-    if first.size >= THREADED:
+    size = len(first)
+    if size >= THREADED:
         return None
     if out is None:
-        return np.empty(first.size)
-    is_plain = type(out) is np.ndarray and out.dtype is DOUBLE and out.shape == first.shape
-    is_ready = is_plain and out.flags.carray and not np.may_share_memory(out, first)
+        return np.empty(size)
+    if type(out) is not np.ndarray or out.dtype is not DOUBLE or out.strides != IN_A_ROW:
+        return None
+    is_ready = len(out) == size and out.flags.carray and _are_apart(first, out)
     return out if is_ready else None
+
+
+def _are_apart(first: NDArray[Any], out: NDArray[Any]) -> bool:
+    """Say whether two arrays have no memory in common, at once where neither is part of another."""
+    if first.base is None and out.base is None:
+        return first is not out
+    return not np.may_share_memory(out, first)
 
 
 def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> Any:

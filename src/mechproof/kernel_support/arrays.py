@@ -175,10 +175,9 @@ def nan_outside(inside: Any, *values: Any) -> tuple[NDArray[Any], ...]:
 
 
 def every(condition: Any, axis: Any) -> Any:
-    """Return np.all(condition, axis), over all axes of an array without a reduction."""
-    count = 1 if axis == -1 else len(axis)
-    if type(condition) is np.ndarray and condition.ndim == count:
-        return holds(condition)
+    """Return np.all(condition, axis), True without a reduction where it is true everywhere."""
+    if type(condition) is np.ndarray and holds(condition):
+        return True
     return np.all(condition, axis=axis)
 
 

@@ -26,6 +26,7 @@ from mechproof.lab.marks import (
 )
 from mechproof.lab.names import name_marks
 from mechproof.lab.panel import LOOKS, draw_panel, set_ticks
+from mechproof.lab.proofs import find_proved, tell_where
 from mechproof.lab.subject import Subject
 from mechproof.measured import Record
 
@@ -109,14 +110,14 @@ def draw_chart(record: Record, workload: str, count: int) -> Figure:
         axes.set_ylabel("worst error, eps")
     rows[-1].set_xlabel(_describe(record, workload, count))
     draw_key(figure, {mark.family for marks in panels.values() for mark in marks})
-    _write_names(figure, rows, list(panels.values()), count, copy)
+    _write_names(figure, rows, list(panels.values()), count, copy, find_proved(record))
     return figure
 
 
 def _describe(record: Record, workload: str, count: int) -> str:
     what = (
         f"{record.quantity}, {workload}, N = {count:,}, one call; {record.machine.processor}, "
-        f"{record.taken[:10]}. Errors in {record.error_unit}."
+        f"{record.taken[:10]}. Errors in {record.error_unit}. {tell_where(record)}"
     )
     return "\n".join(
         [
@@ -160,11 +161,16 @@ def _write_names(
     panels: Sequence[Sequence[Mark]],
     count: int,
     copy: float | None,
+    proved: Mapping[str, float],
 ) -> None:
-    """Name marks after the layout, which gives the room that there is, and count the rest."""
+    """Name marks after the layout, which gives the room that there is, and count the rest.
+
+    What is proved stands below the others, where the worst of all points is.
+    """
     figure.draw_without_rendering()
     figure.set_layout_engine("none")
     for axes, marks in zip(rows, panels, strict=True):
-        rest = len(marks) - len(name_marks(axes, marks, count, copy))
+        told = proved if axes is rows[-1] else {}
+        rest = len(marks) - len(name_marks(axes, marks, count, copy, told))
         title = f"{len(marks)} ways" + (f", {rest} of them without a name here" if rest else "")
         axes.set_title(title, loc="right", fontsize=8)

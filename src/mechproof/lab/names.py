@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+from types import MappingProxyType
 from typing import Any
 
 from matplotlib.transforms import Bbox
@@ -14,7 +15,8 @@ from mechproof.lab.marks import LOST_LANE, TURNS_LANE, Mark, find_best, find_fro
 from mechproof.lab.panel import LANE, LOWEST, draw_mark, find_top, trace_front
 
 Spot = tuple[float, float]
-TIMES = "\N{MULTIPLICATION SIGN}"
+TIMES, AT_MOST = "\N{MULTIPLICATION SIGN}", "\N{LESS-THAN OR EQUAL TO}"
+NOTHING: Mapping[str, float] = MappingProxyType({})
 # More names than this crowd a panel.
 NAMES = 12
 # How small the marks without a name are, and from how many pixels on two marks are told apart.
@@ -46,10 +48,16 @@ def choose_names(marks: Sequence[Mark], spots: Mapping[Mark, Spot]) -> list[Mark
     return chosen
 
 
-def name_marks(axes: Any, marks: Sequence[Mark], count: int, copy: float | None) -> list[Mark]:
+def name_marks(
+    axes: Any,
+    marks: Sequence[Mark],
+    count: int,
+    copy: float | None,
+    proved: Mapping[str, float] = NOTHING,
+) -> list[Mark]:
     """Draw marks after the layout, with names where these have room; return the named.
 
-    The others are drawn small.
+    The others are drawn small. `proved` are bounds of errors, by the names of ways.
     """
     spots = {mark: _as_spot(axes.transData.transform((mark.time, mark.height))) for mark in marks}
     room = Room(axes, [_box_around(spot, spot, 7) for spot in spots.values()])
@@ -58,6 +66,8 @@ def name_marks(axes: Any, marks: Sequence[Mark], count: int, copy: float | None)
     named: list[Mark] = []
     for mark in choose_names(marks, spots):
         label = write_name(mark, marks[0], count)
+        if mark.name in proved:
+            label += f", proved {AT_MOST} {proved[mark.name]:g}"
         is_first = mark is marks[0]
         if len(named) < NAMES and room.write(spots[mark], _find_band(axes, mark), label, is_first):
             named.append(mark)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
+from mechproof.lab.proofs import find_way, list_claims
 from mechproof.measured import COPY, MEASURED, MeasuredWay, Record, SetErrors, Timing, read_records
+from mechproof.roundoff.certificate import Claim
 
 PAGE = "TABLES.md"
 WAY_HEAD = (
@@ -13,6 +15,15 @@ WAY_HEAD = (
     "worst, absolute", "wrong branch", "nan", "inf", "fails first on",
 )  # fmt: skip
 SHIPPED_HEAD = ("quantity", "bound", "worst on the sets", "worst searched")
+PROVED_HEAD = (
+    "quantity", "form", "computed", "where", "at most", "found", "worst on the sets", "assumed",
+)  # fmt: skip
+PROVED = """
+## What is proved of rounding errors
+
+In eps of the scale. *at most*: proved over all that is named; *found*: by a search that the proof
+leads; beside them the worst on the sets of that way, in all its forms.
+"""
 INTRODUCTION = """# What the kernels and the other ways lose and cost
 
 Errors are taken against balls at the exact doubles, on the points of the reporting seed; the
@@ -42,10 +53,16 @@ def headline(record: Record) -> str:
     return f"worst {worst:.3g}{bound} {record.error_unit}; {points} points, {undecided} undecided"
 
 
-def list_lines(records: Sequence[Record]) -> Iterator[str]:
-    """List the lines of the page."""
+def list_lines(
+    records: Sequence[Record], find_claims: Callable[[Record], Sequence[Claim]] = list_claims
+) -> Iterator[str]:
+    """List the lines of the page, with what is claimed of the quantities."""
     yield INTRODUCTION
     yield from _table(SHIPPED_HEAD, map(_describe_shipped, records))
+    proved = [_describe_claim(record, claim) for record in records for claim in find_claims(record)]
+    if proved:
+        yield PROVED
+        yield from _table(PROVED_HEAD, proved)
     for record in records:
         yield f"\n## {record.quantity}\n"
         yield f"Scaled: {record.error_unit}. {_describe_run(record)}\n"
@@ -81,6 +98,20 @@ def _describe_shipped(record: Record) -> Sequence[str]:
     worst = _number(record.worst_of(record.ways[0].name))
     searched = _number(record.searched.scaled)
     return record.quantity, _number(record.bound) or "none", worst, searched
+
+
+def _describe_claim(record: Record, claim: Claim) -> Sequence[str]:
+    return (
+        record.quantity,
+        claim.form,
+        claim.way,
+        f"nothing shown: open at {claim.open}" if claim.open else " or ".join(claim.where),
+        # In full: a bound that is rounded down is none.
+        f"{claim.proved:g}",
+        f"{claim.found:g}",
+        _number(record.worst_of(find_way(record, claim))),
+        "; ".join(claim.assumptions),
+    )
 
 
 def _describe_way(record: Record, way: MeasuredWay) -> Sequence[str]:

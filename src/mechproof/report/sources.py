@@ -9,6 +9,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from mechproof.derivation import packaged_directory
+from mechproof.measured import FOLDER as MEASURED
 from mechproof.measured import Record, find_files, read_record
 from mechproof.proof.ledger import Ledger
 from mechproof.record import Paper
@@ -74,7 +75,7 @@ def _tell(paper: Paper, folder: Traversable) -> Paper:
 
 def _read_records(folder: Traversable, paper: Paper) -> Sequence[Record]:
     """Read what was measured of the quantities that the paper has, quickly if not otherwise."""
-    measured = folder.joinpath("measured")
+    measured = folder.joinpath(MEASURED)
     quick = find_files(measured.joinpath("quick"))
     found = {**quick, **find_files(measured)}
     names = (f"{paper.system}.{quantity.name}" for quantity in paper.quantities)

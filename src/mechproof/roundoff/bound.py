@@ -7,16 +7,18 @@ in reverse over intervals that hold every such d, so no term of second order is 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from mechproof.codegen.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
-from mechproof.roundoff.ends import limit_by_spacing, round_at_ends, widen_by_ulps
+from mechproof.roundoff.ends import Rounded, limit_by_spacing, round_at_ends, widen_by_ulps
 from mechproof.roundoff.germs import Frame, Germ
 from mechproof.roundoff.intervals import ONE, Ends, Interval, Mask, around, exactly
+from mechproof.roundoff.profiles import Profile
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.steps import HALF, Step, Straight
 
@@ -26,6 +28,7 @@ EPS = 2.0**-52
 RESTS = ("product_rest", "quotient_rest")
 # What 28 bits of pi leave of it, which the reduction multiplies by the number of half turns.
 PI_REST = 2.0**-26
+UNKNOWN = exactly(math.nan)
 
 
 @dataclass(frozen=True)
@@ -57,8 +60,10 @@ class Evaluation:
         given: Mapping[str, Germ],
         stated: Mapping[str, Germ],
         turn: Turn | None,
+        find_profile: Callable[[str], Profile] | None = None,
     ) -> None:
         self.frame, self.turn, self.held = frame, turn, straight.held
+        self._scaled, self._find_profile = straight.scaled, find_profile
         self.values: dict[str, Germ] = dict(given)
         # What is computed, its rounding known to be monotone; not what lies on the way to it.
         self.computed = {name: germ.expanded() for name, germ in given.items()}
@@ -86,8 +91,25 @@ class Evaluation:
             self._round(step, given[0], (self._one,))
         else:
             exact, slopes = RULES[step.kind](given, self.turn)
-            is_exact = self._are_near(*given) if step.kind == "subtract" else False
-            self._round(step, stated or exact, slopes, is_exact)
+            if step.proved and step.ulps:
+                error = self._look_up(step, given[0]) * EPS
+                self._add(
+                    step, exact, slopes, error, None, exact.scaled(around(1.0, error)).expanded()
+                )
+            else:
+                self._round(step, stated or exact, slopes, self._are_exact(step, given))
+
+    def _look_up(self, step: Step, germ: Germ) -> Ends:
+        """Return by how many eps of itself a function is off by what is proved of it."""
+        assert self._find_profile is not None
+        profile, argument = self._find_profile(step.proved), germ.expanded()
+        if profile.is_of_angles:
+            return profile.of_angle(argument, reduce(germ, self.turn, 2).expanded())
+        if np.any(argument.largest() > profile.legal):
+            operand = step.operands[0]
+            off = self.sum_errors(operand, Bar(self._one, False)) * EPS
+            argument = profile.limit(argument, off)
+        return profile.of_size(argument.size())
 
     @property
     def _one(self) -> Germ:
@@ -96,11 +118,17 @@ class Evaluation:
     def _round(self, step: Step, exact: Germ, slopes: Slopes, is_exact: Mask = False) -> None:
         relative = np.where(is_exact, 0.0, EPS * step.ulps)
         given = [self.computed[o] if isinstance(o, str) else exactly(o) for o in step.operands]
-        found = round_at_ends(step.kind, given, exact.expanded())
+        if any(span is UNKNOWN for span in given):
+            found = Rounded(exact.expanded(), np.inf)
+        else:
+            found = round_at_ends(step.kind, given, exact.expanded())
         limit = None
         is_rounded = step.kind != "approximate"
         if step.ulps and is_rounded:
             limit = limit_by_spacing(found, step.ulps)
+            if step.result in self._scaled:
+                # Of what is scaled the terms are doubles, too, but nobody knows their spacing.
+                limit, given = np.inf, [self.value(o).expanded() for o in step.operands]
             if step.ulps <= HALF:
                 limit = _least(limit, _limit_by_terms(step.kind, given))
             limit = np.where(is_exact, 0.0, limit)
@@ -119,6 +147,8 @@ class Evaluation:
         computed: Interval,
     ) -> None:
         """Add a step with the sizes of its error, of itself and absolute."""
+        if step.result in self._scaled:
+            computed = UNKNOWN
         self.moving.append(Moving(step, exact, slopes, relative, absolute))
         self.computed[step.result] = computed
         moved = exact.scaled(around(1.0, relative)) if np.any(relative) else exact
@@ -147,9 +177,11 @@ class Evaluation:
         value = exact + around(0.0, error)
         self._add(step, self.frame.constant(value), (self._one,), 0.0, error, value)
 
-    def _are_near(self, a: Germ, b: Germ) -> Mask:
+    def _are_exact(self, step: Step, given: Sequence[Germ]) -> Mask:
         """Say where two doubles differ by at most a factor of two: their difference is exact."""
-        one, other = a.expanded(), b.expanded()
+        if step.kind != "subtract" or step.result in self._scaled:
+            return False
+        one, other = (germ.expanded() for germ in given)
         return (2 * other.low >= one.high) & (other.high <= 2 * one.low)
 
     def sum_errors(self, output: Operand, bar: Bar) -> Ends:

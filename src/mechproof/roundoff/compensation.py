@@ -56,7 +56,7 @@ def _slope(straight: Straight, name: str, products: set[str], output: Operand) -
 def _differentiate(step: Step, given: list[Pair]) -> Pair:
     """Return value and derivative; those of functions are symbols, their derivatives rational."""
     dummies = [sp.Dummy() for _ in given]
-    meaning = MEANINGS[step.kind](*dummies)
+    meaning = dummies[0] if step.kind == "copy" else MEANINGS[step.kind](*dummies)
     places = dict(zip(dummies, (value for value, _ in given), strict=True))
     total = sum(
         (meaning.diff(d) * slope for d, (_, slope) in zip(dummies, given, strict=True)), sp.S.Zero

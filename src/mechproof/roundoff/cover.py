@@ -13,7 +13,7 @@ from mechproof.roundoff.regions import Box, Boxes
 Array = NDArray[np.float64]
 Bound = Callable[[Boxes], Array]
 # No side is cut to less than this share of the whole while another is longer.
-FINEST = 2.0**-9
+FINEST = 2.0**-13
 # So many of the parts with the largest bounds are kept.
 WORST = 32
 # So often the first sides are halved before any box is bounded.

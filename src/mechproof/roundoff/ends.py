@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from mechproof.kernel_support.error_free import product_rest
+from mechproof.roundoff.fused import add_exactly, fma
 from mechproof.roundoff.intervals import Interval, list_corners
 
 Ends = Any
@@ -31,12 +32,6 @@ class Rounded:
     beyond: Ends
 
 
-def _sum(a: Ends, b: Ends) -> tuple[Ends, Ends]:
-    total = a + b
-    part = total - a
-    return total, (a - (total - part)) + (b - part)
-
-
 def _outward(low: tuple[Ends, Ends], high: tuple[Ends, Ends]) -> Rounded:
     span = Interval(low[0], high[0])
     beyond = np.where(-low[0] > high[0], -low[1], high[1])
@@ -44,7 +39,7 @@ def _outward(low: tuple[Ends, Ends], high: tuple[Ends, Ends]) -> Rounded:
 
 
 def _add(a: Interval, b: Interval) -> Rounded:
-    return _outward(_sum(a.low, b.low), _sum(a.high, b.high))
+    return _outward(add_exactly(a.low, b.low), add_exactly(a.high, b.high))
 
 
 def _subtract(a: Interval, b: Interval) -> Rounded:
@@ -79,12 +74,32 @@ def _square(a: Interval) -> Rounded:
     return _multiply(size, size)
 
 
+def _fuse(a: Interval, b: Interval, c: Interval) -> Rounded:
+    """Fuse the ends whose products are known to be the smallest and the largest."""
+    corners = list_corners(a, b)
+    if corners is None:
+        nothing = np.full(np.shape(a.low + b.low + c.low), np.nan)
+        return Rounded(Interval(nothing, nothing), np.inf)
+    low, high = (
+        _fused_rest(x, y, end) for (x, y), end in zip(corners, (c.low, c.high), strict=True)
+    )
+    return _outward(low, high)
+
+
+def _fused_rest(x: Ends, y: Ends, end: Ends) -> tuple[Ends, Ends]:
+    """Return a fused product and, to a small share of itself, what rounding took from it."""
+    fused, (product, rest) = fma(x, y, end), _rest(x * y, x, y)
+    total, left = add_exactly(product, end)
+    return fused, (total - fused) + (left + rest)
+
+
 AT_ENDS: Mapping[str, Callable[..., Rounded]] = MappingProxyType(
     {
         "add": _add,
         "subtract": _subtract,
         "multiply": _multiply,
         "square": _square,
+        "fma": _fuse,
         "negate": lambda a: Rounded(-a, 0.0),
         "absolute": lambda a: Rounded(a.size(), 0.0),
     }

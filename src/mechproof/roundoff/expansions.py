@@ -18,10 +18,16 @@ EPS = 2.0**-52
 
 @dataclass(frozen=True)
 class Expansion:
-    """A program in place of one operation; `errors` are those of approximations, in eps."""
+    """A program in place of one operation; `errors` are those of approximations, in eps.
+
+    `proved` are the functions of which the error is proved; what is `scaled` is so by a factor
+    that depends on the first operand alone.
+    """
 
     program: Program
     errors: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    proved: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    scaled: frozenset[str] = frozenset()
 
 
 # A result, its kind, its operands.

@@ -12,6 +12,7 @@ from flint import arb
 from mechproof.codegen.program import Operand, Program
 from mechproof.kernel_support import error_free
 from mechproof.kernel_support.polynomials import PI, PI_LOW
+from mechproof.roundoff.fused import fma
 from mechproof.roundoff.steps import Straight
 
 Values = dict[str, Any]
@@ -40,6 +41,7 @@ ARITHMETIC: Table = MappingProxyType(
 IN_DOUBLES: Table = MappingProxyType(
     {
         **ARITHMETIC,
+        "fma": fma,
         "pi_off": _take_half_turns_off,
         "product_rest": error_free.product_rest,
         "quotient_rest": error_free.quotient_rest,
@@ -47,11 +49,13 @@ IN_DOUBLES: Table = MappingProxyType(
         **{
             kind: getattr(np, kind)
             for kind in (
+                *("rint", "copysign"),
                 *("sqrt", "hypot", "tan", "arctan", "sin", "cos", "maximum", "minimum", "floor"),
                 *("less", "less_equal", "greater", "greater_equal", "equal"),
             )
         },
         "is_finite": np.isfinite,
+        "choose": np.where,
         "both": np.logical_and,
         "either": np.logical_or,
     }
@@ -59,6 +63,7 @@ IN_DOUBLES: Table = MappingProxyType(
 IN_BALLS: Table = MappingProxyType(
     {
         **ARITHMETIC,
+        "fma": lambda a, b, c: a * b + c,
         "pi_off": lambda a: a,
         "product_rest": lambda a, b, p: a * b - p,
         "quotient_rest": lambda a, b, q: a / b - q,

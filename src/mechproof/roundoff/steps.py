@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from mechproof.codegen.code import Stage
 from mechproof.codegen.program import Operand, Operation, Program
@@ -20,25 +20,44 @@ ALWAYS_EXACT = frozenset(
 
 @dataclass(frozen=True)
 class Step:
-    """An operation whose result is off by at most so many ulps of itself."""
+    """An operation whose result is off by at most so many ulps of itself.
+
+    Where it is `proved` of a function, by what is proved. All results with one angle in `scaled`
+    have one factor that is not known.
+    """
 
     result: str
     kind: str
     operands: tuple[Operand, ...]
     ulps: float
+    proved: str = field(default="", repr=False)
+    scaled: Operand = field(default="", repr=False)
 
 
 @dataclass(frozen=True)
 class Straight:
     """All steps of a stage; inputs are the arguments, outputs results or inputs.
 
-    The rounding of what is `held` moves no output: a low word has it.
+    The rounding of what is `held` moves no output: a low word has it. What is `scaled` has factors
+    that no output has.
     """
 
     inputs: tuple[str, ...]
     steps: tuple[Step, ...]
     outputs: tuple[Operand, ...]
     held: frozenset[str] = frozenset()
+    scaled: frozenset[str] = field(default=frozenset(), repr=False)
+
+
+def keep_needed(straight: Straight) -> Straight:
+    """Return the steps without those that no output needs."""
+    needed: set[Operand] = set(straight.outputs)
+    steps: list[Step] = []
+    for step in reversed(straight.steps):
+        if step.result in needed:
+            needed.update(step.operands)
+            steps.insert(0, step)
+    return replace(straight, steps=tuple(steps))
 
 
 def flatten_stage(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight:
@@ -81,7 +100,7 @@ def _rename(names: Mapping[Operand, Operand], operand: Operand) -> Operand:
 
 def _expand(operation: Operation, expansions: Mapping[str, Expansion]) -> Iterator[Step]:
     if operation.kind not in expansions:
-        yield _make_step(operation)
+        yield make_step(operation)
         return
     expansion = expansions[operation.kind]
     names: dict[Operand, Operand] = dict(
@@ -92,11 +111,17 @@ def _expand(operation: Operation, expansions: Mapping[str, Expansion]) -> Iterat
         result = operation.result if inner.result == last else f"{operation.result}.{inner.result}"
         operands = tuple(_rename(names, o) for o in inner.operands)
         names[inner.result] = result
-        made = _make_step(Operation(result, inner.kind, operands))
-        yield replace(made, ulps=expansion.errors.get(inner.result, made.ulps))
+        made = make_step(Operation(result, inner.kind, operands))
+        yield replace(
+            made,
+            ulps=expansion.errors.get(inner.result, made.ulps),
+            proved=expansion.proved.get(inner.result, ""),
+            scaled=operation.operands[0] if inner.result in expansion.scaled else "",
+        )
 
 
-def _make_step(operation: Operation) -> Step:
+def make_step(operation: Operation) -> Step:
+    """Return an operation with what its rounding is off by."""
     kind, operands = operation.kind, operation.operands
     exact = kind in ALWAYS_EXACT or _scales_by_power(kind, operands)
     ulps = EXACT if exact else FUNCTIONS[kind].ulps if kind in FUNCTIONS else HALF

@@ -12,20 +12,26 @@ import sympy as sp
 from flint import arb
 from numpy.typing import NDArray
 
+from mechproof.codegen.backends.scalar import map_affinely, put_off_stage
 from mechproof.codegen.code import Stage
+from mechproof.codegen.elementary.formats import DOUBLE
+from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.kernel import Kernel, build_kernel, input_names
 from mechproof.codegen.program import MEANINGS, Operand
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, find_size, measure_norm
+from mechproof.roundoff.apart import Rows, bound_apart
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
 from mechproof.roundoff.bound import EPS, Bar, Evaluation
 from mechproof.roundoff.compensation import hold_compensated
+from mechproof.roundoff.compiled import COMPILED, WAY, list_expansions
+from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.expansions import WAYS
-from mechproof.roundoff.germs import UndecidedError
 from mechproof.roundoff.intervals import careful
 from mechproof.roundoff.regions import Boxes, Region, express
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values, run
-from mechproof.roundoff.steps import EXACT, Step, Straight, flatten_stage
+from mechproof.roundoff.scales import find_scaled
+from mechproof.roundoff.steps import EXACT, Step, Straight, flatten_stage, keep_needed
 from mechproof.roundoff.symmetry import check_mirror, check_symmetry
 
 # Boxes that are bounded together.
@@ -39,8 +45,9 @@ class Subject:
     """A stage of a kernel in one of the ways in which it is computed.
 
     `exact` are the steps whose values without rounding are the truth, `scale` those of what an
-    error is relative to, if it is not the value. Of a `map` of points the norm of the error counts,
-    and the scale is that of the matrix. `sums` are kept for each chart.
+    error is relative to, if it is not the value; `computed` are those of a compiled kernel, with
+    calls of elementary functions. Of a `map` of points the norm of the error counts, and the scale
+    is that of the matrix. `sums` are kept for each chart.
     """
 
     kernel: Kernel
@@ -50,16 +57,19 @@ class Subject:
     straight: Straight
     exact: Straight
     scale: Straight | None
+    computed: Straight | None = None
     map: AffineMap | None = None
     sums: dict[tuple[int, int], Mapping[str, sp.Expr]] = field(default_factory=dict, compare=False)
 
     @property
     def digest(self) -> str:
         """Return the SHA-256 of the steps, of the coordinates and of the scale."""
-        scale = [self.scale] if self.scale else []
-        charts = self.form.charts
-        rests = [chart.rest for chart in charts if chart.rest is not None]
-        parts = (self.straight, charts, *rests, *self.form.mirrors, *scale)
+        rests = [chart.rest for chart in self.form.charts if chart.rest is not None]
+        parts: list[object] = [self.straight, self.form.charts, *rests, *self.form.mirrors]
+        parts += [self.scale] if self.scale else []
+        if self.computed:
+            kinds = sorted({step.kind for step in self.computed.steps} & BODIES.keys())
+            parts += [self.computed, [build(kind, DOUBLE).program for kind in kinds]]
         return hashlib.sha256("\n".join(map(str, parts)).encode()).hexdigest()
 
     @property
@@ -70,9 +80,9 @@ class Subject:
     @property
     def assumptions(self) -> tuple[str, ...]:
         """List what the bound rests on."""
-        kinds = {step.kind for step in self.straight.steps}
+        kinds = {step.kind for step in self.straight.steps if not step.proved}
         functions = (FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys()))
-        return (*functions, *((SUMS,) if self.map else ()), NORMAL)
+        return (*functions, *((SUMS,) if self.map and not self.computed else ()), NORMAL)
 
     def bound(self, region: Region, boxes: Boxes) -> NDArray[np.float64]:
         """Bound the error in eps of the scale over boxes; infinite where it cannot be bounded."""
@@ -85,42 +95,38 @@ class Subject:
             rows = np.flatnonzero(groups == group)
             for start in range(0, len(rows), TOGETHER):
                 part = rows[start : start + TOGETHER]
-                bounds[part] = self._bound_alike(region, boxes[part], ())
+                bounds[part] = self._bound_alike(region, boxes[part], moves=False)
         return bounds
 
-    def _bound_alike(
-        self, region: Region, boxes: Boxes, forced: tuple[int, ...], moves: bool = False
-    ) -> NDArray[np.float64]:
-        try:
-            with careful(moves=moves):
-                evaluation, bar = self.evaluate(region, boxes, forced)
-                if self.map:
-                    return np.broadcast_to(self.map.bound(evaluation, bar), len(boxes))
-                highest = np.zeros(len(boxes))
-                for output in self.straight.outputs:
-                    highest = np.maximum(highest, evaluation.sum_errors(output, bar))
-                return highest
-        except IndexError:
-            return np.full(len(boxes), np.inf)
-        except FloatingPointError:
-            if moves:
-                return np.full(len(boxes), np.inf)
-            return self._bound_alike(region, boxes, forced, moves=True)
-        except UndecidedError as undecided:
-            bounds = np.full(len(boxes), np.inf)
-            for number, mask in enumerate(undecided.masks):
-                rows = np.flatnonzero(np.broadcast_to(mask, len(boxes)))
-                if len(rows):
-                    path = (*undecided.path, number)
-                    bounds[rows] = self._bound_alike(region, boxes[rows], path, moves)
-            return bounds
+    def _bound_alike(self, region: Region, boxes: Boxes, *, moves: bool) -> NDArray[np.float64]:
+        def compute(rows: Rows, forced: tuple[int, ...]) -> NDArray[np.float64]:
+            evaluation, bar = self.evaluate(region, boxes[rows], forced)
+            if self.map:
+                return np.broadcast_to(self.map.bound(evaluation, bar), len(rows))
+            highest = np.zeros(len(rows))
+            for output in self.straight.outputs:
+                highest = np.maximum(highest, evaluation.sum_errors(output, bar))
+            return highest
+
+        def try_rows(rows: Rows, forced: tuple[int, ...]) -> NDArray[np.float64]:
+            try:
+                with careful(moves=moves):
+                    return compute(rows, forced)
+            except IndexError:
+                return np.full(len(rows), np.inf)
+            except FloatingPointError:
+                if moves:
+                    return np.full(len(rows), np.inf)
+                return self._bound_alike(region, boxes[rows], moves=True)
+
+        return bound_apart(try_rows, len(boxes))
 
     def evaluate(
         self, region: Region, boxes: Boxes, forced: tuple[int, ...] = ()
     ) -> tuple[Evaluation, Bar]:
         """Return all values over boxes, and what errors are relative to."""
-        computed = self.map.entries if self.map else self.straight
-        both = (computed, *([self.scale] if self.scale else []))
+        steps = self.map.entries if self.map else self.straight
+        both = (steps, *([self.scale] if self.scale else []))
         poles = sum(step.kind == "tan" for straight in both for step in straight.steps)
         frame, germs, turn = region.enter(boxes, poles, forced)
         names = input_names(self.kernel.quantity)
@@ -130,7 +136,7 @@ class Subject:
         for straight in both:
             plain = self._add_up(straight, region.chart)
             stated = {result: express(value, frame, germs) for result, value in plain.items()}
-            found.append(Evaluation(straight, frame, given, stated, turn))
+            found.append(Evaluation(straight, frame, given, stated, turn, prove))
         if self.scale is None:
             return found[0], Bar(None, True)
         whole, *rest = (found[1].value(output) for output in self.scale.outputs)
@@ -145,6 +151,12 @@ class Subject:
         if key not in self.sums:
             self.sums[key] = add_up(straight, chart, input_names(self.kernel.quantity))
         return self.sums[key]
+
+    def compute(self, points: Mapping[str, Any]) -> NDArray[np.float64]:
+        """Return the outputs in doubles, as they are computed."""
+        if self.computed:
+            return np.array(run(self.computed, points, COMPILED))
+        return np.array(run(self.straight, points, IN_DOUBLES))
 
     def weigh(self, found: NDArray[np.float64], exact: Sequence[arb], given: Values) -> float:
         """Return the largest error of the outputs in eps of the scale."""
@@ -199,11 +211,33 @@ def list_subjects(kernel: Kernel, paper: Paper) -> Iterator[Subject]:
             whole = affine.apply() if affine else straight
             if whole not in known:
                 known.append(whole)
-                for chart in form.charts:
-                    check_symmetry(straight, chart, input_names(kernel.quantity))
-                for mirror in form.mirrors:
-                    check_mirror(straight, mirror, input_names(kernel.quantity))
-                yield Subject(kernel, form, stage, way, whole, known[0], scale, affine)
+                _check_signs(straight, kernel, form)
+                yield Subject(kernel, form, stage, way, whole, known[0], scale, map=affine)
+        if kernel.is_shipped:
+            yield _compile(kernel, form, stage, known[0], scale)
+
+
+def _compile(
+    kernel: Kernel, form: Form, stage: Stage, exact: Straight, scale: Straight | None
+) -> Subject:
+    compiled = put_off_stage(stage)
+    expanded = keep_needed(flatten_stage(compiled, list_expansions()))
+    straight = find_scaled(hold_compensated(expanded))
+    _check_signs(straight, kernel, form)
+    affine = _find_map(kernel.quantity, stage, straight)
+    if affine:
+        straight, points = affine.apply(), affine.points
+        compiled = replace(compiled, running=points, evaluate=map_affinely(points))
+    computed = flatten_stage(compiled, {})
+    return Subject(kernel, form, stage, WAY, straight, exact, scale, computed, affine)
+
+
+def _check_signs(straight: Straight, kernel: Kernel, form: Form) -> None:
+    names = input_names(kernel.quantity)
+    for chart in form.charts:
+        check_symmetry(straight, chart, names)
+    for mirror in form.mirrors:
+        check_mirror(straight, mirror, names)
 
 
 def _find_map(quantity: Quantity, stage: Stage, straight: Straight) -> AffineMap | None:

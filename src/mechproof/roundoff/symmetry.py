@@ -7,6 +7,7 @@ from types import MappingProxyType
 
 import sympy as sp
 
+from mechproof.codegen.program import Operand
 from mechproof.record import Chart
 from mechproof.roundoff.steps import Straight
 
@@ -50,15 +51,14 @@ PARITIES: Mapping[str, Callable[..., Parity]] = MappingProxyType(
 def check_symmetry(straight: Straight, chart: Chart, names: Mapping[sp.Basic, str]) -> None:
     """Require that negative angles are off as positive ones are; ValueError if not."""
     if chart.angle is not None:
-        _check_parities(straight, dict(_list_parities(chart, chart.angle, names)))
+        find_parities(straight, dict(_list_parities(chart, chart.angle, names)))
 
 
 def check_mirror(
     straight: Straight, mirror: Sequence[sp.Basic], names: Mapping[sp.Basic, str]
 ) -> None:
     """Require that arguments, all negated, turn no more than signs; ValueError if not."""
-    parities = {name: -1 if symbol in mirror else 1 for symbol, name in names.items()}
-    _check_parities(straight, parities)
+    find_parities(straight, {name: -1 if s in mirror else 1 for s, name in names.items()})
 
 
 def _list_parities(
@@ -71,9 +71,12 @@ def _list_parities(
         yield names[symbol], 1 if turned == value else -1
 
 
-def _check_parities(straight: Straight, parities: dict[str, Parity]) -> None:
+def find_parities(straight: Straight, given: Mapping[str, Parity]) -> Mapping[Operand, Parity]:
+    """Return what becomes of all results where the given ones do; ValueError if that is neither."""
+    parities: dict[Operand, Parity] = dict(given.items())
     for step in straight.steps:
-        given = [parities[o] if isinstance(o, str) else 1 for o in step.operands]
+        operands = [parities[o] if isinstance(o, str) else 1 for o in step.operands]
         if step.kind not in PARITIES:
             raise ValueError(f"{step.kind} has no parity")
-        parities[step.result] = PARITIES[step.kind](*given)
+        parities[step.result] = PARITIES[step.kind](*operands)
+    return parities

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from mechproof.codegen.kernel import input_names
 from mechproof.proof.balls import working_precision
 from mechproof.roundoff.regions import Box, Region
-from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
+from mechproof.roundoff.running import IN_BALLS, run
 from mechproof.roundoff.subject import Subject
 
 Array = NDArray[np.float64]
@@ -50,7 +50,7 @@ def find_worst(subject: Subject, region: Region, boxes: Sequence[Box], seed: int
 def measure(subject: Subject, points: Mapping[str, Array]) -> Array:
     """Return the errors of the steps in doubles in eps of the scale, -1 outside the domain."""
     with np.errstate(all="ignore"):
-        outputs = np.array(run(subject.straight, points, IN_DOUBLES))
+        outputs = subject.compute(points)
         inside = subject.holds(points)
     errors = np.full(outputs.shape[1], -1.0)
     names = list(points)

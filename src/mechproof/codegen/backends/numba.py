@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from hashlib import sha256
+from pathlib import Path
 
 from mechproof.codegen.backends.numpy import (
     REGENERATED,
@@ -75,15 +76,16 @@ def _describe(system: str) -> tuple[str, ...]:
         "are then",
         "indexed, and so are results.",
         "",
-        "Tests hold them to the same accuracy bounds. What help says is proved of rounding errors "
-        "is proved",
-        "of the NumPy kernels alone.",
+        "Tests hold them to the same accuracy bounds. What help says is proved of rounding errors",
+        "is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.",
         "",
         f"Elementary functions: `{ELEMENTARY.strip('.')}` {_hash_elementary()}.",
         "",
     )
 
 
+# What is compiled into kernels beside the elementary functions.
+SUPPORT_FOLDER = Path(__file__).parents[2] / "compiled_support"
 # What is said of the elementary functions.
 ELEMENTARY_TEXT = (
     "Elementary functions in plain arithmetic, for compiled kernels.",
@@ -92,7 +94,6 @@ ELEMENTARY_TEXT = (
     f"Angles up to {DOUBLE.largest} rad are reduced here. Farther out the C library's functions",
     "are taken if `exact` is true; for None it is NaN.",
     "",
-    REGENERATED,
 )
 
 
@@ -100,7 +101,7 @@ ELEMENTARY_TEXT = (
 def render_elementary() -> str:
     """Render the elementary functions and read them back."""
     data: dict[str, object] = {
-        "docstring": ELEMENTARY_TEXT,
+        "docstring": (*ELEMENTARY_TEXT, _name_support(), "", REGENERATED),
         "largest": DOUBLE.largest,
         "support": SUPPORT,
         "functions": [write_elementary(kind, DOUBLE, NUMBA, NUMBA_FAR) for kind in BODIES],
@@ -121,6 +122,13 @@ def check_elementary(source: str) -> None:
 def _hash_elementary() -> str:
     """Hash what kernels take: a module with another hash is compiled anew, not read from caches."""
     return sha256(render_elementary().encode()).hexdigest()[:12]
+
+
+def _name_support() -> str:
+    """Name the support by its hash, for the same reason."""
+    texts = [path.read_text(encoding="utf-8") for path in sorted(SUPPORT_FOLDER.glob("*.py"))]
+    digest = sha256("".join(texts).encode()).hexdigest()
+    return f"Compiled with them: `compiled_support` {digest[:12]}."
 
 
 def list_support(text: str) -> tuple[str, ...]:

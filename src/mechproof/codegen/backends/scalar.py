@@ -131,15 +131,17 @@ def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
 
 
 def _adapt(kernel: Kernel) -> Kernel:
-    stages = tuple(
-        replace(
-            stage,
-            prepare=put_off_divisions(stage.prepare),
-            evaluate=put_off_divisions(stage.evaluate) if stage.evaluate else None,
-        )
-        for stage in kernel.code.stages
-    )
+    stages = tuple(map(put_off_stage, kernel.code.stages))
     return replace(kernel, code=replace(kernel.code, stages=stages))
+
+
+def put_off_stage(stage: Stage) -> Stage:
+    """Return a stage with programs that put divisions off."""
+    return replace(
+        stage,
+        prepare=put_off_divisions(stage.prepare),
+        evaluate=put_off_divisions(stage.evaluate) if stage.evaluate else None,
+    )
 
 
 def write_scalar(kernel: Kernel, syntax: Syntax) -> ScalarKernel:
@@ -277,12 +279,12 @@ def _scalar_stage(kernel: Kernel, number: int, names: Mapping[Operand, str]) -> 
         running,
         tuple(names.get(n, n) for n in stage.parameters),
         _rename(stage.prepare, names) if stage.prepare is not NOTHING else NOTHING,
-        _rename(stage.evaluate, names) if stage.evaluate else _map_affinely(running),
+        _rename(stage.evaluate, names) if stage.evaluate else map_affinely(running),
     )
     return name, scalar
 
 
-def _map_affinely(point: tuple[str, ...]) -> Program:
+def map_affinely(point: tuple[str, ...]) -> Program:
     """Return the program of M @ p + v, M given row by row, then v."""
     count = len(point)
     rows = tuple(f"m{i}{j}" for i in range(count) for j in range(count))

@@ -7,9 +7,11 @@ interval by Taylor polynomials in balls.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
+from itertools import pairwise
 
 import mpmath as mp
 from flint import arb, arb_series, ctx
@@ -25,7 +27,7 @@ REST = 2.0**-70
 TAIL = 6.0
 # Beyond, the tail is less than the smallest double.
 TAIL_END = 39.0
-Sides = Callable[["Rational", arb_series], tuple[arb_series, arb_series]]
+Sides = Callable[[arb_series], tuple[arb_series, arb_series]]
 
 
 @dataclass(frozen=True)
@@ -48,7 +50,7 @@ class Target:
     meaning: str
     value: Callable[[mp.mpf], mp.mpf]
     last: Callable[[], mp.mpf]
-    sides: Sides
+    sides: Callable[[Rational, arb_series], tuple[arb_series, arb_series]]
     first: float | None = None
 
 
@@ -186,29 +188,43 @@ def fit(target: Target, above: int, below: int = 0, form: Format = DOUBLE) -> Ra
 @cache
 def enclose(target: Target, fitted: Rational) -> float:
     """Bound the relative error of the function, from 0 to the end of its interval."""
+    with mp.workdps(DIGITS):
+        last = str(mp.sqrt(target.last()) if target.first is None else target.last())
+    with _working():
+        first = arb(target.first or 0)
+        step = (arb(last) - first) / PIECES
+        ends = [first + step * i for i in range(PIECES + 1)]
+    return max(enclose_pieces(partial(target.sides, fitted), pairwise(ends)))
+
+
+@contextmanager
+def _working() -> Iterator[None]:
     precision, length = ctx.prec, ctx.cap
     ctx.prec, ctx.cap = BITS, ORDER + 2
     try:
-        return _enclose(target, fitted)
+        yield
     finally:
         ctx.prec, ctx.cap = precision, length
 
 
-def _enclose(target: Target, fitted: Rational) -> float:
-    with mp.workdps(DIGITS):
-        last = mp.sqrt(target.last()) if target.first is None else target.last() - target.first
-        half = arb(str(last)) / (2 * PIECES)
-    start = arb(target.first or 0)
-    pieces = [(start + half * (2 * i + 1), half) for i in range(PIECES)]
-    if target.first is None:
-        # The first piece is expanded at 0, where both sides vanish with their argument.
-        pieces[0] = arb(0), 2 * half
-    return max(_enclose_piece(target, fitted, *piece) for piece in pieces)
+def enclose_pieces(sides: Sides, pieces: Iterable[tuple[arb, arb]]) -> list[float]:
+    """Bound the relative difference of two sides on intervals.
+
+    Both may vanish with their argument at 0, where an interval begins.
+    """
+    bounds = []
+    with _working():
+        for low, high in pieces:
+            half = (high - low) / 2
+            # From 0 both are expanded there.
+            place = (low, high) if low == 0 else (low + half, half)
+            bounds.append(_enclose_piece(sides, *place))
+    return bounds
 
 
-def _enclose_piece(target: Target, fitted: Rational, middle: arb, reach: arb) -> float:
-    near = target.sides(fitted, arb_series([middle, 1]))
-    around = target.sides(fitted, arb_series([arb(middle.mid(), reach), 1]))
+def _enclose_piece(sides: Sides, middle: arb, reach: arb) -> float:
+    near = sides(arb_series([middle, 1]))
+    around = sides(arb_series([arb(middle.mid(), reach), 1]))
     lowest = 1 if near[1][0] == 0 else 0
     powers = [reach ** (k - lowest) for k in range(lowest, ORDER + 1)]
 
@@ -221,6 +237,6 @@ def _enclose_piece(target: Target, fitted: Rational, middle: arb, reach: arb) ->
     first, *others = bound(near[1], around[1])
     least = first - sum(others, arb(0))
     if not off[-1] < least * REST:
-        sides = (middle - reach / 2, middle + reach / 2)
-        return max(_enclose_piece(target, fitted, side, reach / 2) for side in sides)
+        halves = (middle - reach / 2, middle + reach / 2)
+        return max(_enclose_piece(sides, side, reach / 2) for side in halves)
     return float((sum(off, arb(0)) / least).upper())

@@ -1,0 +1,198 @@
+"""Cases: in, the program of an elementary function and what it decides; out, its plain steps.
+
+A whole number of quarter turns is known but for whole turns, which change no decision. What is
+left of the angle is an input of its own, `REST`, and so is the size of an argument.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import floor
+from types import MappingProxyType
+
+from mechproof.codegen.program import Operand, Operation, Program
+from mechproof.roundoff.steps import Step, Straight, keep_needed, make_step
+
+# An angle less its quarter turns.
+REST = "rest"
+
+
+def name_size(name: str) -> str:
+    """Name the absolute value of an argument, which is an input, too."""
+    return f"|{name}|"
+
+
+@dataclass(frozen=True)
+class Whole:
+    """A number: so many for each whole turn, whatever their number, and a count."""
+
+    each: Fraction
+    count: Fraction
+
+    def times(self, factor: float) -> Whole:
+        """Return a multiple, whole or not."""
+        return Whole(self.each * Fraction(factor), self.count * Fraction(factor))
+
+    def rounded(self, to: Callable[[Fraction], int]) -> Whole:
+        """Round to a whole number; an even number for each turn keeps what a half is rounded to."""
+        if self.each.denominator != 1 or (to is round and self.each % 2):
+            raise ValueError(f"{self.each} for each turn decides what rounding does")
+        return replace(self, count=Fraction(to(self.count)))
+
+
+@dataclass(frozen=True)
+class Case:
+    """What a program decides: the number of quarter turns, whether one size is the larger."""
+
+    number: Whole | None = None
+    is_larger: bool = False
+
+
+@dataclass(frozen=True)
+class Resolved:
+    """Steps without decisions; how the number is found and which words are taken off by it."""
+
+    straight: Straight
+    per: float
+    words: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class _Chain:
+    """An angle less the number times words."""
+
+    words: tuple[float, ...]
+
+
+def resolve(program: Program, case: Case) -> Resolved:
+    """Return the steps of a program in a case; ValueError for what no rule decides."""
+    return _Resolver(program, case).resolve()
+
+
+class _Resolver:
+    def __init__(self, program: Program, case: Case) -> None:
+        self._program, self._case = program, case
+        self._facts: dict[str, Whole | bool] = {}
+        self._chains: dict[str, _Chain] = {}
+        self._names: dict[Operand, Operand] = {}
+        self._steps: list[Step] = []
+        self._sizes = {name: name_size(name) for name in program.inputs}
+        self._per: set[float] = set()
+        self._words: set[tuple[float, ...]] = set()
+
+    def resolve(self) -> Resolved:
+        for operation in self._program.operations:
+            rule = _RULES.get(operation.kind)
+            if not (rule and rule(self, operation)):
+                self._append(operation)
+        outputs = tuple(self._find(o) for o in self._program.outputs)
+        straight = keep_needed(Straight(self._program.inputs, tuple(self._steps), outputs))
+        if len(self._per) > 1 or len(self._words) > 1:
+            raise ValueError("an angle is reduced in more than one way")
+        return Resolved(straight, max(self._per, default=0.0), max(self._words, default=()))
+
+    def _find(self, operand: Operand) -> Operand:
+        if isinstance(operand, str) and (chain := self._chains.get(operand)):
+            self._words.add(chain.words)
+            return REST
+        if operand in self._facts:
+            raise ValueError(f"{operand} is computed with, but is a decision")
+        return self._names.get(operand, operand)
+
+    def _append(self, operation: Operation) -> None:
+        operands = tuple(self._find(o) for o in operation.operands)
+        self._steps.append(make_step(replace(operation, operands=operands)))
+
+    def _decide(self, operation: Operation) -> bool:
+        first, second = (self._facts.get(str(o)) for o in (*operation.operands, "")[:2])
+        if isinstance(first, Whole) and isinstance(second, Whole):
+            self._facts[operation.result] = first == second
+            return True
+        return False
+
+    def _compare(self, operation: Operation) -> bool:
+        # Both are doubles that were given: no rounding has a part in this.
+        if [self._find(o) for o in operation.operands] != list(self._sizes.values()):
+            raise ValueError(f"{operation}: only the sizes of both arguments are compared")
+        self._facts[operation.result] = self._case.is_larger
+        return True
+
+    def _scale(self, operation: Operation) -> bool:
+        number, factor = operation.operands
+        whole = self._facts.get(str(number))
+        if not isinstance(whole, Whole) or isinstance(factor, str):
+            return False
+        self._facts[operation.result] = whole.times(factor)
+        return True
+
+    def _shift(self, operation: Operation) -> bool:
+        number, more = operation.operands
+        whole = self._facts.get(str(number))
+        if not isinstance(whole, Whole) or isinstance(more, str):
+            return False
+        self._facts[operation.result] = replace(whole, count=whole.count + Fraction(more))
+        return True
+
+    def _round(self, operation: Operation) -> bool:
+        (operand,) = operation.operands
+        known = self._facts.get(str(operand))
+        if isinstance(known, Whole):
+            self._facts[operation.result] = known.rounded(_ROUND[operation.kind])
+            return True
+        made = next(s for s in self._steps if s.result == operand)
+        angle, per = made.operands
+        if self._case.number is None or made.kind != "multiply" or isinstance(per, str):
+            return False
+        if angle != self._program.inputs[0] or operation.kind != "rint":
+            return False
+        self._per.add(float(per))
+        self._facts[operation.result] = self._case.number
+        return True
+
+    def _take_off(self, operation: Operation) -> bool:
+        number, word, rest = operation.operands
+        known = self._facts.get(str(number))
+        if known is None or known != self._case.number or isinstance(word, str):
+            return False
+        if rest != self._program.inputs[0] and rest not in self._chains:
+            return False
+        before = self._chains[str(rest)].words if rest in self._chains else ()
+        self._chains[operation.result] = _Chain((*before, float(word)))
+        return True
+
+    def _choose(self, operation: Operation) -> bool:
+        condition, one, other = operation.operands
+        self._names[operation.result] = self._find(one if self._facts[str(condition)] else other)
+        return True
+
+    def _take_size(self, operation: Operation) -> bool:
+        (operand,) = operation.operands
+        self._names[operation.result] = self._sizes[str(operand)]
+        return True
+
+    def _take_sign(self, operation: Operation) -> bool:
+        # Of the sign of an argument nothing else depends: what is left is the size of the result.
+        size, sign = operation.operands
+        if sign not in self._program.inputs:
+            raise ValueError(f"{operation}: only signs of arguments are put on results")
+        self._names[operation.result] = self._find(size)
+        return True
+
+
+_ROUND: Mapping[str, Callable[[Fraction], int]] = {"rint": round, "floor": floor}
+_RULES: Mapping[str, Callable[[_Resolver, Operation], bool]] = MappingProxyType(
+    {
+        "rint": _Resolver._round,
+        "floor": _Resolver._round,
+        "equal": _Resolver._decide,
+        "greater": _Resolver._compare,
+        "multiply": _Resolver._scale,
+        "add": _Resolver._shift,
+        "fma": _Resolver._take_off,
+        "choose": _Resolver._choose,
+        "absolute": _Resolver._take_size,
+        "copysign": _Resolver._take_sign,
+    }
+)

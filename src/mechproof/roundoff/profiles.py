@@ -1,0 +1,95 @@
+"""Profiles: by how much an elementary function is off at most, piece by piece of its arguments."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechproof.roundoff.intervals import PI, Ends, Interval, exactly
+
+Array = NDArray[np.float64]
+# More than what is rounded where a place is computed.
+SLACK = 2.0**-40
+
+
+@dataclass(frozen=True, eq=False)
+class Profile:
+    """Bounds in eps of the value, between edges of the places that arguments have.
+
+    `highest` are those from each piece to each later one. The place of an angle is how far it is
+    from whole half turns; below `near` it is not reduced and has bounds of its own, up to `largest`
+    it has a place. Arguments that are no angles are meant to be at most `legal`; beyond the last
+    edge nothing is known.
+    """
+
+    edges: Array
+    highest: Array
+    unreduced: Array | None = None
+    near: float = 0.0
+    largest: float = np.inf
+    legal: float = np.inf
+
+    @property
+    def most(self) -> float:
+        """Return the bound for all arguments."""
+        return float(self.highest[0, -1])
+
+    @property
+    def is_of_angles(self) -> bool:
+        """Say whether the arguments are angles."""
+        return self.unreduced is not None
+
+    def of_angle(self, angle: Interval, reduced: Interval) -> Ends:
+        """Return the bound for angles, the same less whole turns beside them."""
+        assert self.unreduced is not None
+        least, most = _fold(reduced)
+        usual = self._find(self.highest, least, most)
+        size = angle.largest()
+        near = self._find(self.unreduced, angle.size().low, size)
+        found = np.where(size < self.near, near, usual)
+        return np.where(size <= self.largest, found, np.nan)
+
+    def limit(self, argument: Interval, off: Ends) -> Interval:
+        """Leave what is legal, and by how much it may be off."""
+        most = np.where(np.isfinite(off), self.legal + off, np.inf)
+        return Interval(np.maximum(argument.low, -most), np.minimum(argument.high, most))
+
+    def of_size(self, size: Interval) -> Ends:
+        """Return the bound for sizes; those above 1 have their place by their reciprocal."""
+        return self._find(self.highest, _place(size.low, -SLACK), _place(size.high, SLACK))
+
+    def _find(self, highest: Array, low: Ends, high: Ends) -> Ends:
+        last = len(self.edges) - 2
+        known = np.isfinite(low) & np.isfinite(high)
+        first = np.searchsorted(self.edges, np.where(known, low, 0.0), "right") - 1
+        after = np.searchsorted(self.edges, np.where(known, high, self.edges[-1]), "left") - 1
+        beyond = known & (high > self.edges[-1])
+        first = np.clip(first, 0, last)
+        found = highest[first, np.clip(after, first, last)]
+        return np.where(beyond, np.nan, found)
+
+
+def find_highest(bounds: Array) -> Array:
+    """Return the highest bound from each piece to each later one."""
+    rows: list[Any] = []
+    for first in range(len(bounds)):
+        rows.append(np.maximum.accumulate(np.where(np.arange(len(bounds)) < first, 0.0, bounds)))
+    return np.array(rows)
+
+
+def _place(size: Ends, slack: float) -> Ends:
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(size <= 1, size, 2 - 1 / size) * (1 + slack)
+
+
+def _fold(angle: Interval) -> tuple[Ends, Ends]:
+    """Return how far angles are at least and at most from whole half turns."""
+    middle = np.where(angle.is_finite, angle.low + (angle.high - angle.low) / 2, 0.0)
+    turns = np.rint(middle / np.pi)
+    near = angle - PI * Interval(turns, turns)
+    size, quarter = near.size(), PI * exactly(0.5)
+    low = np.maximum(np.minimum(size.low, (PI - Interval(size.high, size.high)).low), 0.0)
+    return low, np.where(size.high < quarter.low, size.high, np.minimum(quarter.high, size.high))

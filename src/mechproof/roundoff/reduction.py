@@ -1,0 +1,102 @@
+"""Reduction: what rounding makes of an angle less the nearest number of quarter turns.
+
+The number times the first word and the angle are multiples of one unit, and their difference is
+small: the first fma is exact. The second rounds once. The last word is no more than the rounding of
+a third, unless the angle is nearer to a multiple than `NEAR`, and what the words leave is nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from math import floor
+
+from flint import arb
+
+from mechproof.codegen.elementary.fits import MARGIN
+from mechproof.codegen.elementary.formats import DOUBLE
+from mechproof.proof.balls import working_precision
+
+UNIT, EPS = 2.0**-53, 2.0**-52
+BITS = 300
+# From here on the last word is next to nothing.
+NEAR = 2.0**-24
+# For the roundings of what is computed here, and shares that are less.
+MORE = 1 + 2.0**-20
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """How far off what is left is, in eps of itself, besides half an ulp of its rounding."""
+
+    far: float
+    near: float
+
+
+@cache
+def bound_reduction(per: float, words: tuple[float, ...]) -> Reduction:
+    """Bound what is left of angles up to the largest; ValueError where that cannot be shown."""
+    if len(words) != 3:
+        raise ValueError(f"{words}: not three words of a quarter turn")
+    with working_precision(BITS):
+        quarter = arb.pi() / 2
+        left = _above(abs(quarter + sum(map(arb, words), arb(0))))
+        after_first = _above(abs(quarter + arb(words[0])))
+        miss = _above(abs(arb(per) - 1 / quarter))
+    largest = DOUBLE.largest
+    # The number is that next to a product of two doubles, rounded.
+    beyond_half = largest * (miss + per * EPS) * MORE
+    most = largest * per * MORE + 1
+    rest = (0.5 + beyond_half) / per * MORE
+    least_taken = 0.5 / per * (1 - EPS)
+    later, least = abs(words[2]), find_nearest(largest)
+    first_is_exact = (
+        least_taken > 0.5 and Fraction(words[0]) * 2**53 % 1 == 0 and rest + most * after_first < 1
+    )
+    if not first_is_exact:
+        raise ValueError(f"{words[0]}: the first product and difference may be rounded")
+    if beyond_half > MARGIN / 4 or most * (later + left) > least * (MORE - 1):
+        raise ValueError(f"{words}: not enough of a quarter turn, or not the nearest number")
+    return Reduction(
+        far=most * (later + left) / NEAR / EPS * MORE,
+        near=(1 + most * left / least / EPS) * MORE - 0.5,
+    )
+
+
+def _above(ball: arb) -> float:
+    return float(ball.upper()) * MORE
+
+
+@cache
+def find_nearest(largest: float) -> float:
+    """Bound from below how near doubles up to the largest come to multiples of a quarter turn.
+
+    In a binade doubles are multiples of a unit, and the multiples of pi/2 that are nearest to
+    those of it are those by the denominators of a continued fraction.
+    """
+    with working_precision(BITS):
+        mantissa, exponent = (arb.pi() / 2).mid().man_exp()
+    quarter = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    nearest, end = Fraction(1), Fraction(1)
+    while end <= largest:
+        unit = end / 2**53
+        for number in _list_denominators(quarter / unit, end / quarter + 1):
+            over = number * quarter / unit
+            nearest = min(nearest, abs(over - round(over)) * unit)
+        end *= 2
+    # Half of it, for what so many bits leave of pi.
+    return float(nearest / 2)
+
+
+def _list_denominators(number: Fraction, most: Fraction) -> Iterator[int]:
+    """List the denominators of the convergents of a number."""
+    before, last = 0, 1
+    while last <= most:
+        yield last
+        number = number - floor(number)
+        if not number:
+            return
+        number = 1 / number
+        before, last = last, floor(number) * last + before
