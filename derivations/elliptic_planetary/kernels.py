@@ -1,6 +1,6 @@
 """What can be computed of paper 1: ratio, position and acceleration, and every form of them."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 
 from sympy import (
     Abs,
@@ -8,16 +8,13 @@ from sympy import (
     Expr,
     Ge,
     Integer,
-    Interval,
     Or,
     Rational,
-    Symbol,
     atan,
     atan2,
     cos,
     diff,
     floor,
-    oo,
     pi,
     sin,
     tan,
@@ -26,7 +23,6 @@ from sympy import (
 from mechproof.record import (
     Accuracy,
     Argument,
-    Chart,
     Conjunction,
     Equality,
     Form,
@@ -39,6 +35,7 @@ from mechproof.record import (
     Written,
 )
 
+from .charts import ECCENTRIC, FAR, FAR_ECCENTRIC, PEAKS, PLAIN_CHART, ROUNDER, SMOOTH
 from .mechanics import largest, position_closed, position_principal, smallest
 from .position_rows import print_12
 from .ratio_rows import print_8
@@ -84,41 +81,6 @@ ACCELERATION_SCALE = Scale(
 # whatever phi1 and R1/R2. The ratio and the acceleration lose some |x| times 2*e/(1 - e)
 # eps, however small the eccentricity: they have no such threshold but e = 0.
 PLAIN_PRODUCT = e <= Rational(1, 2)
-
-# Coordinates of the rounding errors: x, the inverse of k, and the radius that scales both.
-INVERSE, RADIUS, ANGLE_X = Symbol("1/k", positive=True), Symbol("R", positive=True), Symbol("x")
-SIZES = {R1: RADIUS, R2: INVERSE * RADIUS, phi1: INVERSE * ANGLE_X}
-UP_TO_HALF = Interval(0, Rational(1, 2))
-RANGES = {INVERSE: Interval(0, 1), RADIUS: Interval(0, oo), ANGLE_X: Interval(0, 2**26)}
-# With e = 1 - d near 1, x and d are small together: which of x, d and x**2 is the smallest?
-PLAIN_CHART = Chart("|x| <= 2**26", {**SIZES, e: e}, {**RANGES, e: UP_TO_HALF}, ANGLE_X)
-D, V, W, Y, Z = (Symbol(name) for name in ("d", "d/x**2", "x**2/d", "x/d", "d/x"))
-FREE = {INVERSE: Interval(0, 1), RADIUS: Interval(0, oo)}
-
-
-def near_one(x: Expr, d: Expr, within: Mapping[Symbol, Interval]) -> Chart:
-    """Make the chart of x and d by coordinates that may vanish."""
-    return Chart("|x| <= 22/7", {**SIZES, phi1: INVERSE * x, e: 1 - d}, {**FREE, **within})
-
-
-ECCENTRIC = (
-    near_one(D * Y, D, {D: UP_TO_HALF, Y: Interval(0, 8)}),
-    near_one(Z * W, Z**2 * W, {Z: Interval(0, Rational(1, 8)), W: Interval(0, 1)}),
-    near_one(ANGLE_X, ANGLE_X**2 * V, {ANGLE_X: Interval(0, Rational(3, 4)), V: Interval(0, 1)}),
-    near_one(ANGLE_X, D, {ANGLE_X: Interval(Rational(2, 3), Rational(22, 7)), D: UP_TO_HALF}),
-)
-ROUNDER = near_one(
-    ANGLE_X,
-    D,
-    {ANGLE_X: Interval(0, Rational(22, 7)), D: Interval(Rational(1, 2), 1)},
-)
-# Beyond half a turn the low word is no share of what is left of x, and of e so much is left out.
-FAR = Chart(
-    "|x| <= 2**26 and e <= 1 - 2**-10",
-    {**SIZES, e: 1 - D},
-    {**RANGES, ANGLE_X: Interval(3, 2**26), D: Interval(Rational(1, 2**10), Rational(1, 2))},
-    ANGLE_X,
-)
 
 HALF_ANGLE = (1 - e) ** 2 + 4 * e * sin(x / 2) ** 2
 
@@ -215,7 +177,7 @@ QUANTITIES = (
                 "half-angle quotient with low word",
                 RATIO,
                 ("low_word", "half_angle_tangent"),
-                charts=(*ECCENTRIC, ROUNDER),
+                charts=(*ECCENTRIC, ROUNDER, *PEAKS, FAR),
             ),
             Form(
                 "printed (8)",
@@ -251,7 +213,7 @@ QUANTITIES = (
                 "half-angle atan with low word",
                 position_closed,
                 ("positive_atan2", "low_word", "half_angle_tangent"),
-                charts=(*ECCENTRIC, FAR),
+                charts=(*ECCENTRIC, *PEAKS, FAR_ECCENTRIC),
             ),
             Form(
                 "printed (12)",
@@ -309,6 +271,7 @@ QUANTITIES = (
                 "half-angle quotient with low word",
                 ACCELERATION,
                 ("low_word", "half_angle_tangent"),
+                charts=SMOOTH,
             ),
             Form("1 + e**2 - 2 e cos x", ACCELERATION, key="direct"),
             Form(

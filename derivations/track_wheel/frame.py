@@ -98,6 +98,11 @@ QUATERNION = (
     * sp.Quaternion(1, 0, HALF_TANGENTS[1], 0)
     * sp.Quaternion(1, 0, 0, HALF_TANGENTS[2])
 )
+UNIT_QUATERNION = (
+    sp.Quaternion(sp.cos(alpha / 2), sp.sin(alpha / 2), 0, 0)
+    * sp.Quaternion(sp.cos(beta / 2), 0, sp.sin(beta / 2), 0)
+    * sp.Quaternion(sp.cos(gamma / 2), 0, 0, sp.sin(gamma / 2))
+)
 
 FRAME_VARIABLES = (
     *(

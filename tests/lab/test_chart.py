@@ -308,6 +308,6 @@ def test_what_is_proved_stands_beside_the_worst(record: Record, figure: Figure) 
     for way, bound in find_proved(record).items():
         assert record.worst_of(way) <= bound
         (name,) = (text for text in worst if text.startswith((f"{way} (", f"{way}, proved")))
-        assert name.endswith(f"proved \N{LESS-THAN OR EQUAL TO} {bound:.3g}")
+        assert name.endswith(f"proved \N{LESS-THAN OR EQUAL TO} {bound:g}")
     assert not any("proved" in text for text in usual)
     assert "Proved: " in " ".join(figure.axes[1].get_xlabel().split())

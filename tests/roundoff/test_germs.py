@@ -66,12 +66,34 @@ def test_whole_turns_are_taken_off(kind: str) -> None:
     whole = PI * exactly(2000.0) + rest
     frame = Frame([rest, ONE / whole], [True, True], poles=1)
     angle = frame.variable(1, -1)
-    turn = Turn(angle.powers, rest, whole)
+    turn = Turn(angle.powers, frame.constant(rest), whole)
     near = Interval(np.float64(1 - 2.0**-52), np.float64(1 + 2.0**-52))
     value, _ = RULES[kind]([angle.scaled(near)], turn)
     for x in np.linspace(0.3, 0.301, 11):
         assert holds(value, FUNCTIONS[kind](x))
     assert reach_of(value.expanded()) < 4e-3
+
+
+def test_half_a_turn_is_taken_off() -> None:
+    """Next to half a turn the tangent of half the angle is a pole of what is left."""
+    rest = side_between(1e-3, 2e-3)
+    whole = PI * exactly(2001.0) + rest
+    frame = Frame([rest, ONE / whole], [True, True], poles=1)
+    angle = frame.variable(1, -1)
+    turn = Turn(angle.powers, frame.variable(0), whole, is_half=True)
+    near = Interval(np.float64(0.5 - 2.0**-53), np.float64(0.5 + 2.0**-53))
+    value, _ = RULES["tan"]([angle.scaled(near)], turn)
+    assert value.powers == (-1, 0, 0)
+    assert reach_of(value.span) < 1e-5
+    for x in np.linspace(1e-3, 2e-3, 11):
+        assert holds(value, -1 / math.tan(x / 2))
+
+
+def test_a_size_keeps_what_is_never_negative() -> None:
+    frame = Frame([side_between(0.0, 0.1), side_between(-0.2, -0.1)], [True, False])
+    size = (frame.variable(0) * frame.variable(1)).size()
+    assert size.powers == (1, 0)
+    assert size.span.low[0] <= 0.1 < 0.2 <= size.span.high[0]
 
 
 def test_what_vanishes_alike_has_a_finite_quotient() -> None:
@@ -119,7 +141,7 @@ def edge(boxes: Boxes) -> np.ndarray:
 
 
 def test_a_cover_has_all_parts_below_an_aim() -> None:
-    found = cover_below(edge, ((0.0, 1.0), (0.0, 1.0)), 2.0, 1000)
+    found = cover_below(edge, ((0.0, 1.0), (0.0, 1.0)), 2.0, 1000, 2)
     assert found.open is None
     assert found.count > 16
     assert found.worst[0][0] == 2.0
@@ -127,7 +149,7 @@ def test_a_cover_has_all_parts_below_an_aim() -> None:
 
 
 def test_a_cover_names_a_box_that_stays_open() -> None:
-    found = cover_below(edge, ((0.0, 1.0), (0.0, 1.0)), 1.9, 1000)
+    found = cover_below(edge, ((0.0, 1.0), (0.0, 1.0)), 1.9, 1000, 2)
     assert found.open is not None
     assert sum(high for _, high in found.open) > 1.9
     assert found.worst[0][1] == found.open
@@ -135,8 +157,10 @@ def test_a_cover_names_a_box_that_stays_open() -> None:
 
 def test_what_has_no_bound_is_below_no_aim() -> None:
     box = ((0.0, 1.0), (0.0, 1.0))
-    assert cover_below(lambda boxes: np.full(len(boxes), math.inf), box, math.inf, 1000).open
+    assert cover_below(
+        lambda boxes: np.full(len(boxes), math.inf), box, math.inf, 1000, len(box)
+    ).open
 
 
 def test_a_cover_stops_when_there_are_enough_parts() -> None:
-    assert cover_below(edge, ((0.0, 1.0), (0.0, 1.0)), 2.0, 20).open is not None
+    assert cover_below(edge, ((0.0, 1.0), (0.0, 1.0)), 2.0, 20, 2).open is not None

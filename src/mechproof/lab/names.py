@@ -67,7 +67,7 @@ def name_marks(
     for mark in choose_names(marks, spots):
         label = write_name(mark, marks[0], count)
         if mark.name in proved:
-            label += f", proved {AT_MOST} {proved[mark.name]:.3g}"
+            label += f", proved {AT_MOST} {proved[mark.name]:g}"
         is_first = mark is marks[0]
         if len(named) < NAMES and room.write(spots[mark], _find_band(axes, mark), label, is_first):
             named.append(mark)

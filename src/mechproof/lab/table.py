@@ -106,8 +106,9 @@ def _describe_claim(record: Record, claim: Claim) -> Sequence[str]:
         claim.form,
         claim.way,
         f"nothing shown: open at {claim.open}" if claim.open else " or ".join(claim.where),
-        _number(claim.proved),
-        _number(claim.found),
+        # In full: a bound that is rounded down is none.
+        f"{claim.proved:g}",
+        f"{claim.found:g}",
         _number(record.worst_of(find_way(record, claim))),
         "; ".join(claim.assumptions),
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 import sympy as sp
@@ -27,14 +27,17 @@ class Chart:
     """Coordinates over which rounding errors are bounded: the arguments by them, and their ranges.
 
     What vanishes at an end of a range does so as a product of powers of coordinates. `angle` is
-    the coordinate that is taken off by whole turns, its range being that of its size. `text` says
-    where the arguments are that this and the charts with the same text cover together.
+    the coordinate that is taken off by whole turns, its range being that of its size. `rest` is
+    what is left of it by the other coordinates, or half a turn and that (left out: it is one
+    itself). `text` says where the arguments are that this and the charts with the same text cover
+    together.
     """
 
     text: str
     arguments: Mapping[sp.Basic, sp.Expr]
     within: Mapping[sp.Symbol, sp.Interval]
     angle: sp.Symbol | None = None
+    rest: sp.Expr | None = field(default=None, repr=False)
 
 
 @dataclass(frozen=True)
@@ -46,8 +49,9 @@ class Form:
     is set for an approximation: a bound of |form - definition|. `states` makes the statement
     that proves it from what was emitted (left out: it equals the definition), decided on `on`;
     where false, `holds_on` may say where it is true. `source` is where it is printed. `charts`
-    cover the arguments for which its rounding errors are bounded; `proved` says what is certified
-    of them and is filled in when it is printed.
+    cover the arguments for which its rounding errors are bounded, but for changes of the signs of
+    all arguments of a mirror; `proved` says what is certified of them and is filled in when it is
+    printed.
     """
 
     name: str
@@ -62,6 +66,7 @@ class Form:
     source: str = ""
     note: str = ""
     charts: tuple[Chart, ...] = ()
+    mirrors: tuple[tuple[sp.Basic, ...], ...] = ()
     proved: str = ""
 
 

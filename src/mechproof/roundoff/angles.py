@@ -36,26 +36,42 @@ TINY = 1e-8
 
 @dataclass(frozen=True)
 class Turn:
-    """An angle that stands in a frame as a variable to a power, and what it is less whole turns."""
+    """An angle that stands in a frame as a variable to a power, and what it is less whole turns.
+
+    Half a turn is taken off too if `is_half`.
+    """
 
     powers: Powers
-    residue: Interval
+    residue: Germ
     whole: Interval
+    is_half: bool = False
 
     def holds(self, germ: Germ) -> bool:
         """Say whether a germ is a multiple of the angle."""
         return germ.powers == self.powers
 
-    def reduce(self, germ: Germ, period: int) -> Interval:
+    def count(self, germ: Germ, period: int) -> float:
+        """Return which multiple of the angle it is, to 1/period."""
+        return round(float(np.mean(germ.span.low)) * period) / period
+
+    def reduce(self, germ: Germ, period: int) -> Germ:
         """Return a multiple of the angle less multiples of pi/period."""
-        nearest = round(float(np.mean(germ.span.low)) * period) / period
+        nearest = self.count(germ, period)
         over = (germ.span - exactly(nearest)) * self.whole
-        return self.residue * exactly(nearest) + over
+        return self.residue.scaled(exactly(nearest)) + self.share(germ.frame.constant(over))
+
+    def share(self, germ: Germ) -> Germ:
+        """Return a small part of the angle as a share of what vanishes with whole turns off."""
+        return germ.over(self.residue.powers)
 
 
-def reduce(germ: Germ, turn: Turn | None, period: int) -> Interval:
+def reduce(germ: Germ, turn: Turn | None, period: int) -> Germ:
     """Return the argument of a function, period the number of its periods in 2*pi."""
-    return turn.reduce(germ, period) if turn and turn.holds(germ) else germ.expanded()
+    if turn is None or not turn.holds(germ):
+        return germ
+    z = turn.reduce(germ, period)
+    quarters = PI * exactly(turn.count(germ, period))
+    return z + germ.frame.constant(quarters) if turn.is_half else z
 
 
 def over_argument(name: str, z: Interval) -> Interval:
@@ -72,10 +88,9 @@ def _quotient(name: str, size: Ends) -> Interval:
     return Interval(np.where(tiny, near.low, found.low), np.where(tiny, near.high, found.high))
 
 
-def take_odd(
-    germ: Germ, z: Interval, name: str, function: Callable[[Interval], Interval], end: float
-) -> Germ:
+def take_odd(germ: Germ, name: str, function: Callable[[Interval], Interval], end: float) -> Germ:
     """Return an odd function, function(z)/z monotone up to an end, keeping what vanishes."""
+    z = germ.expanded()
     if any(germ.powers) and min(germ.powers) >= 0:
         inside = z.largest() < end
         if germ.frame.choose(inside, ~inside) == 0:
@@ -84,22 +99,31 @@ def take_odd(
 
 
 def take_tangent(germ: Germ, turn: Turn | None) -> Germ:
-    """Return the tangent, near its pole by a variable that is its reciprocal."""
-    z = reduce(germ, turn, 2)
+    """Return the tangent, near its pole by what is its reciprocal and vanishes there."""
+    one = germ.frame.constant(ONE)
+    if turn and turn.is_half and turn.holds(germ) and turn.count(germ, 2) % 1:
+        rest = _take_tangent(turn.reduce(germ, 2))
+        return -(one / (rest if any(rest.powers) else germ.frame.add_variable(rest.span)))
+    argument = reduce(germ, turn, 2)
+    z = argument.expanded()
     steep = (z.low > STEEP) | (z.high < -STEEP)
     if germ.frame.choose(steep, ~steep) == 0:
-        return germ.frame.constant(ONE) / germ.frame.add_variable(cotangent(z))
-    return _odd_or_reduced(germ, z, turn, "tan", tangent, 1.5)
+        return one / germ.frame.add_variable(cotangent(z))
+    return _take_tangent(argument)
+
+
+def _take_tangent(germ: Germ) -> Germ:
+    return take_odd(germ, "tan", tangent, 1.5)
 
 
 def take_sine(germ: Germ, turn: Turn | None) -> Germ:
     """Return the sine."""
-    return _odd_or_reduced(germ, reduce(germ, turn, 1), turn, "sin", sine, 4.0)
+    return take_odd(reduce(germ, turn, 1), "sin", sine, 4.0)
 
 
 def take_cosine(germ: Germ, turn: Turn | None) -> Germ:
     """Return the cosine."""
-    return germ.frame.constant(cosine(reduce(germ, turn, 1)))
+    return germ.frame.constant(cosine(reduce(germ, turn, 1).expanded()))
 
 
 def take_arctangent(germ: Germ) -> Germ:
@@ -108,17 +132,4 @@ def take_arctangent(germ: Germ) -> Germ:
         inverse = germ.frame.constant(ONE) / germ
         quarter = PI * exactly(0.5 * sign)
         return germ.frame.constant(quarter - arctangent(inverse.expanded()))
-    return take_odd(germ, germ.expanded(), "arctan", arctangent, math.inf)
-
-
-def _odd_or_reduced(
-    germ: Germ,
-    z: Interval,
-    turn: Turn | None,
-    name: str,
-    function: Callable[[Interval], Interval],
-    end: float,
-) -> Germ:
-    if turn and turn.holds(germ):
-        return germ.frame.constant(function(z))
-    return take_odd(germ, z, name, function, end)
+    return take_odd(germ, "arctan", arctangent, math.inf)

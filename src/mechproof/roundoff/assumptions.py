@@ -24,3 +24,5 @@ FUNCTIONS: Mapping[str, Assumed] = MappingProxyType(
 )
 # Of every program: the relative error of an operation is bounded in the normal range alone.
 NORMAL = "no result overflows or falls below the normal range"
+# Of maps of points: no more than so many roundings are met by a product.
+SUMS = "np.matmul by products and their sums in any order"

@@ -17,7 +17,7 @@ from mechproof.codegen.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
 from mechproof.roundoff.ends import Rounded, limit_by_spacing, round_at_ends, widen_by_ulps
 from mechproof.roundoff.germs import Frame, Germ
-from mechproof.roundoff.intervals import ONE, Ends, Interval, around, exactly
+from mechproof.roundoff.intervals import ONE, Ends, Interval, Mask, around, exactly
 from mechproof.roundoff.profiles import Profile
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.steps import HALF, Step, Straight
@@ -91,21 +91,20 @@ class Evaluation:
             self._round(step, given[0], (self._one,))
         else:
             exact, slopes = RULES[step.kind](given, self.turn)
-            is_exact = step.kind == "subtract" and self._is_near(*given)
             if step.proved and step.ulps:
                 error = self._look_up(step, given[0]) * EPS
                 self._add(
                     step, exact, slopes, error, None, exact.scaled(around(1.0, error)).expanded()
                 )
             else:
-                self._round(step, stated or exact, slopes, is_exact)
+                self._round(step, stated or exact, slopes, self._are_exact(step, given))
 
     def _look_up(self, step: Step, germ: Germ) -> Ends:
         """Return by how many eps of itself a function is off by what is proved of it."""
         assert self._find_profile is not None
         profile, argument = self._find_profile(step.proved), germ.expanded()
         if profile.is_of_angles:
-            return profile.of_angle(argument, reduce(germ, self.turn, 2))
+            return profile.of_angle(argument, reduce(germ, self.turn, 2).expanded())
         if np.any(argument.largest() > profile.legal):
             operand = step.operands[0]
             off = self.sum_errors(operand, Bar(self._one, False)) * EPS
@@ -116,8 +115,8 @@ class Evaluation:
     def _one(self) -> Germ:
         return self.frame.constant(ONE)
 
-    def _round(self, step: Step, exact: Germ, slopes: Slopes, is_exact: bool = False) -> None:
-        relative = 0.0 if is_exact else EPS * step.ulps
+    def _round(self, step: Step, exact: Germ, slopes: Slopes, is_exact: Mask = False) -> None:
+        relative = np.where(is_exact, 0.0, EPS * step.ulps)
         given = [self.computed[o] if isinstance(o, str) else exactly(o) for o in step.operands]
         if any(span is UNKNOWN for span in given):
             found = Rounded(exact.expanded(), np.inf)
@@ -125,13 +124,14 @@ class Evaluation:
             found = round_at_ends(step.kind, given, exact.expanded())
         limit = None
         is_rounded = step.kind != "approximate"
-        if step.ulps and not is_exact and is_rounded:
+        if step.ulps and is_rounded:
             limit = limit_by_spacing(found, step.ulps)
             if step.result in self._scaled:
                 # Of what is scaled the terms are doubles, too, but nobody knows their spacing.
                 limit, given = np.inf, [self.value(o).expanded() for o in step.operands]
             if step.ulps <= HALF:
                 limit = _least(limit, _limit_by_terms(step.kind, given))
+            limit = np.where(is_exact, 0.0, limit)
         span = (
             found.span if is_rounded and step.ulps <= HALF else widen_by_ulps(found.span, step.ulps)
         )
@@ -159,7 +159,7 @@ class Evaluation:
         size = angle.expanded().largest()
         off = np.where(size <= 1, size**2, np.nan) * (1 + EPS)
         # Beyond a turn it is small as a number, not as a share of the angle.
-        small = self.frame.constant(angle.expanded()) if self.turn else angle
+        small = self.turn.share(angle) if self.turn else angle
         exact = small.scaled(ONE.union(around(1.0, off)))
         value = exact.scaled(around(1.0, off))
         self._add(step, exact, (self._one + exact.squared(),), off, None, value.expanded())
@@ -169,23 +169,31 @@ class Evaluation:
         if self.turn is None:
             self._add(step, angle, (self._one,), 0.0, None, angle.expanded())
             return
+        if self.turn.is_half:
+            raise ValueError("chart: half turns are taken off, but not in this way")
         turns = angle.expanded().largest() / 3 + 1
-        exact = reduce(angle, self.turn, 2)
+        exact = reduce(angle, self.turn, 2).expanded()
         error = (exact.largest() + 2 * PI_REST * turns) * UNIT * (1 + EPS)
         value = exact + around(0.0, error)
         self._add(step, self.frame.constant(value), (self._one,), 0.0, error, value)
 
-    def _is_near(self, a: Germ, b: Germ) -> bool:
-        """Say whether two doubles differ by at most a factor of two: their difference is exact."""
-        one, other = a.expanded(), b.expanded()
-        near = (2 * other.low >= one.high) & (other.high <= 2 * one.low)
-        return self.frame.choose(near, ~near) == 0
+    def _are_exact(self, step: Step, given: Sequence[Germ]) -> Mask:
+        """Say where two doubles differ by at most a factor of two: their difference is exact."""
+        if step.kind != "subtract" or step.result in self._scaled:
+            return False
+        one, other = (germ.expanded() for germ in given)
+        return (2 * other.low >= one.high) & (other.high <= 2 * one.low)
 
     def sum_errors(self, output: Operand, bar: Bar) -> Ends:
         """Bound the error of an output in eps of a scale; infinite where it cannot be bounded."""
         total = sum(self.list_errors(output, bar).values(), np.float64(0.0))
         total = total * (1 + EPS * len(self.moving))
         return np.where(np.isfinite(total), total, np.inf)
+
+    def compare(self, output: Operand, bar: Bar) -> Ends:
+        """Bound the size of a computed output by a multiple of the scale."""
+        assert bar.scale is not None
+        return (self.value(output) / bar.scale).expanded().largest()
 
     def list_errors(self, output: Operand, bar: Bar) -> dict[str, Ends]:
         """Bound what each step adds to the error of an output, in eps of the scale."""
@@ -229,7 +237,12 @@ def _weigh(slope: Germ, inverses: Sequence[Germ], moving: Moving) -> Ends:
             bounds.append(share * (moving.relative / EPS))
         if moving.absolute is not None:
             bounds.append(over.expanded().largest() * (moving.absolute / EPS))
-    return _least(*bounds) * (1 + 4 * EPS) if bounds else np.float64(0.0)
+    if not bounds:
+        return np.float64(0.0)
+    # An exact operation adds nothing, even where its slope is not known.
+    absolute = 0.0 if moving.absolute is None else moving.absolute
+    is_exact = np.maximum(moving.relative, absolute) == 0
+    return np.where(is_exact, 0.0, _least(*bounds) * (1 + 4 * EPS))
 
 
 def _least(*bounds: Ends) -> Ends:

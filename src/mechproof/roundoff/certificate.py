@@ -24,7 +24,7 @@ from mechproof.roundoff.subject import Subject, list_subjects
 from mechproof.roundoff.worst import Found, find_worst, measure
 
 # The most boxes of all regions that may show a bound.
-MOST = 10000
+MOST = 16000
 # Where the search for the lowest bound starts, where it ends, and how near it comes.
 FIRST, LAST, RESOLUTION = 4.0, 2.0**20, 0.01
 DIGITS = 2
@@ -163,7 +163,8 @@ def cover_all(subject: Subject, aim: float, most: int) -> list[tuple[Region, Cov
     for chart in subject.form.charts:
         for region in list_regions(chart):
             bound = partial(subject.bound, region)
-            cover = cover_below(bound, region.box, aim, most - _count(covers))
+            left = most - _count(covers)
+            cover = cover_below(bound, region.box, aim, left, region.count_first())
             covers.append((region, cover))
             if cover.open is not None:
                 return covers

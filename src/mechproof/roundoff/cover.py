@@ -16,7 +16,7 @@ Bound = Callable[[Boxes], Array]
 FINEST = 2.0**-13
 # So many of the parts with the largest bounds are kept.
 WORST = 32
-# So often all sides are halved before any box is bounded.
+# So often the first sides are halved before any box is bounded.
 CUTS = 2
 
 
@@ -29,14 +29,14 @@ class Cover:
     open: Box | None
 
 
-def cover_below(bound: Bound, box: Box, aim: float, most: int) -> Cover:
-    """Divide a box until every part is below an aim, or one that is not is found.
+def cover_below(bound: Bound, box: Box, aim: float, most: int, first: int) -> Cover:
+    """Divide a box, its first sides before all, until every part is below an aim or one is not.
 
     A part whose middle alone is above the aim cannot be divided into parts below it.
     """
     whole, count = _as_boxes(box), 0
     worst: list[tuple[float, Box]] = []
-    waiting = _divide(whole)
+    waiting = _divide(whole, first)
     while len(waiting):
         heights = bound(waiting)
         high = ~(np.isfinite(heights) & (heights <= aim))
@@ -61,10 +61,10 @@ def _keep_worst(
     return sorted([*known, *more], key=lambda entry: -entry[0])[:WORST]
 
 
-def _divide(whole: Boxes) -> Boxes:
-    """Cut all sides that have a length, so that there are many boxes to begin with."""
+def _divide(whole: Boxes, sides: int) -> Boxes:
+    """Cut the first sides as far as they have a length, so that there are many boxes."""
     for _ in range(CUTS):
-        for side in range(whole.shape[1]):
+        for side in range(sides):
             low, high = whole[0, side]
             if low < high < np.inf:
                 first, second = whole.copy(), whole.copy()

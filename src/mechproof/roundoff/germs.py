@@ -70,10 +70,20 @@ class Frame:
         powers = tuple(power if i == index else 0 for i in range(len(self.none)))
         return Germ(self, ONE, powers)
 
+    def is_apart(self, index: int) -> bool:
+        """Say whether a variable never vanishes."""
+        span = self.spans[index]
+        apart = (span.low > 0) | (span.high < 0)
+        return self.choose(apart, ~apart) == 0
+
     def is_positive(self, powers: Powers) -> bool:
         """Say whether a product of powers is never negative."""
-        return all(
-            power % 2 == 0 or positive
+        return self.keep_positive(powers) == powers
+
+    def keep_positive(self, powers: Powers) -> Powers:
+        """Return those of the powers that are never negative."""
+        return tuple(
+            power if power % 2 == 0 or positive else 0
             for power, positive in zip(powers, self._positive, strict=True)
         )
 
@@ -151,12 +161,23 @@ class Germ:
             return self.span
         return self.span * self.frame.expand(self.powers)
 
+    def over(self, powers: Powers) -> Germ:
+        """Return the value as a multiple of the powers of those variables that never vanish."""
+        kept = [p if p and self.frame.is_apart(i) else 0 for i, p in enumerate(powers)]
+        inverse = self.frame.expand(tuple([-p for p in kept]))
+        return Germ(self.frame, self.expanded() * inverse, self.frame.intern(tuple(kept)))
+
     def decide_sign(self) -> int:
         """Return the sign of the value, where it vanishes too, 0 if it is not known."""
         if not self.frame.is_positive(self.powers):
             return 0
         above, below = self.span.low >= 0, self.span.high <= 0
         return (1, -1, 0)[self.frame.choose(above, below & ~above, ~(above | below))]
+
+    def size(self) -> Germ:
+        """Return the absolute value, which keeps the powers that are never negative."""
+        kept = self.frame.intern(self.frame.keep_positive(self.powers))
+        return Germ(self.frame, self._over(kept).size(), kept)
 
     def united(self, other: Germ) -> Germ:
         """Return a germ that holds the values of both."""

@@ -26,8 +26,8 @@ Box = tuple[Side, ...]
 Boxes = NDArray[np.float64]
 # Half a turn and a little: where the nearest number of turns is no matter of rounding.
 HALF_TURN = math.pi * (1 + 2.0**-40)
-# Turns that are told apart; more are one region.
-APART = 4
+# Turns that are told apart, fewer where a rest has coordinates; more are one region.
+APART, APART_FROM_REST = 4, 2
 
 
 @dataclass(frozen=True)
@@ -47,23 +47,41 @@ class Region:
         """Name the region."""
         if not self.is_turned:
             return "no turn" if self.chart.angle else "all"
-        return f"{self.turns} turns" if self.turns else f"{APART} turns and more"
+        return "more turns" if self.turns is None else f"{self.turns} turns"
 
     def enter(
         self, boxes: Boxes, poles: int, forced: tuple[int, ...] = ()
     ) -> tuple[Frame, dict[sp.Symbol, Germ], Turn | None]:
         """Return the frame of boxes, its coordinates as germs and the angle's turn."""
         spans = [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
-        rest = spans[self.names.index(self.angle)] if self.is_turned else ONE
-        if self.is_turned and self.turns is not None:
-            spans.append(ONE / (PI * exactly(2.0 * self.turns) + rest))
+        if self.turns is not None:
+            # The reciprocal of the angle, which is known when its rest is.
+            spans.append(ONE)
         frame = Frame(spans, self._list_positive(boxes), poles, forced)
         germs = {name: frame.variable(i) for i, name in enumerate(self.names)}
         if not self.is_turned:
             return frame, germs, None
-        whole = frame.variable(len(self.names), -1)
-        turn = Turn(whole.powers, rest, ONE / spans[-1])
-        return frame, {**germs, self.angle: whole}, turn
+        residue, offset = self._find_residue(frame, germs)
+        if self.turns is not None:
+            whole = PI * exactly(2.0 * self.turns + offset) + residue.expanded()
+            frame.spans[len(self.names)] = ONE / whole
+        inverse = frame.spans[len(self.names)]
+        angle = frame.variable(len(self.names), -1)
+        turn = Turn(angle.powers, residue, ONE / inverse, bool(offset))
+        return frame, {**germs, self.angle: angle}, turn
+
+    def count_first(self) -> int:
+        """Count the sides that matter: not how many turns are taken off what has coordinates."""
+        return len(self.box) if self.chart.rest is None else len(self.names)
+
+    def _find_residue(self, frame: Frame, germs: Mapping[sp.Symbol, Germ]) -> tuple[Germ, int]:
+        """Return what is left of the angle, and the half turns taken off besides whole ones."""
+        if self.chart.rest is None:
+            return frame.constant(germs[self.angle].expanded()), 0
+        half = self.chart.rest.subs(dict.fromkeys(germs, 0))
+        if half not in (0, sp.pi):
+            raise ValueError(f"chart: {self.chart.rest} is not near a multiple of half a turn")
+        return express(sp.expand(self.chart.rest - half), frame, germs), int(half / sp.pi)
 
     def _list_positive(self, boxes: Boxes) -> list[bool]:
         """Say which coordinates are never negative, of the angle's rest the reciprocal."""
@@ -109,16 +127,31 @@ def list_regions(chart: Chart) -> Iterator[Region]:
         return
     index = names.index(chart.angle)
     low, high = box[index]
+    if chart.rest is not None:
+        others = (*names[:index], *names[index + 1 :])
+        yield from _list_turned(chart, others, (*box[:index], *box[index + 1 :]), high)
+        return
     if not 0 <= low <= math.pi < HALF_TURN < high:
         raise ValueError(f"chart: the angle {chart.angle} must reach beyond half a turn")
     if low == 0:
         yield Region(chart, names, put_side(box, index, (0.0, HALF_TURN)))
     rest = put_side(box, index, (-HALF_TURN, HALF_TURN))
-    for turns in range(1, APART):
-        yield Region(chart, names, rest, True, turns)
-    last = 2 * math.pi * APART - HALF_TURN
-    inverse = (math.nextafter(1 / high, 0), math.nextafter(1 / last, 1))
-    yield Region(chart, names, (*rest, inverse), True)
+    yield from _list_turned(chart, names, rest, high)
+
+
+def _list_turned(
+    chart: Chart, names: tuple[sp.Symbol, ...], box: Box, high: float
+) -> Iterator[Region]:
+    """List the turns whose angles, at most half a turn from there, are not all above a number."""
+    is_half = chart.rest is not None and chart.rest.has(sp.pi)
+    apart = APART if chart.rest is None else APART_FROM_REST
+    for turns in range(0 if is_half else 1, apart):
+        if 2 * math.pi * turns - (0 if is_half else HALF_TURN) < high:
+            yield Region(chart, names, box, True, turns)
+    last = 2 * math.pi * apart - HALF_TURN
+    if last < high:
+        inverse = (math.nextafter(1 / high, 0), math.nextafter(1 / last, 1))
+        yield Region(chart, names, (*box, inverse), True)
 
 
 def _enclose(interval: sp.Interval) -> Side:

@@ -79,7 +79,7 @@ def _absolute(given: Sequence[Germ], turn: Turn | None) -> Moved:
     (a,) = given
     if sign := a.decide_sign():
         return (a if sign > 0 else -a), (a.frame.constant(exactly(sign)),)
-    return a.frame.constant(a.expanded().size()), (a.frame.constant(EITHER),)
+    return a.size(), (a.frame.constant(EITHER),)
 
 
 def _maximum(given: Sequence[Germ], turn: Turn | None) -> Moved:

@@ -12,15 +12,16 @@ import sympy as sp
 from flint import arb
 from numpy.typing import NDArray
 
-from mechproof.codegen.backends.scalar import put_off_stage
+from mechproof.codegen.backends.scalar import map_affinely, put_off_stage
 from mechproof.codegen.code import Stage
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.kernel import Kernel, build_kernel, input_names
 from mechproof.codegen.program import MEANINGS, Operand
 from mechproof.record import Chart, Form, Paper, Quantity
+from mechproof.roundoff.affine import AffineMap, find_size, measure_norm
 from mechproof.roundoff.apart import Rows, bound_apart
-from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL
+from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
 from mechproof.roundoff.bound import EPS, Bar, Evaluation
 from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.compiled import COMPILED, WAY, list_expansions
@@ -31,7 +32,7 @@ from mechproof.roundoff.regions import Boxes, Region, express
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values, run
 from mechproof.roundoff.scales import find_scaled
 from mechproof.roundoff.steps import EXACT, Step, Straight, flatten_stage, keep_needed
-from mechproof.roundoff.symmetry import check_symmetry
+from mechproof.roundoff.symmetry import check_mirror, check_symmetry
 
 # Boxes that are bounded together.
 TOGETHER = 1024
@@ -45,7 +46,8 @@ class Subject:
 
     `exact` are the steps whose values without rounding are the truth, `scale` those of what an
     error is relative to, if it is not the value; `computed` are those of a compiled kernel, with
-    calls of elementary functions. `sums` are kept for each chart.
+    calls of elementary functions. Of a `map` of points the norm of the error counts, and the scale
+    is that of the matrix. `sums` are kept for each chart.
     """
 
     kernel: Kernel
@@ -56,16 +58,19 @@ class Subject:
     exact: Straight
     scale: Straight | None
     computed: Straight | None = None
+    map: AffineMap | None = None
     sums: dict[tuple[int, int], Mapping[str, sp.Expr]] = field(default_factory=dict, compare=False)
 
     @property
     def digest(self) -> str:
-        """Return the SHA-256 of the steps and of the coordinates."""
-        text = f"{self.straight}\n{self.form.charts}"
+        """Return the SHA-256 of the steps, of the coordinates and of the scale."""
+        rests = [chart.rest for chart in self.form.charts if chart.rest is not None]
+        parts: list[object] = [self.straight, self.form.charts, *rests, *self.form.mirrors]
+        parts += [self.scale] if self.scale else []
         if self.computed:
             kinds = sorted({step.kind for step in self.computed.steps} & BODIES.keys())
-            text += f"\n{self.computed}\n{[build(kind, DOUBLE).program for kind in kinds]}"
-        return hashlib.sha256(text.encode()).hexdigest()
+            parts += [self.computed, [build(kind, DOUBLE).program for kind in kinds]]
+        return hashlib.sha256("\n".join(map(str, parts)).encode()).hexdigest()
 
     @property
     def where(self) -> tuple[str, ...]:
@@ -76,7 +81,8 @@ class Subject:
     def assumptions(self) -> tuple[str, ...]:
         """List what the bound rests on."""
         kinds = {step.kind for step in self.straight.steps if not step.proved}
-        return (*(FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys())), NORMAL)
+        functions = (FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys()))
+        return (*functions, *((SUMS,) if self.map and not self.computed else ()), NORMAL)
 
     def bound(self, region: Region, boxes: Boxes) -> NDArray[np.float64]:
         """Bound the error in eps of the scale over boxes; infinite where it cannot be bounded."""
@@ -95,6 +101,8 @@ class Subject:
     def _bound_alike(self, region: Region, boxes: Boxes, *, moves: bool) -> NDArray[np.float64]:
         def compute(rows: Rows, forced: tuple[int, ...]) -> NDArray[np.float64]:
             evaluation, bar = self.evaluate(region, boxes[rows], forced)
+            if self.map:
+                return np.broadcast_to(self.map.bound(evaluation, bar), len(rows))
             highest = np.zeros(len(rows))
             for output in self.straight.outputs:
                 highest = np.maximum(highest, evaluation.sum_errors(output, bar))
@@ -117,7 +125,8 @@ class Subject:
         self, region: Region, boxes: Boxes, forced: tuple[int, ...] = ()
     ) -> tuple[Evaluation, Bar]:
         """Return all values over boxes, and what errors are relative to."""
-        both = (self.straight, *([self.scale] if self.scale else []))
+        steps = self.map.entries if self.map else self.straight
+        both = (steps, *([self.scale] if self.scale else []))
         poles = sum(step.kind == "tan" for straight in both for step in straight.steps)
         frame, germs, turn = region.enter(boxes, poles, forced)
         names = input_names(self.kernel.quantity)
@@ -131,7 +140,11 @@ class Subject:
         if self.scale is None:
             return found[0], Bar(None, True)
         whole, *rest = (found[1].value(output) for output in self.scale.outputs)
-        return found[0], Bar(whole, bool(rest) and rest[0].decide_sign() > 0)
+        if not rest or rest[0].decide_sign() <= 0:
+            return found[0], Bar(whole, False)
+        # The absolute value of a pole is no germ: there the rest of the scale stands for it.
+        is_known = whole.span.is_finite
+        return found[0], Bar(rest[0] if frame.choose(is_known, ~is_known) else whole, True)
 
     def _add_up(self, straight: Straight, chart: Chart) -> Mapping[str, sp.Expr]:
         key = (id(straight), id(chart))
@@ -148,6 +161,9 @@ class Subject:
     def weigh(self, found: NDArray[np.float64], exact: Sequence[arb], given: Values) -> float:
         """Return the largest error of the outputs in eps of the scale."""
         scale = run(self.scale, given, IN_BALLS)[0] if self.scale else None
+        if self.map:
+            apart = [arb(value) - true for value, true in zip(found.tolist(), exact, strict=True)]
+            return float(measure_norm(apart) / self.map.compute_scale(scale, given) / EPS)
         errors = [
             (arb(value) - true) / (true if scale is None else scale)
             for value, true in zip(found.tolist(), exact, strict=True)
@@ -187,34 +203,67 @@ def list_subjects(kernel: Kernel, paper: Paper) -> Iterator[Subject]:
     for form, stage in zip(kernel.forms, kernel.code.stages, strict=True):
         if not form.charts:
             continue
-        scale = _write_scale(kernel.quantity, form, paper)
+        scale = _write_scale(kernel.quantity, form, stage, paper)
         known: list[Straight] = []
         for way, expansions in WAYS.items():
             straight = hold_compensated(flatten_stage(stage, expansions))
-            if straight not in known:
-                known.append(straight)
-                _check_charts(straight, kernel, form)
-                yield Subject(kernel, form, stage, way, straight, known[0], scale)
+            affine = _find_map(kernel.quantity, stage, straight)
+            whole = affine.apply() if affine else straight
+            if whole not in known:
+                known.append(whole)
+                _check_signs(straight, kernel, form)
+                yield Subject(kernel, form, stage, way, whole, known[0], scale, map=affine)
         if kernel.is_shipped:
-            compiled = put_off_stage(stage)
-            expanded = keep_needed(flatten_stage(compiled, list_expansions()))
-            straight = find_scaled(hold_compensated(expanded))
-            _check_charts(straight, kernel, form)
-            computed = flatten_stage(compiled, {})
-            yield Subject(kernel, form, stage, WAY, straight, known[0], scale, computed)
+            yield _compile(kernel, form, stage, known[0], scale)
 
 
-def _check_charts(straight: Straight, kernel: Kernel, form: Form) -> None:
+def _compile(
+    kernel: Kernel, form: Form, stage: Stage, exact: Straight, scale: Straight | None
+) -> Subject:
+    compiled = put_off_stage(stage)
+    expanded = keep_needed(flatten_stage(compiled, list_expansions()))
+    straight = find_scaled(hold_compensated(expanded))
+    _check_signs(straight, kernel, form)
+    affine = _find_map(kernel.quantity, stage, straight)
+    if affine:
+        straight, points = affine.apply(), affine.points
+        compiled = replace(compiled, running=points, evaluate=map_affinely(points))
+    computed = flatten_stage(compiled, {})
+    return Subject(kernel, form, stage, WAY, straight, exact, scale, computed, affine)
+
+
+def _check_signs(straight: Straight, kernel: Kernel, form: Form) -> None:
+    names = input_names(kernel.quantity)
     for chart in form.charts:
-        check_symmetry(straight, chart, input_names(kernel.quantity))
+        check_symmetry(straight, chart, names)
+    for mirror in form.mirrors:
+        check_mirror(straight, mirror, names)
 
 
-def _write_scale(quantity: Quantity, form: Form, paper: Paper) -> Straight | None:
+def _find_map(quantity: Quantity, stage: Stage, straight: Straight) -> AffineMap | None:
+    """Return the map of an affine stage; ValueError for a shift that is computed."""
+    if not stage.affine:
+        return None
+    names = input_names(quantity)
+    points = tuple(names[s] for s in quantity.arguments[0].symbols)
+    shift = tuple(map(str, straight.outputs[-len(points) :]))
+    if not {*shift} <= {*straight.inputs}:
+        raise ValueError("a shift that is computed")
+    inputs = (*points, *stage.parameters)
+    return AffineMap(replace(straight, inputs=inputs), points, shift)
+
+
+def _write_scale(quantity: Quantity, form: Form, stage: Stage, paper: Paper) -> Straight | None:
     """Write the scale as the form is written, but for its low words, and without roundings."""
     if quantity.accuracy is None or quantity.accuracy.scale is None:
         return None
     rewrites = tuple(name for name in form.rewrites if name in PLAIN_REWRITES)
     size, value = quantity.accuracy.scale.written_out(), quantity.definition
+    if stage.affine:
+        points, shift = quantity.arguments[0].symbols, stage.prepare.outputs[-len(stage.running) :]
+        size = find_size(size, points, [s for s, n in input_names(quantity).items() if n in shift])
+        needed = tuple(a for a in quantity.arguments if size.free_symbols & {*a.symbols})
+        quantity = replace(quantity, arguments=needed)
     more = [size - part for part in (value, sp.Abs(value)) if _has_terms(size, part)]
     straights = [
         _write_exact(expression, rewrites, quantity, paper) for expression in (size, *more)
@@ -233,9 +282,8 @@ def _write_exact(
     if not expression.free_symbols:
         return Straight((), (), (float(expression),))
     written = Form("scale", expression, rewrites)
-    (stage,) = build_kernel(
-        "scale", replace(quantity, forms=(written,)), (written,), paper
-    ).code.stages
+    alone = replace(quantity, forms=(written,))
+    (stage,) = build_kernel("scale", alone, (written,), paper).code.stages
     (plain, *_) = WAYS.values()
     straight = flatten_stage(stage, plain)
     return replace(straight, steps=tuple(replace(step, ulps=EXACT) for step in straight.steps))

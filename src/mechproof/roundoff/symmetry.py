@@ -1,8 +1,8 @@
-"""Symmetry: whether steps with an angle negated round as they did, all signs turned."""
+"""Symmetry: whether steps with arguments negated round as they did, but for signs."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 
 import sympy as sp
@@ -67,16 +67,25 @@ PARITIES: Mapping[str, Callable[..., Parity]] = MappingProxyType(
 
 def check_symmetry(straight: Straight, chart: Chart, names: Mapping[sp.Basic, str]) -> None:
     """Require that negative angles are off as positive ones are; ValueError if not."""
-    parities: dict[str, Parity] = {}
-    angle = chart.angle
-    if angle is None:
-        return
+    if chart.angle is not None:
+        find_parities(straight, dict(_list_parities(chart, chart.angle, names)))
+
+
+def check_mirror(
+    straight: Straight, mirror: Sequence[sp.Basic], names: Mapping[sp.Basic, str]
+) -> None:
+    """Require that arguments, all negated, turn no more than signs; ValueError if not."""
+    find_parities(straight, {name: -1 if s in mirror else 1 for s, name in names.items()})
+
+
+def _list_parities(
+    chart: Chart, angle: sp.Symbol, names: Mapping[sp.Basic, str]
+) -> Iterator[tuple[str, Parity]]:
     for symbol, value in chart.arguments.items():
         turned = value.subs(angle, -angle)
         if turned not in (value, -value):
             raise ValueError(f"chart: {value} is neither odd nor even in {angle}")
-        parities[names[symbol]] = 1 if turned == value else -1
-    find_parities(straight, parities)
+        yield names[symbol], 1 if turned == value else -1
 
 
 def find_parities(straight: Straight, given: Mapping[str, Parity]) -> Mapping[Operand, Parity]:

@@ -72,13 +72,12 @@ def draw(
     subject: Subject, region: Region, box: Box, count: int, rng: np.random.Generator
 ) -> Points:
     """Draw arguments from a box of a region."""
-    sides = [
-        2 ** rng.uniform(0, OCTAVES, count) if math.isinf(high) else rng.uniform(low, high, count)
-        for low, high in box
-    ]
+    sides = [_draw_side(side, count, rng) for side in box]
     coordinates = dict(zip(region.names, sides, strict=False))
     if region.is_turned:
-        coordinates[region.angle] = _wind(region, coordinates[region.angle], sides[-1])
+        rest = region.angle if region.chart.rest is None else region.chart.rest
+        left = sp.lambdify(list(coordinates), rest, "numpy")(*coordinates.values())
+        coordinates[region.angle] = _wind(region, left, sides[-1])
     names = input_names(subject.kernel.quantity)
     expressions = list(region.chart.arguments.values())
     compute = sp.lambdify(list(coordinates), expressions, "numpy")
@@ -88,6 +87,15 @@ def draw(
         names[symbol]: np.broadcast_to(value, count).astype(float)
         for symbol, value in zip(region.chart.arguments, values, strict=True)
     }
+
+
+def _draw_side(side: tuple[float, float], count: int, rng: np.random.Generator) -> Array:
+    low, high = side
+    if not math.isinf(high):
+        return rng.uniform(low, high, count)
+    signs = rng.choice((-1.0, 1.0), count) if math.isinf(low) else 1.0
+    sizes: Array = signs * 2 ** rng.uniform(0, OCTAVES, count)
+    return sizes
 
 
 def _wind(region: Region, rest: Array, inverse: Array) -> Array:

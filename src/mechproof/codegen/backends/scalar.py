@@ -279,12 +279,12 @@ def _scalar_stage(kernel: Kernel, number: int, names: Mapping[Operand, str]) -> 
         running,
         tuple(names.get(n, n) for n in stage.parameters),
         _rename(stage.prepare, names) if stage.prepare is not NOTHING else NOTHING,
-        _rename(stage.evaluate, names) if stage.evaluate else _map_affinely(running),
+        _rename(stage.evaluate, names) if stage.evaluate else map_affinely(running),
     )
     return name, scalar
 
 
-def _map_affinely(point: tuple[str, ...]) -> Program:
+def map_affinely(point: tuple[str, ...]) -> Program:
     """Return the program of M @ p + v, M given row by row, then v."""
     count = len(point)
     rows = tuple(f"m{i}{j}" for i in range(count) for j in range(count))

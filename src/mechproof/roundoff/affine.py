@@ -1,0 +1,117 @@
+"""Affine: a map M*p + v of points, the norm of whose error is bounded by its entries.
+
+A product and every sum it goes through add a rounding, whatever the order of the sums and whether
+they are fused. So the error of a component is at most |p| times a matrix of bounds, and its norm at
+most the norm of that matrix.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from flint import arb
+
+from mechproof.codegen.program import Operand
+from mechproof.roundoff.bound import EPS, UNIT, Bar, Evaluation
+from mechproof.roundoff.intervals import Ends
+from mechproof.roundoff.steps import HALF, Step, Straight
+
+# So near does the power method come to the norm; any vector gives a bound.
+POWERS = 8
+# No less is a component of its vector.
+LEAST = 1e-3
+SLACK = 1 + 100 * EPS
+
+
+@dataclass(frozen=True)
+class AffineMap:
+    """The steps of a matrix, row by row, and of a shift; the names of points and of the shift."""
+
+    entries: Straight
+    points: tuple[str, ...]
+    shift: tuple[str, ...]
+
+    @property
+    def rows(self) -> list[tuple[Operand, ...]]:
+        """List the rows of the matrix."""
+        count, outputs = len(self.points), self.entries.outputs
+        return [outputs[i * count : (i + 1) * count] for i in range(count)]
+
+    def apply(self) -> Straight:
+        """Return the steps of one order in which points are mapped."""
+        steps: list[Step] = []
+        outputs: list[Operand] = []
+        for i, row in enumerate(self.rows):
+            total: Operand = self.shift[i]
+            for j, (entry, point) in enumerate(zip(row, self.points, strict=True)):
+                product, name = f"product{i}{j}", f"sum{i}{j}"
+                steps.append(Step(product, "multiply", (entry, point), HALF))
+                steps.append(Step(name, "add", (total, product), HALF))
+                total = name
+            outputs.append(total)
+        together = (*self.entries.steps, *steps)
+        return replace(self.entries, steps=together, outputs=tuple(outputs))
+
+    def bound(self, evaluation: Evaluation, bar: Bar) -> Ends:
+        """Bound the norm of the error in eps of D*|p| + |v|, D being the scale."""
+        count = len(self.points)
+        rounded = _add_roundings(count + 1) / EPS
+        cells = [
+            [
+                evaluation.sum_errors(entry, bar) + rounded * evaluation.compare(entry, bar)
+                for entry in row
+            ]
+            for row in self.rows
+        ]
+        norm = bound_norm(cells)
+        return np.where(np.isfinite(norm), np.maximum(norm, _add_roundings(count) / EPS), np.inf)
+
+    def compute_scale(self, size: Any, given: Mapping[str, Any]) -> Any:
+        """Return D*|p| + |v|."""
+        return size * _length([given[n] for n in self.points]) + _length(
+            [given[n] for n in self.shift]
+        )
+
+
+def find_size(scale: sp.Expr, points: Sequence[sp.Basic], shift: Sequence[sp.Basic]) -> sp.Expr:
+    """Return D of a scale D*|p| + |v|; ValueError for any other."""
+    first, *others = points
+    size = scale.subs({first: 1, **dict.fromkeys((*others, *shift), 0)})
+    lengths = [sp.sqrt(sum(s**2 for s in symbols)) for symbols in (points, shift)]
+    if scale != size * lengths[0] + lengths[1] or size.free_symbols & {*points, *shift}:
+        raise ValueError(f"{scale} is no multiple of the size of a point and the size of a shift")
+    return size
+
+
+def measure_norm(errors: Sequence[arb]) -> arb:
+    """Return the norm of an error."""
+    norm: arb = _length(errors)
+    return norm
+
+
+def bound_norm(cells: Sequence[Sequence[Ends]]) -> Ends:
+    """Bound the spectral norm of a matrix without negative entries.
+
+    With G = N^T*N its square is at most the largest quotient of components of G*x and x, x > 0.
+    """
+    matrix = np.array([np.broadcast_arrays(*row) for row in cells])
+    square = np.einsum("ki...,kj...->ij...", matrix, matrix)
+    x = np.ones_like(matrix[0])
+    for _ in range(POWERS):
+        moved = np.einsum("ij...,j...->i...", square, x)
+        x = np.maximum(moved / np.max(moved, axis=0), LEAST)
+    moved = np.einsum("ij...,j...->i...", square, x)
+    return np.sqrt(np.max(moved / x, axis=0)) * SLACK
+
+
+def _add_roundings(count: int) -> float:
+    """Bound what so many roundings, one after the other, make of a number."""
+    return count * UNIT * (1 + EPS * count)
+
+
+def _length(components: Sequence[Any]) -> Any:
+    return sum(c * c for c in components).sqrt()
