@@ -148,7 +148,7 @@ def ratio(
     -----
     Domain: 0 <= e1, e2 < 1.
 
-    Accuracy: 8 eps of the larger of 1 and W, and what the roundings of y make of it.
+    Accuracy: 10 eps of the larger of 1 and W, and what the roundings of y make of it.
 
     Source: Prikhodko et al. 2024 (oval wheels), equation (10).
 
@@ -224,7 +224,7 @@ def position(
     -----
     Domain: 0 <= e1, e2 < 1.
 
-    Accuracy: 4 eps of the value or its largest term, and what the roundings of y make of it,
+    Accuracy: 7 eps of the value or its largest term, and what the roundings of y make of it,
     where (phi1 = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or
     1/2**830 <= e2*|mount|).
 
@@ -301,7 +301,7 @@ def acceleration(
     -----
     Domain: 0 <= e1, e2 < 1.
 
-    Accuracy: 10 eps of the value or its largest term, and what the roundings of y make of it,
+    Accuracy: 15 eps of the value or its largest term, and what the roundings of y make of it,
     where (phi1 = 0 or e1 + e2 = 0 or 1/2**960 <= (e1 + e2)*|phi1|) and (e2 = 0 or mount = 0 or
     1/2**830 <= e2*|mount|).
 
@@ -399,7 +399,7 @@ def ratio_cylindrical(
     -----
     Domain: 0 < R4, R5 < oo, 0 <= e2 < 1.
 
-    Accuracy: 8 eps of the larger of 1 and 1 - value, and what eps*x makes of it, where |x| <=
+    Accuracy: 10 eps of the larger of 1 and 1 - value, and what eps*x makes of it, where |x| <=
     2**26.
 
     Source: Prikhodko et al. 2024 (oval wheels), equation (10), pair 4-5 cylindrical.
@@ -474,7 +474,7 @@ def position_cylindrical(
 
     Where R4*e2 <= (1 - e2)*|R4 - R5| for all elements, half-angle atan is computed.
 
-    Accuracy: 4 eps of the larger of both terms, and what eps*x makes of the second, where |x|
+    Accuracy: 7 eps of the larger of both terms, and what eps*x makes of the second, where |x|
     <= 2**26 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|).
 
     Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical.
@@ -567,7 +567,7 @@ def acceleration_cylindrical(
     -----
     Domain: 0 < R4, R5 < oo, 0 <= e2 < 1.
 
-    Accuracy: 8 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (e2 = 0 or
+    Accuracy: 16 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (e2 = 0 or
     phi1 = 0 or 1/2**960 <= e2*|phi1|) and (e2 = 0 or 1/2**660 <= e2).
 
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10), pair 4-5 cylindrical.

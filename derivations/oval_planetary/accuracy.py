@@ -15,12 +15,10 @@ from .symbols import R4, R5, both, e1, e2, k, less, lever, mount, phi1, rise, sh
 # of the pair 6-3 meet away from phi1 = 0. So the scales are the largest term, and added to it what
 # the value makes of y with its terms changed against each other, 0 without a mount; at the peak of
 # the ratio, where less + y vanishes, that is of second order in eps. The rest is some 20
-# operations; all of them in one direction would make twice the bounds, which are what searches for
-# the worst input hold.
+# operations; the bounds lie a quarter above what long searches for the worst input find, compiled.
 # At its peak the acceleration goes with the cube of (1 - e1)*(1 - e2), three roundings where both
 # eccentricities are below 1/2: 4 eps that the rest of the product saves. Beside a mounted wheel two
-# terms of like size meet, each with roundings of its own: searches find 8.6 of the larger one, and
-# 6.3 where wheel 6 is mounted as in the paper.
+# terms of like size meet, each with roundings of its own.
 EPS = sp.Rational(1, 2**52)
 T, R, S, W, Z, VALUE = sp.symbols("t R S W Z value", real=True)
 OF_T = {t: T}
@@ -74,7 +72,7 @@ NO_UNDERFLOW = (
 )
 
 # With the low word, x is known to eps**2 relative, and what is left are the roundings of some 20
-# operations, tan and atan within an ulp; the bounds are what searches for the worst input hold.
+# operations, tan and atan within an ulp; the bounds lie above what searches find, as before.
 # What the error of x itself makes, eps**2*|x| times the slope, counts where the acceleration passes
 # through zero, and beside it only far away near e2 = 1. The slope of the acceleration has the
 # envelope of |sin x|, |cos x| <= 1.

@@ -16,7 +16,7 @@ import sympy as sp
 from mechproof.kernel_support import polynomials
 from mechproof.lab.search import find_worst, scaled_errors
 from mechproof.lab.subject import Subject, find_subjects
-from mechproof.lab.ways import Arguments, Compute
+from mechproof.lab.ways import Arguments, Array, Compute
 
 SUBJECTS = {subject.name: subject for subject in find_subjects()}
 BOUNDED = sorted(name for name, subject in SUBJECTS.items() if subject.quantity.accuracy)
@@ -75,8 +75,24 @@ def test_polynomials_need_more_than_four_eps(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def one_mechanism(subject: Subject) -> Compute:
-    """Compute for one mechanism: parameters that are arrays take no polynomials."""
-    return lambda running, *sizes: subject.kernel(running, *(size[0] for size in sizes))
+    """Compute for one mechanism, twice: arrays of parameters and one point take no polynomials."""
+
+    def compute(running: Array, *sizes: Array) -> Array:
+        twice = np.repeat(running, 2, axis=0)
+        found: Array = subject.kernel(twice, *(size[0] for size in sizes))[:1]
+        return found
+
+    return compute
+
+
+@pytest.mark.parametrize("name", BOUNDED)
+def test_worst_inputs_stay_within_the_bound_compiled(name: str) -> None:
+    module = SUBJECTS[name].load_compiled()
+    compute = getattr(module, SUBJECTS[name].quantity.name, None)
+    for row in TABLE if compute else ():
+        if row["quantity"] == name:
+            (error,) = scaled_errors(SUBJECTS[name], compute, as_points(row))
+            assert 0 <= error <= bound_of(SUBJECTS[name]), row
 
 
 @pytest.mark.thorough
