@@ -75,12 +75,11 @@ def _is_worth(way: Way, pace: dict[str, float], effort: Effort, count: int) -> b
 
 
 def _probe(ways: Sequence[Way], arguments: Arguments) -> dict[str, float]:
-    """Estimate seconds per point from one call on a few points; what is compiled has had one."""
+    """Estimate seconds per point from the second call on a few points; the first may import."""
     with np.errstate(all="ignore"):
         calls = {w.name: _bind(w.compute, arguments) for w in ways}
-        for way in ways:
-            if way.needs:
-                calls[way.name]()
+        for call in calls.values():
+            call()
         times = {name: _time_call(call, 1) / PROBE for name, call in calls.items()}
     return {**times, COUNTED: PROBE}
 
