@@ -324,7 +324,8 @@ def rod_displacement(
     -----
     Domain: 0 < l_DE < oo.
 
-    Accuracy: 4 eps of |value| + sum of |p * d value/d p| over the arguments p.
+    Accuracy: 4 eps of |value| + sum of |p * d value/d p| over the arguments p, where |phi3| <=
+    pi.
 
     Source: Bazuev et al. 2021, equation (3).
 
@@ -545,7 +546,8 @@ def wedge_displacement(
     -----
     Domain: 0 < l_LM < oo.
 
-    Accuracy: 4 eps of |value| + sum of |p * d value/d p| over the arguments p.
+    Accuracy: 4 eps of |value| + sum of |p * d value/d p| over the arguments p, where |phi7| <=
+    pi.
 
     Source: Bazuev et al. 2021, equation (10).
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import sympy as sp
-from sympy import Abs, Eq, Rational, cos, pi, sqrt
+from sympy import Abs, Eq, Le, Rational, cos, pi, sqrt
 
 from mechproof.record import LENGTH, Accuracy, Argument, Part, Scale, Singular, Variable
 
@@ -150,8 +150,16 @@ RADICAND_ULP = 2.5
 OFFSET_ULP = 1.5
 # lever_angle: seven operations under and after the root, atan.
 LEVER_ULP = 8
-# rod_displacement, wedge_displacement: two sines, the sum of their angle, two products.
+# rod_displacement, wedge_displacement: two sines, the sum of their angle, two products. Beyond half
+# a turn a sine may be near zero at a sum that is not, whose rounding no argument answers for.
 PRODUCT_ULP = 4
+
+
+def within_half_a_turn(angle: sp.Symbol) -> tuple[sp.Basic, ...]:
+    """Return where the bound of a product of sines is stated."""
+    return (Le(Abs(angle), pi),)
+
+
 # roller_lever_angle: 3.5 for each factor under the root, an error of l_KL and, at most 1.3 times,
 # of alpha_KL; root, sine, sum, quotient 4; atan.
 ROLLER_ULP = 16

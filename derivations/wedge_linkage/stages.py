@@ -31,6 +31,7 @@ from .conditioning import (
     arguments,
     conditioned,
     singular_arm,
+    within_half_a_turn,
 )
 from .half_angles import BEFORE_PIVOT, MOVABLE
 from .prints import PRINTED_R, print_1, print_1_bottom, print_1_top, print_3, print_10
@@ -133,7 +134,7 @@ STAGES = (
         ),
         f"{BAZUEV} (3)",
         unit="mm",
-        accuracy=conditioned(PRODUCT_ULP, print_3, (phi3, alpha_DE)),
+        accuracy=conditioned(PRODUCT_ULP, print_3, (phi3, alpha_DE), within_half_a_turn(phi3)),
         singular=singular_arm(phi3, alpha_DE),
     ),
     Quantity(
@@ -220,7 +221,7 @@ STAGES = (
         ),
         f"{BAZUEV} (10)",
         unit="mm",
-        accuracy=conditioned(PRODUCT_ULP, print_10, (phi7, alpha_LM)),
+        accuracy=conditioned(PRODUCT_ULP, print_10, (phi7, alpha_LM), within_half_a_turn(phi7)),
         singular=singular_arm(phi7, alpha_LM),
     ),
 )
