@@ -1,7 +1,9 @@
 from __future__ import annotations
 
 import math
+import shutil
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
@@ -182,6 +184,18 @@ def bare_subject() -> Subject:
     module = ModuleType("kernels")
     module.area = lambda a, b: np.pi * (b - a) * (b + a)  # type: ignore[attr-defined]
     return Subject(paper, quantity, tuple, (module, None))
+
+
+def test_modules_of_a_folder_are_found_by_their_names(tmp_path: Path) -> None:
+    """Code that numba keeps names its module, and is read by the next process."""
+    source = Path(__file__).parents[2]
+    for folder in ("derivations", "generated"):
+        shutil.copytree(source / folder, tmp_path / folder)
+    (subject,) = find_subjects(("track_wheel.radius",), tmp_path / "derivations")
+    compiled = subject.load_compiled()
+    assert compiled is not None
+    assert str(tmp_path) in str(compiled.__file__)
+    assert import_module(compiled.__name__) is compiled
 
 
 def test_a_quantity_without_an_accuracy_bound_is_measured_like_any_other(tmp_path: Path) -> None:

@@ -7,9 +7,11 @@ sets that cannot be said by equations.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache, cached_property, lru_cache, partial
+from hashlib import sha256
 from importlib import import_module
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -197,16 +199,24 @@ def _load_compiled(system: str, generated: Path | None) -> ModuleType | None:
 
 
 def _load_kernels(name: str, generated: Path | None) -> ModuleType | None:
-    """Import a generated module, of the package or of a folder; None where there is none."""
+    """Import a generated module, of the package or of a folder; None where there is none.
+
+    Compiled code is kept beside a file with the name of its module, which must be found by it.
+    """
+    full = f"mechproof.kernels.{name}"
+    packaged = find_spec(full)
     if generated is None:
-        full = f"mechproof.kernels.{name}"
-        return import_module(full) if find_spec(full) is not None else None
+        return import_module(full) if packaged is not None else None
     file = generated.joinpath(*name.split(".")).with_suffix(".py")
     if not file.is_file():
         return None
-    spec = spec_from_file_location(f"_mechproof_kernels.{name}", file)
+    if packaged is not None and packaged.origin and file.samefile(packaged.origin):
+        return import_module(full)
+    own = f"_mechproof_kernels_{sha256(str(file.resolve()).encode()).hexdigest()[:16]}"
+    spec = spec_from_file_location(own, file)
     assert spec is not None
     assert spec.loader is not None
     module = module_from_spec(spec)
+    sys.modules[own] = module
     spec.loader.exec_module(module)
     return module
