@@ -154,6 +154,23 @@ def test_a_changed_step_is_refused() -> None:
         assert not holds(other, claim)
 
 
+def test_all_that_a_bound_is_of_is_hashed() -> None:
+    _, subject = by_polynomials()
+    form, straight = subject.form, subject.straight
+    (chart, *charts), (first, *steps) = form.charts, straight.steps
+    told = (replace(first, proved="tan"), replace(first, scaled="y"))
+    changed = [
+        replace(subject, form=replace(form, charts=(replace(chart, rest=sp.S.One), *charts))),
+        replace(subject, form=replace(form, mirrors=((sp.Symbol("e"),),))),
+        *(replace(subject, straight=replace(straight, steps=(step, *steps))) for step in told),
+        replace(subject, straight=replace(straight, held=("y",))),
+        replace(subject, straight=replace(straight, scaled=("y",))),
+        replace(subject, scale=straight),
+        replace(subject, computed=straight),
+    ]
+    assert len({other.digest for other in (subject, *changed)}) == 1 + len(changed)
+
+
 def test_a_wrong_coefficient_is_refused_even_under_its_own_hash() -> None:
     claim, subject = by_polynomials()
     last = kernels.ARCTANGENT[0][0]
@@ -245,7 +262,7 @@ def test_certificates_are_what_the_derivations_say() -> None:
 def test_a_rest_that_is_not_added_is_refused(way: str) -> None:
     """Without its low word the angle's rounding moves the output: nothing may hold it."""
     subject = subjects()["position", "half-angle atan with low word", way]
-    free = replace(subject.straight, held=frozenset())
+    free = replace(subject.straight, held=())
     assert hold_compensated(free) == subject.straight
     steps = tuple(
         replace(step, kind="subtract") if step.result == "x_low" else step for step in free.steps

@@ -460,7 +460,7 @@ def test_a_scale_that_stays_is_refused() -> None:
         with pytest.raises(ValueError, match="scaled"):
             find_scaled(Straight(("y",), (part, Step("q", kind, operands, 0.5)), ("q",)))
     whole = find_scaled(Straight(("y",), (part, Step("q", "divide", ("t", "t"), 0.5)), ("q",)))
-    assert whole.scaled == {"t"}
+    assert whole.scaled == ("t",)
 
 
 def test_of_what_is_scaled_no_difference_is_exact() -> None:

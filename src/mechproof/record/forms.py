@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 import sympy as sp
@@ -37,7 +37,7 @@ class Chart:
     arguments: Mapping[sp.Basic, sp.Expr]
     within: Mapping[sp.Symbol, sp.Interval]
     angle: sp.Symbol | None = None
-    rest: sp.Expr | None = field(default=None, repr=False)
+    rest: sp.Expr | None = None
 
 
 @dataclass(frozen=True)

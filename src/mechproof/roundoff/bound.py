@@ -63,7 +63,7 @@ class Evaluation:
         find_profile: Callable[[str], Profile] | None = None,
     ) -> None:
         self.frame, self.turn, self.held = frame, turn, straight.held
-        self._scaled, self._find_profile = straight.scaled, find_profile
+        self._scaled, self._find_profile = frozenset(straight.scaled), find_profile
         self.values: dict[str, Germ] = dict(given)
         # What is computed, its rounding known to be monotone; not what lies on the way to it.
         self.computed = {name: germ.expanded() for name, germ in given.items()}

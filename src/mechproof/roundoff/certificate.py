@@ -84,8 +84,8 @@ def certify(paper: Paper, known: Certificate | None) -> Certificate | None:
 
 
 def list_digests(paper: Paper) -> list[str]:
-    """List the hashes of all that a paper's certificate is about, and what errors are told in."""
-    return [f"{subject.digest} {subject.scale}" for subject in _list_all(paper)]
+    """List the hashes of all that a paper's certificate is about."""
+    return [subject.digest for subject in _list_all(paper)]
 
 
 def tell_proofs(paper: Paper, certificate: Certificate | None) -> Paper:

@@ -7,6 +7,7 @@ in the values of the functions; the other roundings are then bounded at whatever
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -19,17 +20,21 @@ Pair = tuple[sp.Expr, sp.Expr]
 
 def hold_compensated(straight: Straight) -> Straight:
     """Return the steps with what is compensated held; ValueError where a rest is no low word."""
-    steps = straight.steps
-    products = {str(s.operands[2]) for s in steps if s.kind == "product_rest"}
-    quotients = {str(s.operands[2]) for s in steps if s.kind == "quotient_rest"}
-    for name in (*products, *quotients):
+    products = _list_rounded(straight, "product_rest")
+    for name in (*products, *_list_rounded(straight, "quotient_rest")):
         for output in straight.outputs:
             if _slope(straight, name, products, output) != 0:
                 raise ValueError(f"an output depends on the rounding of {name}, its rest apart")
-    return replace(straight, held=frozenset(products))
+    return replace(straight, held=products)
 
 
-def _slope(straight: Straight, name: str, products: set[str], output: Operand) -> sp.Expr:
+def _list_rounded(straight: Straight, rest: str) -> tuple[str, ...]:
+    """List the results that have a rest of a kind, in the order of the rests."""
+    found = (str(step.operands[2]) for step in straight.steps if step.kind == rest)
+    return tuple(dict.fromkeys(found))
+
+
+def _slope(straight: Straight, name: str, products: Sequence[str], output: Operand) -> sp.Expr:
     """Return the derivative of an output by a rounded value, as its rests and products see it."""
     values: dict[Operand, Pair] = {n: (sp.Symbol(n), sp.S.Zero) for n in straight.inputs}
     moved = (sp.Symbol(f"rounded {name}"), sp.S.One)

@@ -56,4 +56,4 @@ def find_scaled(straight: Straight) -> Straight:
             known[step.result] = DEGREES[step.kind](*given)
     if any(known.get(output) for output in straight.outputs):
         raise ValueError("an output is scaled")
-    return replace(straight, scaled=frozenset(str(r) for r, powers in known.items() if powers))
+    return replace(straight, scaled=tuple(str(r) for r, powers in known.items() if powers))

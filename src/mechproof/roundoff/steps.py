@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 from mechproof.codegen.code import Stage
 from mechproof.codegen.program import Operand, Operation, Program
@@ -30,8 +30,8 @@ class Step:
     kind: str
     operands: tuple[Operand, ...]
     ulps: float
-    proved: str = field(default="", repr=False)
-    scaled: Operand = field(default="", repr=False)
+    proved: str = ""
+    scaled: Operand = ""
 
 
 @dataclass(frozen=True)
@@ -39,14 +39,14 @@ class Straight:
     """All steps of a stage; inputs are the arguments, outputs results or inputs.
 
     The rounding of what is `held` moves no output: a low word has it. What is `scaled` has factors
-    that no output has.
+    that no output has. Both are in the order of the steps, so that equal steps are printed alike.
     """
 
     inputs: tuple[str, ...]
     steps: tuple[Step, ...]
     outputs: tuple[Operand, ...]
-    held: frozenset[str] = frozenset()
-    scaled: frozenset[str] = field(default=frozenset(), repr=False)
+    held: tuple[str, ...] = ()
+    scaled: tuple[str, ...] = ()
 
 
 def keep_needed(straight: Straight) -> Straight:

@@ -17,7 +17,7 @@ from mechproof.codegen.code import Stage
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.kernel import Kernel, build_kernel, input_names
-from mechproof.codegen.program import MEANINGS, Operand
+from mechproof.codegen.program import MEANINGS, Operand, Program
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, find_size, measure_norm
 from mechproof.roundoff.apart import Rows, bound_apart
@@ -64,13 +64,16 @@ class Subject:
     @property
     def digest(self) -> str:
         """Return the SHA-256 of the steps, of the coordinates and of the scale."""
-        rests = [chart.rest for chart in self.form.charts if chart.rest is not None]
-        parts: list[object] = [self.straight, self.form.charts, *rests, *self.form.mirrors]
-        parts += [self.scale] if self.scale else []
-        if self.computed:
-            kinds = sorted({step.kind for step in self.computed.steps} & BODIES.keys())
-            parts += [self.computed, [build(kind, DOUBLE).program for kind in kinds]]
+        parts = (self.straight, self.form.charts, self.form.mirrors, self.scale, *self._programs)
         return hashlib.sha256("\n".join(map(str, parts)).encode()).hexdigest()
+
+    @property
+    def _programs(self) -> Iterator[Straight | Program]:
+        """List the steps of a compiled kernel and the functions that they call."""
+        if self.computed:
+            yield self.computed
+            for kind in sorted({step.kind for step in self.computed.steps} & BODIES.keys()):
+                yield build(kind, DOUBLE).program
 
     @property
     def where(self) -> tuple[str, ...]:
