@@ -42,6 +42,10 @@ class Whole:
         """Return a multiple, whole or not."""
         return Whole(self.each * Fraction(factor), self.count * Fraction(factor))
 
+    def plus(self, more: float) -> Whole:
+        """Return the number and so many."""
+        return replace(self, count=self.count + Fraction(more))
+
     def rounded(self, to: Callable[[Fraction], int]) -> Whole:
         """Round to a whole number; an even number for each turn keeps what a half is rounded to."""
         if self.each.denominator != 1 or (to is round and self.each % 2):
@@ -66,13 +70,6 @@ class Resolved:
     words: tuple[float, ...]
 
 
-@dataclass(frozen=True)
-class _Chain:
-    """An angle less the number times words."""
-
-    words: tuple[float, ...]
-
-
 def resolve(program: Program, case: Case) -> Resolved:
     """Return the steps of a program in a case; ValueError for what no rule decides."""
     return _Resolver(program, case).resolve()
@@ -82,7 +79,8 @@ class _Resolver:
     def __init__(self, program: Program, case: Case) -> None:
         self._program, self._case = program, case
         self._facts: dict[str, Whole | bool] = {}
-        self._chains: dict[str, _Chain] = {}
+        # Of what is the angle less the number times words, these words.
+        self._chains: dict[str, tuple[float, ...]] = {}
         self._names: dict[Operand, Operand] = {}
         self._steps: list[Step] = []
         self._sizes = {name: name_size(name) for name in program.inputs}
@@ -101,8 +99,8 @@ class _Resolver:
         return Resolved(straight, max(self._per, default=0.0), max(self._words, default=()))
 
     def _find(self, operand: Operand) -> Operand:
-        if isinstance(operand, str) and (chain := self._chains.get(operand)):
-            self._words.add(chain.words)
+        if isinstance(operand, str) and (words := self._chains.get(operand)):
+            self._words.add(words)
             return REST
         if operand in self._facts:
             raise ValueError(f"{operand} is computed with, but is a decision")
@@ -126,20 +124,12 @@ class _Resolver:
         self._facts[operation.result] = self._case.is_larger
         return True
 
-    def _scale(self, operation: Operation) -> bool:
-        number, factor = operation.operands
-        whole = self._facts.get(str(number))
-        if not isinstance(whole, Whole) or isinstance(factor, str):
+    def _compute(self, operation: Operation) -> bool:
+        first, second = operation.operands
+        whole = self._facts.get(str(first))
+        if not isinstance(whole, Whole) or isinstance(second, str):
             return False
-        self._facts[operation.result] = whole.times(factor)
-        return True
-
-    def _shift(self, operation: Operation) -> bool:
-        number, more = operation.operands
-        whole = self._facts.get(str(number))
-        if not isinstance(whole, Whole) or isinstance(more, str):
-            return False
-        self._facts[operation.result] = replace(whole, count=whole.count + Fraction(more))
+        self._facts[operation.result] = _COMPUTE[operation.kind](whole, second)
         return True
 
     def _round(self, operation: Operation) -> bool:
@@ -165,8 +155,8 @@ class _Resolver:
             return False
         if rest != self._program.inputs[0] and rest not in self._chains:
             return False
-        before = self._chains[str(rest)].words if rest in self._chains else ()
-        self._chains[operation.result] = _Chain((*before, float(word)))
+        before = self._chains.get(str(rest), ())
+        self._chains[operation.result] = (*before, float(word))
         return True
 
     def _choose(self, operation: Operation) -> bool:
@@ -189,14 +179,18 @@ class _Resolver:
 
 
 _ROUND: Mapping[str, Callable[[Fraction], int]] = {"rint": round, "floor": floor}
+_COMPUTE: Mapping[str, Callable[[Whole, float], Whole]] = {
+    "multiply": Whole.times,
+    "add": Whole.plus,
+}
 _RULES: Mapping[str, Callable[[_Resolver, Operation], bool]] = MappingProxyType(
     {
         "rint": _Resolver._round,
         "floor": _Resolver._round,
         "equal": _Resolver._decide,
         "greater": _Resolver._compare,
-        "multiply": _Resolver._scale,
-        "add": _Resolver._shift,
+        "multiply": _Resolver._compute,
+        "add": _Resolver._compute,
         "fma": _Resolver._take_off,
         "choose": _Resolver._choose,
         "absolute": _Resolver._take_size,
