@@ -16,8 +16,8 @@ import sympy as sp
 from flint import arb
 
 from mechproof.codegen.program import Operand
-from mechproof.roundoff.bound import EPS, UNIT, Bar, Evaluation
-from mechproof.roundoff.intervals import Ends
+from mechproof.roundoff.bound import Bar, Evaluation
+from mechproof.roundoff.intervals import EPS, UNIT, Ends
 from mechproof.roundoff.steps import HALF, Step, Straight
 
 # So near does the power method come to the norm; any vector gives a bound.

@@ -17,13 +17,11 @@ from mechproof.codegen.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
 from mechproof.roundoff.ends import Rounded, limit_by_spacing, round_at_ends, widen_by_ulps
 from mechproof.roundoff.germs import Frame, Germ
-from mechproof.roundoff.intervals import ONE, Ends, Interval, Mask, around, exactly
+from mechproof.roundoff.intervals import EPS, ONE, UNIT, Ends, Interval, Mask, around, exactly
 from mechproof.roundoff.profiles import Profile
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.steps import HALF, Step, Straight
 
-UNIT = 2.0**-53
-EPS = 2.0**-52
 # Where they are exact or a rounding away from it: `compensation` shows that nothing moves them.
 RESTS = ("product_rest", "quotient_rest")
 # What 28 bits of pi leave of it, which the reduction multiplies by the number of half turns.

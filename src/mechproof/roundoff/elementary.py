@@ -21,10 +21,10 @@ from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import build
 from mechproof.codegen.program import Program
 from mechproof.roundoff.apart import Rows, bound_apart
-from mechproof.roundoff.bound import EPS, Bar, Evaluation
+from mechproof.roundoff.bound import Bar, Evaluation
 from mechproof.roundoff.cases import REST, Case, Resolved, Whole, name_size, resolve
 from mechproof.roundoff.germs import Frame
-from mechproof.roundoff.intervals import ONE, PI, Interval, careful, exactly
+from mechproof.roundoff.intervals import EPS, ONE, PI, Interval, careful, exactly
 from mechproof.roundoff.profiles import Array, Profile, find_highest
 from mechproof.roundoff.reduction import NEAR, bound_reduction
 from mechproof.roundoff.running import IN_BALLS, run

@@ -6,7 +6,6 @@ the rounding leaves there says whether a power of two is passed.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -16,10 +15,9 @@ import numpy as np
 
 from mechproof.kernel_support.error_free import product_rest
 from mechproof.roundoff.fused import add_exactly, fma
-from mechproof.roundoff.intervals import Interval, list_corners
+from mechproof.roundoff.intervals import EPS, UNIT, Interval, list_corners
 
 Ends = Any
-BITS = 53
 # Of a power of two: less than a quarter of the spacing below it.
 HARDLY = 2.0**-56
 
@@ -127,13 +125,13 @@ def limit_by_spacing(rounded: Rounded, ulps: float) -> Ends:
     share, exponent = np.frexp(largest)
     # A power of two is a double: what is hardly above it is off by less than what is below.
     passed = (share == 0.5) & (rounded.beyond <= largest * HARDLY)
-    limit = ulps * np.ldexp(1.0, np.where(passed, exponent - 1, exponent) - BITS)
+    limit = ulps * np.ldexp(UNIT, np.where(passed, exponent - 1, exponent))
     return np.where(np.isfinite(largest), limit, np.inf)
 
 
 def widen_by_ulps(span: Interval, ulps: float) -> Interval:
     """Enclose what is off by so many ulps."""
-    share = math.ldexp(ulps, 1 - BITS)
+    share = ulps * EPS
     return Interval(
         span.low - np.abs(span.low) * 2 * share, span.high + np.abs(span.high) * 2 * share
     )

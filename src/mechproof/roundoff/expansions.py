@@ -12,8 +12,7 @@ from types import MappingProxyType
 from mechproof.codegen.backends.numpy import FITS
 from mechproof.codegen.elementary.fits import enclose, fit
 from mechproof.codegen.program import Operand, Operation, Program
-
-EPS = 2.0**-52
+from mechproof.roundoff.intervals import EPS
 
 
 @dataclass(frozen=True)

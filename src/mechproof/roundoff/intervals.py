@@ -19,8 +19,10 @@ from mechproof.proof.balls import working_precision
 
 Ends = Any
 Mask = Any
-# To nearest an end is off by at most half of this of itself.
-OUTWARD = 2.0**-52
+# The spacing of doubles at 1, and by how much of itself a number is moved to the nearest at most.
+EPS, UNIT = 2.0**-52, 2.0**-53
+# Twice what an end is off by to nearest.
+OUTWARD = EPS
 # Products of two such are no matter of the range.
 SMALLEST = 1e-100
 BITS = 64

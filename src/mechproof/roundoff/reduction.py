@@ -18,8 +18,8 @@ from flint import arb
 from mechproof.codegen.elementary.fits import MARGIN
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.proof.balls import working_precision
+from mechproof.roundoff.intervals import EPS, UNIT
 
-UNIT, EPS = 2.0**-53, 2.0**-52
 BITS = 300
 # From here on the last word is next to nothing.
 NEAR = 2.0**-24
@@ -53,7 +53,9 @@ def bound_reduction(per: float, words: tuple[float, ...]) -> Reduction:
     least_taken = 0.5 / per * (1 - EPS)
     later, least = abs(words[2]), find_nearest(largest)
     first_is_exact = (
-        least_taken > 0.5 and Fraction(words[0]) * 2**53 % 1 == 0 and rest + most * after_first < 1
+        least_taken > 0.5
+        and Fraction(words[0]) % Fraction(UNIT) == 0
+        and rest + most * after_first < 1
     )
     if not first_is_exact:
         raise ValueError(f"{words[0]}: the first product and difference may be rounded")
@@ -81,7 +83,7 @@ def find_nearest(largest: float) -> float:
     quarter = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
     nearest, end = Fraction(1), Fraction(1)
     while end <= largest:
-        unit = end / 2**53
+        unit = end * Fraction(UNIT)
         for number in _list_denominators(quarter / unit, end / quarter + 1):
             over = number * quarter / unit
             nearest = min(nearest, abs(over - round(over)) * unit)

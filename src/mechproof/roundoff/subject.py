@@ -22,12 +22,12 @@ from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, find_size, measure_norm
 from mechproof.roundoff.apart import Rows, bound_apart
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
-from mechproof.roundoff.bound import EPS, Bar, Evaluation
+from mechproof.roundoff.bound import Bar, Evaluation
 from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.compiled import COMPILED, WAY, list_expansions
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.expansions import WAYS
-from mechproof.roundoff.intervals import careful
+from mechproof.roundoff.intervals import EPS, careful
 from mechproof.roundoff.regions import Boxes, Region, express
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values, run
 from mechproof.roundoff.scales import find_scaled

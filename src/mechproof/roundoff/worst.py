@@ -19,7 +19,6 @@ from mechproof.roundoff.subject import Subject
 
 Array = NDArray[np.float64]
 Points = dict[str, Array]
-EPS = 2.0**-52
 BITS = 200
 DRAWN, KEPT, CHILDREN, ROUNDS = 200, 64, 8, 150
 # Free coordinates are drawn from so many octaves.
