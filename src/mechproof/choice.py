@@ -24,7 +24,7 @@ from mechproof.arguments.scalars import (
     refuse,
     require,
 )
-from mechproof.measured import Cell, MeasuredWay, Record, Timing, find_files, read_record
+from mechproof.measured import KERNELS, Cell, MeasuredWay, Record, Timing, find_files, read_record
 
 __all__ = ["Choice", "choose"]
 
@@ -314,9 +314,9 @@ def _locate(quantity: str, way: MeasuredWay) -> str:
     """Return the dotted name of a generated function; empty for what is none."""
     system, _, name = quantity.partition(".")
     if way.kind == "form":
-        return f"mechproof.kernels.forms.{system}.{name}_{way.key}"
+        return f"{KERNELS}.forms.{system}.{name}_{way.key}"
     if way.kind == "kernel":
-        return f"mechproof.kernels.{FOLDERS[way.needs]}{system}.{name}"
+        return f"{KERNELS}.{FOLDERS[way.needs]}{system}.{name}"
     return ""
 
 

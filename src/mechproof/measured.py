@@ -28,6 +28,7 @@ from mechproof.json_rows import read_fields, write_lines
 __all__ = [
     "COPY",
     "FOLDER",
+    "KERNELS",
     "MEASURED",
     "Cell",
     "CellErrors",
@@ -59,7 +60,8 @@ COPY = "memory copy"
 ALL_BITS = 64.0
 ERROR_DIGITS, TIME_DIGITS = 4, 3
 SUFFIX = ".json"
-# Of the generated package.
+# The package of generated kernels, and of it the folder of what was measured.
+KERNELS = "mechproof.kernels"
 FOLDER = "measured"
 
 
@@ -273,7 +275,7 @@ def goes_by(quantity: str, name: str) -> bool:
 
 def find_files(folder: Traversable | None = None) -> dict[str, Traversable]:
     """Return the files of a folder, by default those that come with the package, by quantity."""
-    folder = files("mechproof.kernels").joinpath(FOLDER) if folder is None else folder
+    folder = files(KERNELS).joinpath(FOLDER) if folder is None else folder
     found = folder.iterdir() if folder.is_dir() else iter(())
     named = {file.name.removesuffix(SUFFIX): file for file in found if file.name.endswith(SUFFIX)}
     return dict(sorted(named.items()))

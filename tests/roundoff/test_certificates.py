@@ -23,10 +23,10 @@ from mechproof.roundoff.certificate import (
     Claim,
     holds,
     list_digests,
-    read_certificate,
 )
 from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.expansions import ARCTANGENT, QUOTIENT
+from mechproof.roundoff.files import FOLDER, find_certificate
 from mechproof.roundoff.intervals import careful
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_DOUBLES, run
@@ -35,8 +35,8 @@ from mechproof.roundoff.subject import Subject, list_subjects
 from mechproof.roundoff.symmetry import check_symmetry
 from mechproof.roundoff.worst import Array, draw, measure
 
-FOLDER = Path(next(iter(mechproof.kernels.__path__)), "certificates")
-SYSTEMS = sorted(path.stem for path in FOLDER.glob("*.json"))
+GENERATED = Path(next(iter(mechproof.kernels.__path__)))
+SYSTEMS = sorted(path.stem for path in (GENERATED / FOLDER).glob("*.json"))
 # Found by a search along the boxes with the largest bounds, all roundings nearly aligned.
 WORST = {
     "phi1": "0x1.062538db1ff9cp-20",
@@ -48,8 +48,9 @@ WORST = {
 
 @cache
 def certificate(system: str) -> Certificate:
-    path = FOLDER / f"{system}.json"
-    return read_certificate(path.read_text(encoding="utf-8"), str(path))
+    found = find_certificate(GENERATED, system)
+    assert found is not None
+    return found
 
 
 @cache

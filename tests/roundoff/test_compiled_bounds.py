@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from importlib import import_module
-from pathlib import Path
+from importlib.resources import files
 from typing import Any
 
 import numpy as np
@@ -16,19 +16,20 @@ from compiled import grouped
 from derived import paper_of
 from flint import arb
 
-import mechproof.kernels
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import Function, build
 from mechproof.codegen.kernel import input_names, list_functions
 from mechproof.codegen.program import Operation, Program
+from mechproof.measured import KERNELS
 from mechproof.proof.balls import working_precision
 from mechproof.roundoff import elementary
 from mechproof.roundoff import subject as subject_module
 from mechproof.roundoff.bound import Bar, Evaluation
-from mechproof.roundoff.certificate import Claim, holds, read_certificate
+from mechproof.roundoff.certificate import Claim, holds
 from mechproof.roundoff.compiled import COMPILED, WAY, find_part
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.ends import AT_ENDS
+from mechproof.roundoff.files import find_certificate
 from mechproof.roundoff.fused import fma
 from mechproof.roundoff.germs import Frame
 from mechproof.roundoff.intervals import Interval
@@ -121,8 +122,9 @@ def test_what_is_proved_is_what_runs(name: str) -> None:
 
 @cache
 def claims(system: str) -> tuple[Claim, ...]:
-    path = Path(next(iter(mechproof.kernels.__path__)), "certificates", f"{system}.json")
-    return read_certificate(path.read_text(encoding="utf-8"), str(path)).claims
+    certificate = find_certificate(files(KERNELS), system)
+    assert certificate is not None
+    return certificate.claims
 
 
 @pytest.mark.parametrize("name", grouped(NAMES))

@@ -6,17 +6,16 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from importlib.resources import files
 
-from mechproof.measured import Record
-from mechproof.roundoff.certificate import Certificate, Claim, read_certificate
+from mechproof.measured import KERNELS, Record
+from mechproof.roundoff.certificate import Certificate, Claim
 from mechproof.roundoff.compiled import WAY
-from mechproof.roundoff.files import FOLDER
-
-KERNELS = "mechproof.kernels"
+from mechproof.roundoff.files import find_certificate
 
 
 def list_claims(record: Record) -> tuple[Claim, ...]:
     """List what is proved of a quantity's kernels, none if they are not of the package."""
-    return select_claims(record, _read_certificates(record.quantity.partition(".")[0]))
+    certificate = _find_packaged(record.quantity.partition(".")[0])
+    return select_claims(record, [certificate] if certificate else ())
 
 
 def select_claims(record: Record, certificates: Iterable[Certificate]) -> tuple[Claim, ...]:
@@ -26,11 +25,8 @@ def select_claims(record: Record, certificates: Iterable[Certificate]) -> tuple[
 
 
 @cache
-def _read_certificates(system: str) -> tuple[Certificate, ...]:
-    file = files(KERNELS).joinpath(FOLDER).joinpath(f"{system}.json")
-    if not file.is_file():
-        return ()
-    return (read_certificate(file.read_text(encoding="utf-8"), str(file)),)
+def _find_packaged(system: str) -> Certificate | None:
+    return find_certificate(files(KERNELS), system)
 
 
 def find_way(record: Record, claim: Claim) -> str:

@@ -28,7 +28,7 @@ from mechproof.lab.facts import Facts
 from mechproof.lab.points import PointSet
 from mechproof.lab.sizes import Sides
 from mechproof.lab.ways import Arguments, Compute, Way, list_ways
-from mechproof.measured import goes_by
+from mechproof.measured import KERNELS, goes_by
 from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Peer, Quantity, Row
 
@@ -203,7 +203,7 @@ def _load_kernels(name: str, generated: Path | None) -> ModuleType | None:
 
     Compiled code is kept beside a file with the name of its module, which must be found by it.
     """
-    full = f"mechproof.kernels.{name}"
+    full = f"{KERNELS}.{name}"
     packaged = find_spec(full)
     if generated is None:
         return import_module(full) if packaged is not None else None

@@ -10,13 +10,11 @@ from pathlib import Path
 
 from mechproof.derivation import packaged_directory
 from mechproof.measured import FOLDER as MEASURED
-from mechproof.measured import Record, find_files, read_record
+from mechproof.measured import KERNELS, Record, find_files, read_record
 from mechproof.proof.ledger import Ledger
 from mechproof.record import Paper
-from mechproof.roundoff.certificate import read_certificate, tell_proofs
-from mechproof.roundoff.files import FOLDER
-
-KERNELS = "mechproof.kernels"
+from mechproof.roundoff.certificate import tell_proofs
+from mechproof.roundoff.files import find_certificate
 
 
 @dataclass(frozen=True)
@@ -50,7 +48,7 @@ def find_source(location: Path, ledger: Ledger) -> Source:
     return Source(
         location,
         ledger,
-        _tell(paper, folder),
+        tell_proofs(paper, find_certificate(folder, paper.system)),
         tuple(_read_records(folder, paper)),
         home if kernels.is_file() else "",
     )
@@ -64,13 +62,6 @@ def _find_generated(location: Path) -> Traversable:
     if _is_packaged(location):
         return files(KERNELS)
     return location.resolve().parent.parent / "generated"
-
-
-def _tell(paper: Paper, folder: Traversable) -> Paper:
-    file = folder.joinpath(FOLDER).joinpath(f"{paper.system}.json")
-    if not file.is_file():
-        return paper
-    return tell_proofs(paper, read_certificate(file.read_text(encoding="utf-8"), str(file)))
 
 
 def _read_records(folder: Traversable, paper: Paper) -> Sequence[Record]:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from hashlib import sha256
 from importlib.metadata import version
+from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from mechproof.files import write_whole
@@ -25,6 +26,17 @@ KEPT = "certified.txt"
 # Of the package: what proves, what fits and encloses functions, what is mirrored.
 SOURCES = ("roundoff", "codegen/elementary", "kernel_support")
 VERSIONS = ("sympy", "numpy", "python-flint")
+
+
+def find_certificate(generated: Traversable, system: str) -> Certificate | None:
+    """Read the certificate of a system that is beside its kernels; None where there is none.
+
+    Raises ValueError, naming the file, for one that cannot be read.
+    """
+    file = generated.joinpath(_name(system))
+    if not file.is_file():
+        return None
+    return read_certificate(file.read_text(encoding="utf-8"), str(file))
 
 
 def certify_papers(
