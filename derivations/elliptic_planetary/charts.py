@@ -13,11 +13,15 @@ from .symbols import R1, R2, e, phi1
 INVERSE, RADIUS, ANGLE_X = Symbol("1/k", positive=True), Symbol("R", positive=True), Symbol("x")
 SIZES = {R1: RADIUS, R2: INVERSE * RADIUS, phi1: INVERSE * ANGLE_X}
 UP_TO_HALF, UP_TO_LARGE = Interval(0, Rational(1, 2)), Interval(0, Rational(5, 8))
-RANGES = {INVERSE: Interval(0, 1), RADIUS: Interval(0, oo), ANGLE_X: Interval(0, 2**26)}
-# With e = 1 - d near 1, x and d are small together: which of x, d and x**2 is the smallest?
-PLAIN_CHART = Chart("|x| <= 2**26", {**SIZES, e: e}, {**RANGES, e: UP_TO_HALF}, ANGLE_X)
-D, V, W, Y, Z = (Symbol(name) for name in ("d", "d/x**2", "x**2/d", "x/d", "d/x"))
 FREE = {INVERSE: Interval(0, 1), RADIUS: Interval(0, oo)}
+PLAIN_CHART = Chart(
+    "|x| <= 2**26",
+    {**SIZES, e: e},
+    {**FREE, ANGLE_X: Interval(0, 2**26), e: UP_TO_HALF},
+    ANGLE_X,
+)
+# With e = 1 - d near 1, x and d are small together: which of x, d and x**2 is the smallest?
+D, V, W, Y, Z = (Symbol(name) for name in ("d", "d/x**2", "x**2/d", "x/d", "d/x"))
 
 
 def near_one(x: Expr, d: Expr, within: Mapping[Symbol, Interval]) -> Chart:

@@ -15,7 +15,7 @@ from .symbols import R4, R5, both, e1, e2, k, less, lever, mount, phi1, rise, sh
 # of the pair 6-3 meet away from phi1 = 0. So the scales are the largest term, and added to it what
 # the value makes of y with its terms changed against each other, 0 without a mount; at the peak of
 # the ratio, where less + y vanishes, that is of second order in eps. The rest is some 20
-# operations; the bounds lie a quarter above what long searches for the worst input find, compiled.
+# operations; the bounds lie above what long searches for the worst input find, compiled.
 # At its peak the acceleration goes with the cube of (1 - e1)*(1 - e2), three roundings where both
 # eccentricities are below 1/2: 4 eps that the rest of the product saves. Beside a mounted wheel two
 # terms of like size meet, each with roundings of its own.
