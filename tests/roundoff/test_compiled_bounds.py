@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import nullcontext
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
@@ -32,7 +33,7 @@ from mechproof.roundoff.ends import AT_ENDS
 from mechproof.roundoff.files import find_certificate
 from mechproof.roundoff.fused import fma
 from mechproof.roundoff.germs import Frame
-from mechproof.roundoff.intervals import Interval
+from mechproof.roundoff.intervals import ONE, Interval, careful
 from mechproof.roundoff.profiles import Profile
 from mechproof.roundoff.reduction import bound_reduction, find_nearest
 from mechproof.roundoff.regions import list_regions
@@ -481,6 +482,38 @@ def test_of_what_is_scaled_no_difference_is_exact() -> None:
         evaluation = Evaluation(some, frame, {"y": frame.variable(0)}, {}, None)
         errors.append(evaluation.list_errors("q", Bar(None, True))["left"])
     assert errors[0] == 0 < errors[1]
+
+
+def test_an_argument_that_is_limited_may_be_off_by_nothing_held() -> None:
+    """The exact argument is legal, the computed one may not be: all its roundings count."""
+    steps = (Step("w", "square", ("y",), 0.5), Step("q", "arctan", ("w",), 1.0, "small_arctan"))
+    side = Interval(np.array([0.75]), np.array([0.76]))
+    frame = Frame([side], [True])
+    for held in ((), ("w",)):
+        straight = Straight(("y",), steps, ("q",), held)
+        refused = pytest.raises(ValueError, match="held: ") if held else nullcontext()
+        with careful(moves=False), refused:
+            evaluation = Evaluation(straight, frame, {"y": frame.variable(0)}, {}, None, prove)
+            assert evaluation.sum_errors("q", Bar(None, True)) < 3
+
+
+def test_a_fused_sum_that_cancels_leaves_its_terms_their_roundings() -> None:
+    """The spacing of what is left bounds the rounding of the sum alone."""
+    steps = (
+        Step("p", "multiply", ("a", "b"), 0.5),
+        Step("n", "negate", ("p",), 0.0),
+        Step("q", "fma", ("a", "b", "n"), 0.5),
+    )
+    side = Interval(np.array([1.0]), np.array([1.0 + 2.0**-20]))
+    frame = Frame([side, side], [True, True])
+    given = {"a": frame.variable(0), "b": frame.variable(1)}
+    with careful(moves=False):
+        evaluation = Evaluation(Straight(("a", "b"), steps, ("q",)), frame, given, {}, None)
+        errors = evaluation.list_errors("q", Bar(frame.constant(ONE), False))
+    a, b = 1 + np.random.default_rng(3).integers(0, 2**32, (2, 10000)) * EPS
+    off = np.max(np.abs(fma(a, b, -(a * b)))) / EPS
+    assert 0.45 < off <= errors["p"] < 0.51
+    assert errors["q"] < 2.0**-18
 
 
 def test_parts_of_another_program_are_refused() -> None:

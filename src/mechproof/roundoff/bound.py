@@ -104,10 +104,14 @@ class Evaluation:
         if profile.is_of_angles:
             return profile.of_angle(argument, reduce(germ, self.turn, 2).expanded())
         if np.any(argument.largest() > profile.legal):
-            operand = step.operands[0]
-            off = self.sum_errors(operand, Bar(self._one, False)) * EPS
-            argument = profile.limit(argument, off)
+            argument = profile.limit(argument, self._sum_all(step.operands[0]))
         return profile.of_size(argument.size())
+
+    def _sum_all(self, operand: Operand) -> Ends:
+        """Bound the error of an operand; ValueError where some rounding is not counted."""
+        if self.held:
+            raise ValueError(f"{operand}: an argument may be off by what is held: {self.held}")
+        return self.sum_errors(operand, Bar(self._one, False)) * EPS
 
     @property
     def _one(self) -> Germ:
