@@ -51,14 +51,14 @@ class Mark:
         return math.log10(max(self.error, SMALLEST_ERROR)) if self.has_digits else LOST_LANE
 
     def tell_error(self) -> str:
-        """Say what the way loses, in the words of a sentence."""
+        """Say what the way was seen to lose, in the words of a sentence."""
         if self.turns:
             return "is somewhere wrong by whole turns"
         if not self.has_digits:
             return "somewhere has no digit right"
         if self.error < FEW_EPS:
             told = f"{self.error:.0f}" if self.error >= 10 else f"{self.error:.2g}"
-            return f"is off by at most {told} eps"
+            return f"is off by {told} eps at the worst point tried"
         return f"loses {int(math.log10(self.error))} digits"
 
 
