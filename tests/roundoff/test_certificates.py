@@ -27,13 +27,13 @@ from mechproof.roundoff.certificate import (
 from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.expansions import ARCTANGENT, QUOTIENT
 from mechproof.roundoff.files import FOLDER, find_certificate
-from mechproof.roundoff.intervals import careful
+from mechproof.roundoff.intervals import Array, careful
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import Step
 from mechproof.roundoff.subject import Subject, list_subjects
 from mechproof.roundoff.symmetry import check_symmetry
-from mechproof.roundoff.worst import Array, draw, measure
+from mechproof.roundoff.worst import draw, measure
 
 GENERATED = Path(next(iter(mechproof.kernels.__path__)))
 SYSTEMS = sorted(path.stem for path in (GENERATED / FOLDER).glob("*.json"))

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechproof.roundoff.germs import UndecidedError
+from mechproof.roundoff.intervals import Array
 
 Rows = NDArray[np.intp]
-Array = NDArray[np.float64]
 
 
 def bound_apart(compute: Callable[[Rows, tuple[int, ...]], Array], count: int) -> Array:

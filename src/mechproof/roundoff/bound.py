@@ -20,10 +20,8 @@ from mechproof.roundoff.germs import Frame, Germ
 from mechproof.roundoff.intervals import EPS, ONE, UNIT, Ends, Interval, Mask, around, exactly
 from mechproof.roundoff.profiles import Profile
 from mechproof.roundoff.rules import RULES, Slopes
-from mechproof.roundoff.steps import HALF, Step, Straight
+from mechproof.roundoff.steps import HALF, RESTS, Step, Straight
 
-# Where they are exact or a rounding away from it: `compensation` shows that nothing moves them.
-RESTS = ("product_rest", "quotient_rest")
 # What 28 bits of pi leave of it, which the reduction multiplies by the number of half turns.
 PI_REST = 2.0**-26
 UNKNOWN = exactly(math.nan)

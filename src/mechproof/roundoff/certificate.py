@@ -28,7 +28,7 @@ MOST = 16000
 # Where the search for the lowest bound starts, where it ends, and how near it comes.
 FIRST, LAST, RESOLUTION = 4.0, 2.0**20, 0.01
 DIGITS = 2
-SEEDS = (1,)
+SEED = 1
 
 
 @dataclass(frozen=True)
@@ -92,20 +92,20 @@ def tell_proofs(paper: Paper, certificate: Certificate | None) -> Paper:
     """Return the paper with what is proved told by its forms."""
     if certificate is None:
         return paper
-    texts: dict[tuple[str, str], list[Claim]] = {}
+    claims: dict[tuple[str, str], list[Claim]] = {}
     for claim in certificate.claims:
-        texts.setdefault((claim.quantity, claim.form), []).append(claim)
+        claims.setdefault((claim.quantity, claim.form), []).append(claim)
     quantities = tuple(
-        replace(q, forms=tuple(_tell_form(q, form, texts) for form in q.forms))
+        replace(q, forms=tuple(_tell_form(q, form, claims) for form in q.forms))
         for q in paper.quantities
     )
     return replace(paper, quantities=quantities)
 
 
 def _tell_form(
-    quantity: Quantity, form: Form, texts: Mapping[tuple[str, str], list[Claim]]
+    quantity: Quantity, form: Form, known: Mapping[tuple[str, str], list[Claim]]
 ) -> Form:
-    claims = texts.get((quantity.name, form.name))
+    claims = known.get((quantity.name, form.name))
     if not claims:
         return form
     name = f" of {form.name}" if len(quantity.shipped) > 1 else ""
@@ -225,5 +225,4 @@ def _search(subject: Subject, covers: Sequence[tuple[Region, Cover]]) -> Iterato
     for region, cover in covers:
         boxes = [box for height, box in cover.worst if height >= least]
         if boxes:
-            for seed in SEEDS:
-                yield find_worst(subject, region, boxes, seed)
+            yield find_worst(subject, region, boxes, SEED)

@@ -13,15 +13,15 @@ from dataclasses import replace
 import sympy as sp
 
 from mechproof.codegen.program import MEANINGS, Operand
-from mechproof.roundoff.steps import Step, Straight
+from mechproof.roundoff.steps import PRODUCT_REST, QUOTIENT_REST, RESTS, Step, Straight
 
 Pair = tuple[sp.Expr, sp.Expr]
 
 
 def hold_compensated(straight: Straight) -> Straight:
     """Return the steps with what is compensated held; ValueError where a rest is no low word."""
-    products = _list_rounded(straight, "product_rest")
-    for name in (*products, *_list_rounded(straight, "quotient_rest")):
+    products = _list_rounded(straight, PRODUCT_REST)
+    for name in (*products, *_list_rounded(straight, QUOTIENT_REST)):
         for output in straight.outputs:
             if _slope(straight, name, products, output) != 0:
                 raise ValueError(f"an output depends on the rounding of {name}, its rest apart")
@@ -39,7 +39,7 @@ def _slope(straight: Straight, name: str, products: Sequence[str], output: Opera
     values: dict[Operand, Pair] = {n: (sp.Symbol(n), sp.S.Zero) for n in straight.inputs}
     moved = (sp.Symbol(f"rounded {name}"), sp.S.One)
     for step in straight.steps:
-        sees = step.kind in ("product_rest", "quotient_rest") or step.result in products
+        sees = step.kind in RESTS or step.result in products
         given = [
             moved
             if operand == name and sees

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from mechproof.roundoff.intervals import Array
 from mechproof.roundoff.regions import Box, Boxes
 
-Array = NDArray[np.float64]
 Bound = Callable[[Boxes], Array]
 # No side is cut to less than this share of the whole while another is longer.
 FINEST = 2.0**-13

@@ -24,8 +24,8 @@ from mechproof.roundoff.apart import Rows, bound_apart
 from mechproof.roundoff.bound import Bar, Evaluation
 from mechproof.roundoff.cases import REST, Case, Resolved, Whole, name_size, resolve
 from mechproof.roundoff.germs import Frame
-from mechproof.roundoff.intervals import EPS, ONE, PI, Interval, careful, exactly
-from mechproof.roundoff.profiles import Array, Profile, find_highest
+from mechproof.roundoff.intervals import EPS, ONE, PI, Array, Interval, careful, exactly
+from mechproof.roundoff.profiles import Profile, find_highest
 from mechproof.roundoff.reduction import NEAR, bound_reduction
 from mechproof.roundoff.running import IN_BALLS, run
 from mechproof.roundoff.scales import find_scaled

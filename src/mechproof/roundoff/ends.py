@@ -9,15 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Any
 
 import numpy as np
 
 from mechproof.kernel_support.error_free import product_rest
 from mechproof.roundoff.fused import add_exactly, fma
-from mechproof.roundoff.intervals import EPS, UNIT, Interval, list_corners
+from mechproof.roundoff.intervals import EPS, UNIT, Ends, Interval, list_corners
 
-Ends = Any
 # Of a power of two: less than a quarter of the spacing below it.
 HARDLY = 2.0**-56
 
@@ -131,7 +129,5 @@ def limit_by_spacing(rounded: Rounded, ulps: float) -> Ends:
 
 def widen_by_ulps(span: Interval, ulps: float) -> Interval:
     """Enclose what is off by so many ulps."""
-    share = ulps * EPS
-    return Interval(
-        span.low - np.abs(span.low) * 2 * share, span.high + np.abs(span.high) * 2 * share
-    )
+    share = 2 * ulps * EPS
+    return Interval(span.low - np.abs(span.low) * share, span.high + np.abs(span.high) * share)

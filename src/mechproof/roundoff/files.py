@@ -23,8 +23,12 @@ from mechproof.roundoff.certificate import (
 
 FOLDER = "certificates"
 KEPT = "certified.txt"
-# Of the package: what proves, what fits and encloses functions, what is mirrored.
-SOURCES = ("roundoff", "codegen/elementary", "kernel_support")
+# Of the package: what proves, what fits and encloses functions, what is mirrored, what operations
+# and balls are.
+SOURCES = (
+    *("roundoff/*.py", "codegen/elementary/*.py", "kernel_support/*.py"),
+    *("codegen/program.py", "proof/balls.py"),
+)
 VERSIONS = ("sympy", "numpy", "python-flint")
 
 
@@ -79,7 +83,7 @@ def _certify(paper: Paper, directory: Path, use_cache: bool) -> Certificate | No
 def _key(paper: Paper, text: str) -> str:
     """Return a key of all that a certificate rests on."""
     package = Path(__file__).parents[1]
-    sources = [path for folder in SOURCES for path in sorted((package / folder).glob("*.py"))]
+    sources = [path for pattern in SOURCES for path in sorted(package.glob(pattern))]
     digests = [sha256(source.read_bytes()).hexdigest() for source in sources]
     parts = [sys.version, *map(version, VERSIONS), *digests, *list_digests(paper), text]
     return sha256("\n".join(parts).encode()).hexdigest()

@@ -14,9 +14,11 @@ from typing import Any
 
 import numpy as np
 from flint import arb
+from numpy.typing import NDArray
 
 from mechproof.proof.balls import working_precision
 
+Array = NDArray[np.float64]
 Ends = Any
 Mask = Any
 # The spacing of doubles at 1, and by how much of itself a number is moved to the nearest at most.

@@ -6,11 +6,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from mechproof.roundoff.intervals import PI, Ends, Interval, exactly
+from mechproof.roundoff.intervals import PI, Array, Ends, Interval, exactly
 
-Array = NDArray[np.float64]
 # More than what is rounded where a place is computed.
 SLACK = 2.0**-40
 

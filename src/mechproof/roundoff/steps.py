@@ -13,8 +13,10 @@ from mechproof.roundoff.expansions import Expansion
 
 HALF = 0.5
 EXACT = 0.0
+# What rounding took from a product and from a quotient: exact, or a rounding away from it.
+RESTS = PRODUCT_REST, QUOTIENT_REST = "product_rest", "quotient_rest"
 ALWAYS_EXACT = frozenset(
-    {"negate", "absolute", "maximum", "minimum", "copy", "approximate", "product_rest"}
+    {"negate", "absolute", "maximum", "minimum", "copy", "approximate", PRODUCT_REST}
 )
 
 

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 import sympy as sp
 from flint import arb
-from numpy.typing import NDArray
 
 from mechproof.codegen.backends.scalar import map_affinely, put_off_stage
 from mechproof.codegen.code import Stage
@@ -27,7 +26,7 @@ from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.compiled import COMPILED, WAY, list_expansions
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.expansions import WAYS
-from mechproof.roundoff.intervals import EPS, careful
+from mechproof.roundoff.intervals import EPS, Array, careful
 from mechproof.roundoff.regions import Boxes, Region, express
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values, run
 from mechproof.roundoff.scales import find_scaled
@@ -87,7 +86,7 @@ class Subject:
         functions = (FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys()))
         return (*functions, *((SUMS,) if self.map and not self.computed else ()), NORMAL)
 
-    def bound(self, region: Region, boxes: Boxes) -> NDArray[np.float64]:
+    def bound(self, region: Region, boxes: Boxes) -> Array:
         """Bound the error in eps of the scale over boxes; infinite where it cannot be bounded."""
         bounds = np.full(len(boxes), np.inf)
         if not len(boxes):
@@ -101,8 +100,8 @@ class Subject:
                 bounds[part] = self._bound_alike(region, boxes[part], moves=False)
         return bounds
 
-    def _bound_alike(self, region: Region, boxes: Boxes, *, moves: bool) -> NDArray[np.float64]:
-        def compute(rows: Rows, forced: tuple[int, ...]) -> NDArray[np.float64]:
+    def _bound_alike(self, region: Region, boxes: Boxes, *, moves: bool) -> Array:
+        def compute(rows: Rows, forced: tuple[int, ...]) -> Array:
             evaluation, bar = self.evaluate(region, boxes[rows], forced)
             if self.map:
                 return np.broadcast_to(self.map.bound(evaluation, bar), len(rows))
@@ -111,7 +110,7 @@ class Subject:
                 highest = np.maximum(highest, evaluation.sum_errors(output, bar))
             return highest
 
-        def try_rows(rows: Rows, forced: tuple[int, ...]) -> NDArray[np.float64]:
+        def try_rows(rows: Rows, forced: tuple[int, ...]) -> Array:
             try:
                 with careful(moves=moves):
                     return compute(rows, forced)
@@ -155,13 +154,13 @@ class Subject:
             self.sums[key] = add_up(straight, chart, input_names(self.kernel.quantity))
         return self.sums[key]
 
-    def compute(self, points: Mapping[str, Any]) -> NDArray[np.float64]:
+    def compute(self, points: Mapping[str, Any]) -> Array:
         """Return the outputs in doubles, as they are computed."""
         if self.computed:
             return np.array(run(self.computed, points, COMPILED))
         return np.array(run(self.straight, points, IN_DOUBLES))
 
-    def weigh(self, found: NDArray[np.float64], exact: Sequence[arb], given: Values) -> float:
+    def weigh(self, found: Array, exact: Sequence[arb], given: Values) -> float:
         """Return the largest error of the outputs in eps of the scale."""
         scale = run(self.scale, given, IN_BALLS)[0] if self.scale else None
         if self.map:

@@ -9,15 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 from flint import arb
-from numpy.typing import NDArray
 
 from mechproof.codegen.kernel import input_names
 from mechproof.proof.balls import working_precision
+from mechproof.roundoff.intervals import Array
 from mechproof.roundoff.regions import Box, Region
 from mechproof.roundoff.running import IN_BALLS, run
 from mechproof.roundoff.subject import Subject
 
-Array = NDArray[np.float64]
 Points = dict[str, Array]
 BITS = 200
 DRAWN, KEPT, CHILDREN, ROUNDS = 200, 64, 8, 150
