@@ -298,6 +298,16 @@ def test_what_a_small_arctangent_is_not_meant_for_has_no_bound() -> None:
     assert np.isnan(found[1])
 
 
+def test_half_turns_that_no_region_takes_off_have_no_bound() -> None:
+    reduced = Straight(("y",), (Step("r", "pi_off", ("y",), 0.5),), ("r",))
+    low, high = np.array([0.5, 0.5, 100.0]), np.array([1.5, 1.6, 100.1])
+    frame = Frame([Interval(low, high)], [True])
+    with careful(moves=False):
+        evaluation = Evaluation(reduced, frame, {"y": frame.variable(0)}, {}, None)
+        found = evaluation.sum_errors("r", Bar(None, True))
+    assert found.tolist() == [0.0, np.inf, np.inf]
+
+
 def test_angles_that_are_not_reduced_have_no_bound() -> None:
     far = np.array([2 * DOUBLE.largest, np.nan])
     assert np.isnan(prove("sin").of_angle(Interval(far, far), Interval(far, far))).all()

@@ -14,16 +14,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from mechproof.codegen.program import Operand
+from mechproof.kernel_support.polynomials import PI_LOW
 from mechproof.roundoff.angles import Turn, reduce
 from mechproof.roundoff.ends import Rounded, limit_by_spacing, round_at_ends, widen_by_ulps
 from mechproof.roundoff.germs import Frame, Germ
 from mechproof.roundoff.intervals import EPS, ONE, UNIT, Ends, Interval, Mask, around, exactly
 from mechproof.roundoff.profiles import Profile
+from mechproof.roundoff.regions import HALF_TURN
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.steps import HALF, RESTS, Step, Straight
 
-# What 28 bits of pi leave of it, which the reduction multiplies by the number of half turns.
-PI_REST = 2.0**-26
+# Of angles up to here no half turn is taken off; a region that overlaps has the little beyond pi/2.
+UNREDUCED = HALF_TURN / 2 * (1 + 2.0**-45)
 UNKNOWN = exactly(math.nan)
 
 
@@ -165,15 +167,18 @@ class Evaluation:
         self._add(step, exact, (self._one + exact.squared(),), off, None, value.expanded())
 
     def _take_half_turns_off(self, step: Step, angle: Germ) -> None:
-        """Reduce as the support does: exact without a turn, else off by two roundings."""
+        """Reduce as the support does: exact without half turns, else off by two roundings."""
         if self.turn is None:
-            self._add(step, angle, (self._one,), 0.0, None, angle.expanded())
+            span = angle.expanded()
+            # What rounds where half turns are taken off that no region knows of is not bounded.
+            error = np.where(span.largest() <= UNREDUCED, 0.0, np.nan)
+            self._add(step, angle, (self._one,), 0.0, error, span)
             return
         if self.turn.is_half:
             raise ValueError("chart: half turns are taken off, but not in this way")
         turns = angle.expanded().largest() / 3 + 1
         exact = reduce(angle, self.turn, 2).expanded()
-        error = (exact.largest() + 2 * PI_REST * turns) * UNIT * (1 + EPS)
+        error = (exact.largest() + 2 * PI_LOW * turns) * UNIT * (1 + EPS)
         value = exact + around(0.0, error)
         self._add(step, self.frame.constant(value), (self._one,), 0.0, error, value)
 
@@ -207,7 +212,7 @@ class Evaluation:
             errors[moving.step.result] = _weigh(slope, inverses, moving)
             if np.any(moving.relative):
                 slope = slope.scaled(around(1.0, moving.relative))
-            if moving.step.result == output and bar.holds_value:
+            if moving.step.result == output and bar.holds_value and np.any(moving.relative):
                 # The rounding of the value itself, of which the scale has no less.
                 errors[output] = _least(errors[output], moving.relative / EPS)
             for operand, own in zip(moving.step.operands, moving.slopes, strict=True):
