@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from flint import arb
 
 from mechproof.codegen.program import Operand
 from mechproof.roundoff.bound import Bar, Evaluation
@@ -72,9 +71,8 @@ class AffineMap:
 
     def compute_scale(self, size: Any, given: Mapping[str, Any]) -> Any:
         """Return D*|p| + |v|."""
-        return size * _length([given[n] for n in self.points]) + _length(
-            [given[n] for n in self.shift]
-        )
+        point, shift = ([given[n] for n in names] for names in (self.points, self.shift))
+        return size * measure_norm(point) + measure_norm(shift)
 
 
 def find_size(scale: sp.Expr, points: Sequence[sp.Basic], shift: Sequence[sp.Basic]) -> sp.Expr:
@@ -87,10 +85,9 @@ def find_size(scale: sp.Expr, points: Sequence[sp.Basic], shift: Sequence[sp.Bas
     return size
 
 
-def measure_norm(errors: Sequence[arb]) -> arb:
-    """Return the norm of an error."""
-    norm: arb = _length(errors)
-    return norm
+def measure_norm(components: Sequence[Any]) -> Any:
+    """Return the norm of a vector of balls."""
+    return sum(c * c for c in components).sqrt()
 
 
 def bound_norm(cells: Sequence[Sequence[Ends]]) -> Ends:
@@ -111,7 +108,3 @@ def bound_norm(cells: Sequence[Sequence[Ends]]) -> Ends:
 def _add_roundings(count: int) -> float:
     """Bound what so many roundings, one after the other, make of a number."""
     return count * UNIT * (1 + EPS * count)
-
-
-def _length(components: Sequence[Any]) -> Any:
-    return sum(c * c for c in components).sqrt()

@@ -58,7 +58,9 @@ class Subject:
     scale: Straight | None
     computed: Straight | None = None
     map: AffineMap | None = None
-    sums: dict[tuple[int, int], Mapping[str, sp.Expr]] = field(default_factory=dict, compare=False)
+    sums: dict[tuple[int, int], Mapping[str, sp.Expr]] = field(
+        default_factory=dict, init=False, compare=False
+    )
 
     @property
     def digest(self) -> str:
@@ -114,8 +116,6 @@ class Subject:
             try:
                 with careful(moves=moves):
                     return compute(rows, forced)
-            except IndexError:
-                return np.full(len(rows), np.inf)
             except FloatingPointError:
                 if moves:
                     return np.full(len(rows), np.inf)
