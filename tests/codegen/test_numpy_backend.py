@@ -23,7 +23,7 @@ from mechproof.codegen.backends.numpy import (
 )
 from mechproof.codegen.domain import set_relations
 from mechproof.codegen.kernel import list_functions
-from mechproof.codegen.reading import read_module
+from mechproof.codegen.kernel_reading import read_module
 from mechproof.derivations import elliptic_planetary
 from mechproof.derivations.elliptic_planetary.symbols import k
 from mechproof.record import Accuracy, Part, Quantity, Variable

@@ -24,11 +24,12 @@ from mechproof.codegen.backends.scalar import list_scalars
 from mechproof.codegen.error_free import WholeTurnsOff
 from mechproof.codegen.forms import form_rows, read_back
 from mechproof.codegen.kernel import list_functions
+from mechproof.codegen.kernel_reading import read_module
 from mechproof.codegen.languages import C99, NUMBA, NUMPY
 from mechproof.codegen.lowering import FUNCTIONS, lower_steps
 from mechproof.codegen.program import MEANINGS, Operation, Program
 from mechproof.codegen.raising import WrittenForm
-from mechproof.codegen.reading import ReadingError, TranslationError, read_module
+from mechproof.codegen.reading import ReadingError, TranslationError
 from mechproof.codegen.syntax import write_program
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict

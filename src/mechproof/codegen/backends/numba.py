@@ -26,18 +26,13 @@ from mechproof.codegen.backends.scalar import (
     write_scalar,
 )
 from mechproof.codegen.backends.sums import LOOPS, fold_sums
+from mechproof.codegen.compiled_reading import read_guards, read_reductions, read_scalars
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import NUMBA, NUMBA_FAR
 from mechproof.codegen.program import NOTHING, Program
-from mechproof.codegen.reading import (
-    ELEMENTARY,
-    TranslationError,
-    read_guards,
-    read_reductions,
-    read_scalars,
-)
+from mechproof.codegen.reading import ELEMENTARY, TranslationError
 from mechproof.codegen.syntax import Syntax
 from mechproof.record import Paper, Together
 
