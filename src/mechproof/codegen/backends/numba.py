@@ -15,12 +15,10 @@ from mechproof.codegen.backends.numpy import (
     render_template,
     tell_origin,
 )
-from mechproof.codegen.backends.scalar import (
+from mechproof.codegen.backends.scalar import list_conditions, list_scalars, list_stages
+from mechproof.codegen.backends.scalar_texts import (
     extend_syntax,
     join_scalars,
-    list_conditions,
-    list_scalars,
-    list_stages,
     write_elementary,
     write_reduction,
     write_scalar,
