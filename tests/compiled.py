@@ -5,12 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+import numpy as np
 import pytest
 
 # Of the systems with the longest kernels one is compiled with every test, the rest with the
 # thorough ones.
 LONG = ("oval_planetary", "tooth_thickness", "wedge_linkage")
 SHOWN = (".position", ".thickness_error")
+# Angles, and the sizes of an elliptic planetary mechanism.
+PHI = np.linspace(-40, 40, 4000)
+SIZES = (66.0, 16.0, 0.475)
 
 
 def grouped(names: Iterable[str]) -> list[Any]:

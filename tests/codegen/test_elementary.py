@@ -15,7 +15,7 @@ import mpmath as mp
 import pytest
 
 from mechproof.codegen.backends.numpy import render_template
-from mechproof.codegen.backends.scalar import write_elementary
+from mechproof.codegen.backends.scalar_texts import write_elementary
 from mechproof.codegen.elementary.fits import Rational, enclose
 from mechproof.codegen.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.codegen.elementary.functions import BODIES, Function, build

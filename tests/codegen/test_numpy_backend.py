@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
-from trial import load_paper, paper_of, quantity_of
+from trial import a, b, load_paper, paper_of, quantity_of, x
 
 import mechproof.kernels.elliptic_planetary as shipped
 from mechproof.codegen.backends.numpy import (
@@ -23,12 +23,10 @@ from mechproof.codegen.backends.numpy import (
 )
 from mechproof.codegen.domain import set_relations
 from mechproof.codegen.kernel import list_functions
-from mechproof.codegen.reading import read_module
+from mechproof.codegen.kernel_reading import read_module
 from mechproof.derivations import elliptic_planetary
 from mechproof.derivations.elliptic_planetary.symbols import k
 from mechproof.record import Accuracy, Part, Quantity, Variable
-
-a, b, x = sp.symbols("a b x", real=True)
 
 
 @pytest.mark.parametrize(

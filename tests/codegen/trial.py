@@ -12,6 +12,8 @@ import sympy as sp
 from mechproof.codegen.backends.numpy import render_modules
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 
+a, b, x = sp.symbols("a b x", real=True)
+
 
 def quantity_of(
     expression: sp.Basic, *symbols: sp.Symbol, names: str = "", rewrites: tuple[str, ...] = ()

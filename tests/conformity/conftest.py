@@ -5,10 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from cases import GROUP
 
 from mechproof import conformity
-
-GROUP = "compiled shares"
 
 
 def find_compiled(*arguments: Any) -> conformity.Shares:

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from cases import GROUP, NAMES
 
 from mechproof import conformity
 from mechproof.conformity import Normal, Uniform, compiled
 
-pytestmark = pytest.mark.xdist_group("compiled shares")
-NAMES = ("rightly_accepted", "wrongly_accepted", "rightly_rejected", "wrongly_rejected")
+pytestmark = pytest.mark.xdist_group(GROUP)
 
 
 def draw_sets(count: int) -> tuple[Any, ...]:

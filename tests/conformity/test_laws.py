@@ -8,27 +8,19 @@ from typing import Any
 
 import numpy as np
 import pytest
+from cases import INF, four
 from scipy import stats
 from scipy.integrate import quad
 
 from mechproof.conformity import (
     Law,
     Normal,
-    Shares,
     TruncatedNormal,
     Uniform,
     conformance_probability,
     shares,
     simulate_shares,
 )
-
-INF = np.inf
-NAMES = ("rightly_accepted", "wrongly_accepted", "rightly_rejected", "wrongly_rejected")
-
-
-def four(result: Shares) -> list[Any]:
-    return [getattr(result, name) for name in NAMES]
-
 
 LAWS: dict[str, tuple[Law, Any]] = {
     "normal": (Normal(1, 2), stats.norm(1, 2)),

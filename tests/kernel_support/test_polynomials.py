@@ -6,6 +6,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
+from calls import RADII
 
 from mechproof.codegen.elementary.fits import HALF_TANGENT, SMALL_ARCTANGENT, fit
 from mechproof.derivations.elliptic_planetary.kernels import PLAIN_PRODUCT
@@ -18,7 +19,6 @@ from mechproof.lab.subject import find_subjects
 from mechproof.lab.ways import Array
 
 EPS = float(np.finfo(float).eps)
-RADII = (66.0, 16.0)
 
 
 @pytest.fixture(autouse=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 
@@ -14,6 +15,20 @@ from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Arguments, Way
 
 EPS = float(np.finfo(float).eps)
+ELLIPTIC, OVAL = "elliptic_planetary.position", "oval_planetary.position"
+CYLINDRICAL = "oval_planetary.position_cylindrical"
+HEIGHT, THICKNESS = "tooth_thickness.height_change", "tooth_thickness.thickness_change"
+# Sizes of the wheels in their kernels' order.
+SPUR, OVALS, CYLINDERS = (66.0, 16.0, 0.475), (0.8, 0.8, 0.0), (32.0, 18.0, 0.2)
+WHEEL = (3.0, 50.0, np.pi / 9)
+
+
+def at(running: Any, *sizes: float) -> Arguments:
+    return np.asarray(running, float), *map(np.array, sizes)
+
+
+def sweep(turns: float, count: int, *sizes: float) -> Arguments:
+    return at(np.linspace(0, turns * 2 * np.pi, count), *sizes)
 
 
 @cache

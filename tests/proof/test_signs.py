@@ -5,7 +5,8 @@ import sympy as sp
 
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
-from mechproof.proof.signs import Sign, find_sign
+from mechproof.proof.polynomial_signs import Sign
+from mechproof.proof.signs import find_sign
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Holds
 

@@ -4,7 +4,8 @@ import pytest
 import sympy as sp
 
 from mechproof.proof.domain import Domain
-from mechproof.proof.signs import Sign, find_sign
+from mechproof.proof.polynomial_signs import Sign
+from mechproof.proof.signs import find_sign
 
 a, b, x, y = sp.symbols("a b x y", real=True)
 e = sp.Symbol("e", real=True)

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from conftest import write_hostile, write_slider_crank
+from own_papers import write_hostile, write_slider_crank
 from pages import find_faults
 from typer.testing import CliRunner, Result
 

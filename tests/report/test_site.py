@@ -10,7 +10,7 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
-from conftest import HURT
+from own_papers import HURT
 from pages import find_faults
 
 from mechproof.kernels.elliptic_planetary import position

@@ -33,7 +33,7 @@ from mechproof.compiled_support import (
     stand_in,
     take,
 )
-from mechproof.conformity import arc, normal
+from mechproof.conformity import arc, normal, plane
 from mechproof.conformity.arc import LENGTHS, make_panel
 from mechproof.conformity.risks import Limits, Shares, find_shares
 from mechproof.executors import slices
@@ -66,8 +66,8 @@ UNIT_NODES, UNIT_WEIGHTS = windows.UNIT_NODES, windows.UNIT_WEIGHTS
 FORMULAS = (
     *(windows.subtract_tails, windows.complete, windows.find_tails, windows.normal_interval),
     *(windows.normal_density, windows.scale_distance, arc.choose_size),
-    *(normal.subtract_twice, normal.find_gap, normal.place_plane, normal.place_corner),
-    *(normal.subtract_ordered, normal.place, normal.complete_corner, normal.integrate_sides),
+    *(plane.subtract_twice, plane.find_gap, plane.place_plane, plane.place_corner),
+    *(plane.subtract_ordered, plane.place, normal.complete_corner, normal.integrate_sides),
     *(normal.is_needed, normal.add_quadrants, normal.find_quadrants, normal.find_accepted),
     *(normal.find_conforming, normal.add_masses),
 )
@@ -136,12 +136,12 @@ def _place(block: Any, sets: Any, start: int, stop: int) -> None:
     for i in range(start, stop):
         tolerance, acceptance = (sets[4, i], sets[5, i]), (sets[6, i], sets[7, i])
         law, error = (sets[0, i], sets[1, i]), (sets[2, i], sets[3, i])
-        put(block, i - start, normal.place(*law, *error, tolerance, acceptance))
+        put(block, i - start, plane.place(*law, *error, tolerance, acceptance))
 
 
 @inner
 def _add(masses: Any, block: Any, start: int, stop: int) -> None:
-    example = normal.place(0.0, 1.0, 0.0, 1.0, (-1.0, 1.0), (-1.0, 1.0))
+    example = plane.place(0.0, 1.0, 0.0, 1.0, (-1.0, 1.0), (-1.0, 1.0))
     for i in range(start, stop):
         four = normal.add_masses(*take(block, i - start, example))
         masses[0, i], masses[1, i], masses[2, i], masses[3, i] = four
@@ -155,7 +155,7 @@ def _make_fill(version: int) -> Any:
 
     @loop
     def fill(masses: Any, sets: Any) -> int:
-        example = normal.place(0.0, 1.0, 0.0, 1.0, (-1.0, 1.0), (-1.0, 1.0))
+        example = plane.place(0.0, 1.0, 0.0, 1.0, (-1.0, 1.0), (-1.0, 1.0))
         block = np.empty(count_numbers(example) * POINTS)
         for start in range(0, sets.shape[1], POINTS):
             stop = min(start + POINTS, sets.shape[1])
@@ -172,7 +172,7 @@ def _hash_sources(*modules: ModuleType) -> int:
 
 
 # Where the formulas stand that the loop takes.
-SOURCES = (normal, arc, windows, pointwise, elementary, machine, points)
+SOURCES = (normal, plane, arc, windows, pointwise, elementary, machine, points)
 _fill = _make_fill(_hash_sources(*SOURCES))
 
 

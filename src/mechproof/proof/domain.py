@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import cache
 from itertools import islice, product
 from types import MappingProxyType
 
 import sympy as sp
 
 from mechproof.proof import balls
-from mechproof.proof.assumptions import describe_excess, facts_of, find_excess
 from mechproof.proof.dimensions import dimensions_of
+from mechproof.proof.domain_checks import check_given, check_relation, check_set
+from mechproof.proof.set_values import list_closed_ends, list_special_values, place, radical_inverse
 from mechproof.proof.substitution import substitute
 from mechproof.record import NUMBER, Dimension, Paper, Part, Published, RecordError, Toleranced
 
@@ -22,20 +22,13 @@ _NO_VALUES: Mapping[sp.Basic, sp.Expr] = MappingProxyType({})
 _NO_DIMENSIONS: Mapping[sp.Basic, Dimension] = MappingProxyType({})
 
 _TRIES_PER_POINT = 60
-COUNTS = (sp.S.Naturals, sp.S.Naturals0)
-# Where formulas that hold at ordinary points fail: zero, one, fractions of a turn.
-_SPECIAL = tuple(
-    sign * value
-    for value in (sp.S.One, sp.S.Half, sp.pi / 2, sp.pi, sp.pi / 3, sp.pi / 4, 2 * sp.pi)
-    for sign in (1, -1)
-)
 # Angles at which a reader looks first.
 _ROUND_ANGLES = tuple(
     sp.pi * sp.Rational(degrees, 180) for degrees in (30, 45, 60, 90, 120, 150, 180, 270, 360)
 )
+_ROUND_ANGLES += tuple(-angle for angle in _ROUND_ANGLES)
 # Points for each choice of sizes and angles: of what is neither, a few values.
 _EACH = 3
-_ROUND_ANGLES += tuple(-angle for angle in _ROUND_ANGLES)
 
 
 @dataclass(frozen=True)
@@ -70,9 +63,9 @@ class Domain:
         parts = [part for part in (on, inside) if part]
         named = [(symbol, values) for part in parts for symbol, values in part.within.items()]
         for symbol, values in (*within.items(), *named):
-            _check(symbol, values)
+            check_set(symbol, values)
         for symbol, definition in given.items():
-            _check_given(symbol, definition)
+            check_given(symbol, definition)
         for symbol in dict.fromkeys(symbol for symbol, _ in named if symbol in given):
             _make_free(symbol, within, given)
         within |= dict(on.within) if on else {}
@@ -80,7 +73,7 @@ class Domain:
             within[symbol] = within.get(symbol, sp.S.Reals).intersect(values)
         where = paper.where + tuple(relation for part in parts for relation in part.where)
         for relation in where:
-            _check_relation(relation, {*within, *given})
+            check_relation(relation, {*within, *given})
         if sp.false in where:
             raise RecordError(f"paper {paper.system!r}: a relation of its domain is always false")
         domain = cls(within, (), given, paper.published, dimensions_of(paper), paper.usual)
@@ -108,7 +101,7 @@ class Domain:
 
     def is_interior(self, point: Point) -> bool:
         """Return whether no value of the point is an end of its interval."""
-        return not any(v in _closed_ends(self.set_of(s)) for s, v in point.items())
+        return not any(v in list_closed_ends(self.set_of(s)) for s, v in point.items())
 
     def points(
         self,
@@ -194,13 +187,13 @@ class Domain:
         tries = count * (_TRIES_PER_POINT if self.where else 1)
         for step in range(1, tries + 1):
             yield {
-                symbol: _place(self.set_of(symbol), _radical_inverse(step, sp.prime(k)), step)
+                symbol: place(self.set_of(symbol), radical_inverse(step, sp.prime(k)), step)
                 for k, symbol in enumerate(ordered, start=1)
             }
 
     def special_points(self, inside: Point) -> list[Point]:
         """Return points that differ from one inside by zero, one, fractions of a turn, ends."""
-        found = {s: _special_values(self.set_of(s)) for s in inside if not s.is_integer}
+        found = {s: list_special_values(self.set_of(s)) for s in inside if not s.is_integer}
         single = [{**inside, s: value} for s, values in found.items() for value in values]
         longest = max(map(len, found.values()), default=0)
         joint = [
@@ -217,7 +210,7 @@ class Domain:
         return [point for point in tied if _allowed(plain + of_elements, point)]
 
     def _corners(self, inside: Point) -> Iterator[Point]:
-        ends = {symbol: _closed_ends(self.set_of(symbol)) for symbol in inside}
+        ends = {symbol: list_closed_ends(self.set_of(symbol)) for symbol in inside}
         for symbol, values in ends.items():
             for value in values:
                 yield {**inside, symbol: value}
@@ -233,37 +226,6 @@ def sizes_of(published: Published) -> Point:
         symbol: size.nominal if isinstance(size, Toleranced) else sp.sympify(size)
         for symbol, size in published.sizes.items()
     }
-
-
-@cache
-def _check(symbol: sp.Basic, where: sp.Set) -> None:
-    """Refuse sets without a rule for points, and values that SymPy is told do not occur."""
-    if not (where in COUNTS or isinstance(where, sp.Interval | sp.FiniteSet)):
-        raise RecordError(f"{symbol} in {where}: allowed are Interval, FiniteSet and Naturals")
-    if excess := find_excess(symbol, facts_of(where)):
-        raise RecordError(
-            f"{symbol} in {where}: the SymPy symbol is declared to be narrower: "
-            f"{describe_excess(excess)}"
-        )
-
-
-def _check_given(symbol: sp.Basic, definition: sp.Expr) -> None:
-    """Refuse what SymPy is told of a given symbol and does not know of its definition."""
-    known = {name: getattr(definition, f"is_{name}") for name in symbol.assumptions0}
-    if excess := find_excess(symbol, {**known, **facts_of(sp.S.Reals)}):
-        raise RecordError(
-            f"{symbol} = {definition}: declare the symbol real only, not {describe_excess(excess)}"
-        )
-
-
-def _check_relation(relation: sp.Basic, declared: set[sp.Basic]) -> None:
-    """Refuse symbols that are not declared; those of indices run over all that there are."""
-    labels = {getattr(symbol, "label", symbol) for symbol in declared}
-    entries = relation.atoms(sp.Indexed)
-    indices = {s for entry in entries for index in entry.indices for s in index.free_symbols}
-    if unknown := relation.free_symbols - entries - indices - declared - labels:
-        names = ", ".join(sorted(map(str, unknown)))
-        raise RecordError(f"the domain {relation}: {names} is no declared symbol")
 
 
 def _make_free(
@@ -308,53 +270,3 @@ def _allowed(relations: list[sp.Basic], point: Point) -> bool:
 
 def _relations_at(relations: list[sp.Basic], point: Point) -> list[sp.Basic]:
     return [r for r in relations if r.free_symbols <= point.keys()]
-
-
-def _special_values(where: sp.Set) -> list[sp.Expr]:
-    if isinstance(where, sp.FiniteSet):
-        return list(where.args)
-    ends = _closed_ends(where)
-    values = dict.fromkeys((sp.S.Zero, *_SPECIAL, *ends))
-    return [value for value in values if where.contains(value) == sp.true]
-
-
-def _radical_inverse(step: int, base: int) -> sp.Rational:
-    numerator, denominator = 0, 1
-    while step:
-        step, digit = divmod(step, base)
-        numerator, denominator = numerator * base + digit, denominator * base
-    return sp.Rational(numerator, denominator)
-
-
-def _place(where: sp.Set, u: sp.Rational, step: int) -> sp.Expr:
-    """Map u in (0, 1) into the set; the odds of the whole line are spread over several turns."""
-    if where in COUNTS:
-        return sp.Integer(1 + step % 7)
-    if isinstance(where, sp.FiniteSet):
-        return where.args[step % len(where)]
-    low, high = where.inf, where.sup
-    if low.is_infinite and high.is_infinite:
-        return (2 * u - 1) / (u * (1 - u)) if u != sp.Rational(1, 2) else sp.Rational(3, 4)
-    if high.is_infinite:
-        return _rational(low, above=True) + 4 * u / (1 - u)
-    if low.is_infinite:
-        return _rational(high, above=False) - 4 * (1 - u) / u
-    for scale in (10**3, 10**9, 10**30):
-        bottom, top = _rational(low, True, scale), _rational(high, False, scale)
-        if bottom < top:
-            return bottom + (top - bottom) * u
-    raise ValueError(f"no rational point found in {where}")
-
-
-def _rational(end: sp.Expr, above: bool, scale: int = 1000) -> sp.Rational:
-    """Return an end of an interval, or a rational just inside it where the end is irrational."""
-    if end.is_Rational:
-        return sp.Rational(end)
-    return sp.Rational(int(sp.floor(end * scale)) + int(above), scale)
-
-
-def _closed_ends(where: sp.Set) -> list[sp.Rational]:
-    if not isinstance(where, sp.Interval):
-        return []
-    ends = ((where.start, where.left_open), (where.end, where.right_open))
-    return [sp.Rational(end) for end, is_open in ends if not is_open and end.is_Rational]

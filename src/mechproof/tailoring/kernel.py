@@ -21,8 +21,9 @@ from mechproof.codegen.backends.numba import render_scalars
 from mechproof.codegen.backends.numpy import render_module, write_kernel
 from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.kernel import Kernel
+from mechproof.codegen.kernel_reading import read_module
 from mechproof.codegen.program import NOTHING, Program, unfuse
-from mechproof.codegen.reading import TranslationError, read_module
+from mechproof.codegen.reading import TranslationError
 from mechproof.files import write_whole
 from mechproof.proof.cache import cache_folder
 from mechproof.record import Form

@@ -6,10 +6,9 @@ import textwrap
 from collections.abc import Sequence
 
 from mechproof.codegen.backends.numpy import render_template
-from mechproof.codegen.backends.scalar import (
+from mechproof.codegen.backends.scalar import list_elementary, list_scalars
+from mechproof.codegen.backends.scalar_texts import (
     extend_syntax,
-    list_elementary,
-    list_scalars,
     write_elementary,
     write_reduction,
     write_scalar,

@@ -15,29 +15,22 @@ from mechproof.codegen.backends.numpy import (
     render_template,
     tell_origin,
 )
-from mechproof.codegen.backends.scalar import (
+from mechproof.codegen.backends.scalar import list_conditions, list_scalars, list_stages
+from mechproof.codegen.backends.scalar_texts import (
     extend_syntax,
     join_scalars,
-    list_conditions,
-    list_scalars,
-    list_stages,
     write_elementary,
     write_reduction,
     write_scalar,
 )
 from mechproof.codegen.backends.sums import LOOPS, fold_sums
+from mechproof.codegen.compiled_reading import read_guards, read_reductions, read_scalars
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import NUMBA, NUMBA_FAR
 from mechproof.codegen.program import NOTHING, Program
-from mechproof.codegen.reading import (
-    ELEMENTARY,
-    TranslationError,
-    read_guards,
-    read_reductions,
-    read_scalars,
-)
+from mechproof.codegen.reading import ELEMENTARY, TranslationError
 from mechproof.codegen.syntax import Syntax
 from mechproof.record import Paper, Together
 

@@ -1,0 +1,133 @@
+"""Ball functions: what constants, functions and comparisons of SymPy are of balls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import sympy as sp
+from flint import acb, arb
+
+from mechproof.record import ValueWhere
+
+Ball = Any
+NOT_FINITE = arb("nan")
+NOT_ANALYTIC = acb("nan")
+
+CONSTANTS: dict[sp.Basic, Callable[[], Ball]] = {
+    sp.pi: arb.pi,
+    sp.E: arb.const_e,
+    sp.EulerGamma: arb.const_euler,
+    sp.I: lambda: NOT_FINITE,
+    sp.nan: lambda: NOT_FINITE,
+    sp.zoo: lambda: NOT_FINITE,
+    sp.oo: lambda: NOT_FINITE,
+    -sp.oo: lambda: NOT_FINITE,
+}
+
+FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
+    sp.sin: lambda x: x.sin(),
+    sp.cos: lambda x: x.cos(),
+    sp.tan: lambda x: x.tan(),
+    sp.cot: lambda x: x.cot(),
+    sp.asin: lambda x: x.asin(),
+    sp.acos: lambda x: x.acos(),
+    sp.atan: lambda x: x.atan(),
+    sp.atan2: lambda y, x: _arctangent(y, x),
+    sp.exp: lambda x: x.exp(),
+    sp.log: lambda x: x.log(),
+    sp.sec: lambda x: x.sec(),
+    sp.csc: lambda x: x.csc(),
+    sp.sinh: lambda x: x.sinh(),
+    sp.cosh: lambda x: x.cosh(),
+    sp.tanh: lambda x: x.tanh(),
+    sp.coth: lambda x: x.coth(),
+    sp.asinh: lambda x: x.asinh(),
+    sp.acosh: lambda x: x.acosh(),
+    sp.atanh: lambda x: x.atanh(),
+    sp.erf: lambda x: x.erf(),
+    sp.erfc: lambda x: x.erfc(),
+    sp.factorial: lambda x: (x + 1).gamma(),
+    ValueWhere: lambda value, needed: value,
+    sp.floor: lambda x: x.floor(),
+    sp.ceiling: lambda x: x.ceil(),
+    sp.Abs: abs,
+    sp.sign: lambda x: x.sgn(),
+    sp.Max: lambda *xs: _fold(arb.max, xs),
+    sp.Min: lambda *xs: _fold(arb.min, xs),
+    sp.elliptic_e: lambda m: take_real_part(acb(m).elliptic_e()),
+    sp.elliptic_k: lambda m: take_real_part(acb(m).elliptic_k()),
+    sp.betainc_regularized: lambda a, b, x0, x1: _beta(a, b, x1) - _beta(a, b, x0),
+}
+
+# Of a complex ball, and whether the integration asks for an analytic function.
+COMPLEX: dict[type[sp.Basic], Callable[..., Ball]] = {
+    ValueWhere: lambda z, needed, analytic: z if needed.is_finite() else NOT_ANALYTIC,
+    sp.Abs: lambda z, analytic: z.real_abs(analytic),
+    sp.sign: lambda z, analytic: z.real_sgn(analytic),
+    sp.Pow: lambda z, exponent, analytic: acb(z).pow(exponent, analytic),
+    sp.log: lambda z, analytic: z.log(analytic),
+    sp.atan: lambda z, analytic: z.atan() if _within_strip(z, analytic) else NOT_ANALYTIC,
+    sp.asin: lambda z, analytic: z.asin() if _within_slit(z, analytic) else NOT_ANALYTIC,
+    sp.acos: lambda z, analytic: z.acos() if _within_slit(z, analytic) else NOT_ANALYTIC,
+}
+
+ENTIRE = (
+    *(sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.exp, sp.erf, sp.erfc),
+    *(sp.sinh, sp.cosh, sp.tanh, sp.coth),
+)
+
+
+def are_equal(left: Ball, right: Ball) -> bool | None:
+    """Tell whether two balls are one number; None where they only overlap."""
+    exact = left.is_exact() and right.is_exact() and left == right
+    return _certain(exact, not left.overlaps(right))
+
+
+def _certain(yes: Ball, no: Ball) -> bool | None:
+    return True if yes else False if no else None
+
+
+COMPARISONS: dict[type[sp.Basic], Callable[[Ball, Ball], bool | None]] = {
+    sp.StrictLessThan: lambda a, b: _certain(a < b, a >= b),
+    sp.LessThan: lambda a, b: _certain(a <= b, a > b),
+    sp.StrictGreaterThan: lambda a, b: _certain(a > b, a <= b),
+    sp.GreaterThan: lambda a, b: _certain(a >= b, a < b),
+    sp.Equality: are_equal,
+    sp.Unequality: lambda a, b: None if (e := are_equal(a, b)) is None else not e,
+}
+
+
+def _beta(a: Ball, b: Ball, x: Ball) -> Ball:
+    return arb(0) if x == 0 else arb.beta_lower(x, a, b, regularized=True)
+
+
+def _arctangent(y: Ball, x: Ball) -> Ball:
+    """Enclose atan2; flint gives [-pi, pi] where the vector may be zero, which has no argument."""
+    return NOT_FINITE if y.contains(0) and x.contains(0) else arb.atan2(y, x)
+
+
+def _within_strip(ball: Ball, analytic: bool) -> bool:
+    """Tell whether a ball is off the cuts of the arctangent."""
+    return not analytic or bool(abs(ball.imag) < 1)
+
+
+def _within_slit(ball: Ball, analytic: bool) -> bool:
+    """Tell whether a ball is off the cuts of arcsine and arccosine."""
+    return not analytic or bool(abs(ball.real) < 1)
+
+
+def _fold(function: Callable[[Ball, Ball], Ball], balls: tuple[Ball, ...]) -> Ball:
+    return accumulate(function, balls[0], balls[1:])
+
+
+def accumulate(combine: Callable[[Ball, Ball], Ball], first: Ball, rest: Iterable[Ball]) -> Ball:
+    """Combine balls from the first on."""
+    for ball in rest:
+        first = combine(first, ball)
+    return first
+
+
+def take_real_part(ball: Ball) -> Ball:
+    """Return the real ball of a complex one; not finite for one off the real line."""
+    return ball.real if ball.imag.contains(0) else NOT_FINITE

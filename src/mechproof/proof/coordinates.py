@@ -1,0 +1,100 @@
+"""Coordinates in which signs are seen: half-lines, tangents of half angles, named parts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.proof.normal_form import split
+
+
+@dataclass
+class Coordinates:
+    """The change of variables and what is known of the new ones."""
+
+    replacement: dict[sp.Basic, sp.Expr]
+    positive: set[sp.Basic]
+    nonnegative: set[sp.Basic]
+
+
+def replace_by_half_line(symbol: sp.Basic, where: sp.Set, coordinates: Coordinates) -> None:
+    """Let a number of an interval be written by one that is positive or not negative."""
+    if where in (sp.S.Naturals, sp.S.Naturals0):
+        where = sp.Interval(1 if where == sp.S.Naturals else 0, sp.oo)
+    if not isinstance(where, sp.Interval) or where == sp.S.Reals:
+        return
+    low, high, v = where.start, where.end, sp.Dummy(f"v_{symbol}", nonnegative=True)
+    low_is_reached = not where.left_open and low.is_finite
+    (coordinates.nonnegative if low_is_reached else coordinates.positive).add(v)
+    if low.is_infinite:
+        coordinates.nonnegative.discard(v)
+        (coordinates.positive if where.right_open else coordinates.nonnegative).add(v)
+        coordinates.positive -= coordinates.nonnegative
+        coordinates.replacement[symbol] = high - v
+    elif high.is_infinite:
+        coordinates.replacement[symbol] = low + v
+    else:
+        coordinates.replacement[symbol] = low + (high - low) * v / (1 + v)
+
+
+def name_exponentials(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
+    """Let each exponential of a real number be a positive number."""
+    nodes = sorted(expression.atoms(sp.exp), key=sp.default_sort_key)
+    named = {node: sp.Dummy("exp", positive=True) for node in nodes if node.args[0].is_real}
+    coordinates.positive |= set(named.values())
+    return expression.subs(named)
+
+
+def name_absolute_values(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
+    """Let each absolute value, its squares being squares of the number, be one not negative."""
+    if not expression.has(sp.Abs):
+        return expression
+    expression = sp.expand(expression)
+    nodes = sorted(expression.atoms(sp.Abs), key=sp.default_sort_key)
+    named = {node: sp.Dummy("size", nonnegative=True) for node in nodes}
+    coordinates.nonnegative |= set(named.values())
+    return expression.xreplace(named)
+
+
+def free_tangents(expression: sp.Expr) -> sp.Expr:
+    """Let the tangent of an angle that occurs in no other way be any real number."""
+    replacement = {
+        sp.tan(angle): sp.Dummy("t", real=True)
+        for angle in list_angles(expression)
+        if not expression.has(sp.sin(angle), sp.cos(angle))
+    }
+    return expression.xreplace(replacement)
+
+
+def write_by_half_angles(expression: sp.Expr) -> sp.Expr:
+    """Write sines and cosines of each angle by the tangent of its half."""
+    replacement: dict[sp.Basic, sp.Expr] = {}
+    for angle in list_angles(expression):
+        t = sp.Dummy("t", real=True)
+        replacement |= {
+            sp.sin(angle): 2 * t / (1 + t**2),
+            sp.cos(angle): (1 - t**2) / (1 + t**2),
+            sp.tan(angle): 2 * t / (1 - t**2),
+        }
+    return expression.xreplace(replacement)
+
+
+def write_by_cosines(expression: sp.Expr) -> sp.Expr:
+    """Write even powers of sines by cosines; what is left are independent real symbols."""
+    result = expression
+    for angle in list_angles(expression):
+        c, s = sp.Dummy("c", real=True), sp.Dummy("s", real=True)
+        result = result.subs({sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c})
+        numerator, denominator = split(result)
+        relation = s**2 + c**2 - 1
+        result = sp.rem(sp.expand(numerator), relation, s) / sp.rem(
+            sp.expand(denominator), relation, s
+        )
+    return result
+
+
+def list_angles(expression: sp.Expr) -> list[sp.Expr]:
+    """List the arguments of sines, cosines and tangents."""
+    found = {node.args[0] for node in expression.atoms(sp.sin, sp.cos, sp.tan)}
+    return sorted(found, key=sp.default_sort_key)

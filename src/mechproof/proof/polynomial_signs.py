@@ -1,0 +1,154 @@
+"""Signs of quotients of polynomials in coordinates whose own signs are known.
+
+The numerator is factored, and a factor whose monomials all have one sign has that sign. Sound, not
+complete: `None` means "not shown", except for one variable, where Sturm's theorem decides.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.proof import balls
+from mechproof.proof.coordinates import Coordinates
+from mechproof.proof.normal_form import factorise, split
+
+
+@dataclass(frozen=True)
+class Sign:
+    """+1 or -1, and whether zero is excluded."""
+
+    direction: int
+    strict: bool
+
+    def times(self, other: Sign) -> Sign:
+        """Return the sign of a product."""
+        return Sign(self.direction * other.direction, self.strict and other.strict)
+
+
+def sign_of_number(number: sp.Expr) -> Sign | None:
+    """Return the sign of a number, None where its ball holds zero."""
+    if number == 0:
+        return Sign(1, False)
+    ball = balls.evaluate(number, {}, 256)
+    return Sign(1, True) if ball > 0 else Sign(-1, True) if ball < 0 else None
+
+
+def sign_of_quotient(expression: sp.Expr, coordinates: Coordinates) -> Sign | None:
+    """Return the sign of a quotient whose divisor is proved not to be zero."""
+    numerator, denominator = split(expression)
+    top = _sign_of_factors(numerator, coordinates)
+    bottom = _sign_of_factors(denominator, coordinates)
+    return top.times(bottom) if top and bottom and bottom.strict else None
+
+
+def _sign_of_factors(expression: sp.Expr, coordinates: Coordinates) -> Sign | None:
+    if not expression.free_symbols:
+        return sign_of_number(expression)
+    if expression.atoms(sp.Function):
+        return None
+    expression = _name_positive_powers(expression, coordinates)
+    roots = {node: sp.Dummy("root", nonnegative=True) for node in _square_roots(expression)}
+    expression = expression.subs(roots)
+    if not expression.is_polynomial(*expression.free_symbols):
+        return None
+    nonnegative = coordinates.nonnegative | set(roots.values())
+    return _sign_of_product(expression, coordinates.positive, nonnegative)
+
+
+def _sign_of_product(
+    expression: sp.Expr, positive: set[sp.Basic], nonnegative: set[sp.Basic]
+) -> Sign | None:
+    constant, factors = factorise(expression)
+    sign = sign_of_number(constant)
+    for factor, power in factors:
+        one = _sign_of_polynomial(factor, positive, nonnegative)
+        if one is None:
+            if power % 2:
+                return None
+            one = Sign(1, False)
+        sign = sign.times(one if power % 2 else Sign(1, one.strict)) if sign else None
+    return sign
+
+
+def _name_positive_powers(expression: sp.Expr, coordinates: Coordinates) -> sp.Expr:
+    """Let each power with an exponent that is no number, of a positive base, be positive."""
+    powers = [p for p in expression.atoms(sp.Pow) if not p.exp.is_number]
+    named = {
+        power: sp.Dummy("power", positive=True)
+        for power in sorted(powers, key=sp.default_sort_key)
+        if sign_of_quotient(power.base, coordinates) == Sign(1, True)
+    }
+    coordinates.positive |= set(named.values())
+    return expression.xreplace(named)
+
+
+def _square_roots(expression: sp.Expr) -> list[sp.Expr]:
+    powers = [p for p in expression.atoms(sp.Pow) if p.exp == sp.Rational(1, 2)]
+    return sorted((p for p in powers if p.free_symbols), key=sp.default_sort_key)
+
+
+def _sign_of_polynomial(
+    factor: sp.Expr, positive: set[sp.Basic], nonnegative: set[sp.Basic]
+) -> Sign | None:
+    if not factor.free_symbols:
+        return sign_of_number(factor)
+    symbols = sorted(factor.free_symbols, key=str)
+    polynomial = sp.Poly(factor, *symbols)
+    directions, strict = set(), False
+    for powers, coefficient in polynomial.terms():
+        known = sign_of_number(coefficient)
+        shape = [
+            _sign_of_power(s, p, positive, nonnegative)
+            for s, p in zip(symbols, powers, strict=True)
+        ]
+        if known is None or None in shape:
+            return _sign_of_mixed_terms(polynomial, positive, nonnegative)
+        directions.add(known.direction)
+        strict = strict or all(shape)
+    if len(directions) > 1:
+        return _sign_of_mixed_terms(polynomial, positive, nonnegative)
+    return Sign(directions.pop(), strict)
+
+
+def _sign_of_power(
+    symbol: sp.Basic, power: int, positive: set[sp.Basic], nonnegative: set[sp.Basic]
+) -> bool | None:
+    """Return True for positive, False for not negative, None for any sign."""
+    if power == 0 or symbol in positive:
+        return True
+    return False if symbol in nonnegative or power % 2 == 0 else None
+
+
+def _sign_of_mixed_terms(
+    polynomial: sp.Poly, positive: set[sp.Basic], nonnegative: set[sp.Basic]
+) -> Sign | None:
+    if len(polynomial.gens) == 1:
+        return _sign_by_sturm(polynomial, positive | nonnegative)
+    found = (_sign_by_discriminant(polynomial, s, positive, nonnegative) for s in polynomial.gens)
+    return next(filter(None, found), None)
+
+
+def _sign_by_discriminant(
+    polynomial: sp.Poly, symbol: sp.Basic, positive: set[sp.Basic], nonnegative: set[sp.Basic]
+) -> Sign | None:
+    """Return the sign of a*v^2 + b*v + c, v any real number: that of a > 0 if b^2 <= 4*a*c."""
+    if polynomial.degree(symbol) != 2:
+        return None
+    a, b, c = (polynomial.as_expr().coeff(symbol, power) for power in (2, 1, 0))
+    leading = _sign_of_product(a, positive, nonnegative)
+    gap = _sign_of_product(4 * a * c - b**2, positive, nonnegative)
+    if not (leading and leading.strict and gap and gap.direction > 0):
+        return None
+    return Sign(leading.direction, gap.strict)
+
+
+def _sign_by_sturm(polynomial: sp.Poly, half_lines: set[sp.Basic]) -> Sign | None:
+    """Decide one polynomial in one variable with rational coefficients."""
+    if len(polynomial.gens) != 1 or not polynomial.domain.is_QQ | polynomial.domain.is_ZZ:
+        return None
+    on_half_line = polynomial.gens[0] in half_lines
+    if polynomial.count_roots(0 if on_half_line else None, None):
+        return None
+    return sign_of_number(polynomial.eval(1))

@@ -1,0 +1,39 @@
+"""The command line run here and in a process, and derivations of a user."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from typer.testing import CliRunner, Result
+
+from mechproof.cli import app
+
+HEAD = """
+from sympy import Function, Integral, Interval, S, Symbol, cos, gamma, oo, pi, sin, symbols
+from mechproof.record import *
+x, y = symbols("x y", real=True)
+def paper(*rows):
+    variables = (Variable(x, "a number"), Variable(y, "another"))
+    return Paper("mine", "my notes", variables, rows)
+"""
+PROVED = 'Equation("(1)", "1", Equality(sin(x)**2 + cos(x)**2, S.One))'
+OPEN = 'Equation("(2)", "2", Equality(gamma(x**2 + 1), x**2 * gamma(x**2))%s)'
+
+
+def run(*arguments: str) -> Result:
+    return CliRunner().invoke(app, list(arguments))
+
+
+def write(folder: Path, *rows: str) -> Path:
+    file = folder / "mine.py"
+    file.write_text(f"{HEAD}\nPAPER = paper({', '.join(rows)})\n", encoding="utf-8")
+    return file
+
+
+def in_process(*arguments: str, **variables: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "mechproof", *arguments]
+    environment = {**os.environ, **variables}
+    return subprocess.run(command, capture_output=True, text=True, env=environment)

@@ -1,0 +1,110 @@
+"""Compiled sums: shapes, digits and errors of the NumPy kernels, and compiled calls."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mechproof.kernels.compiled import track_wheel
+
+EPS = float(np.finfo(float).eps)
+SEVEN = np.random.default_rng(20265).uniform(0.5, 2, (3, 4, 7))
+MATRIX = np.where(np.eye(7), 1, 0.25)
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments"),
+    [
+        ("error_sum", (SEVEN, 1.0, [1.5], 1.1)),
+        ("error_sum", (SEVEN[:, ::2], SEVEN[0, 0], np.full((3, 1, 1), 2.0), SEVEN[:, :2, 0])),
+        ("error_sum", (np.asfortranarray(SEVEN), 1, 2, 3)),
+        ("error_sum", (np.float32(SEVEN), np.float32(2), 1.0, 1.0)),
+        ("error_sum", (0.5, 1.0, 2.0, SEVEN[..., 0])),
+        ("error_sum", (SEVEN[..., :0], 1.0, 1.0, 1.0)),
+        ("error_sum", (SEVEN[:0], 1.0, 1.0, 1.0)),
+        ("error_sum", (SEVEN[0, 0], [1.0, -1, 2, -2, 3, -3, 0], 1.0, [1.0, np.nan, -1.0])),
+        ("error_sum", (np.ones((2, 40_000)), 1.0, 1.0, 1.0)),
+        ("error_sum", (1e200, 1.0, 1.0, 1.0)),
+        ("error_sum_correlated", (SEVEN, 1.0, SEVEN[1, 0], MATRIX, 1.1)),
+        ("error_sum_correlated", (SEVEN, 1.0, 1.0, np.stack([MATRIX, 2 * MATRIX] * 2), 1.1)),
+        ("error_sum_correlated", (np.float32(SEVEN[0]), 1, 1, np.float32(MATRIX), 1)),
+        ("error_sum_correlated", (0.5, 1.0, 1.0, [[1.0]], 1.0)),
+        ("error_sum_thermal", (SEVEN, 1.0, 1.1, 1.2, [[0.15], [0.3], [2.0]], 1.3)),
+    ],
+)
+def test_sums_broadcast_as_in_numpy(name: str, arguments: tuple[Any, ...]) -> None:
+    from mechproof.kernels import track_wheel as plain_wheel
+
+    with np.errstate(over="ignore"):
+        wanted = getattr(plain_wheel, name)(*arguments)
+    found = getattr(track_wheel, name)(*arguments)
+    assert (np.shape(found), found.dtype, type(found)) == (
+        np.shape(wanted),
+        wanted.dtype,
+        type(wanted),
+    )
+    # Terms of one sign: both are within 9 eps, of float32 where NumPy adds in it.
+    np.testing.assert_allclose(found, wanted, rtol=18 * np.finfo(wanted.dtype).eps)
+
+
+def test_sums_are_stored_in_out() -> None:
+    from mechproof.kernels import track_wheel as plain_wheel
+
+    wanted = track_wheel.error_sum(SEVEN, 1.0, 1.0, 1.1)
+    source = SEVEN.copy()
+    for out in (np.empty((3, 4)), np.empty((4, 3)).T, source[..., 0]):
+        assert track_wheel.error_sum(source, 1.0, 1.0, 1.1, out=out) is out
+        assert np.array_equal(out, wanted)
+    for bad in (np.empty(3), np.empty((3, 4), np.float32)):
+        with pytest.raises((TypeError, ValueError)) as plain:
+            plain_wheel.error_sum(SEVEN, 1.0, 1.0, 1.1, out=bad)
+        with pytest.raises(type(plain.value), match="out: expected") as compiled:
+            track_wheel.error_sum(SEVEN, 1.0, 1.0, 1.1, out=bad)
+        assert str(compiled.value) == str(plain.value)
+
+
+def test_long_sums_lose_nothing() -> None:
+    """One large term and a million that each round to nothing beside it."""
+    tolerances = np.full(2**20 + 1, 2.0**-30)
+    tolerances[0] = 2.0**-3
+    exact = np.sqrt(2.0**-6 + 2.0**-40)
+    # The sum once rounded and the root: 1/4 and 1/2, in eps.
+    assert abs(track_wheel.error_sum(tolerances, 1.0, 1.0, 1.0) - exact) <= EPS * exact
+
+
+def test_sums_are_called_inside_compiled_functions() -> None:
+    import numba
+
+    @numba.njit
+    def call(tolerances: Any, influences: Any, scatters: Any, matrix: Any) -> Any:
+        return (
+            track_wheel.error_sum(tolerances, influences, scatters, 1.1),
+            track_wheel.error_sum_thermal(tolerances, influences, scatters, 1, 0.1, 1.5),
+            track_wheel.error_sum_correlated(tolerances, influences, scatters, matrix, 1.1),
+        )
+
+    def call_outside(*arguments: Any) -> Any:
+        *rows, matrix = arguments
+        return (
+            track_wheel.error_sum(*rows, 1.1),
+            track_wheel.error_sum_thermal(*rows, 1, 0.1, 1.5),
+            track_wheel.error_sum_correlated(*rows, matrix, 1.1),
+        )
+
+    row = SEVEN[0, 0]
+    for arguments in (
+        (row, row, row, MATRIX),
+        (row, 1.5, 2, MATRIX),
+        (SEVEN[0, :, 0].repeat(2)[:7], np.array([1.5]), row[::-1], MATRIX),
+    ):
+        assert call(*arguments) == call_outside(*arguments)
+    for wrong, message in (
+        ((row, row[:3], 1.0, MATRIX), r"^sensitivities: last axis .*\(7,\), got shape \(3,\)$"),
+        ((row, 1.0, 1.0, MATRIX[:3]), r"^correlation: last 2 axes .*\(7, 7\), got shape \(3, 7\)$"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            call(*wrong)
+    with pytest.raises(numba.TypingError, match="takes an array of 1 axes"):
+        call(SEVEN[0], 1.0, 1.0, MATRIX)
