@@ -41,6 +41,7 @@ ARITHMETIC: Table = MappingProxyType(
 IN_DOUBLES: Table = MappingProxyType(
     {
         **ARITHMETIC,
+        "number": np.float64,
         "fma": fma,
         "pi_off": _take_half_turns_off,
         "product_rest": error_free.product_rest,
@@ -63,6 +64,7 @@ IN_DOUBLES: Table = MappingProxyType(
 IN_BALLS: Table = MappingProxyType(
     {
         **ARITHMETIC,
+        "number": arb,
         "fma": lambda a, b, c: a * b + c,
         "pi_off": lambda a: a,
         "product_rest": lambda a, b, p: a * b - p,
@@ -81,15 +83,12 @@ IN_BALLS: Table = MappingProxyType(
 
 
 def run(straight: Straight | Program, given: Mapping[str, Any], table: Table) -> tuple[Any, ...]:
-    """Return the outputs at the values of the inputs."""
+    """Return the outputs at the values of the inputs; `table` computes each kind, and numbers."""
     values: Values = {**ENDLESS, **given}
     steps = straight.operations if isinstance(straight, Program) else straight.steps
-    is_ball = table is IN_BALLS
 
     def look_up(operand: Operand) -> Any:
-        if isinstance(operand, str):
-            return values[operand]
-        return arb(operand) if is_ball else np.float64(operand)
+        return values[operand] if isinstance(operand, str) else table["number"](operand)
 
     for step in steps:
         values[step.result] = table[step.kind](*map(look_up, step.operands))

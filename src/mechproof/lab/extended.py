@@ -1,0 +1,160 @@
+"""The extended oracle: a kernel's own operations in long doubles, millions of points a minute.
+
+What cancels loses bits here, too, and a formula that is wrong is wrong in both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.evaluation import arrange, entries
+from mechproof.codegen.kernel import input_names, list_functions
+from mechproof.codegen.lowering import lower_conditions, lower_steps
+from mechproof.codegen.program import Program
+from mechproof.codegen.rewrites import apply_rewrites
+from mechproof.codegen.subexpressions import share_subexpressions
+from mechproof.lab.oracle import Truth
+from mechproof.lab.region import MARGIN
+from mechproof.lab.subject import Subject
+from mechproof.lab.ways import Arguments, Array
+from mechproof.roundoff.extended import DIGITS_OF, FORMAT, IN_EXTENDED, IS_LONGER
+from mechproof.roundoff.running import Table, Values, run
+
+IN_PLACE: Table = MappingProxyType({**IN_EXTENDED, "number": np.float64})
+
+
+@dataclass(frozen=True)
+class Extended:
+    """What is run of a quantity: its code, the scale of its errors, where its bound is stated."""
+
+    subject: Subject
+    code: KernelCode
+    scale: Program | None
+    gaps: Program | None
+    conditions: Program | None
+
+    def find_truth(self, arguments: Arguments) -> Truth:
+        """Return the values, nearly; undecided are those beyond the domain and the bound."""
+        given = self._name_values(arguments, FORMAT)
+        plain = self._name_values(arguments, np.float64)
+        with np.errstate(all="ignore"):
+            stages = [
+                (_holds(s.when, plain, IN_PLACE), run_stage(s, given)) for s in self.code.stages
+            ]
+            values = stages[-1][1]
+            for taken, others in reversed(stages[:-1]):
+                values = [np.where(taken, o, v) for o, v in zip(others, values, strict=True)]
+            count = len(arguments[0])
+            value = np.stack([np.broadcast_to(v, count) for v in values], -1)
+            high = value.astype(float)
+            held = np.isfinite(high).all(-1)
+            # As a kernel decides it, for which an irrational end is its double.
+            held &= _holds(self.code.inside, plain, IN_PLACE) & self._mark_near(plain)
+            held &= _holds(self.conditions, given, IN_EXTENDED)
+            for gap in run(self.gaps, given, IN_EXTENDED) if self.gaps else ():
+                held &= gap >= 0
+            low = (value - high).astype(float)
+            scale = self._find_scale(value, given)
+            held &= scale is None or np.isfinite(scale)
+        shape = count, *self.code.shape
+        return Truth(high.reshape(shape), low.reshape(shape), held, scale)
+
+    def _mark_near(self, given: Values) -> Any:
+        """Mark the points of the domain; of sums a kernel knows it alone."""
+        if self.code.indexed:
+            return True
+        names = input_names(self.subject.quantity)
+        columns = {symbol: given[name] for symbol, name in names.items()}
+        return self.subject.facts.region.mark_near(columns, MARGIN)
+
+    def _find_scale(self, value: Array, given: Values) -> Array | None:
+        if self.subject.quantity.accuracy is None:
+            return None
+        if self.scale is None:
+            return np.abs(value).max(-1).astype(float)
+        (scale,) = run(self.scale, given, IN_EXTENDED)
+        return np.broadcast_to(scale, len(value)).astype(float)
+
+    def _name_values(self, arguments: Arguments, kind: type[np.floating[Any]]) -> Values:
+        """Give every input its values: numbers, components, elements before the axis of points."""
+        given: Values = {name: kind(digits) for name, digits in DIGITS_OF.items()}
+        vectors = dict(self.code.vectors)
+        for argument, array in zip(self.subject.quantity.arguments, arguments, strict=True):
+            columns = np.moveaxis(array.astype(kind), 0, -1)
+            if len(argument.symbols) == 1:
+                given[argument.name] = columns
+            else:
+                given |= zip(map(str, argument.symbols), columns, strict=True)
+                given |= zip(vectors[argument.name], columns, strict=True)
+        return given
+
+
+def _holds(condition: Program | None, given: Values, table: Table) -> Any:
+    return True if condition is None else run(condition, given, table)[0]
+
+
+def run_stage(stage: Stage, given: Values) -> list[Any]:
+    """Return the outputs of a stage; of an affine one, of the points mapped."""
+    prepared = run(stage.prepare, given, IN_EXTENDED)
+    if stage.evaluate is None:
+        return _map_affinely(prepared, [given[name] for name in stage.running])
+    names = stage.evaluate.inputs[len(stage.running) :]
+    passed = dict(zip(names, prepared, strict=True))
+    return [*run(stage.evaluate, {**given, **passed}, IN_EXTENDED)]
+
+
+def _map_affinely(prepared: Sequence[Any], point: Sequence[Any]) -> list[Any]:
+    size = len(point)
+    shift = prepared[-size:]
+    rows = [prepared[i * size : (i + 1) * size] for i in range(size)]
+    return [
+        sum(m * p for m, p in zip(row, point, strict=True)) + shift[i] for i, row in enumerate(rows)
+    ]
+
+
+def extend(subject: Subject) -> Extended | None:
+    """Return a quantity in long doubles; None without code of its own, or without long doubles."""
+    kernels = (k for k in list_functions(subject.paper) if k.is_shipped)
+    kernel = next((k for k in kernels if k.name == subject.quantity.name), None)
+    if kernel is None or not IS_LONGER:
+        return None
+    return Extended(subject, kernel.code, _lower_scale(subject), *_lower_within(subject))
+
+
+def _lower(subject: Subject, where: Mapping[sp.Symbol, sp.Expr], *outputs: sp.Expr) -> Program:
+    names = input_names(subject.quantity)
+    steps = {s: v for s, v in {**subject.domain.given, **where}.items() if s not in names}
+    plain = arrange(frozenset(names), steps.items(), sp.ImmutableDenseMatrix(outputs))
+    # As the value is computed, what it has in common with the scale cancels in neither.
+    found = share_subexpressions(apply_rewrites(plain, subject.quantity.shipped[-1].rewrites))
+    return lower_steps(
+        names, frozenset(), tuple(names.values()), found.steps, entries(found.output)
+    )
+
+
+def _lower_scale(subject: Subject) -> Program | None:
+    accuracy = subject.quantity.accuracy
+    if accuracy is None or accuracy.scale is None:
+        return None
+    return _lower(subject, dict(accuracy.scale.where), accuracy.scale.expression)
+
+
+def _lower_within(subject: Subject) -> tuple[Program | None, Program | None]:
+    """Return what is not negative where the bound is stated, and what else holds there."""
+    accuracy, names = subject.quantity.accuracy, input_names(subject.quantity)
+    relations = accuracy.within if accuracy else ()
+    gaps = [r.gts - r.lts for r in relations if _is_gap(r)]
+    others = [subject.domain.resolve(r) for r in relations if not _is_gap(r)]
+    conditions = lower_conditions(names, tuple(names.values()), others) if others else None
+    return _lower(subject, {}, *gaps) if gaps else None, conditions
+
+
+def _is_gap(relation: sp.Basic) -> bool:
+    return hasattr(relation, "gts") and not relation.has(sp.Indexed)

@@ -1,0 +1,95 @@
+"""Long doubles tell the errors that balls tell, and a search led by them finds more."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from ways import find_subject
+
+from mechproof.lab import extended, search
+from mechproof.lab.extended import extend
+from mechproof.lab.oracle import Truth
+from mechproof.lab.points import choose_evenly
+from mechproof.lab.search import find_worst, scaled_errors
+from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.ways import Arguments, Array
+
+SUBJECTS = {
+    subject.name: subject
+    for subject in find_subjects()
+    if subject.quantity.accuracy and extend(subject)
+}
+SEED, SHARE, POINTS = 4711, 0.1, 3
+pytestmark = pytest.mark.skipif(
+    not extended.IS_LONGER, reason="long doubles have the digits of doubles here"
+)
+# What is relative to a scale that cancels where an arm has hardly turned.
+HARDLY_TURNED = {
+    "wedge_linkage.rod_displacement",
+    "wedge_linkage.wedge_displacement",
+    "wedge_linkage.roller_lever_angle",
+}
+# Chains whose balls take seconds.
+SLOW = {"wedge_linkage.position", "wedge_linkage.sensitivities", "wedge_linkage.velocity"}
+
+
+def draw(subject: Subject) -> list[Arguments]:
+    drawn = [*search._draw_sets(subject, SEED, SHARE)][::4]
+    return [tuple(c[choose_evenly(len(c), POINTS)] for c in points) for points in drawn]
+
+
+def estimate(subject: Subject, points: Arguments) -> tuple[Truth, Array]:
+    oracle = extend(subject)
+    assert oracle is not None
+    truth = oracle.find_truth(points)
+    return truth, search._measure(subject.kernel, points, truth)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.thorough] if name in SLOW else [])
+        for name in sorted(SUBJECTS.keys() - HARDLY_TURNED)
+    ],
+)
+def test_long_doubles_tell_what_balls_tell(name: str) -> None:
+    """An eleventh bit of the error is lost by 64 bits for 53, and by what a scale cancels."""
+    compared = 0
+    for points in draw(SUBJECTS[name]):
+        _, roughly = estimate(SUBJECTS[name], points)
+        exactly = scaled_errors(SUBJECTS[name], SUBJECTS[name].kernel, points)
+        both = (roughly >= 0) & (exactly >= 0)
+        compared += int(both.sum())
+        np.testing.assert_allclose(roughly[both], exactly[both], rtol=0.02, atol=0.02)
+    assert compared >= POINTS
+
+
+def test_a_search_led_by_long_doubles_finds_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    subject = SUBJECTS["elliptic_planetary.acceleration"]
+    more = find_worst(subject, subject.kernel, rounds=1, seed=SEED, share=SHARE)
+    monkeypatch.setattr(search, "extend", lambda subject: None)
+    less = find_worst(subject, subject.kernel, rounds=1, seed=SEED, share=SHARE)
+    assert more.tried > 50 * less.tried
+    assert more.scaled > 1.2 * less.scaled
+
+
+def test_without_long_doubles_balls_are_all_there_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(extended, "IS_LONGER", False)
+    assert extend(SUBJECTS["track_wheel.radius"]) is None
+
+
+def test_a_point_beyond_the_domain_is_not_decided() -> None:
+    subject = find_subject("elliptic_planetary.position")
+    truth, errors = estimate(subject, tuple(np.array([v, v]) for v in (1.0, 66.0, 16.0, 1.5)))
+    assert not truth.decided.any()
+    assert (errors == -1).all()
+
+
+def test_results_that_are_lost_inside_the_domain_are_seen() -> None:
+    subject = find_subject("track_wheel.radius")
+    points = draw(subject)[0]
+    oracle = extend(subject)
+    assert oracle is not None
+    truth = oracle.find_truth(points)
+    lost = search._measure(lambda phi, *rest: phi * np.nan, points, truth)
+    assert (lost[truth.decided] == np.inf).all()
