@@ -325,7 +325,7 @@ def rod_displacement(
     Domain: 0 < l_DE < oo.
 
     Accuracy: 4 eps of |value| + sum of |p * d value/d p| over the arguments p, where |phi3| <=
-    pi.
+    pi and (phi3 = 0 or 1e-140 <= |phi3|) and 1e-10 <= l_DE.
 
     Source: Bazuev et al. 2021, equation (3).
 
@@ -547,7 +547,7 @@ def wedge_displacement(
     Domain: 0 < l_LM < oo.
 
     Accuracy: 4 eps of |value| + sum of |p * d value/d p| over the arguments p, where |phi7| <=
-    pi.
+    pi and (phi7 = 0 or 1e-140 <= |phi7|) and 1e-10 <= l_LM.
 
     Source: Bazuev et al. 2021, equation (10).
 

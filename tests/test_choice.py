@@ -17,7 +17,6 @@ from mechproof.measured import (
     MeasuredTailoring,
     MeasuredWay,
     Record,
-    Searched,
     Timing,
     write_record,
 )
@@ -60,7 +59,7 @@ RECORD = Record(
     bound=4.0,
     typical=None,
     ranges={"phi": (0.0, 5.0), "e": (0.0, 0.9), "z": (4.0, 9.0)},
-    searched=Searched(0.0, 0, ()),
+    searched=(),
     ufuncs={},
     ways=(
         way("fine"),

@@ -38,7 +38,7 @@ RECORD = Record(
     bound=None,
     typical=None,
     ranges={"phi": (0.0, inf)},
-    searched=Searched(1.5, 10, (0.1, (-0.0, 5e-324), ((1.0,), (2.0,)))),
+    searched=(Searched("kernel", 1.5, 10, (0.1, (-0.0, 5e-324), ((1.0,), (2.0,)))),),
     ufuncs={"sin": 1.25},
     ways=(
         MeasuredWay("kernel", "kernel", "PROVED", "a rung"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import sympy as sp
-from sympy import Abs, Eq, Le, Rational, cos, pi, sqrt
+from sympy import Abs, Eq, Ge, Le, Or, Rational, cos, pi, sqrt
 
 from mechproof.record import LENGTH, Accuracy, Argument, Part, Scale, Singular, Variable
 
@@ -155,9 +155,13 @@ LEVER_ULP = 8
 PRODUCT_ULP = 4
 
 
-def within_half_a_turn(angle: sp.Symbol) -> tuple[sp.Basic, ...]:
-    """Return where the bound of a product of sines is stated."""
-    return (Le(Abs(angle), pi),)
+def within_half_a_turn(angle: sp.Symbol, arm: sp.Symbol) -> tuple[sp.Basic, ...]:
+    """Return where the bound of an arm times two sines is stated: none of it is subnormal there.
+
+    A sum of two doubles of which one is above 1e-140 is 0 or above 1e-156.
+    """
+    turned = Or(Eq(angle, 0), Ge(Abs(angle), Rational(1, 10**140)))
+    return Le(Abs(angle), pi), turned, Ge(arm, Rational(1, 10**10))
 
 
 # roller_lever_angle: 3.5 for each factor under the root, an error of l_KL and, at most 1.3 times,

@@ -134,7 +134,9 @@ STAGES = (
         ),
         f"{BAZUEV} (3)",
         unit="mm",
-        accuracy=conditioned(PRODUCT_ULP, print_3, (phi3, alpha_DE), within_half_a_turn(phi3)),
+        accuracy=conditioned(
+            PRODUCT_ULP, print_3, (phi3, alpha_DE), within_half_a_turn(phi3, l_DE)
+        ),
         singular=singular_arm(phi3, alpha_DE),
     ),
     Quantity(
@@ -221,7 +223,9 @@ STAGES = (
         ),
         f"{BAZUEV} (10)",
         unit="mm",
-        accuracy=conditioned(PRODUCT_ULP, print_10, (phi7, alpha_LM), within_half_a_turn(phi7)),
+        accuracy=conditioned(
+            PRODUCT_ULP, print_10, (phi7, alpha_LM), within_half_a_turn(phi7, l_LM)
+        ),
         singular=singular_arm(phi7, alpha_LM),
     ),
 )

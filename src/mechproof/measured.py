@@ -152,8 +152,9 @@ class CellErrors:
 
 @dataclass(frozen=True)
 class Searched:
-    """The worst input that the search found for the first way, of so many tried."""
+    """The worst input that the search found for a way, of so many tried."""
 
+    way: str
     scaled: float
     tried: int
     at: Point
@@ -211,11 +212,11 @@ class Machine:
 class Record:
     """All that was measured of one quantity.
 
-    The first of `ways` is the one that is shipped. `bound` is its accuracy bound in units of eps
-    of `scale`, None and empty without one: scaled errors are then in ulp of the value. `ranges`
-    are the sizes of the arguments that the cells cover. `typical` names the set nearest to usual
-    calls, if one is. `ufuncs` are NumPy's own functions, ns per point; `load` is how busy the
-    machine was.
+    The first of `ways` is the one that is shipped; those that others call are `searched`.
+    `bound` is its accuracy bound in units of eps of `scale`, None and empty without one: scaled
+    errors are then in ulp of the value. `ranges` are the sizes of the arguments that the cells
+    cover. `typical` names the set nearest to usual calls, if one is. `ufuncs` are NumPy's own
+    functions, ns per point; `load` is how busy the machine was.
     """
 
     quantity: str
@@ -229,7 +230,7 @@ class Record:
     bound: float | None
     typical: str | None
     ranges: Mapping[str, Span]
-    searched: Searched
+    searched: tuple[Searched, ...]
     ufuncs: Mapping[str, float]
     ways: tuple[MeasuredWay, ...]
     sets: tuple[SetErrors, ...]

@@ -49,7 +49,7 @@ class Accuracies:
     cells: tuple[Cell, ...]
     cell_errors: tuple[CellErrors, ...]
     ranges: dict[str, Span]
-    searched: Searched
+    searched: tuple[Searched, ...]
 
 
 def measure_accuracy(
@@ -60,9 +60,9 @@ def measure_accuracy(
     The result does not depend on the executor; one of processes needs a subject that
     `find_subjects` has found.
     """
-    sets, cells = len(list_sets(subject)), len(list_cells(subject))
-    # The search takes longest: it begins first.
-    tasks: list[Callable[[], Any]] = [partial(_search, subject, rounds)]
+    sets, cells, shipped = map(len, (list_sets(subject), list_cells(subject), subject.shipped))
+    # The searches take longest: they begin first.
+    tasks: list[Callable[[], Any]] = [partial(_search, subject, i, rounds) for i in range(shipped)]
     tasks += [partial(_measure_set, subject, index, points) for index in range(sets)]
     tasks += [partial(_measure_cell, subject, place, points) for place in range(cells)]
     done: list[Any] = []
@@ -70,13 +70,14 @@ def measure_accuracy(
     for result in run_in_order(_call, tasks, executor, batch=1):
         done.append(result)
         report(f"accuracy, {len(done)} of {len(tasks)} parts")
-    searched, on_sets, in_cells = done[0], done[1 : 1 + sets], done[1 + sets :]
+    searched, on_sets = done[:shipped], done[shipped : shipped + sets]
+    in_cells = done[shipped + sets :]
     return Accuracies(
         sets=tuple(errors for found in on_sets for errors in found),
         cells=tuple(cell for cell, _, _ in in_cells),
         cell_errors=tuple(errors for _, found, _ in in_cells for errors in found),
         ranges=_find_ranges(subject, [spans for _, _, spans in in_cells]),
-        searched=searched,
+        searched=tuple(searched),
     )
 
 
@@ -187,9 +188,10 @@ def _measure_in_cell(
     )
 
 
-def _search(subject: Subject, rounds: int) -> Searched:
-    found = find_worst(subject, subject.kernel, rounds)
-    return Searched(round_up(found.scaled), found.tried, _as_point(found.arguments))
+def _search(subject: Subject, index: int, rounds: int) -> Searched:
+    way = subject.shipped[index]
+    found = find_worst(subject, way.compute, rounds)
+    return Searched(way.name, round_up(found.scaled), found.tried, _as_point(found.arguments))
 
 
 def _span(argument: Array) -> Span:

@@ -113,6 +113,12 @@ class Subject:
         return list_ways(self.quantity, self.domain, self.list_rows(), modules, self.peers)
 
     @property
+    def shipped(self) -> tuple[Way, ...]:
+        """List the ways that are called by others: the first, and the compiled kernel."""
+        first, *others = self.ways
+        return (first, *(w for w in others if w.kind == "kernel" and not w.into_buffer))
+
+    @property
     def kernel(self) -> Compute:
         """Return the function that is shipped."""
         module = self.modules[0]

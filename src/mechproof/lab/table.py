@@ -6,7 +6,16 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from mechproof.lab.proofs import find_way, list_claims
-from mechproof.measured import COPY, MEASURED, MeasuredWay, Record, SetErrors, Timing, read_records
+from mechproof.measured import (
+    COPY,
+    MEASURED,
+    MeasuredWay,
+    Record,
+    Searched,
+    SetErrors,
+    Timing,
+    read_records,
+)
 from mechproof.roundoff.certificate import Claim
 
 PAGE = "TABLES.md"
@@ -14,7 +23,7 @@ WAY_HEAD = (
     "way", "kind", "verdict", "points", "undecided", "worst, scaled", "worst, ulp", "mean, bits",
     "worst, absolute", "wrong branch", "nan", "inf", "fails first on",
 )  # fmt: skip
-SHIPPED_HEAD = ("quantity", "bound", "worst on the sets", "worst searched")
+SHIPPED_HEAD = ("quantity", "way", "bound", "worst on the sets", "worst searched", "tried")
 PROVED_HEAD = (
     "quantity", "form", "computed", "where", "at most", "found", "worst on the sets", "assumed",
 )  # fmt: skip
@@ -27,12 +36,12 @@ leads; beside them the worst on the sets of that way, in all its forms.
 INTRODUCTION = """# What the kernels and the other ways lose and cost
 
 Errors are taken against balls at the exact doubles, on the points of the reporting seed; the
-search climbed from the points of the tuning seed. *scaled*: the error in units of 2**-52 times the
-scale named with each quantity, where the accuracy bound of the kernel holds (without such a bound
-in ulp of the value); the other columns are over all points. *bits*: log2(1 + ulps). Times are
-medians, in ns per point, of rounds in which all ways took turns; in brackets the ratio to the
-first way in the same round. Quartiles, errors set by set, and the times of NumPy's own functions
-are in the records beside.
+search climbed from the points of the tuning seed, by balls and by long doubles, and balls judged
+what it found. *scaled*: the error in units of 2**-52 times the scale named with each quantity,
+where the accuracy bound of the kernel holds (without such a bound in ulp of the value); the other
+columns are over all points. *bits*: log2(1 + ulps). Times are medians, in ns per point, of rounds
+in which all ways took turns; in brackets the ratio to the first way in the same round. Quartiles,
+errors set by set, and the times of NumPy's own functions are in the records beside.
 """
 
 
@@ -46,7 +55,8 @@ def write_tables(folder: Path) -> Path:
 def headline(record: Record) -> str:
     """Return the worst error of what is shipped against its accuracy bound, in a line."""
     rows = record.errors_of(record.ways[0].name)
-    found = (record.worst_of(record.ways[0].name), record.searched.scaled)
+    searched = (found.scaled for found in record.searched)
+    found = (record.worst_of(record.ways[0].name), *searched)
     worst = max(error for error in found if error is not None)
     bound = "" if record.bound is None else f" of {record.bound:.3g}"
     points, undecided = sum(r.points for r in rows), sum(r.undecided for r in rows)
@@ -58,7 +68,8 @@ def list_lines(
 ) -> Iterator[str]:
     """List the lines of the page, with what is claimed of the quantities."""
     yield INTRODUCTION
-    yield from _table(SHIPPED_HEAD, map(_describe_shipped, records))
+    shipped = (_describe_shipped(record, found) for record in records for found in record.searched)
+    yield from _table(SHIPPED_HEAD, shipped)
     proved = [_describe_claim(record, claim) for record in records for claim in find_claims(record)]
     if proved:
         yield PROVED
@@ -94,10 +105,10 @@ def _describe_run(record: Record) -> str:
     )
 
 
-def _describe_shipped(record: Record) -> Sequence[str]:
-    worst = _number(record.worst_of(record.ways[0].name))
-    searched = _number(record.searched.scaled)
-    return record.quantity, _number(record.bound) or "none", worst, searched
+def _describe_shipped(record: Record, found: Searched) -> Sequence[str]:
+    bound, worst = _number(record.bound) or "none", _number(record.worst_of(found.way))
+    searched, tried = _number(found.scaled), str(found.tried)
+    return record.quantity, found.way, bound, worst, searched, tried
 
 
 def _describe_claim(record: Record, claim: Claim) -> Sequence[str]:

@@ -34,7 +34,7 @@ class Way:
 
     `rows` of the ledger say what its source computes; a peer has none, nothing is proved of it.
     `key` ends the name of its function, empty for the kernel and for peers; `needs` is the extra
-    that it is installed with.
+    that it is installed with. `into_buffer`: the same again, into an array that is there.
     """
 
     name: str
@@ -47,6 +47,7 @@ class Way:
     key: str = ""
     needs: str = ""
     note: str = ""
+    into_buffer: bool = False
 
 
 def list_ways(
@@ -98,7 +99,8 @@ def _describe_kernel(name: str, compute: Compute, quantity: Quantity, rows: tupl
 def _list_with_buffer(way: Way) -> Iterator[Way]:
     yield way
     if "out" in inspect.signature(way.compute).parameters:
-        yield replace(way, name=f"{way.name}, out=", compute=_into_buffer(way.compute))
+        compute = _into_buffer(way.compute)
+        yield replace(way, name=f"{way.name}, out=", compute=compute, into_buffer=True)
 
 
 def _list_rivals(

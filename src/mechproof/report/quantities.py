@@ -20,7 +20,7 @@ from mechproof.codegen.docstrings import (
 from mechproof.codegen.forms import number_form
 from mechproof.codegen.kernel import Kernel, input_names, list_functions, shape_of
 from mechproof.lab.marks import list_workloads
-from mechproof.measured import Record, Timing
+from mechproof.measured import Record, Searched, Timing
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Toleranced, Variable
@@ -183,18 +183,23 @@ def _describe_record(record: Record, quantity: Quantity) -> Measured:
     first = record.ways[0].name
     rows = record.errors_of(first)
     worst = record.worst_of(first)
-    at = ", ".join(map(_tell_point, quantity.arguments, record.searched.at))
+    searched = "; ".join(_tell_searched(found, quantity) for found in record.searched)
     machine = record.machine
     return Measured(
         worst="none" if worst is None else f"{worst:.3g}",
         unit=record.error_unit,
         points=f"{sum(row.points - row.undecided for row in rows):,}",
-        searched=set_prose(f"{record.searched.scaled:.3g} at {at}"),
+        searched=set_prose(searched),
         taken=record.taken[:10],
         machine=f"{machine.processor}, NumPy {machine.versions.get('numpy', '')}",
         is_quick=record.quick,
         timed=", ".join(f"{count:,} points, {name}" for name, count in list_workloads(record)[:1]),
     )
+
+
+def _tell_searched(found: Searched, quantity: Quantity) -> str:
+    at = ", ".join(map(_tell_point, quantity.arguments, found.at))
+    return f"{found.scaled:.3g} ({found.way}) at {at}"
 
 
 def _tell_point(argument: Argument, value: object) -> str:
