@@ -26,7 +26,7 @@ from mechproof.lab.marks import (
 )
 from mechproof.lab.names import name_marks
 from mechproof.lab.panel import LOOKS, draw_panel, set_ticks
-from mechproof.lab.proofs import find_proved, tell_where
+from mechproof.lab.proofs import tell_proved, tell_where
 from mechproof.lab.subject import Subject
 from mechproof.measured import Record
 
@@ -110,7 +110,7 @@ def draw_chart(record: Record, workload: str, count: int) -> Figure:
         axes.set_ylabel("worst error, eps")
     rows[-1].set_xlabel(_describe(record, workload, count))
     draw_key(figure, {mark.family for marks in panels.values() for mark in marks})
-    _write_names(figure, rows, list(panels.values()), count, copy, find_proved(record))
+    _write_names(figure, rows, list(panels.values()), count, copy, tell_proved(record))
     return figure
 
 
@@ -161,7 +161,7 @@ def _write_names(
     panels: Sequence[Sequence[Mark]],
     count: int,
     copy: float | None,
-    proved: Mapping[str, float],
+    proved: Mapping[str, str],
 ) -> None:
     """Name marks after the layout, which gives the room that there is, and count the rest.
 

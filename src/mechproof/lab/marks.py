@@ -58,7 +58,7 @@ class Mark:
             return "somewhere has no digit right"
         if self.error < FEW_EPS:
             told = f"{self.error:.0f}" if self.error >= 10 else f"{self.error:.2g}"
-            return f"is off by {told} eps at the worst point tried"
+            return f"is off by {told} eps at worst on these points"
         return f"loses {int(math.log10(self.error))} digits"
 
 

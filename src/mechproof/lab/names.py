@@ -15,8 +15,8 @@ from mechproof.lab.marks import LOST_LANE, TURNS_LANE, Mark, find_best, find_fro
 from mechproof.lab.panel import LANE, LOWEST, draw_mark, find_top, trace_front
 
 Spot = tuple[float, float]
-TIMES, AT_MOST = "\N{MULTIPLICATION SIGN}", "\N{LESS-THAN OR EQUAL TO}"
-NOTHING: Mapping[str, float] = MappingProxyType({})
+TIMES = "\N{MULTIPLICATION SIGN}"
+NOTHING: Mapping[str, str] = MappingProxyType({})
 # More names than this crowd a panel.
 NAMES = 12
 # How small the marks without a name are, and from how many pixels on two marks are told apart.
@@ -53,11 +53,11 @@ def name_marks(
     marks: Sequence[Mark],
     count: int,
     copy: float | None,
-    proved: Mapping[str, float] = NOTHING,
+    proved: Mapping[str, str] = NOTHING,
 ) -> list[Mark]:
     """Draw marks after the layout, with names where these have room; return the named.
 
-    The others are drawn small. `proved` are bounds of errors, by the names of ways.
+    The others are drawn small. `proved` tells of the bounds of errors, by the names of ways.
     """
     spots = {mark: _as_spot(axes.transData.transform((mark.time, mark.height))) for mark in marks}
     room = Room(axes, [_box_around(spot, spot, 7) for spot in spots.values()])
@@ -67,7 +67,7 @@ def name_marks(
     for mark in choose_names(marks, spots):
         label = write_name(mark, marks[0], count)
         if mark.name in proved:
-            label += f", proved {AT_MOST} {proved[mark.name]:g}"
+            label += f", {proved[mark.name]}"
         is_first = mark is marks[0]
         if len(named) < NAMES and room.write(spots[mark], _find_band(axes, mark), label, is_first):
             named.append(mark)

@@ -11,6 +11,8 @@ from mechproof.roundoff.certificate import Certificate, Claim
 from mechproof.roundoff.compiled import WAY
 from mechproof.roundoff.files import find_certificate
 
+AT_MOST = "\N{LESS-THAN OR EQUAL TO}"
+
 
 def list_claims(record: Record) -> tuple[Claim, ...]:
     """List what is proved of a quantity's kernels, none if they are not of the package."""
@@ -35,13 +37,19 @@ def find_way(record: Record, claim: Claim) -> str:
     return f"{shipped}, {WAY}" if claim.way == WAY else shipped
 
 
-def find_proved(record: Record) -> Mapping[str, float]:
-    """Return the largest bound of all forms of a way, in eps of the scale."""
-    proved: dict[str, float] = {}
+def tell_proved(record: Record) -> Mapping[str, str]:
+    """Tell the largest bound of all forms of a way, and the worst error found, in eps."""
+    claims: dict[str, list[Claim]] = {}
     for claim in list_claims(record):
-        way = find_way(record, claim)
-        proved[way] = max(claim.proved, proved.get(way, 0.0))
-    return proved
+        claims.setdefault(find_way(record, claim), []).append(claim)
+    return {way: _tell_largest(mine) for way, mine in claims.items()}
+
+
+def _tell_largest(claims: Iterable[Claim]) -> str:
+    found, proved = (
+        max(numbers) for numbers in zip(*((c.found, c.proved) for c in claims), strict=True)
+    )
+    return f"found {found:.3g}, proved {AT_MOST} {proved:g}"
 
 
 def tell_where(record: Record) -> str:
