@@ -266,7 +266,12 @@ def lever_angle(
     The conditioning |value| + sum of |p * d value/d p|: guide_condition of guide_square =
     guide_radicand.
 
-    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, where
+    Lengths and displacements are squared: of lengths beyond 1e-50 to 1e50 or displacements
+    beyond 1e50 squares may leave the range of doubles, and the result is NaN, 0 where it should
+    not be, or another wrong number.
+
+    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, where |x1| <=
+    1e50 and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <= 1e50 and
     guide_condition/2**48 < guide_square.
 
     Source: Bazuev et al. 2021, equation (1).
@@ -479,8 +484,12 @@ def roller_lever_angle(
     The conditioning |value| + sum of |p * d value/d p|: height_condition of height_square =
     l_KL**2 - roller_offset**2.
 
-    Accuracy: 16 eps of |value| + sum of |p * d value/d p| over the arguments p, where
-    height_condition/2**48 < height_square.
+    Lengths and displacements are squared: of lengths beyond 1e-50 to 1e50 or displacements
+    beyond 1e50 squares may leave the range of doubles, and the result is NaN, 0 where it should
+    not be, or another wrong number.
+
+    Accuracy: 16 eps of |value| + sum of |p * d value/d p| over the arguments p, where |x5| <=
+    1e50 and 1e-50 <= l_KL <= 1e50 and height_condition/2**48 < height_square.
 
     Source: Bazuev et al. 2021, equations (7) and (8).
 
@@ -635,8 +644,14 @@ def position(
     The conditioning |value| + sum of |p * d value/d p|: guide_condition of guide_square =
     guide_radicand, roller_condition of KL_x + l_KL in contact.
 
+    Lengths and displacements are squared: of lengths beyond 1e-50 to 1e50 or displacements
+    beyond 1e50 squares may leave the range of doubles, and the result is NaN, 0 where it should
+    not be, or another wrong number.
+
     Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact,
-    where guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
+    where |x1| <= 1e50 and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <=
+    1e50 and 1e-50 <= l_DE <= 1e50 and 1e-50 <= l_KL <= 1e50 and 1e-50 <= l_LM <= 1e50 and l_GH
+    <= 1e50 and guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -820,9 +835,15 @@ def velocity(
     guide_condition of guide_square = guide_radicand, roller_condition of KL_x + l_KL in
     contact.
 
+    Lengths and displacements are squared: of lengths beyond 1e-50 to 1e50 or displacements
+    beyond 1e50 squares may leave the range of doubles, and the result is NaN, 0 where it should
+    not be, or another wrong number.
+
     Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact,
-    where run_condition/2**48 < |l_GH - travel_5| and guide_condition/2**48 < guide_square and
-    roller_condition/2**48 < KL_x + l_KL.
+    where run_condition/2**48 < |l_GH - travel_5| and |x1| <= 1e50 and 1e-50 <= l_AB <= 1e50 and
+    1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <= 1e50 and 1e-50 <= l_DE <= 1e50 and 1e-50 <= l_KL
+    <= 1e50 and 1e-50 <= l_LM <= 1e50 and l_GH <= 1e50 and guide_condition/2**48 < guide_square
+    and roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -1026,9 +1047,15 @@ def sensitivities(
     guide_condition of guide_square = guide_radicand, roller_condition of KL_x + l_KL in
     contact.
 
+    Lengths and displacements are squared: of lengths beyond 1e-50 to 1e50 or displacements
+    beyond 1e50 squares may leave the range of doubles, and the result is NaN, 0 where it should
+    not be, or another wrong number.
+
     Accuracy: 8 eps of norm over the entries (each keeps its own) of |value| + sum of |p * d
     value/d p| over the arguments p, in contact, where run_condition/2**48 < |l_GH - travel_5|
-    and guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
+    and |x1| <= 1e50 and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <=
+    1e50 and 1e-50 <= l_DE <= 1e50 and 1e-50 <= l_KL <= 1e50 and 1e-50 <= l_LM <= 1e50 and l_GH
+    <= 1e50 and guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import sympy as sp
-from sympy import Abs, Eq, Ge, Le, Or, Rational, cos, pi, sqrt
+from sympy import Abs, And, Eq, Ge, Le, Or, Rational, cos, pi, sqrt
 
 from mechproof.record import LENGTH, Accuracy, Argument, Part, Scale, Singular, Variable
 
@@ -199,9 +199,31 @@ def beside(gap: sp.Expr, name: str) -> sp.Basic:
     return gap > EDGE_ULP * EPS * SIDES[name]
 
 
-GUIDED = (beside(guide_square, "guide_condition"),)
-LIFTED = (beside(height_square, "height_condition"),)
-LINKED = (*GUIDED, beside(l_KL + MEANT.offset, "roller_condition"))
+# No product of squares leaves the doubles.
+LARGEST = sp.Integer(10) ** 50
+BEYOND_SQUARES = (
+    "lengths and displacements are squared: of lengths beyond 1e-50 to 1e50 or displacements "
+    "beyond 1e50 squares may leave the range of doubles, and the result is NaN, 0 where it should "
+    "not be, or another wrong number"
+)
+
+
+def moderate(displacement: sp.Symbol, *lengths: sp.Symbol) -> tuple[sp.Basic, ...]:
+    """State that lengths are neither vast nor tiny, and a displacement is not vast."""
+    sizes = (And(length >= 1 / LARGEST, length <= LARGEST) for length in lengths)
+    return Le(Abs(displacement), LARGEST), *sizes
+
+
+CLOSING = beside(guide_square, "guide_condition")
+GUIDED = (*moderate(x1, l_AB, l_BC, l_CD), CLOSING)
+LIFTED = (*moderate(x5, l_KL), beside(height_square, "height_condition"))
+# A clearance is squared nowhere.
+LINKED = (
+    *moderate(x1, *(size for size in SIZES if size not in (*ANGLES, l_GH))),
+    Le(l_GH, LARGEST),
+    CLOSING,
+    beside(l_KL + MEANT.offset, "roller_condition"),
+)
 PUSHING = (beside(Abs(MEANT.travel - l_GH), "run_condition"), *LINKED)
 CONDITIONING = "the conditioning |value| + sum of |p * d value/d p|"
 OF_GUIDE = "guide_condition of guide_square = guide_radicand"

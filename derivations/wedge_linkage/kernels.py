@@ -10,6 +10,7 @@ from .chain import BY_ATAN2, IN_PRINT, POSITION, SENSITIVITIES, SIZES, VELOCITY,
 from .conditioning import (
     ALL_EDGES,
     ALONG_CHAIN,
+    BEYOND_SQUARES,
     CHAIN_ULP,
     CLOSED,
     IN_CASES,
@@ -73,7 +74,7 @@ QUANTITIES = (
         on=CLOSED,
         singular=POSITION_ALONG_CHAIN,
         workloads=CHAIN_LOADS,
-        remarks=(RANGE, LINK_EDGES),
+        remarks=(RANGE, LINK_EDGES, BEYOND_SQUARES),
     ),
     Quantity(
         "velocity",
@@ -96,7 +97,7 @@ QUANTITIES = (
         on=MOVING,
         singular=ALONG_CHAIN,
         workloads=CHAIN_LOADS,
-        remarks=(RANGE, ALL_EDGES),
+        remarks=(RANGE, ALL_EDGES, BEYOND_SQUARES),
     ),
     Quantity(
         "sensitivities",
@@ -125,6 +126,6 @@ QUANTITIES = (
         on=MOVING,
         singular=ALONG_CHAIN,
         workloads=CHAIN_LOADS,
-        remarks=(RANGE, ALL_EDGES),
+        remarks=(RANGE, ALL_EDGES, BEYOND_SQUARES),
     ),
 )

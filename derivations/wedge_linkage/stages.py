@@ -10,6 +10,7 @@ from mechproof.record import Accuracy, Form, Quantity, Singular
 from .chain import DIRECTION_IN_PRINT, LINKS, MEANT, PUSHED, PUSHED_IN_PRINT, ROLLER
 from .conditioning import (
     AT_REST,
+    BEYOND_SQUARES,
     DRIVEN_RUN,
     FOLLOWED,
     GUIDE_EDGE,
@@ -121,7 +122,7 @@ STAGES = (
         singular=(AT_REST, PIVOT),
         period=pi,
         workloads=LEVER_LOADS,
-        remarks=(SHORT_GUIDE, GUIDE_EDGE),
+        remarks=(SHORT_GUIDE, GUIDE_EDGE, BEYOND_SQUARES),
     ),
     Quantity(
         "rod_displacement",
@@ -210,7 +211,7 @@ STAGES = (
         singular=(Singular(Eq(x5, 0)), Singular(Eq(PRINTED_R, 0))),
         period=pi,
         workloads=ROLLER_LOADS,
-        remarks=(f"NaN where {LOW_ROLLER}", HEIGHT_EDGE),
+        remarks=(f"NaN where {LOW_ROLLER}", HEIGHT_EDGE, BEYOND_SQUARES),
     ),
     Quantity(
         "wedge_displacement",

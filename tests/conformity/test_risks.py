@@ -32,6 +32,16 @@ def test_shares_add_up_and_mirror(find: Find) -> None:
         np.testing.assert_allclose(value[seen], other[seen], rtol=BAR)
 
 
+def test_no_share_among_the_smallest_numbers_is_negative(find: Find) -> None:
+    rng = np.random.default_rng(20266)
+    s = 10 ** rng.uniform(-2, 1, 4000)
+    below, above, least, most = rng.uniform(36, 39, (4, s.size))
+    whole = np.hypot(1, s)
+    windows = (-below, above), (-least * whole, most * whole)
+    for share in four(find(Normal(0, 1), Normal(0, s), *windows)):
+        assert np.all(share >= 0)
+
+
 def test_errorless_gauge_is_the_limit_of_a_good_one(find: Find) -> None:
     simple = find(Normal(0, 1), Normal(0, 0), (-1, 2))
     np.testing.assert_allclose(simple.rightly_accepted, ndtr(2) - ndtr(-1), rtol=1e-14)

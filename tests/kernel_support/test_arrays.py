@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -30,3 +31,18 @@ def test_every_condition_is_asked() -> None:
         condition[(-1,) * len(shape)] = False
         assert np.array_equal(arrays.every(condition, axis), np.all(condition, axis=axis))
     assert arrays.every(np.ones(0, bool), -1)
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        (np.array(Fraction(1, 3), dtype=object), r"Fraction\(1, 3\) of dtype object"),
+        (np.array("a", dtype=object), "'a' of dtype object"),
+        (np.array([None, 1.0]), r"array\(\[None, .*dtype=object\) of dtype object"),
+        (np.array(1j), "1j of dtype complex128"),
+        (np.ones((9, 9), complex), r"array\(.*\.\.\..*\) of dtype complex128"),
+    ],
+)
+def test_what_is_no_real_number_is_shown(value: Any, shown: str) -> None:
+    with pytest.raises(TypeError, match=f"^b: expected real numbers up to float64, got {shown}$"):
+        arrays.as_floats("a b", 1.0, value)

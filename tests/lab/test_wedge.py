@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import mpmath as mp
 import numpy as np
 import pytest
 from ways import find_subject, find_way, run, truth_of
 
 from mechproof.kernels import wedge_linkage as kernels
-from mechproof.lab.error import Errors
+from mechproof.lab.error import Errors, find_errors
 from mechproof.lab.ways import Arguments
 from mechproof.lab.within import mark_within
 
@@ -259,3 +261,56 @@ def test_the_edge_of_contact_is_no_matter_of_rounding() -> None:
     assert truth_of("wedge_linkage.velocity", arguments).high.tolist() == [0.0]
     for name in ("velocity", "sensitivities"):
         assert not mark_within(find_subject(f"wedge_linkage.{name}"), arguments).any()
+
+
+@pytest.mark.parametrize(
+    ("name", "sizes"),
+    [
+        ("lever_angle", (1e200, 1.0, 1.0, 1.0)),
+        ("lever_angle", (1e-170, 1e-170, 1e-170, 1e-170)),
+        ("roller_lever_angle", (1e160, 1e160, 1.0)),
+        ("roller_lever_angle", (1e-160, 1e-160, 0.236)),
+    ],
+)
+def test_no_bound_where_squares_leave_the_doubles(name: str, sizes: tuple[float, ...]) -> None:
+    """What the kernel gives there is finite and far off: nothing else tells."""
+    arguments = tuple(np.array([v]) for v in sizes)
+    subject = find_subject(f"wedge_linkage.{name}")
+    with np.errstate(all="ignore"):
+        found = find_errors(subject.kernel(*arguments), truth_of(subject.name, arguments))
+    assert np.isfinite(found.result).all()
+    assert subject.quantity.accuracy is not None
+    assert found.scaled > subject.quantity.accuracy.ulp
+    assert not mark_within(subject, arguments).any()
+
+
+def check_bound(name: str, arguments: Arguments) -> None:
+    """Require the bound at points of which a fifth at least lie where it is stated."""
+    subject = find_subject(f"wedge_linkage.{name}")
+    truth = truth_of(subject.name, arguments)
+    held = mark_within(subject, arguments) & truth.decided
+    assert 5 * held.sum() >= len(held)
+    found = find_errors(subject.kernel(*arguments), truth)
+    assert subject.quantity.accuracy is not None
+    assert np.max(found.scaled[held]) <= subject.quantity.accuracy.ulp
+
+
+@pytest.mark.parametrize("name", ["lever_angle", "roller_lever_angle"])
+def test_the_bound_holds_up_to_the_ends_of_its_range(name: str) -> None:
+    rng = np.random.default_rng(20261)
+
+    def draw(argument: str) -> Any:
+        if argument.startswith("alpha"):
+            return rng.uniform(0.05, 3.1, 300)
+        sizes = 10.0 ** rng.choice([-50, -25, 0, 25, 50], 300)
+        return sizes * rng.choice([-1, 1], 300) if argument.startswith("x") else sizes
+
+    arguments = find_subject(f"wedge_linkage.{name}").quantity.arguments
+    check_bound(name, tuple(draw(argument.name) for argument in arguments))
+
+
+@pytest.mark.parametrize("scale", [5.1e-51, 6.8e47])
+@pytest.mark.parametrize("name", CHAIN)
+def test_the_chain_keeps_its_bound_at_the_ends_of_its_range(name: str, scale: float) -> None:
+    lengths = [scale * column for column in working(6)]
+    check_bound(name, (*lengths[:8], *working(6)[8:]))

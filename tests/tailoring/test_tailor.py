@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import copy
 import ctypes
 import importlib.util
+import multiprocessing
+import pickle
 import shutil
 import subprocess
+from concurrent.futures import ProcessPoolExecutor
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -238,6 +242,51 @@ def test_an_error_below_the_roundings_tells_the_smallest(
     assert least < told < 10 * least
     request = read_request(NAME, told, arguments)
     assert build(request).bound.error <= told
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_pickled_it_has_the_same_bits(backend: str, tmp_path: Path) -> None:
+    kernel = tailored(backend)
+    written = pickle.dumps(kernel)
+    again = pickle.loads(written)
+    assert again == kernel
+    assert repr(again) == repr(kernel)
+    assert [f.read_text() for f in again.write_c(tmp_path / "again")] == [
+        f.read_text() for f in kernel.write_c(tmp_path / "first")
+    ]
+    assert copy.deepcopy(kernel) == kernel
+
+
+def test_a_new_process_computes_the_same_bits() -> None:
+    backends = (NUMBA, NUMPY) if importlib.util.find_spec("numba") else (NUMPY,)
+    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as executor:
+        for kernel in map(tailored, backends):
+            found = executor.submit(kernel, points()).result(timeout=60)
+            assert np.array_equal(found.view(np.int64), kernel(points()).view(np.int64))
+
+
+def test_a_range_of_its_own_is_sent() -> None:
+    arguments = {"x1": (-40, -36), "l_AB": 6, "l_BC": 49, "l_CD": 38}
+    request = read_request("wedge_linkage.lever_angle", 1e-3, arguments)
+    assert pickle.loads(pickle.dumps(request)) == request
+
+
+@pytest.mark.parametrize(
+    ("backend", "module", "message"),
+    [
+        (NUMPY, "sympy", "a tailored kernel needs sympy, the extra derive"),
+        pytest.param(
+            NUMBA, "numba", "for numba needs numba, the extra fast", marks=BACKENDS[0].marks
+        ),
+    ],
+)
+def test_what_is_missing_where_it_arrives_is_named(
+    backend: str, module: str, message: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written = pickle.dumps(tailored(backend))
+    monkeypatch.setattr(tailoring, "find_spec", lambda name: None if name == module else name)
+    with pytest.raises(ImportError, match=message):
+        pickle.loads(written)
 
 
 def test_without_the_extra_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

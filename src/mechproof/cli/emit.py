@@ -43,7 +43,8 @@ def emit_c(
     """Write a header and a source in C99 for each system; they need <math.h> alone.
 
     Each kernel is a function of one point, and one with _array after its name of many. Sums over
-    axes of any length take the number of their terms first. Link with -lm.
+    axes of any length take the number of their terms first. Quantities that are computed in one
+    pass are stored by pointers. Link with -lm.
 
     With --error a kernel for fixed sizes is written, as cheap as the error permits:
     elliptic_planetary.position --error 1e-9 --let R1=66 --let R2=16 --let e=0.475; the range of

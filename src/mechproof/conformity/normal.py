@@ -66,7 +66,8 @@ def integrate_sides(plane: Plane, corner: Corner, needed: Any) -> Pair:
     present = needed & (corner.exponent < UNDERFLOW)
     arc = compute_where(present, integrate_arc, arguments, 0.0)
     smaller = choose(present, plane.sine * corner.decay * arc, 0.0)
-    larger = corner.total - smaller
+    # Among the smallest numbers the integral may come out above the whole; no mass is below 0.
+    larger = np.maximum(corner.total - smaller, 0.0)
     return choose(falling, smaller, larger), choose(falling, larger, smaller)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import reprlib
 from fractions import Fraction
 from math import inf, nan
 from typing import Any
@@ -59,14 +60,21 @@ def _convert(names: list[str], values: tuple[Any, ...]) -> tuple[Any, ...]:
     dtypes = [array.dtype for array in arrays]
     if dtypes.count(DOUBLE) == len(dtypes):
         return _weaken(arrays)
-    for name, dtype in zip(names, dtypes, strict=True):
+    for name, value, dtype in zip(names, values, dtypes, strict=True):
         if dtype.kind not in "biuf" or dtype.itemsize > 8:
-            raise TypeError(f"{name}: expected real numbers up to float64, got {dtype}")
+            got = f"{_show(value)} of dtype {dtype}"
+            raise TypeError(f"{name}: expected real numbers up to float64, got {got}")
     given = zip(values, dtypes, strict=True)
     strong = {dtype for value, dtype in given if type(value) not in WEAK}
     if strong == {SINGLE}:
         return tuple(cast(array, SINGLE) for array in arrays)
     return _weaken([cast(array, DOUBLE) for array in arrays])
+
+
+def _show(value: Any) -> str:
+    """Write a value in a few words, a single one without the array around it."""
+    is_single = type(value) is np.ndarray and not value.shape
+    return " ".join(reprlib.repr(value.item() if is_single else value).split())
 
 
 def _weaken(arrays: list[Any]) -> tuple[Any, ...]:
@@ -89,7 +97,8 @@ def _as_array(value: Any) -> Any:
     if type(value) is float:
         return np.float64(value)
     if type(value) in PLAIN:
-        return value if value.shape else value[()]
+        # Taken out of its array, an object has no dtype.
+        return value if value.shape or value.dtype.hasobject else value[()]
     if not hasattr(value, "__array_ufunc__") or isinstance(value, AS_ARRAYS):
         return np.asarray(value)
     # A foreign scalar, a number with a unit, gets a dtype and stays what it is.

@@ -6,6 +6,8 @@
 
 from __future__ import annotations
 
+import pickle
+from collections.abc import Iterable
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +20,8 @@ __all__ = ["tailor"]
 
 # What tailoring needs of the extra, as it is imported.
 NEEDED = ("flint", "jinja2", "mpmath", "ruff", "sympy")
+# Backends that are modules of the extra fast.
+FAST = ("numba",)
 
 
 def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
@@ -40,7 +44,8 @@ def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
     Tailored
         A function of the running variable that shows its proved bound, its degrees and its range.
         With numba (the extra fast) a compiled loop, else NumPy's operations. `write_c` writes it
-        in C99, with the same bits as numba's where contractions are forbidden.
+        in C99, with the same bits as numba's where contractions are forbidden. It can be pickled,
+        for processes that have the same extras.
 
     Raises
     ------
@@ -65,12 +70,7 @@ def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
     255.260270569
 
     """
-    missing = [module for module in NEEDED if find_spec(module) is None]
-    if missing:
-        raise ImportError(
-            f"mechproof.tailor needs {', '.join(missing)}, the extra derive: in the folder of the "
-            "sources, pip install '.[derive]'"
-        )
+    _require("mechproof.tailor", "derive", NEEDED)
     from mechproof.tailoring.build import build
     from mechproof.tailoring.kernel import make_kernel
     from mechproof.tailoring.request import read_request
@@ -79,3 +79,22 @@ def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
     with BALLS:
         request = read_request(name, error, arguments)
         return make_kernel(request, build(request))
+
+
+def receive(backend: str, written: bytes) -> Tailored:
+    """Load a pickled kernel; ImportError naming the extra that its backend needs."""
+    _require("a tailored kernel", "derive", NEEDED)
+    _require(f"a kernel tailored for {backend}", "fast", [m for m in FAST if m == backend])
+    from mechproof.tailoring.kernel import make_kernel
+
+    with BALLS:
+        return make_kernel(*pickle.loads(written))
+
+
+def _require(what: str, extra: str, modules: Iterable[str]) -> None:
+    missing = [module for module in modules if find_spec(module) is None]
+    if missing:
+        raise ImportError(
+            f"{what} needs {', '.join(missing)}, the extra {extra}: in the folder of the "
+            f"sources, pip install '.[{extra}]'"
+        )

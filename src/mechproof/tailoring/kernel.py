@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -27,6 +28,7 @@ from mechproof.codegen.reading import TranslationError
 from mechproof.files import write_whole
 from mechproof.proof.cache import cache_folder
 from mechproof.record import Form
+from mechproof.tailoring import receive
 from mechproof.tailoring.build import Built, round_up
 from mechproof.tailoring.model import Model
 from mechproof.tailoring.request import Request
@@ -43,7 +45,8 @@ class Tailored:
     result off by more, in the unit of the quantity, roundings included. `asked` is the error that
     was asked for. `degrees` are those of the polynomials between `edges`, in what whole periods
     leave of the variable, or in the size of that. `function` is what is called, with numba to be
-    called in compiled functions, too.
+    called in compiled functions, too. Pickled, it is printed and loaded again where it arrives,
+    from the same numbers for the same backend.
     """
 
     name: str
@@ -59,11 +62,16 @@ class Tailored:
     operations: int
     backend: str
     function: Any
-    _files: Any = field(compare=False)
+    _request: Request = field(compare=False)
+    _built: Built = field(compare=False)
 
     def __call__(self, points: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
         """Return the values at points, in `out` if there is one."""
         return self.function(points, out=out)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Read by a function that names what is missing before this module is imported.
+        return receive, (self.backend, pickle.dumps((self._request, self._built, self.backend)))
 
     def __repr__(self) -> str:
         sizes = ", ".join(f"{name}={value!r}" for name, value in self.parameters.items())
@@ -82,7 +90,7 @@ class Tailored:
         called = f"{self.name.partition('.')[0]}_tailored" if name is None else name
         is_name = called.isidentifier() and called.isascii() and called not in KEYWORDS
         require(is_name, "name", name, "must be a name in C")
-        files: dict[str, str] = self._files(called, _tell_bound(self))
+        files = _render_c(self._request, self._built.model, called, _tell_bound(self))
         for file, text in files.items():
             write_whole(Path(folder) / file, text)
         return tuple(Path(folder) / file for file in files)
@@ -115,7 +123,8 @@ def make_kernel(request: Request, built: Built, backend: str | None = None) -> T
         operations=model.program().count_operations(),
         backend=chosen,
         function=function,
-        _files=lambda called, accuracy: _render_c(request, model, called, accuracy),
+        _request=request,
+        _built=built,
     )
 
 

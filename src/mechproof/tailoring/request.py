@@ -37,6 +37,11 @@ class Request:
     error: float
     ends: tuple[float, float] | None
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Send what was asked for: the functions of a paper cannot be sent."""
+        ends = {} if self.ends is None else {self.variable: self.ends}
+        return read_request, (self.name, self.error, {**self.values, **ends})
+
     @property
     def name(self) -> str:
         """Return system.quantity."""

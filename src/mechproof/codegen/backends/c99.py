@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from mechproof.codegen.backends.numpy import render_template
+from mechproof.codegen.backends.one_pass import join_kernels
 from mechproof.codegen.backends.scalar import list_elementary, list_scalars
 from mechproof.codegen.backends.scalar_texts import (
+    ScalarKernel,
     extend_syntax,
+    join_scalars,
     write_elementary,
     write_reduction,
     write_scalar,
@@ -18,7 +22,8 @@ from mechproof.codegen.elementary.formats import DOUBLE, SINGLE
 from mechproof.codegen.elementary.functions import build
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
-from mechproof.record import Paper
+from mechproof.codegen.syntax import Syntax
+from mechproof.record import Paper, Together
 
 WIDTH = 90
 ACCURACY = {
@@ -45,24 +50,31 @@ def render_c(paper: Paper, *, single: bool = False) -> dict[str, str]:
         raise ValueError(f"{paper.system}: no kernel that C can compute point by point")
     file = f"{paper.system}_single" if single else paper.system
     about = paper.citation, ACCURACY[single], f"mechproof.derivations.{paper.system}"
-    return render_c_kernels(file, kernels, about, single=single)
+    return render_c_kernels(file, kernels, about, paper.together, single=single)
 
 
 def render_c_kernels(
-    file: str, kernels: Sequence[Kernel], about: tuple[str, str, str], *, single: bool = False
+    file: str,
+    kernels: Sequence[Kernel],
+    about: tuple[str, str, str],
+    together: Iterable[Together] = (),
+    *,
+    single: bool = False,
 ) -> dict[str, str]:
     """Render the header and the source of kernels whose names begin with that of the file.
 
     `about` says what they are, how accurate, and what they are generated from.
-    Raises ValueError if a name means something else in C.
+    Raises ValueError if a name means something else in C, NotImplementedError for what has no
+    pass in common.
     """
     citation, accuracy, origin = about
     form, language, far = (SINGLE, C99_SINGLE, C99_SINGLE_FAR) if single else (DOUBLE, C99, C99_FAR)
     folded, reductions = fold_sums(kernels)
     extended = extend_syntax(language, reductions, "mp_", "terms")
     written = [write_scalar(kernel, extended) for kernel in folded]
+    written += [_write_together(several, folded, written, extended) for several in together]
     for kernel in written:
-        if taken := sorted(KEYWORDS & set(kernel.names)):
+        if taken := sorted(KEYWORDS.union(kernel.outs) & set(kernel.names)):
             raise ValueError(f"{file}.{kernel.name}: {taken} mean something else in C")
     common: dict[str, object] = {
         "system": file,
@@ -96,6 +108,16 @@ def render_c_kernels(
         f"{file}.h": _tidy(render_template("c_header.h.jinja", header)),
         f"{file}.c": _tidy(render_template("c_source.c.jinja", source)),
     }
+
+
+def _write_together(
+    together: Together, kernels: Sequence[Kernel], written: Sequence[ScalarKernel], syntax: Syntax
+) -> ScalarKernel:
+    several = join_scalars(together, written)
+    named = {kernel.name: kernel for kernel in kernels}
+    joined = join_kernels(together.name, [named[name] for name in together.quantities])
+    text = write_scalar(joined, syntax)
+    return replace(text, summary=several.summary, members=several.members)
 
 
 def _tidy(text: str) -> str:

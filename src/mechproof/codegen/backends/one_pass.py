@@ -1,0 +1,150 @@
+"""One pass: in, kernels of the same arguments; out, one that computes what they share once.
+
+Compilers of C do not see what functions that may call a library have in common, so the programs
+are joined. Every operation has the operands it had, and every result its bits.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from itertools import product
+
+from mechproof.codegen.backends.scalar import list_arguments, list_stages, rename, rename_components
+from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.evaluation import unused_name
+from mechproof.codegen.kernel import Kernel
+from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program, is_unnamed
+
+# The name of a value that programs have in common and that had none.
+SHARED = "shared"
+
+
+def join_kernels(name: str, kernels: Sequence[Kernel]) -> Kernel:
+    """Return the kernel whose outputs are those of several, each one number.
+
+    Raises NotImplementedError for kernels of different domains.
+    """
+    first, *others = kernels
+    inside = _name_domain(first)
+    if wrong := [kernel.name for kernel in others if _name_domain(kernel) != inside]:
+        raise NotImplementedError(f"{name}: {wrong} have another domain than {first.name!r}")
+    arguments = list_arguments(first)
+    stages = product(*([stage for _, stage in list_stages(kernel)] for kernel in kernels))
+    components = [argument.components for argument in arguments]
+    code = KernelCode(
+        name=name,
+        arguments=first.code.arguments,
+        vectors=tuple((a.name, a.components) for a in arguments if a.width),
+        indexed=(),
+        inside=inside,
+        masked=first.code.masked,
+        stages=tuple(_join_stages(several, components) for several in stages),
+        shape=(),
+        quiet=all(kernel.code.quiet for kernel in kernels),
+    )
+    return replace(first, name=name, code=code)
+
+
+def _name_domain(kernel: Kernel) -> Program | None:
+    if kernel.code.inside is None:
+        return None
+    return rename(kernel.code.inside, rename_components(kernel.code, list_arguments(kernel)))
+
+
+def _join_stages(stages: Sequence[Stage], components: Sequence[tuple[str, ...]]) -> Stage:
+    """Join one stage of each kernel: taken where all are, those before having been refused."""
+    point, *sizes = components
+    running = tuple(n for n in point if any(n in stage.running for stage in stages))
+    names = [name for argument in sizes for name in argument]
+    parameters = tuple(n for n in names if any(n in stage.parameters for stage in stages))
+    before, after = _Values(parameters), _Values((*running, *parameters))
+    prepared: dict[Operand, str] = {}
+    outputs: list[Operand] = []
+    for stage in stages:
+        assert stage.evaluate is not None
+        taken = stage.evaluate.inputs[len(stage.running) :]
+        given: dict[Operand, Operand] = {}
+        for value, input_name in zip(before.add(stage.prepare), taken, strict=True):
+            if value not in prepared:
+                prepared[value] = value if value in parameters else after.name(input_name)
+            given[input_name] = prepared[value]
+        outputs += after.add(stage.evaluate, given)
+    return Stage(
+        _join_conditions([stage.when for stage in stages if stage.when]),
+        running,
+        parameters,
+        before.finish(parameters, prepared) if parameters else NOTHING,
+        after.finish((*running, *prepared.values()), outputs),
+    )
+
+
+def _join_conditions(conditions: Sequence[Program]) -> Program | None:
+    if not conditions:
+        return None
+    values = _Values(())
+    (result, *others) = (o for condition in conditions for o in values.add(condition))
+    for other in others:
+        result = values.apply("both", (result, other), TEMPORARY)
+    inputs = dict.fromkeys(name for condition in conditions for name in condition.inputs)
+    return values.finish(tuple(inputs), [result])
+
+
+class _Values:
+    """Operations of several programs, each value once."""
+
+    def __init__(self, names: Iterable[str]) -> None:
+        self._taken = set(names)
+        self._made: dict[str, Operation] = {}
+        self._called: dict[str, str] = {}
+
+    def name(self, wanted: str) -> str:
+        """Return a name that nothing has yet."""
+        found = unused_name(wanted, self._taken)
+        self._taken.add(found)
+        return found
+
+    def add(
+        self, program: Program, given: Mapping[Operand, Operand] | None = None
+    ) -> list[Operand]:
+        """Add the operations that are new, and return the outputs."""
+        values = dict(given or {})
+        for step in program.operations:
+            operands = tuple(values.get(o, o) for o in step.operands)
+            values[step.result] = self.apply(step.kind, operands, step.result)
+        return [values.get(output, output) for output in program.outputs]
+
+    def apply(self, kind: str, operands: tuple[Operand, ...], wanted: str) -> Operand:
+        """Return the value of an operation, called as wanted where it is new."""
+        if kind == "copy":
+            return operands[0]
+        # Written, for 0 and -0 are equal.
+        key = repr((kind, operands))
+        if key not in self._made:
+            name = f"{TEMPORARY}{len(self._made)}" if is_unnamed(wanted) else self.name(wanted)
+            self._made[key] = Operation(name, kind, operands)
+        made = self._made[key].result
+        if is_unnamed(made) and not is_unnamed(wanted):
+            self._called.setdefault(made, wanted)
+        return made
+
+    def finish(self, inputs: tuple[str, ...], outputs: Iterable[Operand]) -> Program:
+        """Return the program of the operations, all that is used twice with a name."""
+        outputs = tuple(outputs)
+        used = Counter(o for step in self._made.values() for o in step.operands) + Counter(outputs)
+        names: dict[Operand, str] = {
+            step.result: self.name(self._called.get(step.result, SHARED))
+            for step in self._made.values()
+            if is_unnamed(step.result) and used[step.result] > 1
+        }
+        operations = (
+            Operation(
+                names.get(s.result, s.result),
+                s.kind,
+                tuple(names.get(o, o) for o in s.operands),
+            )
+            for s in self._made.values()
+        )
+        found = Program(inputs, tuple(operations), tuple(names.get(o, o) for o in outputs))
+        return found.normal_form()
