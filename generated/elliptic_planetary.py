@@ -149,7 +149,7 @@ def ratio(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -236,7 +236,7 @@ def position(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -327,7 +327,7 @@ def acceleration(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -402,7 +402,7 @@ def largest_ratio(
     """
     R1, R2, e = as_floats("R1 R2 e", R1, R2, e)
     inside: Any = (
-        (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
+        (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R1 > 0.0) & is_finite(R1) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -456,7 +456,7 @@ def smallest_ratio(
     """
     R1, R2, e = as_floats("R1 R2 e", R1, R2, e)
     inside: Any = (
-        (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)
+        (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R1 > 0.0) & is_finite(R1) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)

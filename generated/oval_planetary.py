@@ -154,7 +154,7 @@ def ratio(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_ratio, (phi1,), _prepare_ratio, (e1, e2, mount), out=out)
@@ -232,7 +232,7 @@ def position(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_position, (phi1,), _prepare_position, (e1, e2, mount), out=out)
@@ -309,7 +309,7 @@ def acceleration(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (e1, e2, mount), out=out)
@@ -406,7 +406,7 @@ def ratio_cylindrical(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(_ratio_cylindrical, (phi1,), _prepare_ratio_cylindrical, (R4, R5, e2), out=out)
@@ -438,7 +438,7 @@ def _ratio_cylindrical(phi1: Any, k: Any, one_minus_e2: Any, one_plus_e2: Any, k
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
 # Expressions sha256: f8b907549eae029485216bcc629080770ee49b161db6cef2debba288a7aae18d
-# Form where e2 * R4 <= (1 - e2) * abs(R4 - R5): half-angle atan
+# Form where e2 * R4 <= (1.0 - e2) * abs(R4 - R5): half-angle atan
 # Rewrites: positive_atan2, half_angle_tangent
 # Operations: 18
 # Form: half-angle atan with low word
@@ -481,10 +481,10 @@ def position_cylindrical(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         R4, R5, e2 = nan_outside(inside, R4, R5, e2)
-    if holds(e2 * R4 <= (1 - e2) * abs(R4 - R5)):
+    if holds(e2 * R4 <= (1.0 - e2) * abs(R4 - R5)):
         return in_blocks(
             _position_cylindrical_1, (phi1,), _prepare_position_cylindrical_1, (R4, R5, e2), out=out
         )
@@ -574,7 +574,7 @@ def acceleration_cylindrical(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(

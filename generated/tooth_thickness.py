@@ -132,7 +132,7 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
 
     """
     m, alpha = as_floats("m alpha", m, alpha)
-    inside: Any = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0) & (m > 0.0) & is_finite(m)
     if inside is not True:
         m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(_constant_chord, (m,), _prepare_constant_chord, (alpha,), out=out)
@@ -178,7 +178,7 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
 
     """
     m, alpha = as_floats("m alpha", m, alpha)
-    inside: Any = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0) & (m > 0.0) & is_finite(m)
     if inside is not True:
         m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(_chord_height, (m,), _prepare_chord_height, (alpha,), out=out)
@@ -241,13 +241,13 @@ def height_change(
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside: Any = (
-        (m > 0)
+        (m > 0.0)
         & is_finite(m)
-        & (z >= 1)
+        & (z >= 1.0)
         & is_finite(z)
         & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
+        & (alpha > 0.0)
+        & (alpha < np.pi / 4.0)
     )
     if inside is not True:
         m, z, alpha = nan_outside(inside, m, z, alpha)
@@ -321,13 +321,13 @@ def thickness_change(
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside: Any = (
-        (m > 0)
+        (m > 0.0)
         & is_finite(m)
-        & (z >= 1)
+        & (z >= 1.0)
         & is_finite(z)
         & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
+        & (alpha > 0.0)
+        & (alpha < np.pi / 4.0)
     )
     if inside is not True:
         m, z, alpha = nan_outside(inside, m, z, alpha)
@@ -390,7 +390,7 @@ def thickness_change_linear(
 
     """
     dh, alpha = as_floats("dh alpha", dh, alpha)
-    inside: Any = (alpha > 0) & (alpha < np.pi / 4)
+    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0)
     if inside is not True:
         (alpha,) = nan_outside(inside, alpha)
     return in_blocks(
@@ -451,13 +451,13 @@ def linearisation_bound(
     """
     dh, m, z, alpha = as_floats("dh m z alpha", dh, m, z, alpha)
     inside: Any = (
-        (m > 0)
+        (m > 0.0)
         & is_finite(m)
-        & (z >= 1)
+        & (z >= 1.0)
         & is_finite(z)
         & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
+        & (alpha > 0.0)
+        & (alpha < np.pi / 4.0)
     )
     if inside is not True:
         m, z, alpha = nan_outside(inside, m, z, alpha)
@@ -524,7 +524,7 @@ def thickness_error(
 
     """
     e_tip, height_error, alpha = as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
-    inside: Any = (alpha > 0) & (alpha < np.pi / 4)
+    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0)
     if inside is not True:
         (alpha,) = nan_outside(inside, alpha)
     return in_blocks(

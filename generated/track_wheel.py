@@ -61,6 +61,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.kernel_support.arrays import (
+    add_up,
     as_floats,
     check_components,
     choose_where,
@@ -68,6 +69,7 @@ from mechproof.kernel_support.arrays import (
     floor,
     is_finite,
     nan_outside,
+    quadratic_form,
     split_components,
     sum_axes,
 )
@@ -427,7 +429,9 @@ def radius(
 
     """
     phi, R, A, z = as_floats("phi R A z", phi, R, A, z)
-    inside: Any = (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
+    inside: Any = (
+        (R > 0.0) & is_finite(R) & (z >= 1.0) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
+    )
     if inside is not True:
         R, A, z = nan_outside(inside, R, A, z)
     return in_blocks(_radius, (phi,), _prepare_radius, (R, A, z), out=out)
@@ -499,11 +503,11 @@ def track(
     """
     phi, R, A, z, H = as_floats("phi R A z H", phi, R, A, z, H)
     inside: Any = (
-        (R > 0)
+        (R > 0.0)
         & is_finite(R)
-        & (H > 0)
+        & (H > 0.0)
         & is_finite(H)
-        & (z >= 1)
+        & (z >= 1.0)
         & is_finite(z)
         & (z == floor(z))
         & (abs(A) <= R)
@@ -563,7 +567,7 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
 
     """
     R, A = as_floats("R A", R, A)
-    inside: Any = (R > 0) & is_finite(R) & (abs(A) <= R)
+    inside: Any = (R > 0.0) & is_finite(R) & (abs(A) <= R)
     if inside is not True:
         R, A = nan_outside(inside, R, A)
     return in_blocks(_largest_radius, (R,), _prepare_largest_radius, (A,), out=out)
@@ -611,7 +615,7 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
 
     """
     R, A = as_floats("R A", R, A)
-    inside: Any = (R > 0) & is_finite(R) & (abs(A) <= R)
+    inside: Any = (R > 0.0) & is_finite(R) & (abs(A) <= R)
     if inside is not True:
         R, A = nan_outside(inside, R, A)
     return in_blocks(_smallest_radius, (R,), _prepare_smallest_radius, (A,), out=out)
@@ -630,7 +634,7 @@ def _smallest_radius(R: Any, A: Any) -> Any:
 # Source: Kapitonov, Yakubovsky 2022, equation (3) with its indices corrected
 # Expressions sha256: 6f084fa75dd066a5b51438cf22bf6f6d94de06892bd7117bc160059b31d2f83b
 # Form: double sum
-# Operations: 9
+# Operations: 7
 def error_sum_correlated(
     tolerances: ArrayLike,
     sensitivities: ArrayLike,
@@ -703,15 +707,15 @@ def error_sum_correlated(
         correlation=(correlation, 2),
     )
     inside: Any = (
-        (total_scatter > 0)
+        (total_scatter > 0.0)
         & is_finite(total_scatter)
-        & every(scatters > 0, axis=-1)
+        & every(scatters > 0.0, axis=-1)
         & every(is_finite(scatters), axis=-1)
-        & every(correlation >= -1, axis=(-2, -1))
-        & every(correlation <= 1, axis=(-2, -1))
-        & every(np.diagonal(correlation, axis1=-2, axis2=-1) == 1, axis=-1)
+        & every(correlation >= -1.0, axis=(-2, -1))
+        & every(correlation <= 1.0, axis=(-2, -1))
+        & every(np.diagonal(correlation, axis1=-2, axis2=-1) == 1.0, axis=-1)
         & every(correlation == np.swapaxes(correlation, -1, -2), axis=(-2, -1))
-        & every(tolerances >= 0, axis=-1)
+        & every(tolerances >= 0.0, axis=-1)
         & every(is_finite(tolerances), axis=-1)
     )
     if inside is not True:
@@ -719,18 +723,7 @@ def error_sum_correlated(
 
     with quietly():
         return store(
-            np.sqrt(
-                np.sum(
-                    sensitivities[..., :, np.newaxis]
-                    * sensitivities[..., np.newaxis, :]
-                    * correlation
-                    * scatters[..., :, np.newaxis]
-                    * scatters[..., np.newaxis, :]
-                    * tolerances[..., :, np.newaxis]
-                    * tolerances[..., np.newaxis, :],
-                    axis=(-2, -1),
-                )
-            )
+            np.sqrt(quadratic_form(sensitivities * scatters * tolerances, correlation))
             / total_scatter,
             out,
         )
@@ -739,7 +732,7 @@ def error_sum_correlated(
 # Source: Kapitonov, Yakubovsky 2022, equation (5) with sensitivities
 # Expressions sha256: 4fd33494f7d6de64ce3231e3ec40e1ae74cddc83caa044313f27bd6650f05f88
 # Form: sum of squares
-# Operations: 8
+# Operations: 6
 def error_sum(
     tolerances: ArrayLike,
     sensitivities: ArrayLike,
@@ -796,19 +789,18 @@ def error_sum(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
     )
     inside: Any = (
-        (total_scatter > 0)
+        (total_scatter > 0.0)
         & is_finite(total_scatter)
-        & every(scatters > 0, axis=-1)
+        & every(scatters > 0.0, axis=-1)
         & every(is_finite(scatters), axis=-1)
-        & every(tolerances >= 0, axis=-1)
+        & every(tolerances >= 0.0, axis=-1)
         & every(is_finite(tolerances), axis=-1)
     )
     if inside is not True:
         (total_scatter,) = nan_outside(inside, total_scatter)
 
     return store(
-        np.sqrt(np.sum(sensitivities**2 * scatters**2 * tolerances**2, axis=-1)) / total_scatter,
-        out,
+        np.sqrt(add_up((sensitivities * scatters * tolerances) ** 2, axis=-1)) / total_scatter, out
     )
 
 
@@ -816,7 +808,7 @@ def error_sum(
 # Expressions sha256: 7fff15e2b77264d9943ed6fac71e8c97670915ebed3cc734ffdf6e2555bd8298
 # Form: solved for the total
 # Rewrites: difference_of_squares
-# Operations: 14
+# Operations: 12
 def error_sum_thermal(
     tolerances: ArrayLike,
     sensitivities: ArrayLike,
@@ -882,16 +874,16 @@ def error_sum_thermal(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
     )
     inside: Any = (
-        (total_scatter > 0)
+        (total_scatter > 0.0)
         & is_finite(total_scatter)
-        & every(scatters > 0, axis=-1)
+        & every(scatters > 0.0, axis=-1)
         & every(is_finite(scatters), axis=-1)
-        & (thermal_scatter > 0)
+        & (thermal_scatter > 0.0)
         & is_finite(thermal_scatter)
-        & (thermal_share >= 0)
+        & (thermal_share >= 0.0)
         & is_finite(thermal_share)
         & (thermal_share * thermal_scatter < total_scatter)
-        & every(tolerances >= 0, axis=-1)
+        & every(tolerances >= 0.0, axis=-1)
         & every(is_finite(tolerances), axis=-1)
     )
     if inside is not True:
@@ -903,7 +895,7 @@ def error_sum_thermal(
     K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter
 
     return store(
-        np.sqrt(np.sum(sensitivities**2 * scatters**2 * tolerances**2, axis=-1))
+        np.sqrt(add_up((sensitivities * scatters * tolerances) ** 2, axis=-1))
         / np.sqrt(K_minus_tau_K_T * K_plus_tau_K_T),
         out,
     )

@@ -209,7 +209,12 @@ def guide_radicand(
     """
     x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
     inside: Any = (
-        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+        (l_AB > 0.0)
+        & is_finite(l_AB)
+        & (l_BC > 0.0)
+        & is_finite(l_BC)
+        & (l_CD > 0.0)
+        & is_finite(l_CD)
     )
     if inside is not True:
         l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
@@ -279,7 +284,12 @@ def lever_angle(
     """
     x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
     inside: Any = (
-        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+        (l_AB > 0.0)
+        & is_finite(l_AB)
+        & (l_BC > 0.0)
+        & is_finite(l_BC)
+        & (l_CD > 0.0)
+        & is_finite(l_CD)
     )
     if inside is not True:
         l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
@@ -336,7 +346,7 @@ def rod_displacement(
 
     """
     phi3, l_DE, alpha_DE = as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
-    inside: Any = (l_DE > 0) & is_finite(l_DE)
+    inside: Any = (l_DE > 0.0) & is_finite(l_DE)
     if inside is not True:
         (l_DE,) = nan_outside(inside, l_DE)
     return in_blocks(
@@ -384,7 +394,7 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
 
     """
     x5, l_GH = as_floats("x5 l_GH", x5, l_GH)
-    inside: Any = (l_GH > 0) & is_finite(l_GH)
+    inside: Any = (l_GH > 0.0) & is_finite(l_GH)
     if inside is not True:
         (l_GH,) = nan_outside(inside, l_GH)
     return in_blocks(_clearance, (x5,), _prepare_clearance, (l_GH,), out=out)
@@ -434,7 +444,7 @@ def roller_offset(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside: Any = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    inside: Any = (l_KL > 0.0) & is_finite(l_KL) & (alpha_KL > 0.0) & (alpha_KL < np.pi)
     if inside is not True:
         l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(_roller_offset, (x5,), _prepare_roller_offset, (l_KL, alpha_KL), out=out)
@@ -495,7 +505,7 @@ def roller_lever_angle(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside: Any = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    inside: Any = (l_KL > 0.0) & is_finite(l_KL) & (alpha_KL > 0.0) & (alpha_KL < np.pi)
     if inside is not True:
         l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(
@@ -562,7 +572,7 @@ def wedge_displacement(
 
     """
     phi7, l_LM, alpha_LM = as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
-    inside: Any = (l_LM > 0) & is_finite(l_LM)
+    inside: Any = (l_LM > 0.0) & is_finite(l_LM)
     if inside is not True:
         (l_LM,) = nan_outside(inside, l_LM)
     return in_blocks(
@@ -671,21 +681,21 @@ def position(
         alpha_LM,
     )
     inside: Any = (
-        (l_AB > 0)
+        (l_AB > 0.0)
         & is_finite(l_AB)
-        & (l_BC > 0)
+        & (l_BC > 0.0)
         & is_finite(l_BC)
-        & (l_CD > 0)
+        & (l_CD > 0.0)
         & is_finite(l_CD)
-        & (l_DE > 0)
+        & (l_DE > 0.0)
         & is_finite(l_DE)
-        & (l_GH > 0)
+        & (l_GH > 0.0)
         & is_finite(l_GH)
-        & (l_KL > 0)
+        & (l_KL > 0.0)
         & is_finite(l_KL)
-        & (l_LM > 0)
+        & (l_LM > 0.0)
         & is_finite(l_LM)
-        & (alpha_KL > 0)
+        & (alpha_KL > 0.0)
         & (alpha_KL < np.pi)
     )
     if inside is not True:
@@ -863,21 +873,21 @@ def velocity(
         alpha_LM,
     )
     inside: Any = (
-        (l_AB > 0)
+        (l_AB > 0.0)
         & is_finite(l_AB)
-        & (l_BC > 0)
+        & (l_BC > 0.0)
         & is_finite(l_BC)
-        & (l_CD > 0)
+        & (l_CD > 0.0)
         & is_finite(l_CD)
-        & (l_DE > 0)
+        & (l_DE > 0.0)
         & is_finite(l_DE)
-        & (l_GH > 0)
+        & (l_GH > 0.0)
         & is_finite(l_GH)
-        & (l_KL > 0)
+        & (l_KL > 0.0)
         & is_finite(l_KL)
-        & (l_LM > 0)
+        & (l_LM > 0.0)
         & is_finite(l_LM)
-        & (alpha_KL > 0)
+        & (alpha_KL > 0.0)
         & (alpha_KL < np.pi)
     )
     if inside is not True:
@@ -1075,21 +1085,21 @@ def sensitivities(
         alpha_LM,
     )
     inside: Any = (
-        (l_AB > 0)
+        (l_AB > 0.0)
         & is_finite(l_AB)
-        & (l_BC > 0)
+        & (l_BC > 0.0)
         & is_finite(l_BC)
-        & (l_CD > 0)
+        & (l_CD > 0.0)
         & is_finite(l_CD)
-        & (l_DE > 0)
+        & (l_DE > 0.0)
         & is_finite(l_DE)
-        & (l_GH > 0)
+        & (l_GH > 0.0)
         & is_finite(l_GH)
-        & (l_KL > 0)
+        & (l_KL > 0.0)
         & is_finite(l_KL)
-        & (l_LM > 0)
+        & (l_LM > 0.0)
         & is_finite(l_LM)
-        & (alpha_KL > 0)
+        & (alpha_KL > 0.0)
         & (alpha_KL < np.pi)
     )
     if inside is not True:

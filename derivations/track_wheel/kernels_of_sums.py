@@ -83,7 +83,8 @@ BEYOND_SQUARES = (
 # a term 2 * 1 + 1/2; the root halves 12, then root and quotient 1 more.
 SUM_ULP = 7
 UP_TO_128 = "the accuracy is that of sums of at most 128 errors"
-# correlated: the same for n**2 <= 128 terms of 6 roundings, and the scale has the terms' sizes.
+# correlated: 6 roundings of a term and, in whatever order, n - 1 of each of two sums of n <= 11,
+# 13; the root halves it, root and quotient 1 more; the scale has the terms' sizes.
 CORRELATED_ULP = 8
 UP_TO_11 = "the accuracy is that of sums of at most 11 errors"
 VALUE = sp.Symbol("value", nonnegative=True)

@@ -71,38 +71,36 @@ def __dir__() -> list[str]:
 @scalar
 def _sum_1_term(
     sensitivities_i,
-    sensitivities_j,
-    correlation_ij,
     scatters_i,
-    scatters_j,
     tolerances_i,
+    sensitivities_j,
+    scatters_j,
     tolerances_j,
+    correlation_ij,
 ):
 
     return (
         sensitivities_i
-        * sensitivities_j
-        * correlation_ij
         * scatters_i
-        * scatters_j
         * tolerances_i
-        * tolerances_j
+        * (sensitivities_j * scatters_j * tolerances_j)
+        * correlation_ij
     )
 
 
 @loop
-def _sum_1(sensitivities, correlation, scatters, tolerances):
+def _sum_1(sensitivities, scatters, tolerances, correlation):
     high, low = 0.0, 0.0
     for i in range(len(sensitivities)):
         for j in range(len(sensitivities)):
             term = _sum_1_term(
                 float(sensitivities[i]),
-                float(sensitivities[j]),
-                float(correlation[i, j]),
                 float(scatters[i]),
-                float(scatters[j]),
                 float(tolerances[i]),
+                float(sensitivities[j]),
+                float(scatters[j]),
                 float(tolerances[j]),
+                float(correlation[i, j]),
             )
             total = high + term
             low += elementary.total_rest(high, term, total)
@@ -229,7 +227,7 @@ def _every_9(tolerances):
 @scalar
 def _sum_10_term(sensitivities_i, scatters_i, tolerances_i):
 
-    return sensitivities_i**2 * scatters_i**2 * tolerances_i**2
+    return (sensitivities_i * scatters_i * tolerances_i) ** 2
 
 
 @loop
@@ -1435,7 +1433,7 @@ def _offer_smallest_radius(
 @scalar
 def _error_sum_correlated(tolerances, sensitivities, scatters, correlation, total_scatter):
 
-    return np.sqrt(_sum_1(sensitivities, correlation, scatters, tolerances)) / total_scatter
+    return np.sqrt(_sum_1(sensitivities, scatters, tolerances, correlation)) / total_scatter
 
 
 @scalar

@@ -74,7 +74,7 @@ def ratio_printed(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -112,7 +112,7 @@ def ratio_half_angle(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -153,7 +153,7 @@ def position_printed(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -196,7 +196,7 @@ def position_principal(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -237,7 +237,7 @@ def position_floor(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -278,7 +278,7 @@ def position_atan2(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -316,7 +316,7 @@ def position_atan2_stable(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -359,7 +359,7 @@ def position_tan_half(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -402,7 +402,7 @@ def position_fourier_2(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -450,7 +450,7 @@ def position_fourier_4(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -503,7 +503,7 @@ def position_fourier_8(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -576,7 +576,7 @@ def position_fourier_2_single(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -632,7 +632,7 @@ def position_fourier_4_single(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -693,7 +693,7 @@ def position_fourier_8_single(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -774,7 +774,7 @@ def position_fourier_12_single(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -857,7 +857,7 @@ def acceleration_direct(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)
@@ -905,7 +905,7 @@ def acceleration_half_angle(
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
     inside: Any = (
-        (R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)
+        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
     )
     if inside is not True:
         R1, R2, e = nan_outside(inside, R1, R2, e)

@@ -76,7 +76,7 @@ def ratio_printed(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_ratio_printed, (phi1,), _prepare_ratio_printed, (e1, e2, mount), out=out)
@@ -129,7 +129,7 @@ def ratio_direct(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_ratio_direct, (phi1,), _prepare_ratio_direct, (e1, e2, mount), out=out)
@@ -178,7 +178,7 @@ def position_atan2(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_position_atan2, (phi1,), _prepare_position_atan2, (e1, e2, mount), out=out)
@@ -229,7 +229,7 @@ def position_floor(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(_position_floor, (phi1,), _prepare_position_floor, (e1, e2, mount), out=out)
@@ -286,7 +286,7 @@ def position_unsplit(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(
@@ -340,7 +340,7 @@ def acceleration_direct(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         e1, e2 = nan_outside(inside, e1, e2)
     return in_blocks(
@@ -410,7 +410,7 @@ def ratio_cylindrical_printed(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
@@ -461,7 +461,7 @@ def ratio_cylindrical_half_angle(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
@@ -503,7 +503,7 @@ def position_cylindrical_atan2(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
@@ -546,7 +546,7 @@ def position_cylindrical_atan2_stable(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
@@ -591,7 +591,7 @@ def position_cylindrical_floor(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(
@@ -637,7 +637,7 @@ def acceleration_cylindrical_direct(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)
+    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
     if inside is not True:
         R4, R5, e2 = nan_outside(inside, R4, R5, e2)
     return in_blocks(

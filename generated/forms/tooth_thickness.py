@@ -62,7 +62,7 @@ def constant_chord_handbook(
 
     """
     m, alpha = as_floats("m alpha", m, alpha)
-    inside: Any = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0) & (m > 0.0) & is_finite(m)
     if inside is not True:
         m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(
@@ -97,7 +97,7 @@ def chord_height_handbook(
 
     """
     m, alpha = as_floats("m alpha", m, alpha)
-    inside: Any = (alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)
+    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0) & (m > 0.0) & is_finite(m)
     if inside is not True:
         m, alpha = nan_outside(inside, m, alpha)
     return in_blocks(
@@ -138,13 +138,13 @@ def height_change_distances(
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside: Any = (
-        (m > 0)
+        (m > 0.0)
         & is_finite(m)
-        & (z >= 1)
+        & (z >= 1.0)
         & is_finite(z)
         & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
+        & (alpha > 0.0)
+        & (alpha < np.pi / 4.0)
     )
     if inside is not True:
         m, z, alpha = nan_outside(inside, m, z, alpha)
@@ -203,13 +203,13 @@ def height_change_first_order(
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside: Any = (
-        (m > 0)
+        (m > 0.0)
         & is_finite(m)
-        & (z >= 1)
+        & (z >= 1.0)
         & is_finite(z)
         & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
+        & (alpha > 0.0)
+        & (alpha < np.pi / 4.0)
     )
     if inside is not True:
         m, z, alpha = nan_outside(inside, m, z, alpha)
@@ -258,13 +258,13 @@ def thickness_change_chords(
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside: Any = (
-        (m > 0)
+        (m > 0.0)
         & is_finite(m)
-        & (z >= 1)
+        & (z >= 1.0)
         & is_finite(z)
         & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
+        & (alpha > 0.0)
+        & (alpha < np.pi / 4.0)
     )
     if inside is not True:
         m, z, alpha = nan_outside(inside, m, z, alpha)
@@ -324,13 +324,13 @@ def thickness_change_half_angle(
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside: Any = (
-        (m > 0)
+        (m > 0.0)
         & is_finite(m)
-        & (z >= 1)
+        & (z >= 1.0)
         & is_finite(z)
         & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
+        & (alpha > 0.0)
+        & (alpha < np.pi / 4.0)
     )
     if inside is not True:
         m, z, alpha = nan_outside(inside, m, z, alpha)
@@ -393,13 +393,13 @@ def thickness_change_first_order(
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside: Any = (
-        (m > 0)
+        (m > 0.0)
         & is_finite(m)
-        & (z >= 1)
+        & (z >= 1.0)
         & is_finite(z)
         & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
+        & (alpha > 0.0)
+        & (alpha < np.pi / 4.0)
     )
     if inside is not True:
         m, z, alpha = nan_outside(inside, m, z, alpha)
@@ -457,13 +457,13 @@ def thickness_change_by_height(
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
     inside: Any = (
-        (m > 0)
+        (m > 0.0)
         & is_finite(m)
-        & (z >= 1)
+        & (z >= 1.0)
         & is_finite(z)
         & (z == floor(z))
-        & (alpha > 0)
-        & (alpha < np.pi / 4)
+        & (alpha > 0.0)
+        & (alpha < np.pi / 4.0)
     )
     if inside is not True:
         m, z, alpha = nan_outside(inside, m, z, alpha)
@@ -524,7 +524,7 @@ def thickness_change_linear_printed(
 
     """
     dh, alpha = as_floats("dh alpha", dh, alpha)
-    inside: Any = (alpha > 0) & (alpha < np.pi / 4)
+    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0)
     if inside is not True:
         (alpha,) = nan_outside(inside, alpha)
     return in_blocks(
@@ -566,7 +566,7 @@ def thickness_error_printed(
 
     """
     e_tip, height_error, alpha = as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
-    inside: Any = (alpha > 0) & (alpha < np.pi / 4)
+    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0)
     if inside is not True:
         (alpha,) = nan_outside(inside, alpha)
     return in_blocks(

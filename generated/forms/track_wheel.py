@@ -28,6 +28,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.kernel_support.arrays import (
+    add_up,
     as_floats,
     check_components,
     every,
@@ -211,7 +212,9 @@ def radius_printed(
 
     """
     phi, R, A, z = as_floats("phi R A z", phi, R, A, z)
-    inside: Any = (R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
+    inside: Any = (
+        (R > 0.0) & is_finite(R) & (z >= 1.0) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
+    )
     if inside is not True:
         R, A, z = nan_outside(inside, R, A, z)
     return in_blocks(_radius_printed, (phi,), _prepare_radius_printed, (R, A, z), out=out)
@@ -254,11 +257,11 @@ def track_printed(
     """
     phi, R, A, z, H = as_floats("phi R A z H", phi, R, A, z, H)
     inside: Any = (
-        (R > 0)
+        (R > 0.0)
         & is_finite(R)
-        & (H > 0)
+        & (H > 0.0)
         & is_finite(H)
-        & (z >= 1)
+        & (z >= 1.0)
         & is_finite(z)
         & (z == floor(z))
         & (abs(A) <= R)
@@ -289,7 +292,7 @@ def _track_printed(phi: Any, R: Any, A: Any, z: Any, H: Any) -> Any:
 # Source: Kapitonov, Yakubovsky 2022, equation (6) made homogeneous, Table 1 for the share
 # Expressions sha256: 7fff15e2b77264d9943ed6fac71e8c97670915ebed3cc734ffdf6e2555bd8298
 # Form: difference of squares
-# Operations: 14
+# Operations: 12
 def error_sum_thermal_direct(
     tolerances: ArrayLike,
     sensitivities: ArrayLike,
@@ -321,16 +324,16 @@ def error_sum_thermal_direct(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
     )
     inside: Any = (
-        (total_scatter > 0)
+        (total_scatter > 0.0)
         & is_finite(total_scatter)
-        & every(scatters > 0, axis=-1)
+        & every(scatters > 0.0, axis=-1)
         & every(is_finite(scatters), axis=-1)
-        & (thermal_scatter > 0)
+        & (thermal_scatter > 0.0)
         & is_finite(thermal_scatter)
-        & (thermal_share >= 0)
+        & (thermal_share >= 0.0)
         & is_finite(thermal_share)
         & (thermal_share * thermal_scatter < total_scatter)
-        & every(tolerances >= 0, axis=-1)
+        & every(tolerances >= 0.0, axis=-1)
         & every(is_finite(tolerances), axis=-1)
     )
     if inside is not True:
@@ -339,7 +342,7 @@ def error_sum_thermal_direct(
         )
 
     return store(
-        np.sqrt(np.sum(sensitivities**2 * scatters**2 * tolerances**2, axis=-1))
+        np.sqrt(add_up((sensitivities * scatters * tolerances) ** 2, axis=-1))
         / np.sqrt(total_scatter**2 - thermal_share**2 * thermal_scatter**2),
         out,
     )

@@ -88,7 +88,12 @@ def lever_angle_printed(
     """
     x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
     inside: Any = (
-        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+        (l_AB > 0.0)
+        & is_finite(l_AB)
+        & (l_BC > 0.0)
+        & is_finite(l_BC)
+        & (l_CD > 0.0)
+        & is_finite(l_CD)
     )
     if inside is not True:
         l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
@@ -140,7 +145,12 @@ def lever_angle_atan2(
     """
     x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
     inside: Any = (
-        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+        (l_AB > 0.0)
+        & is_finite(l_AB)
+        & (l_BC > 0.0)
+        & is_finite(l_BC)
+        & (l_CD > 0.0)
+        & is_finite(l_CD)
     )
     if inside is not True:
         l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
@@ -186,7 +196,7 @@ def rod_displacement_printed(
 
     """
     phi3, l_DE, alpha_DE = as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
-    inside: Any = (l_DE > 0) & is_finite(l_DE)
+    inside: Any = (l_DE > 0.0) & is_finite(l_DE)
     if inside is not True:
         (l_DE,) = nan_outside(inside, l_DE)
     return in_blocks(
@@ -223,7 +233,7 @@ def clearance_printed(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | Non
 
     """
     x5, l_GH = as_floats("x5 l_GH", x5, l_GH)
-    inside: Any = (l_GH > 0) & is_finite(l_GH)
+    inside: Any = (l_GH > 0.0) & is_finite(l_GH)
     if inside is not True:
         (l_GH,) = nan_outside(inside, l_GH)
     return in_blocks(_clearance_printed, (x5,), _prepare_clearance_printed, (l_GH,), out=out)
@@ -261,7 +271,7 @@ def roller_lever_angle_printed(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside: Any = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    inside: Any = (l_KL > 0.0) & is_finite(l_KL) & (alpha_KL > 0.0) & (alpha_KL < np.pi)
     if inside is not True:
         l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(
@@ -308,7 +318,7 @@ def roller_lever_angle_or_else(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside: Any = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    inside: Any = (l_KL > 0.0) & is_finite(l_KL) & (alpha_KL > 0.0) & (alpha_KL < np.pi)
     if inside is not True:
         l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(
@@ -349,7 +359,7 @@ def roller_lever_angle_atan2(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside: Any = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    inside: Any = (l_KL > 0.0) & is_finite(l_KL) & (alpha_KL > 0.0) & (alpha_KL < np.pi)
     if inside is not True:
         l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(
@@ -388,7 +398,7 @@ def roller_lever_angle_arccosine(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside: Any = (l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)
+    inside: Any = (l_KL > 0.0) & is_finite(l_KL) & (alpha_KL > 0.0) & (alpha_KL < np.pi)
     if inside is not True:
         l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
     return in_blocks(
@@ -428,7 +438,7 @@ def wedge_displacement_printed(
 
     """
     phi7, l_LM, alpha_LM = as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
-    inside: Any = (l_LM > 0) & is_finite(l_LM)
+    inside: Any = (l_LM > 0.0) & is_finite(l_LM)
     if inside is not True:
         (l_LM,) = nan_outside(inside, l_LM)
     return in_blocks(
@@ -507,21 +517,21 @@ def position_printed(
         alpha_LM,
     )
     inside: Any = (
-        (l_AB > 0)
+        (l_AB > 0.0)
         & is_finite(l_AB)
-        & (l_BC > 0)
+        & (l_BC > 0.0)
         & is_finite(l_BC)
-        & (l_CD > 0)
+        & (l_CD > 0.0)
         & is_finite(l_CD)
-        & (l_DE > 0)
+        & (l_DE > 0.0)
         & is_finite(l_DE)
-        & (l_GH > 0)
+        & (l_GH > 0.0)
         & is_finite(l_GH)
-        & (l_KL > 0)
+        & (l_KL > 0.0)
         & is_finite(l_KL)
-        & (l_LM > 0)
+        & (l_LM > 0.0)
         & is_finite(l_LM)
-        & (alpha_KL > 0)
+        & (alpha_KL > 0.0)
         & (alpha_KL < np.pi)
     )
     if inside is not True:
@@ -633,21 +643,21 @@ def position_atan2(
         alpha_LM,
     )
     inside: Any = (
-        (l_AB > 0)
+        (l_AB > 0.0)
         & is_finite(l_AB)
-        & (l_BC > 0)
+        & (l_BC > 0.0)
         & is_finite(l_BC)
-        & (l_CD > 0)
+        & (l_CD > 0.0)
         & is_finite(l_CD)
-        & (l_DE > 0)
+        & (l_DE > 0.0)
         & is_finite(l_DE)
-        & (l_GH > 0)
+        & (l_GH > 0.0)
         & is_finite(l_GH)
-        & (l_KL > 0)
+        & (l_KL > 0.0)
         & is_finite(l_KL)
-        & (l_LM > 0)
+        & (l_LM > 0.0)
         & is_finite(l_LM)
-        & (alpha_KL > 0)
+        & (alpha_KL > 0.0)
         & (alpha_KL < np.pi)
     )
     if inside is not True:
@@ -756,21 +766,21 @@ def velocity_slopes(
         alpha_LM,
     )
     inside: Any = (
-        (l_AB > 0)
+        (l_AB > 0.0)
         & is_finite(l_AB)
-        & (l_BC > 0)
+        & (l_BC > 0.0)
         & is_finite(l_BC)
-        & (l_CD > 0)
+        & (l_CD > 0.0)
         & is_finite(l_CD)
-        & (l_DE > 0)
+        & (l_DE > 0.0)
         & is_finite(l_DE)
-        & (l_GH > 0)
+        & (l_GH > 0.0)
         & is_finite(l_GH)
-        & (l_KL > 0)
+        & (l_KL > 0.0)
         & is_finite(l_KL)
-        & (l_LM > 0)
+        & (l_LM > 0.0)
         & is_finite(l_LM)
-        & (alpha_KL > 0)
+        & (alpha_KL > 0.0)
         & (alpha_KL < np.pi)
     )
     if inside is not True:
@@ -907,21 +917,21 @@ def sensitivities_slopes(
         alpha_LM,
     )
     inside: Any = (
-        (l_AB > 0)
+        (l_AB > 0.0)
         & is_finite(l_AB)
-        & (l_BC > 0)
+        & (l_BC > 0.0)
         & is_finite(l_BC)
-        & (l_CD > 0)
+        & (l_CD > 0.0)
         & is_finite(l_CD)
-        & (l_DE > 0)
+        & (l_DE > 0.0)
         & is_finite(l_DE)
-        & (l_GH > 0)
+        & (l_GH > 0.0)
         & is_finite(l_GH)
-        & (l_KL > 0)
+        & (l_KL > 0.0)
         & is_finite(l_KL)
-        & (l_LM > 0)
+        & (l_LM > 0.0)
         & is_finite(l_LM)
-        & (alpha_KL > 0)
+        & (alpha_KL > 0.0)
         & (alpha_KL < np.pi)
     )
     if inside is not True:

@@ -79,7 +79,9 @@ def test_modules_change_with_what_is_compiled_into_them(
         ("for j in range(len(", "for j in range(1, len("),
         ("_every_2(scatters)", "_every_3(scatters)"),
         ("scatters_i > 0", "scatters_i >= 0"),
-        ("sensitivities_i**2 * scatters_i**2", "sensitivities_i**2 * scatters_i"),
+        ("(sensitivities_i * scatters_i * tolerances_i) ** 2", "(scatters_i * tolerances_i) ** 2"),
+        ("scatters_i * tolerances_i) ** 2", "scatters_i * tolerances_i)"),
+        ("* (sensitivities_j * scatters_j", "* (sensitivities_j * scatters_i"),
     ],
 )
 def test_a_compiled_sum_that_adds_something_else_is_caught(right: str, wrong: str) -> None:

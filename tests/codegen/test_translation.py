@@ -60,8 +60,8 @@ def sources_with(old: str, new: str) -> Callable[[Paper], dict[str, str]]:
         ),
         ("def _prepare_f(a: Any, b: Any)", "def _prepare_f(b: Any, a: Any)", "stages"),
         ("return (a, b)", "return (b, a)", "stages"),
-        ("(a > 0) & is_finite(a)", "a > 0", "inside"),
-        ("(a > 0)", "(a >= 0)", "inside"),
+        ("(a > 0.0) & is_finite(a)", "a > 0.0", "inside"),
+        ("(a > 0.0)", "(a >= 0.0)", "inside"),
         ("(a,) = nan_outside(inside, a)", "(b,) = nan_outside(inside, b)", "masked"),
     ],
 )

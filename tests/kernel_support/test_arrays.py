@@ -46,3 +46,40 @@ def test_every_condition_is_asked() -> None:
 def test_what_is_no_real_number_is_shown(value: Any, shown: str) -> None:
     with pytest.raises(TypeError, match=f"^b: expected real numbers up to float64, got {shown}$"):
         arrays.as_floats("a b", 1.0, value)
+
+
+@pytest.mark.parametrize(
+    ("vectors", "matrices"),
+    [
+        ((5,), (5, 5)),
+        ((4, 5), (5, 5)),
+        ((3, 4, 5), (5, 5)),
+        ((5,), (4, 5, 5)),
+        ((4, 5), (4, 5, 5)),
+        ((3, 1, 5), (4, 5, 5)),
+        ((1,), (5, 5)),
+        ((2, 0), (0, 0)),
+    ],
+)
+@pytest.mark.parametrize("dtype", [float, np.float32])
+def test_quadratic_forms_are_sums_of_pairs(
+    vectors: tuple[int, ...], matrices: tuple[int, ...], dtype: Any
+) -> None:
+    rng = np.random.default_rng(6)
+    x, m = rng.normal(size=vectors).astype(dtype), rng.normal(size=matrices).astype(dtype)
+    found = arrays.quadratic_form(x, m)
+    size = (abs(x)[..., :, np.newaxis] * abs(x)[..., np.newaxis, :] * abs(m)).sum(axis=(-2, -1))
+    wanted = (x[..., :, np.newaxis] * x[..., np.newaxis, :] * m.astype(float)).sum(axis=(-2, -1))
+    assert (np.shape(found), found.dtype) == (wanted.shape, dtype)
+    # Two products, and in each of two sums of five four roundings.
+    assert np.all(abs(found - wanted) <= 5 * np.finfo(dtype).eps * size)
+
+
+def test_sums_of_foreign_arrays_keep_what_they_are() -> None:
+    x = np.ma.masked_array([[1.0, 2.0], [3.0, 4.0]], mask=[[True, True], [False, False]])
+    for found in (arrays.quadratic_form(x, np.eye(2)), arrays.add_up(x**2, axis=-1)):
+        assert found.mask.tolist() == [True, False]
+        assert found[1] == 25.0
+    given = np.asfortranarray(np.arange(6.0).reshape(2, 3))
+    assert np.array_equal(arrays.add_up(given, axis=-1), np.sum(given, axis=-1))
+    assert arrays.add_up(given, axis=(-2, -1)) == 15.0

@@ -36,7 +36,7 @@ NUMPY = Syntax(
                 for name in (
                     "is_finite", "product_rest", "sum_rest", "quotient_rest", "small_tangent",
                     "tangent_quotient", "small_arctan", "single", "whole_turns_off", "maximum",
-                    "floor",
+                    "floor", "quadratic_form",
                 )
             },
         }
@@ -58,8 +58,8 @@ NUMPY = Syntax(
         {"#pi": "np.pi", "#e": "np.e", "#inf": "np.inf", "#nan": "np.nan"}
     ),
 )  # fmt: skip
-# In bodies whole numbers are floats, which NumPy converts faster beside an array; in conditions,
-# which the runtime asks of fractions, they are not.
+# In kernels whole numbers are floats, which NumPy converts faster beside an array; in the facts of
+# a module, which the runtime asks of fractions, they are not.
 NUMPY_BODY = replace(NUMPY, number=lambda number: repr(float(number)))
 # The functions of a language's own library, for angles that are reduced there.
 _LIBRARY = ("tan", "sin", "cos")

@@ -4,6 +4,8 @@ Sums add positive terms first, as people write them. Products take what the para
 decide first, so that it is computed once and not once per point, and divide before they multiply
 by the running variable: a tiny variable times a tiny numerator would underflow before a tiny
 denominator brings it back. Squares are one operation, other whole powers are squares and products.
+Under a sum the factors of one index come first: of squares their product is squared once, and of
+two indices alike it is the vector of a quadratic form.
 """
 
 from __future__ import annotations
@@ -229,9 +231,22 @@ class Lowering:
     def _total(self, total: sp.Sum) -> Operand:
         # The outermost index of a double sum stands last in `limits` and first among the axes.
         self._axes = tuple(index for index, *_ in reversed(total.limits))
-        result = self._add("sum", self.lower(total.function), len(self._axes))
+        parts = _split_quadratic(total.function, self._axes)
+        if parts is None:
+            result = self._add("sum", self._term(total.function), len(self._axes))
+        else:
+            vector, matrix = parts
+            entries = self.lower(matrix)
+            self._axes = self._axes[1:]
+            result = self._add("quadratic_form", self._term(vector), entries)
         self._axes = ()
         return result
+
+    def _term(self, term: sp.Expr) -> Operand:
+        factors = sp.Mul.make_args(term)
+        if len(factors) > 1 and all(f.is_Pow and f.exp == 2 for f in factors):
+            return self._add("square", self.lower(sp.Mul(*(f.base for f in factors))))
+        return self.lower(term)
 
     def _element(self, item: sp.Indexed) -> Operand:
         name = self._names[item.base]
@@ -247,6 +262,19 @@ class Lowering:
         if (len(indices), True) not in views:
             raise NotImplementedError(f"no view for {item} among the axes {axes}")
         return self._add(views[(len(indices), True)], name)
+
+
+def _split_quadratic(term: sp.Expr, axes: tuple[sp.Basic, ...]) -> tuple[sp.Expr, sp.Expr] | None:
+    """Return x[j] and M[i, j] of a term x[i]*x[j]*M[i, j], None of all others."""
+    parts: dict[frozenset[sp.Basic], sp.Expr] = {}
+    for factor in sp.Mul.make_args(term):
+        used = frozenset(i for item in factor.atoms(sp.Indexed) for i in item.indices)
+        parts[used] = parts.get(used, sp.S.One) * factor
+    singles = [frozenset({index}) for index in axes]
+    if len(axes) != 2 or parts.keys() != {*singles, frozenset(axes)}:
+        return None
+    first, last = (parts[single] for single in singles)
+    return (last, parts[frozenset(axes)]) if first.xreplace({axes[0]: axes[1]}) == last else None
 
 
 _METHODS: tuple[tuple[type, Callable[[Lowering, sp.Basic], Operand]], ...] = (

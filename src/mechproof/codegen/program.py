@@ -69,7 +69,7 @@ class Program:
 
     def count_operations(self) -> int:
         """Count the operations that compute; views of arrays do not."""
-        return sum(step.kind not in VIEWS for step in self.operations)
+        return sum(step.kind not in VIEWS for step in spell_out_forms(self).operations)
 
 
 NOTHING = Program((), (), ())
@@ -89,6 +89,24 @@ def unfuse(program: Program) -> Program:
             product = f"{TEMPORARY}product{number}"
             operations.append(Operation(product, "multiply", (one, other)))
             step = Operation(step.result, "add", (product, rest))
+        operations.append(step)
+    return replace(program, operations=tuple(operations)).normal_form()
+
+
+def spell_out_forms(program: Program) -> Program:
+    """Return the program with products and a sum for each quadratic form."""
+    operations: list[Operation] = []
+
+    def add(kind: str, *operands: Operand) -> str:
+        result = f"{TEMPORARY}form{len(operations) + 1}"
+        operations.append(Operation(result, kind, operands))
+        return result
+
+    for step in program.operations:
+        if step.kind == "quadratic_form":
+            vector, matrix = step.operands
+            pair = add("multiply", add("along_first", vector), add("along_last", vector))
+            step = Operation(step.result, "sum", (add("multiply", pair, matrix), 2))
         operations.append(step)
     return replace(program, operations=tuple(operations)).normal_form()
 
@@ -147,6 +165,6 @@ MEANINGS: Mapping[str, Callable[..., sp.Basic]] = MappingProxyType(
 CONSTANTS: Mapping[str, sp.Basic] = MappingProxyType(
     {"#pi": sp.pi, "#e": sp.E, "#inf": sp.oo, "#nan": sp.nan}
 )
-# Views of an input with axes that are summed over: a vector along the first or the last of two, a
+# Views of what has axes that are summed over: a vector along the first or the last of two, a
 # matrix transposed, its diagonal.
 VIEWS = ("along_first", "along_last", "transpose", "diagonal")

@@ -7,7 +7,14 @@ from collections.abc import Mapping
 import sympy as sp
 
 from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.program import CONSTANTS, MEANINGS, VIEWS, Operand, Program
+from mechproof.codegen.program import (
+    CONSTANTS,
+    MEANINGS,
+    VIEWS,
+    Operand,
+    Program,
+    spell_out_forms,
+)
 from mechproof.record import Quantity
 
 # A whole turn off the argument is nothing to these.
@@ -67,7 +74,8 @@ class WrittenForm:
                 return values.get(operand, CONSTANTS.get(operand))
             return sp.Rational(operand)
 
-        for operation in program.operations:
+        spelled = spell_out_forms(program)
+        for operation in spelled.operations:
             if operation.kind in axes.kinds:
                 value = axes.apply(operation.kind, find(operation.operands[0]), operation.operands)
             elif operation.kind == "copy":
@@ -80,7 +88,7 @@ class WrittenForm:
                 symbol = sp.Symbol(operation.result, real=True)
                 self._steps[symbol] = value
                 values[operation.result] = symbol
-        return tuple(map(find, program.outputs))
+        return tuple(map(find, spelled.outputs))
 
 
 class _Axes:

@@ -34,6 +34,7 @@ COMPARED: Mapping[type[ast.cmpop], str] = MappingProxyType(
 )
 # Functions whose operation has another name; the others are called like it.
 RENAMED: Mapping[str, str] = MappingProxyType({"abs": "absolute", "choose_where": "choose"})
+REDUCED: Mapping[str, str] = MappingProxyType({"add_up": "sum", "every": "every"})
 LAST_CONSTANT: Mapping[str, str] = MappingProxyType(
     {"small_arctan": "ARCTANGENT", "tangent_quotient": "TANGENT"}
 )
@@ -109,10 +110,10 @@ class _ProgramReader:
         is_scalar = function.startswith(("_", ELEMENTARY))
         name = function.removeprefix("np.").removeprefix(ELEMENTARY).removeprefix("_")
         keywords = {k.arg: ast.unparse(k.value) for k in node.keywords}
-        if name in ("sum", "every") and set(keywords) == {"axis"}:
+        if name in REDUCED and set(keywords) == {"axis"}:
             count = {"-1": 1, "(-2, -1)": 2}[keywords["axis"]]
             (value,) = node.args
-            return self._add("sum" if name == "sum" else "every", self.read(value), count)
+            return self._add(REDUCED[name], self.read(value), count)
         if ast.unparse(node).startswith("np.swapaxes(") and not keywords:
             value, *axes = node.args
             if [ast.unparse(a) for a in axes] == ["-1", "-2"]:

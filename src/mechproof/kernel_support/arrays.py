@@ -154,6 +154,17 @@ def sum_axes(**arguments: tuple[Any, int]) -> tuple[NDArray[Any], ...]:
         If an axis has another length or is missing; the message names the argument.
 
     """
+    given = tuple(arguments.values())
+    first = given[0][0]
+    common = first.shape[-1:] if type(first) is np.ndarray else ()
+    for array, axes in given:
+        if type(array) is not np.ndarray or array.shape[-axes:] != common * axes:
+            return _spread_axes(arguments)
+    return tuple([array for array, _ in given])
+
+
+def _spread_axes(arguments: dict[str, tuple[Any, int]]) -> tuple[NDArray[Any], ...]:
+    """Make arrays of scalars; ValueError for an axis of another length than the others."""
     arguments = {name: (as_numpy(array), axes) for name, (array, axes) in arguments.items()}
     lengths = [n for array, axes in arguments.values() for n in array.shape[-axes:]]
     length = next((n for n in lengths if n != 1), 1)
@@ -185,9 +196,31 @@ def nan_outside(inside: Any, *values: Any) -> tuple[NDArray[Any], ...]:
 
 def every(condition: Any, axis: Any) -> Any:
     """Return np.all(condition, axis), True without a reduction where it is true everywhere."""
-    if type(condition) is np.ndarray and holds(condition):
+    # The test of `holds`: on its own as quick as the call would be.
+    if type(condition) is np.ndarray and np.count_nonzero(condition) == condition.size:
         return True
     return np.all(condition, axis=axis)
+
+
+def add_up(terms: Any, axis: Any) -> Any:
+    """Return np.sum(terms, axis), of a plain array without NumPy's search for other ways."""
+    if type(terms) is np.ndarray:
+        return np.add.reduce(terms, axis)
+    return np.sum(terms, axis=axis)
+
+
+def quadratic_form(vector: Any, matrix: Any) -> Any:
+    """Return the sum of x[i]*x[j]*M[i, j], x on the last axis and M on the last two."""
+    plain = type(vector) is type(matrix) is np.ndarray
+    if not plain or vector.shape[-1] != matrix.shape[-1]:
+        pairs = vector[..., :, np.newaxis] * vector[..., np.newaxis, :]
+        return np.sum(pairs * matrix, axis=(-2, -1))
+    if vector.ndim == 1 and matrix.ndim == 2:
+        return vector.dot(matrix).dot(vector)
+    if matrix.ndim == 2:
+        return np.add.reduce(np.matmul(vector, matrix) * vector, -1)
+    rows = np.matmul(vector[..., np.newaxis, :], matrix)[..., 0, :]
+    return np.add.reduce(rows * vector, -1)
 
 
 def floor(a: Any) -> Any:

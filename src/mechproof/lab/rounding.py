@@ -15,7 +15,7 @@ import numpy as np
 from flint import arb
 
 from mechproof.codegen.code import Stage
-from mechproof.codegen.program import VIEWS, Operand, Operation, Program
+from mechproof.codegen.program import VIEWS, Operand, Operation, Program, spell_out_forms
 from mechproof.lab.ways import Array
 from mechproof.proof.balls import working_precision
 
@@ -134,6 +134,7 @@ def _run(program: Program, known: Mapping[str, Any]) -> list[Any]:
     def find(operand: Operand) -> Any:
         return values[operand] if isinstance(operand, str) else arb(operand)
 
+    program = spell_out_forms(program)
     for step in program.operations:
         named = [operand for operand in step.operands if isinstance(operand, str)]
         if step.kind == "single" or (named and single.issuperset(named)):

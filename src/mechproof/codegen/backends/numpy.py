@@ -25,7 +25,7 @@ from mechproof.codegen.elementary.fits import (
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.facts import Condition, Sizes, list_conditions, list_sizes
 from mechproof.codegen.kernel import Kernel, list_functions
-from mechproof.codegen.languages import NUMPY, NUMPY_BODY
+from mechproof.codegen.languages import NUMPY_BODY
 from mechproof.codegen.program import Program
 from mechproof.codegen.syntax import Text, write_program
 from mechproof.record import Form, Paper
@@ -36,6 +36,7 @@ REGENERATED = "Regenerate with `mechproof regenerate`; edits are overwritten."
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "arrays": (
+            "add_up",
             "as_floats",
             "check_components",
             "choose_where",
@@ -45,6 +46,7 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "is_finite",
             "maximum",
             "nan_outside",
+            "quadratic_form",
             "split_components",
             "sum_axes",
         ),
@@ -185,7 +187,7 @@ def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:
 def _write_condition(program: Program | None) -> str:
     if program is None:
         return ""
-    (text,) = write_program(program, NUMPY).outputs
+    (text,) = write_program(program, NUMPY_BODY).outputs
     return text
 
 

@@ -12,7 +12,14 @@ from types import MappingProxyType
 from mechproof.codegen.code import KernelCode
 from mechproof.codegen.evaluation import unused_name
 from mechproof.codegen.kernel import Kernel
-from mechproof.codegen.program import TEMPORARY, VIEWS, Operand, Operation, Program
+from mechproof.codegen.program import (
+    TEMPORARY,
+    VIEWS,
+    Operand,
+    Operation,
+    Program,
+    spell_out_forms,
+)
 from mechproof.codegen.syntax import REDUCTIONS
 
 # The indices of an element in a view, counted from the outermost loop.
@@ -74,8 +81,9 @@ class _Folder:
         inside = self._fold_program(code.inside, axes) if code.inside else None
         return replace(code, inside=inside, stages=tuple(stages))
 
-    def _fold_program(self, program: Program, axes: Mapping[str, int]) -> Program:
+    def _fold_program(self, given: Program, axes: Mapping[str, int]) -> Program:
         """Replace the operations on elements by calls."""
+        program = spell_out_forms(given)
         spread: set[Operand] = set(axes)
         kept: list[Operation] = []
         for step in program.operations:
@@ -124,23 +132,27 @@ class _Term:
         self._taken = set(program.inputs) | set(self._made)
         self._known: set[str] = set()
 
-    def take(self, operand: Operand) -> Operand:
-        """Add the operations of an operand; return its name in the term."""
+    def take(self, operand: Operand, view: str = "") -> Operand:
+        """Add the operations of an operand, seen by a view; return its name in the term."""
         if not isinstance(operand, str) or operand.startswith("#"):
             return operand
         step = self._made.get(operand)
         if step is None:
-            return self._element(operand, tuple(range(self.axes.get(operand, 0))))
+            count = self.axes.get(operand, 0)
+            seen = INDICES[view] if view and count else tuple(range(count))
+            return self._element(operand, seen)
         if step.kind in VIEWS:
-            return self._element(str(step.operands[0]), INDICES[step.kind])
+            return self.take(step.operands[0], step.kind)
         if operand not in self._spread and not operand.startswith(TEMPORARY):
             return self._element(operand, ())
         if step.kind in REDUCTIONS:
             raise NotImplementedError(f"no operation for a sum in the terms of a sum: {step}")
-        if operand not in self._known:
-            self._known.add(operand)
-            self.operations.append(replace(step, operands=tuple(map(self.take, step.operands))))
-        return operand
+        result = operand + view
+        if result not in self._known:
+            self._known.add(result)
+            operands = tuple(self.take(used, view) for used in step.operands)
+            self.operations.append(replace(step, result=result, operands=operands))
+        return result
 
     def _element(self, name: str, indices: tuple[int, ...]) -> str:
         key = name, indices

@@ -1,0 +1,113 @@
+"""Sums over indices: the order of their factors, quadratic forms, and what is none."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+from derived import paper_of
+
+from mechproof.codegen.backends.numpy import render_modules
+from mechproof.codegen.forms import compare_code
+from mechproof.codegen.kernel import Kernel, list_functions
+from mechproof.codegen.kernel_reading import read_module
+from mechproof.codegen.languages import NUMPY
+from mechproof.codegen.lowering import lower_steps
+from mechproof.codegen.program import Program, spell_out_forms
+from mechproof.codegen.raising import WrittenForm
+from mechproof.codegen.reading import TranslationError
+from mechproof.codegen.syntax import write_program
+from mechproof.proof.judge import judge
+from mechproof.proof.verdict import Verdict
+from mechproof.record import Claim
+from mechproof.roundoff.extended import IN_EXTENDED
+from mechproof.roundoff.running import run
+
+i, j, n = sp.symbols("i j n", integer=True, positive=True)
+u, v, m = (sp.IndexedBase(name, real=True) for name in "uvm")
+FIRST, LAST = "[..., :, np.newaxis]", "[..., np.newaxis, :]"
+
+
+def lower(term: sp.Expr, *indices: sp.Symbol) -> Program:
+    total = sp.Sum(term, *((index, 1, n) for index in reversed(indices)))
+    return lower_steps({u: "u", v: "v", m: "m"}, frozenset(), ("u", "v", "m"), (), (total,))
+
+
+@pytest.mark.parametrize(
+    ("term", "indices", "text"),
+    [
+        ((u[i] * v[i]) ** 2, (i,), "add_up((u * v) ** 2, axis=-1)"),
+        (u[i] ** 2 * v[i], (i,), "add_up(u ** 2 * v, axis=-1)"),
+        (-(u[i] ** 2) * v[i] ** 2, (i,), "add_up(-u ** 2 * v ** 2, axis=-1)"),
+        (u[i] * u[j] * m[i, j], (i, j), "quadratic_form(u, m)"),
+        (u[i] * v[i] * u[j] * v[j] * m[i, j], (i, j), "quadratic_form(u * v, m)"),
+        (u[i] * u[j] * m[j, i], (i, j), "quadratic_form(u, np.swapaxes(m, -1, -2))"),
+        (u[i] * v[j] * m[i, j], (i, j), f"add_up(u{FIRST} * v{LAST} * m, axis=(-2, -1))"),
+        (2 * u[i] * u[j] * m[i, j], (i, j), f"add_up(2 * u{FIRST} * u{LAST} * m, axis=(-2, -1))"),
+        (u[i] * u[j], (i, j), f"add_up(u{FIRST} * u{LAST}, axis=(-2, -1))"),
+    ],
+)  # fmt: skip
+def test_the_text_of_a_sum(term: sp.Expr, indices: tuple[sp.Symbol, ...], text: str) -> None:
+    assert write_program(lower(term, *indices), NUMPY).outputs == (text,)
+
+
+def test_a_quadratic_form_is_the_sum_it_is_spelled_out_to() -> None:
+    program = lower(u[i] * v[i] * u[j] * v[j] * m[i, j], i, j)
+    rng = np.random.default_rng(3)
+    values = {"u": rng.normal(size=(3, 5)), "v": rng.normal(size=(3, 5))}
+    values["m"] = rng.normal(size=(3, 3, 5))
+    spelled = spell_out_forms(program)
+    assert program.count_operations() == spelled.count_operations() == 4
+    short, long = (run(p, values, IN_EXTENDED)[0] for p in (program, spelled))
+    x = values["u"] * values["v"]
+    np.testing.assert_allclose(short, np.einsum("ip,ijp,jp->p", x, values["m"], x), rtol=1e-13)
+    assert np.array_equal(short, long)
+
+
+@cache
+def correlated() -> Kernel:
+    kernels = list_functions(paper_of("track_wheel"))
+    return next(kernel for kernel in kernels if kernel.name == "error_sum_correlated")
+
+
+@pytest.mark.parametrize(("factor", "proved"), [("scatters", True), ("sensitivities", False)])
+def test_the_proof_sees_what_a_quadratic_form_is_of(factor: str, proved: bool) -> None:
+    kernel = correlated()
+    (stage,) = kernel.code.stages
+    assert stage.evaluate is not None
+    steps = tuple(
+        replace(step, operands=tuple(factor if o == "scatters" else o for o in step.operands))
+        for step in stage.evaluate.operations
+    )
+    wrong = replace(stage, evaluate=replace(stage.evaluate, operations=steps))
+    states = kernel.forms[0].states
+    assert states is not None
+    statement = states(WrittenForm(kernel.quantity, kernel.code, wrong))
+    claim = Claim("1", r"\text{computes its definition}", statement, on=kernel.quantity.on)
+    assert (judge(claim, paper_of("track_wheel")).verdict is Verdict.PROVED) == proved
+
+
+@cache
+def source() -> str:
+    return render_modules(paper_of("track_wheel"))["track_wheel.py"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("form(sensitivities * scatters * tolerances", "form(sensitivities * tolerances"),
+        ("tolerances, correlation)", "tolerances, np.swapaxes(correlation, -1, -2))"),
+        ("np.sqrt(quadratic_form(", "np.sqrt(product_rest("),
+        ("every(scatters > 0.0", "every(scatters >= 0.0"),
+    ],
+)
+def test_a_wrong_text_of_a_sum_is_caught(old: str, new: str) -> None:
+    kernel = correlated()
+    compare_code(kernel.name, kernel.code, read_module(source())[kernel.name])
+    assert old in source()
+    read = read_module(source().replace(old, new))
+    with pytest.raises(TranslationError):
+        compare_code(kernel.name, kernel.code, read[kernel.name])
