@@ -138,7 +138,10 @@ class Subject:
         for straight in both:
             plain = self._add_up(straight, region.chart)
             stated = {result: express(value, frame, germs) for result, value in plain.items()}
-            found.append(Evaluation(straight, frame, given, stated, turn, prove))
+            evaluation = Evaluation(
+                straight, frame, given, stated, turn, prove, is_overlapped=region.is_overlapped
+            )
+            found.append(evaluation)
         if self.scale is None:
             return found[0], Bar(None, True)
         whole, *rest = (found[1].value(output) for output in self.scale.outputs)
