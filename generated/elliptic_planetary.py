@@ -142,7 +142,7 @@ def ratio(
     or 1e-290 <= |phi1|).
 
     Proved, where |x| <= 22/7 or |x| <= 2**26 and e <= 1 - 2**-10: at most 11.59 eps with np.tan
-    within 1 ulp, found 5.82; at most 15.11 eps compiled, found 7.65.
+    within 1 ulp, found 6.15; at most 15.11 eps compiled, found 7.65.
 
     Source: Prikhodko et al. 2024, equation (8).
 
@@ -224,12 +224,12 @@ def position(
     Accuracy: 6 eps of the value, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|).
 
     Proved of half-angle atan, where |x| <= 2**26: at most 4.34 eps with np.arctan within 1 ulp
-    and np.tan within 1 ulp, found 3.34; at most 5.88 eps by polynomials, found 4.51; at most
-    5.34 eps compiled, found 3.45.
+    and np.tan within 1 ulp, found 3.37; at most 5.88 eps by polynomials, found 4.51; at most
+    5.34 eps compiled, found 3.75.
 
     Proved of half-angle atan with low word, where |x| <= 22/7 or |x| <= 2**26 and e <= 1 -
-    2**-10: at most 5.78 eps with np.arctan within 1 ulp and np.tan within 1 ulp, found 2.85; at
-    most 6.52 eps compiled, found 4.51.
+    2**-10: at most 5.78 eps with np.arctan within 1 ulp and np.tan within 1 ulp, found 2.98; at
+    most 6.52 eps compiled, found 4.61.
 
     Source: Prikhodko et al. 2024, integral (9) of equation (8).
 
@@ -320,7 +320,7 @@ def acceleration(
     or 1e-290 <= |phi1|) and (e = 0 or 1e-200 <= e).
 
     Proved, where |x| <= 22/7 and |pi - |x|| >= 2**-40: at most 21.88 eps with np.tan within 1
-    ulp, found 9.71; at most 29 eps compiled, found 12.4.
+    ulp, found 10.23; at most 29 eps compiled, found 12.9.
 
     Source: derivative of Prikhodko et al. 2024, equation (8).
 

@@ -9,8 +9,8 @@ import pytest
 
 from mechproof import CylindricalPair as Pair
 from mechproof import EllipticPlanetary, OvalPlanetary
+from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.oracle import Truth, find_truth
-from mechproof.lab.points import step_ulps
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.ways import Array
 

@@ -3,9 +3,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.error import ALL_BITS, find_errors, summarise
 from mechproof.lab.oracle import Truth
-from mechproof.lab.points import draw_ladder, step_ulps
+from mechproof.lab.points import draw_ladder
 
 
 def truth_of(high: object, low: float = 0.0, decided: object = True) -> Truth:

@@ -3,40 +3,32 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
 import sympy as sp
+from certified import claims, name_claim, subject_of, subjects
 from derived import paper_of
 
-import mechproof.kernels
-from mechproof.codegen.kernel import input_names, list_functions
+from mechproof.codegen.kernel import input_names
 from mechproof.kernel_support import polynomials
 from mechproof.kernels import elliptic_planetary as kernels
-from mechproof.record import Chart
 from mechproof.roundoff.certificate import (
-    Certificate,
     Claim,
     holds,
     list_digests,
 )
 from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.expansions import ARCTANGENT, QUOTIENT
-from mechproof.roundoff.files import FOLDER, find_certificate
-from mechproof.roundoff.intervals import Array, careful
+from mechproof.roundoff.intervals import careful
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import Step
-from mechproof.roundoff.subject import Subject, list_subjects
+from mechproof.roundoff.subject import Subject
 from mechproof.roundoff.symmetry import check_symmetry
 from mechproof.roundoff.worst import draw, measure
 
-GENERATED = Path(next(iter(mechproof.kernels.__path__)))
-SYSTEMS = sorted(path.stem for path in (GENERATED / FOLDER).glob("*.json"))
 # Found by a search along the boxes with the largest bounds, all roundings nearly aligned.
 WORST = {
     "phi1": "0x1.062538db1ff9cp-20",
@@ -46,36 +38,9 @@ WORST = {
 }
 
 
-@cache
-def certificate(system: str) -> Certificate:
-    found = find_certificate(GENERATED, system)
-    assert found is not None
-    return found
-
-
-@cache
-def subjects() -> Mapping[tuple[str, str, str], Subject]:
-    papers = (paper_of(system) for system in SYSTEMS)
-    kernels = ((kernel, paper) for paper in papers for kernel in list_functions(paper))
-    found = (s for kernel, paper in kernels for s in list_subjects(kernel, paper))
-    return {(s.kernel.name, s.form.name, s.way): s for s in found}
-
-
-def claims() -> list[Claim]:
-    return [claim for system in sorted(SYSTEMS) for claim in certificate(system).claims]
-
-
-def subject_of(claim: Claim) -> Subject:
-    return subjects()[claim.quantity, claim.form, claim.way]
-
-
 def plain() -> tuple[Claim, Subject]:
     (claim,) = (c for c in claims() if c.form == "half-angle atan" and c.way.startswith("NumPy"))
     return claim, subject_of(claim)
-
-
-def name_claim(claim: Claim) -> str:
-    return f"{claim.quantity}: {claim.form}, {claim.way}"
 
 
 def by_polynomials() -> tuple[Claim, Subject]:
@@ -141,6 +106,15 @@ def test_what_errors_are_told_in_is_part_of_what_is_kept() -> None:
     other = replace(rotation, accuracy=replace(rotation.accuracy, scale=scale))
     changed = tuple(other if q is rotation else q for q in paper.quantities)
     assert list_digests(replace(paper, quantities=changed)) != list_digests(paper)
+
+
+def test_an_input_that_no_chart_has_is_refused() -> None:
+    claim, subject = by_polynomials()
+    at = {**claim.at, "phi1": (2.0**40).hex()}
+    points = {name: np.array([float.fromhex(text)]) for name, text in at.items()}
+    (error,) = measure(subject, points)
+    assert 0 <= error <= claim.proved
+    assert not holds(subject, replace(claim, at=at, found=math.floor(100 * error) / 100))
 
 
 def test_a_changed_step_is_refused() -> None:
@@ -283,67 +257,3 @@ def test_an_angle_without_symmetry_is_refused() -> None:
             chart,
             input_names(subject.kernel.quantity),
         )
-
-
-def find_covered(subject: Subject, charts: Sequence[Chart], given: Mapping[str, Array]) -> Array:
-    """Say which points are in a chart: `x` as drawn, or what is left of it, and `d` for 1 - e."""
-    names = input_names(subject.kernel.quantity)
-    symbols = {name: sp.Symbol(f"drawn {name}") for name in ("1/k", "x", "d")}
-    covered = np.zeros(len(given["x"]), bool)
-    for chart in charts:
-        told = {names[s]: v for s, v in chart.arguments.items()}
-        x = told["phi1"] * told["R1"] / told["R2"] if chart.rest is None else chart.rest
-        found = {"1/k": told["R2"] / told["R1"], "x": x, "d": 1 - told["e"]}
-        unknown = [s for s in chart.within if s != chart.angle and str(s) != "R"]
-        equations = [sp.expand(sp.cancel(found[n])) - symbols[n] for n in found]
-        (solved,) = sp.solve(equations, unknown, dict=True)
-        inside = np.ones(len(covered), bool)
-        for coordinate in unknown:
-            compute = sp.lambdify(list(symbols.values()), solved[coordinate])
-            value = compute(*(given[name] for name in symbols))
-            low, high = (
-                float(end) for end in (chart.within[coordinate].inf, chart.within[coordinate].sup)
-            )
-            # By a few roundings of numbers of the size of pi.
-            inside &= (value >= low * (1 - 1e-9) - 1e-15) & (value <= high * (1 + 1e-9))
-        covered |= inside
-    return covered
-
-
-HALF = "|x| <= 22/7"
-FAR = "|x| <= 2**26 and e <= 1 - 2**-10"
-OFF = "|x| <= 22/7 and |pi - |x|| >= 2**-40"
-
-
-def draw_small(rng: np.random.Generator, reach: float, decades: float) -> Array:
-    return reach * 10.0 ** -(rng.uniform(0, decades**0.75, 4000) ** (4 / 3))
-
-
-@pytest.mark.parametrize(
-    ("key", "text", "lowest"),
-    [
-        (("position", "half-angle atan with low word"), HALF, 0.5),
-        (("ratio", "half-angle quotient with low word"), HALF, 0.0),
-        (("position", "half-angle atan with low word"), FAR, 0.5),
-        (("ratio", "half-angle quotient with low word"), FAR, 0.0),
-        (("acceleration", "half-angle quotient with low word"), OFF, 0.0),
-    ],
-)
-def test_charts_cover_what_they_say(key: tuple[str, str], text: str, lowest: float) -> None:
-    """Every angle that is told and every eccentricity has coordinates in some chart."""
-    subject = next(s for s in subjects().values() if (s.kernel.name, s.form.name) == key)
-    charts = [chart for chart in subject.form.charts if chart.text == text]
-    rng = np.random.default_rng(11)
-    x = draw_small(rng, 22 / 7, 12)
-    d = (1 - lowest) * draw_small(rng, 1, 12)
-    if text == FAR:
-        x, d = x * rng.choice((-1.0, 1.0), 4000), np.maximum(d, 2.0**-10)
-    if text == OFF:
-        near = np.pi + rng.choice((-1.0, 1.0), 4000) * np.maximum(
-            draw_small(rng, 1e-3, 9), 2.0**-40
-        )
-        x = np.where(rng.integers(0, 2, 4000) == 1, x, near)
-    given = {"1/k": rng.uniform(0, 1, 4000), "x": x, "d": d}
-    assert find_covered(subject, charts, given).all()
-    missing = [chart for chart in charts if chart is not charts[-1]]
-    assert not find_covered(subject, missing, given).all()

@@ -21,3 +21,8 @@ def from_order(places: NDArray[np.int64]) -> NDArray[np.float64]:
     """Return the doubles at the places."""
     bits: Any = np.where(places < 0, LOWEST | -places, places)
     return np.asarray(bits, np.int64).view(np.float64)
+
+
+def step_ulps(values: ArrayLike, steps: ArrayLike) -> NDArray[np.float64]:
+    """Move doubles by whole numbers of ulps, across zero and powers of two as well."""
+    return from_order(to_order(values) + np.asarray(steps, np.int64))

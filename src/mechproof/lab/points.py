@@ -1,4 +1,4 @@
-"""Points chosen to hurt: named sets of them, and steps between doubles.
+"""Points chosen to hurt: named sets of them.
 
 Every set is drawn anew from a seed: searches climb from the sets of the seed TUNE, tables report
 those of the seed REPORT, so nothing is reported on the points it was found on. The exact singular
@@ -13,7 +13,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechproof.kernel_support.order import from_order, to_order
 from mechproof.lab.ways import Arguments, Array
 
 TUNE, REPORT = 20240826, 20261231
@@ -35,12 +34,6 @@ class PointSet:
 def draw_points(point_set: PointSet, seed: int) -> Arguments:
     """Draw a point set; sets of other names get other numbers from the same seed."""
     return point_set.make(np.random.default_rng([seed, zlib.crc32(point_set.name.encode())]))
-
-
-def step_ulps(value: Array, steps: Array) -> Array:
-    """Move doubles by whole numbers of ulps, across zero and powers of two as well."""
-    ordered = to_order(value) + np.asarray(steps, np.int64)
-    return from_order(ordered)
 
 
 def draw_ladder(

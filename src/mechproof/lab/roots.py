@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.lab.points import step_ulps
+from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.ways import Array
 from mechproof.proof.balls import evaluate
 

@@ -15,9 +15,10 @@ from functools import partial
 import numpy as np
 import sympy as sp
 
+from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.draws import Rng, count_points, draw_inside, draw_mixed
 from mechproof.lab.facts import FEWEST, Facts
-from mechproof.lab.points import PointSet, draw_ladder, step_ulps
+from mechproof.lab.points import PointSet, draw_ladder
 from mechproof.lab.roots import Columns, Place, find_integers, find_roots
 from mechproof.lab.ways import Arguments, Array
 

@@ -7,7 +7,7 @@ most the norm of that matrix.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,6 +17,7 @@ import sympy as sp
 from mechproof.codegen.program import Operand
 from mechproof.roundoff.bound import Bar, Evaluation
 from mechproof.roundoff.intervals import EPS, UNIT, Ends
+from mechproof.roundoff.running import Table, Values
 from mechproof.roundoff.steps import HALF, Step, Straight
 
 # So near does the power method come to the norm; any vector gives a bound.
@@ -69,10 +70,12 @@ class AffineMap:
         norm = bound_norm(cells)
         return np.where(np.isfinite(norm), np.maximum(norm, _add_roundings(count) / EPS), np.inf)
 
-    def compute_scale(self, size: Any, given: Mapping[str, Any]) -> Any:
+    def compute_scale(self, size: Any, given: Values, table: Table) -> Any:
         """Return D*|p| + |v|."""
-        point, shift = ([given[n] for n in names] for names in (self.points, self.shift))
-        return size * measure_norm(point) + measure_norm(shift)
+        point, shift = (
+            measure_norm([given[n] for n in names], table) for names in (self.points, self.shift)
+        )
+        return size * point + shift
 
 
 def find_size(scale: sp.Expr, points: Sequence[sp.Basic], shift: Sequence[sp.Basic]) -> sp.Expr:
@@ -85,9 +88,9 @@ def find_size(scale: sp.Expr, points: Sequence[sp.Basic], shift: Sequence[sp.Bas
     return size
 
 
-def measure_norm(components: Sequence[Any]) -> Any:
-    """Return the norm of a vector of balls."""
-    return sum(c * c for c in components).sqrt()
+def measure_norm(components: Sequence[Any], table: Table) -> Any:
+    """Return the norm of a vector."""
+    return table["sqrt"](sum(c * c for c in components))
 
 
 def bound_norm(cells: Sequence[Sequence[Ends]]) -> Ends:

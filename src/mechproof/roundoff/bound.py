@@ -24,8 +24,8 @@ from mechproof.roundoff.regions import HALF_TURN
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.steps import HALF, RESTS, Step, Straight
 
-# Of angles up to here no half turn is taken off; a region that overlaps has the little beyond pi/2.
-UNREDUCED = HALF_TURN / 2 * (1 + 2.0**-45)
+# Of angles up to here no half turn is taken off, or another region has the little beyond pi/2.
+UNREDUCED, OVERLAPPED = math.pi / 2, HALF_TURN / 2 * (1 + 2.0**-45)
 UNKNOWN = exactly(math.nan)
 
 
@@ -59,8 +59,11 @@ class Evaluation:
         stated: Mapping[str, Germ],
         turn: Turn | None,
         find_profile: Callable[[str], Profile] | None = None,
+        *,
+        is_overlapped: bool = False,
     ) -> None:
         self.frame, self.turn, self.held = frame, turn, straight.held
+        self._unreduced = OVERLAPPED if is_overlapped else UNREDUCED
         self._scaled, self._find_profile = frozenset(straight.scaled), find_profile
         self.values: dict[str, Germ] = dict(given)
         # What is computed, its rounding known to be monotone; not what lies on the way to it.
@@ -171,7 +174,7 @@ class Evaluation:
         if self.turn is None:
             span = angle.expanded()
             # What rounds where half turns are taken off that no region knows of is not bounded.
-            error = np.where(span.largest() <= UNREDUCED, 0.0, np.nan)
+            error = np.where(span.largest() <= self._unreduced, 0.0, np.nan)
             self._add(step, angle, (self._one,), 0.0, error, span)
             return
         if self.turn.is_half:

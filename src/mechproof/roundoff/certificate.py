@@ -21,7 +21,7 @@ from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.cover import WORST, Cover, cover_below
 from mechproof.roundoff.regions import Region, list_regions
 from mechproof.roundoff.subject import Subject, list_subjects
-from mechproof.roundoff.worst import Found, find_worst, measure
+from mechproof.roundoff.worst import Found, find_worst, judge
 
 # The most boxes of all regions that may show a bound.
 MOST = 16000
@@ -154,7 +154,7 @@ def _round_down(eps: float) -> float:
 def _measure_again(subject: Subject, claim: Claim) -> Found:
     at = {name: float.fromhex(text) for name, text in claim.at.items()}
     points = {name: np.array([value]) for name, value in at.items()}
-    return Found(float(measure(subject, points)[0]), at)
+    return Found(float(judge(subject, points)[0]), at)
 
 
 def cover_all(subject: Subject, aim: float, most: int) -> list[tuple[Region, Cover]]:
@@ -188,7 +188,7 @@ def make_claim(subject: Subject, known: Claim | None = None) -> Claim:
     before = [_measure_again(subject, known)] if known else []
     proved = _lower_bound(subject, max((found.eps for found in before), default=0.0))
     covers = cover_all(subject, proved, MOST)
-    worst = max((*_search(subject, covers), *before), key=lambda found: found.eps)
+    worst = max((_search(subject, covers), *before), key=lambda found: found.eps)
     return Claim(
         *_key(subject),
         where=subject.where,
@@ -218,11 +218,12 @@ def _lower_bound(subject: Subject, low: float) -> float:
     return round(high, DIGITS)
 
 
-def _search(subject: Subject, covers: Sequence[tuple[Region, Cover]]) -> Iterator[Found]:
-    """Search from the worst boxes, those of each region together."""
-    heights = sorted((h for _, cover in covers for h, _ in cover.worst), reverse=True)
-    least = heights[:WORST][-1]
-    for region, cover in covers:
-        boxes = [box for height, box in cover.worst if height >= least]
-        if boxes:
-            yield find_worst(subject, region, boxes, SEED)
+def _search(subject: Subject, covers: Sequence[tuple[Region, Cover]]) -> Found:
+    """Search from all regions, and from the worst boxes, where another place may be worse."""
+    boxes = [(height, region, box) for region, cover in covers for height, box in cover.worst]
+    highest = sorted(boxes, key=lambda entry: -entry[0])[:WORST]
+    starts = (
+        [(region, region.box) for region, _ in covers],
+        [(region, box) for _, region, box in highest],
+    )
+    return max((find_worst(subject, s, SEED) for s in starts), key=lambda found: found.eps)

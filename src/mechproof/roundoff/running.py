@@ -78,6 +78,7 @@ IN_BALLS: Table = MappingProxyType(
         "cos": arb.cos,
         "maximum": arb.max,
         "minimum": arb.min,
+        "floor": arb.floor,
     }
 )
 

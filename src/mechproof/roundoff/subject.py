@@ -5,11 +5,11 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 import sympy as sp
-from flint import arb
 
 from mechproof.codegen.backends.scalar import map_affinely, put_off_stage
 from mechproof.codegen.code import Stage
@@ -26,9 +26,10 @@ from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.compiled import COMPILED, WAY, list_expansions
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.expansions import WAYS
+from mechproof.roundoff.inside import Inside, find_inside
 from mechproof.roundoff.intervals import EPS, Array, careful
 from mechproof.roundoff.regions import Boxes, Region, express
-from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values, run
+from mechproof.roundoff.running import IN_DOUBLES, Table, Values, run
 from mechproof.roundoff.scales import find_scaled
 from mechproof.roundoff.steps import EXACT, Step, Straight, flatten_stage, keep_needed
 from mechproof.roundoff.symmetry import check_mirror, check_symmetry
@@ -138,7 +139,10 @@ class Subject:
         for straight in both:
             plain = self._add_up(straight, region.chart)
             stated = {result: express(value, frame, germs) for result, value in plain.items()}
-            found.append(Evaluation(straight, frame, given, stated, turn, prove))
+            evaluation = Evaluation(
+                straight, frame, given, stated, turn, prove, is_overlapped=region.is_overlapped
+            )
+            found.append(evaluation)
         if self.scale is None:
             return found[0], Bar(None, True)
         whole, *rest = (found[1].value(output) for output in self.scale.outputs)
@@ -160,18 +164,20 @@ class Subject:
             return np.array(run(self.computed, points, COMPILED))
         return np.array(run(self.straight, points, IN_DOUBLES))
 
-    def weigh(self, found: Array, exact: Sequence[arb], given: Values) -> float:
-        """Return the largest error of the outputs in eps of the scale."""
-        scale = run(self.scale, given, IN_BALLS)[0] if self.scale else None
+    def weigh(self, found: Sequence[Any], given: Values, table: Table) -> list[Any]:
+        """Return the errors of the outputs in eps of the scale, of a map that of their norm."""
+        exact = run(self.exact, given, table)
+        apart = [table["number"](value) - true for value, true in zip(found, exact, strict=True)]
+        scales = [run(self.scale, given, table)[0]] * len(exact) if self.scale else exact
         if self.map:
-            apart = [arb(value) - true for value, true in zip(found.tolist(), exact, strict=True)]
-            return float(measure_norm(apart) / self.map.compute_scale(scale, given) / EPS)
-        errors = [
-            (arb(value) - true) / (true if scale is None else scale)
-            for value, true in zip(found.tolist(), exact, strict=True)
-            if scale is not None or true != 0
-        ]
-        return max((float(abs(error) / EPS) for error in errors), default=0.0)
+            whole = self.map.compute_scale(scales[0], given, table)
+            return [measure_norm(apart, table) / whole / EPS]
+        return [abs(off / scale) / EPS for off, scale in zip(apart, scales, strict=True)]
+
+    @cached_property
+    def inside(self) -> Inside:
+        """Return what says where the bound is."""
+        return find_inside(self.form, input_names(self.kernel.quantity))
 
     def holds(self, points: Mapping[str, Any]) -> Any:
         """Say where the stage is taken."""

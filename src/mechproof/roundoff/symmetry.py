@@ -68,7 +68,7 @@ PARITIES: Mapping[str, Callable[..., Parity]] = MappingProxyType(
 def check_symmetry(straight: Straight, chart: Chart, names: Mapping[sp.Basic, str]) -> None:
     """Require that negative angles are off as positive ones are; ValueError if not."""
     if chart.angle is not None:
-        find_parities(straight, dict(_list_parities(chart, chart.angle, names)))
+        find_parities(straight, dict(list_parities(chart, chart.angle, names)))
 
 
 def check_mirror(
@@ -78,9 +78,10 @@ def check_mirror(
     find_parities(straight, {name: -1 if s in mirror else 1 for s, name in names.items()})
 
 
-def _list_parities(
+def list_parities(
     chart: Chart, angle: sp.Symbol, names: Mapping[sp.Basic, str]
 ) -> Iterator[tuple[str, Parity]]:
+    """List what an angle negated does to arguments; ValueError if that is neither."""
     for symbol, value in chart.arguments.items():
         turned = value.subs(angle, -angle)
         if turned not in (value, -value):

@@ -1,10 +1,14 @@
-"""Worst: from the boxes with the largest bound to the input that is off most, held by balls."""
+"""Worst: from boxes of regions to the input that is off most, judged by balls.
+
+Long doubles lead the search, a thousand times as fast. Nothing counts that no chart has.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -12,14 +16,18 @@ from flint import arb
 
 from mechproof.codegen.kernel import input_names
 from mechproof.proof.balls import working_precision
+from mechproof.roundoff import climb
+from mechproof.roundoff.extended import FORMAT, IN_EXTENDED, IS_LONGER
 from mechproof.roundoff.intervals import Array
 from mechproof.roundoff.regions import Box, Region
-from mechproof.roundoff.running import IN_BALLS, run
+from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values
 from mechproof.roundoff.subject import Subject
 
-Points = dict[str, Array]
+Points = Mapping[str, Array]
 BITS = 200
-DRAWN, KEPT, CHILDREN, ROUNDS = 200, 64, 8, 150
+DRAWN = 1000
+# Crowds meet soon, in one place or another: many rounds of few, and again.
+BY_LONG_DOUBLES, ROUNDS, CLIMBS = climb.Pace(1000, 6), 300, 2
 # Free coordinates are drawn from so many octaves.
 OCTAVES = 16.0
 
@@ -32,38 +40,79 @@ class Found:
     at: Mapping[str, float]
 
 
-def find_worst(subject: Subject, region: Region, boxes: Sequence[Box], seed: int) -> Found:
-    """Draw points of the boxes and climb from the worst by some ulps."""
+def find_worst(subject: Subject, boxes: Sequence[tuple[Region, Box]], seed: int) -> Found:
+    """Draw points of the boxes of regions and climb from the worst, some times anew."""
     rng = np.random.default_rng(seed)
-    drawn = [draw(subject, region, box, DRAWN, rng) for box in boxes]
-    crowd = {name: np.concatenate([points[name] for points in drawn]) for name in drawn[0]}
-    crowd, errors = _keep_worst(subject, crowd)
-    for _ in range(ROUNDS):
-        moved = {name: _move(np.repeat(column, CHILDREN), rng) for name, column in crowd.items()}
-        together = {name: np.concatenate([crowd[name], moved[name]]) for name in crowd}
-        crowd, errors = _keep_worst(subject, together)
-    return Found(float(errors[0]), {name: float(column[0]) for name, column in crowd.items()})
+    climbs = [_climb(subject, boxes, rng) for _ in range(CLIMBS if IS_LONGER else 1)]
+    return max(climbs, key=lambda found: found.eps)
 
 
-def measure(subject: Subject, points: Mapping[str, Array]) -> Array:
-    """Return the errors of the steps in doubles in eps of the scale, -1 outside the domain."""
-    with np.errstate(all="ignore"):
-        outputs = subject.compute(points)
-        inside = subject.holds(points)
-    errors = np.full(outputs.shape[1], -1.0)
-    names = list(points)
+def _climb(
+    subject: Subject, boxes: Sequence[tuple[Region, Box]], rng: np.random.Generator
+) -> Found:
+    drawn = [draw(subject, region, box, DRAWN, rng) for region, box in boxes]
+    names = tuple(drawn[0])
+    start = tuple(np.concatenate([points[name] for points in drawn]) for name in names)
+
+    def judge_columns(columns: climb.Points) -> Array:
+        return judge(subject, dict(zip(names, columns, strict=True)))
+
+    def estimate_columns(columns: climb.Points) -> Array:
+        return estimate(subject, dict(zip(names, columns, strict=True)))
+
+    if IS_LONGER:
+        many = climb.climb(estimate_columns, start, BY_LONG_DOUBLES, ROUNDS, rng)
+        crowd = climb.judge_best(judge_columns, many)
+    else:
+        crowd = climb.climb(judge_columns, start, climb.BY_BALLS, ROUNDS, rng)
+    worst = np.argmax(crowd.heights)
+    at = {name: float(column[worst]) for name, column in zip(names, crowd.points, strict=True)}
+    return Found(float(crowd.heights[worst]), at)
+
+
+def judge(subject: Subject, points: Points) -> Array:
+    """Measure where the bound is for certain; -1 elsewhere."""
     with working_precision(BITS):
-        for i in np.flatnonzero(inside & np.isfinite(outputs).all(axis=0)):
-            given = {name: arb(float(points[name][i])) for name in names}
-            exact = run(subject.exact, given, IN_BALLS)
-            errors[i] = subject.weigh(outputs[:, i], exact, given)
+        held = [subject.inside.holds(given, IN_BALLS) for given in _list_balls(points)]
+    return np.where(held, measure(subject, points), -1.0)
+
+
+def measure(subject: Subject, points: Points) -> Array:
+    """Return the errors of the steps in doubles in eps of the scale, -1 outside the domain."""
+    outputs, held = _compute(subject, points)
+    errors = np.full(len(held), -1.0)
+    with working_precision(BITS):
+        for i, given in enumerate(_list_balls(points)):
+            if held[i]:
+                errors[i] = _find_largest(subject.weigh(outputs[:, i].tolist(), given, IN_BALLS))
     return errors
 
 
-def _keep_worst(subject: Subject, points: Points) -> tuple[Points, Array]:
-    errors = measure(subject, points)
-    order = np.argsort(-errors, kind="stable")[:KEPT]
-    return {name: column[order] for name, column in points.items()}, errors[order]
+def _list_balls(points: Points) -> Iterator[Values]:
+    for values in zip(*points.values(), strict=True):
+        yield dict(zip(points, (arb(float(value)) for value in values), strict=True))
+
+
+def estimate(subject: Subject, points: Points) -> Array:
+    """Judge in long doubles, nearly; in doubles where the bound is."""
+    outputs, held = _compute(subject, points)
+    given = {name: FORMAT(column) for name, column in points.items()}
+    with np.errstate(all="ignore"):
+        held &= subject.inside.holds(points, IN_DOUBLES)
+        errors = _find_largest(subject.weigh([*outputs], given, IN_EXTENDED))
+    return np.where(held, errors, -1.0)
+
+
+def _compute(subject: Subject, points: Points) -> tuple[Array, Any]:
+    """Return the outputs in doubles, and where they are finite and the stage is taken."""
+    with np.errstate(all="ignore"):
+        outputs = subject.compute(points)
+        return outputs, np.isfinite(outputs).all(axis=0) & subject.holds(points)
+
+
+def _find_largest(errors: Sequence[Any]) -> Any:
+    """Return the largest error; of nothing there is none."""
+    return np.nan_to_num(np.array(errors, float), posinf=0.0).max(axis=0)
 
 
 def draw(
@@ -100,12 +149,3 @@ def _wind(region: Region, rest: Array, inverse: Array) -> Array:
     turns = np.rint((1 / inverse - rest) / (2 * np.pi)) if region.turns is None else region.turns
     whole: Array = 2 * np.pi * turns + rest
     return whole
-
-
-def _move(column: Array, rng: np.random.Generator) -> Array:
-    """Move by some ulps, by a share, to another's value, or not at all."""
-    ulps = np.rint(rng.normal(size=column.shape) * 2.0 ** rng.uniform(0, 30, column.shape))
-    shares = rng.normal(size=column.shape) * 2.0 ** rng.uniform(-20, -2, column.shape)
-    moved = [column + ulps * np.spacing(column), column * (1 + shares), rng.permutation(column)]
-    choice = rng.integers(0, 5, column.shape)
-    return np.select([choice == i for i in range(3)], moved, column)

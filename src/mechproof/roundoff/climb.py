@@ -1,0 +1,113 @@
+"""Climb: from the worst of some points uphill to worse ones.
+
+A population of points; in each round every one is moved (some ulps, a factor, or across to
+another's value), and the worst survive. The points are on the first axis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechproof.kernel_support.order import step_ulps
+
+Column = NDArray[Any]
+Points = tuple[Column, ...]
+Measure = Callable[[Points], Column]
+# Moves: up to 2**k ulps, or by a factor 1 + u * 10**-k.
+MOST_ULPS, FINEST_MOVE, WIDEST_MOVE = 30.0, -16.0, -1.0
+# So many of those that long doubles find are judged by balls.
+JUDGED = 24
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How many survive a round, and the children of each."""
+
+    survivors: int
+    children: int
+
+
+BY_BALLS = Pace(24, 1)
+
+
+@dataclass(frozen=True)
+class Crowd:
+    """Points with their errors, the worst first, and how many were tried for them."""
+
+    points: Points
+    heights: Column
+    tried: int
+
+
+def climb(
+    measure: Measure,
+    start: Points,
+    pace: Pace,
+    rounds: int,
+    rng: np.random.Generator,
+    inside: Measure | None = None,
+) -> Crowd:
+    """Return the worst after so many rounds; no child is outside, if that is told."""
+    crowd = select(weigh(measure, start), pace.survivors)
+    for _ in range(rounds):
+        parents = tuple(np.repeat(c, pace.children, axis=0) for c in crowd.points)
+        moved = tuple(_move(column, rng) for column in parents)
+        if inside is not None:
+            kept = inside(moved)
+            moved = tuple(_choose(kept, *pair) for pair in zip(moved, parents, strict=True))
+        crowd = select(gather(crowd, weigh(measure, moved)), pace.survivors)
+    return crowd
+
+
+def judge_best(judge: Measure, crowd: Crowd) -> Crowd:
+    """Measure the worst of a crowd anew."""
+    # What is left of a crowd of few may lie beyond the domain.
+    known = np.flatnonzero(crowd.heights >= 0)[:JUDGED]
+    return replace(weigh(judge, tuple(c[known] for c in crowd.points)), tried=crowd.tried)
+
+
+def weigh(measure: Measure, points: Points) -> Crowd:
+    """Return points with their errors."""
+    return Crowd(points, measure(points), len(points[0]))
+
+
+def gather(one: Crowd, other: Crowd) -> Crowd:
+    """Put two crowds together."""
+    pairs = zip(one.points, other.points, strict=True)
+    heights = np.concatenate([one.heights, other.heights])
+    return Crowd(tuple(map(np.concatenate, pairs)), heights, one.tried + other.tried)
+
+
+def select(crowd: Crowd, most: int) -> Crowd:
+    """Keep the worst, each place once."""
+    order = np.argsort(-crowd.heights, kind="stable")[: 2 * most]
+    rows = np.column_stack([np.reshape(c[order], (len(order), -1)) for c in crowd.points])
+    _, first = np.unique(rows, axis=0, return_index=True)
+    kept = order[np.sort(first)][:most]
+    return Crowd(tuple(c[kept] for c in crowd.points), crowd.heights[kept], crowd.tried)
+
+
+def _choose(kept: Column, one: Column, other: Column) -> Column:
+    """Take rows of one where they are kept, and else of the other."""
+    return np.where(kept.reshape(-1, *[1] * (one.ndim - 1)), one, other)
+
+
+def _move(column: Column, rng: np.random.Generator) -> Column:
+    """Move some numbers, others stay; of every other vector or matrix all."""
+    steps = np.rint(rng.normal(size=column.shape) * 2.0 ** rng.uniform(0, MOST_ULPS, column.shape))
+    factor = 1 + rng.normal(size=column.shape) * 10 ** rng.uniform(
+        FINEST_MOVE, WIDEST_MOVE, column.shape
+    )
+    other = rng.permutation(column, axis=0)
+    choice = rng.integers(0, 6, column.shape)
+    moved = np.select(
+        [choice <= 1, choice == 2, choice == 3],
+        [step_ulps(column, steps.astype(np.int64)), column * factor, other],
+        column,
+    )
+    return moved if column.ndim == 1 else _choose(rng.random(len(column)) < 0.5, moved, column)

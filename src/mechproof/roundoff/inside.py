@@ -1,0 +1,91 @@
+"""Inside: in, a form's charts; out, whether arguments lie in one, but for signs.
+
+The coordinates of arguments are what their expressions are solved for. What is turned has the
+nearest number of turns; any other would do, where a rest that is in its range is a proof.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import reduce
+from operator import and_, or_
+from typing import Any
+
+import sympy as sp
+
+from mechproof.codegen.lowering import CONSTANTS, lower_steps
+from mechproof.codegen.program import Program
+from mechproof.record import Chart, Form
+from mechproof.roundoff.running import Table, Values, run
+from mechproof.roundoff.symmetry import list_parities
+
+TURNS, PI = sp.Symbol("turns"), CONSTANTS[sp.pi]
+Signs = frozenset[str]
+
+
+@dataclass(frozen=True)
+class Inside:
+    """Of each chart what is not negative inside; whose signs may change without a difference."""
+
+    gaps: tuple[Program, ...]
+    signs: tuple[Signs, ...]
+
+    def holds(self, given: Mapping[str, Any], table: Table) -> Any:
+        """Say where arguments are for certain inside."""
+        given = {PI: table["arctan"](table["number"](1)) * 4, **given}
+        turned = ({n: -v if n in names else v for n, v in given.items()} for names in self.signs)
+        return reduce(or_, (_hold(gaps, some, table) for some in turned for gaps in self.gaps))
+
+
+def _hold(gaps: Program, given: Values, table: Table) -> Any:
+    return reduce(and_, (gap >= 0 for gap in run(gaps, given, table)))
+
+
+def find_inside(form: Form, names: Mapping[sp.Basic, str]) -> Inside:
+    """Solve the charts of a form; ValueError for one without unique coordinates."""
+    gaps = tuple(_write_gaps(chart, names) for chart in form.charts)
+    return Inside(gaps, tuple(dict.fromkeys(_list_signs(form, names))))
+
+
+def _list_signs(form: Form, names: Mapping[sp.Basic, str]) -> Iterator[Signs]:
+    yield frozenset()
+    for mirror in form.mirrors:
+        yield frozenset(names[symbol] for symbol in mirror)
+    for chart in form.charts:
+        if chart.angle is not None:
+            parities = list_parities(chart, chart.angle, names)
+            yield frozenset(name for name, parity in parities if parity < 0)
+
+
+def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:
+    drawn = {symbol: sp.Dummy(str(symbol)) for symbol in chart.arguments}
+    equations = [value - drawn[symbol] for symbol, value in chart.arguments.items()]
+    if chart.rest is not None:
+        equations.append(chart.rest + 2 * sp.pi * TURNS - chart.angle)
+    found = sp.solve(equations, list(chart.within), dict=True)
+    if len(found) != 1 or found[0].keys() != chart.within.keys():
+        raise ValueError(f"chart: {chart.arguments} do not tell their coordinates")
+    (place,) = found
+    gaps = [gap for name, side in chart.within.items() for gap in _list_gaps(place[name], side)]
+    inputs = {drawn[symbol]: names[symbol] for symbol in chart.arguments}
+    return lower_steps(
+        inputs, frozenset(), tuple(inputs.values()), _count_turns(chart, place), gaps
+    )
+
+
+def _list_gaps(value: sp.Expr, side: sp.Interval) -> Iterator[sp.Expr]:
+    """List how far a coordinate is above and below the ends of its range."""
+    if side.inf.is_finite:
+        yield value - side.inf
+    if side.sup.is_finite:
+        yield side.sup - value
+
+
+def _count_turns(
+    chart: Chart, place: Mapping[sp.Symbol, sp.Expr]
+) -> Sequence[tuple[sp.Symbol, sp.Expr]]:
+    if chart.rest is None:
+        return []
+    half = chart.rest.subs(dict.fromkeys(chart.within, 0))
+    return [(TURNS, sp.floor((place[chart.angle] - half) / (2 * sp.pi) + sp.S.Half))]

@@ -1,0 +1,29 @@
+"""Programs of elementary functions with a step altered, and what is then proved of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+
+from mechproof.codegen.elementary.formats import DOUBLE
+from mechproof.codegen.elementary.functions import Function, build
+from mechproof.codegen.program import Operation, Program
+from mechproof.roundoff import elementary
+from mechproof.roundoff.elementary import prove
+
+
+def change(kind: str, edit: Callable[[Operation], Operation]) -> Function:
+    function = build(kind, DOUBLE)
+    operations = tuple(map(edit, function.program.operations))
+    assert operations != function.program.operations
+    program = Program(function.program.inputs, operations, function.program.outputs)
+    return replace(function, program=program)
+
+
+def prove_changed(kind: str, changed: Function, monkeypatch: pytest.MonkeyPatch) -> float:
+    # What is proved of the function itself is kept: it must not be of the changed one.
+    with monkeypatch.context() as patch:
+        patch.setattr(elementary, "build", lambda *_: changed)
+        return prove.__wrapped__(kind).most

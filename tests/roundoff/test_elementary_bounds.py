@@ -1,0 +1,169 @@
+"""Bounds of elementary functions: they hold, and what is altered is worse or refused."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from alterations import change, prove_changed
+from flint import arb
+
+from mechproof.codegen.elementary.formats import DOUBLE
+from mechproof.codegen.elementary.functions import build
+from mechproof.codegen.program import Operation
+from mechproof.proof.balls import working_precision
+from mechproof.roundoff.compiled import COMPILED, find_part
+from mechproof.roundoff.elementary import prove
+from mechproof.roundoff.intervals import EPS, Interval
+
+TRUTH: dict[str, Callable[..., arb]] = {
+    "tan": arb.tan,
+    "sin": arb.sin,
+    "cos": arb.cos,
+    "small_arctan": arb.atan,
+    "arctan_quotient": lambda a, b: (a / b).atan(),
+}
+
+
+def draw_arguments(kind: str, count: int) -> tuple[np.ndarray, ...]:
+    rng = np.random.default_rng(6)
+    size = 2.0 ** rng.uniform(-30, 26, count) * rng.choice([-1, 1], count)
+    if kind == "small_arctan":
+        return (rng.uniform(-1, 1, count) * 3**-0.5,)
+    if kind == "arctan_quotient":
+        near = size * (1 + rng.integers(-3, 4, count) * EPS)
+        return size, np.where(rng.random(count) < 0.3, near, rng.normal(size=count) * 9.0)
+    quarters = np.rint(rng.uniform(0, 4e7, count) ** rng.uniform(0, 1, count)) * np.pi / 4
+    return (np.where(rng.random(count) < 0.5, size, quarters),)
+
+
+def look_up(kind: str, arguments: tuple[np.ndarray, ...]) -> np.ndarray:
+    profile = prove(kind)
+    if not profile.is_of_angles:
+        with np.errstate(over="ignore"):
+            size = np.abs(arguments[0] / (arguments[1] if len(arguments) > 1 else 1.0))
+        return profile.of_size(Interval(size, size))
+    (angle,) = arguments
+    given = Interval(angle, angle)
+    return profile.of_angle(given, given)
+
+
+@pytest.mark.parametrize("kind", TRUTH)
+def test_elementary_functions_are_off_by_no_more_than_is_proved(kind: str) -> None:
+    arguments = draw_arguments(kind, 3000)
+    found = COMPILED[kind](*arguments)
+    errors = []
+    with working_precision(300):
+        for value, *given in zip(found, *arguments, strict=True):
+            true = TRUTH[kind](*map(arb, map(float, given)))
+            errors.append(float(abs(arb(float(value)) / true - 1)) / EPS)
+    # The last quotient of a tangent is not among what is proved of its two parts.
+    last = 0.5 if kind == "tan" else 0.0
+    proved = look_up(kind, arguments)
+    assert np.all(errors <= proved + last)
+    assert max(errors) > 0.3 * prove(kind).most
+
+
+def test_what_a_small_arctangent_is_not_meant_for_has_no_bound() -> None:
+    profile = prove("small_arctan")
+    large = Interval(np.array([0.5, 0.5]), np.array([0.6, 0.6]))
+    assert np.isnan(profile.of_size(large)).all()
+    found = profile.of_size(profile.limit(large, np.array([2.0**-40, np.inf])))
+    assert found[0] <= profile.most
+    assert np.isnan(found[1])
+
+
+def test_the_steepest_quotients_have_a_bound() -> None:
+    size = np.array([1e300, 2.0**45, 1.0, 0.0])
+    found = prove("arctan_quotient").of_size(Interval(size, size))
+    assert np.all(found <= prove("arctan_quotient").most)
+
+
+@pytest.mark.parametrize("kind", TRUTH)
+def test_a_wrong_coefficient_has_a_larger_bound(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    low = max(
+        abs(o)
+        for step in build(kind, DOUBLE).program.operations
+        if step.kind == "fma"
+        for o in step.operands[2:]
+        if not isinstance(o, str)
+    )
+
+    def edit(step: Operation) -> Operation:
+        last = step.operands[-1]
+        if step.kind != "fma" or isinstance(last, str) or abs(last) != low:
+            return step
+        return replace(step, operands=(*step.operands[:2], last * (1 + 2.0**-40)))
+
+    assert prove_changed(kind, change(kind, edit), monkeypatch) > 10 * prove(kind).most
+
+
+def test_a_low_word_of_the_wrong_sign_has_a_larger_bound(monkeypatch: pytest.MonkeyPatch) -> None:
+    def edit(step: Operation) -> Operation:
+        small = [isinstance(o, float) and 0 < abs(o) < 1e-10 for o in step.operands]
+        return replace(step, kind="add") if step.kind == "subtract" and any(small) else step
+
+    changed = change("arctan_quotient", edit)
+    found = prove_changed("arctan_quotient", changed, monkeypatch)
+    assert found > prove("arctan_quotient").most + 0.3
+
+
+@pytest.mark.parametrize(("one", "other"), [("a", "b"), ("b", "a")])
+def test_the_sign_of_another_argument_is_refused(
+    one: str, other: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def swap(step: Operation) -> Operation:
+        signed = step.kind == "copysign" and step.operands[1] == one
+        return replace(step, operands=(step.operands[0], other)) if signed else step
+
+    with pytest.raises(ValueError, match="the sign is not that of"):
+        prove_changed("arctan_quotient", change("arctan_quotient", swap), monkeypatch)
+
+
+def test_an_arctangent_of_more_than_a_quotient_is_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Where the larger size is 1 the smaller one is the quotient."""
+    steps = build("arctan_quotient", DOUBLE).program.operations
+    (quotient,) = (step for step in steps if step.kind == "divide")
+    last = [step for step in steps if step.kind == "fma"][-1]
+
+    def swap(step: Operation) -> Operation:
+        if step is not last:
+            return step
+        return replace(step, operands=(*step.operands[:2], quotient.operands[0]))
+
+    assert last.operands[2] == quotient.result
+    with pytest.raises(ValueError, match="scaled"):
+        prove_changed("arctan_quotient", change("arctan_quotient", swap), monkeypatch)
+
+
+def test_what_does_not_vanish_with_a_function_has_no_bound(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Sines for cosines and cosines for sines: one at 0 is off by more than any share of none."""
+
+    def swap(step: Operation) -> Operation:
+        condition, *both = step.operands
+        inner = step.kind == "choose" and step is chosen
+        return replace(step, operands=(condition, *both[::-1])) if inner else step
+
+    chosen = next(s for s in build("sin", DOUBLE).program.operations if s.kind == "choose")
+    assert prove_changed("sin", change("sin", swap), monkeypatch) == np.inf
+
+
+def test_another_comparison_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    def turn(step: Operation) -> Operation:
+        return replace(step, operands=step.operands[::-1]) if step.kind == "greater" else step
+
+    with pytest.raises(ValueError, match="only the sizes of both arguments"):
+        prove_changed("arctan_quotient", change("arctan_quotient", turn), monkeypatch)
+
+
+def test_parts_of_another_program_are_refused() -> None:
+    program = build("tangent_quotient", DOUBLE).program
+    assert find_part(program, "tangent_above") != find_part(program, "tangent_below")
+    with pytest.raises(ValueError, match="no part of"):
+        find_part(build("sin", DOUBLE).program, "tangent_above")

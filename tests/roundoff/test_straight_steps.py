@@ -1,0 +1,62 @@
+"""Steps in one row: what is scaled, negated, limited or held counts as it should."""
+
+from __future__ import annotations
+
+from contextlib import nullcontext
+
+import numpy as np
+import pytest
+
+from mechproof.roundoff.bound import Bar, Evaluation
+from mechproof.roundoff.elementary import prove
+from mechproof.roundoff.germs import Frame
+from mechproof.roundoff.intervals import Interval, careful
+from mechproof.roundoff.scales import find_scaled
+from mechproof.roundoff.steps import Step, Straight
+from mechproof.roundoff.symmetry import find_parities
+
+
+def test_what_is_negated_is_not_compared() -> None:
+    for step in (Step("q", "greater", ("y", 1), 0.0), Step("q", "choose", (1, "y", 1), 0.0)):
+        with pytest.raises(ValueError, match="negated"):
+            find_parities(Straight(("y",), (step,), ("q",)), {"y": -1})
+
+
+def test_a_scale_that_stays_is_refused() -> None:
+    part = Step("t", "copy", (1.0,), 0.0, scaled="y")
+    for kind, operands in (("add", ("t", 1)), ("arctan", ("t",)), ("square", ("t",))):
+        with pytest.raises(ValueError, match="scaled"):
+            find_scaled(Straight(("y",), (part, Step("q", kind, operands, 0.5)), ("q",)))
+    whole = find_scaled(Straight(("y",), (part, Step("q", "divide", ("t", "t"), 0.5)), ("q",)))
+    assert whole.scaled == ("t",)
+
+
+def test_of_what_is_scaled_no_difference_is_exact() -> None:
+    """Doubles so near to one another have an exact difference, but nobody knows these doubles."""
+    steps = (
+        Step("one", "multiply", ("y", 1.0), 0.0, scaled="y"),
+        Step("other", "multiply", ("y", 1.0), 0.0, scaled="y"),
+        Step("most", "multiply", ("other", 0.75), 0.5),
+        Step("left", "subtract", ("one", "most"), 0.5),
+        Step("q", "divide", ("left", "one"), 0.5),
+    )
+    straight = Straight(("y",), steps, ("q",))
+    errors = []
+    for some in (straight, find_scaled(straight)):
+        frame = Frame([Interval(np.array([1.0]), np.array([1.0]))], [True])
+        evaluation = Evaluation(some, frame, {"y": frame.variable(0)}, {}, None)
+        errors.append(evaluation.list_errors("q", Bar(None, True))["left"])
+    assert errors[0] == 0 < errors[1]
+
+
+def test_an_argument_that_is_limited_may_be_off_by_nothing_held() -> None:
+    """The exact argument is legal, the computed one may not be: all its roundings count."""
+    steps = (Step("w", "square", ("y",), 0.5), Step("q", "arctan", ("w",), 1.0, "small_arctan"))
+    side = Interval(np.array([0.75]), np.array([0.76]))
+    frame = Frame([side], [True])
+    for held in ((), ("w",)):
+        straight = Straight(("y",), steps, ("q",), held)
+        refused = pytest.raises(ValueError, match="held: ") if held else nullcontext()
+        with careful(moves=False), refused:
+            evaluation = Evaluation(straight, frame, {"y": frame.variable(0)}, {}, None, prove)
+            assert evaluation.sum_errors("q", Bar(None, True)) < 3

@@ -1,0 +1,110 @@
+"""Turns taken off: what is left of an angle is bounded, or refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import sympy as sp
+from alterations import change, prove_changed
+from flint import arb
+
+from mechproof.codegen.elementary.formats import DOUBLE
+from mechproof.codegen.program import Operation
+from mechproof.proof.balls import working_precision
+from mechproof.record import Chart
+from mechproof.roundoff.bound import OVERLAPPED, UNREDUCED, Bar, Evaluation
+from mechproof.roundoff.elementary import prove
+from mechproof.roundoff.germs import Frame
+from mechproof.roundoff.intervals import EPS, Interval, careful
+from mechproof.roundoff.reduction import bound_reduction, find_nearest
+from mechproof.roundoff.regions import list_regions
+from mechproof.roundoff.running import IN_DOUBLES, run
+from mechproof.roundoff.steps import Step, Straight
+
+
+def test_half_turns_that_no_region_takes_off_have_no_bound() -> None:
+    reduced = Straight(("y",), (Step("r", "pi_off", ("y",), 0.5),), ("r",))
+    low, high = np.array([0.5, 0.5, 100.0]), np.array([1.5, 1.6, 100.1])
+    frame = Frame([Interval(low, high)], [True])
+    with careful(moves=False):
+        evaluation = Evaluation(reduced, frame, {"y": frame.variable(0)}, {}, None)
+        found = evaluation.sum_errors("r", Bar(None, True))
+    assert found.tolist() == [0.0, np.inf, np.inf]
+
+
+def test_beyond_half_a_turn_a_bound_needs_a_region_that_overlaps() -> None:
+    """The half turn that is taken off there is rounded."""
+    reduced = Straight(("y",), (Step("r", "pi_off", ("y",), 0.5),), ("r",))
+    ends = np.array(
+        [UNREDUCED, np.nextafter(UNREDUCED, 2), OVERLAPPED, np.nextafter(OVERLAPPED, 2)]
+    )
+    turned = [run(reduced, {"y": end}, IN_DOUBLES)[0] != end for end in ends]
+    assert turned == [False, True, True, True]
+    frame = Frame([Interval(np.full(4, 0.5), ends)], [True])
+    for is_overlapped, missing in ((False, turned), (True, [False, False, False, True])):
+        evaluation = Evaluation(
+            reduced, frame, {"y": frame.variable(0)}, {}, None, is_overlapped=is_overlapped
+        )
+        with careful(moves=False):
+            found = evaluation.sum_errors("r", Bar(None, True))
+        assert found.tolist() == [np.inf if none else 0.0 for none in missing]
+
+
+def test_regions_that_overlap_have_what_is_beyond_half_a_turn() -> None:
+    angle, side = sp.Symbol("x"), sp.Interval(0, 2**26)
+    for turned in (angle, None):
+        first, *others = list_regions(Chart("", {angle: angle}, {angle: side}, turned))
+        assert first.is_overlapped == any(region.turns == 1 for region in others)
+
+
+def test_angles_that_are_not_reduced_have_no_bound() -> None:
+    far = np.array([2 * DOUBLE.largest, np.nan])
+    assert np.isnan(prove("sin").of_angle(Interval(far, far), Interval(far, far))).all()
+
+
+def test_no_double_is_nearer_to_a_quarter_turn() -> None:
+    """Doubles next to multiples of pi/2, the nearest of the whole range among them."""
+    least = find_nearest(DOUBLE.largest)
+    with working_precision(200):
+        near = [arb(n) * arb.pi() / 2 for n in (*range(1, 2000), *range(2**25, 2**25 + 2000))]
+        rests = [float(abs(arb(float(x)) - x)) for x in near]
+    assert 0 < least <= min(rests)
+
+
+def test_a_reduction_by_fewer_words_is_refused() -> None:
+    words = (-1.5707963267948966, -6.123233995736766e-17, 1.4973849048591698e-33)
+    per = 0.6366197723675814
+    assert 0 < bound_reduction(per, words).far < 0.1
+    assert bound_reduction(per, (*words[:2], 0.0)).near > 1e6
+    for wrong in (words[:2], (words[0], -words[1], words[2])):
+        with pytest.raises(ValueError, match="quarter turn"):
+            bound_reduction(per, wrong)
+    with pytest.raises(ValueError, match="nearest"):
+        bound_reduction(per * (1 + 2.0**-30), words)
+    with pytest.raises(ValueError, match="may be rounded"):
+        bound_reduction(per, (words[0] + 2.0**-20, *words[1:]))
+
+
+def test_a_decision_without_a_rule_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    def swap(step: Operation) -> Operation:
+        return replace(step, kind="rint") if step.kind == "floor" else step
+
+    # Halves of odd numbers rounded to even ones: the sign is another.
+    with pytest.raises(ValueError, match="decides what rounding does"):
+        prove_changed("cos", change("cos", swap), monkeypatch)
+
+
+@pytest.mark.parametrize("added", [2 - EPS, 2.0**60])
+def test_numbers_of_quarter_turns_that_are_rounded_are_refused(
+    added: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without a rounding 2 - eps has the signs of 1, but no large number is off by it."""
+
+    def add(step: Operation) -> Operation:
+        wrong = step.kind == "add" and step.operands[1:] == (1.0,)
+        return replace(step, operands=(step.operands[0], added)) if wrong else step
+
+    with pytest.raises(ValueError, match="may be rounded"):
+        prove_changed("cos", change("cos", add), monkeypatch)
