@@ -78,9 +78,11 @@ class Extended:
         if self.subject.quantity.accuracy is None:
             return None
         if self.scale is None:
-            return np.abs(value).max(-1).astype(float)
-        (scale,) = run(self.scale, given, IN_EXTENDED)
-        return np.broadcast_to(scale, len(value)).astype(float)
+            size: Array = np.abs(value).max(-1).astype(float)
+            return size
+        (found,) = run(self.scale, given, IN_EXTENDED)
+        scale: Array = np.broadcast_to(found, len(value)).astype(float)
+        return scale
 
     def _name_values(self, arguments: Arguments, kind: type[np.floating[Any]]) -> Values:
         """Give every input its values: numbers, components, elements before the axis of points."""
