@@ -34,7 +34,7 @@ SLOW = {"wedge_linkage.position", "wedge_linkage.sensitivities", "wedge_linkage.
 
 
 def draw(subject: Subject) -> list[Arguments]:
-    drawn = [*search._draw_sets(subject, SEED, SHARE)][::4]
+    drawn = [*search.draw_sets(subject, SEED, SHARE)][::4]
     return [tuple(c[choose_evenly(len(c), POINTS)] for c in points) for points in drawn]
 
 
@@ -42,7 +42,7 @@ def estimate(subject: Subject, points: Arguments) -> tuple[Truth, Array]:
     oracle = extend(subject)
     assert oracle is not None
     truth = oracle.find_truth(points)
-    return truth, search._measure(subject.kernel, points, truth)
+    return truth, search.compare(subject.kernel, points, truth)
 
 
 @pytest.mark.parametrize(
@@ -91,5 +91,5 @@ def test_results_that_are_lost_inside_the_domain_are_seen() -> None:
     oracle = extend(subject)
     assert oracle is not None
     truth = oracle.find_truth(points)
-    lost = search._measure(lambda phi, *rest: phi * np.nan, points, truth)
+    lost = search.compare(lambda phi, *rest: phi * np.nan, points, truth)
     assert (lost[truth.decided] == np.inf).all()

@@ -58,7 +58,7 @@ def find_worst(
     The domain is not left. Without long doubles, or code of the quantity, balls are all there is.
     """
     rng = np.random.default_rng(seed)
-    sets = [*_draw_sets(subject, seed, share)]
+    sets = [*draw_sets(subject, seed, share)]
     judge = partial(scaled_errors, subject, compute)
     few = (tuple(c[choose_evenly(len(c), most)] for c in drawn) for drawn in sets)
     inside = partial(_mark_inside, subject)
@@ -67,7 +67,7 @@ def find_worst(
     if extended is not None:
 
         def estimate(points: Arguments) -> Array:
-            return _measure(compute, points, extended.find_truth(points))
+            return compare(compute, points, extended.find_truth(points))
 
         start = join(crowd.points, *sets)
         for length in _divide(ROUNDS * rounds):
@@ -85,16 +85,18 @@ def _divide(rounds: int) -> Iterator[int]:
 def scaled_errors(subject: Subject, compute: Compute, arguments: Arguments) -> Array:
     """Return the errors in units of the accuracy bound; -1 where undecided or out of it."""
     truth = find_truth(subject, arguments)
-    return np.where(mark_within(subject, arguments), _measure(compute, arguments, truth), -1.0)
+    return np.where(mark_within(subject, arguments), compare(compute, arguments, truth), -1.0)
 
 
-def _measure(compute: Compute, arguments: Arguments, truth: Truth) -> Array:
+def compare(compute: Compute, arguments: Arguments, truth: Truth) -> Array:
+    """Return the errors against a truth, in units of the accuracy bound; -1 where undecided."""
     with np.errstate(all="ignore"):
         errors = find_errors(compute(*arguments), truth).scaled
     return np.where(truth.decided, np.nan_to_num(errors, nan=-1.0, posinf=np.inf), -1.0)
 
 
-def _draw_sets(subject: Subject, seed: int, share: float) -> Iterator[Arguments]:
+def draw_sets(subject: Subject, seed: int, share: float) -> Iterator[Arguments]:
+    """Draw the points of every set that has no order, all arguments with an axis of points."""
     for point_set in list_sets(subject, share):
         if not point_set.ordered:
             yield _with_leading_axis(draw_points(point_set, seed))
