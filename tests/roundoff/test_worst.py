@@ -11,14 +11,14 @@ import sympy as sp
 from certified import claims, name_claim, subject_of, subjects
 
 from mechproof.record import Chart, Form
-from mechproof.roundoff import extended, worst
+from mechproof.roundoff import certificate, extended, worst
 from mechproof.roundoff.certificate import Claim
 from mechproof.roundoff.inside import find_inside
 from mechproof.roundoff.intervals import Array
 from mechproof.roundoff.regions import Box, Region, list_regions
 from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.subject import Subject
-from mechproof.roundoff.worst import draw, estimate, find_worst, judge, measure
+from mechproof.roundoff.worst import Found, draw, estimate, find_worst, judge, measure
 
 needs_long_doubles = pytest.mark.skipif(
     not extended.IS_LONGER, reason="long doubles have the digits of doubles here"
@@ -152,3 +152,15 @@ def test_of_a_mirror_all_signs_change() -> None:
     ):
         inside = find_inside(some, {a: "a", b: "b"})
         assert inside.holds(points, IN_DOUBLES).tolist() == held
+
+
+def test_an_input_beyond_what_is_proved_refutes_the_proof(monkeypatch: pytest.MonkeyPatch) -> None:
+    claim = claims()[0]
+    subject = subject_of(claim)
+    at = {name: float.fromhex(text) for name, text in claim.at.items()}
+    monkeypatch.setattr(certificate, "_lower_bound", lambda subject, low: claim.proved)
+    monkeypatch.setattr(certificate, "cover_all", lambda subject, aim, most: [])
+    found = Found(claim.proved * 1.001, at)
+    monkeypatch.setattr(certificate, "_search", lambda subject, covers: found)
+    with pytest.raises(ArithmeticError, match=f"^{claim.quantity}\\..* at most {claim.proved}"):
+        certificate.make_claim(subject)

@@ -183,12 +183,18 @@ def _tell_open(covers: Sequence[tuple[Region, Cover]]) -> str:
 def make_claim(subject: Subject, known: Claim | None = None) -> Claim:
     """Look for the lowest bound that can be shown and for the input that comes nearest to it.
 
-    An input that was known before counts if it is off by more.
+    An input that was known before counts if it is off by more. Raises ArithmeticError where one is
+    off by more than is proved: then the proof is wrong.
     """
     before = [_measure_again(subject, known)] if known else []
     proved = _lower_bound(subject, max((found.eps for found in before), default=0.0))
     covers = cover_all(subject, proved, MOST)
     worst = max((_search(subject, covers), *before), key=lambda found: found.eps)
+    if worst.eps > proved:
+        at = {name: value.hex() for name, value in worst.at.items()}
+        raise ArithmeticError(
+            f"{'.'.join(_key(subject))}: {worst.eps} eps at {at}, where at most {proved} are proved"
+        )
     return Claim(
         *_key(subject),
         where=subject.where,
