@@ -139,7 +139,7 @@ def ratio(
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy: 10 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (phi1 = 0
-    or 1e-290 <= |phi1|).
+    or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
 
     Proved, where |x| <= 22/7 or |x| <= 2**26 and e <= 1 - 2**-10: at most 11.59 eps with np.tan
     within 1 ulp, found 6.15; at most 15.11 eps compiled, found 7.65.
@@ -221,7 +221,8 @@ def position(
     There, where NumPy has no vector loop for tan, long arrays are computed by polynomials:
     faster, and with other last bits than short ones.
 
-    Accuracy: 6 eps of the value, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|).
+    Accuracy: 6 eps of the value, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|) and
+    1e-300 <= R1 and 1e-300 <= R2.
 
     Proved of half-angle atan, where |x| <= 2**26: at most 4.34 eps with np.arctan within 1 ulp
     and np.tan within 1 ulp, found 3.37; at most 5.88 eps by polynomials, found 4.51; at most
@@ -317,7 +318,7 @@ def acceleration(
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy: 16 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (phi1 = 0
-    or 1e-290 <= |phi1|) and (e = 0 or 1e-200 <= e).
+    or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and (e = 0 or 1e-200 <= e).
 
     Proved, where |x| <= 22/7 and |pi - |x|| >= 2**-40: at most 21.88 eps with np.tan within 1
     ulp, found 10.23; at most 29 eps compiled, found 12.9.

@@ -202,7 +202,9 @@ def guide_radicand(
     -----
     Domain: 0 < l_AB, l_BC, l_CD < oo.
 
-    Accuracy: 2.5 eps of |value| + sum of |p * d value/d p| over the arguments p.
+    Accuracy: 2.5 eps of |value| + sum of |p * d value/d p| over the arguments p, where (1e-50
+    <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <=
+    l_CD <= 1e50.
 
     Source: Bazuev et al. 2021, equation (1).
 
@@ -271,13 +273,12 @@ def lever_angle(
     The conditioning |value| + sum of |p * d value/d p|: guide_condition of guide_square =
     guide_radicand.
 
-    Lengths and displacements are squared: of lengths beyond 1e-50 to 1e50 or displacements
-    beyond 1e50 squares may leave the range of doubles, and the result is NaN, 0 where it should
-    not be, or another wrong number.
+    Lengths and displacements are squared: of sizes beyond 1e-50 to 1e50 squares may leave the
+    range of doubles, and the result is NaN, 0 where it should not be, or another wrong number.
 
-    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, where |x1| <=
-    1e50 and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <= 1e50 and
-    guide_condition/2**48 < guide_square.
+    Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, where (1e-50 <=
+    |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <=
+    l_CD <= 1e50 and guide_condition/2**48 < guide_square.
 
     Source: Bazuev et al. 2021, equation (1).
 
@@ -340,7 +341,7 @@ def rod_displacement(
     Domain: 0 < l_DE < oo.
 
     Accuracy: 4 eps of |value| + sum of |p * d value/d p| over the arguments p, where |phi3| <=
-    pi and (phi3 = 0 or 1e-140 <= |phi3|) and 1e-10 <= l_DE.
+    pi and (phi3 = 0 or 1e-140 <= |phi3|) and 1e-10 <= l_DE <= 1e300.
 
     Source: Bazuev et al. 2021, equation (3).
 
@@ -438,7 +439,8 @@ def roller_offset(
     -----
     Domain: 0 < l_KL < oo, 0 < alpha_KL < pi.
 
-    Accuracy: 1.5 eps of |value| + sum of |p * d value/d p| over the arguments p.
+    Accuracy: 1.5 eps of |value| + sum of |p * d value/d p| over the arguments p, where (1e-50
+    <= |x5| <= 1e50 or x5 = 0) and 1e-50 <= l_KL <= 1e50.
 
     Source: Bazuev et al. 2021, equations (7) and (8).
 
@@ -494,12 +496,12 @@ def roller_lever_angle(
     The conditioning |value| + sum of |p * d value/d p|: height_condition of height_square =
     l_KL**2 - roller_offset**2.
 
-    Lengths and displacements are squared: of lengths beyond 1e-50 to 1e50 or displacements
-    beyond 1e50 squares may leave the range of doubles, and the result is NaN, 0 where it should
-    not be, or another wrong number.
+    Lengths and displacements are squared: of sizes beyond 1e-50 to 1e50 squares may leave the
+    range of doubles, and the result is NaN, 0 where it should not be, or another wrong number.
 
-    Accuracy: 16 eps of |value| + sum of |p * d value/d p| over the arguments p, where |x5| <=
-    1e50 and 1e-50 <= l_KL <= 1e50 and height_condition/2**48 < height_square.
+    Accuracy: 16 eps of |value| + sum of |p * d value/d p| over the arguments p, where (1e-50 <=
+    |x5| <= 1e50 or x5 = 0) and 1e-50 <= l_KL <= 1e50 and height_condition/2**48 <
+    height_square.
 
     Source: Bazuev et al. 2021, equations (7) and (8).
 
@@ -566,7 +568,7 @@ def wedge_displacement(
     Domain: 0 < l_LM < oo.
 
     Accuracy: 4 eps of |value| + sum of |p * d value/d p| over the arguments p, where |phi7| <=
-    pi and (phi7 = 0 or 1e-140 <= |phi7|) and 1e-10 <= l_LM.
+    pi and (phi7 = 0 or 1e-140 <= |phi7|) and 1e-10 <= l_LM <= 1e300.
 
     Source: Bazuev et al. 2021, equation (10).
 
@@ -654,14 +656,14 @@ def position(
     The conditioning |value| + sum of |p * d value/d p|: guide_condition of guide_square =
     guide_radicand, roller_condition of KL_x + l_KL in contact.
 
-    Lengths and displacements are squared: of lengths beyond 1e-50 to 1e50 or displacements
-    beyond 1e50 squares may leave the range of doubles, and the result is NaN, 0 where it should
-    not be, or another wrong number.
+    Lengths and displacements are squared: of sizes beyond 1e-50 to 1e50 squares may leave the
+    range of doubles, and the result is NaN, 0 where it should not be, or another wrong number.
 
     Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact,
-    where |x1| <= 1e50 and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <=
-    1e50 and 1e-50 <= l_DE <= 1e50 and 1e-50 <= l_KL <= 1e50 and 1e-50 <= l_LM <= 1e50 and l_GH
-    <= 1e50 and guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
+    where (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50
+    and 1e-50 <= l_CD <= 1e50 and 1e-50 <= l_DE <= 1e50 and 1e-50 <= l_KL <= 1e50 and 1e-50 <=
+    l_LM <= 1e50 and l_GH <= 1e50 and guide_condition/2**48 < guide_square and
+    roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -845,15 +847,14 @@ def velocity(
     guide_condition of guide_square = guide_radicand, roller_condition of KL_x + l_KL in
     contact.
 
-    Lengths and displacements are squared: of lengths beyond 1e-50 to 1e50 or displacements
-    beyond 1e50 squares may leave the range of doubles, and the result is NaN, 0 where it should
-    not be, or another wrong number.
+    Lengths and displacements are squared: of sizes beyond 1e-50 to 1e50 squares may leave the
+    range of doubles, and the result is NaN, 0 where it should not be, or another wrong number.
 
     Accuracy: 8 eps of |value| + sum of |p * d value/d p| over the arguments p, in contact,
-    where run_condition/2**48 < |l_GH - travel_5| and |x1| <= 1e50 and 1e-50 <= l_AB <= 1e50 and
-    1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <= 1e50 and 1e-50 <= l_DE <= 1e50 and 1e-50 <= l_KL
-    <= 1e50 and 1e-50 <= l_LM <= 1e50 and l_GH <= 1e50 and guide_condition/2**48 < guide_square
-    and roller_condition/2**48 < KL_x + l_KL.
+    where run_condition/2**48 < |l_GH - travel_5| and (1e-50 <= |x1| <= 1e50 or x1 = 0) and
+    1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <= 1e50 and 1e-50 <= l_DE
+    <= 1e50 and 1e-50 <= l_KL <= 1e50 and 1e-50 <= l_LM <= 1e50 and l_GH <= 1e50 and
+    guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
@@ -1057,15 +1058,15 @@ def sensitivities(
     guide_condition of guide_square = guide_radicand, roller_condition of KL_x + l_KL in
     contact.
 
-    Lengths and displacements are squared: of lengths beyond 1e-50 to 1e50 or displacements
-    beyond 1e50 squares may leave the range of doubles, and the result is NaN, 0 where it should
-    not be, or another wrong number.
+    Lengths and displacements are squared: of sizes beyond 1e-50 to 1e50 squares may leave the
+    range of doubles, and the result is NaN, 0 where it should not be, or another wrong number.
 
     Accuracy: 8 eps of norm over the entries (each keeps its own) of |value| + sum of |p * d
     value/d p| over the arguments p, in contact, where run_condition/2**48 < |l_GH - travel_5|
-    and |x1| <= 1e50 and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50 and 1e-50 <= l_CD <=
-    1e50 and 1e-50 <= l_DE <= 1e50 and 1e-50 <= l_KL <= 1e50 and 1e-50 <= l_LM <= 1e50 and l_GH
-    <= 1e50 and guide_condition/2**48 < guide_square and roller_condition/2**48 < KL_x + l_KL.
+    and (1e-50 <= |x1| <= 1e50 or x1 = 0) and 1e-50 <= l_AB <= 1e50 and 1e-50 <= l_BC <= 1e50
+    and 1e-50 <= l_CD <= 1e50 and 1e-50 <= l_DE <= 1e50 and 1e-50 <= l_KL <= 1e50 and 1e-50 <=
+    l_LM <= 1e50 and l_GH <= 1e50 and guide_condition/2**48 < guide_square and
+    roller_condition/2**48 < KL_x + l_KL.
 
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 

@@ -67,7 +67,13 @@ SINGULAR = (
 # |cos x| <= 1.
 # What a forward analysis proves, and the worst that is met, stand in the certificates.
 # Below 1e-290 the products with phi1 lose bits to the range of doubles.
-LOW_WORD = (Abs(x) <= 2**26, Or(Eq(phi1, 0), Abs(phi1) >= Rational(1, 10**290)))
+LEAST = Rational(1, 10**300)
+LOW_WORD = (
+    Abs(x) <= 2**26,
+    Or(Eq(phi1, 0), Abs(phi1) >= Rational(1, 10**290)),
+    R1 >= LEAST,
+    R2 >= LEAST,
+)
 SLOPE = 2 * e * k**2 * (1 - e**2) / (1 + e**2 - 2 * e * cos(x)) ** 2
 EPS_X = Rational(1, 2**52) * Abs(x)
 RATIO_SCALE = Scale("the value and what eps*x makes of it", RATIO + EPS_X * SLOPE / k)

@@ -161,7 +161,8 @@ def within_half_a_turn(angle: sp.Symbol, arm: sp.Symbol) -> tuple[sp.Basic, ...]
     A sum of two doubles of which one is above 1e-140 is 0 or above 1e-156.
     """
     turned = Or(Eq(angle, 0), Ge(Abs(angle), Rational(1, 10**140)))
-    return Le(Abs(angle), pi), turned, Ge(arm, Rational(1, 10**10))
+    arms = And(arm >= Rational(1, 10**10), arm <= 10**300)
+    return Le(Abs(angle), pi), turned, arms
 
 
 # roller_lever_angle: 3.5 for each factor under the root, an error of l_KL and, at most 1.3 times,
@@ -202,16 +203,16 @@ def beside(gap: sp.Expr, name: str) -> sp.Basic:
 # No product of squares leaves the doubles.
 LARGEST = sp.Integer(10) ** 50
 BEYOND_SQUARES = (
-    "lengths and displacements are squared: of lengths beyond 1e-50 to 1e50 or displacements "
-    "beyond 1e50 squares may leave the range of doubles, and the result is NaN, 0 where it should "
-    "not be, or another wrong number"
+    "lengths and displacements are squared: of sizes beyond 1e-50 to 1e50 squares may leave the "
+    "range of doubles, and the result is NaN, 0 where it should not be, or another wrong number"
 )
 
 
 def moderate(displacement: sp.Symbol, *lengths: sp.Symbol) -> tuple[sp.Basic, ...]:
-    """State that lengths are neither vast nor tiny, and a displacement is not vast."""
-    sizes = (And(length >= 1 / LARGEST, length <= LARGEST) for length in lengths)
-    return Le(Abs(displacement), LARGEST), *sizes
+    """State that lengths, and a displacement that is not zero, are neither vast nor tiny."""
+    sizes = (Abs(displacement), *lengths)
+    moved, *others = (And(size >= 1 / LARGEST, size <= LARGEST) for size in sizes)
+    return Or(Eq(displacement, 0), moved), *others
 
 
 CLOSING = beside(guide_square, "guide_condition")

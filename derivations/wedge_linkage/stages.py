@@ -31,6 +31,7 @@ from .conditioning import (
     SHORT_GUIDE,
     arguments,
     conditioned,
+    moderate,
     singular_arm,
     within_half_a_turn,
 )
@@ -87,7 +88,9 @@ STAGES = (
         (Form("product", radicand),),
         f"{BAZUEV} (1)",
         unit="mm**2",
-        accuracy=conditioned(RADICAND_ULP, radicand, (x1, l_AB, l_BC, l_CD)),
+        accuracy=conditioned(
+            RADICAND_ULP, radicand, (x1, l_AB, l_BC, l_CD), moderate(x1, l_AB, l_BC, l_CD)
+        ),
         singular=(Singular(Eq(radicand, 0)), PIVOT),
     ),
     Quantity(
@@ -168,7 +171,7 @@ STAGES = (
         (Form("difference", PRINTED_R),),
         f"{BAZUEV}s (7) and (8)",
         unit="mm",
-        accuracy=conditioned(OFFSET_ULP, PRINTED_R, (x5, l_KL)),
+        accuracy=conditioned(OFFSET_ULP, PRINTED_R, (x5, l_KL), moderate(x5, l_KL)),
         singular=(Singular(Eq(PRINTED_R, 0)),),
     ),
     Quantity(

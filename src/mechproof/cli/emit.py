@@ -40,7 +40,7 @@ def emit_c(
     ] = None,
     derivations: DerivationsOption = None,
 ) -> None:
-    """Write a header and a source in C99 for each system; they need <math.h> alone.
+    """Write a header and a source in C99 for each system; they need <math.h> and <stddef.h>.
 
     Each kernel is a function of one point, and one with _array after its name of many. Sums over
     axes of any length take the number of their terms first. Quantities that are computed in one

@@ -30,8 +30,9 @@ PROVED_HEAD = (
 PROVED = """
 ## What is proved of rounding errors
 
-In eps of the scale. *at most*: proved over all that is named; *found*: by a search that the proof
-leads; beside them the worst on the sets of that way, in all its forms.
+In eps of the scale. *at most*: proved over all that is named; *found*: the worst that any search
+met, one of them from the boxes with the largest bounds; beside them the worst on the sets of that
+way, in all its forms.
 """
 INTRODUCTION = """# What the kernels and the other ways lose and cost
 
