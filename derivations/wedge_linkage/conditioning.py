@@ -201,10 +201,12 @@ def beside(gap: sp.Expr, name: str) -> sp.Basic:
 
 
 # No product of squares leaves the doubles.
-LARGEST = sp.Integer(10) ** 50
+POWER = 50
+LARGEST = sp.Integer(10) ** POWER
 BEYOND_SQUARES = (
-    "lengths and displacements are squared: of sizes beyond 1e-50 to 1e50 squares may leave the "
-    "range of doubles, and the result is NaN, 0 where it should not be, or another wrong number"
+    f"lengths and displacements are squared: of sizes beyond 1e-{POWER} to 1e{POWER} squares may "
+    "leave the range of doubles, and the result is NaN, 0 where it should not be, or another wrong "
+    "number"
 )
 
 
@@ -216,8 +218,9 @@ def moderate(displacement: sp.Symbol, *lengths: sp.Symbol) -> tuple[sp.Basic, ..
 
 
 CLOSING = beside(guide_square, "guide_condition")
-GUIDED = (*moderate(x1, l_AB, l_BC, l_CD), CLOSING)
-LIFTED = (*moderate(x5, l_KL), beside(height_square, "height_condition"))
+GUIDE_SIZES, ARM_SIZES = moderate(x1, l_AB, l_BC, l_CD), moderate(x5, l_KL)
+GUIDED = (*GUIDE_SIZES, CLOSING)
+LIFTED = (*ARM_SIZES, beside(height_square, "height_condition"))
 # A clearance is squared nowhere.
 LINKED = (
     *moderate(x1, *(size for size in SIZES if size not in (*ANGLES, l_GH))),

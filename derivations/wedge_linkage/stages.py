@@ -9,11 +9,13 @@ from mechproof.record import Accuracy, Form, Quantity, Singular
 
 from .chain import DIRECTION_IN_PRINT, LINKS, MEANT, PUSHED, PUSHED_IN_PRINT, ROLLER
 from .conditioning import (
+    ARM_SIZES,
     AT_REST,
     BEYOND_SQUARES,
     DRIVEN_RUN,
     FOLLOWED,
     GUIDE_EDGE,
+    GUIDE_SIZES,
     GUIDED,
     HEIGHT_EDGE,
     LEVER_TURN,
@@ -31,7 +33,6 @@ from .conditioning import (
     SHORT_GUIDE,
     arguments,
     conditioned,
-    moderate,
     singular_arm,
     within_half_a_turn,
 )
@@ -88,9 +89,7 @@ STAGES = (
         (Form("product", radicand),),
         f"{BAZUEV} (1)",
         unit="mm**2",
-        accuracy=conditioned(
-            RADICAND_ULP, radicand, (x1, l_AB, l_BC, l_CD), moderate(x1, l_AB, l_BC, l_CD)
-        ),
+        accuracy=conditioned(RADICAND_ULP, radicand, (x1, l_AB, l_BC, l_CD), GUIDE_SIZES),
         singular=(Singular(Eq(radicand, 0)), PIVOT),
     ),
     Quantity(
@@ -171,7 +170,7 @@ STAGES = (
         (Form("difference", PRINTED_R),),
         f"{BAZUEV}s (7) and (8)",
         unit="mm",
-        accuracy=conditioned(OFFSET_ULP, PRINTED_R, (x5, l_KL), moderate(x5, l_KL)),
+        accuracy=conditioned(OFFSET_ULP, PRINTED_R, (x5, l_KL), ARM_SIZES),
         singular=(Singular(Eq(PRINTED_R, 0)),),
     ),
     Quantity(

@@ -5,14 +5,15 @@ What cancels loses bits here, too, and a formula that is wrong is wrong in both.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 import sympy as sp
 
+from mechproof.codegen.backends.scalar import map_affinely
 from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.evaluation import arrange, entries
 from mechproof.codegen.kernel import input_names, list_functions
@@ -26,6 +27,7 @@ from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
 from mechproof.roundoff.extended import DIGITS_OF, FORMAT, IN_EXTENDED, IS_LONGER
 from mechproof.roundoff.running import Table, Values, run
+from mechproof.roundoff.steps import Straight, flatten_stage
 
 IN_PLACE: Table = MappingProxyType({**IN_EXTENDED, "number": np.float64})
 
@@ -45,12 +47,11 @@ class Extended:
         given = self._name_values(arguments, FORMAT)
         plain = self._name_values(arguments, np.float64)
         with np.errstate(all="ignore"):
-            stages = [
-                (_holds(s.when, plain, IN_PLACE), run_stage(s, given)) for s in self.code.stages
-            ]
-            values = stages[-1][1]
-            for taken, others in reversed(stages[:-1]):
-                values = [np.where(taken, o, v) for o, v in zip(others, values, strict=True)]
+            taken = [_holds(stage.when, plain, IN_PLACE) for stage in self.code.stages]
+            found = [run(_flatten(stage), given, IN_EXTENDED) for stage in self.code.stages]
+            values = found[-1]
+            for here, others in zip(taken[-2::-1], found[-2::-1], strict=True):
+                values = tuple(np.where(here, o, v) for o, v in zip(others, values, strict=True))
             count = len(arguments[0])
             value = np.stack([np.broadcast_to(v, count) for v in values], -1)
             high = value.astype(float)
@@ -102,23 +103,11 @@ def _holds(condition: Program | None, given: Values, table: Table) -> Any:
     return True if condition is None else run(condition, given, table)[0]
 
 
-def run_stage(stage: Stage, given: Values) -> list[Any]:
-    """Return the outputs of a stage; of an affine one, of the points mapped."""
-    prepared = run(stage.prepare, given, IN_EXTENDED)
-    if stage.evaluate is None:
-        return _map_affinely(prepared, [given[name] for name in stage.running])
-    names = stage.evaluate.inputs[len(stage.running) :]
-    passed = dict(zip(names, prepared, strict=True))
-    return [*run(stage.evaluate, {**given, **passed}, IN_EXTENDED)]
-
-
-def _map_affinely(prepared: Sequence[Any], point: Sequence[Any]) -> list[Any]:
-    size = len(point)
-    shift = prepared[-size:]
-    rows = [prepared[i * size : (i + 1) * size] for i in range(size)]
-    return [
-        sum(m * p for m, p in zip(row, point, strict=True)) + shift[i] for i, row in enumerate(rows)
-    ]
+def _flatten(stage: Stage) -> Straight:
+    """Put a stage into one row of steps, an affine one with the points mapped."""
+    if stage.affine:
+        stage = replace(stage, evaluate=map_affinely(stage.running))
+    return flatten_stage(stage, {})
 
 
 def extend(subject: Subject) -> Extended | None:

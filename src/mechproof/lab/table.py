@@ -56,8 +56,7 @@ def write_tables(folder: Path) -> Path:
 def headline(record: Record) -> str:
     """Return the worst error of what is shipped against its accuracy bound, in a line."""
     rows = record.errors_of(record.ways[0].name)
-    searched = (found.scaled for found in record.searched)
-    found = (record.worst_of(record.ways[0].name), *searched)
+    found = (e for s in record.searched for e in (record.worst_of(s.way), s.scaled))
     worst = max(error for error in found if error is not None)
     bound = "" if record.bound is None else f" of {record.bound:.3g}"
     points, undecided = sum(r.points for r in rows), sum(r.undecided for r in rows)

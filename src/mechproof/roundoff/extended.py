@@ -50,6 +50,7 @@ IN_EXTENDED: Table = MappingProxyType(
         **{name: getattr(np, name) for name in ("arcsin", "arccos", "arctan2", "exp", "log")},
         **{name: getattr(np, name) for name in ("tan", "arctan", "sign", "power")},
         "number": FORMAT,
+        "fma": lambda a, b, c: a * b + c,
         "product_rest": _product_rest,
         "quotient_rest": _quotient_rest,
         "sum_rest": error_free.sum_rest,
