@@ -142,7 +142,7 @@ def ratio(
     or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2.
 
     Proved, where |x| <= 22/7 or |x| <= 2**26 and e <= 1 - 2**-10: at most 11.59 eps with np.tan
-    within 1 ulp, found 6.15; at most 15.11 eps compiled, found 7.65.
+    within 1 ulp, found 6.15; at most 13.31 eps compiled, found 7.57.
 
     Source: Prikhodko et al. 2024, equation (8).
 
@@ -226,11 +226,11 @@ def position(
 
     Proved of half-angle atan, where |x| <= 2**26: at most 4.34 eps with np.arctan within 1 ulp
     and np.tan within 1 ulp, found 3.37; at most 5.88 eps by polynomials, found 4.51; at most
-    5.34 eps compiled, found 3.75.
+    4.54 eps compiled, found 3.54.
 
     Proved of half-angle atan with low word, where |x| <= 22/7 or |x| <= 2**26 and e <= 1 -
     2**-10: at most 5.78 eps with np.arctan within 1 ulp and np.tan within 1 ulp, found 2.98; at
-    most 6.52 eps compiled, found 4.61.
+    most 5.56 eps compiled, found 3.48.
 
     Source: Prikhodko et al. 2024, integral (9) of equation (8).
 
@@ -321,7 +321,7 @@ def acceleration(
     or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and (e = 0 or 1e-200 <= e).
 
     Proved, where |x| <= 22/7 and |pi - |x|| >= 2**-40: at most 21.88 eps with np.tan within 1
-    ulp, found 10.23; at most 29 eps compiled, found 12.9.
+    ulp, found 10.23; at most 25.49 eps compiled, found 11.46.
 
     Source: derivative of Prikhodko et al. 2024, equation (8).
 

@@ -199,7 +199,7 @@ def rotation(
     Accuracy: 7 eps of the largest size of an entry.
 
     Proved, where |alpha|, |beta|, |gamma| <= 22/7: at most 4.66 eps with np.cos within 1 ulp
-    and np.sin within 1 ulp, found 1.6; at most 3.44 eps compiled, found 2.02.
+    and np.sin within 1 ulp, found 1.6; at most 3.28 eps compiled, found 2.01.
 
     Source: Kapitonov, Yakubovsky 2022, equation (14).
 
@@ -272,8 +272,8 @@ def displacement(
     Accuracy: 13.5 eps of the sizes of turn and shift, for the norm of the error.
 
     Proved, where |alpha|, |beta|, |gamma| <= 11/7: at most 16.62 eps with np.tan within 1 ulp
-    and np.matmul by products and their sums in any order, found 6.57; at most 31.25 eps
-    compiled, found 6.84.
+    and np.matmul by products and their sums in any order, found 6.57; at most 28.29 eps
+    compiled, found 6.77.
 
     Source: Kapitonov, Yakubovsky 2022, equation (15).
 

@@ -78,7 +78,9 @@ class _Maker:
         n, r = self.reduce(y)
         fitted = self.fit(fits.TANGENT, *self.form.tangent)
         z = r * r
-        above, below = polynomial(z, fitted.above) * r, polynomial(z, fitted.below)
+        first, *others = fitted.above
+        lead = r if first == 1.0 else first * r
+        above, below = fma(r * z, polynomial(z, others), lead), polynomial(z, fitted.below)
         half = n * 0.5
         is_even = rint(half).equals(half)
         return choose(is_even, above, -below), choose(is_even, below, above)

@@ -6,7 +6,7 @@ Arithmetic on a `Value` adds an operation; what is used more than once gets a na
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
 
@@ -107,20 +107,24 @@ def copysign(a: Value | float, b: Value) -> Value:
     return b.apply("copysign", a, b)
 
 
-def polynomial(z: Value, coefficients: tuple[float, ...]) -> Value:
-    """Return the polynomial in z, coefficients lowest power first, by halves (Estrin 1960).
+# So many terms of a polynomial may wait for each other.
+CHAIN = 7
 
-    Halves do not wait for each other, as the steps of Horner's scheme do.
+
+def polynomial(z: Value, coefficients: Sequence[float]) -> Value | float:
+    """Return the polynomial in z, coefficients lowest power first, by Horner's rule.
+
+    A long one is put into pairs, which do not wait for each other, in powers of z**2: half the
+    steps for one product, where halving on (Estrin 1960) takes a product for each power.
     """
     terms: list[Value | float] = list(coefficients)
-    power = z
-    while len(terms) > 1:
+    if len(terms) > CHAIN:
         pairs = zip(terms[::2], terms[1::2], strict=False)
-        joined: list[Value | float] = [fma(power, high, low) for low, high in pairs]
-        terms = joined + terms[len(terms) - len(terms) % 2 :]
-        power = power * power
-    (value,) = terms
-    assert isinstance(value, Value)
+        joined: list[Value | float] = [fma(z, high, low) for low, high in pairs]
+        terms, z = joined + terms[len(terms) - len(terms) % 2 :], z * z
+    *others, value = terms
+    for term in reversed(others):
+        value = fma(z, value, term)
     return value
 
 
