@@ -8,9 +8,10 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` d17eba8be1f8.
+Elementary functions: `elementary` ef94fa7607ce.
 
-Sums over axes are added in the order of the index, with the rest of every addition. Inside
+Sums over axes are added in the order of the index, with the rest of every addition. Many
+sets of terms are added beside each other, each to the bits that it has alone. Inside
 functions that numba compiles they take one array of terms for each argument, or a number for
 equal ones.
 
@@ -32,6 +33,7 @@ from mechproof.compiled_support import (
     Loops,
     Sums,
     choose,
+    count_sets,
     count_terms,
     floor,
     fma,
@@ -39,6 +41,8 @@ from mechproof.compiled_support import (
     is_finite,
     loop,
     overload,
+    own_row,
+    put_sets,
     run,
     run_sums,
     scalar,
@@ -109,6 +113,31 @@ def _sum_1(sensitivities, scatters, tolerances, correlation):
     return choose(is_finite(low), high + low, high)
 
 
+@loop
+def _sum_1_sets(out, sensitivities, scatters, tolerances, correlation):
+    widen()
+    high, low = own_row(), own_row()
+    for s in range(len(out)):
+        high[s], low[s] = 0.0, 0.0
+    for i in range(len(sensitivities)):
+        for j in range(len(sensitivities)):
+            for s in range(len(out)):
+                term = _sum_1_term(
+                    sensitivities[i, s],
+                    scatters[i, s],
+                    tolerances[i, s],
+                    sensitivities[j, s],
+                    scatters[j, s],
+                    tolerances[j, s],
+                    correlation[i, j, s],
+                )
+                total = high[s] + term
+                low[s] += elementary.total_rest(high[s], term, total)
+                high[s] = total
+    for s in range(len(out)):
+        out[s] = choose(is_finite(low[s]), high[s] + low[s], high[s])
+
+
 @scalar
 def _every_2_term(scatters_i):
 
@@ -123,6 +152,19 @@ def _every_2(scatters):
     return holds
 
 
+@loop
+def _every_2_sets(out, scatters):
+    widen()
+    holds = own_row()
+    for s in range(len(out)):
+        holds[s] = 1.0
+    for i in range(len(scatters)):
+        for s in range(len(out)):
+            holds[s] = choose(_every_2_term(scatters[i, s]), holds[s], 0.0)
+    for s in range(len(out)):
+        out[s] = holds[s]
+
+
 @scalar
 def _every_3_term(scatters_i):
 
@@ -135,6 +177,19 @@ def _every_3(scatters):
     for i in range(len(scatters)):
         holds = holds & _every_3_term(float(scatters[i]))
     return holds
+
+
+@loop
+def _every_3_sets(out, scatters):
+    widen()
+    holds = own_row()
+    for s in range(len(out)):
+        holds[s] = 1.0
+    for i in range(len(scatters)):
+        for s in range(len(out)):
+            holds[s] = choose(_every_3_term(scatters[i, s]), holds[s], 0.0)
+    for s in range(len(out)):
+        out[s] = holds[s]
 
 
 @scalar
@@ -152,6 +207,20 @@ def _every_4(correlation):
     return holds
 
 
+@loop
+def _every_4_sets(out, correlation):
+    widen()
+    holds = own_row()
+    for s in range(len(out)):
+        holds[s] = 1.0
+    for i in range(len(correlation)):
+        for j in range(len(correlation)):
+            for s in range(len(out)):
+                holds[s] = choose(_every_4_term(correlation[i, j, s]), holds[s], 0.0)
+    for s in range(len(out)):
+        out[s] = holds[s]
+
+
 @scalar
 def _every_5_term(correlation_ij):
 
@@ -167,6 +236,20 @@ def _every_5(correlation):
     return holds
 
 
+@loop
+def _every_5_sets(out, correlation):
+    widen()
+    holds = own_row()
+    for s in range(len(out)):
+        holds[s] = 1.0
+    for i in range(len(correlation)):
+        for j in range(len(correlation)):
+            for s in range(len(out)):
+                holds[s] = choose(_every_5_term(correlation[i, j, s]), holds[s], 0.0)
+    for s in range(len(out)):
+        out[s] = holds[s]
+
+
 @scalar
 def _every_6_term(correlation_ii):
 
@@ -179,6 +262,19 @@ def _every_6(correlation):
     for i in range(len(correlation)):
         holds = holds & _every_6_term(float(correlation[i, i]))
     return holds
+
+
+@loop
+def _every_6_sets(out, correlation):
+    widen()
+    holds = own_row()
+    for s in range(len(out)):
+        holds[s] = 1.0
+    for i in range(len(correlation)):
+        for s in range(len(out)):
+            holds[s] = choose(_every_6_term(correlation[i, i, s]), holds[s], 0.0)
+    for s in range(len(out)):
+        out[s] = holds[s]
 
 
 @scalar
@@ -196,6 +292,22 @@ def _every_7(correlation):
     return holds
 
 
+@loop
+def _every_7_sets(out, correlation):
+    widen()
+    holds = own_row()
+    for s in range(len(out)):
+        holds[s] = 1.0
+    for i in range(len(correlation)):
+        for j in range(len(correlation)):
+            for s in range(len(out)):
+                holds[s] = choose(
+                    _every_7_term(correlation[i, j, s], correlation[j, i, s]), holds[s], 0.0
+                )
+    for s in range(len(out)):
+        out[s] = holds[s]
+
+
 @scalar
 def _every_8_term(tolerances_i):
 
@@ -210,6 +322,19 @@ def _every_8(tolerances):
     return holds
 
 
+@loop
+def _every_8_sets(out, tolerances):
+    widen()
+    holds = own_row()
+    for s in range(len(out)):
+        holds[s] = 1.0
+    for i in range(len(tolerances)):
+        for s in range(len(out)):
+            holds[s] = choose(_every_8_term(tolerances[i, s]), holds[s], 0.0)
+    for s in range(len(out)):
+        out[s] = holds[s]
+
+
 @scalar
 def _every_9_term(tolerances_i):
 
@@ -222,6 +347,19 @@ def _every_9(tolerances):
     for i in range(len(tolerances)):
         holds = holds & _every_9_term(float(tolerances[i]))
     return holds
+
+
+@loop
+def _every_9_sets(out, tolerances):
+    widen()
+    holds = own_row()
+    for s in range(len(out)):
+        holds[s] = 1.0
+    for i in range(len(tolerances)):
+        for s in range(len(out)):
+            holds[s] = choose(_every_9_term(tolerances[i, s]), holds[s], 0.0)
+    for s in range(len(out)):
+        out[s] = holds[s]
 
 
 @scalar
@@ -240,6 +378,22 @@ def _sum_10(sensitivities, scatters, tolerances):
         high = total
     # A sum that leaves the range of doubles has no rest.
     return choose(is_finite(low), high + low, high)
+
+
+@loop
+def _sum_10_sets(out, sensitivities, scatters, tolerances):
+    widen()
+    high, low = own_row(), own_row()
+    for s in range(len(out)):
+        high[s], low[s] = 0.0, 0.0
+    for i in range(len(sensitivities)):
+        for s in range(len(out)):
+            term = _sum_10_term(sensitivities[i, s], scatters[i, s], tolerances[i, s])
+            total = high[s] + term
+            low[s] += elementary.total_rest(high[s], term, total)
+            high[s] = total
+    for s in range(len(out)):
+        out[s] = choose(is_finite(low[s]), high[s] + low[s], high[s])
 
 
 @scalar
@@ -1431,77 +1585,119 @@ def _offer_smallest_radius(
 
 
 @scalar
-def _error_sum_correlated(tolerances, sensitivities, scatters, correlation, total_scatter):
+def _error_sum_correlated(total_scatter, sum_1):
 
-    return np.sqrt(_sum_1(sensitivities, scatters, tolerances, correlation)) / total_scatter
+    return np.sqrt(sum_1) / total_scatter
 
 
 @scalar
-def _error_sum_correlated_at(tolerances, sensitivities, scatters, correlation, total_scatter):
+def _error_sum_correlated_at(
+    total_scatter, every_2, every_3, every_4, every_5, every_6, every_7, every_8, every_9, sum_1
+):
     if not (
         (total_scatter > 0)
         & is_finite(total_scatter)
-        & _every_2(scatters)
-        & _every_3(scatters)
-        & _every_4(correlation)
-        & _every_5(correlation)
-        & _every_6(correlation)
-        & _every_7(correlation)
-        & _every_8(tolerances)
-        & _every_9(tolerances)
+        & every_2
+        & every_3
+        & every_4
+        & every_5
+        & every_6
+        & every_7
+        & every_8
+        & every_9
     ):
         return math.nan
-    return _error_sum_correlated(tolerances, sensitivities, scatters, correlation, total_scatter)
+    return _error_sum_correlated(total_scatter, sum_1)
 
 
 @scalar
 def _error_sum_correlated_point(tolerances, sensitivities, scatters, correlation, total_scatter):
-    return _error_sum_correlated_at(tolerances, sensitivities, scatters, correlation, total_scatter)
-
-
-@loop
-def _row_each_error_sum_correlated(
-    out,
-    tolerances_values,
-    sensitivities_values,
-    scatters_values,
-    correlation_values,
-    total_scatter_values,
-):
-    for i in range(out.size):
-        tolerances = tolerances_values[i]
-
-        sensitivities = sensitivities_values[i]
-
-        scatters = scatters_values[i]
-
-        correlation = correlation_values[i]
-
-        total_scatter = float(total_scatter_values[i])
-
-        value = _error_sum_correlated_at(
-            tolerances, sensitivities, scatters, correlation, total_scatter
-        )
-        out[i] = value
+    return _error_sum_correlated_at(
+        total_scatter,
+        _every_2(scatters),
+        _every_3(scatters),
+        _every_4(correlation),
+        _every_5(correlation),
+        _every_6(correlation),
+        _every_7(correlation),
+        _every_8(tolerances),
+        _every_9(tolerances),
+        _sum_1(sensitivities, scatters, tolerances, correlation),
+    )
 
 
 @loop
 def _fill_each_error_sum_correlated(
     out,
+    terms,
     tolerances_values,
     sensitivities_values,
     scatters_values,
     correlation_values,
     total_scatter_values,
 ):
-    _row_each_error_sum_correlated(
-        out,
-        tolerances_values,
-        sensitivities_values,
-        scatters_values,
-        correlation_values,
-        total_scatter_values,
-    )
+    widen()
+    sets = count_sets(out.size, terms * terms)
+    tolerances_sets = np.empty((terms, sets), tolerances_values.dtype)
+    sensitivities_sets = np.empty((terms, sets), sensitivities_values.dtype)
+    scatters_sets = np.empty((terms, sets), scatters_values.dtype)
+    correlation_sets = np.empty((terms, terms, sets), correlation_values.dtype)
+    total_scatter_sets = np.empty((1, sets), total_scatter_values.dtype)
+    every_2_sets = np.empty(sets)
+    every_3_sets = np.empty(sets)
+    every_4_sets = np.empty(sets)
+    every_5_sets = np.empty(sets)
+    every_6_sets = np.empty(sets)
+    every_7_sets = np.empty(sets)
+    every_8_sets = np.empty(sets)
+    every_9_sets = np.empty(sets)
+    sum_1_sets = np.empty(sets)
+    for start in range(0, out.size, sets):
+        stop = min(start + sets, out.size)
+        put_sets(tolerances_sets, tolerances_values, start, stop)
+        put_sets(sensitivities_sets, sensitivities_values, start, stop)
+        put_sets(scatters_sets, scatters_values, start, stop)
+        put_sets(correlation_sets.reshape(-1, sets), correlation_values, start, stop)
+        put_sets(total_scatter_sets, total_scatter_values, start, stop)
+        if start == 0 or len(scatters_values) > 1:
+            _every_2_sets(every_2_sets, scatters_sets)
+        if start == 0 or len(scatters_values) > 1:
+            _every_3_sets(every_3_sets, scatters_sets)
+        if start == 0 or len(correlation_values) > 1:
+            _every_4_sets(every_4_sets, correlation_sets)
+        if start == 0 or len(correlation_values) > 1:
+            _every_5_sets(every_5_sets, correlation_sets)
+        if start == 0 or len(correlation_values) > 1:
+            _every_6_sets(every_6_sets, correlation_sets)
+        if start == 0 or len(correlation_values) > 1:
+            _every_7_sets(every_7_sets, correlation_sets)
+        if start == 0 or len(tolerances_values) > 1:
+            _every_8_sets(every_8_sets, tolerances_sets)
+        if start == 0 or len(tolerances_values) > 1:
+            _every_9_sets(every_9_sets, tolerances_sets)
+        if (
+            start == 0
+            or len(tolerances_values) > 1
+            or len(sensitivities_values) > 1
+            or len(scatters_values) > 1
+            or len(correlation_values) > 1
+        ):
+            _sum_1_sets(
+                sum_1_sets, sensitivities_sets, scatters_sets, tolerances_sets, correlation_sets
+            )
+        for s in range(stop - start):
+            out[start + s] = _error_sum_correlated_at(
+                total_scatter_sets[0, s],
+                every_2_sets[s] > 0,
+                every_3_sets[s] > 0,
+                every_4_sets[s] > 0,
+                every_5_sets[s] > 0,
+                every_6_sets[s] > 0,
+                every_7_sets[s] > 0,
+                every_8_sets[s] > 0,
+                every_9_sets[s] > 0,
+                sum_1_sets[s],
+            )
 
 
 def error_sum_correlated(
@@ -1552,6 +1748,7 @@ _ERROR_SUM_CORRELATED = Sums(
         2,
         0,
     ),
+    at=_error_sum_correlated_point,
     each=_fill_each_error_sum_correlated,
 )
 
@@ -1588,66 +1785,80 @@ def _offer_error_sum_correlated(
 
 
 @scalar
-def _error_sum(tolerances, sensitivities, scatters, total_scatter):
+def _error_sum(total_scatter, sum_10):
 
-    return np.sqrt(_sum_10(sensitivities, scatters, tolerances)) / total_scatter
+    return np.sqrt(sum_10) / total_scatter
 
 
 @scalar
-def _error_sum_at(tolerances, sensitivities, scatters, total_scatter):
-    if not (
-        (total_scatter > 0)
-        & is_finite(total_scatter)
-        & _every_2(scatters)
-        & _every_3(scatters)
-        & _every_8(tolerances)
-        & _every_9(tolerances)
-    ):
+def _error_sum_at(total_scatter, every_2, every_3, every_8, every_9, sum_10):
+    if not ((total_scatter > 0) & is_finite(total_scatter) & every_2 & every_3 & every_8 & every_9):
         return math.nan
-    return _error_sum(tolerances, sensitivities, scatters, total_scatter)
+    return _error_sum(total_scatter, sum_10)
 
 
 @scalar
 def _error_sum_point(tolerances, sensitivities, scatters, total_scatter):
-    return _error_sum_at(tolerances, sensitivities, scatters, total_scatter)
-
-
-@loop
-def _row_each_error_sum(
-    out,
-    tolerances_values,
-    sensitivities_values,
-    scatters_values,
-    total_scatter_values,
-):
-    for i in range(out.size):
-        tolerances = tolerances_values[i]
-
-        sensitivities = sensitivities_values[i]
-
-        scatters = scatters_values[i]
-
-        total_scatter = float(total_scatter_values[i])
-
-        value = _error_sum_at(tolerances, sensitivities, scatters, total_scatter)
-        out[i] = value
+    return _error_sum_at(
+        total_scatter,
+        _every_2(scatters),
+        _every_3(scatters),
+        _every_8(tolerances),
+        _every_9(tolerances),
+        _sum_10(sensitivities, scatters, tolerances),
+    )
 
 
 @loop
 def _fill_each_error_sum(
     out,
+    terms,
     tolerances_values,
     sensitivities_values,
     scatters_values,
     total_scatter_values,
 ):
-    _row_each_error_sum(
-        out,
-        tolerances_values,
-        sensitivities_values,
-        scatters_values,
-        total_scatter_values,
-    )
+    widen()
+    sets = count_sets(out.size, terms)
+    tolerances_sets = np.empty((terms, sets), tolerances_values.dtype)
+    sensitivities_sets = np.empty((terms, sets), sensitivities_values.dtype)
+    scatters_sets = np.empty((terms, sets), scatters_values.dtype)
+    total_scatter_sets = np.empty((1, sets), total_scatter_values.dtype)
+    every_2_sets = np.empty(sets)
+    every_3_sets = np.empty(sets)
+    every_8_sets = np.empty(sets)
+    every_9_sets = np.empty(sets)
+    sum_10_sets = np.empty(sets)
+    for start in range(0, out.size, sets):
+        stop = min(start + sets, out.size)
+        put_sets(tolerances_sets, tolerances_values, start, stop)
+        put_sets(sensitivities_sets, sensitivities_values, start, stop)
+        put_sets(scatters_sets, scatters_values, start, stop)
+        put_sets(total_scatter_sets, total_scatter_values, start, stop)
+        if start == 0 or len(scatters_values) > 1:
+            _every_2_sets(every_2_sets, scatters_sets)
+        if start == 0 or len(scatters_values) > 1:
+            _every_3_sets(every_3_sets, scatters_sets)
+        if start == 0 or len(tolerances_values) > 1:
+            _every_8_sets(every_8_sets, tolerances_sets)
+        if start == 0 or len(tolerances_values) > 1:
+            _every_9_sets(every_9_sets, tolerances_sets)
+        if (
+            start == 0
+            or len(tolerances_values) > 1
+            or len(sensitivities_values) > 1
+            or len(scatters_values) > 1
+        ):
+            _sum_10_sets(sum_10_sets, sensitivities_sets, scatters_sets, tolerances_sets)
+        for s in range(stop - start):
+            out[start + s] = _error_sum_at(
+                total_scatter_sets[0, s],
+                every_2_sets[s] > 0,
+                every_3_sets[s] > 0,
+                every_8_sets[s] > 0,
+                every_9_sets[s] > 0,
+                sum_10_sets[s],
+            )
 
 
 def error_sum(
@@ -1693,6 +1904,7 @@ _ERROR_SUM = Sums(
         1,
         0,
     ),
+    at=_error_sum_point,
     each=_fill_each_error_sum,
 )
 
@@ -1725,38 +1937,32 @@ def _offer_error_sum(
 
 
 @scalar
-def _error_sum_thermal(
-    tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
-):
+def _error_sum_thermal(total_scatter, thermal_share, thermal_scatter, sum_10):
     K_minus_tau_K_T = total_scatter - thermal_share * thermal_scatter
     K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter
 
-    return np.sqrt(_sum_10(sensitivities, scatters, tolerances)) / np.sqrt(
-        K_minus_tau_K_T * K_plus_tau_K_T
-    )
+    return np.sqrt(sum_10) / np.sqrt(K_minus_tau_K_T * K_plus_tau_K_T)
 
 
 @scalar
 def _error_sum_thermal_at(
-    tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
+    total_scatter, thermal_share, thermal_scatter, every_2, every_3, every_8, every_9, sum_10
 ):
     if not (
         (total_scatter > 0)
         & is_finite(total_scatter)
-        & _every_2(scatters)
-        & _every_3(scatters)
+        & every_2
+        & every_3
         & (thermal_scatter > 0)
         & is_finite(thermal_scatter)
         & (thermal_share >= 0)
         & is_finite(thermal_share)
         & (thermal_share * thermal_scatter < total_scatter)
-        & _every_8(tolerances)
-        & _every_9(tolerances)
+        & every_8
+        & every_9
     ):
         return math.nan
-    return _error_sum_thermal(
-        tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
-    )
+    return _error_sum_thermal(total_scatter, thermal_share, thermal_scatter, sum_10)
 
 
 @scalar
@@ -1764,42 +1970,21 @@ def _error_sum_thermal_point(
     tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
 ):
     return _error_sum_thermal_at(
-        tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
+        total_scatter,
+        thermal_share,
+        thermal_scatter,
+        _every_2(scatters),
+        _every_3(scatters),
+        _every_8(tolerances),
+        _every_9(tolerances),
+        _sum_10(sensitivities, scatters, tolerances),
     )
-
-
-@loop
-def _row_each_error_sum_thermal(
-    out,
-    tolerances_values,
-    sensitivities_values,
-    scatters_values,
-    total_scatter_values,
-    thermal_share_values,
-    thermal_scatter_values,
-):
-    for i in range(out.size):
-        tolerances = tolerances_values[i]
-
-        sensitivities = sensitivities_values[i]
-
-        scatters = scatters_values[i]
-
-        total_scatter = float(total_scatter_values[i])
-
-        thermal_share = float(thermal_share_values[i])
-
-        thermal_scatter = float(thermal_scatter_values[i])
-
-        value = _error_sum_thermal_at(
-            tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
-        )
-        out[i] = value
 
 
 @loop
 def _fill_each_error_sum_thermal(
     out,
+    terms,
     tolerances_values,
     sensitivities_values,
     scatters_values,
@@ -1807,15 +1992,53 @@ def _fill_each_error_sum_thermal(
     thermal_share_values,
     thermal_scatter_values,
 ):
-    _row_each_error_sum_thermal(
-        out,
-        tolerances_values,
-        sensitivities_values,
-        scatters_values,
-        total_scatter_values,
-        thermal_share_values,
-        thermal_scatter_values,
-    )
+    widen()
+    sets = count_sets(out.size, terms)
+    tolerances_sets = np.empty((terms, sets), tolerances_values.dtype)
+    sensitivities_sets = np.empty((terms, sets), sensitivities_values.dtype)
+    scatters_sets = np.empty((terms, sets), scatters_values.dtype)
+    total_scatter_sets = np.empty((1, sets), total_scatter_values.dtype)
+    thermal_share_sets = np.empty((1, sets), thermal_share_values.dtype)
+    thermal_scatter_sets = np.empty((1, sets), thermal_scatter_values.dtype)
+    every_2_sets = np.empty(sets)
+    every_3_sets = np.empty(sets)
+    every_8_sets = np.empty(sets)
+    every_9_sets = np.empty(sets)
+    sum_10_sets = np.empty(sets)
+    for start in range(0, out.size, sets):
+        stop = min(start + sets, out.size)
+        put_sets(tolerances_sets, tolerances_values, start, stop)
+        put_sets(sensitivities_sets, sensitivities_values, start, stop)
+        put_sets(scatters_sets, scatters_values, start, stop)
+        put_sets(total_scatter_sets, total_scatter_values, start, stop)
+        put_sets(thermal_share_sets, thermal_share_values, start, stop)
+        put_sets(thermal_scatter_sets, thermal_scatter_values, start, stop)
+        if start == 0 or len(scatters_values) > 1:
+            _every_2_sets(every_2_sets, scatters_sets)
+        if start == 0 or len(scatters_values) > 1:
+            _every_3_sets(every_3_sets, scatters_sets)
+        if start == 0 or len(tolerances_values) > 1:
+            _every_8_sets(every_8_sets, tolerances_sets)
+        if start == 0 or len(tolerances_values) > 1:
+            _every_9_sets(every_9_sets, tolerances_sets)
+        if (
+            start == 0
+            or len(tolerances_values) > 1
+            or len(sensitivities_values) > 1
+            or len(scatters_values) > 1
+        ):
+            _sum_10_sets(sum_10_sets, sensitivities_sets, scatters_sets, tolerances_sets)
+        for s in range(stop - start):
+            out[start + s] = _error_sum_thermal_at(
+                total_scatter_sets[0, s],
+                thermal_share_sets[0, s],
+                thermal_scatter_sets[0, s],
+                every_2_sets[s] > 0,
+                every_3_sets[s] > 0,
+                every_8_sets[s] > 0,
+                every_9_sets[s] > 0,
+                sum_10_sets[s],
+            )
 
 
 def error_sum_thermal(
@@ -1871,6 +2094,7 @@ _ERROR_SUM_THERMAL = Sums(
         0,
         0,
     ),
+    at=_error_sum_thermal_point,
     each=_fill_each_error_sum_thermal,
 )
 

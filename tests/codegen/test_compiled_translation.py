@@ -82,6 +82,31 @@ def test_modules_change_with_what_is_compiled_into_them(
         ("(sensitivities_i * scatters_i * tolerances_i) ** 2", "(scatters_i * tolerances_i) ** 2"),
         ("scatters_i * tolerances_i) ** 2", "scatters_i * tolerances_i)"),
         ("* (sensitivities_j * scatters_j", "* (sensitivities_j * scatters_i"),
+        ("low[s] += elementary.total_rest", "low[s] -= elementary.total_rest"),
+        ("total = high[s] + term", "total = high[s] - term"),
+        ("high[s] + low[s], high[s])", "high[s], high[s])"),
+        ("correlation[j, i, s]", "correlation[i, j, s]"),
+        ("tolerances[j, s]", "tolerances[i, s]"),
+        ("correlation[i, i, s]", "correlation[i, i, 0]"),
+        (
+            "holds[s] = choose(_every_2_term(scatters[i, s]), holds[s]",
+            "holds[s] = choose(_every_2_term(scatters[i, s]), 1.0",
+        ),
+        (
+            "_sum_10(sensitivities, scatters, tolerances),",
+            "_sum_10(scatters, sensitivities, tolerances),",
+        ),
+        ("put_sets(scatters_sets, scatters_values", "put_sets(scatters_sets, tolerances_values"),
+        (
+            "_every_2_sets(every_2_sets, scatters_sets)",
+            "_every_2_sets(every_3_sets, scatters_sets)",
+        ),
+        (
+            "_every_2_sets(every_2_sets, scatters_sets)",
+            "_every_3_sets(every_3_sets, scatters_sets)",
+        ),
+        ("every_3_sets[s] > 0", "every_2_sets[s] > 0"),
+        ("total_scatter_sets[0, s]", "total_scatter_sets[0, 0]"),
     ],
 )
 def test_a_compiled_sum_that_adds_something_else_is_caught(right: str, wrong: str) -> None:
@@ -91,7 +116,7 @@ def test_a_compiled_sum_that_adds_something_else_is_caught(right: str, wrong: st
     kernels = list_scalars(PAPER)
     check_translation(source, kernels)
     assert right in source
-    with pytest.raises(ValueError, match=r"meant|no loop over terms"):
+    with pytest.raises(ValueError, match=r"meant|no loop over terms|are put into|of a set|not put"):
         check_translation(source.replace(right, wrong, 1), kernels)
 
 

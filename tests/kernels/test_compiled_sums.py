@@ -74,6 +74,49 @@ def test_long_sums_lose_nothing() -> None:
     assert abs(track_wheel.error_sum(tolerances, 1.0, 1.0, 1.0) - exact) <= EPS * exact
 
 
+SETS = 150
+
+
+def draw_sets() -> dict[str, Any]:
+    """Return arguments of many sets, some of them out of the domain."""
+    random = np.random.default_rng(20266)
+    tolerances, influences, scatters = random.uniform(0.5, 2, (3, SETS, 7))
+    matrices = np.where(np.eye(7), 1, random.uniform(0, 0.25, (SETS, 1, 1)))
+    totals = random.uniform(1, 2, SETS)
+    tolerances[3, 4], scatters[70, 6], influences[5, 0] = -1, np.nan, np.inf
+    matrices[60, 2, 1], totals[9] = 0.5, 0
+    return {
+        "tolerances": tolerances,
+        "sensitivities": influences,
+        "scatters": scatters,
+        "correlation": matrices,
+        "total_scatter": totals,
+    }
+
+
+@pytest.mark.parametrize("varied", [(name,) for name in draw_sets()] + [tuple(draw_sets())])
+def test_a_set_among_others_has_the_bits_of_a_set_alone(varied: tuple[str, ...]) -> None:
+    from mechproof.kernels import track_wheel as plain_wheel
+
+    given = {n: a if n in varied else a[0] for n, a in draw_sets().items()}
+
+    def compute(part: slice) -> Any:
+        taken = {n: a[part] if n in varied else a for n, a in given.items()}
+        return track_wheel.error_sum_correlated(**taken)
+
+    whole = compute(slice(None))
+    assert np.array_equal(np.isnan(whole), np.isnan(plain_wheel.error_sum_correlated(**given)))
+    for part in (*(slice(i, i + 1) for i in range(SETS)), slice(60, 69), slice(2, 131)):
+        assert np.array_equal(compute(part), whole[part], equal_nan=True)
+
+
+def test_few_long_sums_have_the_bits_of_many() -> None:
+    rows = np.random.default_rng(20267).uniform(0.5, 2, (5, 2000))
+    many = track_wheel.error_sum(rows, 1.0, rows[0], 1.1)
+    few = [track_wheel.error_sum(rows[i : i + 2], 1.0, rows[0], 1.1) for i in (0, 3)]
+    assert np.array_equal(many[[0, 1, 3, 4]], np.concatenate(few))
+
+
 def test_sums_are_called_inside_compiled_functions() -> None:
     import numba
 

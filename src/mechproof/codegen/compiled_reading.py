@@ -84,6 +84,33 @@ holds = True
 {space}holds = holds & TERM
 return holds
 """
+# The same for many sets beside each other.
+OF_SETS = "_sets"
+ADDED_OF_SETS = """
+widen()
+high, low = (own_row(), own_row())
+for s in range(len(out)):
+    high[s], low[s] = (0.0, 0.0)
+{loops}
+{space}for s in range(len(out)):
+{space}    term = TERM
+{space}    total = high[s] + term
+{space}    low[s] += elementary.total_rest(high[s], term, total)
+{space}    high[s] = total
+for s in range(len(out)):
+    out[s] = choose(is_finite(low[s]), high[s] + low[s], high[s])
+"""
+HELD_OF_SETS = """
+widen()
+holds = own_row()
+for s in range(len(out)):
+    holds[s] = 1.0
+{loops}
+{space}for s in range(len(out)):
+{space}    holds[s] = choose(TERM, holds[s], 0.0)
+for s in range(len(out)):
+    out[s] = holds[s]
+"""
 LOOPS = ("for i in range(len(ARRAY)):", "    for j in range(len(ARRAY)):")
 Reduced = tuple[str, int, tuple[str, ...], tuple[tuple[str, tuple[int, ...]], ...]]
 
@@ -98,14 +125,19 @@ def read_reductions(source: str) -> dict[str, Reduced]:
     return {
         node.name: _read_reduction(node)
         for node in functions
-        if f"{node.name}_term(" in ast.unparse(node)
+        if f"{_name_term(node)}(" in ast.unparse(node)
     }
+
+
+def _name_term(node: ast.FunctionDef) -> str:
+    return f"{node.name.removesuffix(OF_SETS)}_term"
 
 
 def _read_reduction(node: ast.FunctionDef) -> Reduced:
     reader = _ReductionReader(node)
     body = ast.unparse(ast.Module([reader.visit(s) for s in node.body], []))
-    for kind, text in (("sum", ADDED), ("every", HELD)):
+    added, held = (ADDED_OF_SETS, HELD_OF_SETS) if reader.of_sets else (ADDED, HELD)
+    for kind, text in (("sum", added), ("every", held)):
         for axes in (1, 2):
             loops, space = "\n".join(LOOPS[:axes]), 4 * axes * " "
             if body == ast.unparse(ast.parse(text.format(loops=loops, space=space))):
@@ -117,10 +149,13 @@ class _ReductionReader(ast.NodeTransformer):
     """Takes the term and the array whose length is taken out of a loop."""
 
     def __init__(self, node: ast.FunctionDef) -> None:
-        self.parameters = tuple(a.arg for a in node.args.args if a.arg != EXACT)
-        self._term = f"{node.name}_term"
+        self.of_sets = node.name.endswith(OF_SETS)
+        names = tuple(a.arg for a in node.args.args if a.arg != EXACT)
+        self.parameters = names[1:] if self.of_sets else names
+        self._term = _name_term(node)
+        read = _read_element_of_sets if self.of_sets else _read_element
         self.elements = [
-            _read_element(a)
+            read(a)
             for call in ast.walk(node)
             if isinstance(call, ast.Call) and ast.unparse(call.func) == self._term
             for a in call.args
@@ -146,3 +181,12 @@ def _read_element(node: ast.expr) -> tuple[str, tuple[int, ...]]:
         ):
             return name, tuple("ij".index(letter) for letter in list_names(index))
     raise ReadingError(f"line {node.lineno}: {ast.unparse(node)!r} is no element")
+
+
+def _read_element_of_sets(node: ast.expr) -> tuple[str, tuple[int, ...]]:
+    match node:
+        case ast.Subscript(value=ast.Name(id=name), slice=index):
+            *letters, last = list_names(index)
+            if last == "s" and (letters == ["0"] or set(letters) <= set("ij")):
+                return name, tuple("ij".index(letter) for letter in letters if letter != "0")
+    raise ReadingError(f"line {node.lineno}: {ast.unparse(node)!r} is no element of a set")

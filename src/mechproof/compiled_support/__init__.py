@@ -22,10 +22,12 @@ from mechproof.compiled_support.machine import (
     stand_in,
     widen,
 )
-from mechproof.compiled_support.points import POINTS, count_numbers, put, take
+from mechproof.compiled_support.points import POINTS, count_numbers, own_row, put, take
 from mechproof.compiled_support.sums import (
     Sums,
+    count_sets,
     count_terms,
+    put_sets,
     run_sums,
     take_square,
     take_terms,
@@ -39,6 +41,7 @@ __all__ = [
     "choose",
     "copysign",
     "count_numbers",
+    "count_sets",
     "count_terms",
     "floor",
     "fma",
@@ -48,8 +51,10 @@ __all__ = [
     "loop",
     "maximum",
     "overload",
+    "own_row",
     "power_of_two",
     "put",
+    "put_sets",
     "rint",
     "run",
     "run_parts",

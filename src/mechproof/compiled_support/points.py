@@ -10,10 +10,44 @@ from typing import Any
 
 from llvmlite import ir
 from numba import types
+from numba.core import cgutils
 from numba.extending import intrinsic
 
 # Points in a block: fifty numbers of each stay in the fastest cache.
 POINTS = 64
+
+
+@intrinsic
+def own_row(typingctx: Any) -> Any:
+    """Return a place for one number of each point of a block.
+
+    It lies on the stack: LLVM sees that no argument lies there, and vectorises what fills it.
+    """
+    kind = types.CPointer(types.float64)
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        length = ir.Constant(ir.IntType(64), POINTS)
+        return cgutils.alloca_once(builder, ir.DoubleType(), size=length)
+
+    return kind(), generate
+
+
+@intrinsic
+def prefetch_row(typingctx: Any, table: Any, row: Any) -> Any:
+    """Ask for a row of a table, which need not exist, before it is read."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        array = context.make_array(signature.args[0])(context, builder, arguments[0])
+        offset = builder.mul(builder.extract_value(array.strides, 0), arguments[1])
+        byte, flag = ir.IntType(8).as_pointer(), ir.IntType(32)
+        place = builder.gep(builder.bitcast(array.data, byte), [offset])
+        function = ir.FunctionType(ir.VoidType(), [byte, flag, flag, flag])
+        prefetch = builder.module.declare_intrinsic("llvm.prefetch", [byte], function)
+        # To be read, into the nearest cache, and data.
+        builder.call(prefetch, [place, flag(0), flag(3), flag(1)])
+        return context.get_dummy_value()
+
+    return types.void(table, types.intp), generate
 
 
 @intrinsic

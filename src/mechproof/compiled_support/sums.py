@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numba import types
@@ -12,21 +14,34 @@ from numba.core.errors import TypingError
 from numba.extending import overload
 from numpy.typing import NDArray
 
-from mechproof.compiled_support.loops import PIECE, check_arrays, cut, fill_target
+from mechproof.compiled_support.loops import DOUBLE, PIECE, check_arrays, cut, fill_target
+from mechproof.compiled_support.machine import inner
+from mechproof.compiled_support.points import POINTS, prefetch_row
 from mechproof.kernel_support.arrays import as_floats, as_numpy, sum_axes
 
+# Fewer sets are computed one after the other if their sums are long.
+FEW, LONG = 4, 1024
 
-class Sums(NamedTuple):
+
+@dataclass(frozen=True)
+class Sums:
     """A compiled kernel that sums over axes: its arguments, and the loop over points.
 
     `axes` are the numbers of axes that are summed over, `widths` the lengths of other last axes.
-    `each` takes a flat target, arrays of points with their axes, and flat arrays of all others.
+    `each` takes a flat target, the number of terms, and of every argument a table: a row for each
+    point or one for all, a column for each element or one for all; `at` takes one point.
     """
 
     names: tuple[str, ...]
     widths: tuple[int, ...]
     axes: tuple[int, ...]
+    at: Callable[..., Any]
     each: Callable[..., None]
+
+    @cached_property
+    def ranks(self) -> tuple[int, ...]:
+        """Return how many axes of each argument are none of points."""
+        return tuple(n or bool(width) for n, width in zip(self.axes, self.widths, strict=True))
 
 
 def run_sums(sums: Sums, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> Any:
@@ -38,47 +53,117 @@ def run_sums(sums: Sums, arguments: tuple[Any, ...], out: NDArray[Any] | None) -
         As the kernels of NumPy; TypeError for arrays with ufuncs of their own, too.
 
     """
-    arrays = tuple(map(as_numpy, as_floats(" ".join(sums.names), *arguments)))
-    check_arrays(sums.names, arrays, sums.widths)
-    known = dict(zip(sums.names, arrays, strict=True))
-    counts = {name: n for name, n in zip(sums.names, sums.axes, strict=True) if n}
-    summed = sum_axes(**{name: (known[name], n) for name, n in counts.items()})
-    known |= zip(counts, summed, strict=True)
+    # What most calls give is told by its type alone; all else costs as much as many points.
+    is_double = all(map(_is_double, arguments))
+    given = arguments if is_double else as_floats(" ".join(sums.names), *arguments)
+    arrays = tuple(map(as_numpy, given))
+    if not is_double or any(sums.widths):
+        check_arrays(sums.names, arrays, sums.widths)
+    named = zip(sums.names, arrays, sums.axes, strict=True)
+    summed = sum_axes(**{name: (array, n) for name, array, n in named if n})
+    rest = iter(summed)
+    arrays = tuple([next(rest) if n else a for a, n in zip(arrays, sums.axes, strict=True)])
     terms = next((a.shape[-1] for a in summed if a.shape[-1] != 1), 1)
-    tails = [
-        (terms,) * n if n else (width,) if width else ()
-        for n, width in zip(sums.axes, sums.widths, strict=True)
-    ]
-    arrays = tuple(known.values())
-    outer = [a.shape[: a.ndim - len(tail)] for a, tail in zip(arrays, tails, strict=True)]
-    points = np.broadcast_shapes(*outer)
+    outer = [a.shape[: a.ndim - rank] for a, rank in zip(arrays, sums.ranks, strict=True)]
+    points = _join_shapes(outer)
 
     def fill(target: NDArray[Any]) -> None:
-        _fill(sums, target.reshape(points or (1,)), arrays, tails)
+        _fill(sums, target, terms, arrays, outer)
 
     return fill_target(fill, points, arrays, out)
 
 
+def _is_double(value: Any) -> bool:
+    return type(value) is float or (type(value) is np.ndarray and value.dtype is DOUBLE)
+
+
+def _join_shapes(shapes: list[tuple[int, ...]]) -> tuple[int, ...]:
+    """Broadcast shapes; most are equal, or of a single point."""
+    several = {shape for shape in shapes if shape}
+    return np.broadcast_shapes(*several) if len(several) > 1 else next(iter(several), ())
+
+
 def _fill(
-    sums: Sums, target: NDArray[Any], arrays: tuple[Any, ...], tails: list[tuple[int, ...]]
+    sums: Sums,
+    target: NDArray[Any],
+    terms: int,
+    arrays: tuple[Any, ...],
+    outer: list[tuple[int, ...]],
 ) -> None:
-    """Fill a target: copies of what is spread stay in a cache."""
-    wide = [_spread(a, target.shape + tail) for a, tail in zip(arrays, tails, strict=True)]
-    kept = [tail if n else () for tail, n in zip(tails, sums.axes, strict=True)]
-    largest = max(map(math.prod, tails))
-    for index in cut(target.shape, max(PIECE // max(largest, 1), 1)):
-        part = target[index].reshape(-1)
-        each = [
-            np.ascontiguousarray(a[index]).reshape((part.size if tail else -1, *tail))
-            for a, tail in zip(wide, kept, strict=True)
-        ]
-        sums.each(part, *each)
+    """Fill a target: what all points have in common is one row, copies stay in a cache."""
+    points, given = target.shape, list(zip(arrays, outer, strict=True))
+    if all(shape == points or math.prod(shape) == 1 for shape in outer):
+        _fill_part(sums, target.reshape(-1), terms, [_table(*pair) for pair in given])
+        return
+    largest = max(math.prod(array.shape[len(shape) :]) for array, shape in given)
+    wide = [pair if math.prod(pair[1]) == 1 else (_spread(*pair, points), points) for pair in given]
+    for index in cut(points, max(PIECE // max(largest, 1), 1)):
+        # Numba would compile anew for what is read-only.
+        tables = [_table(np.array(a[index]) if s == points else a, s) for a, s in wide]
+        _fill_part(sums, target[index].reshape(-1), terms, tables)
 
 
-def _spread(array: Any, shape: tuple[int, ...]) -> NDArray[Any]:
-    """Broadcast an array; one of as many numbers is reshaped, which costs less."""
-    same = array.size == math.prod(shape)
-    return array.reshape(shape) if same else np.broadcast_to(array, shape)
+def _spread(array: NDArray[Any], old: tuple[int, ...], new: tuple[int, ...]) -> NDArray[Any]:
+    """Broadcast the axes of points."""
+    return np.broadcast_to(array, new + array.shape[len(old) :])
+
+
+def _table(array: NDArray[Any], outer: tuple[int, ...]) -> NDArray[Any]:
+    """Return a row for each of the points, which the first axes are of."""
+    depth, rows = len(outer), np.ascontiguousarray(array)
+    if depth == 1 and rows.ndim == 2:
+        return rows
+    # There is a point: one of the numbers tells the other.
+    return rows.reshape(math.prod(array.shape[:depth]), -1)
+
+
+def _fill_part(sums: Sums, part: NDArray[Any], terms: int, tables: list[NDArray[Any]]) -> None:
+    """Fill a flat part; few long sums gain nothing from lying beside each other."""
+    if len(part) >= FEW or max([table.shape[1] for table in tables]) < LONG:
+        sums.each(part, terms, *tables)
+        return
+    for i in range(len(part)):
+        rows = zip((table[min(i, len(table) - 1)] for table in tables), sums.axes, strict=True)
+        part[i] = sums.at(*[value for row, axes in rows for value in _unpack(row, axes, terms)])
+
+
+def _unpack(row: NDArray[Any], axes: int, terms: int) -> Any:
+    """Return what one point takes of a row: its numbers, or an array of terms."""
+    if not axes:
+        return row
+    return [row.reshape(terms, terms) if axes == 2 else np.broadcast_to(row, (terms,))]
+
+
+# Numbers of an argument in a block of sets: a few arguments stay in the fastest cache.
+LARGEST_BLOCK = 4096
+# Numbers in the widest vector.
+LANES = 8
+
+
+@inner
+def count_sets(sets: int, elements: int) -> int:
+    """Return how many sets of so many elements are computed beside each other."""
+    fitting = LARGEST_BLOCK // max(elements, 1) // LANES * LANES
+    return max(min(sets, POINTS, max(fitting, LANES)), 1)
+
+
+@inner
+def put_sets(block: Any, table: Any, start: int, stop: int) -> None:
+    """Put the rows of some sets beside each other; one row for all sets is put once.
+
+    A single column stands for equal elements.
+    """
+    step = 1 if table.shape[1] == len(block) else 0
+    if len(table) > 1:
+        for s in range(stop - start):
+            prefetch_row(table, start + s + POINTS)
+            for i in range(len(block)):
+                block[i, s] = table[start + s, i * step]
+    elif start == 0:
+        for i in range(len(block)):
+            value = table[0, i * step]
+            for s in range(block.shape[1]):
+                block[i, s] = value
 
 
 def count_terms(known: int, values: Any) -> int:

@@ -9,6 +9,7 @@ from functools import cache
 from hashlib import sha256
 from pathlib import Path
 
+from mechproof.codegen.backends.loops import describe_calls, mean_calls, take_out_loops
 from mechproof.codegen.backends.numpy import (
     REGENERATED,
     format_source,
@@ -17,16 +18,23 @@ from mechproof.codegen.backends.numpy import (
 )
 from mechproof.codegen.backends.scalar import list_conditions, list_scalars, list_stages
 from mechproof.codegen.backends.scalar_texts import (
+    LoopCall,
     extend_syntax,
     join_scalars,
     write_elementary,
     write_reduction,
     write_scalar,
 )
-from mechproof.codegen.backends.sums import LOOPS, fold_sums
-from mechproof.codegen.compiled_reading import read_guards, read_reductions, read_scalars
+from mechproof.codegen.backends.sums import LOOPS, Reduction, fold_sums
+from mechproof.codegen.compiled_reading import (
+    OF_SETS,
+    read_guards,
+    read_reductions,
+    read_scalars,
+)
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import BODIES, build
+from mechproof.codegen.fill_reading import read_fills
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import NUMBA, NUMBA_FAR
 from mechproof.codegen.program import NOTHING, Program
@@ -35,13 +43,14 @@ from mechproof.codegen.syntax import Syntax
 from mechproof.record import Paper, Together
 
 SUPPORT = (
-    "BLOCK", "Loops", "Sums", "choose", "copysign", "count_terms", "floor", "fma", "has_nan",
-    "is_finite", "loop", "maximum", "overload", "power_of_two", "rint", "run", "run_sums",
-    "scalar", "take_row", "take_square", "take_terms", "widen",
+    "BLOCK", "Loops", "Sums", "choose", "copysign", "count_sets", "count_terms", "floor", "fma",
+    "has_nan", "is_finite", "loop", "maximum", "overload", "own_row", "power_of_two", "put_sets",
+    "rint", "run", "run_sums", "scalar", "take_row", "take_square", "take_terms", "widen",
 )  # fmt: skip
 # What is said of sums besides.
 SUMMED = (
-    "Sums over axes are added in the order of the index, with the rest of every addition. Inside",
+    "Sums over axes are added in the order of the index, with the rest of every addition. Many",
+    "sets of terms are added beside each other, each to the bits that it has alone. Inside",
     "functions that numba compiles they take one array of terms for each argument, or a number for",
     "equal ones.",
     "",
@@ -137,9 +146,8 @@ def render_scalars(
     together: Iterable[Together] = (),
 ) -> str:
     """Render a module of kernels and read it back."""
-    folded, reductions = fold_sums(kernels)
-    language = extend_syntax(NUMBA, reductions, "_")
-    written = [write_scalar(kernel, language) for kernel in folded]
+    parted, reductions, language = _part(kernels)
+    written = [write_scalar(kernel, language, loops) for kernel, loops in parted]
     written += [join_scalars(several, written) for several in together]
     data: dict[str, object] = {
         "system": system,
@@ -164,26 +172,39 @@ def render_scalars(
     return source
 
 
+def _part(
+    kernels: Iterable[Kernel],
+) -> tuple[list[tuple[Kernel, tuple[LoopCall, ...]]], tuple[Reduction, ...], Syntax]:
+    """Return kernels apart from the loops that they call, these loops, and the language."""
+    folded, reductions = fold_sums(kernels)
+    language = extend_syntax(NUMBA, reductions, "_")
+    names = frozenset(found.name for found in reductions)
+    parted = [take_out_loops(kernel, names) for kernel in folded]
+    described = [(k, describe_calls(calls, reductions, language)) for k, calls in parted]
+    return described, reductions, language
+
+
 def check_translation(source: str, kernels: Iterable[Kernel]) -> None:
     """Read the functions of a module back; `TranslationError` where one is not its program."""
-    folded, reductions = fold_sums(kernels)
+    parted, reductions, language = _part(kernels)
     meant = {f"_{found.name}_term": found.term for found in reductions}
-    for kernel in folded:
+    for kernel, _ in parted:
         for name, stage in list_stages(kernel):
             meant[f"_prepare{name}"] = stage.prepare
             meant[name] = stage.evaluate or NOTHING
     _compare({n: p for n, p in meant.items() if p != NOTHING}, read_scalars(source))
-    _compare(
-        {f"_{f.name}": (f.kind, f.axes, f.parameters, f.elements) for f in reductions},
-        read_reductions(source),
-    )
-    language = extend_syntax(NUMBA, reductions, "_")
-    guards = {f"_{kernel.name}_at": _mean_guards(kernel, language) for kernel in folded}
+    loops = {f"_{f.name}": (f.kind, f.axes, f.parameters, f.elements) for f in reductions}
+    beside = {f"{name}{OF_SETS}": loop for name, loop in loops.items()}
+    _compare(loops | beside, read_reductions(source))
+    written = [(kernel, write_scalar(kernel, language, loops)) for kernel, loops in parted]
+    guards = {f"_{k.name}_at": _mean_guards(k, text.taken_names) for k, text in written}
     _compare(guards, read_guards(source))
+    sums = [text for _, text in written if text.sums]
+    _compare({f"_{text.name}_point": mean_calls(text) for text in sums}, read_scalars(source))
+    _compare({f"_fill_each_{text.name}": mean_calls(text) for text in sums}, read_fills(source))
 
 
-def _mean_guards(kernel: Kernel, language: Syntax) -> tuple[Program, ...]:
-    taken = write_scalar(kernel, language).taken_names
+def _mean_guards(kernel: Kernel, taken: tuple[str, ...]) -> tuple[Program, ...]:
     return tuple(replace(c, inputs=taken) for c in list_conditions(kernel))
 
 

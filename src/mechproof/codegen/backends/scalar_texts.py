@@ -41,10 +41,25 @@ class ScalarStage:
 
 
 @dataclass(frozen=True)
+class LoopCall:
+    """The call of a loop over terms whose value a kernel takes."""
+
+    name: str
+    arguments: tuple[str, ...]
+    boolean: bool
+    limited: bool
+
+    def takes(self, argument: ScalarArgument) -> bool:
+        """Say whether an argument is handed over."""
+        return not set(self.arguments).isdisjoint(argument.components)
+
+
+@dataclass(frozen=True)
 class ScalarKernel:
     """What is printed of a kernel; `checked` are the components that the domain is about.
 
-    `members` are kernels that this one calls, each for a result of its own.
+    `members` are kernels that this one calls, each for a result of its own, `loops` what is found
+    of terms before it is called.
     """
 
     name: str
@@ -56,6 +71,7 @@ class ScalarKernel:
     shape: tuple[int, ...]
     limited: bool
     members: tuple[ScalarKernel, ...] = ()
+    loops: tuple[LoopCall, ...] = ()
 
     @property
     def outs(self) -> tuple[str, ...]:
@@ -88,9 +104,14 @@ class ScalarKernel:
         return frozenset(used) | {n for n in self.names if n in self.checked}
 
     @property
-    def taken_names(self) -> tuple[str, ...]:
+    def numbers(self) -> tuple[str, ...]:
         """Return the components that a value or the domain depends on, in their order."""
         return tuple(name for name in self.names if name in self.taken)
+
+    @property
+    def taken_names(self) -> tuple[str, ...]:
+        """Return the components that a value or the domain depends on, then the loops."""
+        return (*self.numbers, *(called.name for called in self.loops))
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -111,8 +132,8 @@ class FunctionText:
     bounds: tuple[tuple[str, float], ...]
 
 
-def write_scalar(kernel: Kernel, syntax: Syntax) -> ScalarKernel:
-    """Write the texts of a kernel in a language."""
+def write_scalar(kernel: Kernel, syntax: Syntax, loops: tuple[LoopCall, ...] = ()) -> ScalarKernel:
+    """Write the texts of a kernel in a language; `loops` are those whose values it takes."""
     code = kernel.code
     arguments = list_arguments(kernel)
     renamed = rename_components(code, arguments)
@@ -127,6 +148,7 @@ def write_scalar(kernel: Kernel, syntax: Syntax) -> ScalarKernel:
         tuple(_write_stage(name, stage, syntax) for name, stage in list_stages(kernel)),
         code.shape,
         any(is_limited(p, syntax) for s in code.stages for p in s.programs),
+        loops=loops,
     )
 
 

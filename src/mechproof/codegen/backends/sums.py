@@ -28,7 +28,7 @@ INDICES: Mapping[str, tuple[int, ...]] = MappingProxyType(
 )
 LOOPS = "ij"
 # Names of the printed loops; a parameter takes another one.
-LOCAL = ("i", "j", "high", "low", "term", "terms", "total", "holds", "exact")
+LOCAL = ("i", "j", "s", "high", "low", "term", "terms", "total", "holds", "exact", "out")
 # The operations that a printed sum is made of.
 ADDED = "total_rest"
 

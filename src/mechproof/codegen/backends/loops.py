@@ -1,0 +1,80 @@
+"""Kernels apart from their loops over terms: in, folded kernels; out, what they make of numbers.
+
+So the loops of many sets of terms can run beside each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from dataclasses import replace
+
+from mechproof.codegen.backends.scalar import list_arguments, rename, rename_components
+from mechproof.codegen.backends.scalar_texts import LoopCall, ScalarKernel
+from mechproof.codegen.backends.sums import Reduction
+from mechproof.codegen.code import Stage
+from mechproof.codegen.kernel import Kernel
+from mechproof.codegen.program import Operand, Operation, Program
+from mechproof.codegen.reading import EXACT
+from mechproof.codegen.syntax import Syntax
+
+
+def take_out_loops(kernel: Kernel, names: Collection[str]) -> tuple[Kernel, tuple[Operation, ...]]:
+    """Return a kernel that takes what the loops of these names find, and the calls of them."""
+    if not kernel.code.indexed:
+        return kernel, ()
+    calls: dict[str, Operation] = {}
+    code = kernel.code
+    inside = _take_out(code.inside, names, calls) if code.inside else None
+    stages = tuple(_take_out_of_stage(stage, names, calls) for stage in code.stages)
+    renamed = rename_components(code, list_arguments(kernel))
+    listed = tuple(
+        replace(call, operands=tuple(renamed.get(o, o) for o in call.operands))
+        for call in calls.values()
+    )
+    return replace(kernel, code=replace(code, inside=inside, stages=stages)), listed
+
+
+def _take_out_of_stage(stage: Stage, names: Collection[str], calls: dict[str, Operation]) -> Stage:
+    assert stage.evaluate is not None
+    evaluate = _take_out(stage.evaluate, names, calls)
+    return replace(stage, running=evaluate.inputs, evaluate=evaluate)
+
+
+def _take_out(program: Program, names: Collection[str], calls: dict[str, Operation]) -> Program:
+    """Replace calls by inputs with the names of their loops; each loop is called in one way."""
+    found = {step.result: step for step in program.operations if step.kind in names}
+    calls |= {step.kind: step for step in found.values()}
+    kinds: dict[Operand, str] = {result: step.kind for result, step in found.items()}
+    kept = tuple(step for step in program.operations if step.result not in found)
+    parted = rename(replace(program, operations=kept), kinds).normal_form()
+    used = {o for step in parted.operations for o in step.operands}.union(parted.outputs)
+    inputs = (*program.inputs, *kinds.values())
+    return replace(parted, inputs=tuple(n for n in dict.fromkeys(inputs) if n in used))
+
+
+def describe_calls(
+    calls: Iterable[Operation], reductions: Iterable[Reduction], syntax: Syntax
+) -> tuple[LoopCall, ...]:
+    """Describe calls of loops for what is printed of them."""
+    kinds = {found.name: found.kind for found in reductions}
+    return tuple(
+        LoopCall(
+            call.kind,
+            tuple(map(str, call.operands)),
+            kinds[call.kind] == "every",
+            syntax.last.get(call.kind) == EXACT,
+        )
+        for call in calls
+    )
+
+
+def mean_calls(kernel: ScalarKernel) -> Program:
+    """Return what computes one point: loops over its terms, then the kernel of numbers."""
+    operations = [
+        Operation(f"_{c.name}", c.name, (*c.arguments, *([True] if c.limited else [])))
+        for c in kernel.loops
+    ]
+    found = tuple(step.result for step in operations)
+    exact = (True,) if kernel.limited else ()
+    last = Operation("_value", f"{kernel.name}_at", (*kernel.numbers, *found, *exact))
+    return Program(kernel.names, (*operations, last), (last.result,)).normal_form()
