@@ -160,10 +160,11 @@ def fill_target(
     target = out if direct and out is not None else np.empty(whole, dtype)
     if target.size:
         fill(target)
-    if out is not None and target is not out:
+    if out is None:
+        return target if whole else target[()]
+    if target is not out:
         out[...] = target
-        return out
-    return target if whole else target[()]
+    return out
 
 
 def _fill(
