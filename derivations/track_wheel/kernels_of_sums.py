@@ -132,7 +132,7 @@ SUMS = (
         singular=(
             Singular(
                 sp.Eq(DOUBLE_SUM, 0),
-                "rounding may leave the sum negative and the result NaN",
+                "a sum that is negative by no more than its own rounding counts as 0",
             ),
         ),
         remarks=(BEYOND_SQUARES, UP_TO_11),

@@ -26,7 +26,11 @@ POINTER = np.ctypeslib.ndpointer(float)
 
 def build(folder: Path, system: str, single: bool, flags: tuple[str, ...]) -> ctypes.CDLL:
     """Compile the kernels of a system without a warning, and load them."""
-    files = render_c(PAPERS[system], single=single)
+    return compile_files(folder, render_c(PAPERS[system], single=single), flags)
+
+
+def compile_files(folder: Path, files: dict[str, str], flags: tuple[str, ...]) -> ctypes.CDLL:
+    """Compile a source and its header without a warning, and load them."""
     for name, text in files.items():
         (folder / name).write_text(text)
     (source,) = (name for name in files if name.endswith(".c"))

@@ -183,6 +183,10 @@ def test_sums_take_pointers_and_the_number_of_terms(
         function(points, terms, tolerances, influences, scatters, *rest, out)
         compiled = getattr(track_wheel, name)(tolerances, influences, scatters, *rest)
         assert np.array_equal(out, compiled)
+    cancelling = (np.full(terms, 0.1), np.array([1, 2, 3, -5, -1.0]), scatters / scatters)
+    whole = (np.ones((terms, terms)), 1.1)
+    function(1, terms, *cancelling, *whole, out)
+    assert out[0] == track_wheel.error_sum_correlated(*cancelling, *whole)
     one = library.track_wheel_error_sum
     one.argtypes, one.restype = [size, *[POINTER] * 3, real], real
     assert one(0, tolerances, influences, scatters, 1.1) == 0.0

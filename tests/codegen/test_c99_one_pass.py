@@ -6,16 +6,19 @@ import ctypes
 from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from c_libraries import ELLIPTIC, KERNELS, PAPERS, needs_compiler
+from c_libraries import ELLIPTIC, KERNELS, PAPERS, STRICT, compile_files, needs_compiler
 from compiled import grouped
 
+from mechproof.codegen.backends.c99 import render_c_kernels
 from mechproof.codegen.backends.one_pass import join_kernels
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.program import NOTHING, Operation, Program
+from mechproof.record import Together
 
 pytestmark = needs_compiler
 TOGETHER = {f"{s}.{t.name}": t for s, p in PAPERS.items() for t in p.together}
@@ -97,13 +100,28 @@ def test_one_point_in_one_pass_is_stored_by_pointers(
     assert [number.value for number in out] == list(wanted)
 
 
-def test_what_has_no_domain_in_common_is_refused() -> None:
-    position, ratio = (KERNELS[f"elliptic_planetary.{name}"] for name in ELLIPTIC[:2])
+def test_members_of_unlike_domains_are_called_one_by_one(tmp_path: Path) -> None:
+    names = ("position", "ratio")
+    position, ratio = (KERNELS[f"elliptic_planetary.{name}"] for name in names)
     everywhere = replace(ratio, code=replace(ratio.code, inside=None))
     with pytest.raises(
         NotImplementedError, match=r"both: \['ratio'\] have another domain than 'pos"
     ):
         join_kernels("both", [position, everywhere])
+    together = [Together("both", names)]
+    files = render_c_kernels("pair", [position, everywhere], ("", "", "pair"), together)
+    library = compile_files(tmp_path, files, STRICT)
+    points = np.array([-4.0, 0.0, 0.3, 1e9, np.nan])
+    for sizes in ([66.0, 16.0, 0.3], [16.0, 66.0, 0.3]):
+        each = [call_all(getattr(library, f"pair_{n}_array"), points, sizes, 1) for n in names]
+        found = call_all(library.pair_both_array, points, sizes, 2)
+        assert_same_bits(found, np.concatenate(each))
+    assert np.isnan(found[0]).all()
+    assert np.isfinite(found[1, :3]).all()
+    # The points are read before the first result takes their place.
+    own, last = points.copy(), np.empty_like(points)
+    library.pair_both_array(points.size, own, *sizes, own, last)
+    assert_same_bits(np.array([own, last]), found)
 
 
 @pytest.mark.parametrize(

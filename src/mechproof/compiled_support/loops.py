@@ -79,7 +79,8 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
     """
     if (row := _take_numbers(loops, arguments, out)) is not None:
         return row
-    arrays = as_floats(" ".join(loops.names), *arguments)
+    axes = tuple(min(width, 1) for width in loops.widths) if any(loops.widths) else ()
+    arrays = as_floats(" ".join(loops.names), *arguments, axes=axes)
     if (
         not any(loops.widths)
         and all(isinstance(a, (float, np.generic)) for a in arrays)

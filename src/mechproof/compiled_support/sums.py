@@ -38,7 +38,8 @@ def run_sums(sums: Sums, arguments: tuple[Any, ...], out: NDArray[Any] | None) -
         As the kernels of NumPy; TypeError for arrays with ufuncs of their own, too.
 
     """
-    arrays = tuple(map(as_numpy, as_floats(" ".join(sums.names), *arguments)))
+    axes = tuple(n or min(width, 1) for n, width in zip(sums.axes, sums.widths, strict=True))
+    arrays = tuple(map(as_numpy, as_floats(" ".join(sums.names), *arguments, axes=axes)))
     check_arrays(sums.names, arrays, sums.widths)
     known = dict(zip(sums.names, arrays, strict=True))
     counts = {name: n for name, n in zip(sums.names, sums.axes, strict=True) if n}

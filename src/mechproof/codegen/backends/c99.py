@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from mechproof.codegen.backends.numpy import render_template
-from mechproof.codegen.backends.one_pass import join_kernels
+from mechproof.codegen.backends.one_pass import join_kernels, list_unlike_domains
 from mechproof.codegen.backends.scalar import list_elementary, list_scalars
 from mechproof.codegen.backends.scalar_texts import (
     ScalarKernel,
@@ -72,7 +72,7 @@ def render_c_kernels(
 
     `about` says what they are, how accurate, and of which system.
     Raises ValueError if a name means something else in C, NotImplementedError for what has no
-    pass in common.
+    pass in common. Kernels of different domains are called one after the other, point by point.
     """
     if file.lower() in HEADERS:
         raise ValueError(f"{file}: C has a header {file.lower()}.h, kernels need another name")
@@ -123,7 +123,10 @@ def _write_together(
 ) -> ScalarKernel:
     several = join_scalars(together, written)
     named = {kernel.name: kernel for kernel in kernels}
-    joined = join_kernels(together.name, [named[name] for name in together.quantities])
+    members = [named[name] for name in together.quantities]
+    if list_unlike_domains(members):
+        return several
+    joined = join_kernels(together.name, members)
     text = write_scalar(joined, syntax)
     return replace(text, summary=several.summary, members=several.members)
 
