@@ -11,7 +11,7 @@ periods) and the coordinate, varphi (polar angle) and the rotation vector.
 Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
 otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
 the result's type and shape, takes the result; it may overlap an argument. Outside the
-domain and where an argument is NaN the result is NaN.
+domain and where an argument is NaN the result is NaN; in a domain numpy.pi counts as pi.
 
 TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
 ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
@@ -69,7 +69,7 @@ from mechproof.kernel_support.arrays import (
     floor,
     is_finite,
     nan_outside,
-    quadratic_form,
+    nonnegative_form,
     split_components,
     sum_axes,
 )
@@ -278,7 +278,7 @@ def displacement(
     Source: Kapitonov, Yakubovsky 2022, equation (15).
 
     """
-    points, angles, shift = as_floats("points angles shift", points, angles, shift)
+    points, angles, shift = as_floats("points angles shift", points, angles, shift, axes=(1, 1, 1))
     check_components("points", points, 3)
     alpha, beta, gamma = split_components("angles", angles, 3)
     a, b, c = split_components("shift", shift, 3)
@@ -341,7 +341,7 @@ def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) ->
     Source: Kapitonov, Yakubovsky 2022, equation (17).
 
     """
-    (displacement,) = as_floats("displacement", displacement)
+    (displacement,) = as_floats("displacement", displacement, axes=(1,))
     Delta_x0, Delta_y0, _ = split_components("displacement", displacement, 3)
     return in_blocks(_planar_error, (Delta_x0, Delta_y0), out=out)
 
@@ -379,7 +379,7 @@ def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -
     Source: Kapitonov, Yakubovsky 2022, equation (18).
 
     """
-    (displacement,) = as_floats("displacement", displacement)
+    (displacement,) = as_floats("displacement", displacement, axes=(1,))
     Delta_x0, Delta_y0, Delta_z0 = split_components("displacement", displacement, 3)
     return in_blocks(_spatial_error, (Delta_x0, Delta_y0, Delta_z0), out=out)
 
@@ -634,7 +634,7 @@ def _smallest_radius(R: Any, A: Any) -> Any:
 # Source: Kapitonov, Yakubovsky 2022, equation (3) with its indices corrected
 # Expressions sha256: 6f084fa75dd066a5b51438cf22bf6f6d94de06892bd7117bc160059b31d2f83b
 # Form: double sum
-# Operations: 7
+# Operations: 14
 def error_sum_correlated(
     tolerances: ArrayLike,
     sensitivities: ArrayLike,
@@ -677,8 +677,8 @@ def error_sum_correlated(
     negative square).
 
     Singular: Sum[i=1..n, j=1..n](scatters[i]*scatters[j]*correlation[i,j]*sensitivities[i]*
-    sensitivities[j]*tolerances[i]*tolerances[j]) = 0, rounding may leave the sum negative and
-    the result NaN.
+    sensitivities[j]*tolerances[i]*tolerances[j]) = 0, a sum that is negative by no more than
+    its own rounding counts as 0.
 
     Squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to 1e50
     they may leave the range of doubles, and the result is infinite, NaN or too small.
@@ -699,6 +699,7 @@ def error_sum_correlated(
         scatters,
         correlation,
         total_scatter,
+        axes=(1, 1, 1, 2, 0),
     )
     tolerances, sensitivities, scatters, correlation = sum_axes(
         tolerances=(tolerances, 1),
@@ -723,7 +724,7 @@ def error_sum_correlated(
 
     with quietly():
         return store(
-            np.sqrt(quadratic_form(sensitivities * scatters * tolerances, correlation))
+            np.sqrt(nonnegative_form(sensitivities * scatters * tolerances, correlation))
             / total_scatter,
             out,
         )
@@ -784,6 +785,7 @@ def error_sum(
         sensitivities,
         scatters,
         total_scatter,
+        axes=(1, 1, 1, 0),
     )
     tolerances, sensitivities, scatters = sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
@@ -869,6 +871,7 @@ def error_sum_thermal(
         total_scatter,
         thermal_share,
         thermal_scatter,
+        axes=(1, 1, 1, 0, 0, 0),
     )
     tolerances, sensitivities, scatters = sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)

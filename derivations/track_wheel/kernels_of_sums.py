@@ -17,6 +17,7 @@ from mechproof.record import (
     Written,
 )
 
+from .._sizes import POWER, is_moderate, is_zero_or_moderate
 from .error_sums import CORRECTED_5, CROSS, SQUARES
 from .errors import (
     correlations,
@@ -61,23 +62,15 @@ def compare_squares(code: Written) -> Statement:
 
 # Accuracy, in eps, 1/2 for an operation. No square and no product of three squares leaves the
 # doubles where the factors lie in MODERATE.
-LARGEST = sp.Integer(10) ** 50
-
-
-def zero_or_moderate(factor: sp.Expr) -> sp.Basic:
-    """State that a factor is zero or its size is moderate."""
-    moderate = sp.And(sp.Abs(factor) >= 1 / LARGEST, sp.Abs(factor) <= LARGEST)
-    return sp.Or(sp.Eq(factor, 0), moderate)
-
-
 MODERATE = (
-    zero_or_moderate(tolerances[i]),
-    zero_or_moderate(influences[i]),
-    sp.And(scatters[i] >= 1 / LARGEST, scatters[i] <= LARGEST),
+    is_zero_or_moderate(tolerances[i]),
+    is_zero_or_moderate(influences[i]),
+    is_moderate(scatters[i]),
 )
 BEYOND_SQUARES = (
-    "squares of tolerances, sensitivities and scatters are added: of sizes beyond 1e-50 to "
-    "1e50 they may leave the range of doubles, and the result is infinite, NaN or too small"
+    "squares of tolerances, sensitivities and scatters are added: of sizes beyond "
+    f"1e-{POWER} to 1e{POWER} they may leave the range of doubles, and the result is infinite, NaN "
+    "or too small"
 )
 # Sums of n <= 128 nonnegative terms: NumPy adds in 8 strands, at most 16 + 3 roundings, 9.5;
 # a term 2 * 1 + 1/2; the root halves 12, then root and quotient 1 more.
@@ -139,7 +132,7 @@ SUMS = (
         singular=(
             Singular(
                 sp.Eq(DOUBLE_SUM, 0),
-                "rounding may leave the sum negative and the result NaN",
+                "a sum that is negative by no more than its own rounding counts as 0",
             ),
         ),
         remarks=(BEYOND_SQUARES, UP_TO_11),

@@ -9,6 +9,7 @@ from sympy import Abs, And, Eq, Ge, Le, Or, Rational, cos, pi, sqrt
 
 from mechproof.record import LENGTH, Accuracy, Argument, Part, Scale, Singular, Variable
 
+from .._sizes import LARGEST, POWER, is_moderate, is_zero_or_moderate
 from .chain import MEANT, SIZES, chain_slope
 from .half_angles import BEFORE_PIVOT, MOVABLE
 from .prints import PRINTED_R
@@ -200,9 +201,6 @@ def beside(gap: sp.Expr, name: str) -> sp.Basic:
     return gap > EDGE_ULP * EPS * SIDES[name]
 
 
-# No product of squares leaves the doubles.
-POWER = 50
-LARGEST = sp.Integer(10) ** POWER
 BEYOND_SQUARES = (
     f"lengths and displacements are squared: of sizes beyond 1e-{POWER} to 1e{POWER} squares may "
     "leave the range of doubles, and the result is NaN, 0 where it should not be, or another wrong "
@@ -212,9 +210,7 @@ BEYOND_SQUARES = (
 
 def moderate(displacement: sp.Symbol, *lengths: sp.Symbol) -> tuple[sp.Basic, ...]:
     """State that lengths, and a displacement that is not zero, are neither vast nor tiny."""
-    sizes = (Abs(displacement), *lengths)
-    moved, *others = (And(size >= 1 / LARGEST, size <= LARGEST) for size in sizes)
-    return Or(Eq(displacement, 0), moved), *others
+    return is_zero_or_moderate(displacement), *map(is_moderate, lengths)
 
 
 CLOSING = beside(guide_square, "guide_condition")

@@ -4,7 +4,7 @@ What their approximations are off by is enclosed in balls over the whole interva
 Angles up to 67108864.0 rad are reduced here. Farther out the C library's functions
 are taken if `exact` is true; for None it is NaN.
 
-Compiled with them: `compiled_support` 7f6eb65e002f.
+Compiled with them: `compiled_support` cae5e918b65d.
 
 Regenerate with `mechproof regenerate`; edits are overwritten.
 """
@@ -13,7 +13,16 @@ import math
 
 import numpy as np
 
-from mechproof.compiled_support import choose, copysign, floor, fma, power_of_two, rint, scalar
+from mechproof.compiled_support import (
+    choose,
+    copysign,
+    floor,
+    fma,
+    maximum,
+    power_of_two,
+    rint,
+    scalar,
+)
 
 __all__ = [
     "arctan",
@@ -22,6 +31,7 @@ __all__ = [
     "cos",
     "exp",
     "hypot",
+    "nonnegative",
     "normal_tail",
     "product_rest",
     "quotient_rest",
@@ -748,3 +758,9 @@ def total_rest(a, b, s):
     """Return a + b - s, whichever of both is larger."""
     v1 = s - a
     return a - (s - v1) + (b - v1)
+
+
+@scalar
+def nonnegative(total, size):
+    """Return a sum, 0 where it is negative by no more than terms of that size are rounded."""
+    return maximum(total, 0.0 - maximum(-total - 8.881784197001252e-16 * size, 0.0))

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` ef94fa7607ce.
+Elementary functions: `elementary` 2c99ab98f783.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -95,7 +95,7 @@ def _ratio_point(phi1, R1, R2, e):
 def _row_ratio(out, phi1_values, R1, R2, e, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
         value = _ratio_at(phi1, R1, R2, e, exact)
         out[i] = value
@@ -122,13 +122,13 @@ def _fill_ratio(
 def _row_each_ratio(out, phi1_values, R1_values, R2_values, e_values, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
-        R1 = float(R1_values[i])
+        R1 = float64(R1_values[i])
 
-        R2 = float(R2_values[i])
+        R2 = float64(R2_values[i])
 
-        e = float(e_values[i])
+        e = float64(e_values[i])
 
         value = _ratio_at(phi1, R1, R2, e, exact)
         out[i] = value
@@ -209,10 +209,10 @@ def _offer_ratio(
     e,
 ):
     return lambda phi1, R1, R2, e: _ratio_point(
-        float(phi1),
-        float(R1),
-        float(R2),
-        float(e),
+        float64(phi1),
+        float64(R1),
+        float64(R2),
+        float64(e),
     )
 
 
@@ -281,7 +281,7 @@ def _position_point(phi1, R1, R2, e):
 def _row_position(out, phi1_values, R1, R2, e, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
         value = _position_at(phi1, R1, R2, e, exact)
         out[i] = value
@@ -308,13 +308,13 @@ def _fill_position(
 def _row_each_position(out, phi1_values, R1_values, R2_values, e_values, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
-        R1 = float(R1_values[i])
+        R1 = float64(R1_values[i])
 
-        R2 = float(R2_values[i])
+        R2 = float64(R2_values[i])
 
-        e = float(e_values[i])
+        e = float64(e_values[i])
 
         value = _position_at(phi1, R1, R2, e, exact)
         out[i] = value
@@ -395,10 +395,10 @@ def _offer_position(
     e,
 ):
     return lambda phi1, R1, R2, e: _position_point(
-        float(phi1),
-        float(R1),
-        float(R2),
-        float(e),
+        float64(phi1),
+        float64(R1),
+        float64(R2),
+        float64(e),
     )
 
 
@@ -455,7 +455,7 @@ def _acceleration_point(phi1, R1, R2, e):
 def _row_acceleration(out, phi1_values, R1, R2, e, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
         value = _acceleration_at(phi1, R1, R2, e, exact)
         out[i] = value
@@ -482,13 +482,13 @@ def _fill_acceleration(
 def _row_each_acceleration(out, phi1_values, R1_values, R2_values, e_values, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
-        R1 = float(R1_values[i])
+        R1 = float64(R1_values[i])
 
-        R2 = float(R2_values[i])
+        R2 = float64(R2_values[i])
 
-        e = float(e_values[i])
+        e = float64(e_values[i])
 
         value = _acceleration_at(phi1, R1, R2, e, exact)
         out[i] = value
@@ -569,10 +569,10 @@ def _offer_acceleration(
     e,
 ):
     return lambda phi1, R1, R2, e: _acceleration_point(
-        float(phi1),
-        float(R1),
-        float(R2),
-        float(e),
+        float64(phi1),
+        float64(R1),
+        float64(R2),
+        float64(e),
     )
 
 
@@ -611,7 +611,7 @@ def _row_largest_ratio(
 ):
     widen()
     for i in range(out.size):
-        R1 = float(R1_values[i])
+        R1 = float64(R1_values[i])
 
         value = _largest_ratio_at(R1, R2, e)
         out[i] = value
@@ -641,11 +641,11 @@ def _row_each_largest_ratio(
 ):
     widen()
     for i in range(out.size):
-        R1 = float(R1_values[i])
+        R1 = float64(R1_values[i])
 
-        R2 = float(R2_values[i])
+        R2 = float64(R2_values[i])
 
-        e = float(e_values[i])
+        e = float64(e_values[i])
 
         value = _largest_ratio_at(R1, R2, e)
         out[i] = value
@@ -717,9 +717,9 @@ def _offer_largest_ratio(
     e,
 ):
     return lambda R1, R2, e: _largest_ratio_point(
-        float(R1),
-        float(R2),
-        float(e),
+        float64(R1),
+        float64(R2),
+        float64(e),
     )
 
 
@@ -758,7 +758,7 @@ def _row_smallest_ratio(
 ):
     widen()
     for i in range(out.size):
-        R1 = float(R1_values[i])
+        R1 = float64(R1_values[i])
 
         value = _smallest_ratio_at(R1, R2, e)
         out[i] = value
@@ -788,11 +788,11 @@ def _row_each_smallest_ratio(
 ):
     widen()
     for i in range(out.size):
-        R1 = float(R1_values[i])
+        R1 = float64(R1_values[i])
 
-        R2 = float(R2_values[i])
+        R2 = float64(R2_values[i])
 
-        e = float(e_values[i])
+        e = float64(e_values[i])
 
         value = _smallest_ratio_at(R1, R2, e)
         out[i] = value
@@ -864,9 +864,9 @@ def _offer_smallest_ratio(
     e,
 ):
     return lambda R1, R2, e: _smallest_ratio_point(
-        float(R1),
-        float(R2),
-        float(e),
+        float64(R1),
+        float64(R2),
+        float64(e),
     )
 
 
@@ -888,7 +888,7 @@ def _motion_point(phi1, R1, R2, e):
 def _row_motion(out_position, out_ratio, out_acceleration, phi1_values, R1, R2, e, exact):
     widen()
     for i in range(out_position.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
         value = _motion_at(phi1, R1, R2, e, exact)
         out_position[i] = value[0]
@@ -938,13 +938,13 @@ def _row_each_motion(
 ):
     widen()
     for i in range(out_position.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
-        R1 = float(R1_values[i])
+        R1 = float64(R1_values[i])
 
-        R2 = float(R2_values[i])
+        R2 = float64(R2_values[i])
 
-        e = float(e_values[i])
+        e = float64(e_values[i])
 
         value = _motion_at(phi1, R1, R2, e, exact)
         out_position[i] = value[0]
@@ -1046,8 +1046,8 @@ def _offer_motion(
     e,
 ):
     return lambda phi1, R1, R2, e: _motion_point(
-        float(phi1),
-        float(R1),
-        float(R2),
-        float(e),
+        float64(phi1),
+        float64(R1),
+        float64(R2),
+        float64(e),
     )

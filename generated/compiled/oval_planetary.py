@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` ef94fa7607ce.
+Elementary functions: `elementary` 2c99ab98f783.
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -96,7 +96,7 @@ def _ratio_point(phi1, e1, e2, mount):
 def _row_ratio(out, phi1_values, e1, e2, mount, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
         value = _ratio_at(phi1, e1, e2, mount, exact)
         out[i] = value
@@ -123,13 +123,13 @@ def _fill_ratio(
 def _row_each_ratio(out, phi1_values, e1_values, e2_values, mount_values, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
-        e1 = float(e1_values[i])
+        e1 = float64(e1_values[i])
 
-        e2 = float(e2_values[i])
+        e2 = float64(e2_values[i])
 
-        mount = float(mount_values[i])
+        mount = float64(mount_values[i])
 
         value = _ratio_at(phi1, e1, e2, mount, exact)
         out[i] = value
@@ -215,10 +215,10 @@ def _offer_ratio(
     mount=0.0,
 ):
     return lambda phi1, e1, e2, mount=0.0: _ratio_point(
-        float(phi1),
-        float(e1),
-        float(e2),
-        float(mount),
+        float64(phi1),
+        float64(e1),
+        float64(e2),
+        float64(mount),
     )
 
 
@@ -263,7 +263,7 @@ def _position_point(phi1, e1, e2, mount):
 def _row_position(out, phi1_values, e1, e2, mount, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
         value = _position_at(phi1, e1, e2, mount, exact)
         out[i] = value
@@ -290,13 +290,13 @@ def _fill_position(
 def _row_each_position(out, phi1_values, e1_values, e2_values, mount_values, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
-        e1 = float(e1_values[i])
+        e1 = float64(e1_values[i])
 
-        e2 = float(e2_values[i])
+        e2 = float64(e2_values[i])
 
-        mount = float(mount_values[i])
+        mount = float64(mount_values[i])
 
         value = _position_at(phi1, e1, e2, mount, exact)
         out[i] = value
@@ -382,10 +382,10 @@ def _offer_position(
     mount=0.0,
 ):
     return lambda phi1, e1, e2, mount=0.0: _position_point(
-        float(phi1),
-        float(e1),
-        float(e2),
-        float(mount),
+        float64(phi1),
+        float64(e1),
+        float64(e2),
+        float64(mount),
     )
 
 
@@ -460,7 +460,7 @@ def _acceleration_point(phi1, e1, e2, mount):
 def _row_acceleration(out, phi1_values, e1, e2, mount, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
         value = _acceleration_at(phi1, e1, e2, mount, exact)
         out[i] = value
@@ -487,13 +487,13 @@ def _fill_acceleration(
 def _row_each_acceleration(out, phi1_values, e1_values, e2_values, mount_values, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
-        e1 = float(e1_values[i])
+        e1 = float64(e1_values[i])
 
-        e2 = float(e2_values[i])
+        e2 = float64(e2_values[i])
 
-        mount = float(mount_values[i])
+        mount = float64(mount_values[i])
 
         value = _acceleration_at(phi1, e1, e2, mount, exact)
         out[i] = value
@@ -579,10 +579,10 @@ def _offer_acceleration(
     mount=0.0,
 ):
     return lambda phi1, e1, e2, mount=0.0: _acceleration_point(
-        float(phi1),
-        float(e1),
-        float(e2),
-        float(mount),
+        float64(phi1),
+        float64(e1),
+        float64(e2),
+        float64(mount),
     )
 
 
@@ -631,7 +631,7 @@ def _ratio_cylindrical_point(phi1, R4, R5, e2):
 def _row_ratio_cylindrical(out, phi1_values, R4, R5, e2, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
         value = _ratio_cylindrical_at(phi1, R4, R5, e2, exact)
         out[i] = value
@@ -658,13 +658,13 @@ def _fill_ratio_cylindrical(
 def _row_each_ratio_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
-        R4 = float(R4_values[i])
+        R4 = float64(R4_values[i])
 
-        R5 = float(R5_values[i])
+        R5 = float64(R5_values[i])
 
-        e2 = float(e2_values[i])
+        e2 = float64(e2_values[i])
 
         value = _ratio_cylindrical_at(phi1, R4, R5, e2, exact)
         out[i] = value
@@ -745,10 +745,10 @@ def _offer_ratio_cylindrical(
     e2,
 ):
     return lambda phi1, R4, R5, e2: _ratio_cylindrical_point(
-        float(phi1),
-        float(R4),
-        float(R5),
-        float(e2),
+        float64(phi1),
+        float64(R4),
+        float64(R5),
+        float64(e2),
     )
 
 
@@ -820,7 +820,7 @@ def _position_cylindrical_point(phi1, R4, R5, e2):
 def _row_position_cylindrical(out, phi1_values, R4, R5, e2, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
         value = _position_cylindrical_at(phi1, R4, R5, e2, exact)
         out[i] = value
@@ -847,13 +847,13 @@ def _fill_position_cylindrical(
 def _row_each_position_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
-        R4 = float(R4_values[i])
+        R4 = float64(R4_values[i])
 
-        R5 = float(R5_values[i])
+        R5 = float64(R5_values[i])
 
-        e2 = float(e2_values[i])
+        e2 = float64(e2_values[i])
 
         value = _position_cylindrical_at(phi1, R4, R5, e2, exact)
         out[i] = value
@@ -936,10 +936,10 @@ def _offer_position_cylindrical(
     e2,
 ):
     return lambda phi1, R4, R5, e2: _position_cylindrical_point(
-        float(phi1),
-        float(R4),
-        float(R5),
-        float(e2),
+        float64(phi1),
+        float64(R4),
+        float64(R5),
+        float64(e2),
     )
 
 
@@ -996,7 +996,7 @@ def _acceleration_cylindrical_point(phi1, R4, R5, e2):
 def _row_acceleration_cylindrical(out, phi1_values, R4, R5, e2, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
         value = _acceleration_cylindrical_at(phi1, R4, R5, e2, exact)
         out[i] = value
@@ -1023,13 +1023,13 @@ def _fill_acceleration_cylindrical(
 def _row_each_acceleration_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
     widen()
     for i in range(out.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
-        R4 = float(R4_values[i])
+        R4 = float64(R4_values[i])
 
-        R5 = float(R5_values[i])
+        R5 = float64(R5_values[i])
 
-        e2 = float(e2_values[i])
+        e2 = float64(e2_values[i])
 
         value = _acceleration_cylindrical_at(phi1, R4, R5, e2, exact)
         out[i] = value
@@ -1114,10 +1114,10 @@ def _offer_acceleration_cylindrical(
     e2,
 ):
     return lambda phi1, R4, R5, e2: _acceleration_cylindrical_point(
-        float(phi1),
-        float(R4),
-        float(R5),
-        float(e2),
+        float64(phi1),
+        float64(R4),
+        float64(R5),
+        float64(e2),
     )
 
 
@@ -1139,7 +1139,7 @@ def _motion_point(phi1, e1, e2, mount):
 def _row_motion(out_position, out_ratio, out_acceleration, phi1_values, e1, e2, mount, exact):
     widen()
     for i in range(out_position.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
         value = _motion_at(phi1, e1, e2, mount, exact)
         out_position[i] = value[0]
@@ -1203,13 +1203,13 @@ def _row_each_motion(
 ):
     widen()
     for i in range(out_position.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
-        e1 = float(e1_values[i])
+        e1 = float64(e1_values[i])
 
-        e2 = float(e2_values[i])
+        e2 = float64(e2_values[i])
 
-        mount = float(mount_values[i])
+        mount = float64(mount_values[i])
 
         value = _motion_at(phi1, e1, e2, mount, exact)
         out_position[i] = value[0]
@@ -1316,10 +1316,10 @@ def _offer_motion(
     mount=0.0,
 ):
     return lambda phi1, e1, e2, mount=0.0: _motion_point(
-        float(phi1),
-        float(e1),
-        float(e2),
-        float(mount),
+        float64(phi1),
+        float64(e1),
+        float64(e2),
+        float64(mount),
     )
 
 
@@ -1350,7 +1350,7 @@ def _row_motion_cylindrical(
 ):
     widen()
     for i in range(out_position_cylindrical.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
         value = _motion_cylindrical_at(phi1, R4, R5, e2, exact)
         out_position_cylindrical[i] = value[0]
@@ -1414,13 +1414,13 @@ def _row_each_motion_cylindrical(
 ):
     widen()
     for i in range(out_position_cylindrical.size):
-        phi1 = float(phi1_values[i])
+        phi1 = float64(phi1_values[i])
 
-        R4 = float(R4_values[i])
+        R4 = float64(R4_values[i])
 
-        R5 = float(R5_values[i])
+        R5 = float64(R5_values[i])
 
-        e2 = float(e2_values[i])
+        e2 = float64(e2_values[i])
 
         value = _motion_cylindrical_at(phi1, R4, R5, e2, exact)
         out_position_cylindrical[i] = value[0]
@@ -1522,8 +1522,8 @@ def _offer_motion_cylindrical(
     e2,
 ):
     return lambda phi1, R4, R5, e2: _motion_cylindrical_point(
-        float(phi1),
-        float(R4),
-        float(R5),
-        float(e2),
+        float64(phi1),
+        float64(R4),
+        float64(R5),
+        float64(e2),
     )

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` ef94fa7607ce.
+Elementary functions: `elementary` 2c99ab98f783.
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -82,7 +82,7 @@ def _constant_chord_point(m, alpha):
 def _row_constant_chord(out, m_values, alpha, exact):
     widen()
     for i in range(out.size):
-        m = float(m_values[i])
+        m = float64(m_values[i])
 
         value = _constant_chord_at(m, alpha, exact)
         out[i] = value
@@ -107,9 +107,9 @@ def _fill_constant_chord(
 def _row_each_constant_chord(out, m_values, alpha_values, exact):
     widen()
     for i in range(out.size):
-        m = float(m_values[i])
+        m = float64(m_values[i])
 
-        alpha = float(alpha_values[i])
+        alpha = float64(alpha_values[i])
 
         value = _constant_chord_at(m, alpha, exact)
         out[i] = value
@@ -176,8 +176,8 @@ def _offer_constant_chord(
     alpha,
 ):
     return lambda m, alpha: _constant_chord_point(
-        float(m),
-        float(alpha),
+        float64(m),
+        float64(alpha),
     )
 
 
@@ -210,7 +210,7 @@ def _chord_height_point(m, alpha):
 def _row_chord_height(out, m_values, alpha, exact):
     widen()
     for i in range(out.size):
-        m = float(m_values[i])
+        m = float64(m_values[i])
 
         value = _chord_height_at(m, alpha, exact)
         out[i] = value
@@ -235,9 +235,9 @@ def _fill_chord_height(
 def _row_each_chord_height(out, m_values, alpha_values, exact):
     widen()
     for i in range(out.size):
-        m = float(m_values[i])
+        m = float64(m_values[i])
 
-        alpha = float(alpha_values[i])
+        alpha = float64(alpha_values[i])
 
         value = _chord_height_at(m, alpha, exact)
         out[i] = value
@@ -304,8 +304,8 @@ def _offer_chord_height(
     alpha,
 ):
     return lambda m, alpha: _chord_height_point(
-        float(m),
-        float(alpha),
+        float64(m),
+        float64(alpha),
     )
 
 
@@ -356,7 +356,7 @@ def _height_change_point(tilt, m, z, alpha):
 def _row_height_change(out, tilt_values, m, z, alpha, exact):
     widen()
     for i in range(out.size):
-        tilt = float(tilt_values[i])
+        tilt = float64(tilt_values[i])
 
         value = _height_change_at(tilt, m, z, alpha, exact)
         out[i] = value
@@ -383,13 +383,13 @@ def _fill_height_change(
 def _row_each_height_change(out, tilt_values, m_values, z_values, alpha_values, exact):
     widen()
     for i in range(out.size):
-        tilt = float(tilt_values[i])
+        tilt = float64(tilt_values[i])
 
-        m = float(m_values[i])
+        m = float64(m_values[i])
 
-        z = float(z_values[i])
+        z = float64(z_values[i])
 
-        alpha = float(alpha_values[i])
+        alpha = float64(alpha_values[i])
 
         value = _height_change_at(tilt, m, z, alpha, exact)
         out[i] = value
@@ -475,10 +475,10 @@ def _offer_height_change(
     alpha,
 ):
     return lambda tilt, m, z, alpha: _height_change_point(
-        float(tilt),
-        float(m),
-        float(z),
-        float(alpha),
+        float64(tilt),
+        float64(m),
+        float64(z),
+        float64(alpha),
     )
 
 
@@ -533,7 +533,7 @@ def _thickness_change_point(tilt, m, z, alpha):
 def _row_thickness_change(out, tilt_values, m, z, alpha, exact):
     widen()
     for i in range(out.size):
-        tilt = float(tilt_values[i])
+        tilt = float64(tilt_values[i])
 
         value = _thickness_change_at(tilt, m, z, alpha, exact)
         out[i] = value
@@ -560,13 +560,13 @@ def _fill_thickness_change(
 def _row_each_thickness_change(out, tilt_values, m_values, z_values, alpha_values, exact):
     widen()
     for i in range(out.size):
-        tilt = float(tilt_values[i])
+        tilt = float64(tilt_values[i])
 
-        m = float(m_values[i])
+        m = float64(m_values[i])
 
-        z = float(z_values[i])
+        z = float64(z_values[i])
 
-        alpha = float(alpha_values[i])
+        alpha = float64(alpha_values[i])
 
         value = _thickness_change_at(tilt, m, z, alpha, exact)
         out[i] = value
@@ -652,10 +652,10 @@ def _offer_thickness_change(
     alpha,
 ):
     return lambda tilt, m, z, alpha: _thickness_change_point(
-        float(tilt),
-        float(m),
-        float(z),
-        float(alpha),
+        float64(tilt),
+        float64(m),
+        float64(z),
+        float64(alpha),
     )
 
 
@@ -688,7 +688,7 @@ def _thickness_change_linear_point(dh, alpha):
 def _row_thickness_change_linear(out, dh_values, alpha, exact):
     widen()
     for i in range(out.size):
-        dh = float(dh_values[i])
+        dh = float64(dh_values[i])
 
         value = _thickness_change_linear_at(dh, alpha, exact)
         out[i] = value
@@ -713,9 +713,9 @@ def _fill_thickness_change_linear(
 def _row_each_thickness_change_linear(out, dh_values, alpha_values, exact):
     widen()
     for i in range(out.size):
-        dh = float(dh_values[i])
+        dh = float64(dh_values[i])
 
-        alpha = float(alpha_values[i])
+        alpha = float64(alpha_values[i])
 
         value = _thickness_change_linear_at(dh, alpha, exact)
         out[i] = value
@@ -784,8 +784,8 @@ def _offer_thickness_change_linear(
     alpha,
 ):
     return lambda dh, alpha: _thickness_change_linear_point(
-        float(dh),
-        float(alpha),
+        float64(dh),
+        float64(alpha),
     )
 
 
@@ -835,7 +835,7 @@ def _linearisation_bound_point(dh, m, z, alpha):
 def _row_linearisation_bound(out, dh_values, m, z, alpha, exact):
     widen()
     for i in range(out.size):
-        dh = float(dh_values[i])
+        dh = float64(dh_values[i])
 
         value = _linearisation_bound_at(dh, m, z, alpha, exact)
         out[i] = value
@@ -862,13 +862,13 @@ def _fill_linearisation_bound(
 def _row_each_linearisation_bound(out, dh_values, m_values, z_values, alpha_values, exact):
     widen()
     for i in range(out.size):
-        dh = float(dh_values[i])
+        dh = float64(dh_values[i])
 
-        m = float(m_values[i])
+        m = float64(m_values[i])
 
-        z = float(z_values[i])
+        z = float64(z_values[i])
 
-        alpha = float(alpha_values[i])
+        alpha = float64(alpha_values[i])
 
         value = _linearisation_bound_at(dh, m, z, alpha, exact)
         out[i] = value
@@ -949,10 +949,10 @@ def _offer_linearisation_bound(
     alpha,
 ):
     return lambda dh, m, z, alpha: _linearisation_bound_point(
-        float(dh),
-        float(m),
-        float(z),
-        float(alpha),
+        float64(dh),
+        float64(m),
+        float64(z),
+        float64(alpha),
     )
 
 
@@ -985,7 +985,7 @@ def _thickness_error_point(e_tip, height_error, alpha):
 def _row_thickness_error(out, e_tip_values, height_error, alpha, exact):
     widen()
     for i in range(out.size):
-        e_tip = float(e_tip_values[i])
+        e_tip = float64(e_tip_values[i])
 
         value = _thickness_error_at(e_tip, height_error, alpha, exact)
         out[i] = value
@@ -1011,11 +1011,11 @@ def _fill_thickness_error(
 def _row_each_thickness_error(out, e_tip_values, height_error_values, alpha_values, exact):
     widen()
     for i in range(out.size):
-        e_tip = float(e_tip_values[i])
+        e_tip = float64(e_tip_values[i])
 
-        height_error = float(height_error_values[i])
+        height_error = float64(height_error_values[i])
 
-        alpha = float(alpha_values[i])
+        alpha = float64(alpha_values[i])
 
         value = _thickness_error_at(e_tip, height_error, alpha, exact)
         out[i] = value
@@ -1090,7 +1090,7 @@ def _offer_thickness_error(
     alpha,
 ):
     return lambda e_tip, height_error, alpha: _thickness_error_point(
-        float(e_tip),
-        float(height_error),
-        float(alpha),
+        float64(e_tip),
+        float64(height_error),
+        float64(alpha),
     )

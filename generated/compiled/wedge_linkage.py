@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` ef94fa7607ce.
+Elementary functions: `elementary` 2c99ab98f783.
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -94,7 +94,7 @@ def _row_guide_radicand(
 ):
     widen()
     for i in range(out.size):
-        x1 = float(x1_values[i])
+        x1 = float64(x1_values[i])
 
         value = _guide_radicand_at(x1, l_AB, l_BC, l_CD)
         out[i] = value
@@ -127,13 +127,13 @@ def _row_each_guide_radicand(
 ):
     widen()
     for i in range(out.size):
-        x1 = float(x1_values[i])
+        x1 = float64(x1_values[i])
 
-        l_AB = float(l_AB_values[i])
+        l_AB = float64(l_AB_values[i])
 
-        l_BC = float(l_BC_values[i])
+        l_BC = float64(l_BC_values[i])
 
-        l_CD = float(l_CD_values[i])
+        l_CD = float64(l_CD_values[i])
 
         value = _guide_radicand_at(x1, l_AB, l_BC, l_CD)
         out[i] = value
@@ -216,10 +216,10 @@ def _offer_guide_radicand(
     l_CD,
 ):
     return lambda x1, l_AB, l_BC, l_CD: _guide_radicand_point(
-        float(x1),
-        float(l_AB),
-        float(l_BC),
-        float(l_CD),
+        float64(x1),
+        float64(l_AB),
+        float64(l_BC),
+        float64(l_CD),
     )
 
 
@@ -263,7 +263,7 @@ def _row_lever_angle(
 ):
     widen()
     for i in range(out.size):
-        x1 = float(x1_values[i])
+        x1 = float64(x1_values[i])
 
         value = _lever_angle_at(x1, l_AB, l_BC, l_CD)
         out[i] = value
@@ -296,13 +296,13 @@ def _row_each_lever_angle(
 ):
     widen()
     for i in range(out.size):
-        x1 = float(x1_values[i])
+        x1 = float64(x1_values[i])
 
-        l_AB = float(l_AB_values[i])
+        l_AB = float64(l_AB_values[i])
 
-        l_BC = float(l_BC_values[i])
+        l_BC = float64(l_BC_values[i])
 
-        l_CD = float(l_CD_values[i])
+        l_CD = float64(l_CD_values[i])
 
         value = _lever_angle_at(x1, l_AB, l_BC, l_CD)
         out[i] = value
@@ -385,10 +385,10 @@ def _offer_lever_angle(
     l_CD,
 ):
     return lambda x1, l_AB, l_BC, l_CD: _lever_angle_point(
-        float(x1),
-        float(l_AB),
-        float(l_BC),
-        float(l_CD),
+        float64(x1),
+        float64(l_AB),
+        float64(l_BC),
+        float64(l_CD),
     )
 
 
@@ -421,7 +421,7 @@ def _rod_displacement_point(phi3, l_DE, alpha_DE):
 def _row_rod_displacement(out, phi3_values, l_DE, alpha_DE, exact):
     widen()
     for i in range(out.size):
-        phi3 = float(phi3_values[i])
+        phi3 = float64(phi3_values[i])
 
         value = _rod_displacement_at(phi3, l_DE, alpha_DE, exact)
         out[i] = value
@@ -447,11 +447,11 @@ def _fill_rod_displacement(
 def _row_each_rod_displacement(out, phi3_values, l_DE_values, alpha_DE_values, exact):
     widen()
     for i in range(out.size):
-        phi3 = float(phi3_values[i])
+        phi3 = float64(phi3_values[i])
 
-        l_DE = float(l_DE_values[i])
+        l_DE = float64(l_DE_values[i])
 
-        alpha_DE = float(alpha_DE_values[i])
+        alpha_DE = float64(alpha_DE_values[i])
 
         value = _rod_displacement_at(phi3, l_DE, alpha_DE, exact)
         out[i] = value
@@ -526,9 +526,9 @@ def _offer_rod_displacement(
     alpha_DE,
 ):
     return lambda phi3, l_DE, alpha_DE: _rod_displacement_point(
-        float(phi3),
-        float(l_DE),
-        float(alpha_DE),
+        float64(phi3),
+        float64(l_DE),
+        float64(alpha_DE),
     )
 
 
@@ -565,7 +565,7 @@ def _row_clearance(
 ):
     widen()
     for i in range(out.size):
-        x5 = float(x5_values[i])
+        x5 = float64(x5_values[i])
 
         value = _clearance_at(x5, l_GH)
         out[i] = value
@@ -592,9 +592,9 @@ def _row_each_clearance(
 ):
     widen()
     for i in range(out.size):
-        x5 = float(x5_values[i])
+        x5 = float64(x5_values[i])
 
-        l_GH = float(l_GH_values[i])
+        l_GH = float64(l_GH_values[i])
 
         value = _clearance_at(x5, l_GH)
         out[i] = value
@@ -658,8 +658,8 @@ def _offer_clearance(
     l_GH,
 ):
     return lambda x5, l_GH: _clearance_point(
-        float(x5),
-        float(l_GH),
+        float64(x5),
+        float64(l_GH),
     )
 
 
@@ -692,7 +692,7 @@ def _roller_offset_point(x5, l_KL, alpha_KL):
 def _row_roller_offset(out, x5_values, l_KL, alpha_KL, exact):
     widen()
     for i in range(out.size):
-        x5 = float(x5_values[i])
+        x5 = float64(x5_values[i])
 
         value = _roller_offset_at(x5, l_KL, alpha_KL, exact)
         out[i] = value
@@ -718,11 +718,11 @@ def _fill_roller_offset(
 def _row_each_roller_offset(out, x5_values, l_KL_values, alpha_KL_values, exact):
     widen()
     for i in range(out.size):
-        x5 = float(x5_values[i])
+        x5 = float64(x5_values[i])
 
-        l_KL = float(l_KL_values[i])
+        l_KL = float64(l_KL_values[i])
 
-        alpha_KL = float(alpha_KL_values[i])
+        alpha_KL = float64(alpha_KL_values[i])
 
         value = _roller_offset_at(x5, l_KL, alpha_KL, exact)
         out[i] = value
@@ -797,9 +797,9 @@ def _offer_roller_offset(
     alpha_KL,
 ):
     return lambda x5, l_KL, alpha_KL: _roller_offset_point(
-        float(x5),
-        float(l_KL),
-        float(alpha_KL),
+        float64(x5),
+        float64(l_KL),
+        float64(alpha_KL),
     )
 
 
@@ -839,7 +839,7 @@ def _roller_lever_angle_point(x5, l_KL, alpha_KL):
 def _row_roller_lever_angle(out, x5_values, l_KL, alpha_KL, exact):
     widen()
     for i in range(out.size):
-        x5 = float(x5_values[i])
+        x5 = float64(x5_values[i])
 
         value = _roller_lever_angle_at(x5, l_KL, alpha_KL, exact)
         out[i] = value
@@ -865,11 +865,11 @@ def _fill_roller_lever_angle(
 def _row_each_roller_lever_angle(out, x5_values, l_KL_values, alpha_KL_values, exact):
     widen()
     for i in range(out.size):
-        x5 = float(x5_values[i])
+        x5 = float64(x5_values[i])
 
-        l_KL = float(l_KL_values[i])
+        l_KL = float64(l_KL_values[i])
 
-        alpha_KL = float(alpha_KL_values[i])
+        alpha_KL = float64(alpha_KL_values[i])
 
         value = _roller_lever_angle_at(x5, l_KL, alpha_KL, exact)
         out[i] = value
@@ -944,9 +944,9 @@ def _offer_roller_lever_angle(
     alpha_KL,
 ):
     return lambda x5, l_KL, alpha_KL: _roller_lever_angle_point(
-        float(x5),
-        float(l_KL),
-        float(alpha_KL),
+        float64(x5),
+        float64(l_KL),
+        float64(alpha_KL),
     )
 
 
@@ -979,7 +979,7 @@ def _wedge_displacement_point(phi7, l_LM, alpha_LM):
 def _row_wedge_displacement(out, phi7_values, l_LM, alpha_LM, exact):
     widen()
     for i in range(out.size):
-        phi7 = float(phi7_values[i])
+        phi7 = float64(phi7_values[i])
 
         value = _wedge_displacement_at(phi7, l_LM, alpha_LM, exact)
         out[i] = value
@@ -1005,11 +1005,11 @@ def _fill_wedge_displacement(
 def _row_each_wedge_displacement(out, phi7_values, l_LM_values, alpha_LM_values, exact):
     widen()
     for i in range(out.size):
-        phi7 = float(phi7_values[i])
+        phi7 = float64(phi7_values[i])
 
-        l_LM = float(l_LM_values[i])
+        l_LM = float64(l_LM_values[i])
 
-        alpha_LM = float(alpha_LM_values[i])
+        alpha_LM = float64(alpha_LM_values[i])
 
         value = _wedge_displacement_at(phi7, l_LM, alpha_LM, exact)
         out[i] = value
@@ -1084,9 +1084,9 @@ def _offer_wedge_displacement(
     alpha_LM,
 ):
     return lambda phi7, l_LM, alpha_LM: _wedge_displacement_point(
-        float(phi7),
-        float(l_LM),
-        float(alpha_LM),
+        float64(phi7),
+        float64(l_LM),
+        float64(alpha_LM),
     )
 
 
@@ -1188,7 +1188,7 @@ def _row_position(
 ):
     widen()
     for i in range(out.size):
-        x1 = float(x1_values[i])
+        x1 = float64(x1_values[i])
 
         value = _position_at(
             x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
@@ -1266,27 +1266,27 @@ def _row_each_position(
 ):
     widen()
     for i in range(out.size):
-        x1 = float(x1_values[i])
+        x1 = float64(x1_values[i])
 
-        l_AB = float(l_AB_values[i])
+        l_AB = float64(l_AB_values[i])
 
-        l_BC = float(l_BC_values[i])
+        l_BC = float64(l_BC_values[i])
 
-        l_CD = float(l_CD_values[i])
+        l_CD = float64(l_CD_values[i])
 
-        l_DE = float(l_DE_values[i])
+        l_DE = float64(l_DE_values[i])
 
-        l_GH = float(l_GH_values[i])
+        l_GH = float64(l_GH_values[i])
 
-        l_KL = float(l_KL_values[i])
+        l_KL = float64(l_KL_values[i])
 
-        l_LM = float(l_LM_values[i])
+        l_LM = float64(l_LM_values[i])
 
-        alpha_DE = float(alpha_DE_values[i])
+        alpha_DE = float64(alpha_DE_values[i])
 
-        alpha_KL = float(alpha_KL_values[i])
+        alpha_KL = float64(alpha_KL_values[i])
 
-        alpha_LM = float(alpha_LM_values[i])
+        alpha_LM = float64(alpha_LM_values[i])
 
         value = _position_at(
             x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
@@ -1470,17 +1470,17 @@ def _offer_position(
 ):
     return lambda x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM: (
         _position_point(
-            float(x1),
-            float(l_AB),
-            float(l_BC),
-            float(l_CD),
-            float(l_DE),
-            float(l_GH),
-            float(l_KL),
-            float(l_LM),
-            float(alpha_DE),
-            float(alpha_KL),
-            float(alpha_LM),
+            float64(x1),
+            float64(l_AB),
+            float64(l_BC),
+            float64(l_CD),
+            float64(l_DE),
+            float64(l_GH),
+            float64(l_KL),
+            float64(l_LM),
+            float64(alpha_DE),
+            float64(alpha_KL),
+            float64(alpha_LM),
         )
     )
 
@@ -1589,7 +1589,7 @@ def _row_velocity(
 ):
     widen()
     for i in range(out.size):
-        x1 = float(x1_values[i])
+        x1 = float64(x1_values[i])
 
         value = _velocity_at(
             x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
@@ -1667,27 +1667,27 @@ def _row_each_velocity(
 ):
     widen()
     for i in range(out.size):
-        x1 = float(x1_values[i])
+        x1 = float64(x1_values[i])
 
-        l_AB = float(l_AB_values[i])
+        l_AB = float64(l_AB_values[i])
 
-        l_BC = float(l_BC_values[i])
+        l_BC = float64(l_BC_values[i])
 
-        l_CD = float(l_CD_values[i])
+        l_CD = float64(l_CD_values[i])
 
-        l_DE = float(l_DE_values[i])
+        l_DE = float64(l_DE_values[i])
 
-        l_GH = float(l_GH_values[i])
+        l_GH = float64(l_GH_values[i])
 
-        l_KL = float(l_KL_values[i])
+        l_KL = float64(l_KL_values[i])
 
-        l_LM = float(l_LM_values[i])
+        l_LM = float64(l_LM_values[i])
 
-        alpha_DE = float(alpha_DE_values[i])
+        alpha_DE = float64(alpha_DE_values[i])
 
-        alpha_KL = float(alpha_KL_values[i])
+        alpha_KL = float64(alpha_KL_values[i])
 
-        alpha_LM = float(alpha_LM_values[i])
+        alpha_LM = float64(alpha_LM_values[i])
 
         value = _velocity_at(
             x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
@@ -1871,17 +1871,17 @@ def _offer_velocity(
 ):
     return lambda x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM: (
         _velocity_point(
-            float(x1),
-            float(l_AB),
-            float(l_BC),
-            float(l_CD),
-            float(l_DE),
-            float(l_GH),
-            float(l_KL),
-            float(l_LM),
-            float(alpha_DE),
-            float(alpha_KL),
-            float(alpha_LM),
+            float64(x1),
+            float64(l_AB),
+            float64(l_BC),
+            float64(l_CD),
+            float64(l_DE),
+            float64(l_GH),
+            float64(l_KL),
+            float64(l_LM),
+            float64(alpha_DE),
+            float64(alpha_KL),
+            float64(alpha_LM),
         )
     )
 
@@ -2020,7 +2020,7 @@ def _row_sensitivities(
 ):
     widen()
     for i in range(out.size // 10):
-        x1 = float(x1_values[i])
+        x1 = float64(x1_values[i])
 
         value = _sensitivities_at(
             x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
@@ -2107,27 +2107,27 @@ def _row_each_sensitivities(
 ):
     widen()
     for i in range(out.size // 10):
-        x1 = float(x1_values[i])
+        x1 = float64(x1_values[i])
 
-        l_AB = float(l_AB_values[i])
+        l_AB = float64(l_AB_values[i])
 
-        l_BC = float(l_BC_values[i])
+        l_BC = float64(l_BC_values[i])
 
-        l_CD = float(l_CD_values[i])
+        l_CD = float64(l_CD_values[i])
 
-        l_DE = float(l_DE_values[i])
+        l_DE = float64(l_DE_values[i])
 
-        l_GH = float(l_GH_values[i])
+        l_GH = float64(l_GH_values[i])
 
-        l_KL = float(l_KL_values[i])
+        l_KL = float64(l_KL_values[i])
 
-        l_LM = float(l_LM_values[i])
+        l_LM = float64(l_LM_values[i])
 
-        alpha_DE = float(alpha_DE_values[i])
+        alpha_DE = float64(alpha_DE_values[i])
 
-        alpha_KL = float(alpha_KL_values[i])
+        alpha_KL = float64(alpha_KL_values[i])
 
-        alpha_LM = float(alpha_LM_values[i])
+        alpha_LM = float64(alpha_LM_values[i])
 
         value = _sensitivities_at(
             x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
@@ -2294,16 +2294,16 @@ def _offer_sensitivities(
 ):
     return lambda x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM: (
         _sensitivities_point(
-            float(x1),
-            float(l_AB),
-            float(l_BC),
-            float(l_CD),
-            float(l_DE),
-            float(l_GH),
-            float(l_KL),
-            float(l_LM),
-            float(alpha_DE),
-            float(alpha_KL),
-            float(alpha_LM),
+            float64(x1),
+            float64(l_AB),
+            float64(l_BC),
+            float64(l_CD),
+            float64(l_DE),
+            float64(l_GH),
+            float64(l_KL),
+            float64(l_LM),
+            float64(alpha_DE),
+            float64(alpha_KL),
+            float64(alpha_LM),
         )
     )

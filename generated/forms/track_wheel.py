@@ -11,7 +11,7 @@ periods) and the coordinate, varphi (polar angle) and the rotation vector.
 Arguments broadcast. The result is a NumPy scalar where they are scalars, an array
 otherwise; float32 if every array argument is float32, float64 otherwise. `out`, an array of
 the result's type and shape, takes the result; it may overlap an argument. Outside the
-domain and where an argument is NaN the result is NaN.
+domain and where an argument is NaN the result is NaN; in a domain numpy.pi counts as pi.
 
 TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
 ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
@@ -79,7 +79,7 @@ def displacement_direct(
     Source: Kapitonov, Yakubovsky 2022, equation (15).
 
     """
-    points, angles, shift = as_floats("points angles shift", points, angles, shift)
+    points, angles, shift = as_floats("points angles shift", points, angles, shift, axes=(1, 1, 1))
     check_components("points", points, 3)
     alpha, beta, gamma = split_components("angles", angles, 3)
     a, b, c = split_components("shift", shift, 3)
@@ -133,7 +133,7 @@ def displacement_linear(
     Domain as that of `displacement`.
 
     """
-    points, angles, shift = as_floats("points angles shift", points, angles, shift)
+    points, angles, shift = as_floats("points angles shift", points, angles, shift, axes=(1, 1, 1))
     check_components("points", points, 3)
     alpha, beta, gamma = split_components("angles", angles, 3)
     a, b, c = split_components("shift", shift, 3)
@@ -161,7 +161,7 @@ def planar_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None = 
     Source: Kapitonov, Yakubovsky 2022, equation (17).
 
     """
-    (displacement,) = as_floats("displacement", displacement)
+    (displacement,) = as_floats("displacement", displacement, axes=(1,))
     Delta_x0, Delta_y0, _ = split_components("displacement", displacement, 3)
     return in_blocks(_planar_error_printed, (Delta_x0, Delta_y0), out=out)
 
@@ -185,7 +185,7 @@ def spatial_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None =
     Source: Kapitonov, Yakubovsky 2022, equation (18).
 
     """
-    (displacement,) = as_floats("displacement", displacement)
+    (displacement,) = as_floats("displacement", displacement, axes=(1,))
     Delta_x0, Delta_y0, Delta_z0 = split_components("displacement", displacement, 3)
     return in_blocks(_spatial_error_printed, (Delta_x0, Delta_y0, Delta_z0), out=out)
 
@@ -319,6 +319,7 @@ def error_sum_thermal_direct(
         total_scatter,
         thermal_share,
         thermal_scatter,
+        axes=(1, 1, 1, 0, 0, 0),
     )
     tolerances, sensitivities, scatters = sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)

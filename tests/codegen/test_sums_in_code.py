@@ -54,6 +54,14 @@ def test_the_text_of_a_sum(term: sp.Expr, indices: tuple[sp.Symbol, ...], text: 
     assert write_program(lower(term, *indices), NUMPY).outputs == (text,)
 
 
+def test_under_a_root_a_quadratic_form_is_not_negative() -> None:
+    total = sp.Sum(u[i] * u[j] * m[j, i], (j, 1, n), (i, 1, n))
+    names = {u: "u", m: "m"}
+    program = lower_steps(names, frozenset(), ("u", "m"), (), (sp.sqrt(total),))
+    text = "np.sqrt(nonnegative_form(u, np.swapaxes(m, -1, -2)))"
+    assert write_program(program, NUMPY).outputs == (text,)
+
+
 def test_a_quadratic_form_is_the_sum_it_is_spelled_out_to() -> None:
     program = lower(u[i] * v[i] * u[j] * v[j] * m[i, j], i, j)
     rng = np.random.default_rng(3)
@@ -100,7 +108,8 @@ def source() -> str:
     [
         ("form(sensitivities * scatters * tolerances", "form(sensitivities * tolerances"),
         ("tolerances, correlation)", "tolerances, np.swapaxes(correlation, -1, -2))"),
-        ("np.sqrt(quadratic_form(", "np.sqrt(product_rest("),
+        ("np.sqrt(nonnegative_form(", "np.sqrt(product_rest("),
+        ("np.sqrt(nonnegative_form(", "np.sqrt(quadratic_form("),
         ("every(scatters > 0.0", "every(scatters >= 0.0"),
     ],
 )

@@ -75,6 +75,21 @@ def test_quadratic_forms_are_sums_of_pairs(
     assert np.all(abs(found - wanted) <= 5 * np.finfo(dtype).eps * size)
 
 
+@pytest.mark.parametrize("count", [3, 40, 300])
+def test_a_form_that_makes_none_negative_gives_none(count: int) -> None:
+    rng = np.random.default_rng(count)
+    # Whole numbers, so that nothing of the matrix is rounded; beyond its rows it has nothing.
+    part = rng.integers(-9, 9, (count, count // 3)).astype(float)
+    matrix = part @ part.T
+    beyond = np.linalg.svd(matrix)[2][-1]
+    x = beyond + 1e-9 * rng.normal(size=(50, count)) * np.linspace(0, 1, 50)[:, np.newaxis]
+    assert not np.signbit(arrays.nonnegative_form(x, matrix)).any()
+    below = matrix - 1e-9 * np.abs(matrix).max() * np.eye(count)
+    assert arrays.nonnegative_form(beyond, below) < 0
+    masked = np.ma.masked_array(x, np.arange(50)[:, np.newaxis] % 2 * np.ones(count))
+    assert arrays.nonnegative_form(masked, matrix).mask.tolist() == [False, True] * 25
+
+
 def test_sums_of_foreign_arrays_keep_what_they_are() -> None:
     x = np.ma.masked_array([[1.0, 2.0], [3.0, 4.0]], mask=[[True, True], [False, False]])
     for found in (arrays.quadratic_form(x, np.eye(2)), arrays.add_up(x**2, axis=-1)):

@@ -132,6 +132,23 @@ def test_masks_survive_a_choice_of_branches() -> None:
     assert points.mask[1, :2].all()
 
 
+@pytest.mark.parametrize("mask", [[0, 1, 0], [1, 1, 1]])
+def test_sums_of_masked_terms_are_masked(mask: list[int]) -> None:
+    masked = np.ma.masked_array([0.1, 0.2, 0.3], mask)
+    matrix = np.ma.masked_array(np.eye(3), np.diag(mask))
+    assert track_wheel.error_sum(masked, 1.0, 1.0, 1.1) is np.ma.masked
+    assert track_wheel.error_sum_thermal(1.0, 1.0, masked, 1.1, 0.1, 1.0) is np.ma.masked
+    assert track_wheel.error_sum_correlated(0.1, masked, 1.0, np.eye(3), 1.0) is np.ma.masked
+    assert track_wheel.error_sum_correlated(0.1, 1.0, 1.0, matrix, 1.0) is np.ma.masked
+    rows = np.ma.masked_array(np.full((2, 3), 0.1), [[0, 0, 0], mask])
+    found = track_wheel.error_sum(rows, 1.0, 1.0, 1.1)
+    assert found.mask.tolist() == [False, True]
+    assert found[0] == track_wheel.error_sum([0.1] * 3, 1.0, 1.0, 1.1)
+    assert masked.mask.tolist() == [bool(m) for m in mask]
+    plain = np.ma.masked_array([0.1, 0.2, 0.3])
+    assert track_wheel.error_sum(plain, 1.0, 1.0, 1.1) == pytest.approx(0.34, rel=0.01)
+
+
 def test_a_mask_is_not_written_into_a_plain_array() -> None:
     masked = np.ma.masked_array([0.3, 9.0], mask=[False, True])
     with pytest.raises(TypeError, match="out: expected a masked array"):

@@ -113,6 +113,14 @@ def test_what_is_no_number_is_refused(arguments: tuple[Any, ...], message: str) 
         elliptic_planetary.position(*arguments)
 
 
+def test_arrays_of_float32_are_computed_in_doubles() -> None:
+    sizes = (np.linspace(0, 100, 500), *(np.full(500, size) for size in (41.5, 3.75, 7)))
+    single = tuple(np.float32(size) for size in sizes)
+    found = track_wheel.radius(*single)
+    wanted = track_wheel.radius(*(size.astype(float) for size in single))
+    assert np.array_equal(found, np.float32(wanted))
+
+
 def test_dead_centres_are_reached_as_in_numpy() -> None:
     """Where both products of a radicand are equal, their difference has to vanish."""
     from mechproof.kernels import wedge_linkage as plain_linkage

@@ -52,9 +52,9 @@ def _warnings_are_errors() -> Iterator[None]:
         yield
 
 
-def call(name: str, arguments: tuple[Any, ...]) -> Any:
+def call(name: str, arguments: tuple[Any, ...], **options: Any) -> Any:
     module, _, short = name.rpartition(".")
-    return getattr(import_module(f"mechproof.kernels.{module}"), short)(*arguments)
+    return getattr(import_module(f"mechproof.kernels.{module}"), short)(*arguments, **options)
 
 
 def shape_of(name: str) -> tuple[int, ...]:
@@ -103,6 +103,33 @@ def test_nan_in_gives_nan_out(name: str) -> None:
 
 
 @for_each_kernel
+def test_out_without_axes_is_returned(name: str) -> None:
+    found = call(name, CALLS[name])
+    out = np.empty(np.shape(found))
+    assert call(name, CALLS[name], out=out) is out
+    assert np.array_equal(out, found, equal_nan=True)
+
+
+@for_each_kernel
+def test_a_masked_number_is_nan(name: str) -> None:
+    arguments = CALLS[name]
+    for i, argument in enumerate(arguments):
+        if np.shape(argument) == ():
+            found = call(name, (*arguments[:i], np.ma.masked, *arguments[i + 1 :]))
+            assert np.isnan(found).any()
+
+
+@for_each_kernel
+def test_shapes_that_do_not_broadcast_are_named(name: str) -> None:
+    first, *others = CALLS[name]
+    for i, argument in enumerate(others):
+        wrong = [np.stack([np.asarray(a)] * n) for a, n in ((first, 3), (argument, 2))]
+        named = SUBJECTS[name].quantity.arguments[i + 1].name
+        with pytest.raises(ValueError, match=rf"^{named}: .*must broadcast with \(3,\)"):
+            call(name, (wrong[0], *others[:i], wrong[1], *others[i + 1 :]))
+
+
+@for_each_kernel
 def test_bad_types_are_named(name: str) -> None:
     arguments = CALLS[name]
     for bad in (1j, "1", None, np.longdouble(1)):
@@ -131,6 +158,7 @@ OUTSIDE = [
     *(("tooth_thickness", n, bad) for n in ("constant_chord", "chord_height") for bad in (
         (-3.0, 0.3), (0.0, 0.3), (np.inf, 0.3), (3.0, 0.8), (NAN, 0.3),
     )),
+    ("wedge_linkage", "roller_offset", (0.0, 60.0, np.pi)),
     ("track_wheel", "track", (0.3, 3.0, 1.0, 6, -1.0)),
     ("track_wheel", "track", (0.3, 3.0, 4.0, 6, 1.0)),
     ("track_wheel", "track", (0.3, 3.0, -np.inf, 6, 1.0)),
@@ -172,6 +200,23 @@ def test_only_the_element_outside_is_nan() -> None:
             r"correlation.*\(3, 3\).*\(2, 2\)",
         ),
         (track_wheel.error_sum_correlated, (np.ones(3), 1.0, 1.0, 1.0, 1.0), r"correlation.*\(\)"),
+        (track_wheel.rotation, (0.1, np.ones(3), np.ones(2)), r"^gamma: must .*\(3,\),.*\(2,\)$"),
+        (track_wheel.rotation, ([[1, 2], [3]], 0, 0), r"^alpha: .* rows of one length.*\[3\]\]$"),
+        (
+            track_wheel.displacement,
+            (np.ones((3, 3)), np.ones((2, 3)), SHIFT),
+            r"^angles: axes before the last axis must .*\(3,\),.*\(2, 3\)$",
+        ),
+        (
+            track_wheel.error_sum,
+            (np.ones((3, 2)), 1.0, 1.0, np.ones(2)),
+            r"^total_scatter: must .*\(3,\),.*\(2,\)$",
+        ),
+        (
+            track_wheel.error_sum_correlated,
+            (np.ones((2, 3, 3)), 1.0, 1.0, np.ones((4, 3, 3)), 1.0),
+            r"^correlation: axes before the last 2 axes must .*\(2, 3\),.*\(4, 3, 3\)$",
+        ),
     ],
 )
 def test_wrong_axes_are_named(function: Any, arguments: tuple[Any, ...], message: str) -> None:
@@ -214,6 +259,34 @@ def test_uncorrelated_is_the_plain_sum() -> None:
     np.testing.assert_allclose(correlated, plain, rtol=15 * np.finfo(float).eps)
     full = track_wheel.error_sum_correlated([1.0, 2.0], 1.0, 1.0, np.ones((2, 2)), 1.0)
     assert full == 3.0
+
+
+# Of errors that cancel, one by one and in a ring: the sums are 0.
+SIGNED = np.array([0.1, 0.2, 0.3, 0.7, -0.6, -0.7])
+RING = np.where(np.eye(3), 1.0, -0.5)
+
+
+@pytest.mark.parametrize("system", ["track_wheel", "compiled.track_wheel"])
+@pytest.mark.parametrize("dtype", [float, np.float32])
+def test_errors_that_cancel_add_up_to_nothing(system: str, dtype: Any) -> None:
+    random = np.random.default_rng(20266)
+    scatters = random.uniform(0.5, 2, (400, 6))
+    alike = SIGNED / scatters, np.ones((6, 6))
+    turned = 0.1 / scatters[:, :3], RING
+    for influences, matrix in (alike, turned):
+        given = (0.03, influences, scatters[:, : len(matrix)], matrix, 1.0)
+        arguments = tuple(np.asarray(a, dtype) for a in given)
+        found = call(f"{system}.error_sum_correlated", arguments)
+        assert not np.signbit(found).any()
+        # The root of the rounding of six errors below 0.03 whose sum is 0, not NaN.
+        assert np.all(found <= 0.1 * np.sqrt(20 * np.finfo(dtype).eps))
+
+
+@pytest.mark.parametrize("system", ["track_wheel", "compiled.track_wheel"])
+@pytest.mark.parametrize("beyond", [1e-13, 1e-9, 0.1])
+def test_what_no_correlation_gives_is_nan(system: str, beyond: float) -> None:
+    matrix = np.where(np.eye(3), 1.0, -0.5 - beyond)
+    assert np.isnan(call(f"{system}.error_sum_correlated", (0.1, 1.0, 1.0, matrix, 1.0)))
 
 
 def test_conversion_of_arguments() -> None:

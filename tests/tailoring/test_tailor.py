@@ -31,7 +31,8 @@ from mechproof.tailoring.request import read_request
 NAME = "elliptic_planetary.position"
 SIZES = {"R1": 66, "R2": 16, "e": 0.475}
 COMPILER = shutil.which("cc")
-STRICT = ("-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-pedantic", "-ffp-contract=off")
+WARNED = ("-Wall", "-Wextra", "-Wconversion", "-Werror", "-pedantic")
+STRICT = ("-std=c99", "-O2", *WARNED, "-ffp-contract=off")
 BACKENDS = [
     pytest.param(NUMBA, marks=pytest.mark.skipif(not importlib.util.find_spec("numba"), reason="")),
     NUMPY,
@@ -160,10 +161,20 @@ def test_c_has_the_bits_of_numba(tmp_path: Path) -> None:
     assert np.array_equal(found, kernel(carrier), equal_nan=True)
 
 
-@pytest.mark.parametrize("name", ["1st", "double", "a b", "größe"])
-def test_a_name_that_c_does_not_have_is_refused(name: str, tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match=f"name = {name!r}: must be a name in C"):
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        *(
+            (name, f"name = {name!r}: must be a name in C")
+            for name in ("1st", "double", "a b", "größe")
+        ),
+        ("math", "math: C has a header math.h"),
+    ],
+)
+def test_a_name_that_c_does_not_have_is_refused(name: str, message: str, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=message):
         tailored(NUMPY).write_c(tmp_path, name=name)
+    assert not list(tmp_path.iterdir())
 
 
 def test_the_command_emits_it(tmp_path: Path) -> None:
@@ -249,7 +260,8 @@ def test_pickled_it_has_the_same_bits(backend: str, tmp_path: Path) -> None:
     kernel = tailored(backend)
     written = pickle.dumps(kernel)
     again = pickle.loads(written)
-    assert again == kernel
+    assert pickle.loads(written) is again
+    assert (again, hash(again)) == (kernel, hash(kernel))
     assert repr(again) == repr(kernel)
     assert [f.read_text() for f in again.write_c(tmp_path / "again")] == [
         f.read_text() for f in kernel.write_c(tmp_path / "first")

@@ -52,6 +52,12 @@ class KernelCode:
     shape: tuple[int, ...]
     quiet: bool
 
+    @property
+    def axes(self) -> tuple[int, ...]:
+        """Count the last axes of each argument that do not broadcast; empty if all do."""
+        counts = {name: 1 for name, _ in self.vectors} | dict(self.indexed)
+        return tuple(counts.get(name, 0) for name in self.arguments) if counts else ()
+
     def count_operations(self) -> tuple[int, ...]:
         """Count the operations of each stage."""
         return tuple(sum(p.count_operations() for p in s.programs) for s in self.stages)

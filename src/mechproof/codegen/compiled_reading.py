@@ -177,7 +177,7 @@ def _read_element(node: ast.expr) -> tuple[str, tuple[int, ...]]:
         case ast.Name(id=name):
             return name, ()
         case ast.Call(
-            func=ast.Name(id="float"), args=[ast.Subscript(value=ast.Name(id=name), slice=index)]
+            func=ast.Name(id="float64"), args=[ast.Subscript(value=ast.Name(id=name), slice=index)]
         ):
             return name, tuple("ij".index(letter) for letter in list_names(index))
     raise ReadingError(f"line {node.lineno}: {ast.unparse(node)!r} is no element")

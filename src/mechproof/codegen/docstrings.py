@@ -27,7 +27,7 @@ COMMON = (
     "Arguments broadcast. The result is a NumPy scalar where they are scalars, an array otherwise; "
     "float32 if every array argument is float32, float64 otherwise. `out`, an array of the "
     "result's type and shape, takes the result; it may overlap an argument. Outside the domain "
-    "and where an argument is NaN the result is NaN.",
+    "and where an argument is NaN the result is NaN; in a domain numpy.pi counts as pi.",
     "TypeError: an argument is complex or not numeric, or `out` is no array of the result's type. "
     "ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.",
 )

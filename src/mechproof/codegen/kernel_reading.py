@@ -46,10 +46,9 @@ class _KernelReader:
         first, second, *body = self._node.body
         if not isinstance(first, ast.Expr):
             raise ReadingError(f"line {first.lineno}: {self._node.name} has no docstring")
-        self._check_conversion(second)
         for statement in body:
             self._read_statement(statement)
-        return KernelCode(
+        code = KernelCode(
             self._node.name,
             self._arguments,
             tuple(self._vectors),
@@ -60,12 +59,15 @@ class _KernelReader:
             self._shape,
             self._quiet,
         )
+        self._check_conversion(second, code.axes)
+        return code
 
-    def _check_conversion(self, statement: ast.stmt) -> None:
-        """Require `a, b = as_floats("a b", a, b)` with the arguments in their order."""
+    def _check_conversion(self, statement: ast.stmt, axes: tuple[int, ...]) -> None:
+        """Require `a, b = as_floats("a b", a, b)` with the arguments in their order, and axes."""
         names = ", ".join(self._arguments)
         comma = "," if len(self._arguments) == 1 else ""
-        text = f"{names}{comma} = as_floats({' '.join(self._arguments)!r}, {names})"
+        last = f", axes={axes}" if axes else ""
+        text = f"{names}{comma} = as_floats({' '.join(self._arguments)!r}, {names}{last})"
         expected = ast.unparse(ast.parse(text))
         if ast.unparse(statement) != expected:
             raise ReadingError(f"line {statement.lineno}: expected {expected!r}")

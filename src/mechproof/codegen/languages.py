@@ -36,7 +36,7 @@ NUMPY = Syntax(
                 for name in (
                     "is_finite", "product_rest", "sum_rest", "quotient_rest", "small_tangent",
                     "tangent_quotient", "small_arctan", "single", "whole_turns_off", "maximum",
-                    "floor", "quadratic_form",
+                    "floor", "nonnegative_form", "quadratic_form",
                 )
             },
         }

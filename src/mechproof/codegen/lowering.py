@@ -5,7 +5,7 @@ decide first, so that it is computed once and not once per point, and divide bef
 by the running variable: a tiny variable times a tiny numerator would underflow before a tiny
 denominator brings it back. Squares are one operation, other whole powers are squares and products.
 Under a sum the factors of one index come first: of squares their product is squared once, and of
-two indices alike it is the vector of a quadratic form.
+two indices alike it is the vector of a quadratic form, which under a root is not negative.
 """
 
 from __future__ import annotations
@@ -175,7 +175,9 @@ class Lowering:
         if exponent.could_extract_minus_sign():
             return self._add("divide", 1, self.lower(base**-exponent))
         if exponent == sp.S.Half:
-            return self._add("sqrt", self.lower(base))
+            is_sum = isinstance(base, sp.Sum)
+            under = self._total(base, "nonnegative_form") if is_sum else self.lower(base)
+            return self._add("sqrt", under)
         if exponent.is_Integer:
             return self._whole_power(base, int(exponent))
         if (2 * exponent).is_Integer:
@@ -228,7 +230,7 @@ class Lowering:
         parts = condition, value, sp.Piecewise(*rest)
         return self._add("choose", *map(self.lower, parts))
 
-    def _total(self, total: sp.Sum) -> Operand:
+    def _total(self, total: sp.Sum, form: str = "quadratic_form") -> Operand:
         # The outermost index of a double sum stands last in `limits` and first among the axes.
         self._axes = tuple(index for index, *_ in reversed(total.limits))
         parts = _split_quadratic(total.function, self._axes)
@@ -238,7 +240,7 @@ class Lowering:
             vector, matrix = parts
             entries = self.lower(matrix)
             self._axes = self._axes[1:]
-            result = self._add("quadratic_form", self._term(vector), entries)
+            result = self._add(form, self._term(vector), entries)
         self._axes = ()
         return result
 

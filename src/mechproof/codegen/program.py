@@ -94,7 +94,10 @@ def unfuse(program: Program) -> Program:
 
 
 def spell_out_forms(program: Program) -> Program:
-    """Return the program with products and a sum for each quadratic form."""
+    """Return the program with products and a sum for each quadratic form.
+
+    The terms of one that is never negative have a size: |m[i, j]| <= sqrt(m[i, i]*m[j, j]).
+    """
     operations: list[Operation] = []
 
     def add(kind: str, *operands: Operand) -> str:
@@ -103,10 +106,17 @@ def spell_out_forms(program: Program) -> Program:
         return result
 
     for step in program.operations:
-        if step.kind == "quadratic_form":
+        if step.kind in ("quadratic_form", "nonnegative_form"):
             vector, matrix = step.operands
             pair = add("multiply", add("along_first", vector), add("along_last", vector))
-            step = Operation(step.result, "sum", (add("multiply", pair, matrix), 2))
+            terms = add("multiply", pair, matrix)
+            if step.kind == "quadratic_form":
+                step = Operation(step.result, "sum", (terms, 2))
+            else:
+                width = add("sqrt", add("absolute", add("diagonal", matrix)))
+                widths = add("sum", add("multiply", add("absolute", vector), width), 1)
+                operands = (add("sum", terms, 2), add("square", widths))
+                step = Operation(step.result, "nonnegative", operands)
         operations.append(step)
     return replace(program, operations=tuple(operations)).normal_form()
 
@@ -157,6 +167,8 @@ MEANINGS: Mapping[str, Callable[..., sp.Basic]] = MappingProxyType(
         "arctan_quotient": lambda a, b: sp.atan(a / b),
         "tangent_quotient": lambda y, a, b: sp.tan(y) / (a + b * sp.tan(y) ** 2),
         "small_arctan": sp.atan,
+        # A sum that is not negative, and the size of its terms.
+        "nonnegative": lambda total, size: total,
         "single": lambda a: a,
         "whole_turns_off": lambda a: a,
     }

@@ -79,7 +79,8 @@ def run(loops: Loops, arguments: tuple[Any, ...], out: NDArray[Any] | None) -> A
     """
     if (row := _take_numbers(loops, arguments, out)) is not None:
         return row
-    arrays = as_floats(" ".join(loops.names), *arguments)
+    axes = tuple(min(width, 1) for width in loops.widths) if any(loops.widths) else ()
+    arrays = as_floats(" ".join(loops.names), *arguments, axes=axes)
     if (
         not any(loops.widths)
         and all(isinstance(a, (float, np.generic)) for a in arrays)
@@ -160,10 +161,11 @@ def fill_target(
     target = out if direct and out is not None else np.empty(whole, dtype)
     if target.size:
         fill(target)
-    if out is not None and target is not out:
+    if out is None:
+        return target if whole else target[()]
+    if target is not out:
         out[...] = target
-        return out
-    return target if whole else target[()]
+    return out
 
 
 def _fill(

@@ -55,7 +55,7 @@ def run_sums(sums: Sums, arguments: tuple[Any, ...], out: NDArray[Any] | None) -
     """
     # What most calls give is told by its type alone; all else costs as much as many points.
     is_double = all(map(_is_double, arguments))
-    given = arguments if is_double else as_floats(" ".join(sums.names), *arguments)
+    given = arguments if is_double else as_floats(" ".join(sums.names), *arguments, axes=sums.ranks)
     arrays = tuple(map(as_numpy, given))
     if not is_double or any(sums.widths):
         check_arrays(sums.names, arrays, sums.widths)
@@ -65,7 +65,12 @@ def run_sums(sums: Sums, arguments: tuple[Any, ...], out: NDArray[Any] | None) -
     arrays = tuple([next(rest) if n else a for a, n in zip(arrays, sums.axes, strict=True)])
     terms = next((a.shape[-1] for a in summed if a.shape[-1] != 1), 1)
     outer = [a.shape[: a.ndim - rank] for a, rank in zip(arrays, sums.ranks, strict=True)]
-    points = _join_shapes(outer)
+    # Most are equal, or of a single point.
+    several = {shape for shape in outer if shape}
+    if len(several) > 1 and is_double:
+        # Raises where they do not broadcast, with a name.
+        as_floats(" ".join(sums.names), *arguments, axes=sums.ranks)
+    points = np.broadcast_shapes(*several) if len(several) > 1 else next(iter(several), ())
 
     def fill(target: NDArray[Any]) -> None:
         _fill(sums, target, terms, arrays, outer)
@@ -75,12 +80,6 @@ def run_sums(sums: Sums, arguments: tuple[Any, ...], out: NDArray[Any] | None) -
 
 def _is_double(value: Any) -> bool:
     return type(value) is float or (type(value) is np.ndarray and value.dtype is DOUBLE)
-
-
-def _join_shapes(shapes: list[tuple[int, ...]]) -> tuple[int, ...]:
-    """Broadcast shapes; most are equal, or of a single point."""
-    several = {shape for shape in shapes if shape}
-    return np.broadcast_shapes(*several) if len(several) > 1 else next(iter(several), ())
 
 
 def _fill(

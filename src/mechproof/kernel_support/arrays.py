@@ -23,26 +23,57 @@ AS_ARRAYS = (np.memmap, np.matrix)
 DOUBLE, SINGLE = np.dtype(np.float64), np.dtype(np.float32)
 
 
-def as_floats(names: str, *values: Any) -> tuple[NDArray[Any], ...]:
+def as_floats(names: str, *values: Any, axes: tuple[int, ...] = ()) -> tuple[NDArray[Any], ...]:
     """Convert the arguments `names` to one float type: arrays, numbers where there are no axes.
 
     Python numbers are weak; float32 if every array is float32, float64 otherwise. Numbers of the
     type float64 become Python's, whose arithmetic rounds alike in a third of the time. Subclasses
     of arrays and other arrays that bring their own ufuncs (masked, lazy, with units) stay what
-    they are, matrices apart.
+    they are, matrices and masked numbers, which are NaN, apart. `axes` are how many last axes of
+    each do not broadcast, none if left out.
 
     Raises
     ------
     TypeError
         If an argument is complex, longer than float64 or not numeric; the message names it.
+    ValueError
+        If rows have different lengths, or arrays do not broadcast; the message names the argument.
 
     """
+    shape: tuple[int, ...] = ()
+    unlike = len(axes) > 1
     for value in values:
-        kind = type(value)
-        if kind is not float and not (kind is np.ndarray and value.dtype is DOUBLE and value.shape):
-            return _convert(names.split(), values)
+        if type(value) is not float:
+            if not (type(value) is np.ndarray and value.dtype is DOUBLE and value.shape):
+                converted = _convert(names.split(), values)
+                _check_shapes(names, converted, axes)
+                return converted
+            unlike = unlike or value.shape != (shape := shape or value.shape)
+    if unlike:
+        _check_shapes(names, values, axes)
     # What most calls give is told by its type alone: nothing below could change it.
     return values
+
+
+def _check_shapes(names: str, arrays: tuple[Any, ...], axes: tuple[int, ...]) -> None:
+    """Raise ValueError that names an array whose shape, last axes apart, does not broadcast."""
+    common: tuple[int, ...] = ()
+    for i, array in enumerate(arrays):
+        count = axes[i] if axes else 0
+        if isinstance(array, np.ndarray) and array.ndim > count:
+            shape = array.shape[: array.ndim - count]
+            try:
+                common = np.broadcast_shapes(common, shape) if common not in ((), shape) else shape
+            except ValueError:
+                what = f"axes before the {_name_last(count)} must" if count else "must"
+                raise ValueError(
+                    f"{names.split()[i]}: {what} broadcast with {common}, the shape of the "
+                    f"arguments before it, got shape {array.shape}"
+                ) from None
+
+
+def _name_last(count: int) -> str:
+    return "last axis" if count == 1 else f"last {count} axes"
 
 
 def as_numpy(value: Any) -> Any:
@@ -53,7 +84,7 @@ def as_numpy(value: Any) -> Any:
 def _convert(names: list[str], values: tuple[Any, ...]) -> tuple[Any, ...]:
     if all(map(_is_double, values)):
         return tuple([v if type(v) is np.ndarray else float(v) for v in values])
-    arrays = [_as_array(value) for value in values]
+    arrays = [_as_array(name, value) for name, value in zip(names, values, strict=True)]
     for name, array in zip(names, arrays, strict=True):
         if not hasattr(array, "dtype"):
             raise TypeError(f"{name}: expected numbers with a dtype, got {type(array).__name__}")
@@ -92,7 +123,7 @@ def _is_double(value: Any) -> bool:
     return kind in NUMBERS or (kind is int and -(2**63) <= value < 2**63)
 
 
-def _as_array(value: Any) -> Any:
+def _as_array(name: str, value: Any) -> Any:
     """Return an array, a NumPy scalar if it has no axes, or what brings ufuncs of its own."""
     if type(value) is float:
         return np.float64(value)
@@ -100,7 +131,15 @@ def _as_array(value: Any) -> Any:
         # Taken out of its array, an object has no dtype.
         return value if value.shape or value.dtype.hasobject else value[()]
     if not hasattr(value, "__array_ufunc__") or isinstance(value, AS_ARRAYS):
-        return np.asarray(value)
+        try:
+            return np.asarray(value)
+        except ValueError:
+            raise ValueError(
+                f"{name}: expected a number or rows of one length, got {_show(value)}"
+            ) from None
+    if isinstance(value, np.ma.MaskedArray) and not value.shape:
+        # Compared it would be neither true nor false.
+        return np.float64(nan) if value.mask else value.data[()]
     # A foreign scalar, a number with a unit, gets a dtype and stays what it is.
     return value if hasattr(value, "dtype") else np.multiply(value, np.float64(1.0))
 
@@ -172,9 +211,20 @@ def _spread_axes(arguments: dict[str, tuple[Any, int]]) -> tuple[NDArray[Any], .
         expected = (length,) * axes
         fits = array.shape[-axes:] == expected
         if not fits and not (axes == 1 and array.shape[-1:] in ((), (1,))):
-            what = "last axis" if axes == 1 else f"last {axes} axes"
-            raise ValueError(f"{name}: {what} must have shape {expected}, got shape {array.shape}")
-    return tuple(array if array.shape else np.atleast_1d(array) for array, _ in arguments.values())
+            what = f"{_name_last(axes)} must have shape {expected}"
+            raise ValueError(f"{name}: {what}, got shape {array.shape}")
+    return tuple(
+        _spread_mask(array, axes) if array.shape else np.atleast_1d(array)
+        for array, axes in arguments.values()
+    )
+
+
+def _spread_mask(array: NDArray[Any], axes: int) -> NDArray[Any]:
+    """Mask all terms of a sum of which one is masked: NumPy would leave out that one, as if 0."""
+    if not isinstance(array, np.ma.MaskedArray):
+        return array
+    mask = np.ma.getmaskarray(array).any(axis=tuple(range(-axes, 0)), keepdims=True)
+    return np.ma.masked_array(array, np.broadcast_to(mask, array.shape))
 
 
 def is_finite(value: Any) -> Any:
@@ -195,11 +245,15 @@ def nan_outside(inside: Any, *values: Any) -> tuple[NDArray[Any], ...]:
 
 
 def every(condition: Any, axis: Any) -> Any:
-    """Return np.all(condition, axis), True without a reduction where it is true everywhere."""
+    """Return np.all(condition, axis), True without a reduction where it is true everywhere.
+
+    What is masked counts as true: where it is, so is the result.
+    """
     # The test of `holds`: on its own as quick as the call would be.
     if type(condition) is np.ndarray and np.count_nonzero(condition) == condition.size:
         return True
-    return np.all(condition, axis=axis)
+    plain = condition.filled(True) if isinstance(condition, np.ma.MaskedArray) else condition
+    return np.all(plain, axis=axis)
 
 
 def add_up(terms: Any, axis: Any) -> Any:
@@ -221,6 +275,20 @@ def quadratic_form(vector: Any, matrix: Any) -> Any:
         return np.add.reduce(np.matmul(vector, matrix) * vector, -1)
     rows = np.matmul(vector[..., np.newaxis, :], matrix)[..., 0, :]
     return np.add.reduce(rows * vector, -1)
+
+
+def nonnegative_form(vector: Any, matrix: Any) -> Any:
+    """Return the quadratic form of a matrix that makes none negative, 0 where rounding made one so.
+
+    Farther below 0 than n terms of two sums and their factors can be rounded it stays negative.
+    """
+    found = quadratic_form(vector, matrix)
+    if type(found) in PLAIN and not np.any(found < 0.0):
+        return found
+    eps = np.finfo(found.dtype).eps
+    rounding = (matrix.shape[-1] + 4) * eps * quadratic_form(abs(vector), abs(matrix))
+    # A product keeps the mask or the unit; that of two negative numbers is no negative zero.
+    return found * np.where(found < 0.0, np.where(found >= -rounding, -0.0, 1.0), 1.0)
 
 
 def floor(a: Any) -> Any:

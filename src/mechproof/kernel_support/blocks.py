@@ -105,7 +105,7 @@ def in_blocks(
 
     """
     if quiet:
-        return _in_quiet_blocks(evaluate, running, prepare, parameters, out, shape)
+        return _in_quiet_blocks(evaluate, running, prepare, parameters, out=out, shape=shape)
     try:
         if out is None and not shape and _are_few((*running, *parameters)):
             return _evaluate_few(evaluate, running, prepare, parameters)
@@ -117,16 +117,7 @@ def in_blocks(
 
 
 # Around a function the context costs half of what it costs around a block.
-@quietly()
-def _in_quiet_blocks(
-    evaluate: Function,
-    running: tuple[Any, ...],
-    prepare: Function,
-    parameters: tuple[Any, ...],
-    out: NDArray[Any] | None,
-    shape: tuple[int, ...],
-) -> Any:
-    return in_blocks(evaluate, running, prepare, parameters, out=out, shape=shape)
+_in_quiet_blocks = quietly()(in_blocks)
 
 
 def _are_few(arrays: tuple[Any, ...]) -> bool:

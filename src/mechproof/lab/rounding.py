@@ -29,7 +29,7 @@ ROUNDED = (
 )  # fmt: skip
 EXACT = (
     "negate", "absolute", "copysign", "maximum", "floor", "rint", "sign", "copy", "product_rest",
-    "sum_rest",
+    "sum_rest", "nonnegative",
 )  # fmt: skip
 # As the doubles that a kernel takes them for.
 CONSTANTS: Mapping[str, arb] = MappingProxyType(
@@ -94,6 +94,7 @@ FUNCTIONS: Mapping[str, Callable[..., arb]] = MappingProxyType(
         "small_tangent": lambda a: a.tan(),
         "tangent_quotient": _tangent_quotient,
         "small_arctan": lambda a: a.atan(),
+        "nonnegative": lambda total, size: total.union(arb(0)) if total < 0 else total,
         "tangent_above": lambda y: y.sin(),
         "tangent_below": lambda y: y.cos(),
         "arctan_quotient": lambda a, b: (a / b).atan(),

@@ -64,6 +64,8 @@ IN_EXTENDED: Table = MappingProxyType(
         "transpose": lambda a: np.swapaxes(a, 0, 1),
         "diagonal": lambda a: np.moveaxis(np.diagonal(a), -1, 0),
         "quadratic_form": lambda x, m: np.sum(x[:, np.newaxis] * x * m, axis=(0, 1)),
+        "nonnegative_form": lambda x, m: np.sum(x[:, np.newaxis] * x * m, axis=(0, 1)),
+        "nonnegative": lambda total, size: total,
         "sum": lambda a, count: np.sum(a, axis=_first_axes(count)),
         "every": lambda a, count: np.all(a, axis=_first_axes(count)),
     }

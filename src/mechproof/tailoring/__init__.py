@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import pickle
 from collections.abc import Iterable
+from functools import lru_cache
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
@@ -85,6 +86,12 @@ def receive(backend: str, written: bytes) -> Tailored:
     """Load a pickled kernel; ImportError naming the extra that its backend needs."""
     _require("a tailored kernel", "derive", NEEDED)
     _require(f"a kernel tailored for {backend}", "fast", [m for m in FAST if m == backend])
+    return _load(written)
+
+
+# A process that is sent one kernel with each of its tasks prints and reads it once.
+@lru_cache
+def _load(written: bytes) -> Tailored:
     from mechproof.tailoring.kernel import make_kernel
 
     with BALLS:

@@ -50,7 +50,7 @@ class Tailored:
     """
 
     name: str
-    parameters: Mapping[str, float]
+    parameters: Mapping[str, float] = field(hash=False)
     variable: str
     low: float
     high: float
@@ -212,6 +212,6 @@ def _render_c(request: Request, model: Model, called: str, accuracy: str) -> dic
     about = (
         f"Tailored to {sizes}.",
         f"{accuracy}, proved, roundings included.",
-        f"mechproof.derivations.{request.paper.system}",
+        request.paper.system,
     )
     return render_c_kernels(called, [_wrap(request, model, fused=True)], about)

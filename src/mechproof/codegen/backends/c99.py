@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from mechproof.codegen.backends.numpy import render_template
-from mechproof.codegen.backends.one_pass import join_kernels
+from mechproof.codegen.backends.one_pass import join_kernels, list_unlike_domains
 from mechproof.codegen.backends.scalar import list_elementary, list_scalars
 from mechproof.codegen.backends.scalar_texts import (
     ScalarKernel,
@@ -38,6 +38,13 @@ KEYWORDS = frozenset({
     "union", "unsigned", "void", "volatile", "while", "out", "count", "prepared", "i", "j",
     "terms",
 })  # fmt: skip
+# With a file of the same name beside it, <math.h> may be that one.
+HEADERS = frozenset({
+    "assert", "complex", "ctype", "errno", "fenv", "float", "inttypes", "iso646", "limits",
+    "locale", "math", "setjmp", "signal", "stdalign", "stdarg", "stdatomic", "stdbit", "stdbool",
+    "stdckdint", "stddef", "stdint", "stdio", "stdlib", "stdnoreturn", "string", "tgmath",
+    "threads", "time", "uchar", "wchar", "wctype",
+})  # fmt: skip
 
 
 def render_c(paper: Paper, *, single: bool = False) -> dict[str, str]:
@@ -49,7 +56,7 @@ def render_c(paper: Paper, *, single: bool = False) -> dict[str, str]:
     if not kernels:
         raise ValueError(f"{paper.system}: no kernel that C can compute point by point")
     file = f"{paper.system}_single" if single else paper.system
-    about = paper.citation, ACCURACY[single], f"mechproof.derivations.{paper.system}"
+    about = paper.citation, ACCURACY[single], paper.system
     return render_c_kernels(file, kernels, about, paper.together, single=single)
 
 
@@ -63,11 +70,13 @@ def render_c_kernels(
 ) -> dict[str, str]:
     """Render the header and the source of kernels whose names begin with that of the file.
 
-    `about` says what they are, how accurate, and what they are generated from.
+    `about` says what they are, how accurate, and of which system.
     Raises ValueError if a name means something else in C, NotImplementedError for what has no
-    pass in common.
+    pass in common. Kernels of different domains are called one after the other, point by point.
     """
-    citation, accuracy, origin = about
+    if file.lower() in HEADERS:
+        raise ValueError(f"{file}: C has a header {file.lower()}.h, kernels need another name")
+    citation, accuracy, system = about
     form, language, far = (SINGLE, C99_SINGLE, C99_SINGLE_FAR) if single else (DOUBLE, C99, C99_FAR)
     folded, reductions = fold_sums(kernels)
     extended = extend_syntax(language, reductions, "mp_", "terms")
@@ -77,7 +86,7 @@ def render_c_kernels(
         if taken := sorted(KEYWORDS.union(kernel.outs) & set(kernel.names)):
             raise ValueError(f"{file}.{kernel.name}: {taken} mean something else in C")
     common: dict[str, object] = {
-        "system": file,
+        "prefix": file,
         "real": "float" if single else "double",
         "kernels": written,
     }
@@ -87,13 +96,12 @@ def render_c_kernels(
         **common,
         "citation": textwrap.wrap(citation, WIDTH),
         "guard": f"{file.upper()}_H",
-        "names": "FUNCTION",
+        "system": system,
+        "precision": "single precision" if single else "double precision",
         "accuracy": textwrap.wrap(accuracy, WIDTH),
-        "origin": origin,
     }
     source = {
         **common,
-        "file": file,
         "largest": form.largest,
         "limit": language.number(form.largest),
         "absolute": language.calls["absolute"],
@@ -115,7 +123,10 @@ def _write_together(
 ) -> ScalarKernel:
     several = join_scalars(together, written)
     named = {kernel.name: kernel for kernel in kernels}
-    joined = join_kernels(together.name, [named[name] for name in together.quantities])
+    members = [named[name] for name in together.quantities]
+    if list_unlike_domains(members):
+        return several
+    joined = join_kernels(together.name, members)
     text = write_scalar(joined, syntax)
     return replace(text, summary=several.summary, members=several.members)
 

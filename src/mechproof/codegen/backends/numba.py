@@ -163,9 +163,11 @@ def render_scalars(
     _, _, used = render_template("numba_module.py.jinja", data).partition("__all__")
     data["support"] = list_support(used)
     data["elementary"] = ELEMENTARY in used
+    names = [name for name in ("empty", "float64", "ndarray") if re.search(rf"\b{name}\b", used)]
     data["numpy"] = [
         *(["import numpy as np"] if "np." in used else []),
-        *(["from numpy import float64, ndarray"] if "float64(" in used else []),
+        # To numba float() of a float32 is that float32.
+        *([f"from numpy import {', '.join(names)}"] if names else []),
     ]
     source = format_source(render_template("numba_module.py.jinja", data))
     check_translation(source, kernels)

@@ -46,6 +46,7 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "is_finite",
             "maximum",
             "nan_outside",
+            "nonnegative_form",
             "quadratic_form",
             "split_components",
             "sum_axes",

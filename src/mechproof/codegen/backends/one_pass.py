@@ -26,9 +26,8 @@ def join_kernels(name: str, kernels: Sequence[Kernel]) -> Kernel:
 
     Raises NotImplementedError for kernels of different domains.
     """
-    first, *others = kernels
-    inside = _name_domain(first)
-    if wrong := [kernel.name for kernel in others if _name_domain(kernel) != inside]:
+    first = kernels[0]
+    if wrong := list_unlike_domains(kernels):
         raise NotImplementedError(f"{name}: {wrong} have another domain than {first.name!r}")
     arguments = list_arguments(first)
     stages = product(*([stage for _, stage in list_stages(kernel)] for kernel in kernels))
@@ -38,13 +37,19 @@ def join_kernels(name: str, kernels: Sequence[Kernel]) -> Kernel:
         arguments=first.code.arguments,
         vectors=tuple((a.name, a.components) for a in arguments if a.width),
         indexed=(),
-        inside=inside,
+        inside=_name_domain(first),
         masked=first.code.masked,
         stages=tuple(_join_stages(several, components) for several in stages),
         shape=(),
         quiet=all(kernel.code.quiet for kernel in kernels),
     )
     return replace(first, name=name, code=code)
+
+
+def list_unlike_domains(kernels: Sequence[Kernel]) -> list[str]:
+    """List the kernels that have another domain than the first one."""
+    first, *others = kernels
+    return [kernel.name for kernel in others if _name_domain(kernel) != _name_domain(first)]
 
 
 def _name_domain(kernel: Kernel) -> Program | None:

@@ -142,7 +142,8 @@ class _Term:
             seen = INDICES[view] if view and count else tuple(range(count))
             return self._element(operand, seen)
         if step.kind in VIEWS:
-            return self.take(step.operands[0], step.kind)
+            # What is transposed has the diagonal that it had.
+            return self.take(step.operands[0], view if view == "diagonal" else step.kind)
         if operand not in self._spread and not operand.startswith(TEMPORARY):
             return self._element(operand, ())
         if step.kind in REDUCTIONS:

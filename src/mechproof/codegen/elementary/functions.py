@@ -18,6 +18,7 @@ from mechproof.codegen.elementary.trace import (
     copysign,
     floor,
     fma,
+    maximum,
     polynomial,
     power_of_two,
     rint,
@@ -28,6 +29,8 @@ from mechproof.codegen.program import Program
 
 Body = Callable[..., Value]
 Fitted = tuple[Target, Rational]
+# Of the terms of a sum that keeps its rests, in eps: six roundings of the factors, and its own.
+ROUNDED = 4
 
 
 @dataclass(frozen=True)
@@ -245,6 +248,12 @@ class _Maker:
         part = s - a
         return (a - (s - part)) + (b - part)
 
+    def nonnegative(self, total: Value, size: Value) -> Value:
+        """Return a sum, 0 where it is negative by no more than terms of that size are rounded."""
+        rounding = ROUNDED * self.form.eps * size
+        beyond = maximum(-total - rounding, 0.0)
+        return maximum(total, 0.0 - beyond)
+
 
 def _turn(value: Value, half_turns: Value) -> Value:
     """Return a value with the sign that a whole number of half turns gives it."""
@@ -281,6 +290,7 @@ BODIES: Mapping[str, tuple[Body, tuple[str, ...], Body | None]] = MappingProxyTy
         "quotient_rest": (_Maker.quotient_rest, ("a", "b", "q"), None),
         "sum_rest": (_Maker.sum_rest, ("a", "b", "s"), None),
         "total_rest": (_Maker.total_rest, ("a", "b", "s"), None),
+        "nonnegative": (_Maker.nonnegative, ("total", "size"), None),
     }
 )
 

@@ -77,6 +77,11 @@ def fma(a: Value, b: Value | float, c: Value | float) -> Value:
     return a.apply("fma", a, b, c)
 
 
+def maximum(a: Value, b: Value | float) -> Value:
+    """Return the larger number, NaN if one is."""
+    return a.apply("maximum", a, b)
+
+
 def rint(a: Value) -> Value:
     """Return the whole number next to a."""
     return a.apply("rint", a)

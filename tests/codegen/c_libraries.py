@@ -1,0 +1,42 @@
+"""Kernels in C: the compiler and its flags, what is compiled, and libraries of it."""
+
+from __future__ import annotations
+
+import ctypes
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from derived import SYSTEMS, paper_of
+
+from mechproof.codegen.backends.c99 import render_c
+from mechproof.codegen.backends.scalar import list_scalars
+
+COMPILER = shutil.which("cc")
+needs_compiler = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+WARNED = ("-O2", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-pedantic")
+STRICT = ("-std=c99", *WARNED, "-ffp-contract=off")
+PAPERS = {system: paper_of(system) for system in SYSTEMS}
+KERNELS = {f"{s}.{k.name}": k for s, p in PAPERS.items() for k in list_scalars(p)}
+ELLIPTIC = ("position", "ratio", "acceleration")
+POINTER = np.ctypeslib.ndpointer(float)
+
+
+def build(folder: Path, system: str, single: bool, flags: tuple[str, ...]) -> ctypes.CDLL:
+    """Compile the kernels of a system without a warning, and load them."""
+    return compile_files(folder, render_c(PAPERS[system], single=single), flags)
+
+
+def compile_files(folder: Path, files: dict[str, str], flags: tuple[str, ...]) -> ctypes.CDLL:
+    """Compile a source and its header without a warning, and load them."""
+    for name, text in files.items():
+        (folder / name).write_text(text)
+    (source,) = (name for name in files if name.endswith(".c"))
+    target = folder / f"{source}{flags[-1]}.so"
+    assert COMPILER is not None
+    command = [COMPILER, *flags, "-shared", "-fPIC", source, "-o", str(target), "-lm"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return ctypes.CDLL(str(target))
