@@ -35,6 +35,10 @@ def test_out_receives_the_result(name: str, blocks: int, monkeypatch: pytest.Mon
         out = np.full(expected.shape, np.nan, order=order)  # type: ignore[call-overload]
         assert function(*arguments, out=out) is out
         assert np.array_equal(out, expected)
+    if expected.ndim == 2:
+        matrix = np.full(expected.shape, np.nan).view(np.matrix)
+        assert function(*arguments, out=matrix) is matrix
+        assert np.array_equal(matrix, expected)
 
 
 @pytest.mark.parametrize("name", CALLS)

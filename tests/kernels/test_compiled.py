@@ -100,6 +100,22 @@ def test_nan_where_the_domain_ends_and_large_angles_take_the_exact_way() -> None
     assert np.isnan(elliptic_planetary.position(PHI[:2, None], 66.0, 16.0, [0.1, 2.0])[:, 1]).all()
 
 
+@pytest.mark.parametrize("kernels", [elliptic_planetary, plain])
+def test_out_of_another_kind_is_filled_and_nothing_beside_it(kernels: Any) -> None:
+    phi = PHI[:8].reshape(2, 4)
+    memory = np.zeros((50, 4))
+    for out in (
+        memory[:2].view(np.matrix),
+        np.ma.masked_array(np.empty((2, 4)), mask=np.eye(2, 4)),
+        np.zeros((2, 4)).view(type("Own", (np.ndarray,), {})),
+    ):
+        for sizes in (SIZES, (66.0, 16.0, np.full((2, 1), 0.3)), (*SIZES[:2], np.full(4, 0.3))):
+            assert kernels.position(phi, *sizes, out=out) is out
+            assert np.array_equal(out, kernels.position(phi, *sizes))
+            assert not np.ma.getmaskarray(out).any()
+    assert not memory[2:].any()
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

@@ -54,9 +54,19 @@ def test_sums_are_stored_in_out() -> None:
 
     wanted = track_wheel.error_sum(SEVEN, 1.0, 1.0, 1.1)
     source = SEVEN.copy()
-    for out in (np.empty((3, 4)), np.empty((4, 3)).T, source[..., 0]):
+    memory = np.zeros((50, 4))
+    masked = np.ma.masked_array(np.empty((3, 4)), mask=True)
+    for out in (
+        np.empty((3, 4)),
+        np.empty((4, 3)).T,
+        memory[:3].view(np.matrix),
+        masked,
+        source[..., 0],
+    ):
         assert track_wheel.error_sum(source, 1.0, 1.0, 1.1, out=out) is out
         assert np.array_equal(out, wanted)
+    assert not memory[3:].any()
+    assert not masked.mask.any()
     for bad in (np.empty(3), np.empty((3, 4), np.float32)):
         with pytest.raises((TypeError, ValueError)) as plain:
             plain_wheel.error_sum(SEVEN, 1.0, 1.0, 1.1, out=bad)

@@ -66,6 +66,9 @@ def test_it_is_called_like_a_kernel(backend: str) -> None:
     out = np.empty_like(carrier)
     assert kernel(carrier, out=out) is out
     assert np.array_equal(out, found, equal_nan=True)
+    matrix = np.empty_like(carrier).view(np.matrix)
+    assert kernel(carrier, out=matrix) is matrix
+    assert np.array_equal(matrix, found, equal_nan=True)
     assert kernel(carrier, out=carrier) is carrier
     assert np.array_equal(carrier, found, equal_nan=True)
     value = kernel(5.0)

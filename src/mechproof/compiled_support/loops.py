@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechproof.kernel_support.arrays import PLAIN, as_floats, as_numpy, check_components
-from mechproof.kernel_support.blocks import check_out
+from mechproof.kernel_support.blocks import WRITTEN, check_out
 
 # Points in a row for which a call of its own pays, and those for which a second thread does.
 LONG_ROW = 32
@@ -155,6 +155,7 @@ def fill_target(
         check_out(out, whole, dtype)
     direct = (
         out is not None
+        and type(out) in WRITTEN
         and out.flags.c_contiguous
         and not any(np.may_share_memory(out, a) for a in arrays)
     )

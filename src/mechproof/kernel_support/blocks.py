@@ -15,6 +15,8 @@ from mechproof.kernel_support.arrays import DOUBLE, PLAIN, SCALARS, SINGLE, as_n
 BLOCK = 16384
 # Loops along the last axis that cost more than their start.
 LONG_LOOP = 64
+# Arrays of which views are what they seem: a matrix never gets flat, a mask would stay.
+WRITTEN = frozenset({np.ndarray, np.memmap})
 # A function of arrays that returns an array or a tuple of them.
 Function = Any
 
@@ -49,6 +51,8 @@ def _find_target(
     if out is None:
         return None
     check_out(out, shape, dtype)
+    if type(out) not in WRITTEN:
+        return None
     shared = (type(a) is np.ndarray and np.may_share_memory(out, a) for a in arrays)
     return None if any(shared) else out
 
