@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 2c99ab98f783.
+Elementary functions: `elementary` e229c7343634.
 
 Sums over axes are added in the order of the index, with the rest of every addition. Many
 sets of terms are added beside each other, each to the bits that it has alone. Inside
@@ -1690,11 +1690,11 @@ def _fill_each_error_sum_correlated(
 ):
     widen()
     sets = count_sets(out.size, terms * terms)
-    tolerances_sets = empty((terms, sets), tolerances_values.dtype)
-    sensitivities_sets = empty((terms, sets), sensitivities_values.dtype)
-    scatters_sets = empty((terms, sets), scatters_values.dtype)
-    correlation_sets = empty((terms, terms, sets), correlation_values.dtype)
-    total_scatter_sets = empty((1, sets), total_scatter_values.dtype)
+    tolerances_sets = empty((terms, sets))
+    sensitivities_sets = empty((terms, sets))
+    scatters_sets = empty((terms, sets))
+    correlation_sets = empty((terms, terms, sets))
+    total_scatter_sets = empty((1, sets))
     every_3_sets = empty(sets)
     every_4_sets = empty(sets)
     every_5_sets = empty(sets)
@@ -1886,10 +1886,10 @@ def _fill_each_error_sum(
 ):
     widen()
     sets = count_sets(out.size, terms)
-    tolerances_sets = empty((terms, sets), tolerances_values.dtype)
-    sensitivities_sets = empty((terms, sets), sensitivities_values.dtype)
-    scatters_sets = empty((terms, sets), scatters_values.dtype)
-    total_scatter_sets = empty((1, sets), total_scatter_values.dtype)
+    tolerances_sets = empty((terms, sets))
+    sensitivities_sets = empty((terms, sets))
+    scatters_sets = empty((terms, sets))
+    total_scatter_sets = empty((1, sets))
     every_3_sets = empty(sets)
     every_4_sets = empty(sets)
     every_9_sets = empty(sets)
@@ -2060,12 +2060,12 @@ def _fill_each_error_sum_thermal(
 ):
     widen()
     sets = count_sets(out.size, terms)
-    tolerances_sets = empty((terms, sets), tolerances_values.dtype)
-    sensitivities_sets = empty((terms, sets), sensitivities_values.dtype)
-    scatters_sets = empty((terms, sets), scatters_values.dtype)
-    total_scatter_sets = empty((1, sets), total_scatter_values.dtype)
-    thermal_share_sets = empty((1, sets), thermal_share_values.dtype)
-    thermal_scatter_sets = empty((1, sets), thermal_scatter_values.dtype)
+    tolerances_sets = empty((terms, sets))
+    sensitivities_sets = empty((terms, sets))
+    scatters_sets = empty((terms, sets))
+    total_scatter_sets = empty((1, sets))
+    thermal_share_sets = empty((1, sets))
+    thermal_scatter_sets = empty((1, sets))
     every_3_sets = empty(sets)
     every_4_sets = empty(sets)
     every_9_sets = empty(sets)

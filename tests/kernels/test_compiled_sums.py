@@ -27,6 +27,7 @@ MATRIX = np.where(np.eye(7), 1, 0.25)
         ("error_sum", (SEVEN[0, 0], [1.0, -1, 2, -2, 3, -3, 0], 1.0, [1.0, np.nan, -1.0])),
         ("error_sum", (np.ones((2, 40_000)), 1.0, 1.0, 1.0)),
         ("error_sum", (1e200, 1.0, 1.0, 1.0)),
+        ("error_sum", (*map(np.array, (0.5, 1.0, 2.0)), 1.1)),
         ("error_sum_correlated", (SEVEN, 1.0, SEVEN[1, 0], MATRIX, 1.1)),
         ("error_sum_correlated", (SEVEN, 1.0, 1.0, np.stack([MATRIX, 2 * MATRIX] * 2), 1.1)),
         ("error_sum_correlated", (np.float32(SEVEN[0]), 1, 1, np.float32(MATRIX), 1)),
@@ -104,11 +105,14 @@ def draw_sets() -> dict[str, Any]:
     }
 
 
-@pytest.mark.parametrize("varied", [(name,) for name in draw_sets()] + [tuple(draw_sets())])
-def test_a_set_among_others_has_the_bits_of_a_set_alone(varied: tuple[str, ...]) -> None:
+@pytest.mark.parametrize(
+    ("varied", "kind"),
+    [*(((name,), float) for name in draw_sets()), *((tuple(draw_sets()), k) for k in (float, "f"))],
+)
+def test_a_set_among_others_has_the_bits_of_a_set_alone(varied: tuple[str, ...], kind: Any) -> None:
     from mechproof.kernels import track_wheel as plain_wheel
 
-    given = {n: a if n in varied else a[0] for n, a in draw_sets().items()}
+    given = {n: np.array(a if n in varied else a[0], kind) for n, a in draw_sets().items()}
 
     def compute(part: slice) -> Any:
         taken = {n: a[part] if n in varied else a for n, a in given.items()}
@@ -120,8 +124,27 @@ def test_a_set_among_others_has_the_bits_of_a_set_alone(varied: tuple[str, ...])
         assert np.array_equal(compute(part), whole[part], equal_nan=True)
 
 
-def test_few_long_sums_have_the_bits_of_many() -> None:
-    rows = np.random.default_rng(20267).uniform(0.5, 2, (5, 2000))
+@pytest.mark.parametrize(
+    ("name", "terms", "rest"),
+    [
+        ("error_sum", [1e20, 2e20, 3e20], ()),
+        ("error_sum_correlated", [0.3, 0.4, 0.7], (np.outer([1, 1, -1], [1, 1, -1]),)),
+    ],
+)
+def test_sums_of_float32_are_computed_in_doubles(name: str, terms: Any, rest: Any) -> None:
+    single = [np.float32(a) for a in (terms, 1, 1, *rest, 1.1)]
+    wanted = np.float32(getattr(track_wheel, name)(*(a.astype(float) for a in single)))
+    assert 0 < wanted < np.inf
+    for sets in ((), (1,), (7,), (2, 1000)):
+        rows = np.broadcast_to(single[0], (*sets, 3))
+        found = getattr(track_wheel, name)(rows, *single[1:])
+        assert found.dtype == np.float32
+        assert np.all(found == wanted)
+
+
+@pytest.mark.parametrize("kind", [float, np.float32])
+def test_few_long_sums_have_the_bits_of_many(kind: Any) -> None:
+    rows = np.random.default_rng(20267).uniform(0.5, 2, (5, 2000)).astype(kind)
     many = track_wheel.error_sum(rows, 1.0, rows[0], 1.1)
     few = [track_wheel.error_sum(rows[i : i + 2], 1.0, rows[0], 1.1) for i in (0, 3)]
     assert np.array_equal(many[[0, 1, 3, 4]], np.concatenate(few))

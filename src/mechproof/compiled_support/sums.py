@@ -79,7 +79,8 @@ def run_sums(sums: Sums, arguments: tuple[Any, ...], out: NDArray[Any] | None) -
 
 
 def _is_double(value: Any) -> bool:
-    return type(value) is float or (type(value) is np.ndarray and value.dtype is DOUBLE)
+    kind = type(value)
+    return kind is float or (kind is np.ndarray and value.dtype is DOUBLE and value.ndim > 0)
 
 
 def _fill(
@@ -129,7 +130,7 @@ def _fill_part(sums: Sums, part: NDArray[Any], terms: int, tables: list[NDArray[
 def _unpack(row: NDArray[Any], axes: int, terms: int) -> Any:
     """Return what one point takes of a row: its numbers, or an array of terms."""
     if not axes:
-        return row
+        return row.tolist()
     return [row.reshape(terms, terms) if axes == 2 else np.broadcast_to(row, (terms,))]
 
 
