@@ -145,17 +145,18 @@ def test_loops_ask_for_the_widest_vectors() -> None:
 
 
 @pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
-def test_c_has_the_bits_of_numba(tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["drive", "point", "prepare"])
+def test_c_has_the_bits_of_numba(name: str, tmp_path: Path) -> None:
     pytest.importorskip("numba")
     kernel = tailored(NUMBA)
-    header, source = kernel.write_c(tmp_path, name="drive")
+    header, source = kernel.write_c(tmp_path, name=name)
     assert "3.1" in header.read_text()
-    library = tmp_path / "drive.so"
+    library = tmp_path / f"{name}.so"
     assert COMPILER is not None
     command = [COMPILER, *STRICT, "-shared", "-fPIC", str(source), "-o", str(library), "-lm"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    function = ctypes.CDLL(str(library)).drive_position_array
+    function = getattr(ctypes.CDLL(str(library)), f"{name}_position_array")
     pointer = ctypes.POINTER(ctypes.c_double)
     function.argtypes = [ctypes.c_size_t, pointer, pointer]
     carrier = points()
@@ -169,13 +170,20 @@ def test_c_has_the_bits_of_numba(tmp_path: Path) -> None:
     [
         *(
             (name, f"name = {name!r}: must be a name in C")
-            for name in ("1st", "double", "a b", "größe")
+            for name in ("1st", "double", "a b", "größe", "_math", "")
         ),
         ("math", "math: C has a header math.h"),
+        ("Features", "Features: C has a header features.h"),
+        ("mp", "mp: what begins with mp_ are helpers"),
+        ("mp_point", "mp_point: what begins with mp_ are helpers"),
+        ("a" * 64, f"name = '{'a' * 64}': must have at most 63 characters"),
+        (5, "name = 5: must be a text"),
+        (b"x", "name = b'x': must be a text"),
     ],
 )
-def test_a_name_that_c_does_not_have_is_refused(name: str, message: str, tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match=message):
+def test_a_name_that_c_does_not_have_is_refused(name: Any, message: str, tmp_path: Path) -> None:
+    kind = ValueError if isinstance(name, str) else TypeError
+    with pytest.raises(kind, match=message):
         tailored(NUMPY).write_c(tmp_path, name=name)
     assert not list(tmp_path.iterdir())
 
@@ -270,6 +278,8 @@ def test_pickled_it_has_the_same_bits(backend: str, tmp_path: Path) -> None:
         f.read_text() for f in kernel.write_c(tmp_path / "first")
     ]
     assert copy.deepcopy(kernel) == kernel
+    with pytest.raises(TypeError, match="does not support item assignment"):
+        again.parameters["e"] = 0.1  # type: ignore[index]
 
 
 def test_a_new_process_computes_the_same_bits() -> None:

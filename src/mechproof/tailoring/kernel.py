@@ -34,6 +34,8 @@ from mechproof.tailoring.model import Model
 from mechproof.tailoring.request import Request
 
 NUMBA, NUMPY = "numba", "NumPy"
+# Characters of a name that every compiler of C99 tells apart.
+LONGEST = 63
 
 
 @dataclass(frozen=True, repr=False)
@@ -85,11 +87,13 @@ class Tailored:
         """Write a header and a source in C99 into a folder, and return their paths.
 
         The files and, before the quantity, the functions are called `name`, by default
-        <system>_tailored. ValueError if it is no name in C.
+        <system>_tailored. TypeError if it is no text, ValueError if it is no name in C.
         """
         called = f"{self.name.partition('.')[0]}_tailored" if name is None else name
+        require(isinstance(called, str), "name", name, "must be a text", TypeError)
         is_name = called.isidentifier() and called.isascii() and called not in KEYWORDS
-        require(is_name, "name", name, "must be a name in C")
+        require(is_name and called[0] != "_", "name", name, "must be a name in C")
+        require(len(called) <= LONGEST, "name", name, f"must have at most {LONGEST} characters")
         files = _render_c(self._request, self._built.model, called, _tell_bound(self))
         for file, text in files.items():
             write_whole(Path(folder) / file, text)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import import_module
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -137,7 +138,8 @@ def read_request(name: Any, error: Any, arguments: Mapping[str, Any]) -> Request
     ends = _read_range(first.name, arguments[first.name]) if first.name in arguments else None
     if ends is None and quantity.repeats is None:
         refuse(first.name, None, "the range must be given, a pair (lowest, highest)")
-    return Request(paper, quantity, values, error, ends)
+    # One kernel is everybody's that unpickles it.
+    return Request(paper, quantity, MappingProxyType(values), error, ends)
 
 
 def _read_size(

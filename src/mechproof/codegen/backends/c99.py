@@ -38,12 +38,14 @@ KEYWORDS = frozenset({
     "union", "unsigned", "void", "volatile", "while", "out", "count", "prepared", "i", "j",
     "terms",
 })  # fmt: skip
-# With a file of the same name beside it, <math.h> may be that one.
+# What helpers in a source begin with.
+HELPER = "mp_"
+# With a file of the same name beside it, <math.h>, or what it includes, may be that one.
 HEADERS = frozenset({
-    "assert", "complex", "ctype", "errno", "fenv", "float", "inttypes", "iso646", "limits",
-    "locale", "math", "setjmp", "signal", "stdalign", "stdarg", "stdatomic", "stdbit", "stdbool",
-    "stdckdint", "stddef", "stdint", "stdio", "stdlib", "stdnoreturn", "string", "tgmath",
-    "threads", "time", "uchar", "wchar", "wctype",
+    "assert", "complex", "ctype", "errno", "features", "fenv", "float", "inttypes", "iso646",
+    "limits", "locale", "math", "setjmp", "signal", "stdalign", "stdarg", "stdatomic", "stdbit",
+    "stdbool", "stdckdint", "stddef", "stdint", "stdio", "stdlib", "stdnoreturn", "string",
+    "tgmath", "threads", "time", "uchar", "wchar", "wctype",
 })  # fmt: skip
 
 
@@ -76,10 +78,14 @@ def render_c_kernels(
     """
     if file.lower() in HEADERS:
         raise ValueError(f"{file}: C has a header {file.lower()}.h, kernels need another name")
+    if f"{file}_".startswith(HELPER):
+        raise ValueError(
+            f"{file}: what begins with {HELPER} are helpers, kernels need another name"
+        )
     citation, accuracy, system = about
     form, language, far = (SINGLE, C99_SINGLE, C99_SINGLE_FAR) if single else (DOUBLE, C99, C99_FAR)
     folded, reductions = fold_sums(kernels)
-    extended = extend_syntax(language, reductions, "mp_", "terms")
+    extended = extend_syntax(language, reductions, HELPER, "terms")
     written = [write_scalar(kernel, extended) for kernel in folded]
     written += [_write_together(several, folded, written, extended) for several in together]
     for kernel in written:
