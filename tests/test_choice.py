@@ -203,7 +203,8 @@ class TestDecision:
         assert "With pip install 'mechproof[derive,fast]': tailored" in str(without)
 
     def test_nothing_qualifies(self, folder: Path) -> None:
-        with pytest.raises(ValueError, match=r"reaches it; gear\.angle: fine, error 3e-15 rad"):
+        says = r"for all sizes of phi 0 to 5, e 0 to 0\.9, z 4 to 9; gear\.angle: fine, error 3e-15"
+        with pytest.raises(ValueError, match=says):
             choose("angle", error=1e-16, measured=folder)
 
     @pytest.mark.parametrize(

@@ -163,7 +163,8 @@ def choose(
     good = [way for way in ways if way.error <= error]
     if not good:
         best = min(ways, key=lambda c: c.error)
-        refuse("error", error, f"no way of computing {record.quantity} reaches it; {best}")
+        reach = f"no way of computing {record.quantity} reaches it"
+        refuse("error", error, f"{reach}{_tell_open(record, pairs)}; {best}")
     alike = [way for way in good if way._may_be_as_fast_as(good[0])]
     first = min(alike, key=lambda c: c.error)
     better = [way for way in ways if way.error < first.error / BETTER]
@@ -226,12 +227,20 @@ def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Reco
     found = measured is None or files
     require(found, "measured", measured, "no folder with records of `mechproof measure`")
     named = [name for name in files if quantity in (name, name.partition(".")[2])]
-    if len(named) != 1:
+    if len(named) > 1:
+        refuse("quantity", quantity, f"several systems have it, name one: {', '.join(named)}")
+    if not named:
         known = ", ".join(files) or "none; run `mechproof measure`"
         refuse("quantity", quantity, f"must be one of those measured: {known}")
     record = read_record(files[named[0]])
     require(record.cells, "quantity", quantity, "was not measured over ranges of its arguments")
     return record
+
+
+def _tell_open(record: Record, pairs: Mapping[str, tuple[float, float]]) -> str:
+    """Tell the arguments that may have any size measured: one of them may be why."""
+    left = [f"{n} {lo:g} to {hi:g}" for n, (lo, hi) in record.ranges.items() if n not in pairs]
+    return f" for all sizes of {', '.join(left)}" if left else ""
 
 
 def _as_pairs(record: Record, ranges: Mapping[str, Size]) -> dict[str, tuple[float, float]]:

@@ -299,6 +299,18 @@ def read_record(file: Traversable) -> Record:
     return read_fields(Record, found, str(file))
 
 
+def find_known(folder: Path, quantity: str, count: int) -> tuple[Point, ...]:
+    """Return the worst inputs, of so many arguments, of a record; none where there is none.
+
+    Raises ValueError, naming the file, for what is no record or has other arguments.
+    """
+    file = folder / f"{quantity}{SUFFIX}"
+    known = tuple(found.at for found in read_record(file).searched) if file.is_file() else ()
+    if wrong := [len(at) for at in known if len(at) != count]:
+        raise ValueError(f"{file}: inputs of {wrong[0]} arguments, {quantity} has {count}")
+    return known
+
+
 def write_record(record: Record, folder: Path) -> Path:
     """Write a record as <quantity>.json; an interrupted write leaves the old file."""
     target = folder / f"{record.quantity}{SUFFIX}"

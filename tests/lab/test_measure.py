@@ -13,16 +13,18 @@ import sympy as sp
 from typer.testing import CliRunner
 
 from mechproof.cli import app
+from mechproof.lab.accuracy import keep_worst
 from mechproof.lab.chart import draw_charts
 from mechproof.lab.jumps import draw_jumps
 from mechproof.lab.machine import describe_machine
 from mechproof.lab.measure import describe_ways, measure
 from mechproof.lab.proofs import list_claims
+from mechproof.lab.search import scaled_errors
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.table import PAGE, headline, list_lines, write_tables
 from mechproof.lab.timing import Effort, interleave, time_subject
 from mechproof.lab.ways import list_ways
-from mechproof.measured import COPY, Record, read_record, read_records, write_record
+from mechproof.measured import COPY, Record, find_known, read_record, read_records, write_record
 from mechproof.record import Argument, Form, Paper, Quantity, Variable
 
 
@@ -211,6 +213,27 @@ def test_a_quantity_without_an_accuracy_bound_is_measured_like_any_other(tmp_pat
     assert read_record(file) == record
     assert "Scaled: ulp of the value." in write_tables(tmp_path).read_text(encoding="utf-8")
     assert draw_charts(record, None, tmp_path)[0].stat().st_size > 10_000
+
+
+def test_an_input_that_is_known_to_be_bad_counts_for_every_way(record: Record) -> None:
+    (subject,) = find_subjects(("track_wheel.planar_error",))
+    known = record.searched[0].at
+    mild = tuple(replace(found, scaled=0.0) for found in record.searched)
+    for found in keep_worst(subject, mild, (known,)):
+        (error,) = scaled_errors(
+            subject,
+            next(way.compute for way in subject.shipped if way.name == found.way),
+            tuple(np.array([value]) for value in known),
+        )
+        assert 0 < error <= found.scaled
+
+
+def test_inputs_of_another_quantity_are_not_known(record: Record, tmp_path: Path) -> None:
+    assert find_known(tmp_path, record.quantity, 1) == ()
+    write_record(record, tmp_path)
+    assert find_known(tmp_path, record.quantity, 1) == tuple(f.at for f in record.searched)
+    with pytest.raises(ValueError, match="inputs of 1 arguments"):
+        find_known(tmp_path, record.quantity, 2)
 
 
 def test_the_tables_show_every_way_and_what_was_lost(record: Record, tmp_path: Path) -> None:

@@ -183,12 +183,13 @@ def measure(
     from mechproof.lab.measure import measure as measure_subject
     from mechproof.lab.subject import find_subjects
     from mechproof.lab.table import headline, write_tables
-    from mechproof.measured import FOLDER, write_record
+    from mechproof.measured import FOLDER, find_known, write_record
 
     target = places.generated / FOLDER / ("quick" if quick else "")
     directory = None if places.is_packaged else places.derivations
     try:
         subjects = find_subjects(tuple(quantities or ()), directory)
+        known = {s.name: find_known(target, s.name, len(s.quantity.arguments)) for s in subjects}
     except DerivationError as error:
         fail(str(error))
     except ValueError as error:
@@ -197,7 +198,13 @@ def measure(
         for number, subject in enumerate(subjects, start=1):
             title = f"{subject.name} ({number} of {len(subjects)})"
             with show_progress(f"{title}: measuring") as report:
-                record = measure_subject(subject, quick=quick, report=report, executor=executor)
+                record = measure_subject(
+                    subject,
+                    quick=quick,
+                    report=report,
+                    executor=executor,
+                    known=known[subject.name],
+                )
             say(f"{write_record(record, target)}: {headline(record)}")
     say(str(write_tables(target)))
 

@@ -29,8 +29,8 @@ def as_floats(names: str, *values: Any, axes: tuple[int, ...] = ()) -> tuple[NDA
     Python numbers are weak; float32 if every array is float32, float64 otherwise. Numbers of the
     type float64 become Python's, whose arithmetic rounds alike in a third of the time. Subclasses
     of arrays and other arrays that bring their own ufuncs (masked, lazy, with units) stay what
-    they are, matrices and masked numbers, which are NaN, apart. `axes` are how many last axes of
-    each do not broadcast, none if left out.
+    they are, matrices apart; of several arguments a masked number is NaN. `axes` are how many last
+    axes of each do not broadcast, none if left out.
 
     Raises
     ------
@@ -85,6 +85,8 @@ def _convert(names: list[str], values: tuple[Any, ...]) -> tuple[Any, ...]:
     if all(map(_is_double, values)):
         return tuple([v if type(v) is np.ndarray else float(v) for v in values])
     arrays = [_as_array(name, value) for name, value in zip(names, values, strict=True)]
+    if len(arrays) > 1:
+        arrays = [_unmask(array) for array in arrays]
     for name, array in zip(names, arrays, strict=True):
         if not hasattr(array, "dtype"):
             raise TypeError(f"{name}: expected numbers with a dtype, got {type(array).__name__}")
@@ -137,11 +139,15 @@ def _as_array(name: str, value: Any) -> Any:
             raise ValueError(
                 f"{name}: expected a number or rows of one length, got {_show(value)}"
             ) from None
-    if isinstance(value, np.ma.MaskedArray) and not value.shape:
-        # Compared it would be neither true nor false.
-        return np.float64(nan) if value.mask else value.data[()]
     # A foreign scalar, a number with a unit, gets a dtype and stays what it is.
     return value if hasattr(value, "dtype") else np.multiply(value, np.float64(1.0))
+
+
+def _unmask(value: Any) -> Any:
+    """Return a masked number as NaN: compared it would be neither true nor false."""
+    if isinstance(value, np.ma.MaskedArray) and not value.shape:
+        return np.float64(nan) if value.mask else value.data[()]
+    return value
 
 
 def cast(array: Any, dtype: np.dtype[Any]) -> Any:

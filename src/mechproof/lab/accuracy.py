@@ -5,9 +5,9 @@ The parts are measured apart, here or by the workers of an executor.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -17,8 +17,8 @@ from mechproof.executors import BALLS, run_in_order
 from mechproof.lab.bounds import bound_over
 from mechproof.lab.error import find_errors, summarise
 from mechproof.lab.oracle import Truth, count_points, find_truth
-from mechproof.lab.points import REPORT, PointSet, choose_evenly, draw_points
-from mechproof.lab.search import find_worst
+from mechproof.lab.points import REPORT, PointSet, choose_evenly, draw_points, join
+from mechproof.lab.search import draw_sets, find_worst, scaled_errors
 from mechproof.lab.sets import draw_in_cell, list_cells, list_sets
 from mechproof.lab.sizes import Sides
 from mechproof.lab.subject import Subject
@@ -53,12 +53,17 @@ class Accuracies:
 
 
 def measure_accuracy(
-    subject: Subject, points: int | None, rounds: int, report: Report, executor: Executor | None
+    subject: Subject,
+    points: int | None,
+    rounds: int,
+    report: Report,
+    executor: Executor | None,
+    known: Sequence[Point] = (),
 ) -> Accuracies:
     """Measure on at most so many points of a set, and search for so many rounds.
 
-    The result does not depend on the executor; one of processes needs a subject that
-    `find_subjects` has found.
+    Inputs that are known to be bad count if none is found that is worse. The result does not
+    depend on the executor; one of processes needs a subject that `find_subjects` has found.
     """
     sets, cells, shipped = map(len, (list_sets(subject), list_cells(subject), subject.shipped))
     # The searches take longest: they begin first.
@@ -77,7 +82,7 @@ def measure_accuracy(
         cells=tuple(cell for cell, _, _ in in_cells),
         cell_errors=tuple(errors for _, found, _ in in_cells for errors in found),
         ranges=_find_ranges(subject, [spans for _, _, spans in in_cells]),
-        searched=tuple(searched),
+        searched=keep_worst(subject, searched, known),
     )
 
 
@@ -138,10 +143,17 @@ def _measure_way(
 def _measure_cell(
     subject: Subject, place: int, points: int | None
 ) -> tuple[Cell, list[CellErrors], list[Span]]:
-    """Measure every single-point way in a cell of sizes: largest absolute error and bound."""
+    """Measure every single-point way in a cell of sizes: largest absolute error and bound.
+
+    Points of the sets that lie in the cell are among its points: they are chosen to hurt.
+    """
     sides = list_cells(subject)[place]
-    arguments = draw_in_cell(subject, np.random.default_rng([REPORT, place]), sides)
-    arguments = _thin(subject, arguments, points)
+    drawn = draw_in_cell(subject, np.random.default_rng([REPORT, place]), sides)
+    drawn = _thin(subject, drawn, points)
+    spans = [_span(argument) for argument in drawn]
+    sizes = [sides.get(a.name, s) for a, s in zip(subject.quantity.arguments, spans, strict=True)]
+    sets = (_take_inside(sizes, part) for part in draw_sets(subject, REPORT, 1.0))
+    arguments = join(drawn, *(_thin(subject, part, points) for part in sets))
     truth = find_truth(subject, arguments)
     named = {name: (float(low), float(high)) for name, (low, high) in sides.items()}
     errors = [
@@ -149,8 +161,15 @@ def _measure_cell(
         for way in subject.ways
         if not way.ordered
     ]
-    spans = [_span(argument) for argument in arguments]
     return Cell(named, len(truth.high), truth.undecided), errors, spans
+
+
+def _take_inside(sizes: Sequence[Span], arguments: Arguments) -> Arguments:
+    """Take the points whose sizes, of vectors their largest components, lie in spans."""
+    found = [np.abs(values).reshape(len(values), -1).max(axis=1) for values in arguments]
+    pairs = zip(found, sizes, strict=True)
+    inside = np.all([(low <= size) & (size <= high) for size, (low, high) in pairs], axis=0)
+    return tuple(values[inside] for values in arguments)
 
 
 def _find_ranges(subject: Subject, spans: list[list[Span]]) -> dict[str, Span]:
@@ -192,6 +211,24 @@ def _search(subject: Subject, index: int, rounds: int) -> Searched:
     way = subject.shipped[index]
     found = find_worst(subject, way.compute, rounds)
     return Searched(way.name, round_up(found.scaled), found.tried, _as_point(found.arguments))
+
+
+def keep_worst(
+    subject: Subject, searched: Sequence[Searched], known: Sequence[Point]
+) -> tuple[Searched, ...]:
+    """Return of each way the worst input: of its search, of another way's, or known before."""
+    met = [*(found.at for found in searched), *known]
+    return tuple(
+        max((found, *_judge(subject, found, met)), key=lambda judged: judged.scaled)
+        for found in searched
+    )
+
+
+def _judge(subject: Subject, found: Searched, met: Iterable[Point]) -> Iterator[Searched]:
+    (compute,) = (way.compute for way in subject.shipped if way.name == found.way)
+    for at in met:
+        (error,) = scaled_errors(subject, compute, tuple(np.array([value]) for value in at))
+        yield replace(found, scaled=round_up(float(error)), at=at)
 
 
 def _span(argument: Array) -> Span:

@@ -5,6 +5,7 @@ Records report the points of the seed REPORT; the search climbs from those of th
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
@@ -18,7 +19,7 @@ from mechproof.lab.subject import Subject
 from mechproof.lab.tailored import list_tailored
 from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs
 from mechproof.lab.ways import Way
-from mechproof.measured import MeasuredWay, Record
+from mechproof.measured import MeasuredWay, Point, Record
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Accuracy
@@ -42,9 +43,11 @@ def measure(
     quick: bool = False,
     report: Report = lambda text: None,
     executor: Executor | None = None,
+    known: Sequence[Point] = (),
 ) -> Record:
     """Return the record of one quantity: its ways, errors on sets and in cells, search, times.
 
+    What is `known` to be a bad input, of an earlier record, counts unless the search finds worse.
     An executor of `concurrent.futures` spreads the accuracy, which it does not change. Times are
     taken here, alone, when it has nothing left to do.
     """
@@ -52,7 +55,7 @@ def measure(
     depth, accuracy = DEPTHS[quick], subject.quantity.accuracy
     report("proofs")
     ways = describe_ways(subject)
-    found = measure_accuracy(subject, depth.points, depth.rounds, report, executor)
+    found = measure_accuracy(subject, depth.points, depth.rounds, report, executor, known)
     report("tailoring")
     tailored = list_tailored(subject, depth.effort.sizes[-1])
     report("time")

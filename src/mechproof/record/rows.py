@@ -16,8 +16,8 @@ Derived = Mapping[sp.Basic, sp.Basic]
 
 # What a row rests on, and what that obliges a reader to.
 MARKS = {
-    "rebuilt": "the print is damaged and was restored from the equations around it: nothing in it "
-    "can be charged to the paper, and that it is proved confirms nothing",
+    "rebuilt": "the print is damaged and was restored from the equations around it: what was "
+    "restored cannot be charged to the paper, and that it is proved confirms nothing",
     "inferred": "not printed in so many words, but read from a figure or from the sense",
     "uncertain": "a character or a digit of the print may be another",
     "calibrated": "rests on a number that the paper does not print and that was reconstructed",
