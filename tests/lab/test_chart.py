@@ -13,7 +13,7 @@ from PIL import Image
 from typer.testing import CliRunner
 
 from mechproof.cli import app
-from mechproof.lab.chart import date_records, draw_chart, draw_charts
+from mechproof.lab.chart import draw_chart, draw_charts, tell_sources
 from mechproof.lab.marks import (
     LOST_LANE,
     TURNS_LANE,
@@ -280,7 +280,7 @@ def check_picture(file: Path, says: str, records: list[Record]) -> list[str]:
     with Image.open(file) as picture:
         about = dict(picture.text)  # type: ignore[attr-defined]
     wrong = [] if file.stat().st_size < MOST_BYTES else ["size"]
-    expected = {"Title": says, "Description": date_records(records)}
+    expected = {"Title": says, "Description": tell_sources(records)}
     return wrong + [key for key, text in expected.items() if about.get(key) != text]
 
 

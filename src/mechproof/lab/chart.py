@@ -61,7 +61,7 @@ def save(figure: Figure, stem: Path, says: str, records: Sequence[Record]) -> li
     """
     files = [stem.with_name(f"{stem.name}.{kind}") for kind in ("png", "svg")]
     stem.parent.mkdir(parents=True, exist_ok=True)
-    about = {"Title": says, "Description": date_records(records)}
+    about = {"Title": says, "Description": tell_sources(records)}
     with mpl.rc_context(STYLE):
         write_small_png(figure, files[0], about)
         figure.savefig(files[1], metadata={**about, "Date": None})
@@ -77,6 +77,12 @@ def write_small_png(figure: Figure, file: Path, about: Mapping[str, str]) -> Non
     # The median cut would give small marks the mean of their neighbours.
     few = Image.open(buffer).convert("RGB").quantize(COLOURS, Image.Quantize.FASTOCTREE)
     few.save(file, optimize=True, pnginfo=info)
+
+
+def tell_sources(records: Sequence[Record]) -> str:
+    """Tell what a picture is drawn from: when it was measured, of one quantity what is proved."""
+    told = tell_proved(*records) if len(records) == 1 else {}
+    return "; ".join((date_records(records), *(f"{way}: {text}" for way, text in told.items())))
 
 
 def date_records(records: Sequence[Record]) -> str:
@@ -117,7 +123,7 @@ def draw_chart(record: Record, workload: str, count: int) -> Figure:
 def _describe(record: Record, workload: str, count: int) -> str:
     what = (
         f"{record.quantity}, {workload}, N = {count:,}, one call; {record.machine.processor}, "
-        f"{record.taken[:10]}. Errors in {record.error_unit}. {tell_where(record)}"
+        f"{record.taken[:10]}. Errors in {record.error_unit}. {_keep_together(tell_where(record))}"
     )
     return "\n".join(
         [
@@ -125,6 +131,11 @@ def _describe(record: Record, workload: str, count: int) -> str:
             *textwrap.wrap(what, 120),
         ]
     )
+
+
+def _keep_together(text: str) -> str:
+    """Put spaces that do not break around what is subtracted."""
+    return text.replace(" - ", "\N{NO-BREAK SPACE}-\N{NO-BREAK SPACE}")
 
 
 def find_limits(marks: Sequence[Mark], copy: float | None) -> tuple[float, float]:
