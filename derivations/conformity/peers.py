@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Mapping
+from importlib import import_module
 from importlib.util import find_spec
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mechproof.conformity import Normal, shares, simulate_shares
+from mechproof.conformity import Normal, simulate_shares
 from mechproof.record import Peer
 
 from . import CONFORMING, DEFINITIONS
@@ -17,14 +18,19 @@ from . import CONFORMING, DEFINITIONS
 Array = NDArray[np.float64]
 Share = Callable[..., Array]
 SEED = 20221
+OURS = (
+    ("mechproof.conformity", "positive quadrature", ""),
+    ("mechproof.conformity.compiled", "the same, compiled", "fast"),
+)
 
 
-def by_quadrature(name: str) -> Share:
-    """Return the positive quadrature of `mechproof.conformity`; NaN outside the domain."""
+def by_quadrature(name: str, module: str) -> Share:
+    """Return the positive quadrature of a module; NaN outside the domain."""
 
     def compute(
         mean: Array, std: Array, offset: Array, error: Array, low: Array, high: Array
     ) -> Array:
+        shares = import_module(module).shares
         inside = (std > 0) & (error > 0) & (low < high) & np.isfinite(high - low)
         std, error, low = (np.where(inside, value, np.nan) for value in (std, error, low))
         done = shares(Normal(mean, std), Normal(offset, error), (low, high))
@@ -164,7 +170,11 @@ def list_peers(name: str) -> tuple[Peer, ...]:
     cancels = "margins less a rectangle of four corners: small shares cancel"
     suncal = find_spec("suncal") is not None and name.startswith("wrongly")
     return (
-        Peer("mechproof.conformity", by_quadrature(name), ours=True, note="positive quadrature"),
+        *(
+            Peer(module, by_quadrature(name, module), ours=True, note=note, needs=needs)
+            for module, note, needs in OURS
+            if not needs or find_spec("numba") is not None
+        ),
         simulated(name, 10_000),
         simulated(name, 1_000_000),
         Peer("Owen's T", by_owen(name), note=cancels),

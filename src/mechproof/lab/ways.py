@@ -115,7 +115,13 @@ def _list_rivals(
 
 def _from_peer(peer: Peer) -> Way:
     return Way(
-        peer.name, peer.compute, "peer", ordered=peer.ordered, slow=peer.slow, note=peer.note
+        peer.name,
+        peer.compute,
+        "peer",
+        ordered=peer.ordered,
+        slow=peer.slow,
+        note=peer.note,
+        needs=peer.needs,
     )
 
 

@@ -75,7 +75,7 @@ class Peer:
     """A way to get the number that is no form: a solver, a spline, a simulation, a library.
 
     `ordered`: it needs samples in order from 0 on. `slow`: measured on few points, timed at small
-    sizes only. `ours`: hand-written code of the package itself.
+    sizes only. `ours`: hand-written code of the package itself, which may need one of its extras.
     """
 
     name: str
@@ -84,3 +84,4 @@ class Peer:
     slow: bool = False
     ours: bool = False
     note: str = ""
+    needs: str = ""
