@@ -18,9 +18,10 @@ from . import CONFORMING, DEFINITIONS
 Array = NDArray[np.float64]
 Share = Callable[..., Array]
 SEED = 20221
+POSITIVE = "positive quadrature"
 OURS = (
-    ("mechproof.conformity", "positive quadrature", ""),
-    ("mechproof.conformity.compiled", "the same, compiled", "fast"),
+    ("mechproof.conformity", "mechproof.conformity", ""),
+    ("mechproof.conformity, compiled", "mechproof.conformity.compiled", "fast"),
 )
 
 
@@ -171,8 +172,10 @@ def list_peers(name: str) -> tuple[Peer, ...]:
     suncal = find_spec("suncal") is not None and name.startswith("wrongly")
     return (
         *(
-            Peer(module, by_quadrature(name, module), ours=True, note=note, needs=needs)
-            for module, note, needs in OURS
+            Peer(
+                way, by_quadrature(name, module), ours=True, note="positive quadrature", needs=needs
+            )
+            for way, module, needs in OURS
             if not needs or find_spec("numba") is not None
         ),
         simulated(name, 10_000),
