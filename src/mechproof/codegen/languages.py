@@ -95,11 +95,13 @@ NUMBA_FAR = replace(
     calls=MappingProxyType({**NUMBA.calls, **{name: f"math.{name}" for name in _LIBRARY}}),
     last=MappingProxyType({}),
 )
+# What helpers in a source of C begin with.
+HELPER = "mp_"
 C99 = Syntax(
     infix=MappingProxyType({**INFIX, "both": ("&&", BOTH), "either": ("||", EITHER)}),
     calls=MappingProxyType(
         {
-            **{kind: f"mp_{kind}" for kind in (*BODIES, "square", "maximum", "power_of_two")},
+            **{kind: f"{HELPER}{kind}" for kind in (*BODIES, "square", "maximum", "power_of_two")},
             "sqrt": "sqrt",
             "floor": "floor",
             "rint": "rint",

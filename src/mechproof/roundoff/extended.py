@@ -30,6 +30,10 @@ def _split(a: Any) -> tuple[Any, Any]:
     return high, a - high
 
 
+def _quadratic_form(x: Any, m: Any) -> Any:
+    return np.sum(x[:, np.newaxis] * x * m, axis=(0, 1))
+
+
 def _product_rest(a: Any, b: Any, p: Any) -> Any:
     (a_high, a_low), (b_high, b_low) = _split(FORMAT(1) * a), _split(FORMAT(1) * b)
     return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
@@ -63,8 +67,8 @@ IN_EXTENDED: Table = MappingProxyType(
         "along_last": lambda a: a[np.newaxis],
         "transpose": lambda a: np.swapaxes(a, 0, 1),
         "diagonal": lambda a: np.moveaxis(np.diagonal(a), -1, 0),
-        "quadratic_form": lambda x, m: np.sum(x[:, np.newaxis] * x * m, axis=(0, 1)),
-        "nonnegative_form": lambda x, m: np.sum(x[:, np.newaxis] * x * m, axis=(0, 1)),
+        "quadratic_form": _quadratic_form,
+        "nonnegative_form": _quadratic_form,
         "nonnegative": lambda total, size: total,
         "sum": lambda a, count: np.sum(a, axis=_first_axes(count)),
         "every": lambda a, count: np.all(a, axis=_first_axes(count)),

@@ -21,7 +21,7 @@ from mechproof.codegen.backends.sums import LOOPS, fold_sums
 from mechproof.codegen.elementary.formats import DOUBLE, SINGLE
 from mechproof.codegen.elementary.functions import build
 from mechproof.codegen.kernel import Kernel
-from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
+from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR, HELPER
 from mechproof.codegen.syntax import Syntax
 from mechproof.record import Paper, Together
 
@@ -38,8 +38,6 @@ KEYWORDS = frozenset({
     "union", "unsigned", "void", "volatile", "while", "out", "count", "prepared", "i", "j",
     "terms",
 })  # fmt: skip
-# What helpers in a source begin with.
-HELPER = "mp_"
 # With a file of the same name beside it, <math.h>, or what it includes, may be that one.
 HEADERS = frozenset({
     "assert", "complex", "ctype", "errno", "features", "fenv", "float", "inttypes", "iso646",
@@ -108,6 +106,7 @@ def render_c_kernels(
     }
     source = {
         **common,
+        "helper": HELPER,
         "largest": form.largest,
         "limit": language.number(form.largest),
         "absolute": language.calls["absolute"],
