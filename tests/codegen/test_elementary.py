@@ -19,7 +19,7 @@ from mechproof.codegen.backends.scalar_texts import write_elementary
 from mechproof.codegen.elementary.fits import Rational, enclose
 from mechproof.codegen.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.codegen.elementary.functions import BODIES, Function, build
-from mechproof.codegen.languages import C99, C99_SINGLE
+from mechproof.codegen.languages import C99, C99_SINGLE, HELPER
 from mechproof.codegen.program import Operand, Program
 
 FORMATS = (DOUBLE, SINGLE)
@@ -148,7 +148,7 @@ def test_exponentials_in_c(form: Format, tmp_path: Path) -> None:
     data = {
         **{"prefix": "none", "reductions": [], "kernels": [], "powers": True},
         **{"form": form, "largest": 0, "number": language.number},
-        **{"absolute": "", "limit": "", "letters": ""},
+        **{"absolute": "", "limit": "", "letters": "", "helper": HELPER},
         "real": form.name.replace("single", "float"),
         "functions": [write_elementary(kind, form, language, language) for kind in kinds],
     }
@@ -161,7 +161,7 @@ def test_exponentials_in_c(form: Format, tmp_path: Path) -> None:
     library = ctypes.CDLL(str(tmp_path / "none.so"))
     for kind in kinds:
         points, true, bound = CASES[kind]
-        function = getattr(library, f"mp_{kind}")
+        function = getattr(library, f"{HELPER}{kind}")
         function.restype, function.argtypes = real, [real]
         for x in (*points, *(-x for x in points)):
             number = real(x).value
