@@ -33,7 +33,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, holds, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, holds, is_finite, is_positive, nan_outside
 from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent
 from mechproof.kernel_support.facts import Condition, Sizes
@@ -148,12 +148,12 @@ def ratio(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_ratio, R1, R2, e)
     return in_blocks(_ratio, (phi1,), _prepare_ratio, (R1, R2, e), out=out)
+
+
+def _check_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -236,14 +236,14 @@ def position(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position, R1, R2, e)
     if holds(e <= 0.5):
         return in_blocks(_position_1, (phi1,), _prepare_position_1, (R1, R2, e), out=out)
     return in_blocks(_position, (phi1,), _prepare_position, (R1, R2, e), out=out)
+
+
+def _check_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_1(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -327,12 +327,12 @@ def acceleration(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_acceleration, R1, R2, e)
     return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (R1, R2, e), out=out)
+
+
+def _check_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -402,12 +402,12 @@ def largest_ratio(
 
     """
     R1, R2, e = as_floats("R1 R2 e", R1, R2, e)
-    inside: Any = (
-        (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R1 > 0.0) & is_finite(R1) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_largest_ratio, R1, R2, e)
     return in_blocks(_largest_ratio, (R1,), _prepare_largest_ratio, (R2, e), out=out)
+
+
+def _check_largest_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R2), e >= 0.0, e < 1.0, is_positive(R1), R2 < R1)
 
 
 def _prepare_largest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
@@ -456,12 +456,12 @@ def smallest_ratio(
 
     """
     R1, R2, e = as_floats("R1 R2 e", R1, R2, e)
-    inside: Any = (
-        (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R1 > 0.0) & is_finite(R1) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_smallest_ratio, R1, R2, e)
     return in_blocks(_smallest_ratio, (R1,), _prepare_smallest_ratio, (R2, e), out=out)
+
+
+def _check_smallest_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R2), e >= 0.0, e < 1.0, is_positive(R1), R2 < R1)
 
 
 def _prepare_smallest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:

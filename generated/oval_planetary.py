@@ -46,7 +46,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, holds, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, holds, is_finite, is_positive, nan_outside
 from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent, sum_rest
 from mechproof.kernel_support.facts import Condition, Sizes
@@ -154,10 +154,12 @@ def ratio(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        e1, e2 = nan_outside(inside, e1, e2)
+    e1, e2 = nan_outside(_check_ratio, e1, e2)
     return in_blocks(_ratio, (phi1,), _prepare_ratio, (e1, e2, mount), out=out)
+
+
+def _check_ratio(e1: Any, e2: Any) -> tuple[Any, ...]:
+    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_ratio(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -232,10 +234,12 @@ def position(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        e1, e2 = nan_outside(inside, e1, e2)
+    e1, e2 = nan_outside(_check_position, e1, e2)
     return in_blocks(_position, (phi1,), _prepare_position, (e1, e2, mount), out=out)
+
+
+def _check_position(e1: Any, e2: Any) -> tuple[Any, ...]:
+    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_position(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -309,10 +313,12 @@ def acceleration(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        e1, e2 = nan_outside(inside, e1, e2)
+    e1, e2 = nan_outside(_check_acceleration, e1, e2)
     return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (e1, e2, mount), out=out)
+
+
+def _check_acceleration(e1: Any, e2: Any) -> tuple[Any, ...]:
+    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_acceleration(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -406,10 +412,12 @@ def ratio_cylindrical(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    R4, R5, e2 = nan_outside(_check_ratio_cylindrical, R4, R5, e2)
     return in_blocks(_ratio_cylindrical, (phi1,), _prepare_ratio_cylindrical, (R4, R5, e2), out=out)
+
+
+def _check_ratio_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_ratio_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -481,9 +489,7 @@ def position_cylindrical(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    R4, R5, e2 = nan_outside(_check_position_cylindrical, R4, R5, e2)
     if holds(e2 * R4 <= (1.0 - e2) * abs(R4 - R5)):
         return in_blocks(
             _position_cylindrical_1, (phi1,), _prepare_position_cylindrical_1, (R4, R5, e2), out=out
@@ -491,6 +497,10 @@ def position_cylindrical(
     return in_blocks(
         _position_cylindrical, (phi1,), _prepare_position_cylindrical, (R4, R5, e2), out=out
     )
+
+
+def _check_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_position_cylindrical_1(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -574,12 +584,14 @@ def acceleration_cylindrical(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    R4, R5, e2 = nan_outside(_check_acceleration_cylindrical, R4, R5, e2)
     return in_blocks(
         _acceleration_cylindrical, (phi1,), _prepare_acceleration_cylindrical, (R4, R5, e2), out=out
     )
+
+
+def _check_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:

@@ -38,7 +38,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, floor, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, is_finite, is_positive, nan_outside
 from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.facts import Condition, Sizes
 
@@ -132,10 +132,12 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
 
     """
     m, alpha = as_floats("m alpha", m, alpha)
-    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0) & (m > 0.0) & is_finite(m)
-    if inside is not True:
-        m, alpha = nan_outside(inside, m, alpha)
+    m, alpha = nan_outside(_check_constant_chord, m, alpha)
     return in_blocks(_constant_chord, (m,), _prepare_constant_chord, (alpha,), out=out)
+
+
+def _check_constant_chord(m: Any, alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < np.pi / 4.0, is_positive(m))
 
 
 def _prepare_constant_chord(alpha: Any) -> tuple[Any, ...]:
@@ -178,10 +180,12 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
 
     """
     m, alpha = as_floats("m alpha", m, alpha)
-    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0) & (m > 0.0) & is_finite(m)
-    if inside is not True:
-        m, alpha = nan_outside(inside, m, alpha)
+    m, alpha = nan_outside(_check_chord_height, m, alpha)
     return in_blocks(_chord_height, (m,), _prepare_chord_height, (alpha,), out=out)
+
+
+def _check_chord_height(m: Any, alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < np.pi / 4.0, is_positive(m))
 
 
 def _prepare_chord_height(alpha: Any) -> tuple[Any, ...]:
@@ -240,18 +244,12 @@ def height_change(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside: Any = (
-        (m > 0.0)
-        & is_finite(m)
-        & (z >= 1.0)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0.0)
-        & (alpha < np.pi / 4.0)
-    )
-    if inside is not True:
-        m, z, alpha = nan_outside(inside, m, z, alpha)
+    m, z, alpha = nan_outside(_check_height_change, m, z, alpha)
     return in_blocks(_height_change, (tilt,), _prepare_height_change, (m, z, alpha), out=out)
+
+
+def _check_height_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_height_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
@@ -320,18 +318,12 @@ def thickness_change(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside: Any = (
-        (m > 0.0)
-        & is_finite(m)
-        & (z >= 1.0)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0.0)
-        & (alpha < np.pi / 4.0)
-    )
-    if inside is not True:
-        m, z, alpha = nan_outside(inside, m, z, alpha)
+    m, z, alpha = nan_outside(_check_thickness_change, m, z, alpha)
     return in_blocks(_thickness_change, (tilt,), _prepare_thickness_change, (m, z, alpha), out=out)
+
+
+def _check_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
@@ -390,12 +382,14 @@ def thickness_change_linear(
 
     """
     dh, alpha = as_floats("dh alpha", dh, alpha)
-    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0)
-    if inside is not True:
-        (alpha,) = nan_outside(inside, alpha)
+    (alpha,) = nan_outside(_check_thickness_change_linear, alpha)
     return in_blocks(
         _thickness_change_linear, (dh,), _prepare_thickness_change_linear, (alpha,), out=out
     )
+
+
+def _check_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
@@ -450,17 +444,7 @@ def linearisation_bound(
 
     """
     dh, m, z, alpha = as_floats("dh m z alpha", dh, m, z, alpha)
-    inside: Any = (
-        (m > 0.0)
-        & is_finite(m)
-        & (z >= 1.0)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0.0)
-        & (alpha < np.pi / 4.0)
-    )
-    if inside is not True:
-        m, z, alpha = nan_outside(inside, m, z, alpha)
+    m, z, alpha = nan_outside(_check_linearisation_bound, m, z, alpha)
     return in_blocks(
         _linearisation_bound,
         (dh,),
@@ -469,6 +453,10 @@ def linearisation_bound(
         out=out,
         quiet=True,
     )
+
+
+def _check_linearisation_bound(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_linearisation_bound(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
@@ -524,12 +512,14 @@ def thickness_error(
 
     """
     e_tip, height_error, alpha = as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
-    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0)
-    if inside is not True:
-        (alpha,) = nan_outside(inside, alpha)
+    (alpha,) = nan_outside(_check_thickness_error, alpha)
     return in_blocks(
         _thickness_error, (e_tip,), _prepare_thickness_error, (height_error, alpha), out=out
     )
+
+
+def _check_thickness_error(alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_thickness_error(height_error: Any, alpha: Any) -> tuple[Any, ...]:

@@ -68,6 +68,8 @@ from mechproof.kernel_support.arrays import (
     every,
     floor,
     is_finite,
+    is_nonnegative,
+    is_positive,
     nan_outside,
     nonnegative_form,
     split_components,
@@ -429,12 +431,12 @@ def radius(
 
     """
     phi, R, A, z = as_floats("phi R A z", phi, R, A, z)
-    inside: Any = (
-        (R > 0.0) & is_finite(R) & (z >= 1.0) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
-    )
-    if inside is not True:
-        R, A, z = nan_outside(inside, R, A, z)
+    R, A, z = nan_outside(_check_radius, R, A, z)
     return in_blocks(_radius, (phi,), _prepare_radius, (R, A, z), out=out)
+
+
+def _check_radius(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
+    return (is_positive(R), z >= 1.0, is_finite(z), z == floor(z), abs(A) <= R)
 
 
 def _prepare_radius(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
@@ -502,19 +504,12 @@ def track(
 
     """
     phi, R, A, z, H = as_floats("phi R A z H", phi, R, A, z, H)
-    inside: Any = (
-        (R > 0.0)
-        & is_finite(R)
-        & (H > 0.0)
-        & is_finite(H)
-        & (z >= 1.0)
-        & is_finite(z)
-        & (z == floor(z))
-        & (abs(A) <= R)
-    )
-    if inside is not True:
-        R, A, z, H = nan_outside(inside, R, A, z, H)
+    R, A, z, H = nan_outside(_check_track, R, A, z, H)
     return in_blocks(_track, (phi,), _prepare_track, (R, A, z, H), out=out, shape=(3,))
+
+
+def _check_track(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
+    return (is_positive(R), is_positive(H), z >= 1.0, is_finite(z), z == floor(z), abs(A) <= R)
 
 
 def _prepare_track(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
@@ -567,10 +562,12 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
 
     """
     R, A = as_floats("R A", R, A)
-    inside: Any = (R > 0.0) & is_finite(R) & (abs(A) <= R)
-    if inside is not True:
-        R, A = nan_outside(inside, R, A)
+    R, A = nan_outside(_check_largest_radius, R, A)
     return in_blocks(_largest_radius, (R,), _prepare_largest_radius, (A,), out=out)
+
+
+def _check_largest_radius(R: Any, A: Any) -> tuple[Any, ...]:
+    return (is_positive(R), abs(A) <= R)
 
 
 def _prepare_largest_radius(A: Any) -> tuple[Any, ...]:
@@ -615,10 +612,12 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
 
     """
     R, A = as_floats("R A", R, A)
-    inside: Any = (R > 0.0) & is_finite(R) & (abs(A) <= R)
-    if inside is not True:
-        R, A = nan_outside(inside, R, A)
+    R, A = nan_outside(_check_smallest_radius, R, A)
     return in_blocks(_smallest_radius, (R,), _prepare_smallest_radius, (A,), out=out)
+
+
+def _check_smallest_radius(R: Any, A: Any) -> tuple[Any, ...]:
+    return (is_positive(R), abs(A) <= R)
 
 
 def _prepare_smallest_radius(A: Any) -> tuple[Any, ...]:
@@ -707,20 +706,9 @@ def error_sum_correlated(
         scatters=(scatters, 1),
         correlation=(correlation, 2),
     )
-    inside: Any = (
-        (total_scatter > 0.0)
-        & is_finite(total_scatter)
-        & every(scatters > 0.0, axis=-1)
-        & every(is_finite(scatters), axis=-1)
-        & every(correlation >= -1.0, axis=(-2, -1))
-        & every(correlation <= 1.0, axis=(-2, -1))
-        & every(np.diagonal(correlation, axis1=-2, axis2=-1) == 1.0, axis=-1)
-        & every(correlation == np.swapaxes(correlation, -1, -2), axis=(-2, -1))
-        & every(tolerances >= 0.0, axis=-1)
-        & every(is_finite(tolerances), axis=-1)
+    (total_scatter,) = nan_outside(
+        _check_error_sum_correlated, total_scatter, terms=(tolerances, scatters, correlation)
     )
-    if inside is not True:
-        (total_scatter,) = nan_outside(inside, total_scatter)
 
     with quietly():
         return store(
@@ -728,6 +716,20 @@ def error_sum_correlated(
             / total_scatter,
             out,
         )
+
+
+def _check_error_sum_correlated(
+    total_scatter: Any, tolerances: Any, scatters: Any, correlation: Any
+) -> tuple[Any, ...]:
+    return (
+        is_positive(total_scatter),
+        every(is_positive(scatters), axis=-1),
+        every(correlation >= -1.0, axis=(-2, -1)),
+        every(correlation <= 1.0, axis=(-2, -1)),
+        every(np.diagonal(correlation, axis1=-2, axis2=-1) == 1.0, axis=-1),
+        every(correlation == np.swapaxes(correlation, -1, -2), axis=(-2, -1)),
+        every(is_nonnegative(tolerances), axis=-1),
+    )
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (5) with sensitivities
@@ -790,19 +792,18 @@ def error_sum(
     tolerances, sensitivities, scatters = sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
     )
-    inside: Any = (
-        (total_scatter > 0.0)
-        & is_finite(total_scatter)
-        & every(scatters > 0.0, axis=-1)
-        & every(is_finite(scatters), axis=-1)
-        & every(tolerances >= 0.0, axis=-1)
-        & every(is_finite(tolerances), axis=-1)
-    )
-    if inside is not True:
-        (total_scatter,) = nan_outside(inside, total_scatter)
+    (total_scatter,) = nan_outside(_check_error_sum, total_scatter, terms=(tolerances, scatters))
 
     return store(
         np.sqrt(add_up((sensitivities * scatters * tolerances) ** 2, axis=-1)) / total_scatter, out
+    )
+
+
+def _check_error_sum(total_scatter: Any, tolerances: Any, scatters: Any) -> tuple[Any, ...]:
+    return (
+        is_positive(total_scatter),
+        every(is_positive(scatters), axis=-1),
+        every(is_nonnegative(tolerances), axis=-1),
     )
 
 
@@ -876,23 +877,13 @@ def error_sum_thermal(
     tolerances, sensitivities, scatters = sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
     )
-    inside: Any = (
-        (total_scatter > 0.0)
-        & is_finite(total_scatter)
-        & every(scatters > 0.0, axis=-1)
-        & every(is_finite(scatters), axis=-1)
-        & (thermal_scatter > 0.0)
-        & is_finite(thermal_scatter)
-        & (thermal_share >= 0.0)
-        & is_finite(thermal_share)
-        & (thermal_share * thermal_scatter < total_scatter)
-        & every(tolerances >= 0.0, axis=-1)
-        & every(is_finite(tolerances), axis=-1)
+    total_scatter, thermal_share, thermal_scatter = nan_outside(
+        _check_error_sum_thermal,
+        total_scatter,
+        thermal_share,
+        thermal_scatter,
+        terms=(tolerances, scatters),
     )
-    if inside is not True:
-        total_scatter, thermal_share, thermal_scatter = nan_outside(
-            inside, total_scatter, thermal_share, thermal_scatter
-        )
 
     K_minus_tau_K_T = total_scatter - thermal_share * thermal_scatter
     K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter
@@ -901,4 +892,17 @@ def error_sum_thermal(
         np.sqrt(add_up((sensitivities * scatters * tolerances) ** 2, axis=-1))
         / np.sqrt(K_minus_tau_K_T * K_plus_tau_K_T),
         out,
+    )
+
+
+def _check_error_sum_thermal(
+    total_scatter: Any, thermal_share: Any, thermal_scatter: Any, tolerances: Any, scatters: Any
+) -> tuple[Any, ...]:
+    return (
+        is_positive(total_scatter),
+        every(is_positive(scatters), axis=-1),
+        is_positive(thermal_scatter),
+        is_nonnegative(thermal_share),
+        thermal_share * thermal_scatter < total_scatter,
+        every(is_nonnegative(tolerances), axis=-1),
     )

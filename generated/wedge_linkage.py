@@ -52,7 +52,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, choose_where, is_finite, maximum, nan_outside
+from mechproof.kernel_support.arrays import (
+    as_floats,
+    choose_where,
+    is_finite,
+    is_positive,
+    maximum,
+    nan_outside,
+)
 from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.facts import Condition, Sizes
 
@@ -210,17 +217,12 @@ def guide_radicand(
 
     """
     x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    inside: Any = (
-        (l_AB > 0.0)
-        & is_finite(l_AB)
-        & (l_BC > 0.0)
-        & is_finite(l_BC)
-        & (l_CD > 0.0)
-        & is_finite(l_CD)
-    )
-    if inside is not True:
-        l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
+    l_AB, l_BC, l_CD = nan_outside(_check_guide_radicand, l_AB, l_BC, l_CD)
     return in_blocks(_guide_radicand, (x1,), _prepare_guide_radicand, (l_AB, l_BC, l_CD), out=out)
+
+
+def _check_guide_radicand(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    return (is_positive(l_AB), is_positive(l_BC), is_positive(l_CD))
 
 
 def _prepare_guide_radicand(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
@@ -284,19 +286,14 @@ def lever_angle(
 
     """
     x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    inside: Any = (
-        (l_AB > 0.0)
-        & is_finite(l_AB)
-        & (l_BC > 0.0)
-        & is_finite(l_BC)
-        & (l_CD > 0.0)
-        & is_finite(l_CD)
-    )
-    if inside is not True:
-        l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
+    l_AB, l_BC, l_CD = nan_outside(_check_lever_angle, l_AB, l_BC, l_CD)
     return in_blocks(
         _lever_angle, (x1,), _prepare_lever_angle, (l_AB, l_BC, l_CD), out=out, quiet=True
     )
+
+
+def _check_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    return (is_positive(l_AB), is_positive(l_BC), is_positive(l_CD))
 
 
 def _prepare_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
@@ -347,12 +344,14 @@ def rod_displacement(
 
     """
     phi3, l_DE, alpha_DE = as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
-    inside: Any = (l_DE > 0.0) & is_finite(l_DE)
-    if inside is not True:
-        (l_DE,) = nan_outside(inside, l_DE)
+    (l_DE,) = nan_outside(_check_rod_displacement, l_DE)
     return in_blocks(
         _rod_displacement, (phi3,), _prepare_rod_displacement, (l_DE, alpha_DE), out=out
     )
+
+
+def _check_rod_displacement(l_DE: Any) -> tuple[Any, ...]:
+    return (is_positive(l_DE),)
 
 
 def _prepare_rod_displacement(l_DE: Any, alpha_DE: Any) -> tuple[Any, ...]:
@@ -395,10 +394,12 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
 
     """
     x5, l_GH = as_floats("x5 l_GH", x5, l_GH)
-    inside: Any = (l_GH > 0.0) & is_finite(l_GH)
-    if inside is not True:
-        (l_GH,) = nan_outside(inside, l_GH)
+    (l_GH,) = nan_outside(_check_clearance, l_GH)
     return in_blocks(_clearance, (x5,), _prepare_clearance, (l_GH,), out=out)
+
+
+def _check_clearance(l_GH: Any) -> tuple[Any, ...]:
+    return (is_positive(l_GH),)
 
 
 def _prepare_clearance(l_GH: Any) -> tuple[Any, ...]:
@@ -446,10 +447,12 @@ def roller_offset(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside: Any = (l_KL > 0.0) & is_finite(l_KL) & (alpha_KL > 0.0) & (alpha_KL < np.pi)
-    if inside is not True:
-        l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    l_KL, alpha_KL = nan_outside(_check_roller_offset, l_KL, alpha_KL)
     return in_blocks(_roller_offset, (x5,), _prepare_roller_offset, (l_KL, alpha_KL), out=out)
+
+
+def _check_roller_offset(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+    return (is_positive(l_KL), alpha_KL > 0.0, alpha_KL < np.pi)
 
 
 def _prepare_roller_offset(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
@@ -507,9 +510,7 @@ def roller_lever_angle(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside: Any = (l_KL > 0.0) & is_finite(l_KL) & (alpha_KL > 0.0) & (alpha_KL < np.pi)
-    if inside is not True:
-        l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    l_KL, alpha_KL = nan_outside(_check_roller_lever_angle, l_KL, alpha_KL)
     return in_blocks(
         _roller_lever_angle,
         (x5,),
@@ -518,6 +519,10 @@ def roller_lever_angle(
         out=out,
         quiet=True,
     )
+
+
+def _check_roller_lever_angle(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+    return (is_positive(l_KL), alpha_KL > 0.0, alpha_KL < np.pi)
 
 
 def _prepare_roller_lever_angle(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
@@ -574,12 +579,14 @@ def wedge_displacement(
 
     """
     phi7, l_LM, alpha_LM = as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
-    inside: Any = (l_LM > 0.0) & is_finite(l_LM)
-    if inside is not True:
-        (l_LM,) = nan_outside(inside, l_LM)
+    (l_LM,) = nan_outside(_check_wedge_displacement, l_LM)
     return in_blocks(
         _wedge_displacement, (phi7,), _prepare_wedge_displacement, (l_LM, alpha_LM), out=out
     )
+
+
+def _check_wedge_displacement(l_LM: Any) -> tuple[Any, ...]:
+    return (is_positive(l_LM),)
 
 
 def _prepare_wedge_displacement(l_LM: Any, alpha_LM: Any) -> tuple[Any, ...]:
@@ -682,28 +689,9 @@ def position(
         alpha_KL,
         alpha_LM,
     )
-    inside: Any = (
-        (l_AB > 0.0)
-        & is_finite(l_AB)
-        & (l_BC > 0.0)
-        & is_finite(l_BC)
-        & (l_CD > 0.0)
-        & is_finite(l_CD)
-        & (l_DE > 0.0)
-        & is_finite(l_DE)
-        & (l_GH > 0.0)
-        & is_finite(l_GH)
-        & (l_KL > 0.0)
-        & is_finite(l_KL)
-        & (l_LM > 0.0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0.0)
-        & (alpha_KL < np.pi)
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        _check_position, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    if inside is not True:
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-        )
     return in_blocks(
         _position,
         (x1,),
@@ -711,6 +699,22 @@ def position(
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
+    )
+
+
+def _check_position(
+    l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
+) -> tuple[Any, ...]:
+    return (
+        is_positive(l_AB),
+        is_positive(l_BC),
+        is_positive(l_CD),
+        is_positive(l_DE),
+        is_positive(l_GH),
+        is_positive(l_KL),
+        is_positive(l_LM),
+        alpha_KL > 0.0,
+        alpha_KL < np.pi,
     )
 
 
@@ -873,28 +877,9 @@ def velocity(
         alpha_KL,
         alpha_LM,
     )
-    inside: Any = (
-        (l_AB > 0.0)
-        & is_finite(l_AB)
-        & (l_BC > 0.0)
-        & is_finite(l_BC)
-        & (l_CD > 0.0)
-        & is_finite(l_CD)
-        & (l_DE > 0.0)
-        & is_finite(l_DE)
-        & (l_GH > 0.0)
-        & is_finite(l_GH)
-        & (l_KL > 0.0)
-        & is_finite(l_KL)
-        & (l_LM > 0.0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0.0)
-        & (alpha_KL < np.pi)
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        _check_velocity, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    if inside is not True:
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-        )
     return in_blocks(
         _velocity,
         (x1,),
@@ -902,6 +887,22 @@ def velocity(
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
+    )
+
+
+def _check_velocity(
+    l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
+) -> tuple[Any, ...]:
+    return (
+        is_positive(l_AB),
+        is_positive(l_BC),
+        is_positive(l_CD),
+        is_positive(l_DE),
+        is_positive(l_GH),
+        is_positive(l_KL),
+        is_positive(l_LM),
+        alpha_KL > 0.0,
+        alpha_KL < np.pi,
     )
 
 
@@ -1085,28 +1086,9 @@ def sensitivities(
         alpha_KL,
         alpha_LM,
     )
-    inside: Any = (
-        (l_AB > 0.0)
-        & is_finite(l_AB)
-        & (l_BC > 0.0)
-        & is_finite(l_BC)
-        & (l_CD > 0.0)
-        & is_finite(l_CD)
-        & (l_DE > 0.0)
-        & is_finite(l_DE)
-        & (l_GH > 0.0)
-        & is_finite(l_GH)
-        & (l_KL > 0.0)
-        & is_finite(l_KL)
-        & (l_LM > 0.0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0.0)
-        & (alpha_KL < np.pi)
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        _check_sensitivities, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    if inside is not True:
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-        )
     return in_blocks(
         _sensitivities,
         (x1,),
@@ -1115,6 +1097,22 @@ def sensitivities(
         out=out,
         shape=(10,),
         quiet=True,
+    )
+
+
+def _check_sensitivities(
+    l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
+) -> tuple[Any, ...]:
+    return (
+        is_positive(l_AB),
+        is_positive(l_BC),
+        is_positive(l_CD),
+        is_positive(l_DE),
+        is_positive(l_GH),
+        is_positive(l_KL),
+        is_positive(l_LM),
+        alpha_KL > 0.0,
+        alpha_KL < np.pi,
     )
 
 

@@ -25,7 +25,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, floor, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, is_positive, nan_outside
 from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.error_free import single, whole_turns_off
 
@@ -73,12 +73,12 @@ def ratio_printed(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_ratio_printed, R1, R2, e)
     return in_blocks(_ratio_printed, (phi1,), _prepare_ratio_printed, (R1, R2, e), out=out)
+
+
+def _check_ratio_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_ratio_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -111,12 +111,12 @@ def ratio_half_angle(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_ratio_half_angle, R1, R2, e)
     return in_blocks(_ratio_half_angle, (phi1,), _prepare_ratio_half_angle, (R1, R2, e), out=out)
+
+
+def _check_ratio_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_ratio_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -152,12 +152,12 @@ def position_printed(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_printed, R1, R2, e)
     return in_blocks(_position_printed, (phi1,), _prepare_position_printed, (R1, R2, e), out=out)
+
+
+def _check_position_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -195,14 +195,14 @@ def position_principal(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_principal, R1, R2, e)
     return in_blocks(
         _position_principal, (phi1,), _prepare_position_principal, (R1, R2, e), out=out
     )
+
+
+def _check_position_principal(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_principal(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -236,12 +236,12 @@ def position_floor(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_floor, R1, R2, e)
     return in_blocks(_position_floor, (phi1,), _prepare_position_floor, (R1, R2, e), out=out)
+
+
+def _check_position_floor(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_floor(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -277,12 +277,12 @@ def position_atan2(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_atan2, R1, R2, e)
     return in_blocks(_position_atan2, (phi1,), _prepare_position_atan2, (R1, R2, e), out=out)
+
+
+def _check_position_atan2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_atan2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -315,14 +315,14 @@ def position_atan2_stable(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_atan2_stable, R1, R2, e)
     return in_blocks(
         _position_atan2_stable, (phi1,), _prepare_position_atan2_stable, (R1, R2, e), out=out
     )
+
+
+def _check_position_atan2_stable(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_atan2_stable(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -358,12 +358,12 @@ def position_tan_half(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_tan_half, R1, R2, e)
     return in_blocks(_position_tan_half, (phi1,), _prepare_position_tan_half, (R1, R2, e), out=out)
+
+
+def _check_position_tan_half(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_tan_half(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -401,14 +401,14 @@ def position_fourier_2(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_fourier_2, R1, R2, e)
     return in_blocks(
         _position_fourier_2, (phi1,), _prepare_position_fourier_2, (R1, R2, e), out=out
     )
+
+
+def _check_position_fourier_2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_fourier_2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -449,14 +449,14 @@ def position_fourier_4(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_fourier_4, R1, R2, e)
     return in_blocks(
         _position_fourier_4, (phi1,), _prepare_position_fourier_4, (R1, R2, e), out=out
     )
+
+
+def _check_position_fourier_4(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_fourier_4(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -502,14 +502,14 @@ def position_fourier_8(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_fourier_8, R1, R2, e)
     return in_blocks(
         _position_fourier_8, (phi1,), _prepare_position_fourier_8, (R1, R2, e), out=out
     )
+
+
+def _check_position_fourier_8(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_fourier_8(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -575,11 +575,7 @@ def position_fourier_2_single(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_fourier_2_single, R1, R2, e)
     return in_blocks(
         _position_fourier_2_single,
         (phi1,),
@@ -587,6 +583,10 @@ def position_fourier_2_single(
         (R1, R2, e),
         out=out,
     )
+
+
+def _check_position_fourier_2_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_fourier_2_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -631,11 +631,7 @@ def position_fourier_4_single(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_fourier_4_single, R1, R2, e)
     return in_blocks(
         _position_fourier_4_single,
         (phi1,),
@@ -643,6 +639,10 @@ def position_fourier_4_single(
         (R1, R2, e),
         out=out,
     )
+
+
+def _check_position_fourier_4_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_fourier_4_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -692,11 +692,7 @@ def position_fourier_8_single(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_fourier_8_single, R1, R2, e)
     return in_blocks(
         _position_fourier_8_single,
         (phi1,),
@@ -704,6 +700,10 @@ def position_fourier_8_single(
         (R1, R2, e),
         out=out,
     )
+
+
+def _check_position_fourier_8_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_fourier_8_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -773,11 +773,7 @@ def position_fourier_12_single(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_position_fourier_12_single, R1, R2, e)
     return in_blocks(
         _position_fourier_12_single,
         (phi1,),
@@ -785,6 +781,10 @@ def position_fourier_12_single(
         (R1, R2, e),
         out=out,
     )
+
+
+def _check_position_fourier_12_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_position_fourier_12_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -856,14 +856,14 @@ def acceleration_direct(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_acceleration_direct, R1, R2, e)
     return in_blocks(
         _acceleration_direct, (phi1,), _prepare_acceleration_direct, (R1, R2, e), out=out
     )
+
+
+def _check_acceleration_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_acceleration_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
@@ -904,14 +904,14 @@ def acceleration_half_angle(
 
     """
     phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    inside: Any = (
-        (R1 > 0.0) & is_finite(R1) & (R2 > 0.0) & is_finite(R2) & (e >= 0.0) & (e < 1.0) & (R2 < R1)
-    )
-    if inside is not True:
-        R1, R2, e = nan_outside(inside, R1, R2, e)
+    R1, R2, e = nan_outside(_check_acceleration_half_angle, R1, R2, e)
     return in_blocks(
         _acceleration_half_angle, (phi1,), _prepare_acceleration_half_angle, (R1, R2, e), out=out
     )
+
+
+def _check_acceleration_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
 def _prepare_acceleration_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:

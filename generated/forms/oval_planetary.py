@@ -25,7 +25,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, floor, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, is_positive, nan_outside
 from mechproof.kernel_support.blocks import in_blocks
 
 __all__ = [
@@ -76,10 +76,12 @@ def ratio_printed(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        e1, e2 = nan_outside(inside, e1, e2)
+    e1, e2 = nan_outside(_check_ratio_printed, e1, e2)
     return in_blocks(_ratio_printed, (phi1,), _prepare_ratio_printed, (e1, e2, mount), out=out)
+
+
+def _check_ratio_printed(e1: Any, e2: Any) -> tuple[Any, ...]:
+    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_ratio_printed(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -129,10 +131,12 @@ def ratio_direct(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        e1, e2 = nan_outside(inside, e1, e2)
+    e1, e2 = nan_outside(_check_ratio_direct, e1, e2)
     return in_blocks(_ratio_direct, (phi1,), _prepare_ratio_direct, (e1, e2, mount), out=out)
+
+
+def _check_ratio_direct(e1: Any, e2: Any) -> tuple[Any, ...]:
+    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_ratio_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -178,10 +182,12 @@ def position_atan2(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        e1, e2 = nan_outside(inside, e1, e2)
+    e1, e2 = nan_outside(_check_position_atan2, e1, e2)
     return in_blocks(_position_atan2, (phi1,), _prepare_position_atan2, (e1, e2, mount), out=out)
+
+
+def _check_position_atan2(e1: Any, e2: Any) -> tuple[Any, ...]:
+    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_position_atan2(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -229,10 +235,12 @@ def position_floor(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        e1, e2 = nan_outside(inside, e1, e2)
+    e1, e2 = nan_outside(_check_position_floor, e1, e2)
     return in_blocks(_position_floor, (phi1,), _prepare_position_floor, (e1, e2, mount), out=out)
+
+
+def _check_position_floor(e1: Any, e2: Any) -> tuple[Any, ...]:
+    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_position_floor(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -286,12 +294,14 @@ def position_unsplit(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        e1, e2 = nan_outside(inside, e1, e2)
+    e1, e2 = nan_outside(_check_position_unsplit, e1, e2)
     return in_blocks(
         _position_unsplit, (phi1,), _prepare_position_unsplit, (e1, e2, mount), out=out
     )
+
+
+def _check_position_unsplit(e1: Any, e2: Any) -> tuple[Any, ...]:
+    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_position_unsplit(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -340,12 +350,14 @@ def acceleration_direct(
 
     """
     phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    inside: Any = (e1 >= 0.0) & (e1 < 1.0) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        e1, e2 = nan_outside(inside, e1, e2)
+    e1, e2 = nan_outside(_check_acceleration_direct, e1, e2)
     return in_blocks(
         _acceleration_direct, (phi1,), _prepare_acceleration_direct, (e1, e2, mount), out=out
     )
+
+
+def _check_acceleration_direct(e1: Any, e2: Any) -> tuple[Any, ...]:
+    return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_acceleration_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
@@ -410,9 +422,7 @@ def ratio_cylindrical_printed(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    R4, R5, e2 = nan_outside(_check_ratio_cylindrical_printed, R4, R5, e2)
     return in_blocks(
         _ratio_cylindrical_printed,
         (phi1,),
@@ -420,6 +430,10 @@ def ratio_cylindrical_printed(
         (R4, R5, e2),
         out=out,
     )
+
+
+def _check_ratio_cylindrical_printed(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_ratio_cylindrical_printed(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -461,9 +475,7 @@ def ratio_cylindrical_half_angle(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    R4, R5, e2 = nan_outside(_check_ratio_cylindrical_half_angle, R4, R5, e2)
     return in_blocks(
         _ratio_cylindrical_half_angle,
         (phi1,),
@@ -471,6 +483,10 @@ def ratio_cylindrical_half_angle(
         (R4, R5, e2),
         out=out,
     )
+
+
+def _check_ratio_cylindrical_half_angle(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_ratio_cylindrical_half_angle(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -503,9 +519,7 @@ def position_cylindrical_atan2(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    R4, R5, e2 = nan_outside(_check_position_cylindrical_atan2, R4, R5, e2)
     return in_blocks(
         _position_cylindrical_atan2,
         (phi1,),
@@ -513,6 +527,10 @@ def position_cylindrical_atan2(
         (R4, R5, e2),
         out=out,
     )
+
+
+def _check_position_cylindrical_atan2(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_position_cylindrical_atan2(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -546,9 +564,7 @@ def position_cylindrical_atan2_stable(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    R4, R5, e2 = nan_outside(_check_position_cylindrical_atan2_stable, R4, R5, e2)
     return in_blocks(
         _position_cylindrical_atan2_stable,
         (phi1,),
@@ -556,6 +572,10 @@ def position_cylindrical_atan2_stable(
         (R4, R5, e2),
         out=out,
     )
+
+
+def _check_position_cylindrical_atan2_stable(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_position_cylindrical_atan2_stable(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -591,9 +611,7 @@ def position_cylindrical_floor(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    R4, R5, e2 = nan_outside(_check_position_cylindrical_floor, R4, R5, e2)
     return in_blocks(
         _position_cylindrical_floor,
         (phi1,),
@@ -601,6 +619,10 @@ def position_cylindrical_floor(
         (R4, R5, e2),
         out=out,
     )
+
+
+def _check_position_cylindrical_floor(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_position_cylindrical_floor(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -637,9 +659,7 @@ def acceleration_cylindrical_direct(
 
     """
     phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    inside: Any = (R4 > 0.0) & is_finite(R4) & (R5 > 0.0) & is_finite(R5) & (e2 >= 0.0) & (e2 < 1.0)
-    if inside is not True:
-        R4, R5, e2 = nan_outside(inside, R4, R5, e2)
+    R4, R5, e2 = nan_outside(_check_acceleration_cylindrical_direct, R4, R5, e2)
     return in_blocks(
         _acceleration_cylindrical_direct,
         (phi1,),
@@ -647,6 +667,10 @@ def acceleration_cylindrical_direct(
         (R4, R5, e2),
         out=out,
     )
+
+
+def _check_acceleration_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
 def _prepare_acceleration_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:

@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, floor, is_finite, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, is_finite, is_positive, nan_outside
 from mechproof.kernel_support.blocks import in_blocks
 
 __all__ = [
@@ -62,12 +62,14 @@ def constant_chord_handbook(
 
     """
     m, alpha = as_floats("m alpha", m, alpha)
-    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0) & (m > 0.0) & is_finite(m)
-    if inside is not True:
-        m, alpha = nan_outside(inside, m, alpha)
+    m, alpha = nan_outside(_check_constant_chord_handbook, m, alpha)
     return in_blocks(
         _constant_chord_handbook, (m,), _prepare_constant_chord_handbook, (alpha,), out=out
     )
+
+
+def _check_constant_chord_handbook(m: Any, alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < np.pi / 4.0, is_positive(m))
 
 
 def _prepare_constant_chord_handbook(alpha: Any) -> tuple[Any, ...]:
@@ -97,12 +99,14 @@ def chord_height_handbook(
 
     """
     m, alpha = as_floats("m alpha", m, alpha)
-    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0) & (m > 0.0) & is_finite(m)
-    if inside is not True:
-        m, alpha = nan_outside(inside, m, alpha)
+    m, alpha = nan_outside(_check_chord_height_handbook, m, alpha)
     return in_blocks(
         _chord_height_handbook, (m,), _prepare_chord_height_handbook, (alpha,), out=out
     )
+
+
+def _check_chord_height_handbook(m: Any, alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < np.pi / 4.0, is_positive(m))
 
 
 def _prepare_chord_height_handbook(alpha: Any) -> tuple[Any, ...]:
@@ -137,20 +141,14 @@ def height_change_distances(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside: Any = (
-        (m > 0.0)
-        & is_finite(m)
-        & (z >= 1.0)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0.0)
-        & (alpha < np.pi / 4.0)
-    )
-    if inside is not True:
-        m, z, alpha = nan_outside(inside, m, z, alpha)
+    m, z, alpha = nan_outside(_check_height_change_distances, m, z, alpha)
     return in_blocks(
         _height_change_distances, (tilt,), _prepare_height_change_distances, (m, z, alpha), out=out
     )
+
+
+def _check_height_change_distances(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_height_change_distances(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
@@ -202,17 +200,7 @@ def height_change_first_order(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside: Any = (
-        (m > 0.0)
-        & is_finite(m)
-        & (z >= 1.0)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0.0)
-        & (alpha < np.pi / 4.0)
-    )
-    if inside is not True:
-        m, z, alpha = nan_outside(inside, m, z, alpha)
+    m, z, alpha = nan_outside(_check_height_change_first_order, m, z, alpha)
     return in_blocks(
         _height_change_first_order,
         (tilt,),
@@ -220,6 +208,10 @@ def height_change_first_order(
         (m, z, alpha),
         out=out,
     )
+
+
+def _check_height_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_height_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
@@ -257,20 +249,14 @@ def thickness_change_chords(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside: Any = (
-        (m > 0.0)
-        & is_finite(m)
-        & (z >= 1.0)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0.0)
-        & (alpha < np.pi / 4.0)
-    )
-    if inside is not True:
-        m, z, alpha = nan_outside(inside, m, z, alpha)
+    m, z, alpha = nan_outside(_check_thickness_change_chords, m, z, alpha)
     return in_blocks(
         _thickness_change_chords, (tilt,), _prepare_thickness_change_chords, (m, z, alpha), out=out
     )
+
+
+def _check_thickness_change_chords(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_thickness_change_chords(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
@@ -323,17 +309,7 @@ def thickness_change_half_angle(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside: Any = (
-        (m > 0.0)
-        & is_finite(m)
-        & (z >= 1.0)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0.0)
-        & (alpha < np.pi / 4.0)
-    )
-    if inside is not True:
-        m, z, alpha = nan_outside(inside, m, z, alpha)
+    m, z, alpha = nan_outside(_check_thickness_change_half_angle, m, z, alpha)
     return in_blocks(
         _thickness_change_half_angle,
         (tilt,),
@@ -341,6 +317,10 @@ def thickness_change_half_angle(
         (m, z, alpha),
         out=out,
     )
+
+
+def _check_thickness_change_half_angle(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_thickness_change_half_angle(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
@@ -392,17 +372,7 @@ def thickness_change_first_order(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside: Any = (
-        (m > 0.0)
-        & is_finite(m)
-        & (z >= 1.0)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0.0)
-        & (alpha < np.pi / 4.0)
-    )
-    if inside is not True:
-        m, z, alpha = nan_outside(inside, m, z, alpha)
+    m, z, alpha = nan_outside(_check_thickness_change_first_order, m, z, alpha)
     return in_blocks(
         _thickness_change_first_order,
         (tilt,),
@@ -410,6 +380,10 @@ def thickness_change_first_order(
         (m, z, alpha),
         out=out,
     )
+
+
+def _check_thickness_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_thickness_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
@@ -456,17 +430,7 @@ def thickness_change_by_height(
 
     """
     tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    inside: Any = (
-        (m > 0.0)
-        & is_finite(m)
-        & (z >= 1.0)
-        & is_finite(z)
-        & (z == floor(z))
-        & (alpha > 0.0)
-        & (alpha < np.pi / 4.0)
-    )
-    if inside is not True:
-        m, z, alpha = nan_outside(inside, m, z, alpha)
+    m, z, alpha = nan_outside(_check_thickness_change_by_height, m, z, alpha)
     return in_blocks(
         _thickness_change_by_height,
         (tilt,),
@@ -474,6 +438,10 @@ def thickness_change_by_height(
         (m, z, alpha),
         out=out,
     )
+
+
+def _check_thickness_change_by_height(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_thickness_change_by_height(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
@@ -524,9 +492,7 @@ def thickness_change_linear_printed(
 
     """
     dh, alpha = as_floats("dh alpha", dh, alpha)
-    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0)
-    if inside is not True:
-        (alpha,) = nan_outside(inside, alpha)
+    (alpha,) = nan_outside(_check_thickness_change_linear_printed, alpha)
     return in_blocks(
         _thickness_change_linear_printed,
         (dh,),
@@ -534,6 +500,10 @@ def thickness_change_linear_printed(
         (alpha,),
         out=out,
     )
+
+
+def _check_thickness_change_linear_printed(alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_thickness_change_linear_printed(alpha: Any) -> tuple[Any, ...]:
@@ -566,9 +536,7 @@ def thickness_error_printed(
 
     """
     e_tip, height_error, alpha = as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
-    inside: Any = (alpha > 0.0) & (alpha < np.pi / 4.0)
-    if inside is not True:
-        (alpha,) = nan_outside(inside, alpha)
+    (alpha,) = nan_outside(_check_thickness_error_printed, alpha)
     return in_blocks(
         _thickness_error_printed,
         (e_tip,),
@@ -576,6 +544,10 @@ def thickness_error_printed(
         (height_error, alpha),
         out=out,
     )
+
+
+def _check_thickness_error_printed(alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < np.pi / 4.0)
 
 
 def _prepare_thickness_error_printed(height_error: Any, alpha: Any) -> tuple[Any, ...]:

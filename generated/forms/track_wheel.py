@@ -34,6 +34,8 @@ from mechproof.kernel_support.arrays import (
     every,
     floor,
     is_finite,
+    is_nonnegative,
+    is_positive,
     nan_outside,
     split_components,
     sum_axes,
@@ -212,12 +214,12 @@ def radius_printed(
 
     """
     phi, R, A, z = as_floats("phi R A z", phi, R, A, z)
-    inside: Any = (
-        (R > 0.0) & is_finite(R) & (z >= 1.0) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)
-    )
-    if inside is not True:
-        R, A, z = nan_outside(inside, R, A, z)
+    R, A, z = nan_outside(_check_radius_printed, R, A, z)
     return in_blocks(_radius_printed, (phi,), _prepare_radius_printed, (R, A, z), out=out)
+
+
+def _check_radius_printed(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
+    return (is_positive(R), z >= 1.0, is_finite(z), z == floor(z), abs(A) <= R)
 
 
 def _prepare_radius_printed(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
@@ -256,21 +258,14 @@ def track_printed(
 
     """
     phi, R, A, z, H = as_floats("phi R A z H", phi, R, A, z, H)
-    inside: Any = (
-        (R > 0.0)
-        & is_finite(R)
-        & (H > 0.0)
-        & is_finite(H)
-        & (z >= 1.0)
-        & is_finite(z)
-        & (z == floor(z))
-        & (abs(A) <= R)
-    )
-    if inside is not True:
-        R, A, z, H = nan_outside(inside, R, A, z, H)
+    R, A, z, H = nan_outside(_check_track_printed, R, A, z, H)
     return in_blocks(
         _track_printed, (phi,), _prepare_track_printed, (R, A, z, H), out=out, shape=(3,)
     )
+
+
+def _check_track_printed(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
+    return (is_positive(R), is_positive(H), z >= 1.0, is_finite(z), z == floor(z), abs(A) <= R)
 
 
 def _prepare_track_printed(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
@@ -324,26 +319,29 @@ def error_sum_thermal_direct(
     tolerances, sensitivities, scatters = sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
     )
-    inside: Any = (
-        (total_scatter > 0.0)
-        & is_finite(total_scatter)
-        & every(scatters > 0.0, axis=-1)
-        & every(is_finite(scatters), axis=-1)
-        & (thermal_scatter > 0.0)
-        & is_finite(thermal_scatter)
-        & (thermal_share >= 0.0)
-        & is_finite(thermal_share)
-        & (thermal_share * thermal_scatter < total_scatter)
-        & every(tolerances >= 0.0, axis=-1)
-        & every(is_finite(tolerances), axis=-1)
+    total_scatter, thermal_share, thermal_scatter = nan_outside(
+        _check_error_sum_thermal_direct,
+        total_scatter,
+        thermal_share,
+        thermal_scatter,
+        terms=(tolerances, scatters),
     )
-    if inside is not True:
-        total_scatter, thermal_share, thermal_scatter = nan_outside(
-            inside, total_scatter, thermal_share, thermal_scatter
-        )
 
     return store(
         np.sqrt(add_up((sensitivities * scatters * tolerances) ** 2, axis=-1))
         / np.sqrt(total_scatter**2 - thermal_share**2 * thermal_scatter**2),
         out,
+    )
+
+
+def _check_error_sum_thermal_direct(
+    total_scatter: Any, thermal_share: Any, thermal_scatter: Any, tolerances: Any, scatters: Any
+) -> tuple[Any, ...]:
+    return (
+        is_positive(total_scatter),
+        every(is_positive(scatters), axis=-1),
+        is_positive(thermal_scatter),
+        is_nonnegative(thermal_share),
+        thermal_share * thermal_scatter < total_scatter,
+        every(is_nonnegative(tolerances), axis=-1),
     )

@@ -37,7 +37,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, choose_where, is_finite, maximum, nan_outside
+from mechproof.kernel_support.arrays import (
+    as_floats,
+    choose_where,
+    is_positive,
+    maximum,
+    nan_outside,
+)
 from mechproof.kernel_support.blocks import in_blocks
 
 __all__ = [
@@ -87,16 +93,7 @@ def lever_angle_printed(
 
     """
     x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    inside: Any = (
-        (l_AB > 0.0)
-        & is_finite(l_AB)
-        & (l_BC > 0.0)
-        & is_finite(l_BC)
-        & (l_CD > 0.0)
-        & is_finite(l_CD)
-    )
-    if inside is not True:
-        l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
+    l_AB, l_BC, l_CD = nan_outside(_check_lever_angle_printed, l_AB, l_BC, l_CD)
     return in_blocks(
         _lever_angle_printed,
         (x1,),
@@ -105,6 +102,10 @@ def lever_angle_printed(
         out=out,
         quiet=True,
     )
+
+
+def _check_lever_angle_printed(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    return (is_positive(l_AB), is_positive(l_BC), is_positive(l_CD))
 
 
 def _prepare_lever_angle_printed(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
@@ -144,16 +145,7 @@ def lever_angle_atan2(
 
     """
     x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    inside: Any = (
-        (l_AB > 0.0)
-        & is_finite(l_AB)
-        & (l_BC > 0.0)
-        & is_finite(l_BC)
-        & (l_CD > 0.0)
-        & is_finite(l_CD)
-    )
-    if inside is not True:
-        l_AB, l_BC, l_CD = nan_outside(inside, l_AB, l_BC, l_CD)
+    l_AB, l_BC, l_CD = nan_outside(_check_lever_angle_atan2, l_AB, l_BC, l_CD)
     return in_blocks(
         _lever_angle_atan2,
         (x1,),
@@ -162,6 +154,10 @@ def lever_angle_atan2(
         out=out,
         quiet=True,
     )
+
+
+def _check_lever_angle_atan2(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    return (is_positive(l_AB), is_positive(l_BC), is_positive(l_CD))
 
 
 def _prepare_lever_angle_atan2(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
@@ -196,9 +192,7 @@ def rod_displacement_printed(
 
     """
     phi3, l_DE, alpha_DE = as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
-    inside: Any = (l_DE > 0.0) & is_finite(l_DE)
-    if inside is not True:
-        (l_DE,) = nan_outside(inside, l_DE)
+    (l_DE,) = nan_outside(_check_rod_displacement_printed, l_DE)
     return in_blocks(
         _rod_displacement_printed,
         (phi3,),
@@ -206,6 +200,10 @@ def rod_displacement_printed(
         (l_DE, alpha_DE),
         out=out,
     )
+
+
+def _check_rod_displacement_printed(l_DE: Any) -> tuple[Any, ...]:
+    return (is_positive(l_DE),)
 
 
 def _prepare_rod_displacement_printed(l_DE: Any, alpha_DE: Any) -> tuple[Any, ...]:
@@ -233,10 +231,12 @@ def clearance_printed(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | Non
 
     """
     x5, l_GH = as_floats("x5 l_GH", x5, l_GH)
-    inside: Any = (l_GH > 0.0) & is_finite(l_GH)
-    if inside is not True:
-        (l_GH,) = nan_outside(inside, l_GH)
+    (l_GH,) = nan_outside(_check_clearance_printed, l_GH)
     return in_blocks(_clearance_printed, (x5,), _prepare_clearance_printed, (l_GH,), out=out)
+
+
+def _check_clearance_printed(l_GH: Any) -> tuple[Any, ...]:
+    return (is_positive(l_GH),)
 
 
 def _prepare_clearance_printed(l_GH: Any) -> tuple[Any, ...]:
@@ -271,9 +271,7 @@ def roller_lever_angle_printed(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside: Any = (l_KL > 0.0) & is_finite(l_KL) & (alpha_KL > 0.0) & (alpha_KL < np.pi)
-    if inside is not True:
-        l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    l_KL, alpha_KL = nan_outside(_check_roller_lever_angle_printed, l_KL, alpha_KL)
     return in_blocks(
         _roller_lever_angle_printed,
         (x5,),
@@ -282,6 +280,10 @@ def roller_lever_angle_printed(
         out=out,
         quiet=True,
     )
+
+
+def _check_roller_lever_angle_printed(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+    return (is_positive(l_KL), alpha_KL > 0.0, alpha_KL < np.pi)
 
 
 def _prepare_roller_lever_angle_printed(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
@@ -318,9 +320,7 @@ def roller_lever_angle_or_else(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside: Any = (l_KL > 0.0) & is_finite(l_KL) & (alpha_KL > 0.0) & (alpha_KL < np.pi)
-    if inside is not True:
-        l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    l_KL, alpha_KL = nan_outside(_check_roller_lever_angle_or_else, l_KL, alpha_KL)
     return in_blocks(
         _roller_lever_angle_or_else,
         (x5,),
@@ -329,6 +329,10 @@ def roller_lever_angle_or_else(
         out=out,
         quiet=True,
     )
+
+
+def _check_roller_lever_angle_or_else(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+    return (is_positive(l_KL), alpha_KL > 0.0, alpha_KL < np.pi)
 
 
 def _prepare_roller_lever_angle_or_else(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
@@ -359,9 +363,7 @@ def roller_lever_angle_atan2(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside: Any = (l_KL > 0.0) & is_finite(l_KL) & (alpha_KL > 0.0) & (alpha_KL < np.pi)
-    if inside is not True:
-        l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    l_KL, alpha_KL = nan_outside(_check_roller_lever_angle_atan2, l_KL, alpha_KL)
     return in_blocks(
         _roller_lever_angle_atan2,
         (x5,),
@@ -370,6 +372,10 @@ def roller_lever_angle_atan2(
         out=out,
         quiet=True,
     )
+
+
+def _check_roller_lever_angle_atan2(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+    return (is_positive(l_KL), alpha_KL > 0.0, alpha_KL < np.pi)
 
 
 def _prepare_roller_lever_angle_atan2(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
@@ -398,9 +404,7 @@ def roller_lever_angle_arccosine(
 
     """
     x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    inside: Any = (l_KL > 0.0) & is_finite(l_KL) & (alpha_KL > 0.0) & (alpha_KL < np.pi)
-    if inside is not True:
-        l_KL, alpha_KL = nan_outside(inside, l_KL, alpha_KL)
+    l_KL, alpha_KL = nan_outside(_check_roller_lever_angle_arccosine, l_KL, alpha_KL)
     return in_blocks(
         _roller_lever_angle_arccosine,
         (x5,),
@@ -409,6 +413,10 @@ def roller_lever_angle_arccosine(
         out=out,
         quiet=True,
     )
+
+
+def _check_roller_lever_angle_arccosine(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+    return (is_positive(l_KL), alpha_KL > 0.0, alpha_KL < np.pi)
 
 
 def _prepare_roller_lever_angle_arccosine(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
@@ -438,9 +446,7 @@ def wedge_displacement_printed(
 
     """
     phi7, l_LM, alpha_LM = as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
-    inside: Any = (l_LM > 0.0) & is_finite(l_LM)
-    if inside is not True:
-        (l_LM,) = nan_outside(inside, l_LM)
+    (l_LM,) = nan_outside(_check_wedge_displacement_printed, l_LM)
     return in_blocks(
         _wedge_displacement_printed,
         (phi7,),
@@ -448,6 +454,10 @@ def wedge_displacement_printed(
         (l_LM, alpha_LM),
         out=out,
     )
+
+
+def _check_wedge_displacement_printed(l_LM: Any) -> tuple[Any, ...]:
+    return (is_positive(l_LM),)
 
 
 def _prepare_wedge_displacement_printed(l_LM: Any, alpha_LM: Any) -> tuple[Any, ...]:
@@ -516,28 +526,9 @@ def position_printed(
         alpha_KL,
         alpha_LM,
     )
-    inside: Any = (
-        (l_AB > 0.0)
-        & is_finite(l_AB)
-        & (l_BC > 0.0)
-        & is_finite(l_BC)
-        & (l_CD > 0.0)
-        & is_finite(l_CD)
-        & (l_DE > 0.0)
-        & is_finite(l_DE)
-        & (l_GH > 0.0)
-        & is_finite(l_GH)
-        & (l_KL > 0.0)
-        & is_finite(l_KL)
-        & (l_LM > 0.0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0.0)
-        & (alpha_KL < np.pi)
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        _check_position_printed, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    if inside is not True:
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-        )
     return in_blocks(
         _position_printed,
         (x1,),
@@ -545,6 +536,22 @@ def position_printed(
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
+    )
+
+
+def _check_position_printed(
+    l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
+) -> tuple[Any, ...]:
+    return (
+        is_positive(l_AB),
+        is_positive(l_BC),
+        is_positive(l_CD),
+        is_positive(l_DE),
+        is_positive(l_GH),
+        is_positive(l_KL),
+        is_positive(l_LM),
+        alpha_KL > 0.0,
+        alpha_KL < np.pi,
     )
 
 
@@ -642,28 +649,9 @@ def position_atan2(
         alpha_KL,
         alpha_LM,
     )
-    inside: Any = (
-        (l_AB > 0.0)
-        & is_finite(l_AB)
-        & (l_BC > 0.0)
-        & is_finite(l_BC)
-        & (l_CD > 0.0)
-        & is_finite(l_CD)
-        & (l_DE > 0.0)
-        & is_finite(l_DE)
-        & (l_GH > 0.0)
-        & is_finite(l_GH)
-        & (l_KL > 0.0)
-        & is_finite(l_KL)
-        & (l_LM > 0.0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0.0)
-        & (alpha_KL < np.pi)
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        _check_position_atan2, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    if inside is not True:
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-        )
     return in_blocks(
         _position_atan2,
         (x1,),
@@ -671,6 +659,22 @@ def position_atan2(
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
+    )
+
+
+def _check_position_atan2(
+    l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
+) -> tuple[Any, ...]:
+    return (
+        is_positive(l_AB),
+        is_positive(l_BC),
+        is_positive(l_CD),
+        is_positive(l_DE),
+        is_positive(l_GH),
+        is_positive(l_KL),
+        is_positive(l_LM),
+        alpha_KL > 0.0,
+        alpha_KL < np.pi,
     )
 
 
@@ -765,28 +769,9 @@ def velocity_slopes(
         alpha_KL,
         alpha_LM,
     )
-    inside: Any = (
-        (l_AB > 0.0)
-        & is_finite(l_AB)
-        & (l_BC > 0.0)
-        & is_finite(l_BC)
-        & (l_CD > 0.0)
-        & is_finite(l_CD)
-        & (l_DE > 0.0)
-        & is_finite(l_DE)
-        & (l_GH > 0.0)
-        & is_finite(l_GH)
-        & (l_KL > 0.0)
-        & is_finite(l_KL)
-        & (l_LM > 0.0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0.0)
-        & (alpha_KL < np.pi)
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        _check_velocity_slopes, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    if inside is not True:
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-        )
     return in_blocks(
         _velocity_slopes,
         (x1,),
@@ -794,6 +779,22 @@ def velocity_slopes(
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
+    )
+
+
+def _check_velocity_slopes(
+    l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
+) -> tuple[Any, ...]:
+    return (
+        is_positive(l_AB),
+        is_positive(l_BC),
+        is_positive(l_CD),
+        is_positive(l_DE),
+        is_positive(l_GH),
+        is_positive(l_KL),
+        is_positive(l_LM),
+        alpha_KL > 0.0,
+        alpha_KL < np.pi,
     )
 
 
@@ -916,28 +917,9 @@ def sensitivities_slopes(
         alpha_KL,
         alpha_LM,
     )
-    inside: Any = (
-        (l_AB > 0.0)
-        & is_finite(l_AB)
-        & (l_BC > 0.0)
-        & is_finite(l_BC)
-        & (l_CD > 0.0)
-        & is_finite(l_CD)
-        & (l_DE > 0.0)
-        & is_finite(l_DE)
-        & (l_GH > 0.0)
-        & is_finite(l_GH)
-        & (l_KL > 0.0)
-        & is_finite(l_KL)
-        & (l_LM > 0.0)
-        & is_finite(l_LM)
-        & (alpha_KL > 0.0)
-        & (alpha_KL < np.pi)
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
+        _check_sensitivities_slopes, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    if inside is not True:
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-            inside, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
-        )
     return in_blocks(
         _sensitivities_slopes,
         (x1,),
@@ -946,6 +928,22 @@ def sensitivities_slopes(
         out=out,
         shape=(10,),
         quiet=True,
+    )
+
+
+def _check_sensitivities_slopes(
+    l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
+) -> tuple[Any, ...]:
+    return (
+        is_positive(l_AB),
+        is_positive(l_BC),
+        is_positive(l_CD),
+        is_positive(l_DE),
+        is_positive(l_GH),
+        is_positive(l_KL),
+        is_positive(l_LM),
+        alpha_KL > 0.0,
+        alpha_KL < np.pi,
     )
 
 

@@ -110,7 +110,7 @@ def source() -> str:
         ("tolerances, correlation)", "tolerances, np.swapaxes(correlation, -1, -2))"),
         ("np.sqrt(nonnegative_form(", "np.sqrt(product_rest("),
         ("np.sqrt(nonnegative_form(", "np.sqrt(quadratic_form("),
-        ("every(scatters > 0.0", "every(scatters >= 0.0"),
+        ("every(is_positive(scatters)", "every(is_nonnegative(scatters)"),
     ],
 )
 def test_a_wrong_text_of_a_sum_is_caught(old: str, new: str) -> None:

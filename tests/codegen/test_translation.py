@@ -37,10 +37,13 @@ def test_the_source_reads_back_as_the_program(name: str) -> None:
     assert read_back(paper, kernels) == {kernel.name: kernel.code for kernel in kernels}
 
 
-def sources_with(old: str, new: str) -> Callable[[Paper], dict[str, str]]:
+def sources_with(*changes: tuple[str, str]) -> Callable[[Paper], dict[str, str]]:
     def render(paper: Paper) -> dict[str, str]:
-        changed = {name: text.replace(old, new) for name, text in render_modules(paper).items()}
-        assert changed != render_modules(paper)
+        changed = dict(render_modules(paper))
+        for old, new in changes:
+            before = dict(changed)
+            changed = {name: text.replace(old, new) for name, text in before.items()}
+            assert changed != before
         return changed
 
     return render
@@ -60,9 +63,8 @@ def sources_with(old: str, new: str) -> Callable[[Paper], dict[str, str]]:
         ),
         ("def _prepare_f(a: Any, b: Any)", "def _prepare_f(b: Any, a: Any)", "stages"),
         ("return (a, b)", "return (b, a)", "stages"),
-        ("(a > 0.0) & is_finite(a)", "a > 0.0", "inside"),
-        ("(a > 0.0)", "(a >= 0.0)", "inside"),
-        ("(a,) = nan_outside(inside, a)", "(b,) = nan_outside(inside, b)", "masked"),
+        ("return (is_positive(a),)", "return (a > 0.0,)", "inside"),
+        ("return (is_positive(a),)", "return (is_nonnegative(a),)", "inside"),
     ],
 )
 def test_a_text_that_is_not_the_program_is_caught(
@@ -72,8 +74,17 @@ def test_a_text_that_is_not_the_program_is_caught(
     paper = paper_of(quantity, POSITIVE)
     old = old.replace("base", "one_plus_b_cos_x") if "base" in old else old
     new = new.replace("base", "one_plus_b_cos_x") if "base" in new else new
-    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with(old, new))
+    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with((old, new)))
     with pytest.raises(TranslationError, match=rf"system\.f: {seen} meant"):
+        form_rows(paper)
+
+
+def test_another_masked_parameter_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    paper = paper_of(quantity_of(a / (1 + b * sp.cos(x)) ** 3, *MECHANISM), POSITIVE)
+    changes = ("(a,) = nan_outside(_check_f, a)", "(b,) = nan_outside(_check_f, b)")
+    both = sources_with(changes, ("_check_f(a: Any)", "_check_f(b: Any)"))
+    monkeypatch.setattr("mechproof.codegen.forms.render_modules", both)
+    with pytest.raises(TranslationError, match=r"system\.f: masked meant"):
         form_rows(paper)
 
 
@@ -82,7 +93,7 @@ def test_a_text_that_is_not_the_program_is_caught(
     [
         ("x, a, b)", "a, x, b)"),
         ("x a b", "a x b"),
-        ("if inside is not True", "if inside is True"),
+        ("nan_outside(_check_f, a)", "nan_outside(_check_f, b)"),
         ("np.cos(x)", "np.cosh(x)"),
         ("out=out)", "out=None)"),
         ("np.cos(x)", "(lambda t: t)(x)"),
@@ -92,7 +103,7 @@ def test_a_text_that_no_kernel_has_is_refused(
     old: str, new: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     paper = paper_of(quantity_of(a / (1 + b * sp.cos(x)) ** 3, *MECHANISM), POSITIVE)
-    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with(old, new))
+    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with((old, new)))
     with pytest.raises((ReadingError, TranslationError)):
         form_rows(paper)
 
@@ -118,7 +129,7 @@ def test_a_low_word_that_is_dropped_doubled_or_turned_is_caught(
 ) -> None:
     from mechproof.derivations.elliptic_planetary import PAPER
 
-    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with(right, wrong))
+    monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with((right, wrong)))
     with pytest.raises(TranslationError):
         form_rows(PAPER)
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -14,14 +16,65 @@ from mechproof.kernel_support import arrays
 @pytest.mark.parametrize("kind", [float, np.float64])
 def test_functions_of_numbers_are_those_of_arrays(kind: Any) -> None:
     values = (-np.inf, -2.5, -1.0, -0.0, 0.0, 1.0, 2.5, np.inf, np.nan)
-    for a in map(kind, values):
+    edges = (-5e-324, 5e-324, 1 - 2**-53, -1 - 2**-52, 2.0**52 - 0.5, 0.5 - 2.0**52, 1e300, -1e300)
+    for a in map(kind, (*values, *edges)):
         assert np.array_equal(arrays.floor(a), np.floor(a), equal_nan=True)
+        assert np.signbit(arrays.floor(a)) == np.signbit(np.floor(a)) or np.isnan(a)
+    for a in map(kind, values):
         for b in map(kind, values):
             given, expected = arrays.maximum(a, b), np.maximum(a, b)
             assert np.array_equal(given, expected, equal_nan=True)
             assert np.signbit(given) == np.signbit(expected) or np.isnan(expected)
             given, expected = arrays.choose_where(a < b, a, b), np.where(a < b, a, b)
             assert np.array_equal(given, expected, equal_nan=True)
+
+
+LOWER_ENDS = {arrays.is_positive: np.greater, arrays.is_nonnegative: np.greater_equal}
+EDGES = (5e-324, 0.0, -0.0, -5e-324, 3e38, np.inf, -np.inf, np.nan)
+
+
+@pytest.mark.parametrize("ask", LOWER_ENDS)
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+@pytest.mark.parametrize("shape", [(1,), (3,), (2, 3)])
+def test_signs_are_those_of_all_numbers(
+    ask: Callable[[Any], Any], dtype: Any, shape: tuple[int, ...]
+) -> None:
+    for edge, place in product(EDGES, np.ndindex(shape)):
+        values = np.ones(shape, dtype)
+        values[place] = edge
+        expected = LOWER_ENDS[ask](values, 0.0) & np.isfinite(values)
+        for given in (values, np.asfortranarray(values), np.repeat(values, 2, axis=-1)[..., ::2]):
+            found = ask(given)
+            assert found is True if expected.all() else np.array_equal(found, expected)
+        assert np.array_equal(ask(np.ma.array(values)), expected)
+        assert bool(ask(values[place])) is bool(ask(float(values[place]))) is expected[place].item()
+    assert ask(np.empty(0, dtype)).shape == (0,)
+
+
+def check(a: Any, b: Any) -> tuple[Any, ...]:
+    return arrays.is_positive(a), b >= 0.0, b < a
+
+
+SHAPES: tuple[tuple[int, ...], ...] = ((), (1,), (1, 1), (2,), (2, 1))
+
+
+@pytest.mark.parametrize("edge", [-1.0, -0.0, 1.0, np.nan])
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("other", SHAPES)
+def test_outside_a_domain_all_is_nan(
+    edge: float, shape: tuple[int, ...], other: tuple[int, ...]
+) -> None:
+    """Numbers are asked, arrays of one as numbers, or longer ones: the answers are the same."""
+    a = np.full(shape, 1.0) if shape else 1.0
+    b = np.full(other, 0.5) if other else edge
+    if other:
+        b[-1] = edge
+    inside = (np.asarray(b) >= 0.0) & (np.asarray(b) < a)
+    found = arrays.nan_outside(check, a, b)
+    assert np.array_equal(np.isnan(found[0] + found[1]), ~inside)
+    if inside.all():
+        assert found[0] is a
+        assert found[1] is b
 
 
 def test_every_condition_is_asked() -> None:

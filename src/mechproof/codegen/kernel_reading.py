@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Mapping
+from dataclasses import replace
 
 from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.conditions import join_conditions
 from mechproof.codegen.program import NOTHING, Program
 from mechproof.codegen.reading import ReadingError, list_names, read_program
 
@@ -81,14 +83,8 @@ class _KernelReader:
                 self._vectors.append((name, components))
             case ast.Assign(targets=[target], value=ast.Call(func=ast.Name(id=function)) as call):
                 self._read_assignment(statement, target, function, call)
-            case ast.AnnAssign(target=ast.Name(id="inside"), value=ast.expr() as value):
-                self._inside = read_program(self._scalars(), (), (value,))
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 self._assigned.append((name, value))
-            case ast.If(test=test, body=[ast.Assign() as inner], orelse=[]):
-                self._require(test, ast.unparse(test) == "inside is not True")
-                self._require(inner, ast.unparse(inner.value).startswith("nan_outside("))
-                self._read_statement(inner)
             case ast.If(test=ast.Call(func=ast.Name(id="holds"), args=[when]), body=[inner]):
                 self._read_return(inner, read_program(self._scalars(), (), (when,)))
             case ast.Return():
@@ -115,8 +111,12 @@ class _KernelReader:
             self._require(statement, all(given == name for name, (given, _) in pairs.items()))
             self._indexed = tuple((name, count) for name, (_, count) in pairs.items())
         elif function == "nan_outside":
-            inside, *values = map(ast.unparse, call.args)
-            self._require(statement, inside == "inside" and tuple(values) == names)
+            check, *values = map(ast.unparse, call.args)
+            self._require(statement, tuple(values) == names)
+            terms = [list_names(k.value) for k in call.keywords if k.arg == "terms"]
+            conditions = self._read_function(check)
+            self._require(statement, conditions.inputs == sum(terms, names))
+            self._inside = join_conditions(replace(conditions, inputs=self._scalars()))
             self._masked = names
         else:
             (name,) = names

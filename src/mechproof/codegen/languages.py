@@ -34,9 +34,9 @@ NUMPY = Syntax(
             **{
                 name: name
                 for name in (
-                    "is_finite", "product_rest", "sum_rest", "quotient_rest", "small_tangent",
-                    "tangent_quotient", "small_arctan", "single", "whole_turns_off", "maximum",
-                    "floor", "nonnegative_form", "quadratic_form",
+                    "is_finite", "is_positive", "is_nonnegative", "product_rest", "sum_rest",
+                    "quotient_rest", "small_tangent", "tangent_quotient", "small_arctan", "single",
+                    "whole_turns_off", "maximum", "floor", "nonnegative_form", "quadratic_form",
                 )
             },
         }

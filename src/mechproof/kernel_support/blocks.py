@@ -8,7 +8,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechproof.kernel_support.arrays import DOUBLE, PLAIN, SCALARS, SINGLE, as_numpy, cast
+from mechproof.kernel_support.arrays import (
+    DOUBLE,
+    PLAIN,
+    SCALARS,
+    SINGLE,
+    as_numbers,
+    as_numpy,
+    cast,
+)
 
 # Numbers per block, arguments and results together: with the temporaries of one expression they
 # stay in a core's own cache, and the temporaries in pages that the process already has.
@@ -111,8 +119,10 @@ def in_blocks(
     if quiet:
         return _in_quiet_blocks(evaluate, running, prepare, parameters, out=out, shape=shape)
     try:
-        if out is None and not shape and _are_few((*running, *parameters)):
-            return _evaluate_few(evaluate, running, prepare, parameters)
+        if out is None and not shape:
+            few = _find_few((*running, *parameters))
+            if few is not None:
+                return _evaluate_few(evaluate, running, prepare, parameters, few)
         return _evaluate(evaluate, running, prepare, parameters, out, shape)
     except ArithmeticError:
         # Python refuses what NumPy answers with infinity or NaN; and single precision is NumPy's.
@@ -124,17 +134,17 @@ def in_blocks(
 _in_quiet_blocks = quietly()(in_blocks)
 
 
-def _are_few(arrays: tuple[Any, ...]) -> bool:
-    """Say whether there are doubles alone: numbers, beside a first array others of its shape."""
+def _find_few(arrays: tuple[Any, ...]) -> tuple[int, ...] | None:
+    """Return the shape of few points if there are numbers and arrays of it alone, all doubles."""
     shape: tuple[int, ...] = ()
     for array in arrays:
         if type(array) is not float:
             if type(array) is not np.ndarray or array.dtype is not DOUBLE:
-                return False
+                return None
             if array.shape != shape and (shape or 2 * array.size > BLOCK):
-                return False
+                return None
             shape = array.shape
-    return not shape or type(arrays[0]) is not float
+    return shape
 
 
 def _evaluate_few(
@@ -142,19 +152,17 @@ def _evaluate_few(
     running: tuple[Any, ...],
     prepare: Function,
     parameters: tuple[Any, ...],
+    shape: tuple[int, ...],
 ) -> Any:
     """Evaluate few points, one alone in numbers: arrays take five times as long."""
-    first = running[0]
-    if type(first) is np.ndarray and first.size == 1:
-        found = np.empty(first.shape)
-        found[...] = evaluate(*_as_numbers(running), *prepare(*_as_numbers(parameters)))
-        return found
-    value = evaluate(*running, *prepare(*parameters))
-    return value if type(value) is np.ndarray and value.shape else np.float64(value)
-
-
-def _as_numbers(values: tuple[Any, ...]) -> list[float]:
-    return [value if type(value) is float else value.item() for value in values]
+    if not shape:
+        return np.float64(evaluate(*running, *prepare(*parameters)))
+    numbers = as_numbers((*running, *parameters))
+    if numbers is None:
+        return evaluate(*running, *prepare(*parameters))
+    found, count = np.empty(shape), len(running)
+    found[...] = evaluate(*numbers[:count], *prepare(*numbers[count:]))
+    return found
 
 
 def _evaluate(

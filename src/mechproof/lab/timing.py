@@ -119,7 +119,9 @@ def time_ufuncs() -> dict[str, float]:
 
 
 def _bind(compute: Callable[..., Any], arguments: Arguments) -> Callable[[], object]:
-    return lambda: compute(*arguments)
+    """Bind arrays and, as people write what does not vary, Python's numbers."""
+    written = [a if np.ndim(a) else np.asarray(a).item() for a in arguments]
+    return lambda: compute(*written)
 
 
 def _copy_call(shape: tuple[int, ...]) -> Callable[[], object]:

@@ -13,7 +13,8 @@ import jinja2
 import sympy as sp
 from jinja2 import meta
 
-from mechproof.codegen.code import Stage
+from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.conditions import split_conditions
 from mechproof.codegen.docstrings import describe_kernel, describe_module
 from mechproof.codegen.elementary.fits import (
     HALF_TANGENT,
@@ -44,6 +45,8 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "floor",
             "holds",
             "is_finite",
+            "is_nonnegative",
+            "is_positive",
             "maximum",
             "nan_outside",
             "nonnegative_form",
@@ -68,7 +71,7 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
 FITS: Mapping[str, tuple[Target, tuple[int, int]]] = MappingProxyType(
     {"TANGENT": (HALF_TANGENT, (3, 3)), "ARCTANGENT": (SMALL_ARCTANGENT, (4, 4))}
 )
-RESERVED = frozenset({"np", "inside", "out", *FITS, *(n for ns in SUPPORT.values() for n in ns)})
+RESERVED = frozenset({"np", "out", *FITS, *(n for ns in SUPPORT.values() for n in ns)})
 
 
 @dataclass(frozen=True)
@@ -86,11 +89,12 @@ class StageText:
 
 @dataclass(frozen=True)
 class KernelText:
-    """What is printed of a kernel."""
+    """What is printed of a kernel: `terms` are what its conditions read of sums."""
 
     kernel: Kernel
     docstring: tuple[str, ...]
-    inside: str
+    conditions: tuple[str, ...]
+    terms: tuple[str, ...]
     stages: tuple[StageText, ...]
 
 
@@ -182,7 +186,17 @@ def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:
                 write_program(stage.evaluate, NUMPY_BODY) if stage.evaluate else Text((), ()),
             )
         )
-    return KernelText(kernel, docstring, _write_condition(code.inside), tuple(stages))
+    return KernelText(kernel, docstring, *_list_conditions(code), tuple(stages))
+
+
+def _list_conditions(code: KernelCode) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Write what must hold of a kernel's arguments, and list those with terms of a sum."""
+    if code.inside is None:
+        return (), ()
+    program = split_conditions(code.inside)
+    used = {operand for step in program.operations for operand in step.operands}
+    terms = tuple(name for name, _ in code.indexed if name in used)
+    return write_program(program, NUMPY_BODY).outputs, terms
 
 
 def _write_condition(program: Program | None) -> str:

@@ -1,0 +1,90 @@
+"""Conditions: in, the program that says whether all hold; out, one with an output for each.
+
+Two that bound a value by 0 and infinity become one, which NumPy's kernels ask at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import count
+from types import MappingProxyType
+
+from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
+
+# A value above 0, or not below, that is finite.
+SIGNS: Mapping[str, str] = MappingProxyType(
+    {"is_positive": "greater", "is_nonnegative": "greater_equal"}
+)
+
+
+def split_conditions(program: Program) -> Program:
+    """Return the program with an output for each condition, a sign and being finite as one."""
+    conditions = _Conditions(program)
+    (rest,), parts = program.outputs, []
+    while (joined := conditions.made.get(rest)) and joined.kind == "both":
+        rest, last = joined.operands
+        parts.append(last)
+    return conditions.with_outputs(conditions.merge([rest, *reversed(parts)]))
+
+
+def join_conditions(program: Program) -> Program:
+    """Return the program that says whether all outputs hold: the inverse of the splitting."""
+    conditions = _Conditions(program)
+    first, *others = [part for output in program.outputs for part in conditions.spell_out(output)]
+    for other in others:
+        first = conditions.add("both", first, other)
+    return conditions.with_outputs([first])
+
+
+class _Conditions:
+    def __init__(self, program: Program) -> None:
+        self.made: dict[Operand, Operation] = {step.result: step for step in program.operations}
+        self._program = program
+        self._numbers = count(1)
+
+    def add(self, kind: str, *operands: Operand) -> Operand:
+        result = f"{TEMPORARY}condition{next(self._numbers)}"
+        self.made[result] = Operation(result, kind, operands)
+        return result
+
+    def with_outputs(self, outputs: list[Operand]) -> Program:
+        operations = tuple(self.made.values())
+        return replace(self._program, operations=operations, outputs=tuple(outputs)).normal_form()
+
+    def merge(self, outputs: list[Operand]) -> list[Operand]:
+        merged: list[Operand] = []
+        for output in outputs:
+            together = self._join_sign(merged[-1], output) if merged else None
+            if together is not None:
+                merged.pop()
+            merged.append(output if together is None else together)
+        return merged
+
+    def _join_sign(self, one: Operand, other: Operand) -> Operand | None:
+        """Return the condition in place of two that bound one value by 0 and infinity."""
+        (low, around), (high, other_around) = self._unwrap(one), self._unwrap(other)
+        kinds = {kind: sign for sign, kind in SIGNS.items()}
+        if low.kind not in kinds or low.operands[1] != 0 or around != other_around:
+            return None
+        if high.kind != "is_finite" or high.operands[0] != low.operands[0]:
+            return None
+        return self._wrap(self.add(kinds[low.kind], low.operands[0]), around)
+
+    def spell_out(self, output: Operand) -> list[Operand]:
+        step, around = self._unwrap(output)
+        if step.kind not in SIGNS:
+            return [output]
+        (value,) = step.operands
+        parts = self.add(SIGNS[step.kind], value, 0.0), self.add("is_finite", value)
+        return [self._wrap(part, around) for part in parts]
+
+    def _unwrap(self, output: Operand) -> tuple[Operation, Operand | None]:
+        """Return the operation of a condition, and the axes along which it holds everywhere."""
+        step = self.made[output]
+        if step.kind == "every":
+            return self.made[step.operands[0]], step.operands[1]
+        return step, None
+
+    def _wrap(self, condition: Operand, around: Operand | None) -> Operand:
+        return condition if around is None else self.add("every", condition, around)
