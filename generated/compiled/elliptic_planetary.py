@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` e229c7343634.
+Elementary functions: `elementary` 2b6d56ca2270.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -165,10 +165,10 @@ def ratio(
         if type(phi1) is ndarray:
             row = take_row(phi1, out)
             if row is not None:
-                _fill_ratio(row, phi1, R1, R2, e)
+                _RATIO.fill(row, phi1, R1, R2, e)
                 return row
         elif type(phi1) is float and out is None:
-            return float64(_ratio_point(phi1, R1, R2, e))
+            return float64(_RATIO.point(phi1, R1, R2, e))
     return run(
         _RATIO,
         (
@@ -351,10 +351,10 @@ def position(
         if type(phi1) is ndarray:
             row = take_row(phi1, out)
             if row is not None:
-                _fill_position(row, phi1, R1, R2, e)
+                _POSITION.fill(row, phi1, R1, R2, e)
                 return row
         elif type(phi1) is float and out is None:
-            return float64(_position_point(phi1, R1, R2, e))
+            return float64(_POSITION.point(phi1, R1, R2, e))
     return run(
         _POSITION,
         (
@@ -525,10 +525,10 @@ def acceleration(
         if type(phi1) is ndarray:
             row = take_row(phi1, out)
             if row is not None:
-                _fill_acceleration(row, phi1, R1, R2, e)
+                _ACCELERATION.fill(row, phi1, R1, R2, e)
                 return row
         elif type(phi1) is float and out is None:
-            return float64(_acceleration_point(phi1, R1, R2, e))
+            return float64(_ACCELERATION.point(phi1, R1, R2, e))
     return run(
         _ACCELERATION,
         (
@@ -677,10 +677,10 @@ def largest_ratio(
         if type(R1) is ndarray:
             row = take_row(R1, out)
             if row is not None:
-                _fill_largest_ratio(row, R1, R2, e)
+                _LARGEST_RATIO.fill(row, R1, R2, e)
                 return row
         elif type(R1) is float and out is None:
-            return float64(_largest_ratio_point(R1, R2, e))
+            return float64(_LARGEST_RATIO.point(R1, R2, e))
     return run(
         _LARGEST_RATIO,
         (
@@ -824,10 +824,10 @@ def smallest_ratio(
         if type(R1) is ndarray:
             row = take_row(R1, out)
             if row is not None:
-                _fill_smallest_ratio(row, R1, R2, e)
+                _SMALLEST_RATIO.fill(row, R1, R2, e)
                 return row
         elif type(R1) is float and out is None:
-            return float64(_smallest_ratio_point(R1, R2, e))
+            return float64(_SMALLEST_RATIO.point(R1, R2, e))
     return run(
         _SMALLEST_RATIO,
         (

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` e229c7343634.
+Elementary functions: `elementary` 2b6d56ca2270.
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -171,10 +171,10 @@ def ratio(
         if type(phi1) is ndarray:
             row = take_row(phi1, out)
             if row is not None:
-                _fill_ratio(row, phi1, e1, e2, mount)
+                _RATIO.fill(row, phi1, e1, e2, mount)
                 return row
         elif type(phi1) is float and out is None:
-            return float64(_ratio_point(phi1, e1, e2, mount))
+            return float64(_RATIO.point(phi1, e1, e2, mount))
     return run(
         _RATIO,
         (
@@ -338,10 +338,10 @@ def position(
         if type(phi1) is ndarray:
             row = take_row(phi1, out)
             if row is not None:
-                _fill_position(row, phi1, e1, e2, mount)
+                _POSITION.fill(row, phi1, e1, e2, mount)
                 return row
         elif type(phi1) is float and out is None:
-            return float64(_position_point(phi1, e1, e2, mount))
+            return float64(_POSITION.point(phi1, e1, e2, mount))
     return run(
         _POSITION,
         (
@@ -535,10 +535,10 @@ def acceleration(
         if type(phi1) is ndarray:
             row = take_row(phi1, out)
             if row is not None:
-                _fill_acceleration(row, phi1, e1, e2, mount)
+                _ACCELERATION.fill(row, phi1, e1, e2, mount)
                 return row
         elif type(phi1) is float and out is None:
-            return float64(_acceleration_point(phi1, e1, e2, mount))
+            return float64(_ACCELERATION.point(phi1, e1, e2, mount))
     return run(
         _ACCELERATION,
         (
@@ -701,10 +701,10 @@ def ratio_cylindrical(
         if type(phi1) is ndarray:
             row = take_row(phi1, out)
             if row is not None:
-                _fill_ratio_cylindrical(row, phi1, R4, R5, e2)
+                _RATIO_CYLINDRICAL.fill(row, phi1, R4, R5, e2)
                 return row
         elif type(phi1) is float and out is None:
-            return float64(_ratio_cylindrical_point(phi1, R4, R5, e2))
+            return float64(_RATIO_CYLINDRICAL.point(phi1, R4, R5, e2))
     return run(
         _RATIO_CYLINDRICAL,
         (
@@ -892,10 +892,10 @@ def position_cylindrical(
         if type(phi1) is ndarray:
             row = take_row(phi1, out)
             if row is not None:
-                _fill_position_cylindrical(row, phi1, R4, R5, e2)
+                _POSITION_CYLINDRICAL.fill(row, phi1, R4, R5, e2)
                 return row
         elif type(phi1) is float and out is None:
-            return float64(_position_cylindrical_point(phi1, R4, R5, e2))
+            return float64(_POSITION_CYLINDRICAL.point(phi1, R4, R5, e2))
     return run(
         _POSITION_CYLINDRICAL,
         (
@@ -1070,10 +1070,10 @@ def acceleration_cylindrical(
         if type(phi1) is ndarray:
             row = take_row(phi1, out)
             if row is not None:
-                _fill_acceleration_cylindrical(row, phi1, R4, R5, e2)
+                _ACCELERATION_CYLINDRICAL.fill(row, phi1, R4, R5, e2)
                 return row
         elif type(phi1) is float and out is None:
-            return float64(_acceleration_cylindrical_point(phi1, R4, R5, e2))
+            return float64(_ACCELERATION_CYLINDRICAL.point(phi1, R4, R5, e2))
     return run(
         _ACCELERATION_CYLINDRICAL,
         (

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` e229c7343634.
+Elementary functions: `elementary` 2b6d56ca2270.
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -140,10 +140,10 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
         if type(m) is ndarray:
             row = take_row(m, out)
             if row is not None:
-                _fill_constant_chord(row, m, alpha)
+                _CONSTANT_CHORD.fill(row, m, alpha)
                 return row
         elif type(m) is float and out is None:
-            return float64(_constant_chord_point(m, alpha))
+            return float64(_CONSTANT_CHORD.point(m, alpha))
     return run(
         _CONSTANT_CHORD,
         (
@@ -268,10 +268,10 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
         if type(m) is ndarray:
             row = take_row(m, out)
             if row is not None:
-                _fill_chord_height(row, m, alpha)
+                _CHORD_HEIGHT.fill(row, m, alpha)
                 return row
         elif type(m) is float and out is None:
-            return float64(_chord_height_point(m, alpha))
+            return float64(_CHORD_HEIGHT.point(m, alpha))
     return run(
         _CHORD_HEIGHT,
         (
@@ -431,10 +431,10 @@ def height_change(
         if type(tilt) is ndarray:
             row = take_row(tilt, out)
             if row is not None:
-                _fill_height_change(row, tilt, m, z, alpha)
+                _HEIGHT_CHANGE.fill(row, tilt, m, z, alpha)
                 return row
         elif type(tilt) is float and out is None:
-            return float64(_height_change_point(tilt, m, z, alpha))
+            return float64(_HEIGHT_CHANGE.point(tilt, m, z, alpha))
     return run(
         _HEIGHT_CHANGE,
         (
@@ -608,10 +608,10 @@ def thickness_change(
         if type(tilt) is ndarray:
             row = take_row(tilt, out)
             if row is not None:
-                _fill_thickness_change(row, tilt, m, z, alpha)
+                _THICKNESS_CHANGE.fill(row, tilt, m, z, alpha)
                 return row
         elif type(tilt) is float and out is None:
-            return float64(_thickness_change_point(tilt, m, z, alpha))
+            return float64(_THICKNESS_CHANGE.point(tilt, m, z, alpha))
     return run(
         _THICKNESS_CHANGE,
         (
@@ -748,10 +748,10 @@ def thickness_change_linear(
         if type(dh) is ndarray:
             row = take_row(dh, out)
             if row is not None:
-                _fill_thickness_change_linear(row, dh, alpha)
+                _THICKNESS_CHANGE_LINEAR.fill(row, dh, alpha)
                 return row
         elif type(dh) is float and out is None:
-            return float64(_thickness_change_linear_point(dh, alpha))
+            return float64(_THICKNESS_CHANGE_LINEAR.point(dh, alpha))
     return run(
         _THICKNESS_CHANGE_LINEAR,
         (
@@ -905,10 +905,10 @@ def linearisation_bound(
         if type(dh) is ndarray:
             row = take_row(dh, out)
             if row is not None:
-                _fill_linearisation_bound(row, dh, m, z, alpha)
+                _LINEARISATION_BOUND.fill(row, dh, m, z, alpha)
                 return row
         elif type(dh) is float and out is None:
-            return float64(_linearisation_bound_point(dh, m, z, alpha))
+            return float64(_LINEARISATION_BOUND.point(dh, m, z, alpha))
     return run(
         _LINEARISATION_BOUND,
         (
@@ -1050,10 +1050,10 @@ def thickness_error(
         if type(e_tip) is ndarray:
             row = take_row(e_tip, out)
             if row is not None:
-                _fill_thickness_error(row, e_tip, height_error, alpha)
+                _THICKNESS_ERROR.fill(row, e_tip, height_error, alpha)
                 return row
         elif type(e_tip) is float and out is None:
-            return float64(_thickness_error_point(e_tip, height_error, alpha))
+            return float64(_THICKNESS_ERROR.point(e_tip, height_error, alpha))
     return run(
         _THICKNESS_ERROR,
         (

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` e229c7343634.
+Elementary functions: `elementary` 2b6d56ca2270.
 
 Sums over axes are added in the order of the index, with the rest of every addition. Many
 sets of terms are added beside each other, each to the bits that it has alone. Inside
@@ -1131,10 +1131,10 @@ def radius(
         if type(phi) is ndarray:
             row = take_row(phi, out)
             if row is not None:
-                _fill_radius(row, phi, R, A, z)
+                _RADIUS.fill(row, phi, R, A, z)
                 return row
         elif type(phi) is float and out is None:
-            return float64(_radius_point(phi, R, A, z))
+            return float64(_RADIUS.point(phi, R, A, z))
     return run(
         _RADIUS,
         (
@@ -1453,10 +1453,10 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
         if type(R) is ndarray:
             row = take_row(R, out)
             if row is not None:
-                _fill_largest_radius(row, R, A)
+                _LARGEST_RADIUS.fill(row, R, A)
                 return row
         elif type(R) is float and out is None:
-            return float64(_largest_radius_point(R, A))
+            return float64(_LARGEST_RADIUS.point(R, A))
     return run(
         _LARGEST_RADIUS,
         (
@@ -1584,10 +1584,10 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
         if type(R) is ndarray:
             row = take_row(R, out)
             if row is not None:
-                _fill_smallest_radius(row, R, A)
+                _SMALLEST_RADIUS.fill(row, R, A)
                 return row
         elif type(R) is float and out is None:
-            return float64(_smallest_radius_point(R, A))
+            return float64(_SMALLEST_RADIUS.point(R, A))
     return run(
         _SMALLEST_RADIUS,
         (

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` e229c7343634.
+Elementary functions: `elementary` 2b6d56ca2270.
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.
@@ -172,10 +172,10 @@ def guide_radicand(
         if type(x1) is ndarray:
             row = take_row(x1, out)
             if row is not None:
-                _fill_guide_radicand(row, x1, l_AB, l_BC, l_CD)
+                _GUIDE_RADICAND.fill(row, x1, l_AB, l_BC, l_CD)
                 return row
         elif type(x1) is float and out is None:
-            return float64(_guide_radicand_point(x1, l_AB, l_BC, l_CD))
+            return float64(_GUIDE_RADICAND.point(x1, l_AB, l_BC, l_CD))
     return run(
         _GUIDE_RADICAND,
         (
@@ -341,10 +341,10 @@ def lever_angle(
         if type(x1) is ndarray:
             row = take_row(x1, out)
             if row is not None:
-                _fill_lever_angle(row, x1, l_AB, l_BC, l_CD)
+                _LEVER_ANGLE.fill(row, x1, l_AB, l_BC, l_CD)
                 return row
         elif type(x1) is float and out is None:
-            return float64(_lever_angle_point(x1, l_AB, l_BC, l_CD))
+            return float64(_LEVER_ANGLE.point(x1, l_AB, l_BC, l_CD))
     return run(
         _LEVER_ANGLE,
         (
@@ -486,10 +486,10 @@ def rod_displacement(
         if type(phi3) is ndarray:
             row = take_row(phi3, out)
             if row is not None:
-                _fill_rod_displacement(row, phi3, l_DE, alpha_DE)
+                _ROD_DISPLACEMENT.fill(row, phi3, l_DE, alpha_DE)
                 return row
         elif type(phi3) is float and out is None:
-            return float64(_rod_displacement_point(phi3, l_DE, alpha_DE))
+            return float64(_ROD_DISPLACEMENT.point(phi3, l_DE, alpha_DE))
     return run(
         _ROD_DISPLACEMENT,
         (
@@ -622,10 +622,10 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
         if type(x5) is ndarray:
             row = take_row(x5, out)
             if row is not None:
-                _fill_clearance(row, x5, l_GH)
+                _CLEARANCE.fill(row, x5, l_GH)
                 return row
         elif type(x5) is float and out is None:
-            return float64(_clearance_point(x5, l_GH))
+            return float64(_CLEARANCE.point(x5, l_GH))
     return run(
         _CLEARANCE,
         (
@@ -757,10 +757,10 @@ def roller_offset(
         if type(x5) is ndarray:
             row = take_row(x5, out)
             if row is not None:
-                _fill_roller_offset(row, x5, l_KL, alpha_KL)
+                _ROLLER_OFFSET.fill(row, x5, l_KL, alpha_KL)
                 return row
         elif type(x5) is float and out is None:
-            return float64(_roller_offset_point(x5, l_KL, alpha_KL))
+            return float64(_ROLLER_OFFSET.point(x5, l_KL, alpha_KL))
     return run(
         _ROLLER_OFFSET,
         (
@@ -904,10 +904,10 @@ def roller_lever_angle(
         if type(x5) is ndarray:
             row = take_row(x5, out)
             if row is not None:
-                _fill_roller_lever_angle(row, x5, l_KL, alpha_KL)
+                _ROLLER_LEVER_ANGLE.fill(row, x5, l_KL, alpha_KL)
                 return row
         elif type(x5) is float and out is None:
-            return float64(_roller_lever_angle_point(x5, l_KL, alpha_KL))
+            return float64(_ROLLER_LEVER_ANGLE.point(x5, l_KL, alpha_KL))
     return run(
         _ROLLER_LEVER_ANGLE,
         (
@@ -1044,10 +1044,10 @@ def wedge_displacement(
         if type(phi7) is ndarray:
             row = take_row(phi7, out)
             if row is not None:
-                _fill_wedge_displacement(row, phi7, l_LM, alpha_LM)
+                _WEDGE_DISPLACEMENT.fill(row, phi7, l_LM, alpha_LM)
                 return row
         elif type(phi7) is float and out is None:
-            return float64(_wedge_displacement_point(phi7, l_LM, alpha_LM))
+            return float64(_WEDGE_DISPLACEMENT.point(phi7, l_LM, alpha_LM))
     return run(
         _WEDGE_DISPLACEMENT,
         (
@@ -1391,13 +1391,13 @@ def position(
         if type(x1) is ndarray:
             row = take_row(x1, out)
             if row is not None:
-                _fill_position(
+                _POSITION.fill(
                     row, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
                 )
                 return row
         elif type(x1) is float and out is None:
             return float64(
-                _position_point(
+                _POSITION.point(
                     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
                 )
             )
@@ -1792,13 +1792,13 @@ def velocity(
         if type(x1) is ndarray:
             row = take_row(x1, out)
             if row is not None:
-                _fill_velocity(
+                _VELOCITY.fill(
                     row, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
                 )
                 return row
         elif type(x1) is float and out is None:
             return float64(
-                _velocity_point(
+                _VELOCITY.point(
                     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
                 )
             )

@@ -15,6 +15,7 @@ from mechproof.kernels.compiled import elliptic_planetary, oval_planetary, track
 from mechproof.lab.search import find_worst
 from mechproof.lab.subject import Subject, find_subjects
 
+FIELDS = ("names", "widths", "shape", "at", "uniform", "each")
 EPS = float(np.finfo(float).eps)
 SUBJECTS = {s.name: s for s in find_subjects(()) if s.quantity.forms}
 BOUNDED = [name for name, s in SUBJECTS.items() if s.quantity.accuracy is not None]
@@ -149,6 +150,36 @@ def test_dead_centres_are_reached_as_in_numpy() -> None:
         assert np.array_equal(wedge_linkage.lever_angle(*arguments), wanted)
     end = -8.999999999999998, 9.0, np.pi / 2
     assert wedge_linkage.roller_lever_angle(*end) == plain_linkage.roller_lever_angle(*end)
+
+
+def unaligned(values: Any) -> Any:
+    found = np.empty(8 * len(values) + 1, np.uint8)[1:].view(float)
+    found[:] = values
+    return found
+
+
+@pytest.mark.parametrize("first", [0, 1, 2, 3])
+def test_rows_of_every_kind_are_entered_alike(first: int) -> None:
+    """Whatever kind comes first: a loop once compiled is entered without a look at the types."""
+    row, held = np.linspace(-3, 3, 12), np.linspace(-3, 3, 12)
+    held.flags.writeable = False
+    kinds = [row, held, unaligned(row), np.repeat(row, 2)[::2]]
+    kinds = kinds[first:] + kinds[:first]
+    made = loops.Loops(**{n: getattr(elliptic_planetary._POSITION, n) for n in FIELDS})
+    wanted = plain.position(row, *SIZES)
+    for given in kinds:
+        found = loops.run(made, (given, *SIZES), None)
+        np.testing.assert_allclose(found, wanted, rtol=0, atol=20 * EPS)
+        for out in (np.empty(12), unaligned(row)):
+            assert loops.run(made, (given, *SIZES), out) is out
+            assert np.array_equal(out, found)
+    assert np.array_equal(row, held)
+    entries = [kept.entry_point for kept in elliptic_planetary._fill_position.overloads.values()]
+    assert made.fill in entries
+    numbers = [loops.run(made, (x, *SIZES), None) for x in row.tolist()]
+    assert np.array_equal(numbers, found)
+    with pytest.raises(TypeError):
+        made.fill(None, row, *SIZES)
 
 
 def test_threads_change_no_bit(monkeypatch: pytest.MonkeyPatch) -> None:
