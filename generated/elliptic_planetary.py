@@ -33,7 +33,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, holds, is_finite, is_positive, nan_outside
+from mechproof.kernel_support.arrays import (
+    as_floats,
+    holds,
+    is_finite,
+    is_positive,
+    nan_outside,
+    square,
+)
 from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent
 from mechproof.kernel_support.facts import Condition, Sizes
@@ -171,12 +178,12 @@ def _ratio(phi1: Any, k: Any, one_minus_e: Any, one_plus_e: Any, k_low: Any) -> 
     x_low = k_low * phi1 + product_rest(k, phi1, x)
     t_low = small_tangent(x_low / 2.0)
     adjacent = 1.0 - t * t_low
-    adjacent_squared = adjacent**2
+    adjacent_squared = square(adjacent)
     opposite = t + t_low
-    opposite_squared = opposite**2
+    opposite_squared = square(opposite)
 
     return 1.0 + k * one_minus_e * one_plus_e / (
-        one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared
+        square(one_minus_e) * adjacent_squared + square(one_plus_e) * opposite_squared
     ) * (adjacent_squared + opposite_squared)
 
 
@@ -280,7 +287,11 @@ def _position(phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_plus_
     opposite = t + t_low
 
     return (1.0 + k) * phi1 + 2.0 * np.arctan(
-        2.0 * e / (one_minus_e * adjacent**2 + one_plus_e * opposite**2) * adjacent * opposite
+        2.0
+        * e
+        / (one_minus_e * square(adjacent) + one_plus_e * square(opposite))
+        * adjacent
+        * opposite
     )
 
 
@@ -351,16 +362,16 @@ def _acceleration(phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_p
     t_low = small_tangent(x_low / 2.0)
     adjacent = 1.0 - t * t_low
     opposite = t + t_low
-    adjacent_squared = adjacent**2
-    opposite_squared = opposite**2
+    adjacent_squared = square(adjacent)
+    opposite_squared = square(opposite)
 
     return (
         -4.0
         * e
         * one_minus_e
         * one_plus_e
-        * k**2
-        / (one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared) ** 2
+        * square(k)
+        / square(square(one_minus_e) * adjacent_squared + square(one_plus_e) * opposite_squared)
         * adjacent
         * opposite
         * (adjacent_squared + opposite_squared)

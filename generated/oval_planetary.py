@@ -46,7 +46,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, holds, is_finite, is_positive, nan_outside
+from mechproof.kernel_support.arrays import (
+    as_floats,
+    holds,
+    is_finite,
+    is_positive,
+    nan_outside,
+    square,
+)
 from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent, sum_rest
 from mechproof.kernel_support.facts import Condition, Sizes
@@ -179,9 +186,9 @@ def _prepare_ratio(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
 def _ratio(phi1: Any, both: Any, less: Any, shift: Any, rise: Any) -> Any:
     tan_phi1 = np.tan(phi1)
     y = shift + rise * tan_phi1
-    tan_phi1_squared = tan_phi1**2
+    tan_phi1_squared = square(tan_phi1)
 
-    return 1.0 - both * (less + shift) / (both**2 * tan_phi1_squared + (less + y) ** 2) * (
+    return 1.0 - both * (less + shift) / (square(both) * tan_phi1_squared + square(less + y)) * (
         1.0 + tan_phi1_squared
     )
 
@@ -261,7 +268,7 @@ def _position(phi1: Any, shift: Any, rise: Any, swing: Any, less: Any, both: Any
     tan_phi1 = np.tan(phi1)
     y = shift + rise * tan_phi1
 
-    return np.arctan2(tan_phi1 * (y - swing), less + y + both * tan_phi1**2)
+    return np.arctan2(tan_phi1 * (y - swing), less + y + both * square(tan_phi1))
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), derivative of (10)
@@ -356,13 +363,13 @@ def _prepare_acceleration(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
 def _acceleration(phi1: Any, both: Any, less: Any, shift: Any, rise: Any, swing: Any) -> Any:
     tan_phi1 = np.tan(phi1)
     y = shift + rise * tan_phi1
-    tan_phi1_squared = tan_phi1**2
+    tan_phi1_squared = square(tan_phi1)
 
     return (
         2.0
         * both
         * (less + shift)
-        / (both**2 * tan_phi1_squared + (less + y) ** 2) ** 2
+        / square(square(both) * tan_phi1_squared + square(less + y))
         * (1.0 + tan_phi1_squared)
         * (
             (swing * (both + less) - 2.0 * less * shift) * tan_phi1
@@ -435,12 +442,12 @@ def _ratio_cylindrical(phi1: Any, k: Any, one_minus_e2: Any, one_plus_e2: Any, k
     x_low = 2.0 * k_low * phi1 + 2.0 * product_rest(k, phi1, x / 2.0)
     t_low = small_tangent(x_low / 2.0)
     adjacent = 1.0 - t * t_low
-    adjacent_squared = adjacent**2
+    adjacent_squared = square(adjacent)
     opposite = t + t_low
-    opposite_squared = opposite**2
+    opposite_squared = square(opposite)
 
     return 1.0 - k * one_minus_e2 * one_plus_e2 / (
-        one_minus_e2**2 * adjacent_squared + one_plus_e2**2 * opposite_squared
+        square(one_minus_e2) * adjacent_squared + square(one_plus_e2) * opposite_squared
     ) * (adjacent_squared + opposite_squared)
 
 
@@ -517,7 +524,9 @@ def _position_cylindrical_1(
     x = 2.0 * k * phi1
     t = np.tan(x / 2.0)
 
-    return (R5 - R4) / R5 * phi1 - np.arctan(2.0 * e2 / (one_minus_e2 + one_plus_e2 * t**2) * t)
+    return (R5 - R4) / R5 * phi1 - np.arctan(
+        2.0 * e2 / (one_minus_e2 + one_plus_e2 * square(t)) * t
+    )
 
 
 def _prepare_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
@@ -540,7 +549,11 @@ def _position_cylindrical(
     opposite = t + t_low
 
     return (R5 - R4) / R5 * phi1 - np.arctan(
-        2.0 * e2 / (one_minus_e2 * adjacent**2 + one_plus_e2 * opposite**2) * adjacent * opposite
+        2.0
+        * e2
+        / (one_minus_e2 * square(adjacent) + one_plus_e2 * square(opposite))
+        * adjacent
+        * opposite
     )
 
 
@@ -612,16 +625,16 @@ def _acceleration_cylindrical(
     t_low = small_tangent(x_low / 2.0)
     adjacent = 1.0 - t * t_low
     opposite = t + t_low
-    adjacent_squared = adjacent**2
-    opposite_squared = opposite**2
+    adjacent_squared = square(adjacent)
+    opposite_squared = square(opposite)
 
     return (
         8.0
         * e2
         * one_minus_e2
         * one_plus_e2
-        * k**2
-        / (one_minus_e2**2 * adjacent_squared + one_plus_e2**2 * opposite_squared) ** 2
+        * square(k)
+        / square(square(one_minus_e2) * adjacent_squared + square(one_plus_e2) * opposite_squared)
         * adjacent
         * opposite
         * (adjacent_squared + opposite_squared)

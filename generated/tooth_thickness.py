@@ -38,7 +38,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, floor, is_finite, is_positive, nan_outside
+from mechproof.kernel_support.arrays import (
+    as_floats,
+    floor,
+    is_finite,
+    is_positive,
+    nan_outside,
+    square,
+)
 from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.facts import Condition, Sizes
 
@@ -147,7 +154,7 @@ def _prepare_constant_chord(alpha: Any) -> tuple[Any, ...]:
 
 def _constant_chord(m: Any, alpha: Any) -> Any:
 
-    return np.pi * np.cos(alpha) ** 2 / 2.0 * m
+    return np.pi * square(np.cos(alpha)) / 2.0 * m
 
 
 # Source: paper on tooth thickness, design data; basic rack
@@ -253,7 +260,7 @@ def _check_height_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
 
 
 def _prepare_height_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    cosm1_alpha = -2.0 * np.sin(alpha / 2.0) ** 2
+    cosm1_alpha = -2.0 * square(np.sin(alpha / 2.0))
     cos_alpha = 1.0 + cosm1_alpha
     r_b = cos_alpha * m * z / 2.0
     t_c = np.pi / (2.0 * z) + np.tan(alpha)
@@ -263,7 +270,7 @@ def _prepare_height_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
 
 def _height_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
     sin_tilt = np.sin(tilt)
-    cosm1_tilt = -2.0 * np.sin(tilt / 2.0) ** 2
+    cosm1_tilt = -2.0 * square(np.sin(tilt / 2.0))
     cos_tilt = 1.0 + cosm1_tilt
 
     return r_b * (
@@ -327,7 +334,7 @@ def _check_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
 
 
 def _prepare_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    cosm1_alpha = -2.0 * np.sin(alpha / 2.0) ** 2
+    cosm1_alpha = -2.0 * square(np.sin(alpha / 2.0))
     cos_alpha = 1.0 + cosm1_alpha
     r_b = cos_alpha * m * z / 2.0
     t_c = np.pi / (2.0 * z) + np.tan(alpha)
@@ -337,7 +344,7 @@ def _prepare_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
 
 def _thickness_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
     sin_tilt = np.sin(tilt)
-    cosm1_tilt = -2.0 * np.sin(tilt / 2.0) ** 2
+    cosm1_tilt = -2.0 * square(np.sin(tilt / 2.0))
     cos_tilt = 1.0 + cosm1_tilt
 
     return (
@@ -472,9 +479,13 @@ def _linearisation_bound(dh: Any, r_b: Any, y_c: Any, t_c: Any) -> Any:
     abs_Delta_h_plus_y_c = abs_Delta_h + y_c
 
     return (
-        dh**2
-        * (abs_Delta_h_plus_y_c * abs_Delta_h_plus_y_c**2)
-        / (r_b * r_b**2 * np.sqrt(r_b**2 * t_c**2 - abs_Delta_h * (2.0 * y_c - abs_Delta_h)))
+        square(dh)
+        * (abs_Delta_h_plus_y_c * square(abs_Delta_h_plus_y_c))
+        / (
+            r_b
+            * square(r_b)
+            * np.sqrt(square(r_b) * square(t_c) - abs_Delta_h * (2.0 * y_c - abs_Delta_h))
+        )
     )
 
 

@@ -73,6 +73,7 @@ from mechproof.kernel_support.arrays import (
     nan_outside,
     nonnegative_form,
     split_components,
+    square,
     sum_axes,
 )
 from mechproof.kernel_support.blocks import in_blocks, quietly, store, transform
@@ -291,11 +292,11 @@ def _displacement(alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any) -> 
     t_alpha = np.tan(alpha / 2.0)
     t_beta = np.tan(beta / 2.0)
     t_gamma = np.tan(gamma / 2.0)
-    scale = 2.0 / ((1.0 + t_alpha**2) * (1.0 + t_beta**2) * (1.0 + t_gamma**2))
+    scale = 2.0 / ((1.0 + square(t_alpha)) * (1.0 + square(t_beta)) * (1.0 + square(t_gamma)))
     v_y = t_beta - t_alpha * t_gamma
-    v_y_squared = v_y**2
+    v_y_squared = square(v_y)
     v_z = t_gamma + t_alpha * t_beta
-    v_z_squared = v_z**2
+    v_z_squared = square(v_z)
     C11 = scale * (-v_y_squared - v_z_squared)
     v_x = t_alpha + t_beta * t_gamma
     v_x_v_y = v_x * v_y
@@ -304,7 +305,7 @@ def _displacement(alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any) -> 
     v_x_v_z = v_x * v_z
     C13 = scale * (v_x_v_z + v_y * w)
     C21 = scale * (v_x_v_y + v_z * w)
-    v_x_squared = v_x**2
+    v_x_squared = square(v_x)
     C22 = scale * (-v_x_squared - v_z_squared)
     v_y_v_z = v_y * v_z
     C23 = scale * (v_y_v_z - v_x * w)
@@ -795,7 +796,7 @@ def error_sum(
     (total_scatter,) = nan_outside(_check_error_sum, total_scatter, terms=(tolerances, scatters))
 
     return store(
-        np.sqrt(add_up((sensitivities * scatters * tolerances) ** 2, axis=-1)) / total_scatter, out
+        np.sqrt(add_up(square(sensitivities * scatters * tolerances), axis=-1)) / total_scatter, out
     )
 
 
@@ -889,7 +890,7 @@ def error_sum_thermal(
     K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter
 
     return store(
-        np.sqrt(add_up((sensitivities * scatters * tolerances) ** 2, axis=-1))
+        np.sqrt(add_up(square(sensitivities * scatters * tolerances), axis=-1))
         / np.sqrt(K_minus_tau_K_T * K_plus_tau_K_T),
         out,
     )

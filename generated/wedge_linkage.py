@@ -59,6 +59,7 @@ from mechproof.kernel_support.arrays import (
     is_positive,
     maximum,
     nan_outside,
+    square,
 )
 from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.facts import Condition, Sizes
@@ -232,7 +233,7 @@ def _prepare_guide_radicand(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
 
 def _guide_radicand(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any) -> Any:
 
-    return l_BC**2 + x1 * (2.0 * l_AB + 2.0 * l_CD + x1)
+    return square(l_BC) + x1 * (2.0 * l_AB + 2.0 * l_CD + x1)
 
 
 # Source: Bazuev et al. 2021, equation (1)
@@ -303,7 +304,7 @@ def _prepare_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
 
 
 def _lever_angle(x1: Any, l_BC: Any, arm: Any) -> Any:
-    guide_length = np.sqrt(l_BC**2 + x1 * (2.0 * arm + x1))
+    guide_length = np.sqrt(square(l_BC) + x1 * (2.0 * arm + x1))
     guide_sum = guide_length + l_BC
 
     return -2.0 * np.arctan(x1 / guide_sum)
@@ -537,8 +538,8 @@ def _roller_lever_angle(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
         / (
             l_KL * np.sin(alpha_KL)
             + np.sqrt(
-                (x5 + 2.0 * l_KL * np.sin(alpha_KL / 2.0) ** 2)
-                * (2.0 * l_KL * np.cos(alpha_KL / 2.0) ** 2 - x5)
+                (x5 + 2.0 * l_KL * square(np.sin(alpha_KL / 2.0)))
+                * (2.0 * l_KL * square(np.cos(alpha_KL / 2.0)) - x5)
             )
         )
     )
@@ -733,8 +734,8 @@ def _prepare_position(
     arm = l_AB + l_CD
     sin_DE = np.sin(alpha_DE)
     cos_DE = np.cos(alpha_DE)
-    to_right = 2.0 * l_KL * np.sin(alpha_KL / 2.0) ** 2
-    to_left = 2.0 * l_KL * np.cos(alpha_KL / 2.0) ** 2
+    to_right = 2.0 * l_KL * square(np.sin(alpha_KL / 2.0))
+    to_left = 2.0 * l_KL * square(np.cos(alpha_KL / 2.0))
     start_height = l_KL * np.sin(alpha_KL)
     cos_LM = np.cos(alpha_LM)
     sin_LM = np.sin(alpha_LM)
@@ -770,14 +771,14 @@ def _position(
     cos_LM: Any,
     sin_LM: Any,
 ) -> Any:
-    guide_length = np.sqrt(l_BC**2 + x1 * (2.0 * arm + x1))
+    guide_length = np.sqrt(square(l_BC) + x1 * (2.0 * arm + x1))
     guide_sum = guide_length + l_BC
-    lever_square = guide_sum**2 + x1**2
+    lever_square = square(guide_sum) + square(x1)
     run = 2.0 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = maximum(0.0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = push**2 + rise_sum**2
+    roller_square = square(push) + square(rise_sum)
 
     return 2.0 * l_LM / roller_square * push * (cos_LM * rise_sum - sin_LM * push)
 
@@ -921,8 +922,8 @@ def _prepare_velocity(
     arm = l_AB + l_CD
     sin_DE = np.sin(alpha_DE)
     cos_DE = np.cos(alpha_DE)
-    to_right = 2.0 * l_KL * np.sin(alpha_KL / 2.0) ** 2
-    to_left = 2.0 * l_KL * np.cos(alpha_KL / 2.0) ** 2
+    to_right = 2.0 * l_KL * square(np.sin(alpha_KL / 2.0))
+    to_left = 2.0 * l_KL * square(np.cos(alpha_KL / 2.0))
     start_height = l_KL * np.sin(alpha_KL)
     cos_LM = np.cos(alpha_LM)
     sin_LM = np.sin(alpha_LM)
@@ -958,15 +959,15 @@ def _velocity(
     cos_LM: Any,
     sin_LM: Any,
 ) -> Any:
-    guide_length = np.sqrt(l_BC**2 + x1 * (2.0 * arm + x1))
+    guide_length = np.sqrt(square(l_BC) + x1 * (2.0 * arm + x1))
     guide_sum = guide_length + l_BC
-    lever_square = guide_sum**2 + x1**2
+    lever_square = square(guide_sum) + square(x1)
     cos_lever = (2.0 * arm * x1 + 2.0 * l_BC * guide_sum) / lever_square
     run = 2.0 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = maximum(0.0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = push**2 + rise_sum**2
+    roller_square = square(push) + square(rise_sum)
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2.0 * sin_LM * push * rise_sum
     ) / roller_square
@@ -1131,8 +1132,8 @@ def _prepare_sensitivities(
     arm = l_AB + l_CD
     sin_DE = np.sin(alpha_DE)
     cos_DE = np.cos(alpha_DE)
-    to_right = 2.0 * l_KL * np.sin(alpha_KL / 2.0) ** 2
-    to_left = 2.0 * l_KL * np.cos(alpha_KL / 2.0) ** 2
+    to_right = 2.0 * l_KL * square(np.sin(alpha_KL / 2.0))
+    to_left = 2.0 * l_KL * square(np.cos(alpha_KL / 2.0))
     start_height = l_KL * np.sin(alpha_KL)
     cos_LM = np.cos(alpha_LM)
     sin_LM = np.sin(alpha_LM)
@@ -1170,15 +1171,15 @@ def _sensitivities(
     cos_LM: Any,
     sin_LM: Any,
 ) -> Any:
-    x1_squared = x1**2
-    guide_length = np.sqrt(l_BC**2 + x1 * (2.0 * arm + x1))
+    x1_squared = square(x1)
+    guide_length = np.sqrt(square(l_BC) + x1 * (2.0 * arm + x1))
     guide_sum = guide_length + l_BC
-    lever_square = guide_sum**2 + x1_squared
+    lever_square = square(guide_sum) + x1_squared
     run = 2.0 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
     push = maximum(0.0, run - l_GH)
     rise = np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = push**2 + rise_sum**2
+    roller_square = square(push) + square(rise_sum)
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2.0 * sin_LM * push * rise_sum
     ) / roller_square

@@ -25,7 +25,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, floor, is_positive, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, is_positive, nan_outside, square
 from mechproof.kernel_support.blocks import in_blocks
 from mechproof.kernel_support.error_free import single, whole_turns_off
 
@@ -82,7 +82,7 @@ def _check_ratio_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 
 
 def _prepare_ratio_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    e_squared = e**2
+    e_squared = square(e)
     k = R1 / R2
 
     return (R1, R2, e, e_squared, k)
@@ -129,7 +129,9 @@ def _prepare_ratio_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 def _ratio_half_angle(phi1: Any, e: Any, k: Any, one_minus_e: Any) -> Any:
     x = k * phi1
 
-    return 1.0 + k * one_minus_e * (1.0 + e) / (one_minus_e**2 + 4.0 * e * np.sin(x / 2.0) ** 2)
+    return 1.0 + k * one_minus_e * (1.0 + e) / (
+        square(one_minus_e) + 4.0 * e * square(np.sin(x / 2.0))
+    )
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -336,7 +338,7 @@ def _position_atan2_stable(phi1: Any, e: Any, k: Any, nearest: Any) -> Any:
     x = k * phi1
 
     return (1.0 + k) * phi1 + 2.0 * np.arctan2(
-        e * np.sin(x), nearest + 2.0 * e * np.sin(x / 2.0) ** 2
+        e * np.sin(x), nearest + 2.0 * e * square(np.sin(x / 2.0))
     )
 
 
@@ -377,7 +379,9 @@ def _position_tan_half(phi1: Any, e: Any, k: Any, nearest: Any) -> Any:
     x = k * phi1
     tan__x = np.tan(x / 2.0)
 
-    return (1.0 + k) * phi1 + 2.0 * np.arctan(2.0 * e / (nearest + (1.0 + e) * tan__x**2) * tan__x)
+    return (1.0 + k) * phi1 + 2.0 * np.arctan(
+        2.0 * e / (nearest + (1.0 + e) * square(tan__x)) * tan__x
+    )
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -413,7 +417,7 @@ def _check_position_fourier_2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 
 def _prepare_position_fourier_2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     c_1 = 2.0 * e
-    c_2 = e**2
+    c_2 = square(e)
     k = R1 / R2
 
     return (c_1, c_2, k)
@@ -461,10 +465,10 @@ def _check_position_fourier_4(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 
 def _prepare_position_fourier_4(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     c_1 = 2.0 * e
-    c_3 = 2.0 * (e * e**2) / 3.0
-    c_4 = (e**2) ** 2 / 2.0
+    c_3 = 2.0 * (e * square(e)) / 3.0
+    c_4 = square(square(e)) / 2.0
     k = R1 / R2
-    c_2 = e**2
+    c_2 = square(e)
 
     return (c_1, c_3, c_4, k, c_2)
 
@@ -514,14 +518,14 @@ def _check_position_fourier_8(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 
 def _prepare_position_fourier_8(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     c_1 = 2.0 * e
-    c_3 = 2.0 * (e * e**2) / 3.0
-    c_5 = 2.0 * (e * (e**2) ** 2) / 5.0
-    c_7 = 2.0 * (e * (e * e**2) ** 2) / 7.0
-    c_8 = ((e**2) ** 2) ** 2 / 4.0
+    c_3 = 2.0 * (e * square(e)) / 3.0
+    c_5 = 2.0 * (e * square(square(e))) / 5.0
+    c_7 = 2.0 * (e * square(e * square(e))) / 7.0
+    c_8 = square(square(square(e))) / 4.0
     k = R1 / R2
-    c_6 = (e * e**2) ** 2 / 3.0
-    c_4 = (e**2) ** 2 / 2.0
-    c_2 = e**2
+    c_6 = square(e * square(e)) / 3.0
+    c_4 = square(square(e)) / 2.0
+    c_2 = square(e)
 
     return (c_1, c_3, c_5, c_7, c_8, k, c_6, c_4, c_2)
 
@@ -591,7 +595,7 @@ def _check_position_fourier_2_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...
 
 def _prepare_position_fourier_2_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     c_1 = single(2.0 * e)
-    c_2 = single(e**2)
+    c_2 = single(square(e))
     k = R1 / R2
 
     return (c_1, c_2, k)
@@ -647,10 +651,10 @@ def _check_position_fourier_4_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...
 
 def _prepare_position_fourier_4_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     c_1 = single(2.0 * e)
-    c_3 = single(2.0 * (e * e**2) / 3.0)
-    c_4 = single((e**2) ** 2 / 2.0)
+    c_3 = single(2.0 * (e * square(e)) / 3.0)
+    c_4 = single(square(square(e)) / 2.0)
     k = R1 / R2
-    c_2 = single(e**2)
+    c_2 = single(square(e))
 
     return (c_1, c_3, c_4, k, c_2)
 
@@ -708,14 +712,14 @@ def _check_position_fourier_8_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...
 
 def _prepare_position_fourier_8_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     c_1 = single(2.0 * e)
-    c_3 = single(2.0 * (e * e**2) / 3.0)
-    c_5 = single(2.0 * (e * (e**2) ** 2) / 5.0)
-    c_7 = single(2.0 * (e * (e * e**2) ** 2) / 7.0)
-    c_8 = single(((e**2) ** 2) ** 2 / 4.0)
+    c_3 = single(2.0 * (e * square(e)) / 3.0)
+    c_5 = single(2.0 * (e * square(square(e))) / 5.0)
+    c_7 = single(2.0 * (e * square(e * square(e))) / 7.0)
+    c_8 = single(square(square(square(e))) / 4.0)
     k = R1 / R2
-    c_6 = single((e * e**2) ** 2 / 3.0)
-    c_4 = single((e**2) ** 2 / 2.0)
-    c_2 = single(e**2)
+    c_6 = single(square(e * square(e)) / 3.0)
+    c_4 = single(square(square(e)) / 2.0)
+    c_2 = single(square(e))
 
     return (c_1, c_3, c_5, c_7, c_8, k, c_6, c_4, c_2)
 
@@ -789,18 +793,18 @@ def _check_position_fourier_12_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ..
 
 def _prepare_position_fourier_12_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     c_1 = single(2.0 * e)
-    c_3 = single(2.0 * (e * e**2) / 3.0)
-    c_5 = single(2.0 * (e * (e**2) ** 2) / 5.0)
-    c_7 = single(2.0 * (e * (e * e**2) ** 2) / 7.0)
-    c_9 = single(2.0 * (e * ((e**2) ** 2) ** 2) / 9.0)
-    c_11 = single(2.0 * (e * (e * (e**2) ** 2) ** 2) / 11.0)
-    c_12 = single(((e * e**2) ** 2) ** 2 / 6.0)
+    c_3 = single(2.0 * (e * square(e)) / 3.0)
+    c_5 = single(2.0 * (e * square(square(e))) / 5.0)
+    c_7 = single(2.0 * (e * square(e * square(e))) / 7.0)
+    c_9 = single(2.0 * (e * square(square(square(e)))) / 9.0)
+    c_11 = single(2.0 * (e * square(e * square(square(e)))) / 11.0)
+    c_12 = single(square(square(e * square(e))) / 6.0)
     k = R1 / R2
-    c_10 = single((e * (e**2) ** 2) ** 2 / 5.0)
-    c_8 = single(((e**2) ** 2) ** 2 / 4.0)
-    c_6 = single((e * e**2) ** 2 / 3.0)
-    c_4 = single((e**2) ** 2 / 2.0)
-    c_2 = single(e**2)
+    c_10 = single(square(e * square(square(e))) / 5.0)
+    c_8 = single(square(square(square(e))) / 4.0)
+    c_6 = single(square(e * square(e)) / 3.0)
+    c_4 = single(square(square(e)) / 2.0)
+    c_2 = single(square(e))
 
     return (c_1, c_3, c_5, c_7, c_9, c_11, c_12, k, c_10, c_8, c_6, c_4, c_2)
 
@@ -868,7 +872,7 @@ def _check_acceleration_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
 
 def _prepare_acceleration_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
-    e_squared = e**2
+    e_squared = square(e)
 
     return (e, k, e_squared)
 
@@ -879,9 +883,9 @@ def _acceleration_direct(phi1: Any, e: Any, k: Any, e_squared: Any) -> Any:
     return (
         -2.0
         * e
-        * k**2
+        * square(k)
         * (1.0 - e_squared)
-        / (1.0 + e_squared - 2.0 * e * np.cos(x)) ** 2
+        / square(1.0 + e_squared - 2.0 * e * np.cos(x))
         * np.sin(x)
     )
 
@@ -928,8 +932,8 @@ def _acceleration_half_angle(phi1: Any, e: Any, one_minus_e: Any, k: Any) -> Any
         -2.0
         * e
         * one_minus_e
-        * k**2
+        * square(k)
         * (1.0 + e)
-        / (one_minus_e**2 + 4.0 * e * np.sin(x / 2.0) ** 2) ** 2
+        / square(square(one_minus_e) + 4.0 * e * square(np.sin(x / 2.0)))
         * np.sin(x)
     )

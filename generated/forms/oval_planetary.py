@@ -25,7 +25,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, floor, is_positive, nan_outside
+from mechproof.kernel_support.arrays import as_floats, floor, is_positive, nan_outside, square
 from mechproof.kernel_support.blocks import in_blocks
 
 __all__ = [
@@ -85,8 +85,8 @@ def _check_ratio_printed(e1: Any, e2: Any) -> tuple[Any, ...]:
 
 
 def _prepare_ratio_printed(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    one_minus_e1_squared = 1.0 - e1**2
-    one_minus_e2_squared = 1.0 - e2**2
+    one_minus_e1_squared = 1.0 - square(e1)
+    one_minus_e2_squared = 1.0 - square(e2)
 
     return (e1, e2, mount, one_minus_e1_squared, one_minus_e2_squared)
 
@@ -140,7 +140,7 @@ def _check_ratio_direct(e1: Any, e2: Any) -> tuple[Any, ...]:
 
 
 def _prepare_ratio_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    e2_squared = e2**2
+    e2_squared = square(e2)
     alpha_double = (1.0 + e1) * (1.0 - e2_squared)
     beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * np.cos(2.0 * mount))
     gamma_double = e2 * (2.0 + 2.0 * e1) * np.sin(2.0 * mount)
@@ -152,8 +152,8 @@ def _ratio_direct(phi1: Any, alpha_double: Any, beta_double: Any, gamma_double: 
     cos_two_phi1 = np.cos(2.0 * phi1)
 
     return 1.0 - 2.0 * alpha_double * beta_double / (
-        beta_double**2 * (1.0 + cos_two_phi1)
-        + (alpha_double**2 + gamma_double**2) * (1.0 - cos_two_phi1)
+        square(beta_double) * (1.0 + cos_two_phi1)
+        + (square(alpha_double) + square(gamma_double)) * (1.0 - cos_two_phi1)
         + 2.0 * beta_double * gamma_double * np.sin(2.0 * phi1)
     )
 
@@ -305,7 +305,7 @@ def _check_position_unsplit(e1: Any, e2: Any) -> tuple[Any, ...]:
 
 
 def _prepare_position_unsplit(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    e2_squared = e2**2
+    e2_squared = square(e2)
     beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * np.cos(2.0 * mount))
     gamma_double = e2 * (2.0 + 2.0 * e1) * np.sin(2.0 * mount)
     alpha_double = (1.0 + e1) * (1.0 - e2_squared)
@@ -319,7 +319,7 @@ def _position_unsplit(phi1: Any, beta_double: Any, gamma_double: Any, alpha_doub
 
     return np.arctan2(
         tan_phi1 * (beta_double + gamma_double_tan_phi1 - alpha_double),
-        beta_double + gamma_double_tan_phi1 + alpha_double * tan_phi1**2,
+        beta_double + gamma_double_tan_phi1 + alpha_double * square(tan_phi1),
     )
 
 
@@ -361,12 +361,12 @@ def _check_acceleration_direct(e1: Any, e2: Any) -> tuple[Any, ...]:
 
 
 def _prepare_acceleration_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    e2_squared = e2**2
+    e2_squared = square(e2)
     alpha_double = (1.0 + e1) * (1.0 - e2_squared)
     beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * np.cos(2.0 * mount))
-    beta_double_squared = beta_double**2
+    beta_double_squared = square(beta_double)
     gamma_double = e2 * (2.0 + 2.0 * e1) * np.sin(2.0 * mount)
-    term = alpha_double**2 + gamma_double**2
+    term = square(alpha_double) + square(gamma_double)
 
     return (alpha_double, beta_double, beta_double_squared, gamma_double, term)
 
@@ -386,12 +386,11 @@ def _acceleration_direct(
         -2.0
         * alpha_double
         * beta_double
-        / (
+        / square(
             beta_double_squared * (1.0 + cos_two_phi1)
             + term * (1.0 - cos_two_phi1)
             + 2.0 * beta_double * gamma_double * sin_two_phi1
         )
-        ** 2
         * (
             2.0 * beta_double_squared * sin_two_phi1
             - 2.0 * term * sin_two_phi1
@@ -438,7 +437,7 @@ def _check_ratio_cylindrical_printed(R4: Any, R5: Any, e2: Any) -> tuple[Any, ..
 
 def _prepare_ratio_cylindrical_printed(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     term_2 = R4 / 2.0 + R5 / 2.0
-    one_minus_e2_squared = 1.0 - e2**2
+    one_minus_e2_squared = 1.0 - square(e2)
     k = R4 / R5
 
     return (R4, R5, e2, term_2, one_minus_e2_squared, k)
@@ -499,7 +498,9 @@ def _prepare_ratio_cylindrical_half_angle(R4: Any, R5: Any, e2: Any) -> tuple[An
 def _ratio_cylindrical_half_angle(phi1: Any, e2: Any, k: Any, one_minus_e2: Any) -> Any:
     x = 2.0 * k * phi1
 
-    return 1.0 - k * one_minus_e2 * (1.0 + e2) / (one_minus_e2**2 + 4.0 * e2 * np.sin(x / 2.0) ** 2)
+    return 1.0 - k * one_minus_e2 * (1.0 + e2) / (
+        square(one_minus_e2) + 4.0 * e2 * square(np.sin(x / 2.0))
+    )
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
@@ -588,7 +589,9 @@ def _prepare_position_cylindrical_atan2_stable(R4: Any, R5: Any, e2: Any) -> tup
 def _position_cylindrical_atan2_stable(phi1: Any, e2: Any, k: Any, nearest: Any) -> Any:
     x = 2.0 * k * phi1
 
-    return (1.0 - k) * phi1 - np.arctan2(e2 * np.sin(x), nearest + 2.0 * e2 * np.sin(x / 2.0) ** 2)
+    return (1.0 - k) * phi1 - np.arctan2(
+        e2 * np.sin(x), nearest + 2.0 * e2 * square(np.sin(x / 2.0))
+    )
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
@@ -675,7 +678,7 @@ def _check_acceleration_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[A
 
 def _prepare_acceleration_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
-    e2_squared = e2**2
+    e2_squared = square(e2)
 
     return (e2, k, e2_squared)
 
@@ -686,8 +689,8 @@ def _acceleration_cylindrical_direct(phi1: Any, e2: Any, k: Any, e2_squared: Any
     return (
         4.0
         * e2
-        * k**2
+        * square(k)
         * (1.0 - e2_squared)
-        / (1.0 + e2_squared - 2.0 * e2 * np.cos(x)) ** 2
+        / square(1.0 + e2_squared - 2.0 * e2 * np.cos(x))
         * np.sin(x)
     )

@@ -24,7 +24,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, floor, is_finite, is_positive, nan_outside
+from mechproof.kernel_support.arrays import (
+    as_floats,
+    floor,
+    is_finite,
+    is_positive,
+    nan_outside,
+    square,
+)
 from mechproof.kernel_support.blocks import in_blocks
 
 __all__ = [
@@ -333,7 +340,7 @@ def _prepare_thickness_change_half_angle(m: Any, z: Any, alpha: Any) -> tuple[An
 
 def _thickness_change_half_angle(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
     sin_tilt = np.sin(tilt)
-    sin__tilt_squared = np.sin(tilt / 2.0) ** 2
+    sin__tilt_squared = square(np.sin(tilt / 2.0))
 
     return (
         -2.0
@@ -447,7 +454,7 @@ def _check_thickness_change_by_height(m: Any, z: Any, alpha: Any) -> tuple[Any, 
 def _prepare_thickness_change_by_height(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
     tan_alpha = np.tan(alpha)
     K_m = 2.0 * tan_alpha
-    cosm1_alpha = -2.0 * np.sin(alpha / 2.0) ** 2
+    cosm1_alpha = -2.0 * square(np.sin(alpha / 2.0))
     cos_alpha = 1.0 + cosm1_alpha
     r_b = cos_alpha * m * z / 2.0
     t_c = tan_alpha + np.pi / (2.0 * z)
@@ -459,7 +466,7 @@ def _thickness_change_by_height(
     tilt: Any, alpha: Any, K_m: Any, cos_alpha: Any, r_b: Any, t_c: Any
 ) -> Any:
     sin_tilt = np.sin(tilt)
-    cosm1_tilt = -2.0 * np.sin(tilt / 2.0) ** 2
+    cosm1_tilt = -2.0 * square(np.sin(tilt / 2.0))
     cos_tilt = 1.0 + cosm1_tilt
 
     return (

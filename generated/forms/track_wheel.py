@@ -38,6 +38,7 @@ from mechproof.kernel_support.arrays import (
     is_positive,
     nan_outside,
     split_components,
+    square,
     sum_axes,
 )
 from mechproof.kernel_support.blocks import in_blocks, store, transform
@@ -170,7 +171,7 @@ def planar_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None = 
 
 def _planar_error_printed(Delta_x0: Any, Delta_y0: Any) -> Any:
 
-    return np.sqrt(Delta_x0**2 + Delta_y0**2)
+    return np.sqrt(square(Delta_x0) + square(Delta_y0))
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (18)
@@ -194,7 +195,7 @@ def spatial_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None =
 
 def _spatial_error_printed(Delta_x0: Any, Delta_y0: Any, Delta_z0: Any) -> Any:
 
-    return np.sqrt(Delta_x0**2 + Delta_y0**2 + Delta_z0**2)
+    return np.sqrt(square(Delta_x0) + square(Delta_y0) + square(Delta_z0))
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (16)
@@ -230,7 +231,7 @@ def _prepare_radius_printed(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
 def _radius_printed(phi: Any, R: Any, A: Any, z: Any) -> Any:
     phi_z = z * phi
 
-    return A * np.cos(phi_z) + np.sqrt(R**2 - A**2 * np.sin(phi_z) ** 2)
+    return A * np.cos(phi_z) + np.sqrt(square(R) - square(A) * square(np.sin(phi_z)))
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (16)
@@ -275,7 +276,7 @@ def _prepare_track_printed(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
 
 def _track_printed(phi: Any, R: Any, A: Any, z: Any, H: Any) -> Any:
     phi_z = z * phi
-    term = A * np.cos(phi_z) + np.sqrt(R**2 - A**2 * np.sin(phi_z) ** 2)
+    term = A * np.cos(phi_z) + np.sqrt(square(R) - square(A) * square(np.sin(phi_z)))
 
     return (
         term * np.cos(phi),
@@ -328,8 +329,8 @@ def error_sum_thermal_direct(
     )
 
     return store(
-        np.sqrt(add_up((sensitivities * scatters * tolerances) ** 2, axis=-1))
-        / np.sqrt(total_scatter**2 - thermal_share**2 * thermal_scatter**2),
+        np.sqrt(add_up(square(sensitivities * scatters * tolerances), axis=-1))
+        / np.sqrt(square(total_scatter) - square(thermal_share) * square(thermal_scatter)),
         out,
     )
 

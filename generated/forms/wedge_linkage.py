@@ -43,6 +43,7 @@ from mechproof.kernel_support.arrays import (
     is_positive,
     maximum,
     nan_outside,
+    square,
 )
 from mechproof.kernel_support.blocks import in_blocks
 
@@ -109,13 +110,13 @@ def _check_lever_angle_printed(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ..
 
 
 def _prepare_lever_angle_printed(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-    l_BC_squared = l_BC**2
+    l_BC_squared = square(l_BC)
 
     return (l_AB, l_BC, l_CD, l_BC_squared)
 
 
 def _lever_angle_printed(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared: Any) -> Any:
-    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
+    Q = np.sqrt(square(square(l_BC)) + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
 
     return np.arctan(
         (l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1))
@@ -161,13 +162,13 @@ def _check_lever_angle_atan2(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]
 
 
 def _prepare_lever_angle_atan2(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-    l_BC_squared = l_BC**2
+    l_BC_squared = square(l_BC)
 
     return (l_AB, l_BC, l_CD, l_BC_squared)
 
 
 def _lever_angle_atan2(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared: Any) -> Any:
-    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
+    Q = np.sqrt(square(square(l_BC)) + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
 
     return np.arctan2(
         l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
@@ -293,7 +294,7 @@ def _prepare_roller_lever_angle_printed(l_KL: Any, alpha_KL: Any) -> tuple[Any, 
 
 def _roller_lever_angle_printed(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
     term_2 = l_KL * np.cos(alpha_KL) - x5
-    term = np.arctan(np.sqrt(l_KL**2 - term_2**2) / term_2)
+    term = np.arctan(np.sqrt(square(l_KL) - square(term_2)) / term_2)
 
     return choose_where(
         term_2 > 0.0, term - alpha_KL, choose_where(term_2 < 0.0, np.pi + term - alpha_KL, np.nan)
@@ -342,7 +343,7 @@ def _prepare_roller_lever_angle_or_else(l_KL: Any, alpha_KL: Any) -> tuple[Any, 
 
 def _roller_lever_angle_or_else(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
     term_2 = l_KL * np.cos(alpha_KL) - x5
-    term = np.arctan(np.sqrt(l_KL**2 - term_2**2) / term_2)
+    term = np.arctan(np.sqrt(square(l_KL) - square(term_2)) / term_2)
 
     return choose_where(term_2 > 0.0, term - alpha_KL, np.pi + term - alpha_KL)
 
@@ -386,7 +387,7 @@ def _prepare_roller_lever_angle_atan2(l_KL: Any, alpha_KL: Any) -> tuple[Any, ..
 def _roller_lever_angle_atan2(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
     term = l_KL * np.cos(alpha_KL) - x5
 
-    return np.arctan2(np.sqrt(l_KL**2 - term**2), term) - alpha_KL
+    return np.arctan2(np.sqrt(square(l_KL) - square(term)), term) - alpha_KL
 
 
 # Source: Bazuev et al. 2021, equations (7) and (8)
@@ -567,7 +568,7 @@ def _prepare_position_printed(
     alpha_KL: Any,
     alpha_LM: Any,
 ) -> tuple[Any, ...]:
-    l_BC_squared = l_BC**2
+    l_BC_squared = square(l_BC)
 
     return (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, l_BC_squared)
 
@@ -586,7 +587,7 @@ def _position_printed(
     alpha_LM: Any,
     l_BC_squared: Any,
 ) -> Any:
-    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
+    Q = np.sqrt(square(square(l_BC)) + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
     turn_3_printed = np.arctan(
         (l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1))
         / (l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)))
@@ -594,7 +595,7 @@ def _position_printed(
     travel_5_printed = l_DE * (np.cos(alpha_DE + turn_3_printed) - np.cos(alpha_DE))
     driven_5_printed = choose_where(travel_5_printed < l_GH, 0.0, travel_5_printed - l_GH)
     KL_x_printed = l_KL * np.cos(alpha_KL) - driven_5_printed
-    term = np.arctan(np.sqrt(l_KL**2 - KL_x_printed**2) / KL_x_printed)
+    term = np.arctan(np.sqrt(square(l_KL) - square(KL_x_printed)) / KL_x_printed)
     turn_7_printed = choose_where(
         KL_x_printed > 0.0,
         term - alpha_KL,
@@ -690,7 +691,7 @@ def _prepare_position_atan2(
     alpha_KL: Any,
     alpha_LM: Any,
 ) -> tuple[Any, ...]:
-    l_BC_squared = l_BC**2
+    l_BC_squared = square(l_BC)
 
     return (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, l_BC_squared)
 
@@ -709,7 +710,7 @@ def _position_atan2(
     alpha_LM: Any,
     l_BC_squared: Any,
 ) -> Any:
-    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
+    Q = np.sqrt(square(square(l_BC)) + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
     turn_3_atan2 = np.arctan2(
         l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
         l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
@@ -717,7 +718,7 @@ def _position_atan2(
     travel_5_atan2 = l_DE * (np.cos(alpha_DE + turn_3_atan2) - np.cos(alpha_DE))
     driven_5_atan2 = maximum(0.0, travel_5_atan2 - l_GH)
     KL_x_atan2 = l_KL * np.cos(alpha_KL) - driven_5_atan2
-    turn_7_atan2 = np.arctan2(np.sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
+    turn_7_atan2 = np.arctan2(np.sqrt(square(l_KL) - square(KL_x_atan2)), KL_x_atan2) - alpha_KL
 
     return l_LM * (np.sin(alpha_LM + turn_7_atan2) - np.sin(alpha_LM))
 
@@ -810,7 +811,7 @@ def _prepare_velocity_slopes(
     alpha_KL: Any,
     alpha_LM: Any,
 ) -> tuple[Any, ...]:
-    l_BC_squared = l_BC**2
+    l_BC_squared = square(l_BC)
 
     return (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, l_BC_squared)
 
@@ -830,7 +831,7 @@ def _velocity_slopes(
     l_BC_squared: Any,
 ) -> Any:
     term = 2.0 * l_AB + 2.0 * l_CD + x1
-    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * term * x1)
+    Q = np.sqrt(square(square(l_BC)) + l_BC_squared * term * x1)
     turn_3_atan2 = np.arctan2(
         l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
         l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
@@ -841,7 +842,7 @@ def _velocity_slopes(
     BC_length = np.sqrt(l_BC_squared + term * x1)
     driven_5_atan2 = maximum(0.0, travel_5_atan2 - l_GH)
     KL_x_atan2 = l_KL * np.cos(alpha_KL) - driven_5_atan2
-    turn_7_atan2 = np.arctan2(np.sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
+    turn_7_atan2 = np.arctan2(np.sqrt(square(l_KL) - square(KL_x_atan2)), KL_x_atan2) - alpha_KL
 
     return (
         l_DE
@@ -959,7 +960,7 @@ def _prepare_sensitivities_slopes(
     alpha_KL: Any,
     alpha_LM: Any,
 ) -> tuple[Any, ...]:
-    l_BC_squared = l_BC**2
+    l_BC_squared = square(l_BC)
     cos_alpha_KL = np.cos(alpha_KL)
 
     return (
@@ -994,7 +995,7 @@ def _sensitivities_slopes(
     cos_alpha_KL: Any,
 ) -> Any:
     term = 2.0 * l_AB + 2.0 * l_CD + x1
-    Q = np.sqrt((l_BC**2) ** 2 + l_BC_squared * term * x1)
+    Q = np.sqrt(square(square(l_BC)) + l_BC_squared * term * x1)
     turn_3_atan2 = np.arctan2(
         l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
         l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
@@ -1005,7 +1006,7 @@ def _sensitivities_slopes(
     engaged_atan2 = choose_where(travel_5_atan2 < l_GH, 0.0, 1.0)
     driven_5_atan2 = maximum(0.0, travel_5_atan2 - l_GH)
     KL_x_atan2 = cos_alpha_KL * l_KL - driven_5_atan2
-    turn_7_atan2 = np.arctan2(np.sqrt(l_KL**2 - KL_x_atan2**2), KL_x_atan2) - alpha_KL
+    turn_7_atan2 = np.arctan2(np.sqrt(square(l_KL) - square(KL_x_atan2)), KL_x_atan2) - alpha_KL
     term_8 = alpha_KL + turn_7_atan2
     term_3 = 1.0 / np.sin(term_8)
     term_4 = 1.0 - np.cos(turn_3_atan2)

@@ -116,7 +116,9 @@ def test_a_compiled_sum_that_adds_something_else_is_caught(right: str, wrong: st
     kernels = list_scalars(PAPER)
     check_translation(source, kernels)
     assert right in source
-    with pytest.raises(ValueError, match=r"meant|no loop over terms|are put into|of a set|not put"):
+    with pytest.raises(
+        ValueError, match=r"meant|no loop over terms|are put into|of a set|not put|before"
+    ):
         check_translation(source.replace(right, wrong, 1), kernels)
 
 

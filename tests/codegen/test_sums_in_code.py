@@ -39,9 +39,9 @@ def lower(term: sp.Expr, *indices: sp.Symbol) -> Program:
 @pytest.mark.parametrize(
     ("term", "indices", "text"),
     [
-        ((u[i] * v[i]) ** 2, (i,), "add_up((u * v) ** 2, axis=-1)"),
-        (u[i] ** 2 * v[i], (i,), "add_up(u ** 2 * v, axis=-1)"),
-        (-(u[i] ** 2) * v[i] ** 2, (i,), "add_up(-u ** 2 * v ** 2, axis=-1)"),
+        ((u[i] * v[i]) ** 2, (i,), "add_up(square(u * v), axis=-1)"),
+        (u[i] ** 2 * v[i], (i,), "add_up(square(u) * v, axis=-1)"),
+        (-(u[i] ** 2) * v[i] ** 2, (i,), "add_up(-square(u) * square(v), axis=-1)"),
         (u[i] * u[j] * m[i, j], (i, j), "quadratic_form(u, m)"),
         (u[i] * v[i] * u[j] * v[j] * m[i, j], (i, j), "quadratic_form(u * v, m)"),
         (u[i] * u[j] * m[j, i], (i, j), "quadratic_form(u, np.swapaxes(m, -1, -2))"),

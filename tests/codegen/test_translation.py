@@ -52,7 +52,7 @@ def sources_with(*changes: tuple[str, str]) -> Callable[[Paper], dict[str, str]]
 @pytest.mark.parametrize(
     ("old", "new", "seen"),
     [
-        ("(base * base**2)", "base * base**2", "stages"),
+        ("(base * square(base))", "base * square(base)", "stages"),
         ("1.0 + b * np.cos(x)", "b * np.cos(x)", "stages"),
         ("1.0 + b * np.cos(x)", "1.0 - b * np.cos(x)", "stages"),
         ("np.cos(x)", "np.sin(x)", "stages"),
@@ -81,10 +81,13 @@ def test_a_text_that_is_not_the_program_is_caught(
 
 def test_another_masked_parameter_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     paper = paper_of(quantity_of(a / (1 + b * sp.cos(x)) ** 3, *MECHANISM), POSITIVE)
-    changes = ("(a,) = nan_outside(_check_f, a)", "(b,) = nan_outside(_check_f, b)")
-    both = sources_with(changes, ("_check_f(a: Any)", "_check_f(b: Any)"))
-    monkeypatch.setattr("mechproof.codegen.forms.render_modules", both)
-    with pytest.raises(TranslationError, match=r"system\.f: masked meant"):
+    change = sources_with(
+        ("(a,) = nan_outside(_check_f, a)", "(b,) = nan_outside(_check_f, b)"),
+        ("def _check_f(a: Any)", "def _check_f(b: Any)"),
+        ("return (is_positive(a),)", "return (is_positive(b),)"),
+    )
+    monkeypatch.setattr("mechproof.codegen.forms.render_modules", change)
+    with pytest.raises(TranslationError, match=r"system\.f: inside meant"):
         form_rows(paper)
 
 
@@ -94,6 +97,19 @@ def test_another_masked_parameter_is_caught(monkeypatch: pytest.MonkeyPatch) -> 
         ("x, a, b)", "a, x, b)"),
         ("x a b", "a x b"),
         ("nan_outside(_check_f, a)", "nan_outside(_check_f, b)"),
+        ("nan_outside(_check_f, a)", "nan_outside(_check_f, a, also=b)"),
+        (
+            "    (a,) = nan_outside(_check_f, a)\n",
+            "    a = b\n    (a,) = nan_outside(_check_f, a)\n",
+        ),
+        ("    (a,) = nan_outside(_check_f, a)\n", 2 * "    (a,) = nan_outside(_check_f, a)\n"),
+        ("return (is_positive(a),)", "return is_positive(a)"),
+        ("return (is_positive(a),)", "return (is_positive(b),)"),
+        ("return (is_positive(a),)", "return (True,)"),
+        ("return (is_positive(a),)", "return ()"),
+        ("def _check_f(a: Any)", "@cache\ndef _check_f(a: Any)"),
+        ("def _check_f(a: Any)", "def _check_f(a: Any, *, b: Any = 1.0)"),
+        ("    return in_blocks(_f", "    a = b\n    return in_blocks(_f"),
         ("np.cos(x)", "np.cosh(x)"),
         ("out=out)", "out=None)"),
         ("np.cos(x)", "(lambda t: t)(x)"),

@@ -143,6 +143,22 @@ def test_a_form_that_makes_none_negative_gives_none(count: int) -> None:
     assert arrays.nonnegative_form(masked, matrix).mask.tolist() == [False, True] * 25
 
 
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+def test_a_form_keeps_its_type_beside_nan_and_negative_ones(dtype: Any) -> None:
+    matrix = np.array([[1, -2], [-2, 1]], dtype)
+    vectors = np.array([[1, 1], [np.nan, 1], [1, -1]], dtype)
+    for rows in (vectors, vectors[1:], vectors[2:], vectors[:0]):
+        found = arrays.nonnegative_form(rows, matrix)
+        assert found.dtype == dtype
+        np.testing.assert_array_equal(found, [-2, np.nan, 6][3 - len(rows) :])
+
+
+def test_squares_of_numbers_round_as_those_of_arrays() -> None:
+    """Python's x**2 is pow(x, 2), which rounds one of 1200 another way."""
+    values = np.random.default_rng(3).uniform(1, 2, 20_000)
+    assert [arrays.square(x) for x in values.tolist()] == arrays.square(values).tolist()
+
+
 def test_sums_of_foreign_arrays_keep_what_they_are() -> None:
     x = np.ma.masked_array([[1.0, 2.0], [3.0, 4.0]], mask=[[True, True], [False, False]])
     for found in (arrays.quadratic_form(x, np.eye(2)), arrays.add_up(x**2, axis=-1)):

@@ -16,6 +16,7 @@ from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
 SIGNS: Mapping[str, str] = MappingProxyType(
     {"is_positive": "greater", "is_nonnegative": "greater_equal"}
 )
+SIGN_OF: Mapping[str, str] = MappingProxyType({low: sign for sign, low in SIGNS.items()})
 
 
 def split_conditions(program: Program) -> Program:
@@ -64,12 +65,11 @@ class _Conditions:
     def _join_sign(self, one: Operand, other: Operand) -> Operand | None:
         """Return the condition in place of two that bound one value by 0 and infinity."""
         (low, around), (high, other_around) = self._unwrap(one), self._unwrap(other)
-        kinds = {kind: sign for sign, kind in SIGNS.items()}
-        if low.kind not in kinds or low.operands[1] != 0 or around != other_around:
+        if low.kind not in SIGN_OF or low.operands[1] != 0 or around != other_around:
             return None
         if high.kind != "is_finite" or high.operands[0] != low.operands[0]:
             return None
-        return self._wrap(self.add(kinds[low.kind], low.operands[0]), around)
+        return self._wrap(self.add(SIGN_OF[low.kind], low.operands[0]), around)
 
     def spell_out(self, output: Operand) -> list[Operand]:
         step, around = self._unwrap(output)

@@ -101,6 +101,8 @@ class _KernelReader:
         self, statement: ast.stmt, target: ast.expr, function: str, call: ast.Call
     ) -> None:
         names = list_names(target)
+        if function in ("split_components", "sum_axes"):
+            self._require(statement, self._inside is None)
         if function == "split_components":
             name, count = ast.literal_eval(call.args[0]), ast.literal_eval(call.args[2])
             self._require(statement, ast.unparse(call.args[1]) == name and count == len(names))
@@ -111,16 +113,23 @@ class _KernelReader:
             self._require(statement, all(given == name for name, (given, _) in pairs.items()))
             self._indexed = tuple((name, count) for name, (_, count) in pairs.items())
         elif function == "nan_outside":
-            check, *values = map(ast.unparse, call.args)
-            self._require(statement, tuple(values) == names)
-            terms = [list_names(k.value) for k in call.keywords if k.arg == "terms"]
-            conditions = self._read_function(check)
-            self._require(statement, conditions.inputs == sum(terms, names))
-            self._inside = join_conditions(replace(conditions, inputs=self._scalars()))
-            self._masked = names
+            self._read_check(statement, names, call)
         else:
             (name,) = names
             self._assigned.append((name, call))
+
+    def _read_check(self, statement: ast.stmt, names: tuple[str, ...], call: ast.Call) -> None:
+        """Read the conditions of a function: its parameters are the names, terms of sums last."""
+        check, *values = map(ast.unparse, call.args)
+        terms = {k.arg: list_names(k.value) for k in call.keywords}
+        self._require(statement, tuple(values) == names and set(terms) <= {"terms"})
+        self._require(statement, self._inside is None and not self._assigned and not self._stages)
+        conditions = self._read_function(check, as_tuple=True)
+        made = {step.result for step in conditions.operations}
+        self._require(statement, bool(made) and made.issuperset(conditions.outputs))
+        self._require(statement, conditions.inputs == names + terms.get("terms", ()))
+        self._inside = join_conditions(replace(conditions, inputs=self._scalars()))
+        self._masked = names
 
     def _scalars(self) -> tuple[str, ...]:
         """Return the names that a condition may use, vectors by their components."""
@@ -156,6 +165,7 @@ class _KernelReader:
 
     def _read_affine(self, call: ast.Call, when: Program | None) -> Stage:
         points, prepare, parameters = call.args
+        self._require(call, not self._assigned)
         self._require(call, ast.unparse(points) == self._arguments[0])
         (vector,) = (names for name, names in self._vectors if name == self._arguments[0])
         program = self._read_function(ast.unparse(prepare))
@@ -164,6 +174,7 @@ class _KernelReader:
 
     def _read_blocks(self, call: ast.Call, when: Program | None) -> Stage:
         evaluate, running, *rest = call.args
+        self._require(call, not self._assigned)
         program = self._read_function(ast.unparse(evaluate))
         if not rest:
             return Stage(when, list_names(running), (), NOTHING, program)
@@ -176,8 +187,11 @@ class _KernelReader:
             program,
         )
 
-    def _read_function(self, name: str) -> Program:
+    def _read_function(self, name: str, *, as_tuple: bool = False) -> Program:
         node = self._functions[name]
+        inputs = tuple(argument.arg for argument in node.args.args)
+        if node.decorator_list or ast.unparse(node.args) != ": Any, ".join(inputs) + ": Any":
+            raise ReadingError(f"line {node.lineno}: {name} takes more than its inputs")
         *body, last = node.body
         assigned = []
         for statement in body:
@@ -186,8 +200,8 @@ class _KernelReader:
             assigned.append((ast.unparse(statement.targets[0]), statement.value))
         if not isinstance(last, ast.Return) or last.value is None:
             raise ReadingError(f"line {last.lineno}: {name} returns nothing")
+        self._require(last, isinstance(last.value, ast.Tuple) or not as_tuple)
         outputs = last.value.elts if isinstance(last.value, ast.Tuple) else [last.value]
-        inputs = tuple(argument.arg for argument in node.args.args)
         return read_program(inputs, assigned, outputs)
 
     def _require(self, node: ast.stmt | ast.expr, condition: bool) -> None:

@@ -37,6 +37,7 @@ NUMPY = Syntax(
                     "is_finite", "is_positive", "is_nonnegative", "product_rest", "sum_rest",
                     "quotient_rest", "small_tangent", "tangent_quotient", "small_arctan", "single",
                     "whole_turns_off", "maximum", "floor", "nonnegative_form", "quadratic_form",
+                    "square",
                 )
             },
         }
@@ -46,7 +47,6 @@ NUMPY = Syntax(
     patterns=MappingProxyType(
         {
             "negate": ("-{}", SIGN, SIGN),
-            "square": ("{} ** 2", ATOM, POWER),
             "power": ("{} ** {}", ATOM, POWER),
             "along_first": ("{}[..., :, np.newaxis]", ATOM, ATOM),
             "along_last": ("{}[..., np.newaxis, :]", ATOM, ATOM),

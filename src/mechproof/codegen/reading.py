@@ -141,7 +141,19 @@ def read_program(
     for name, value in assignments:
         reader.assign(name, value)
     results = tuple(map(reader.read, outputs))
+    _check_names({*inputs}, reader.operations, results)
     return Program(inputs, tuple(reader.operations), results).normal_form()
+
+
+def _check_names(
+    known: set[Operand], operations: Iterable[Operation], outputs: tuple[Operand, ...]
+) -> None:
+    """Raise `ReadingError` for a name that is no constant, no input and no result before it."""
+    for step in (*operations, Operation("", "copy", outputs)):
+        for name in step.operands:
+            if isinstance(name, str) and name not in known and not name.startswith("#"):
+                raise ReadingError(f"{name}: read before anything has this name")
+        known.add(step.result)
 
 
 def list_names(node: ast.expr) -> tuple[str, ...]:

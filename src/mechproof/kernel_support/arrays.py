@@ -71,7 +71,7 @@ def _as_doubles(values: tuple[Any, ...]) -> tuple[Any, ...] | None:
         kind = type(value)
         if kind is np.ndarray and (value.dtype is DOUBLE or value.dtype is WHOLE):
             found.append(value.astype(DOUBLE, copy=False) if value.shape else float(value.item()))
-        # Larger whole numbers are none of NumPy's.
+        # Larger whole numbers are for NumPy to judge.
         elif kind in EXACT or (kind is int and -(2**63) <= value < 2**63):
             found.append(float(value))
         else:
@@ -253,39 +253,38 @@ def is_finite(value: Any) -> Any:
 
 
 def is_positive(value: Any) -> Any:
-    """Return whether 0 < value < oo; True for an array of which it holds everywhere."""
+    """Return whether 0 < value < oo, of a plain array True if it holds of all its numbers."""
     if type(value) is float:
         return 0.0 < value < inf
-    if type(value) is np.ndarray and value.size:
-        smallest, largest = _find_extremes(value)
-        if smallest > 0.0 and largest < inf:
-            return True
-    return (value > 0.0) & is_finite(value)
+    smallest, largest = _find_extremes(value)
+    return (smallest > 0.0 and largest < inf) or (value > 0.0) & is_finite(value)
 
 
 def is_nonnegative(value: Any) -> Any:
-    """Return whether 0 <= value < oo; True for an array of which it holds everywhere."""
+    """Return whether 0 <= value < oo, of a plain array True if it holds of all its numbers."""
     if type(value) is float:
         return 0.0 <= value < inf
-    if type(value) is np.ndarray and value.size:
-        smallest, largest = _find_extremes(value)
-        if smallest >= 0.0 and largest < inf:
-            return True
-    return (value >= 0.0) & is_finite(value)
+    smallest, largest = _find_extremes(value)
+    return (smallest >= 0.0 and largest < inf) or (value >= 0.0) & is_finite(value)
 
 
-def _find_extremes(array: NDArray[Any]) -> tuple[float, float]:
-    """Return the smallest and the largest number, NaN if one is NaN.
+def _find_extremes(array: Any) -> tuple[float, float]:
+    """Return the smallest and the largest number; NaN if one is, and of what is no plain array.
 
     Found by their places they take a third of what min and max take, and half of comparisons.
     """
+    if type(array) is not np.ndarray or not array.size:
+        return nan, nan
     return array.item(array.argmin()), array.item(array.argmax())
 
 
 def nan_outside(
     check: Callable[..., tuple[Any, ...]], *values: Any, terms: tuple[Any, ...] = ()
 ) -> tuple[NDArray[Any], ...]:
-    """Return the values where all conditions of check(*values, *terms) hold, NaN elsewhere."""
+    """Return the values where all conditions of check(*values, *terms) hold, NaN elsewhere.
+
+    Where all hold they come back as they are. Arrays of one number are asked as that number.
+    """
     numbers = as_numbers(values)
     if numbers is not None and not terms:
         return values if all(check(*numbers)) else tuple([value * nan for value in values])
@@ -307,7 +306,7 @@ def nan_outside(
 
 
 def as_numbers(values: tuple[Any, ...]) -> tuple[float, ...] | None:
-    """Return doubles, those of arrays that have one each, too; None for all else.
+    """Return Python's numbers for doubles and for arrays of one; None if there is anything else.
 
     What is computed of numbers takes a fifth of what arrays of one element take.
     """
@@ -363,12 +362,18 @@ def nonnegative_form(vector: Any, matrix: Any) -> Any:
     Farther below 0 than n terms of two sums and their factors can be rounded it stays negative.
     """
     found = quadratic_form(vector, matrix)
-    if type(found) in PLAIN and found.size and _find_extremes(found)[0] >= 0.0:
+    if type(found) in PLAIN and (_find_extremes(found)[0] >= 0.0 or not np.any(found < 0.0)):
         return found
     eps = np.finfo(found.dtype).eps
     rounding = (matrix.shape[-1] + 4) * eps * quadratic_form(abs(vector), abs(matrix))
     # A product keeps the mask or the unit; that of two negative numbers is no negative zero.
-    return found * np.where(found < 0.0, np.where(found >= -rounding, -0.0, 1.0), 1.0)
+    factor = np.where(found < 0.0, np.where(found >= -rounding, -0.0, 1.0), 1.0)
+    return found * factor.astype(found.dtype, copy=False)
+
+
+def square(a: Any) -> Any:
+    """Return a*a: of numbers a**2 calls pow, which may round another way."""
+    return a * a
 
 
 def floor(a: Any) -> Any:

@@ -52,6 +52,7 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "nonnegative_form",
             "quadratic_form",
             "split_components",
+            "square",
             "sum_axes",
         ),
         "blocks": ("in_blocks", "quietly", "store", "transform"),
