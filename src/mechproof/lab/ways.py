@@ -136,7 +136,8 @@ def _into_buffer(kernel: Compute) -> Compute:
     kept: dict[tuple[tuple[int, ...], ...], Array] = {}
 
     def compute(*arguments: Array) -> Any:
-        key = tuple(map(np.shape, arguments))
+        # The shape of a number is not worth asking NumPy for beside a call on few points.
+        key = tuple([getattr(a, "shape", ()) for a in arguments])
         if key not in kept:
             kept.clear()
             kept[key] = np.asarray(kernel(*arguments))
