@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 2b6d56ca2270.
+Elementary functions: `elementary` 8db31d8544f3.
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`; edits are overwritten.

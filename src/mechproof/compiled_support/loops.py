@@ -12,9 +12,9 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numba import typeof
 from numpy.typing import NDArray
 
+from mechproof.compiled_support.machine import typeof
 from mechproof.kernel_support.arrays import PLAIN, as_floats, as_numpy, check_components
 from mechproof.kernel_support.blocks import WRITTEN, check_out
 

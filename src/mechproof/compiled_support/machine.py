@@ -11,7 +11,7 @@ from typing import Any
 
 try:
     from llvmlite import ir
-    from numba import njit, types
+    from numba import njit, typeof, types
     from numba.extending import intrinsic, overload
 except ImportError as error:
     raise ImportError(
@@ -24,7 +24,7 @@ BLOCK = 1024
 _REAL = types.float64
 __all__ = [
     "BLOCK", "choose", "copysign", "floor", "fma", "has_nan", "inner", "is_finite", "loop",
-    "maximum", "overload", "power_of_two", "rint", "scalar", "stand_in", "widen",
+    "maximum", "overload", "power_of_two", "rint", "scalar", "stand_in", "typeof", "widen",
 ]  # fmt: skip
 
 scalar = njit(error_model="numpy", nogil=True, cache=True, forceinline=True)
