@@ -33,17 +33,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import (
-    as_floats,
-    holds,
-    is_finite,
-    is_positive,
-    nan_outside,
-    square,
-)
+from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernel_support.blocks import in_blocks
+from mechproof.kernel_support.domains import holds, is_finite, is_positive, nan_outside
 from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent
 from mechproof.kernel_support.facts import Condition, Sizes
+from mechproof.kernel_support.functions import square
 from mechproof.kernel_support.polynomials import small_arctan, tangent_quotient
 
 __all__ = [

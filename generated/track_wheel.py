@@ -60,24 +60,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import (
-    add_up,
-    as_floats,
-    check_components,
-    choose_where,
+from mechproof.kernel_support.arrays import as_floats, check_components, split_components, sum_axes
+from mechproof.kernel_support.blocks import in_blocks, quietly, store, transform
+from mechproof.kernel_support.domains import (
     every,
-    floor,
     is_finite,
     is_nonnegative,
     is_positive,
     nan_outside,
-    nonnegative_form,
-    split_components,
-    square,
-    sum_axes,
 )
-from mechproof.kernel_support.blocks import in_blocks, quietly, store, transform
 from mechproof.kernel_support.facts import Condition, Sizes
+from mechproof.kernel_support.functions import add_up, choose_where, floor, nonnegative_form, square
 
 __all__ = [
     "displacement",

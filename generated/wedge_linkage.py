@@ -52,17 +52,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import (
-    as_floats,
-    choose_where,
-    is_finite,
-    is_positive,
-    maximum,
-    nan_outside,
-    square,
-)
+from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernel_support.blocks import in_blocks
+from mechproof.kernel_support.domains import is_finite, is_positive, nan_outside
 from mechproof.kernel_support.facts import Condition, Sizes
+from mechproof.kernel_support.functions import choose_where, maximum, square
 
 __all__ = [
     "clearance",

@@ -25,8 +25,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, floor, is_positive, nan_outside, square
+from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernel_support.blocks import in_blocks
+from mechproof.kernel_support.domains import is_positive, nan_outside
+from mechproof.kernel_support.functions import floor, square
 
 __all__ = [
     "acceleration_cylindrical_direct",

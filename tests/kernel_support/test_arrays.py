@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mechproof.kernel_support import arrays
+from mechproof.kernel_support import arrays, domains, functions
 
 
 @pytest.mark.parametrize("kind", [float, np.float64])
@@ -18,18 +18,18 @@ def test_functions_of_numbers_are_those_of_arrays(kind: Any) -> None:
     values = (-np.inf, -2.5, -1.0, -0.0, 0.0, 1.0, 2.5, np.inf, np.nan)
     edges = (-5e-324, 5e-324, 1 - 2**-53, -1 - 2**-52, 2.0**52 - 0.5, 0.5 - 2.0**52, 1e300, -1e300)
     for a in map(kind, (*values, *edges)):
-        assert np.array_equal(arrays.floor(a), np.floor(a), equal_nan=True)
-        assert np.signbit(arrays.floor(a)) == np.signbit(np.floor(a)) or np.isnan(a)
+        assert np.array_equal(functions.floor(a), np.floor(a), equal_nan=True)
+        assert np.signbit(functions.floor(a)) == np.signbit(np.floor(a)) or np.isnan(a)
     for a in map(kind, values):
         for b in map(kind, values):
-            given, expected = arrays.maximum(a, b), np.maximum(a, b)
+            given, expected = functions.maximum(a, b), np.maximum(a, b)
             assert np.array_equal(given, expected, equal_nan=True)
             assert np.signbit(given) == np.signbit(expected) or np.isnan(expected)
-            given, expected = arrays.choose_where(a < b, a, b), np.where(a < b, a, b)
+            given, expected = functions.choose_where(a < b, a, b), np.where(a < b, a, b)
             assert np.array_equal(given, expected, equal_nan=True)
 
 
-LOWER_ENDS = {arrays.is_positive: np.greater, arrays.is_nonnegative: np.greater_equal}
+LOWER_ENDS = {domains.is_positive: np.greater, domains.is_nonnegative: np.greater_equal}
 EDGES = (5e-324, 0.0, -0.0, -5e-324, 3e38, np.inf, -np.inf, np.nan)
 
 
@@ -52,7 +52,7 @@ def test_signs_are_those_of_all_numbers(
 
 
 def check(a: Any, b: Any) -> tuple[Any, ...]:
-    return arrays.is_positive(a), b >= 0.0, b < a
+    return domains.is_positive(a), b >= 0.0, b < a
 
 
 SHAPES: tuple[tuple[int, ...], ...] = ((), (1,), (1, 1), (2,), (2, 1))
@@ -70,7 +70,7 @@ def test_outside_a_domain_all_is_nan(
     if other:
         b[-1] = edge
     inside = (np.asarray(b) >= 0.0) & (np.asarray(b) < a)
-    found = arrays.nan_outside(check, a, b)
+    found = domains.nan_outside(check, a, b)
     assert np.array_equal(np.isnan(found[0] + found[1]), ~inside)
     if inside.all():
         assert found[0] is a
@@ -80,10 +80,10 @@ def test_outside_a_domain_all_is_nan(
 def test_every_condition_is_asked() -> None:
     for shape, axis in (((3,), -1), ((2, 3), -1), ((3, 3), (-2, -1)), ((2, 3, 3), (-2, -1))):
         condition = np.ones(shape, bool)
-        assert arrays.every(condition, axis) is True
+        assert domains.every(condition, axis) is True
         condition[(-1,) * len(shape)] = False
-        assert np.array_equal(arrays.every(condition, axis), np.all(condition, axis=axis))
-    assert arrays.every(np.ones(0, bool), -1)
+        assert np.array_equal(domains.every(condition, axis), np.all(condition, axis=axis))
+    assert domains.every(np.ones(0, bool), -1)
 
 
 @pytest.mark.parametrize(
@@ -120,7 +120,7 @@ def test_quadratic_forms_are_sums_of_pairs(
 ) -> None:
     rng = np.random.default_rng(6)
     x, m = rng.normal(size=vectors).astype(dtype), rng.normal(size=matrices).astype(dtype)
-    found = arrays.quadratic_form(x, m)
+    found = functions.quadratic_form(x, m)
     size = (abs(x)[..., :, np.newaxis] * abs(x)[..., np.newaxis, :] * abs(m)).sum(axis=(-2, -1))
     wanted = (x[..., :, np.newaxis] * x[..., np.newaxis, :] * m.astype(float)).sum(axis=(-2, -1))
     assert (np.shape(found), found.dtype) == (wanted.shape, dtype)
@@ -136,11 +136,11 @@ def test_a_form_that_makes_none_negative_gives_none(count: int) -> None:
     matrix = part @ part.T
     beyond = np.linalg.svd(matrix)[2][-1]
     x = beyond + 1e-9 * rng.normal(size=(50, count)) * np.linspace(0, 1, 50)[:, np.newaxis]
-    assert not np.signbit(arrays.nonnegative_form(x, matrix)).any()
+    assert not np.signbit(functions.nonnegative_form(x, matrix)).any()
     below = matrix - 1e-9 * np.abs(matrix).max() * np.eye(count)
-    assert arrays.nonnegative_form(beyond, below) < 0
+    assert functions.nonnegative_form(beyond, below) < 0
     masked = np.ma.masked_array(x, np.arange(50)[:, np.newaxis] % 2 * np.ones(count))
-    assert arrays.nonnegative_form(masked, matrix).mask.tolist() == [False, True] * 25
+    assert functions.nonnegative_form(masked, matrix).mask.tolist() == [False, True] * 25
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
@@ -148,7 +148,7 @@ def test_a_form_keeps_its_type_beside_nan_and_negative_ones(dtype: Any) -> None:
     matrix = np.array([[1, -2], [-2, 1]], dtype)
     vectors = np.array([[1, 1], [np.nan, 1], [1, -1]], dtype)
     for rows in (vectors, vectors[1:], vectors[2:], vectors[:0]):
-        found = arrays.nonnegative_form(rows, matrix)
+        found = functions.nonnegative_form(rows, matrix)
         assert found.dtype == dtype
         np.testing.assert_array_equal(found, [-2, np.nan, 6][3 - len(rows) :])
 
@@ -156,14 +156,14 @@ def test_a_form_keeps_its_type_beside_nan_and_negative_ones(dtype: Any) -> None:
 def test_squares_of_numbers_round_as_those_of_arrays() -> None:
     """Python's x**2 is pow(x, 2), which rounds one of 1200 another way."""
     values = np.random.default_rng(3).uniform(1, 2, 20_000)
-    assert [arrays.square(x) for x in values.tolist()] == arrays.square(values).tolist()
+    assert [functions.square(x) for x in values.tolist()] == functions.square(values).tolist()
 
 
 def test_sums_of_foreign_arrays_keep_what_they_are() -> None:
     x = np.ma.masked_array([[1.0, 2.0], [3.0, 4.0]], mask=[[True, True], [False, False]])
-    for found in (arrays.quadratic_form(x, np.eye(2)), arrays.add_up(x**2, axis=-1)):
+    for found in (functions.quadratic_form(x, np.eye(2)), functions.add_up(x**2, axis=-1)):
         assert found.mask.tolist() == [True, False]
         assert found[1] == 25.0
     given = np.asfortranarray(np.arange(6.0).reshape(2, 3))
-    assert np.array_equal(arrays.add_up(given, axis=-1), np.sum(given, axis=-1))
-    assert arrays.add_up(given, axis=(-2, -1)) == 15.0
+    assert np.array_equal(functions.add_up(given, axis=-1), np.sum(given, axis=-1))
+    assert functions.add_up(given, axis=(-2, -1)) == 15.0

@@ -1,4 +1,4 @@
-"""What generated kernels call: arrays in blocks, error-free transformations, fast quotients, facts.
+"""What generated kernels call: arrays in blocks, domains, functions, error-free transformations.
 
 Plain code that generated modules and the runtime import, and the order of doubles, which the
 laboratory shares with the mechanisms; it imports NumPy alone.

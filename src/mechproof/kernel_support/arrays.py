@@ -1,22 +1,17 @@
-"""Arguments of kernels as numbers and arrays of one float type, and conditions on them."""
+"""Arguments of kernels as numbers and arrays of one float type."""
 
 from __future__ import annotations
 
 import reprlib
-from collections.abc import Callable
-from fractions import Fraction
-from math import inf, nan
+from math import nan
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 SCALARS = frozenset({float, np.float64, np.float32})
-NUMBERS = frozenset({float, np.float64})
 # Numbers that are doubles or become one as NumPy's do.
 EXACT = frozenset({float, np.float64, np.int64})
-# Types whose finiteness is told by a comparison.
-COMPARED = SCALARS | {Fraction}
 # Types that Python's arithmetic and NumPy's agree on; all others keep their own.
 PLAIN = SCALARS | {np.ndarray}
 BOOLS = frozenset({bool, np.bool})
@@ -103,6 +98,25 @@ def _name_last(count: int) -> str:
 def as_numpy(value: Any) -> Any:
     """Return a Python number as NumPy's, and all else as it is."""
     return np.float64(value) if type(value) is float else value
+
+
+def as_numbers(values: tuple[Any, ...]) -> tuple[float, ...] | None:
+    """Return Python's numbers for doubles and for arrays of one; None if there is anything else.
+
+    What is computed of numbers takes a fifth of what arrays of one element take.
+    """
+    for value in values:
+        if type(value) is not float:
+            break
+    else:
+        return values
+    for value in values:
+        kind = type(value)
+        if kind is not float and not (
+            kind is np.ndarray and value.size == 1 and value.dtype is DOUBLE
+        ):
+            return None
+    return tuple([value if type(value) is float else value.item() for value in values])
 
 
 def _convert(names: list[str], values: tuple[Any, ...]) -> tuple[Any, ...]:
@@ -245,167 +259,3 @@ def _spread_mask(array: NDArray[Any], axes: int) -> NDArray[Any]:
         return array
     mask = np.ma.getmaskarray(array).any(axis=tuple(range(-axes, 0)), keepdims=True)
     return np.ma.masked_array(array, np.broadcast_to(mask, array.shape))
-
-
-def is_finite(value: Any) -> Any:
-    """Return np.isfinite(value), which costs for a scalar as a short loop, or of a fraction."""
-    return abs(value) < inf if type(value) in COMPARED else np.isfinite(value)
-
-
-def is_positive(value: Any) -> Any:
-    """Return whether 0 < value < oo, of a plain array True if it holds of all its numbers."""
-    if type(value) is float:
-        return 0.0 < value < inf
-    smallest, largest = _find_extremes(value)
-    return (smallest > 0.0 and largest < inf) or (value > 0.0) & is_finite(value)
-
-
-def is_nonnegative(value: Any) -> Any:
-    """Return whether 0 <= value < oo, of a plain array True if it holds of all its numbers."""
-    if type(value) is float:
-        return 0.0 <= value < inf
-    smallest, largest = _find_extremes(value)
-    return (smallest >= 0.0 and largest < inf) or (value >= 0.0) & is_finite(value)
-
-
-def _find_extremes(array: Any) -> tuple[float, float]:
-    """Return the smallest and the largest number; NaN if one is, and of what is no plain array.
-
-    Found by their places they take a third of what min and max take, and half of comparisons.
-    """
-    if type(array) is not np.ndarray or not array.size:
-        return nan, nan
-    return array.item(array.argmin()), array.item(array.argmax())
-
-
-def nan_outside(
-    check: Callable[..., tuple[Any, ...]], *values: Any, terms: tuple[Any, ...] = ()
-) -> tuple[NDArray[Any], ...]:
-    """Return the values where all conditions of check(*values, *terms) hold, NaN elsewhere.
-
-    Where all hold they come back as they are. Arrays of one number are asked as that number.
-    """
-    numbers = as_numbers(values)
-    if numbers is not None and not terms:
-        return values if all(check(*numbers)) else tuple([value * nan for value in values])
-    inside: Any = True
-    for condition in check(*values, *terms):
-        # What holds everywhere is left out, so that few arrays are put together, most often none.
-        if condition is not True and not holds(condition):
-            inside = condition if inside is True else inside & condition
-    if inside is True:
-        return values
-    if type(inside) in BOOLS:
-        return tuple([value * nan for value in values])
-    if type(inside) is np.ndarray and PLAIN.issuperset(map(type, values)):
-        # Unmasked they keep their own shapes, and so does what is computed of them.
-        return tuple([np.where(inside, value, nan) for value in values])
-    # A product keeps the mask, the laziness or the unit, which np.where would drop.
-    factor = np.where(inside, 1.0, np.nan)
-    return tuple([value * factor for value in values])
-
-
-def as_numbers(values: tuple[Any, ...]) -> tuple[float, ...] | None:
-    """Return Python's numbers for doubles and for arrays of one; None if there is anything else.
-
-    What is computed of numbers takes a fifth of what arrays of one element take.
-    """
-    for value in values:
-        if type(value) is not float:
-            break
-    else:
-        return values
-    for value in values:
-        kind = type(value)
-        if kind is not float and not (
-            kind is np.ndarray and value.size == 1 and value.dtype is DOUBLE
-        ):
-            return None
-    return tuple([value if type(value) is float else value.item() for value in values])
-
-
-def every(condition: Any, axis: Any) -> Any:
-    """Return np.all(condition, axis), True without a reduction where it is true everywhere.
-
-    What is masked counts as true: where it is, so is the result.
-    """
-    if condition is True or holds(condition):
-        return True
-    plain = condition.filled(True) if isinstance(condition, np.ma.MaskedArray) else condition
-    return np.all(plain, axis=axis)
-
-
-def add_up(terms: Any, axis: Any) -> Any:
-    """Return np.sum(terms, axis), of a plain array without NumPy's search for other ways."""
-    if type(terms) is np.ndarray:
-        return np.add.reduce(terms, axis)
-    return np.sum(terms, axis=axis)
-
-
-def quadratic_form(vector: Any, matrix: Any) -> Any:
-    """Return the sum of x[i]*x[j]*M[i, j], x on the last axis and M on the last two."""
-    plain = type(vector) is type(matrix) is np.ndarray
-    if not plain or vector.shape[-1] != matrix.shape[-1]:
-        pairs = vector[..., :, np.newaxis] * vector[..., np.newaxis, :]
-        return np.sum(pairs * matrix, axis=(-2, -1))
-    if vector.ndim == 1 and matrix.ndim == 2:
-        return vector.dot(matrix).dot(vector)
-    if matrix.ndim == 2:
-        return np.add.reduce(np.matmul(vector, matrix) * vector, -1)
-    rows = np.matmul(vector[..., np.newaxis, :], matrix)[..., 0, :]
-    return np.add.reduce(rows * vector, -1)
-
-
-def nonnegative_form(vector: Any, matrix: Any) -> Any:
-    """Return the quadratic form of a matrix that makes none negative, 0 where rounding made one so.
-
-    Farther below 0 than n terms of two sums and their factors can be rounded it stays negative.
-    """
-    found = quadratic_form(vector, matrix)
-    if type(found) in PLAIN and (_find_extremes(found)[0] >= 0.0 or not np.any(found < 0.0)):
-        return found
-    eps = np.finfo(found.dtype).eps
-    rounding = (matrix.shape[-1] + 4) * eps * quadratic_form(abs(vector), abs(matrix))
-    # A product keeps the mask or the unit; that of two negative numbers is no negative zero.
-    factor = np.where(found < 0.0, np.where(found >= -rounding, -0.0, 1.0), 1.0)
-    return found * factor.astype(found.dtype, copy=False)
-
-
-def square(a: Any) -> Any:
-    """Return a*a: of numbers a**2 calls pow, which may round another way."""
-    return a * a
-
-
-def floor(a: Any) -> Any:
-    """Return np.floor(a), of Python's numbers one of them."""
-    if type(a) is not float:
-        return np.floor(a)
-    return a // 1.0 if -inf < a < inf else a
-
-
-def maximum(a: Any, b: Any) -> Any:
-    """Return np.maximum(a, b), of two numbers without a call of it."""
-    if type(a) in NUMBERS and type(b) in NUMBERS:
-        if a > b:
-            return a
-        if a < b:
-            return b
-    return np.maximum(a, b)
-
-
-def choose_where(condition: Any, value: Any, otherwise: Any) -> Any:
-    """Return np.where(condition, value, otherwise), masked if one of them is."""
-    if type(condition) in BOOLS and SCALARS.issuperset((type(value), type(otherwise))):
-        return value if condition else otherwise
-    if type(condition) is type(value) is type(otherwise) is np.ndarray:
-        return np.where(condition, value, otherwise)
-    masked = any(isinstance(a, np.ma.MaskedArray) for a in (condition, value, otherwise))
-    return (np.ma.where if masked else np.where)(condition, value, otherwise)
-
-
-def holds(condition: Any) -> bool:
-    """Say whether a condition is true of every element; those of a lazy array stay unread."""
-    if type(condition) is np.ndarray:
-        # Of a short array this costs a fifth of condition.all().
-        return bool(np.count_nonzero(condition) == condition.size)
-    return type(condition) in BOOLS and bool(condition)

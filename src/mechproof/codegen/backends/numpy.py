@@ -36,26 +36,16 @@ LINE_LENGTH = 100
 REGENERATED = "Regenerate with `mechproof regenerate`; edits are overwritten."
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
-        "arrays": (
-            "add_up",
-            "as_floats",
-            "check_components",
-            "choose_where",
+        "arrays": ("as_floats", "check_components", "split_components", "sum_axes"),
+        "blocks": ("in_blocks", "quietly", "store", "transform"),
+        "domains": (
             "every",
-            "floor",
             "holds",
             "is_finite",
             "is_nonnegative",
             "is_positive",
-            "maximum",
             "nan_outside",
-            "nonnegative_form",
-            "quadratic_form",
-            "split_components",
-            "square",
-            "sum_axes",
         ),
-        "blocks": ("in_blocks", "quietly", "store", "transform"),
         "error_free": (
             "product_rest",
             "quotient_rest",
@@ -65,6 +55,15 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "whole_turns_off",
         ),
         "facts": ("Condition", "Sizes"),
+        "functions": (
+            "add_up",
+            "choose_where",
+            "floor",
+            "maximum",
+            "nonnegative_form",
+            "quadratic_form",
+            "square",
+        ),
         "polynomials": ("small_arctan", "tangent_quotient"),
     }
 )

@@ -1,0 +1,93 @@
+"""Domains of kernels: conditions on numbers and arrays, and NaN where one does not hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from math import inf, nan
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechproof.kernel_support.arrays import BOOLS, PLAIN, SCALARS, as_numbers
+
+# Types whose finiteness is told by a comparison.
+COMPARED = SCALARS | {Fraction}
+
+
+def is_finite(value: Any) -> Any:
+    """Return np.isfinite(value), which costs for a scalar as a short loop, or of a fraction."""
+    return abs(value) < inf if type(value) in COMPARED else np.isfinite(value)
+
+
+def is_positive(value: Any) -> Any:
+    """Return whether 0 < value < oo, of a plain array True if it holds of all its numbers."""
+    if type(value) is float:
+        return 0.0 < value < inf
+    smallest, largest = find_extremes(value)
+    return (smallest > 0.0 and largest < inf) or (value > 0.0) & is_finite(value)
+
+
+def is_nonnegative(value: Any) -> Any:
+    """Return whether 0 <= value < oo, of a plain array True if it holds of all its numbers."""
+    if type(value) is float:
+        return 0.0 <= value < inf
+    smallest, largest = find_extremes(value)
+    return (smallest >= 0.0 and largest < inf) or (value >= 0.0) & is_finite(value)
+
+
+def find_extremes(array: Any) -> tuple[float, float]:
+    """Return the smallest and the largest number; NaN if one is, and of what is no plain array.
+
+    Found by their places they take a third of what min and max take, and half of comparisons.
+    """
+    if type(array) is not np.ndarray or not array.size:
+        return nan, nan
+    return array.item(array.argmin()), array.item(array.argmax())
+
+
+def nan_outside(
+    check: Callable[..., tuple[Any, ...]], *values: Any, terms: tuple[Any, ...] = ()
+) -> tuple[NDArray[Any], ...]:
+    """Return the values where all conditions of check(*values, *terms) hold, NaN elsewhere.
+
+    Where all hold they come back as they are. Arrays of one number are asked as that number.
+    """
+    numbers = as_numbers(values)
+    if numbers is not None and not terms:
+        return values if all(check(*numbers)) else tuple([value * nan for value in values])
+    inside: Any = True
+    for condition in check(*values, *terms):
+        # What holds everywhere is left out, so that few arrays are put together, most often none.
+        if condition is not True and not holds(condition):
+            inside = condition if inside is True else inside & condition
+    if inside is True:
+        return values
+    if type(inside) in BOOLS:
+        return tuple([value * nan for value in values])
+    if type(inside) is np.ndarray and PLAIN.issuperset(map(type, values)):
+        # Unmasked they keep their own shapes, and so does what is computed of them.
+        return tuple([np.where(inside, value, nan) for value in values])
+    # A product keeps the mask, the laziness or the unit, which np.where would drop.
+    factor = np.where(inside, 1.0, np.nan)
+    return tuple([value * factor for value in values])
+
+
+def every(condition: Any, axis: Any) -> Any:
+    """Return np.all(condition, axis), True without a reduction where it is true everywhere.
+
+    What is masked counts as true: where it is, so is the result.
+    """
+    if condition is True or holds(condition):
+        return True
+    plain = condition.filled(True) if isinstance(condition, np.ma.MaskedArray) else condition
+    return np.all(plain, axis=axis)
+
+
+def holds(condition: Any) -> bool:
+    """Say whether a condition is true of every element; those of a lazy array stay unread."""
+    if type(condition) is np.ndarray:
+        # Of a short array this costs a fifth of condition.all().
+        return bool(np.count_nonzero(condition) == condition.size)
+    return type(condition) in BOOLS and bool(condition)

@@ -1,0 +1,81 @@
+"""Functions in formulas: NumPy's with the same values for Python's numbers, and sums of arrays."""
+
+from __future__ import annotations
+
+from math import inf
+from typing import Any
+
+import numpy as np
+
+from mechproof.kernel_support.arrays import BOOLS, PLAIN, SCALARS
+from mechproof.kernel_support.domains import find_extremes
+
+NUMBERS = frozenset({float, np.float64})
+
+
+def add_up(terms: Any, axis: Any) -> Any:
+    """Return np.sum(terms, axis), of a plain array without NumPy's search for other ways."""
+    if type(terms) is np.ndarray:
+        return np.add.reduce(terms, axis)
+    return np.sum(terms, axis=axis)
+
+
+def quadratic_form(vector: Any, matrix: Any) -> Any:
+    """Return the sum of x[i]*x[j]*M[i, j], x on the last axis and M on the last two."""
+    plain = type(vector) is type(matrix) is np.ndarray
+    if not plain or vector.shape[-1] != matrix.shape[-1]:
+        pairs = vector[..., :, np.newaxis] * vector[..., np.newaxis, :]
+        return np.sum(pairs * matrix, axis=(-2, -1))
+    if vector.ndim == 1 and matrix.ndim == 2:
+        return vector.dot(matrix).dot(vector)
+    if matrix.ndim == 2:
+        return np.add.reduce(np.matmul(vector, matrix) * vector, -1)
+    rows = np.matmul(vector[..., np.newaxis, :], matrix)[..., 0, :]
+    return np.add.reduce(rows * vector, -1)
+
+
+def nonnegative_form(vector: Any, matrix: Any) -> Any:
+    """Return the quadratic form of a matrix that makes none negative, 0 where rounding made one so.
+
+    Farther below 0 than n terms of two sums and their factors can be rounded it stays negative.
+    """
+    found = quadratic_form(vector, matrix)
+    if type(found) in PLAIN and (find_extremes(found)[0] >= 0.0 or not np.any(found < 0.0)):
+        return found
+    eps = np.finfo(found.dtype).eps
+    rounding = (matrix.shape[-1] + 4) * eps * quadratic_form(abs(vector), abs(matrix))
+    # A product keeps the mask or the unit; that of two negative numbers is no negative zero.
+    factor = np.where(found < 0.0, np.where(found >= -rounding, -0.0, 1.0), 1.0)
+    return found * factor.astype(found.dtype, copy=False)
+
+
+def square(a: Any) -> Any:
+    """Return a*a: of numbers a**2 calls pow, which may round another way."""
+    return a * a
+
+
+def floor(a: Any) -> Any:
+    """Return np.floor(a), of Python's numbers one of them."""
+    if type(a) is not float:
+        return np.floor(a)
+    return a // 1.0 if -inf < a < inf else a
+
+
+def maximum(a: Any, b: Any) -> Any:
+    """Return np.maximum(a, b), of two numbers without a call of it."""
+    if type(a) in NUMBERS and type(b) in NUMBERS:
+        if a > b:
+            return a
+        if a < b:
+            return b
+    return np.maximum(a, b)
+
+
+def choose_where(condition: Any, value: Any, otherwise: Any) -> Any:
+    """Return np.where(condition, value, otherwise), masked if one of them is."""
+    if type(condition) in BOOLS and SCALARS.issuperset((type(value), type(otherwise))):
+        return value if condition else otherwise
+    if type(condition) is type(value) is type(otherwise) is np.ndarray:
+        return np.where(condition, value, otherwise)
+    masked = any(isinstance(a, np.ma.MaskedArray) for a in (condition, value, otherwise))
+    return (np.ma.where if masked else np.where)(condition, value, otherwise)
