@@ -199,6 +199,7 @@ TABLE_CLAIMS = (
             ),
         ),
         note="The readings are not printed, so neither the mean errors nor u can be recomputed.",
+        marks=("inferred",),
     ),
     Claim(
         "table 3, scatter of single readings",

@@ -36,7 +36,8 @@ EQUATION_7 = Equation(
     "(7)",
     r"BD=\rho_6-\rho_5",
     derived=PLACES,
-    note="From D to B, as the order is legible: the output's side counts against the carrier.",
+    note="From D to B, in the order that is legible in (10): the output's side counts against the "
+    "carrier.",
     marks=("rebuilt", "inferred"),
 )
 EQUATION_10 = Equation(

@@ -89,7 +89,7 @@ ALGORITHM_ROWS = (
                 ),
             ),
         ),
-        note="Neither is printed.",
+        note="No law is legible, and no value of the expectation is printed.",
     ),
     Equation(
         "step 2",

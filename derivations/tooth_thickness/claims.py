@@ -67,6 +67,7 @@ CLAIM_ROWS = (
             ),
         ),
         note="The curves are lost, and the multiple of the limit error is not printed.",
+        marks=("inferred",),
     ),
     Claim(
         "(a), rise with the limit error",

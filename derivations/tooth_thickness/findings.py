@@ -116,8 +116,8 @@ FINDINGS = (
     ),
     Finding(
         "(b)",
-        "That the gauge matters more than the tip diameter holds from a limit error of 5 to 7 µm "
-        "on; for the gauge that (c) recommends it is the other way round.",
+        "That the gauge matters more than a tip diameter of IT6 holds from a limit error of 5 to "
+        "7 µm on; for the gauge that (c) recommends it is the other way round.",
         costs=(
             Cost(
                 f"spread of the thickness, gauge of ±{RECOMMENDED_UM} µm (3 sigma), tip of IT6",

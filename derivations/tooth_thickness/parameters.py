@@ -47,6 +47,7 @@ PARAMETER_ROWS = (
         ),
         note="No formula has the degree; it can act through T_c alone, printed for degree 6 only. "
         "Perfect gauge, tip of IT6, normal laws, centred.",
+        marks=("inferred",),
     ),
     Claim(
         "controlled parameters, expectation of the thickness",

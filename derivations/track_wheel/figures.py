@@ -133,7 +133,7 @@ FIGURE_ROWS: tuple[Row, ...] = (
     ),
     Claim(
         "Fig. 4, errors against the form error",
-        r"\text{the errors of shift and turns depend on }\Delta_\phi",
+        r"\text{the errors depend on }\Delta_\phi\text{; curve 1: shift only}",
         Completions(
             "how the errors of (6) make a, b, c",
             Completion(
@@ -149,6 +149,7 @@ FIGURE_ROWS: tuple[Row, ...] = (
         ),
         note="(6) adds the errors up to one scatter field; how they make the shift a, b, c and the "
         "turns of (15) is not printed. Stated by the square of (17), without turns.",
+        marks=("inferred",),
     ),
     Claim(
         "Fig. 4, growth with the form error",

@@ -60,7 +60,7 @@ DATA_ROWS: tuple[Row, ...] = (
                 r"\Delta_u=0.01~\mathrm{mm}",
                 setting,
                 millimetre,
-                "The symbol printed here is hard to read and is the one used for the wear in the "
+                "The symbol may be misread: as transcribed it is the one used for the wear in the "
                 "next line; the words say machine setting, so Delta_n of (6) is taken.",
                 ("uncertain",),
             ),

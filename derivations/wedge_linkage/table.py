@@ -62,7 +62,7 @@ SIZE_ROWS = (
             ),
         ),
         note="The curve of Fig. 4 cannot have been computed with the legible digits.",
-        marks=("uncertain", "calibrated"),
+        marks=("uncertain", "inferred", "calibrated"),
     ),
     Claim(
         "sizes, end of the legible ones",

@@ -240,7 +240,8 @@ RANGE_ROWS = (
     ),
     Claim(
         "more links, larger effect",
-        r"\text{the accumulating effect is the larger, the more links the chain has}",
+        r"\text{the accumulating, multiplicative effect is the larger, "
+        r"the more links the chain has}",
         less(error, stage_ratio * error + own_error),
         holds_on=Part(
             "a further stage with a ratio above 1", {stage_ratio: sp.Interval.open(1, sp.oo)}
