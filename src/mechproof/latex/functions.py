@@ -40,6 +40,8 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     sp.cosh: ("ch", "cosh"),
     sp.tanh: ("th", "tanh"),
     sp.coth: ("cth", "coth"),
+    sp.sech: ("sech",),
+    sp.csch: ("csch", "cosech"),
     sp.asinh: ("arsh", "asinh", "arsinh", "Arsh", "Arsinh"),
     sp.acosh: ("arch", "acosh", "arcosh", "Arch", "Arcosh"),
     sp.atanh: ("arth", "atanh", "artanh", "Arth", "Artanh"),

@@ -19,7 +19,8 @@ from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_workable
 from mechproof.proof.sums import canonicalise
 
 _HALF = sp.Rational(1, 2)
-_EXPONENTIALS = (sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.coth)
+_ANGULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
+_EXPONENTIALS = (sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch)
 
 
 class Field:
@@ -64,7 +65,7 @@ class Field:
         return next((name for used, name in kinds if used), "rational field")
 
     def _collect_angles(self, expression: sp.Basic) -> None:
-        for node in expression.atoms(sp.sin, sp.cos, sp.tan, sp.cot, *_EXPONENTIALS):
+        for node in expression.atoms(*_ANGULAR, *_EXPONENTIALS):
             for monomial, factor in _linear_terms(node.args[0]):
                 known = self._denominators.get(monomial, 1)
                 self._denominators[monomial] = lcm(known, int(factor.q))
@@ -80,7 +81,7 @@ class Field:
             return self._translate_root(node.base) ** node.exp.p
         if isinstance(node, sp.Abs):
             return self._translate_root(node.args[0] ** 2)
-        if isinstance(node, sp.sin | sp.cos | sp.tan | sp.cot):
+        if isinstance(node, _ANGULAR):
             return self._translate_angle(node)
         if self.has_powers and isinstance(node, (*_EXPONENTIALS, type(sp.E))):
             return self._translate_exponential(node)
@@ -104,6 +105,8 @@ class Field:
             sp.sin: lambda: sine,
             sp.tan: lambda: sine / cosine,
             sp.cot: lambda: cosine / sine,
+            sp.sec: lambda: 1 / cosine,
+            sp.csc: lambda: 1 / sine,
         }
         return quotients[node.func]()
 
@@ -118,7 +121,14 @@ class Field:
                 self._meaning[base] = sp.exp(monomial / denominator)
             power *= self._bases[monomial] ** (factor * denominator)
         even, odd = (power + 1 / power) / 2, (power - 1 / power) / 2
-        quotients = {sp.cosh: even, sp.sinh: odd, sp.tanh: odd / even, sp.coth: even / odd}
+        quotients = {
+            sp.cosh: even,
+            sp.sinh: odd,
+            sp.tanh: odd / even,
+            sp.coth: even / odd,
+            sp.sech: 1 / even,
+            sp.csch: 1 / odd,
+        }
         return quotients.get(node.func, power)
 
     def _multiple(self, monomial: sp.Expr, factor: sp.Rational) -> tuple[sp.Expr, sp.Expr]:

@@ -42,6 +42,8 @@ FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.cosh: lambda x: x.cosh(),
     sp.tanh: lambda x: x.tanh(),
     sp.coth: lambda x: x.coth(),
+    sp.sech: lambda x: x.sech(),
+    sp.csch: lambda x: x.csch(),
     sp.asinh: lambda x: x.asinh(),
     sp.acosh: lambda x: x.acosh(),
     sp.atanh: lambda x: x.atanh(),
@@ -74,7 +76,7 @@ COMPLEX: dict[type[sp.Basic], Callable[..., Ball]] = {
 
 ENTIRE = (
     *(sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.exp, sp.erf, sp.erfc),
-    *(sp.sinh, sp.cosh, sp.tanh, sp.coth),
+    *(sp.sinh, sp.cosh, sp.tanh, sp.coth, sp.sech, sp.csch),
 )
 
 
