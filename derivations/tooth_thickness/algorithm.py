@@ -58,6 +58,14 @@ def variance_of_wheel_mean(covariance: Expr) -> Expr:
     return Sum(covariance / z**2, (i, 1, z), (j, 1, z))
 
 
+# Counted towards the centre, and towards the tip.
+HALF_OF_THE_DEVIATION = Conjunction(
+    (
+        Equality(dh_gauge - e_tip / 2, height_deviation),
+        Equality(dh_gauge + e_tip / 2, height_towards_tip),
+    )
+)
+
 ALGORITHM_ROWS = (
     Claim(
         "step 1",
@@ -186,14 +194,14 @@ ALGORITHM_ROWS = (
         ),
         corrected=Correction(
             r"\Delta h=\Delta h_c\mp\tfrac12e_{dau}",
-            Equality(dh_gauge - e_tip / 2, height_deviation),
+            HALF_OF_THE_DEVIATION,
         ),
         note=(
             "The gauge stands on the tip circle, so half the deviation of the diameter "
             "counts, whichever way heights are counted, which is not printed: it fails with the "
             "plus that is shown, towards the tip, and with the minus, towards the centre. The "
-            "correction is proved with the minus; the next row has both. The charge rests on the "
-            "words 'tip diameter' of step 3, not on a subscript."
+            "correction is proved with both. The charge rests on the words 'tip diameter' of step "
+            "3, not on a subscript."
         ),
         marks=("rebuilt",),
     ),
@@ -201,12 +209,7 @@ ALGORITHM_ROWS = (
         "step 5, half the deviation",
         r"\Delta h=\Delta h_c-\tfrac12e_{dau}\text{ towards the centre, }"
         r"\Delta h_c+\tfrac12e_{dau}\text{ towards the tip}",
-        Conjunction(
-            (
-                Equality(dh_gauge - e_tip / 2, height_deviation),
-                Equality(dh_gauge + e_tip / 2, height_towards_tip),
-            )
-        ),
+        HALF_OF_THE_DEVIATION,
         marks=("ours",),
     ),
     Claim(

@@ -184,7 +184,12 @@ INFLUENCE_ROWS = (
         corrected=Correction(
             r"\Delta S_{ca}=K_m\,\Delta h-mz\left[t_c(1-\cos\varepsilon)+\sin\varepsilon"
             r"-\varepsilon\cos\varepsilon\right],\ t_c=\mathrm{tg}\,\alpha+\frac\pi{2z}",
-            Equality(K_m * height_change - m * z * across, thickness_change),
+            Conjunction(
+                (
+                    Equality(K_m * height_change - m * z * across, thickness_change),
+                    Equality(of_wheel(m * z * across), excess_in_print),
+                )
+            ),
         ),
         note=(
             "An approximation by its own words: judged to a hundredth of Delta h, for this wheel. "

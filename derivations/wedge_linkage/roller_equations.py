@@ -79,6 +79,7 @@ from .symbols import (
 )
 
 PUSHED = {x5_driven: driven.subs(overlap, x5 - l_GH)}
+IN_CONTACT = Equality(print_6_ox.subs(x5, x5 - l_GH), group_3[0].subs(x5_driven, x5 - l_GH))
 
 ROLLER_ROWS = (
     replace(
@@ -116,10 +117,10 @@ ROLLER_ROWS = (
     ),
     replace(
         EQUATION_6_OX,
-        residual=group_3[0].subs(x5_driven, x5 - l_GH),
+        residual=IN_CONTACT.rebuilt,
         corrected=Correction(
             r"l_{KL}\cos(\alpha_{KL}+\varphi_7)=l_{KL}\cos\alpha_{KL}-x_{5'}",
-            Equality(print_6_ox.subs(x5, x5_driven), group_3[0]),
+            IN_CONTACT,
         ),
         note="In contact, the link 5' lags behind the rod by the clearance. The print may have "
         "lost a prime. The one letter stands in (7), (8) and R, too, which are judged with the "
@@ -127,7 +128,7 @@ ROLLER_ROWS = (
         readings=(
             Reading(
                 "x5 is the displacement of the link 5' after the clearance",
-                Equality(print_6_ox.subs(x5, x5_driven), group_3[0]),
+                IN_CONTACT,
             ),
         ),
         marks=("inferred", "uncertain"),

@@ -182,7 +182,7 @@ RANGE_ROWS = (
                 "(8), (10)",
                 Conjunction(
                     tuple(
-                        Equality(sp.diff(printed, size), sp.S.Zero)
+                        Equality(printed, printed.subs(size, 2 * size))
                         for printed in (print_1, print_3, print_7, print_8, print_10)
                         for size in (l_EF, l_IK, l_MN)
                     )

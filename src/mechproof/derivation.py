@@ -20,6 +20,7 @@ from types import CodeType, ModuleType
 from typing import Literal
 
 from mechproof.latex import read_paper
+from mechproof.proof.dimensions import check_derived
 from mechproof.record import Paper
 
 PACKAGE = "mechproof.derivations"
@@ -108,6 +109,7 @@ def load_paper(location: Path) -> Paper:
             f"{module.__file__}: binds no mechproof.record.Paper to the name PAPER"
         )
     try:
+        check_derived(paper)
         return read_paper(paper)
     except ValueError as error:
         raise DerivationError(f"{module.__file__}: {error}") from error

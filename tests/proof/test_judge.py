@@ -10,8 +10,10 @@ from mechproof.record import (
     Claim,
     Completion,
     Completions,
+    Conjunction,
     Correction,
     Definition,
+    Distinct,
     Equality,
     Equation,
     Holds,
@@ -24,9 +26,10 @@ from mechproof.record import (
 
 x, y, undeclared = sp.symbols("x y undeclared", real=True)
 a = sp.Symbol("a", positive=True)
-TRUE, FALSE = Equality((x + 1) ** 2, x**2 + 2 * x + 1), Equality((x + 1) ** 2, x**2 + 1)
-OPEN = Equality(sp.erf(x) + sp.erfc(x), sp.S.One)
+TRUE, FALSE = Equality(x**2 + 2 * x + 1, (x + 1) ** 2), Equality(x**2 + 1, (x + 1) ** 2)
+OPEN = Equality((x + 1) ** 2 * (sp.erf(x) + sp.erfc(x)), (x + 1) ** 2)
 MIXED = Equality(a + a**2, a)
+LIKE = Equality(a * (sp.sin(x) ** 2 + sp.cos(x) ** 2), a)
 TURN = sp.atan(sp.tan(x))
 NEAR_ZERO = Part("|x| < 1", {x: sp.Interval.open(-1, 1)})
 FAR = Part("x > 0", {x: sp.Interval.open(0, sp.oo)})
@@ -52,10 +55,6 @@ CASES = {
     "refuted and corrected": (row(FALSE, corrected=corrected(TRUE)), Verdict.REFUTED),
     "corrected form wrong as well": (row(FALSE, corrected=corrected(FALSE)), Verdict.UNDECIDED),
     "corrected form open": (row(FALSE, corrected=corrected(OPEN)), Verdict.UNDECIDED),
-    "corrected form merely defined": (
-        row(FALSE, corrected=corrected(Definition(x, y))),
-        Verdict.UNDECIDED,
-    ),
     "another reading": (row(FALSE, readings=(Reading("other", TRUE),)), Verdict.CONVENTION),
     "another reading, wrong": (row(FALSE, readings=(Reading("other", FALSE),)), Verdict.REFUTED),
     "true as printed, reading unused": (
@@ -75,7 +74,23 @@ CASES = {
     ),
     "restricted row": (row(Equality(TURN, x), on=NEAR_ZERO), Verdict.PROVED),
     "inequality on a part": (row(Holds(x > 0), holds_on=FAR), Verdict.CONDITIONAL),
-    "mixed units": (row(MIXED, corrected=corrected(TRUE)), Verdict.ILL_FORMED),
+    "mixed units": (row(MIXED, corrected=corrected(LIKE)), Verdict.ILL_FORMED),
+    "another dimension": (
+        row(Equality(a**2, a), corrected=corrected(LIKE)),
+        Verdict.ILL_FORMED,
+    ),
+    "another dimension that is not mended": (
+        row(Equality(a**2, a), corrected=corrected(Equality(2 * a, a))),
+        Verdict.UNDECIDED,
+    ),
+    "another dimension in a part": (
+        row(Conjunction((TRUE, Equality(a**2, a))), corrected=corrected(LIKE)),
+        Verdict.ILL_FORMED,
+    ),
+    "another dimension of what differs": (
+        row(Distinct(a**2, a), corrected=corrected(Distinct(2 * a, a))),
+        Verdict.ILL_FORMED,
+    ),
     "unbound symbol": (row(Equality(x + undeclared, x)), Verdict.ILL_FORMED),
     "no differential": (row(Equality(IntegralWithoutDifferential(x), x)), Verdict.ILL_FORMED),
     "definition": (row(Definition(x, y)), Verdict.DEFINITION),

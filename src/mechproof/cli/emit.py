@@ -8,9 +8,11 @@ from typing import Annotated
 import typer
 
 from mechproof.cli.console import fail, refuse, say
+from mechproof.cli.judging import judge_papers, refuse_failures
 from mechproof.cli.places import DerivationsOption, find_locations, find_places, read_out
-from mechproof.derivation import DerivationError, find_systems, load_paper, packaged_directory
+from mechproof.derivation import find_systems, packaged_directory
 from mechproof.files import write_whole
+from mechproof.verification import LIMIT
 
 Sizes = dict[str, float | tuple[float, ...]]
 
@@ -50,7 +52,10 @@ def emit_c(
     elliptic_planetary.position --error 1e-9 --let R1=66 --let R2=16 --let e=0.475; the range of
     the running variable is --let phi1=0:10.
 
-    Exit status 0: written; 1: a derivation fails, or has no kernel for C; 2: bad usage.
+    Nothing is written unless every kernel is PROVED, as `mechproof verify` shows it.
+
+    Exit status 0: written; 1: a kernel is not PROVED, a derivation fails, or has no kernel for C;
+    2: bad usage.
     """
     from mechproof.codegen.backends.c99 import render_c
 
@@ -62,10 +67,13 @@ def emit_c(
         _emit_tailored(systems or [], error, _read_sizes(let or []), out)
         return
     _refuse_quantities(systems or [])
-    for location in find_locations(systems or (), find_places(derivations, None)):
+    locations = find_locations(systems or (), find_places(derivations, None))
+    ledgers = judge_papers(locations, use_cache=True, limit=LIMIT, only_kernels=True)
+    refuse_failures(ledgers)
+    for ledger in ledgers:
         try:
-            files = render_c(load_paper(location), single=float32)
-        except (DerivationError, ValueError, NotImplementedError) as error:
+            files = render_c(ledger.paper, single=float32)
+        except (ValueError, NotImplementedError) as error:
             if systems:
                 fail(str(error))
             say(f"left out: {error}")

@@ -231,6 +231,18 @@ def _refuse_other_condition(row: Row, chain: Chain, place: _Place) -> None:
         )
 
 
+def _refuse_other_quantity(row: Row, place: _Place, right: _Place) -> None:
+    """Refuse a correction of both members that keeps neither, or that what it keeps makes true."""
+    printed, corrected = (p.members(p.read.meaning()) for p in (place, right))
+    kept = [k for k in (0, 1) if printed[k] == corrected[k]]
+    if not kept:
+        raise ValueError(f"row {row.number!r}: its correction keeps no member of the print")
+    own, other = corrected[kept[0]], corrected[1 - kept[0]]
+    returns = own.is_Symbol and own in other.free_symbols - printed[1 - kept[0]].free_symbols
+    if own == other or returns:
+        raise ValueError(f"row {row.number!r}: its correction says of {own} what it is: {other}")
+
+
 def _read_correction(correction: Correction, row: Row, place: _Place) -> Correction:
     """Read a correction: of the right member, or of both."""
     if correction.says is not None:
@@ -240,6 +252,7 @@ def _read_correction(correction: Correction, row: Row, place: _Place) -> Correct
     _refuse_other_condition(row, chain, place)
     right = replace(place, read=read, chain=chain, left=max(len(chain.members) - 2, 0))
     if len(chain.members) > 1:
+        _refuse_other_quantity(row, place, right)
         return replace(correction, says=_state(row, right))
     (one, _), (one_derived, _) = (
         place.members(place.read.meaning(values)) for values in ({}, row.derived)

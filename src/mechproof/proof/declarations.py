@@ -34,15 +34,20 @@ LARGEST_EXPONENT = 10**5
 
 
 def check_statement(
-    statement: Statement, known: Dimensions, domain: Domain, printed: bool = True
+    statement: Statement,
+    known: Dimensions,
+    domain: Domain,
+    printed: bool = True,
+    mended: bool = False,
 ) -> None:
     """Raise `RecordError` for what no paper can be blamed for.
 
     `printed`: the print is among the sides; a correction, a reading or a completion is all ours.
+    `mended`: what should be printed is said, so that another dimension is the fault of the print.
     """
     if isinstance(statement, Conjunction | Completions):
         for part, is_printed in _parts(statement, printed):
-            check_statement(part, known, domain, is_printed)
+            check_statement(part, known, domain, is_printed, mended)
         return
     prints, ours = _sides(statement, printed)
     for name, side in prints + ours:
@@ -54,7 +59,7 @@ def check_statement(
         return
     for name, side in ours:
         _check_dimension(name, side, known)
-    if isinstance(statement, Equality | Distinct) and ours:
+    if isinstance(statement, Equality | Distinct) and ours and not (printed and mended):
         _check_likeness(prints + ours, known)
     if isinstance(statement, PrintedNumber) and domain.resolve(statement.value).free_symbols:
         raise RecordError(f"PrintedNumber {statement.printed}: {statement.value} is no number")
@@ -171,4 +176,7 @@ def _check_likeness(sides: list[Side], known: Dimensions) -> None:
         infer_common(tuple(side for _, side in sides), known)
     except DimensionError as error:
         names = " and ".join(name for name, _ in sides)
-        raise RecordError(f"{names} are of unlike dimension: {error}") from error
+        raise RecordError(
+            f"{names} are of unlike dimension: {error}; where the print is wrong, its correction "
+            "has to be given"
+        ) from error

@@ -15,7 +15,7 @@ import sympy as sp
 from sympy.logic.boolalg import Boolean
 from sympy.matrices.expressions.matexpr import MatrixElement
 
-from mechproof.record import ANGLE, NUMBER, Dimension, Paper, ValueWhere
+from mechproof.record import ANGLE, NUMBER, Dimension, Paper, RecordError, ValueWhere
 
 Dimensions = Mapping[sp.Basic, Dimension]
 _OF_ANGLES = (sp.atan, sp.asin, sp.acos, sp.acot, sp.atan2)
@@ -28,6 +28,23 @@ class DimensionError(ValueError):
 def dimensions_of(paper: Paper) -> Dimensions:
     """Return the dimension of every symbol of the paper."""
     return {variable.symbol: variable.dimension for variable in paper.variables}
+
+
+def check_derived(paper: Paper) -> None:
+    """Raise `RecordError` for a derived value that is not of the dimension of its symbol.
+
+    Of letters that are declared nowhere, which have to be gone in the end, no dimension is known.
+    """
+    known = dimensions_of(paper)
+    derived = [(row.number, row.derived) for row in paper.rows]
+    derived += [(row.number, sign.derived) for row in paper.rows for sign in row.signs.values()]
+    for number, values in derived:
+        for symbol, value in values.items():
+            try:
+                if value.free_symbols <= known.keys():
+                    infer_common((symbol, value), known)
+            except DimensionError as error:
+                raise RecordError(f"row {number!r}: derived: {error}") from error
 
 
 def is_angle(sides: tuple[sp.Basic, ...], known: Dimensions) -> bool:

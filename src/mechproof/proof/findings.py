@@ -17,7 +17,16 @@ import sympy as sp
 from mechproof.proof import balls
 from mechproof.proof.domain import Domain
 from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.record import Cost, Equality, Finding, Follower, Paper, PrintedNumber, Row
+from mechproof.record import (
+    Conjunction,
+    Cost,
+    Equality,
+    Finding,
+    Follower,
+    Paper,
+    PrintedNumber,
+    Row,
+)
 
 WRONG = (Verdict.REFUTED, Verdict.ILL_FORMED)
 # What a value in radians, millimetres or parts of one is multiplied with.
@@ -195,10 +204,16 @@ def _insert_correction(row: Row, root: Row, follower: Follower) -> Row:
 
 
 def _corrections(root: Row, follower: Follower) -> Mapping[sp.Basic, sp.Basic]:
-    """Pair what the print of a cause has with what its correction has in the same place."""
+    """Pair what the print of a cause has with what its correction has in the same place.
+
+    Of a correction that says more than one thing it is the first that replaces the print.
+    """
     if root.corrected is None:
         raise ValueError(f"finding {root.number!r}: rows follow from it, so it needs a correction")
-    whole = _pairs(root.statement, root.corrected.statement)
+    printed, mend = root.statement, root.corrected.statement
+    if isinstance(mend, Conjunction) and not isinstance(printed, Conjunction):
+        mend = mend.parts[0]
+    whole = _pairs(printed, mend)
     for part, right in follower.parts.items():
         if not any(print_.has(part) and whole[print_].has(right) for print_ in whole):
             raise ValueError(f"finding {root.number!r}: it does not correct {part} to {right}")

@@ -11,6 +11,7 @@ from mechproof.proof.declarations import check_statement
 from mechproof.proof.dimensions import dimensions_of
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import ContradictionError, decide
+from mechproof.proof.restatements import check_restatements
 from mechproof.proof.set_values import COUNTS
 from mechproof.proof.verdict import Answer, Evidence, Judgement, Verdict
 from mechproof.proof.wellformed import find_faults
@@ -64,7 +65,8 @@ def _marks(row: Row) -> tuple[str, ...]:
 
 def _decide_row(row: Row, paper: Paper) -> Answer:
     domain = Domain.of(paper, row.on)
-    answer = _decide_well_formed(row.statement, paper, domain)
+    check_restatements(row, domain)
+    answer = _decide_well_formed(row, paper, domain)
     if answer.verdict is Verdict.REFUTED:
         convention = _find_convention(row, paper, domain, answer)
         return convention or _find_part(row, paper, answer)
@@ -73,10 +75,11 @@ def _decide_row(row: Row, paper: Paper) -> Answer:
     return answer
 
 
-def _decide_well_formed(says: Statement, paper: Paper, domain: Domain) -> Answer:
-    known = dimensions_of(paper)
-    check_statement(says, known, domain)
-    faults = find_faults(says, known, domain)
+def _decide_well_formed(row: Row, paper: Paper, domain: Domain) -> Answer:
+    says, known = row.statement, dimensions_of(paper)
+    mended = row.corrected is not None
+    check_statement(says, known, domain, mended=mended)
+    faults = find_faults(says, known, domain, mended=mended)
     if not faults:
         return decide(says, domain)
     rungs = dict.fromkeys(fault.rung for fault in faults)

@@ -50,10 +50,16 @@ class Fault:
     evidence: Evidence
 
 
-def find_faults(statement: Statement, known: Dimensions, domain: Domain) -> list[Fault]:
-    """Return every fault of the printed side; none if it is well formed."""
+def find_faults(
+    statement: Statement, known: Dimensions, domain: Domain, mended: bool = False
+) -> list[Fault]:
+    """Return every fault of the printed side; none if it is well formed.
+
+    `mended`: it is corrected, so that it has to be of the dimension of the other side.
+    """
     if isinstance(statement, Conjunction):
-        return [fault for part in statement.parts for fault in find_faults(part, known, domain)]
+        parts = statement.parts
+        return [fault for part in parts for fault in find_faults(part, known, domain, mended)]
     if isinstance(statement, Holds):
         fault = _find_mixture(statement.relation, statement, known, domain)
         return [fault] if fault else []
@@ -63,18 +69,21 @@ def find_faults(statement: Statement, known: Dimensions, domain: Domain) -> list
         swapped = replace(statement, printed=statement.rebuilt, rebuilt=statement.printed)
         sides = (statement, swapped)
         return next(filter(None, (_find_in_side(side, known, domain) for side in sides)), [])
-    return _find_in_side(statement, known, domain)
+    return _find_in_side(statement, known, domain, mended)
 
 
 def _find_in_side(
-    statement: Equality | Distinct | Definition, known: Dimensions, domain: Domain
+    statement: Equality | Distinct | Definition,
+    known: Dimensions,
+    domain: Domain,
+    mended: bool = False,
 ) -> list[Fault]:
     printed = statement.left if isinstance(statement, Distinct) else statement.printed
     found = (
         _find_missing_differential(printed),
         _find_missing_argument(printed),
         _find_unbound_symbol(printed, known, domain),
-        _find_mixture(printed, statement, known, domain),
+        _find_mixture(printed, statement, known, domain, mended),
     )
     return [fault for fault in found if fault]
 
@@ -121,13 +130,17 @@ def _indexed(printed: sp.Basic) -> set[sp.Basic]:
 
 
 def _find_mixture(
-    printed: sp.Basic, statement: Statement, known: Dimensions, domain: Domain
+    printed: sp.Basic,
+    statement: Statement,
+    known: Dimensions,
+    domain: Domain,
+    mended: bool = False,
 ) -> Fault | None:
     """Find terms of unlike dimension; without a change of units that matters, it is no fault."""
     if printed.has(IntegralWithoutDifferential, FunctionWithoutArgument):
         return None
     other = _other_side(statement)
-    compared = isinstance(statement, Definition) or _has_two_prints(statement)
+    compared = mended or isinstance(statement, Definition) or _has_two_prints(statement)
     try:
         infer_common((printed, other) if compared else (printed,), known)
     except DimensionError as error:
