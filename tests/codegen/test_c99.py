@@ -14,12 +14,13 @@ import numpy as np
 import pytest
 from c_libraries import (
     COMPILER,
-    ELLIPTIC,
     KERNELS,
     POINTER,
     STRICT,
     WARNED,
+    assert_same_bits,
     needs_compiler,
+    render,
 )
 from compiled import grouped
 from typer.testing import CliRunner
@@ -28,14 +29,17 @@ from mechproof.cli.commands import app
 from mechproof.codegen.backends.c99 import render_c
 from mechproof.codegen.kernel import Kernel
 from mechproof.derivations.elliptic_planetary import PAPER
-from mechproof.lab.search import find_worst
+from mechproof.lab.points import choose_evenly, join
+from mechproof.lab.search import draw_sets, find_worst, scaled_errors
+from mechproof.lab.singles import WIDER, mark_judged, narrow, round_singly
 from mechproof.lab.subject import find_subjects
+from mechproof.lab.within import mark_within
+from mechproof.roundoff.singles import Singles
 
 pytestmark = needs_compiler
 # What compilers make of products and sums where nothing forbids it, on processors that have fma.
 CONTRACTED = ("-std=c99", *WARNED, "-march=native", "-ffp-contract=fast")
 SUBJECTS = {s.name: s for s in find_subjects(()) if s.name in KERNELS}
-EPS32 = float(np.finfo(np.float32).eps)
 
 
 def point_function(library: ctypes.CDLL, system: str, kernel: Kernel, single: bool) -> Any:
@@ -127,24 +131,26 @@ def test_bounds_hold_where_a_compiler_contracts(
         assert any(differ)
 
 
-@pytest.mark.parametrize("name", ELLIPTIC)
-def test_floats_keep_the_digits_of_floats(name: str, libraries: Callable[..., ctypes.CDLL]) -> None:
-    from mechproof.kernels import elliptic_planetary as kernels
-
-    kernel = KERNELS[f"elliptic_planetary.{name}"]
-    call = point_function(
-        libraries("elliptic_planetary", True), "elliptic_planetary_single", kernel, True
-    )
-    random = np.random.default_rng(20263)
-    phi = np.float32(random.uniform(-6, 6, 500)).astype(float)
-    for e in (np.float32(0.28), np.float32(0.475), np.float32(0.75)):
-        sizes = (66.0, 16.0, float(e))
-        wanted = getattr(kernels, name)(phi, *sizes)
-        steepness = np.abs(kernels.acceleration(phi, *sizes)) * np.abs(phi)
-        scale = np.abs(wanted) + (steepness if name == "ratio" else 0)
-        if name == "acceleration":
-            scale = np.full_like(phi, 2 * np.abs(kernels.acceleration(phi, *sizes)).max())
-        assert np.max(np.abs(call(phi, *sizes) - wanted) / scale) <= 8 * EPS32
+@pytest.mark.parametrize("name", grouped(n for n, s in SUBJECTS.items() if s.quantity.accuracy))
+def test_floats_keep_the_bounds_and_are_what_is_searched(
+    name: str, libraries: Callable[..., ctypes.CDLL]
+) -> None:
+    """In eps of floats the bounds of doubles hold; headers tell of the programs run in floats."""
+    system, subject, kernel = name.partition(".")[0], narrow(SUBJECTS[name]), KERNELS[name]
+    call = point_function(libraries(system, True), f"{system}_single", kernel, True)
+    singles = Singles(kernel)
+    drawn = draw_sets(subject, 20262, 0.05)
+    few = join(*(tuple(c[choose_evenly(len(c), 20)] for c in part) for part in drawn))
+    points = round_singly(few)
+    judged = mark_judged(subject, singles, points)
+    kept = tuple(column[judged] for column in points)
+    assert len(kept[0]) > 10
+    found = call(*kept)
+    reduced = mark_within(subject, kept)
+    assert_same_bits(found[reduced], singles(*kept).astype(float)[reduced])
+    assert subject.quantity.accuracy is not None
+    heights = scaled_errors(subject, lambda *_: found, kept) / WIDER
+    assert heights.max() <= subject.quantity.accuracy.ulp
 
 
 def test_many_points_and_the_ends_of_the_domain(libraries: Callable[..., ctypes.CDLL]) -> None:
@@ -210,7 +216,7 @@ def test_a_header_of_c_is_no_name() -> None:
 
 @pytest.mark.parametrize("single", [False, True])
 def test_the_header_names_the_system_and_its_precision(single: bool) -> None:
-    text = "\n".join(render_c(PAPER, single=single).values())
+    text = "\n".join(render("elliptic_planetary", single).values())
     precision = "single precision (float)" if single else "double precision (double)"
     assert f"Kernels of the system elliptic_planetary in C99, in {precision}.\n" in text
     assert "elliptic_planetary_single in" not in text

@@ -165,7 +165,14 @@ def test_exponentials_in_c(form: Format, tmp_path: Path) -> None:
     language, real = (C99, ctypes.c_double) if form == DOUBLE else (C99_SINGLE, ctypes.c_float)
     kinds = ("exp", "normal_tail")
     data = {
-        **{"prefix": "none", "reductions": [], "kernels": [], "powers": True},
+        **{
+            "prefix": "none",
+            "reductions": [],
+            "kernels": [],
+            "used": ["power_of_two"],
+            "far": {},
+            "block": 1,
+        },
         **{"form": form, "largest": 0, "number": language.number},
         **{"absolute": "", "limit": "", "letters": "", "helper": HELPER},
         "real": form.name.replace("single", "float"),

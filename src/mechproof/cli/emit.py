@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
@@ -11,6 +12,7 @@ from mechproof.cli.console import fail, refuse, say
 from mechproof.cli.places import DerivationsOption, find_locations, find_places, read_out
 from mechproof.derivation import DerivationError, find_systems, load_paper, packaged_directory
 from mechproof.files import write_whole
+from mechproof.record import Paper
 
 Sizes = dict[str, float | tuple[float, ...]]
 
@@ -64,7 +66,9 @@ def emit_c(
     _refuse_quantities(systems or [])
     for location in find_locations(systems or (), find_places(derivations, None)):
         try:
-            files = render_c(load_paper(location), single=float32)
+            paper = load_paper(location)
+            errors = _search_errors(paper, location) if float32 else None
+            files = render_c(paper, errors=errors)
         except (DerivationError, ValueError, NotImplementedError) as error:
             if systems:
                 fail(str(error))
@@ -72,6 +76,13 @@ def emit_c(
             continue
         for name, text in files.items():
             _write(out / name, text)
+
+
+def _search_errors(paper: Paper, location: Path) -> Mapping[str, str]:
+    from mechproof.lab.singles import state_errors
+
+    say(f"{paper.system}: searching for the largest errors in float")
+    return state_errors(paper, location)
 
 
 def _refuse_quantities(names: list[str]) -> None:

@@ -111,7 +111,8 @@ C99 = Syntax(
             "is_finite": "isfinite",
         }
     ),
-    last=MappingProxyType({}),
+    # Wherever an angle lies: loops over points alone know that all are near.
+    last=MappingProxyType(dict.fromkeys(NUMBA.last, "1")),
     patterns=MappingProxyType(
         {"negate": ("-{}", SIGN, SIGN), "choose": ("{} ? {} : {}", EITHER, CHOICE)}
     ),
@@ -125,7 +126,11 @@ C99 = Syntax(
     ),
     number=lambda number: repr(float(number)),
 )  # fmt: skip
-C99_FAR = replace(C99, calls=MappingProxyType({**C99.calls, **{n: n for n in _LIBRARY}}))
+C99_FAR = replace(
+    C99,
+    calls=MappingProxyType({**C99.calls, **{n: n for n in _LIBRARY}}),
+    last=MappingProxyType({}),
+)
 
 
 def _write_single(number: float) -> str:
@@ -152,4 +157,5 @@ C99_SINGLE = replace(
 C99_SINGLE_FAR = replace(
     C99_SINGLE,
     calls=MappingProxyType({**C99_SINGLE.calls, **{n: f"{n}f" for n in _LIBRARY}}),
+    last=MappingProxyType({}),
 )

@@ -21,6 +21,7 @@ from mechproof.codegen.backends.c99 import KEYWORDS, render_c_kernels
 from mechproof.codegen.backends.numba import render_scalars
 from mechproof.codegen.backends.numpy import render_module, write_kernel
 from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.docstrings import show_formula
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.kernel_reading import read_module
 from mechproof.codegen.program import NOTHING, Program, unfuse
@@ -218,4 +219,7 @@ def _render_c(request: Request, model: Model, called: str, accuracy: str) -> dic
         f"{accuracy}, proved, roundings included.",
         request.paper.system,
     )
-    return render_c_kernels(called, [_wrap(request, model, fused=True)], about)
+    kernel = _wrap(request, model, fused=True)
+    domain = f"Domain: {model.low:.17g} <= {request.variable} <= {model.high:.17g}."
+    notes = {kernel.name: [*show_formula(kernel, request.paper), "", domain]}
+    return render_c_kernels(called, [kernel], about, notes)

@@ -6,13 +6,11 @@ products, and the elementary functions that occur are programs of plain arithmet
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from mechproof.codegen.backends.quotients import put_off_divisions
-from mechproof.codegen.backends.sums import ADDED, Reduction
 from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.elementary.functions import BODIES
 from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program
 from mechproof.record import Paper
@@ -142,12 +140,3 @@ def map_affinely(point: tuple[str, ...]) -> Program:
         outputs.append(result)
     inputs = (*point, *rows, *shift)
     return Program(inputs, tuple(operations), tuple(outputs)).normal_form()
-
-
-def list_elementary(kernels: Iterable[Kernel], reductions: Iterable[Reduction]) -> tuple[str, ...]:
-    """List the elementary functions that kernels take, in the order of their table."""
-    programs = [p for kernel in kernels for stage in kernel.code.stages for p in stage.programs]
-    used = {ADDED for reduction in reductions if reduction.kind == "sum"}
-    used |= {step.kind for p in programs for step in p.operations}
-    used |= {step.kind for reduction in reductions for step in reduction.term.operations}
-    return tuple(kind for kind in BODIES if kind in used)

@@ -70,6 +70,7 @@ class ScalarKernel:
     stages: tuple[ScalarStage, ...]
     shape: tuple[int, ...]
     limited: bool
+    unit: str
     members: tuple[ScalarKernel, ...] = ()
     loops: tuple[LoopCall, ...] = ()
 
@@ -77,6 +78,11 @@ class ScalarKernel:
     def outs(self) -> tuple[str, ...]:
         """Return the names of the arrays that results are stored in."""
         return tuple(f"out_{m.name}" for m in self.members) or ("out",)
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """Return the unit of each result."""
+        return tuple(m.unit for m in self.members) or (self.unit,)
 
     @property
     def count(self) -> int:
@@ -148,6 +154,7 @@ def write_scalar(kernel: Kernel, syntax: Syntax, loops: tuple[LoopCall, ...] = (
         tuple(_write_stage(name, stage, syntax) for name, stage in list_stages(kernel)),
         code.shape,
         any(is_limited(p, syntax) for s in code.stages for p in s.programs),
+        kernel.quantity.unit,
         loops=loops,
     )
 
