@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from functools import partial
 
 from mechproof.codegen.backends.numpy import render_template
 from mechproof.codegen.backends.one_pass import join_kernels, list_unlike_domains
@@ -18,10 +19,11 @@ from mechproof.codegen.backends.scalar_texts import (
     write_scalar,
 )
 from mechproof.codegen.backends.sums import LOOPS, fold_sums
+from mechproof.codegen.c_names import HELPER, spell_in_c
 from mechproof.codegen.elementary.formats import DOUBLE, SINGLE
 from mechproof.codegen.elementary.functions import build
 from mechproof.codegen.kernel import Kernel
-from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR, HELPER
+from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
 from mechproof.codegen.syntax import Syntax
 from mechproof.record import Paper, Together
 
@@ -31,13 +33,6 @@ ACCURACY = {
     "it says is proved of compiled kernels is proved of these, without contractions.",
     True: "No accuracy bound is stated in float.",
 }
-KEYWORDS = frozenset({
-    "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else",
-    "enum", "extern", "float", "for", "goto", "if", "inline", "int", "long", "register",
-    "restrict", "return", "short", "signed", "sizeof", "static", "struct", "switch", "typedef",
-    "union", "unsigned", "void", "volatile", "while", "out", "count", "prepared", "i", "j",
-    "terms",
-})  # fmt: skip
 # With a file of the same name beside it, <math.h>, or what it includes, may be that one.
 HEADERS = frozenset({
     "assert", "complex", "ctype", "errno", "features", "fenv", "float", "inttypes", "iso646",
@@ -50,7 +45,7 @@ HEADERS = frozenset({
 def render_c(paper: Paper, *, single: bool = False) -> dict[str, str]:
     """Render the header and the source of a paper's kernels by their file names.
 
-    Raises ValueError if there is no kernel, or a name means something else in C.
+    Raises ValueError if there is no kernel, or the names of two kernels meet in C.
     """
     kernels = list_scalars(paper)
     if not kernels:
@@ -71,8 +66,8 @@ def render_c_kernels(
     """Render the header and the source of kernels whose names begin with that of the file.
 
     `about` says what they are, how accurate, and of which system.
-    Raises ValueError if a name means something else in C, NotImplementedError for what has no
-    pass in common. Kernels of different domains are called one after the other, point by point.
+    Raises ValueError where the names of files or functions meet, NotImplementedError for what has
+    no pass in common. Kernels of different domains are called one after the other, point by point.
     """
     if file.lower() in HEADERS:
         raise ValueError(f"{file}: C has a header {file.lower()}.h, kernels need another name")
@@ -82,13 +77,14 @@ def render_c_kernels(
         )
     citation, accuracy, system = about
     form, language, far = (SINGLE, C99_SINGLE, C99_SINGLE_FAR) if single else (DOUBLE, C99, C99_FAR)
+    language = replace(language, name=partial(spell_in_c, file=file))
     folded, reductions = fold_sums(kernels)
     extended = extend_syntax(language, reductions, HELPER, "terms")
     written = [write_scalar(kernel, extended) for kernel in folded]
     written += [_write_together(several, folded, written, extended) for several in together]
-    for kernel in written:
-        if taken := sorted(KEYWORDS.union(kernel.outs) & set(kernel.names)):
-            raise ValueError(f"{file}.{kernel.name}: {taken} mean something else in C")
+    names = [name for kernel in written for name in (kernel.name, f"{kernel.name}_array")]
+    if twice := sorted({name for name in names if names.count(name) > 1}):
+        raise ValueError(f"{file}: two kernels would be called {file}_{twice[0]} in C")
     common: dict[str, object] = {
         "prefix": file,
         "real": "float" if single else "double",
@@ -114,7 +110,7 @@ def render_c_kernels(
         "powers": any(step.kind == "power_of_two" for step in steps),
         "form": form,
         "functions": [write_elementary(kind, form, language, far) for kind in elementary],
-        "letters": LOOPS,
+        "letters": [f"{HELPER}{letter}" for letter in LOOPS],
         "reductions": [write_reduction(found, extended) for found in reductions],
     }
     return {
