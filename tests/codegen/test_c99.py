@@ -199,16 +199,6 @@ def test_sums_take_pointers_and_the_number_of_terms(
     assert np.isnan(one(terms, -tolerances, influences, scatters, 1.1))
 
 
-def test_a_name_that_c_keeps_for_itself_is_refused() -> None:
-    argument = PAPER.quantities[0].arguments[0]
-    quantity = replace(
-        PAPER.quantities[0],
-        arguments=(replace(argument, name="double"), *PAPER.quantities[0].arguments[1:]),
-    )
-    with pytest.raises(ValueError, match=r"\['double'\] mean something else in C"):
-        render_c(replace(PAPER, quantities=(quantity,), together=()))
-
-
 def test_a_header_of_c_is_no_name() -> None:
     with pytest.raises(ValueError, match=r"^Math: C has a header math\.h, kernels need"):
         render_c(replace(PAPER, system="Math"))

@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from types import MappingProxyType
 
+from mechproof.codegen.c_names import HELPER, spell_in_c
 from mechproof.codegen.elementary.functions import BODIES
 from mechproof.codegen.syntax import (
     ATOM,
@@ -95,8 +96,6 @@ NUMBA_FAR = replace(
     calls=MappingProxyType({**NUMBA.calls, **{name: f"math.{name}" for name in _LIBRARY}}),
     last=MappingProxyType({}),
 )
-# What helpers in a source of C begin with.
-HELPER = "mp_"
 C99 = Syntax(
     infix=MappingProxyType({**INFIX, "both": ("&&", BOTH), "either": ("||", EITHER)}),
     calls=MappingProxyType(
@@ -125,6 +124,7 @@ C99 = Syntax(
         }
     ),
     number=lambda number: repr(float(number)),
+    name=spell_in_c,
 )  # fmt: skip
 C99_FAR = replace(
     C99,

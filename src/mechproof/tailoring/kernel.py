@@ -17,9 +17,10 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.scalars import require
-from mechproof.codegen.backends.c99 import KEYWORDS, render_c_kernels
+from mechproof.codegen.backends.c99 import render_c_kernels
 from mechproof.codegen.backends.numba import render_scalars
 from mechproof.codegen.backends.numpy import render_module, write_kernel
+from mechproof.codegen.c_names import WORDS
 from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.docstrings import show_formula
 from mechproof.codegen.kernel import Kernel
@@ -92,7 +93,7 @@ class Tailored:
         """
         called = f"{self.name.partition('.')[0]}_tailored" if name is None else name
         require(isinstance(called, str), "name", name, "must be a text", TypeError)
-        is_name = called.isidentifier() and called.isascii() and called not in KEYWORDS
+        is_name = called.isidentifier() and called.isascii() and called not in WORDS
         require(is_name and called[0] != "_", "name", name, "must be a name in C")
         require(len(called) <= LONGEST, "name", name, f"must have at most {LONGEST} characters")
         files = _render_c(self._request, self._built.model, called, _tell_bound(self))

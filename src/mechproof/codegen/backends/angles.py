@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from mechproof.codegen.backends.scalar_texts import ScalarStage, list_booleans
+from mechproof.codegen.c_names import HELPER
 from mechproof.codegen.code import Stage
 from mechproof.codegen.elementary.functions import BODIES
 from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
@@ -64,12 +65,12 @@ def ask_first(
     if program is None:
         return written, None
     assert stage.evaluate is not None
-    told = replace(syntax, last={**syntax.last, **dict.fromkeys(LIMITED, EXACT)})
-    places = {name: place for place, name in enumerate(written.inputs[len(written.running) :])}
+    told = replace(syntax, last={**syntax.last, **dict.fromkeys(LIMITED, f"{HELPER}{EXACT}")})
+    places = {n: i for i, n in enumerate(stage.evaluate.inputs[len(stage.running) :])}
     angles = Angles(
-        tuple(name for name in program.inputs if name not in places),
-        tuple((name, places[name]) for name in program.inputs if name in places),
+        tuple(syntax.name(name) for name in program.inputs if name not in places),
+        tuple((syntax.name(name), places[name]) for name in program.inputs if name in places),
         write_program(program, syntax),
-        list_booleans(program),
+        list_booleans(program, syntax),
     )
     return replace(written, evaluate=write_program(stage.evaluate, told)), angles

@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from mechproof.codegen.backends.angles import Angles, ask_first
@@ -20,11 +21,12 @@ from mechproof.codegen.backends.scalar_texts import (
     write_scalar,
 )
 from mechproof.codegen.backends.sums import LOOPS, fold_sums
+from mechproof.codegen.c_names import HELPER, spell_in_c
 from mechproof.codegen.docstrings import describe_domain, show_formula, tell_bound, tell_unit
 from mechproof.codegen.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.codegen.elementary.functions import BODIES
 from mechproof.codegen.kernel import Kernel
-from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR, HELPER
+from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
 from mechproof.codegen.syntax import Syntax
 from mechproof.record import Paper, Together
 
@@ -41,13 +43,6 @@ COMMAND = "cc -std=c99 -O3 -march=native -ffp-contract=off -fno-math-errno -fno-
 BLOCK = 512
 # What is written out beside the elementary functions.
 MACHINE = ("square", "maximum", "power_of_two")
-KEYWORDS = frozenset({
-    "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else",
-    "enum", "extern", "float", "for", "goto", "if", "inline", "int", "long", "register",
-    "restrict", "return", "short", "signed", "sizeof", "static", "struct", "switch", "typedef",
-    "union", "unsigned", "void", "volatile", "while", "out", "count", "prepared", "i", "j",
-    "terms",
-})  # fmt: skip
 # With a file of the same name beside it, <math.h>, or what it includes, may be that one.
 HEADERS = frozenset({
     "assert", "complex", "ctype", "errno", "features", "fenv", "float", "inttypes", "iso646",
@@ -61,7 +56,7 @@ def render_c(paper: Paper, *, errors: Mapping[str, str] | None = None) -> dict[s
     """Render the header and the source of a paper's kernels by their file names.
 
     They compute in float if `errors` says of each how far off it was found then.
-    Raises ValueError if there is no kernel, or a name means something else in C.
+    Raises ValueError if there is no kernel, or the names of two kernels meet in C.
     """
     kernels = list_scalars(paper)
     if not kernels:
@@ -96,8 +91,8 @@ def render_c_kernels(
     """Render the header and the source of kernels whose names begin with that of the file.
 
     `about` says what they are, how accurate, and of which system, `notes` what each computes.
-    Raises ValueError if a name means something else in C, NotImplementedError for what has no
-    pass in common. Kernels of different domains are called one after the other, point by point.
+    Raises ValueError where the names of files or functions meet, NotImplementedError for what has
+    no pass in common. Kernels of different domains are called one after the other, point by point.
     """
     if file.lower() in HEADERS:
         raise ValueError(f"{file}: C has a header {file.lower()}.h, kernels need another name")
@@ -106,6 +101,7 @@ def render_c_kernels(
             f"{file}: what begins with {HELPER} are helpers, kernels need another name"
         )
     form, language, far = (SINGLE, C99_SINGLE, C99_SINGLE_FAR) if single else (DOUBLE, C99, C99_FAR)
+    language = replace(language, name=partial(spell_in_c, file=file))
     folded, reductions = fold_sums(kernels)
     extended = extend_syntax(language, reductions, HELPER, "terms")
     angles: dict[str, Angles] = {}
@@ -113,9 +109,9 @@ def render_c_kernels(
     written += [
         _write_together(several, folded, written, extended, form, angles) for several in together
     ]
-    for kernel in written:
-        if taken := sorted(KEYWORDS.union(kernel.outs) & set(kernel.names)):
-            raise ValueError(f"{file}.{kernel.name}: {taken} mean something else in C")
+    names = [name for kernel in written for name in (kernel.name, f"{kernel.name}_array")]
+    if twice := sorted({name for name in names if names.count(name) > 1}):
+        raise ValueError(f"{file}: two kernels would be called {file}_{twice[0]} in C")
     citation, accuracy, system = about
     common: dict[str, object] = {
         "prefix": file,
@@ -142,7 +138,7 @@ def render_c_kernels(
         "absolute": language.calls["absolute"],
         "number": language.number,
         "form": form,
-        "letters": LOOPS,
+        "letters": [f"{HELPER}{letter}" for letter in LOOPS],
         "reductions": [write_reduction(found, extended) for found in reductions],
         "far": angles,
     }

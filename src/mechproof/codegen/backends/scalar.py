@@ -97,7 +97,7 @@ def rename(program: Program, names: Mapping[Operand, str]) -> Program:
 
 
 def list_stages(kernel: Kernel) -> list[tuple[str, Stage]]:
-    """List the stages of a kernel by the names of their functions, all components named."""
+    """List the stages of a kernel by how the names of their functions end, components named."""
     renamed = rename_components(kernel.code, list_arguments(kernel))
     return [_scalar_stage(kernel, number, renamed) for number in range(len(kernel.code.stages))]
 
@@ -112,7 +112,7 @@ def list_conditions(kernel: Kernel) -> list[Program]:
 def _scalar_stage(kernel: Kernel, number: int, names: Mapping[Operand, str]) -> tuple[str, Stage]:
     stage = kernel.code.stages[number]
     last = number == len(kernel.code.stages) - 1
-    name = f"_{kernel.name}" if last else f"_{kernel.name}_{number + 1}"
+    name = f"_of_{kernel.name}" if last else f"_{number + 1}_of_{kernel.name}"
     running = tuple(names.get(n, n) for n in stage.running)
     scalar = Stage(
         rename(stage.when, names) if stage.when else None,
