@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from mechproof.codegen.forms import form_rows
+from mechproof.codegen.forms import form_rows, number_shipped
 from mechproof.derivation import DerivationError, check_names, load_paper
 from mechproof.processes import START, WorkerError, run_batches
 from mechproof.proof.cache import VerdictCache, row_keys
 from mechproof.proof.findings import follower_rows, list_findings
 from mechproof.proof.judge import judge
 from mechproof.proof.ledger import Ledger
-from mechproof.proof.verdict import Judgement
+from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Paper, Row
 
 # Seconds for a row; beyond, something hangs.
@@ -33,6 +34,7 @@ class Opened:
     paper: Paper
     rows: tuple[Row, ...]
     domain: Paper
+    kernels: frozenset[str]
 
 
 # What a process has opened; one that was forked finds here what its parent had.
@@ -53,17 +55,21 @@ def open_paper(location: Path, paper: Paper) -> Opened:
         rows = (*paper.rows, *follower_rows(paper), *form_rows(paper))
     except (ValueError, NotImplementedError) as error:
         raise DerivationError(f"{location}: {error}") from error
+    counted = Counter(row.number for row in rows)
+    if twice := [number for number, count in counted.items() if count > 1]:
+        raise DerivationError(f"{location}: given twice by the paper and its forms: rows {twice}")
     variables = tuple(replace(variable, meaning="", sign="") for variable in paper.variables)
     domain = Paper(
         paper.system, "", variables, (), paper.where, published=paper.published, usual=paper.usual
     )
-    return Opened(location, paper, rows, domain)
+    return Opened(location, paper, rows, domain, number_shipped(paper))
 
 
 def judge_derivations(
     locations: Sequence[Path],
     *,
     use_cache: bool = True,
+    only_kernels: bool = False,
     limit: float = LIMIT,
     processes: int | None = None,
     start: str = START,
@@ -71,6 +77,7 @@ def judge_derivations(
 ) -> list[Ledger]:
     """Judge every row of the papers, then what follows from findings and the rows of their forms.
 
+    With `only_kernels` the rows on which shipped kernels rest, and no findings.
     `report` is told what has been done. A row that takes longer than `limit` seconds, that is
     wrongly stated or at which the prover fails has no judgement but a failure that names it; the
     other rows are judged all the same. Raises `DerivationError`.
@@ -82,7 +89,7 @@ def judge_derivations(
         report(f"loading {location}")
         _opened[location] = opened = open_derivation(location)
         check_names(places, opened.paper, location)
-        progress.append(_Progress(opened, use_cache))
+        progress.append(_Progress(opened, use_cache, only_kernels))
         return progress[-1]
 
     try:
@@ -97,8 +104,11 @@ def judge_derivations(
 class _Progress:
     """The judgements of a paper while they come in."""
 
-    def __init__(self, opened: Opened, use_cache: bool) -> None:
+    def __init__(self, opened: Opened, use_cache: bool, only_kernels: bool) -> None:
         self.opened = opened
+        self.only_kernels = only_kernels
+        rows = enumerate(opened.rows)
+        self.wanted = [n for n, r in rows if not only_kernels or r.number in opened.kernels]
         self.cache = VerdictCache(opened.location)
         self.keys = row_keys(opened.domain, opened.rows) if use_cache else [""] * len(opened.rows)
         self.kept = self.cache.load() if use_cache else {}
@@ -107,7 +117,8 @@ class _Progress:
 
     def missing(self) -> Iterator[int]:
         """Yield the numbers of rows to judge, from the last: forms stand last and take longest."""
-        return (n for n in reversed(range(len(self.keys))) if n not in self.found)
+        done = self.found.keys() | self.failed.keys()
+        return (n for n in reversed(self.wanted) if n not in done)
 
     def add(self, number: int, result: Judgement | WorkerError) -> None:
         """Take the result of a row; a process that read the file anew may have met another."""
@@ -129,7 +140,7 @@ class _Progress:
         """Return the ledger, its rows in their order; `DerivationError` for a wrong finding."""
         judgements = tuple(self.found[number] for number in sorted(self.found))
         failures = tuple(self.failed[number] for number in sorted(self.failed))
-        if failures:
+        if failures or self.only_kernels:
             return Ledger(self.opened.paper, judgements, (), failures)
         try:
             findings = list_findings(self.opened.paper, judgements)
@@ -164,9 +175,30 @@ def _fill(
 
 def _count(papers: Iterable[_Progress]) -> str:
     """Say how many rows of each paper have been judged, of those with rows that have not."""
-    counts = [(p.opened.paper.system, len(p.found) + len(p.failed), len(p.keys)) for p in papers]
-    at_work = [f"{name} {done} of {rows}" for name, done, rows in counts if done < rows]
+    counts = [(p.opened.paper.system, len(list(p.missing())), len(p.wanted)) for p in papers]
+    at_work = [f"{name} {rows - left} of {rows}" for name, left, rows in counts if left]
     return ", ".join(at_work) or "all rows judged"
+
+
+def refuse_kernels(ledgers: Iterable[Ledger]) -> list[str]:
+    """Say of every kernel that is not proved, exactly or within its bound, what differs where."""
+    return [
+        f"{ledger.paper.system}: {_describe_refusal(row)}"
+        for ledger in ledgers
+        for row in ledger.judgements
+        if row.number in number_shipped(ledger.paper) and row.verdict is not Verdict.PROVED
+    ]
+
+
+def _describe_refusal(row: Judgement) -> str:
+    where = next((item for item in row.evidence if item.at), None)
+    text = f"{row.number} is {row.verdict}, only what is proved is shipped: {row.reason}"
+    if where is None:
+        return text
+    at = ", ".join(f"{name} = {value}" for name, value in where.at.items())
+    sides = (("its source gives", where.printed), ("the definition", where.rebuilt))
+    values = ", ".join(f"{name} {value}" for name, value in sides if value)
+    return f"{text} At {at}: {values or where.what}."
 
 
 def _judge(task: tuple[Path, int]) -> Judgement:

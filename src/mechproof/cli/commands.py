@@ -95,9 +95,9 @@ def verify(
 ) -> None:
     """Judge every row of the papers; print what was found, then what is not plainly proved.
 
-    Exit status 0: every row has a verdict, and every UNDECIDED one says why it must stay open;
-    1: a row is UNDECIDED without that, a row hangs or crashes, or a derivation fails;
-    2: bad usage.
+    Exit status 0: every row has a verdict, every UNDECIDED one says why it must stay open, and
+    every kernel is PROVED; 1: a row is UNDECIDED without that, a kernel is not PROVED (rivals may
+    be wrong: they are named as such), a row hangs or crashes, or a derivation fails; 2: bad usage.
     """
     locations = find_locations(papers or (), find_places(derivations, root))
     if json_file and json_file.is_dir():
@@ -127,12 +127,12 @@ def regenerate(
     """Write kernels, certificates and the ledger of DIR into DIR/../generated.
 
     Only what was generated is replaced or removed: the ledger, certificates, and modules that say
-    so. Every kernel is read back from its source and run against the oracle first; the bounds of
-    the certificates are proved anew.
+    so. Every kernel is read back from its source, has to be PROVED (exactly, or within its bound),
+    and is run against the oracle first; the bounds of the certificates are proved anew.
 
     Exit status 0: nothing to do or written; 1: with --check, a file is missing, surplus or
-    different; a kernel computes something else than its derivation; a row hangs or crashes, or a
-    derivation fails; 2: bad usage.
+    different; a kernel is not PROVED, or computes something else than its derivation; a row hangs
+    or crashes, or a derivation fails; 2: bad usage.
     """
     places = find_places(derivations, root)
     if not (derivations or root) and not Path("derivations").is_dir():

@@ -11,7 +11,7 @@ import typer
 from mechproof.cli.console import fail, show_progress
 from mechproof.derivation import DerivationError
 from mechproof.proof.ledger import Ledger
-from mechproof.verification import VerificationError, judge_derivations
+from mechproof.verification import VerificationError, judge_derivations, refuse_kernels
 
 NoCacheOption = Annotated[
     bool, typer.Option("--no-cache", help="Judge every row anew and keep no verdict.")
@@ -24,17 +24,27 @@ LimitOption = Annotated[
 ]
 
 
-def judge_papers(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[Ledger]:
+def judge_papers(
+    locations: Sequence[Path], *, use_cache: bool, limit: float, only_kernels: bool = False
+) -> list[Ledger]:
     """Judge the papers; a derivation that fails ends the command with status 1."""
-    title = f"judging {', '.join(location.stem for location in locations)}"
+    what = "the kernels of " if only_kernels else ""
+    title = f"judging {what}{', '.join(location.stem for location in locations)}"
     try:
         with show_progress(title) as report:
-            return judge_derivations(locations, use_cache=use_cache, limit=limit, report=report)
+            return judge_derivations(
+                locations,
+                use_cache=use_cache,
+                only_kernels=only_kernels,
+                limit=limit,
+                report=report,
+            )
     except (DerivationError, VerificationError) as error:
         fail(str(error))
 
 
 def refuse_failures(ledgers: Sequence[Ledger], others: Sequence[str] = ()) -> None:
-    """Name every row that could not be judged, then what else failed; end with status 1."""
-    if failures := [*(failure for ledger in ledgers for failure in ledger.failures), *others]:
+    """Name rows that could not be judged, kernels not proved, what else failed; end with 1."""
+    rows = [failure for ledger in ledgers for failure in ledger.failures]
+    if failures := [*rows, *refuse_kernels(ledgers), *others]:
         fail("\n".join(failures))

@@ -34,8 +34,8 @@ def report(
     They open from the file, without network or script: index.html first. A folder that holds
     anything but a report is refused.
 
-    Exit status 0: written; 1: a row or a figure hangs or crashes, which the page of its paper
-    shows, or a derivation fails; 2: bad usage.
+    Exit status 0: written; 1: a row or a figure hangs or crashes, or a kernel is not PROVED, which
+    the page of its paper shows, or a derivation fails; 2: bad usage.
     """
     from mechproof.report import FolderError, build_site, check_folder, write_folder
 

@@ -26,6 +26,9 @@ from mechproof.record import (
     Statement,
 )
 
+# Ends the number of the row that says that the rewrites of a form are legal.
+LEGAL = ", legal"
+
 
 def form_rows(paper: Paper) -> tuple[Row, ...]:
     """Return the rows of every form: what its source computes, and that its rewrites are legal.
@@ -71,13 +74,20 @@ def number_form(quantity: Quantity, form: Form) -> str:
     return f"kernel {name_rival(quantity, form)}"
 
 
+def number_shipped(paper: Paper) -> frozenset[str]:
+    """Return the numbers of the rows on which the kernels of a paper rest."""
+    numbers = (number_form(q, form) for q in paper.quantities for form in q.shipped)
+    return frozenset(f"{number}{end}" for number in numbers for end in ("", LEGAL))
+
+
 def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Iterator[Row]:
     quantity, form = kernel.quantity, kernel.forms[place]
     number = number_form(quantity, form)
     shown = kernel.name.replace("_", r"\_")
     rewrites = ", ".join(form.rewrites) or "none"
     bound = "" if form.bound is None else f"; off by at most {form.bound}"
-    states = form.states or (lambda code: equal_on_branches(code.output(), quantity.definition))
+    definition = _write_out(quantity.definition, paper)
+    states = form.states or (lambda code: equal_on_branches(code.output(), definition))
     on = _join_parts(quantity, form, paper)
     note = f" {form.note[:1].upper()}{form.note[1:]}." if form.note else ""
     yield Claim(
@@ -93,13 +103,21 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
     obligations = kernel.obligations[place]
     if obligations:
         yield Claim(
-            f"{number}, legal",
+            f"{number}{LEGAL}",
             rf"\text{{the rewrites of {shown} are legal}}",
             Conjunction(tuple(map(Holds, obligations))),
             note=f"What {rewrites} ask for.",
             on=on,
             marks=("ours",),
         )
+
+
+def _write_out(definition: sp.Basic, paper: Paper) -> sp.Basic:
+    """Return what a definition that is a declared symbol is declared to be."""
+    given = {v.symbol: v.given for v in paper.variables if v.given is not None}
+    for _ in given:
+        definition = given.get(definition, definition)
+    return definition
 
 
 def _join_parts(quantity: Quantity, form: Form, paper: Paper) -> Part | None:

@@ -1,17 +1,20 @@
 """Validation: the emitted kernels are run in doubles before they are written.
 
 Every function, its support code included, has to give a value that some order of roundings of its
-program can give; a shipped kernel has to keep its accuracy bound against the oracle as well. The
-first alone would pass a low word that is dropped: it is smaller than what rounding may do. The
-points lie on both sides of every condition, alone and in arrays longer than every block.
+program can give; a shipped kernel has to compute its definition, whatever its row states of it, and
+to keep its accuracy bound against the oracle as well. The first alone would pass a low word that is
+dropped: it is smaller than what rounding may do. The points lie on both sides of every condition,
+alone and in arrays longer than every block.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from typing import Any
 
 import numpy as np
+import sympy as sp
 from flint import arb
 
 from mechproof.codegen.code import KernelCode, Stage
@@ -19,13 +22,15 @@ from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.reading import TranslationError
 from mechproof.kernel_support import blocks, polynomials
 from mechproof.lab.error import find_errors
-from mechproof.lab.oracle import count_points, find_truth
+from mechproof.lab.oracle import count_points, find_truth, list_values
 from mechproof.lab.points import TUNE, PointSet, choose_evenly, draw_points
 from mechproof.lab.rounding import decide, enclose_stage
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Compute
 from mechproof.lab.within import mark_within
+from mechproof.proof.balls import evaluate
+from mechproof.record import Form
 
 # Of the first set so many points are enclosed, of every set so many go to the oracle.
 ENCLOSED, DECIDED = 8, 6
@@ -46,6 +51,8 @@ def validate(subjects: Iterator[Subject]) -> None:
             for module in subject.modules:
                 if hasattr(module, kernel.name):
                     _check_rounding(subject, kernel, getattr(module, kernel.name))
+        if subject.quantity.forms and subject.modules[0] is not None:
+            _check_meaning(subject)
         if subject.quantity.forms and subject.quantity.accuracy:
             _check_accuracy(subject)
 
@@ -64,6 +71,32 @@ def _check_rounding(subject: Subject, kernel: Kernel, compute: Compute) -> None:
         telling += all(ball.rad() <= TELLING * abs(ball).upper() for ball in balls)
     if not telling:
         raise TranslationError(f"{kernel.name}: rounding explains every value at every point")
+
+
+def _check_meaning(subject: Subject) -> None:
+    """Compare the shipped programs with the definition, which a row may state in other words."""
+    quantity, functions = subject.quantity, list_functions(subject.paper)
+    (kernel,) = (f for f in functions if f.quantity is quantity and f.is_shipped)
+    arguments = _take(subject, list_sets(subject, SHARE)[0], ENCLOSED)
+    truth = find_truth(subject, arguments)
+    for index, values in enumerate(list_values(subject, arguments)):
+        point = tuple(np.asarray(a[index]) for a in arguments)
+        named = _name(kernel.code, point)
+        stage = _choose_stage(kernel.code, point)
+        form = kernel.forms[kernel.code.stages.index(stage)]
+        for ball, value in zip(enclose_stage(stage, named), truth.high[index].flat, strict=True):
+            apart = abs(ball - arb(float(value)))
+            allowed = TELLING * abs(ball) + _bound_of(form, subject, values)
+            if truth.decided[index] and apart > allowed:
+                shown = ", ".join(repr(p.tolist()) for p in point)
+                raise TranslationError(
+                    f"{quantity.name}({shown}): its program gives {ball.str(20)}, its definition "
+                    f"{float(value)!r}"
+                )
+
+
+def _bound_of(form: Form, subject: Subject, values: Mapping[sp.Basic, Any]) -> arb:
+    return arb(0) if form.bound is None else evaluate(subject.domain.resolve(form.bound), values)
 
 
 def _require_inside(name: str, point: Arguments, value: float, ball: arb) -> None:

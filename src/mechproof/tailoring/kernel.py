@@ -90,6 +90,7 @@ class Tailored:
 
         The files and, before the quantity, the functions are called `name`, by default
         <system>_tailored. TypeError if it is no text, ValueError if it is no name in C.
+        FileExistsError if a file of the name is there and holds something else.
         """
         called = f"{self.name.partition('.')[0]}_tailored" if name is None else name
         require(isinstance(called, str), "name", name, "must be a text", TypeError)
@@ -97,9 +98,13 @@ class Tailored:
         require(is_name and called[0] != "_", "name", name, "must be a name in C")
         require(len(called) <= LONGEST, "name", name, f"must have at most {LONGEST} characters")
         files = _render_c(self._request, self._built.model, called, _tell_bound(self))
-        for file, text in files.items():
-            write_whole(Path(folder) / file, text)
-        return tuple(Path(folder) / file for file in files)
+        texts = {Path(folder) / file: text for file, text in files.items()}
+        for file, text in texts.items():
+            if file.exists() and file.read_bytes() != text.encode():
+                raise FileExistsError(f"{file} is there and holds something else")
+        for file, text in texts.items():
+            write_whole(file, text)
+        return tuple(texts)
 
 
 def _tell_bound(kernel: Tailored) -> str:
