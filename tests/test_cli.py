@@ -103,3 +103,22 @@ def test_a_single_quantity_is_told_to_need_an_error(tmp_path: Path) -> None:
     result = run("emit", "c", "elliptic_planetary.position", "--out", str(tmp_path))
     assert result.exit_code == 2
     assert "a single quantity needs --error, and --let" in result.output
+
+
+def test_a_second_tailored_kernel_does_not_replace_the_first(tmp_path: Path) -> None:
+    sizes = ("--let", "R1=66", "--let", "R2=16", "--let", "e=0.475", "--out", str(tmp_path))
+    first = ("emit", "c", "elliptic_planetary.position", "--error", "1e-3", *sizes)
+    second = ("emit", "c", "elliptic_planetary.ratio", "--error", "1e-2", *sizes)
+    assert run(*first).exit_code == 0
+    written = {file.name: file.read_bytes() for file in tmp_path.iterdir()}
+    refused = run(*second)
+    assert refused.exit_code == 2
+    assert "is there and holds something else; --name gives" in " ".join(refused.output.split())
+    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == written
+    assert run(*first).exit_code == 0
+    assert run(*second, "--name", "drive_ratio").exit_code == 0
+    assert {"drive_ratio.h", "drive_ratio.c"} < {file.name for file in tmp_path.iterdir()}
+    assert "--name = 'int': must be a name in C" in run(*second, "--name", "int").output
+    whole = run("emit", "c", "elliptic_planetary", "--name", "drive", "--out", str(tmp_path))
+    assert whole.exit_code == 2
+    assert "--name goes with --error" in whole.output

@@ -6,6 +6,7 @@ import ctypes
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -26,7 +27,14 @@ POINTER = np.ctypeslib.ndpointer(float)
 
 def build(folder: Path, system: str, single: bool, flags: tuple[str, ...]) -> ctypes.CDLL:
     """Compile the kernels of a system without a warning, and load them."""
-    return compile_files(folder, render_c(PAPERS[system], single=single), flags)
+    return compile_files(folder, render(system, single), flags)
+
+
+def render(system: str, single: bool) -> dict[str, str]:
+    """Render the kernels of a system, in float without a search for their errors."""
+    names = [name.partition(".") for name in KERNELS]
+    errors = {name: "not searched for" for of, _, name in names if of == system}
+    return render_c(PAPERS[system], errors=errors if single else None)
 
 
 def compile_files(folder: Path, files: dict[str, str], flags: tuple[str, ...]) -> ctypes.CDLL:
@@ -40,3 +48,9 @@ def compile_files(folder: Path, files: dict[str, str], flags: tuple[str, ...]) -
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return ctypes.CDLL(str(target))
+
+
+def assert_same_bits(found: Any, wanted: Any) -> None:
+    assert np.array_equal(found, wanted, equal_nan=True)
+    numbers = ~np.isnan(found)
+    assert np.array_equal(np.signbit(found[numbers]), np.signbit(wanted[numbers]))

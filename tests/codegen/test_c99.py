@@ -3,39 +3,46 @@
 from __future__ import annotations
 
 import ctypes
+import os
+import re
 import subprocess
 from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
+from shutil import which
 from typing import Any
 
 import numpy as np
 import pytest
 from c_libraries import (
     COMPILER,
-    ELLIPTIC,
     KERNELS,
     POINTER,
     STRICT,
     WARNED,
+    assert_same_bits,
     needs_compiler,
+    render,
 )
 from compiled import grouped
 from typer.testing import CliRunner
 
 from mechproof.cli.commands import app
-from mechproof.codegen.backends.c99 import render_c
+from mechproof.codegen.backends.c99 import BLOCK, render_c
 from mechproof.codegen.kernel import Kernel
 from mechproof.derivations.elliptic_planetary import PAPER
-from mechproof.lab.search import find_worst
+from mechproof.lab.points import choose_evenly, join
+from mechproof.lab.search import draw_sets, find_worst, scaled_errors
+from mechproof.lab.singles import WIDER, mark_judged, narrow, round_singly
 from mechproof.lab.subject import find_subjects
+from mechproof.lab.within import mark_within
+from mechproof.roundoff.singles import Singles
 
 pytestmark = needs_compiler
 # What compilers make of products and sums where nothing forbids it, on processors that have fma.
 CONTRACTED = ("-std=c99", *WARNED, "-march=native", "-ffp-contract=fast")
 SUBJECTS = {s.name: s for s in find_subjects(()) if s.name in KERNELS}
-EPS32 = float(np.finfo(np.float32).eps)
 
 
 def point_function(library: ctypes.CDLL, system: str, kernel: Kernel, single: bool) -> Any:
@@ -127,24 +134,26 @@ def test_bounds_hold_where_a_compiler_contracts(
         assert any(differ)
 
 
-@pytest.mark.parametrize("name", ELLIPTIC)
-def test_floats_keep_the_digits_of_floats(name: str, libraries: Callable[..., ctypes.CDLL]) -> None:
-    from mechproof.kernels import elliptic_planetary as kernels
-
-    kernel = KERNELS[f"elliptic_planetary.{name}"]
-    call = point_function(
-        libraries("elliptic_planetary", True), "elliptic_planetary_single", kernel, True
-    )
-    random = np.random.default_rng(20263)
-    phi = np.float32(random.uniform(-6, 6, 500)).astype(float)
-    for e in (np.float32(0.28), np.float32(0.475), np.float32(0.75)):
-        sizes = (66.0, 16.0, float(e))
-        wanted = getattr(kernels, name)(phi, *sizes)
-        steepness = np.abs(kernels.acceleration(phi, *sizes)) * np.abs(phi)
-        scale = np.abs(wanted) + (steepness if name == "ratio" else 0)
-        if name == "acceleration":
-            scale = np.full_like(phi, 2 * np.abs(kernels.acceleration(phi, *sizes)).max())
-        assert np.max(np.abs(call(phi, *sizes) - wanted) / scale) <= 8 * EPS32
+@pytest.mark.parametrize("name", grouped(n for n, s in SUBJECTS.items() if s.quantity.accuracy))
+def test_floats_keep_the_bounds_and_are_what_is_searched(
+    name: str, libraries: Callable[..., ctypes.CDLL]
+) -> None:
+    """In eps of floats the bounds of doubles hold; headers tell of the programs run in floats."""
+    system, subject, kernel = name.partition(".")[0], narrow(SUBJECTS[name]), KERNELS[name]
+    call = point_function(libraries(system, True), f"{system}_single", kernel, True)
+    singles = Singles(kernel)
+    drawn = draw_sets(subject, 20262, 0.05)
+    few = join(*(tuple(c[choose_evenly(len(c), 20)] for c in part) for part in drawn))
+    points = round_singly(few)
+    judged = mark_judged(subject, singles, points)
+    kept = tuple(column[judged] for column in points)
+    assert len(kept[0]) > 10
+    found = call(*kept)
+    reduced = mark_within(subject, kept)
+    assert_same_bits(found[reduced], singles(*kept).astype(float)[reduced])
+    assert subject.quantity.accuracy is not None
+    heights = scaled_errors(subject, lambda *_: found, kept) / WIDER
+    assert heights.max() <= subject.quantity.accuracy.ulp
 
 
 def test_many_points_and_the_ends_of_the_domain(libraries: Callable[..., ctypes.CDLL]) -> None:
@@ -193,16 +202,6 @@ def test_sums_take_pointers_and_the_number_of_terms(
     assert np.isnan(one(terms, -tolerances, influences, scatters, 1.1))
 
 
-def test_a_name_that_c_keeps_for_itself_is_refused() -> None:
-    argument = PAPER.quantities[0].arguments[0]
-    quantity = replace(
-        PAPER.quantities[0],
-        arguments=(replace(argument, name="double"), *PAPER.quantities[0].arguments[1:]),
-    )
-    with pytest.raises(ValueError, match=r"\['double'\] mean something else in C"):
-        render_c(replace(PAPER, quantities=(quantity,), together=()))
-
-
 def test_a_header_of_c_is_no_name() -> None:
     with pytest.raises(ValueError, match=r"^Math: C has a header math\.h, kernels need"):
         render_c(replace(PAPER, system="Math"))
@@ -210,7 +209,7 @@ def test_a_header_of_c_is_no_name() -> None:
 
 @pytest.mark.parametrize("single", [False, True])
 def test_the_header_names_the_system_and_its_precision(single: bool) -> None:
-    text = "\n".join(render_c(PAPER, single=single).values())
+    text = "\n".join(render("elliptic_planetary", single).values())
     precision = "single precision (float)" if single else "double precision (double)"
     assert f"Kernels of the system elliptic_planetary in C99, in {precision}.\n" in text
     assert "elliptic_planetary_single in" not in text
@@ -254,3 +253,127 @@ def test_the_command_writes_what_a_program_includes(tmp_path: Path) -> None:
     wanted = elliptic_planetary.position(0.5, 66, 16, 0.475)
     assert float(printed.stdout) == pytest.approx(wanted, rel=6 * 2.0**-52)
     assert runner.invoke(app, ["emit", "c", "conformity", "--out", str(tmp_path)]).exit_code == 1
+
+
+COMPILERS = [
+    pytest.param(name, marks=pytest.mark.skipif(not which(name), reason=f"there is no {name}"))
+    for name in ("gcc", "clang")
+]
+SYSTEMS = dict.fromkeys(name.partition(".")[0] for name in KERNELS)
+SOURCES = [(system, single) for system in SYSTEMS for single in (False, True)]
+
+
+def compile_only(folder: Path, *command: str) -> subprocess.CompletedProcess[str]:
+    whole = [*command, "-S", "-o", os.devnull]
+    return subprocess.run(whole, cwd=folder, capture_output=True, text=True, check=False)
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize(("system", "single"), SOURCES)
+def test_no_compiler_warns(compiler: str, system: str, single: bool, tmp_path: Path) -> None:
+    files = render(system, single)
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    header, source = files
+    for optimised in (("-O0",), ("-O3", "-march=native")):
+        done = compile_only(tmp_path, compiler, *STRICT, "-Wshadow", *optimised, source)
+        assert done.returncode == 0, done.stderr
+    (tmp_path / "included.cpp").write_text(f'#include "{header}"\n')
+    done = compile_only(tmp_path, compiler, "-Wall", "-Wextra", "-pedantic", "included.cpp")
+    assert not done.stderr or "cc1plus" in done.stderr
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("flag", ["-ffast-math", "-Ofast", "-ffinite-math-only"])
+def test_arithmetic_that_loses_nan_is_refused(compiler: str, flag: str, tmp_path: Path) -> None:
+    for name, text in render("track_wheel", False).items():
+        (tmp_path / name).write_text(text)
+    done = compile_only(tmp_path, compiler, "-std=c99", "-O2", flag, "track_wheel.c")
+    assert done.returncode != 0
+    assert "compile without -ffast-math" in done.stderr
+
+
+@pytest.mark.parametrize("name", ["elliptic_planetary.position", "track_wheel.radius"])
+@pytest.mark.parametrize("e", [0.3, 0.75])
+def test_blocks_with_angles_far_out_have_the_bits_of_points(
+    name: str, e: float, libraries: Callable[..., ctypes.CDLL]
+) -> None:
+    system, _, quantity = name.partition(".")
+    sizes = (66.0, 16.0, e) if system == "elliptic_planetary" else (66.0, e, 3.0)
+    points = np.linspace(-9, 9, 3 * BLOCK + 7)
+    points[[BLOCK + 3, 2 * BLOCK - 1]] = 1e9, np.nan
+    points[-1] = np.inf
+    library, real = libraries(system, False), ctypes.c_double
+    function = getattr(library, f"{name.replace('.', '_')}_array")
+    function.argtypes = [ctypes.c_size_t, POINTER, *[real] * 3, POINTER]
+    function.restype = None
+    found = np.empty_like(points)
+    function(points.size, points, *sizes, found)
+    each = point_function(library, system, KERNELS[name], False)(points, *sizes)
+    compiled = getattr(import_module(f"mechproof.kernels.compiled.{system}"), quantity)
+    assert_same_bits(found, each)
+    assert_same_bits(found, compiled(points, *sizes))
+    assert np.isnan(found[[2 * BLOCK - 1, -1]]).all()
+    assert np.isfinite(found[BLOCK + 3])
+
+
+def test_a_header_says_what_is_computed_where_and_how_exactly() -> None:
+    text = render("elliptic_planetary", False)["elliptic_planetary.h"]
+    _, _, ratio = text.partition("Compute the transmission ratio")
+    for line in (
+        " * R1: radius of the epicycle (mm)",
+        " * e: eccentricity of the ellipse (pure number)",
+        " * Result: pure number",
+        " *     ratio = 1 + k*(1 - e**2)/(1 + e**2 - 2*e*cos(x))",
+        " *     k = R1/R2",
+        " * Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.",
+        " * Accuracy: 10 eps of the value and what eps*x makes of it, where |x| <= 2**26 and",
+    ):
+        assert line in ratio
+    assert "out_ratio: pure number" in ratio.partition("in one pass")[2]
+
+
+def test_a_source_in_float_tells_the_error_that_a_search_finds(tmp_path: Path) -> None:
+    """What is told is found anew by the search, and by C at the place that was found."""
+    (tmp_path / "length.py").write_text(LENGTH)
+    runner = CliRunner()
+    done = runner.invoke(
+        app, ["emit", "c", str(tmp_path / "length.py"), "--float32", "--out", str(tmp_path)]
+    )
+    assert done.exit_code == 0, done.output
+    told = re.search(
+        r"Accuracy: (\S+) eps of the value; the worst of (\d+) points",
+        (tmp_path / "length_single.h").read_text(),
+    )
+    assert told is not None
+    assert 0.5 < float(told[1]) < 1.0
+    assert int(told[2]) > 1000
+
+
+LENGTH = '''
+"""A length in a plane."""
+
+from sympy import Symbol, sqrt
+
+from mechproof.record import Accuracy, Argument, Form, Paper, Quantity, Variable
+
+x, y = Symbol("x", real=True), Symbol("y", real=True)
+length = sqrt(x**2 + y**2)
+PAPER = Paper(
+    system="length",
+    citation="a note",
+    variables=(Variable(x, "a side"), Variable(y, "a side")),
+    rows=(),
+    quantities=(
+        Quantity(
+            "length",
+            "Compute the length.",
+            (Argument("x", (x,), "a side"), Argument("y", (y,), "a side")),
+            length,
+            (Form("direct", length),),
+            "here",
+            accuracy=Accuracy(1),
+        ),
+    ),
+)
+'''

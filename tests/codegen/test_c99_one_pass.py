@@ -11,7 +11,15 @@ from typing import Any
 
 import numpy as np
 import pytest
-from c_libraries import ELLIPTIC, KERNELS, PAPERS, STRICT, compile_files, needs_compiler
+from c_libraries import (
+    ELLIPTIC,
+    KERNELS,
+    PAPERS,
+    STRICT,
+    assert_same_bits,
+    compile_files,
+    needs_compiler,
+)
 from compiled import grouped
 
 from mechproof.codegen.backends.c99 import render_c_kernels
@@ -68,12 +76,6 @@ def test_one_pass_has_the_bits_of_each_function_and_of_numba(
             assert_same_bits(found, getattr(compiled, together.name)(points, *sizes))
 
 
-def assert_same_bits(found: Any, wanted: Any) -> None:
-    assert np.array_equal(found, wanted, equal_nan=True)
-    numbers = ~np.isnan(found)
-    assert np.array_equal(np.signbit(found[numbers]), np.signbit(wanted[numbers]))
-
-
 def test_one_pass_computes_what_is_common_once() -> None:
     kernels = [KERNELS[f"elliptic_planetary.{name}"] for name in ELLIPTIC]
     joined = join_kernels("motion", kernels).code
@@ -109,7 +111,7 @@ def test_members_of_unlike_domains_are_called_one_by_one(tmp_path: Path) -> None
     ):
         join_kernels("both", [position, everywhere])
     together = [Together("both", names)]
-    files = render_c_kernels("pair", [position, everywhere], ("", "", "pair"), together)
+    files = render_c_kernels("pair", [position, everywhere], ("", "", "pair"), {}, together)
     library = compile_files(tmp_path, files, STRICT)
     points = np.array([-4.0, 0.0, 0.3, 1e9, np.nan])
     for sizes in ([66.0, 16.0, 0.3], [16.0, 66.0, 0.3]):

@@ -12,17 +12,25 @@ from pathlib import Path
 from typing import Any
 
 import mpmath as mp
+import numpy as np
 import pytest
 
 from mechproof.codegen.backends.numpy import render_template
 from mechproof.codegen.backends.scalar_texts import write_elementary
+from mechproof.codegen.c_names import HELPER
 from mechproof.codegen.elementary.fits import Rational, enclose
 from mechproof.codegen.elementary.formats import DOUBLE, SINGLE, Format
-from mechproof.codegen.elementary.functions import BODIES, Function, build
-from mechproof.codegen.languages import C99, C99_SINGLE, HELPER
+from mechproof.codegen.elementary.functions import BODIES, build
+from mechproof.codegen.languages import C99, C99_SINGLE
 from mechproof.codegen.program import Operand, Program
+from mechproof.roundoff.running import run as run_steps
+from mechproof.roundoff.singles import IN_SINGLES
 
 FORMATS = (DOUBLE, SINGLE)
+NUMBER: dict[Format, Callable[[float], float]] = {
+    DOUBLE: float,
+    SINGLE: lambda a: ctypes.c_float(a).value,
+}
 FITTED = [
     pytest.param(form, target, fitted, id=f"{form.name} {kind} {number}")
     for form in FORMATS
@@ -79,31 +87,42 @@ def run(program: Program, *arguments: float) -> float:
     return find(program.outputs[0])
 
 
-def nearest_angles() -> list[float]:
-    """The doubles nearest to multiples of pi/2, for their size: convergents of pi/2 over an ulp."""
+def run_singly(program: Program, *arguments: float) -> float:
+    given = {n: np.float32(a) for n, a in zip(program.inputs, arguments, strict=True)}
+    with np.errstate(over="ignore"):
+        (value,) = run_steps(program, given, IN_SINGLES)
+    return float(value)
+
+
+RUNS = {DOUBLE: run, SINGLE: run_singly}
+
+
+def nearest_angles(form: Format) -> list[float]:
+    """The numbers nearest to multiples of pi/2, for their size: convergents of pi/2 over an ulp."""
     found = []
     with mp.workdps(60):
-        for exponent in range(26):
-            ulp = mp.mpf(2) ** (exponent - 52)
+        for exponent in range(int(math.log2(form.largest))):
+            ulp = mp.mpf(2) ** (exponent + 1 - form.bits)
             rest, (p, q), (before_p, before_q) = mp.pi / 2 / ulp, (1, 0), (0, 1)
-            while q * mp.pi / 2 < DOUBLE.largest and q < 2**40:
+            while q * mp.pi / 2 < form.largest and q < 2**40:
                 part = int(mp.floor(rest))
                 (p, q), (before_p, before_q) = (part * p + before_p, part * q + before_q), (p, q)
                 rest = 1 / (rest - part)
-                if p < 2**53 and p * ulp <= DOUBLE.largest:
+                if p < 2**form.bits and p * ulp <= form.largest:
                     found.append(float(p * ulp))
     return found
 
 
-def hard_angles() -> list[float]:
+def hard_angles(form: Format) -> list[float]:
     """Multiples of pi/4 and their neighbours up to the largest angle, and a ladder to zero."""
-    turns = [*range(1, 60), 12345, 99999, 1000003, 2**20 + 1, 2**25 - 3, 85440000]
-    angles = [n * math.pi / 4 for n in turns if n * math.pi / 4 <= DOUBLE.largest]
-    near = [a for x in angles for a in (math.nextafter(x, 0), x, math.nextafter(x, math.inf))]
+    turns = [*range(1, 60), 1297, 12345, 99999, 1000003, 2**20 + 1, 2**25 - 3, 85440000]
+    angles = [n * math.pi / 4 for n in turns if n * math.pi / 4 <= form.largest]
+    near = [x * (1 + k * form.eps) for x in angles for k in (-1, 0, 1)]
     return [
-        *nearest_angles(),
+        *nearest_angles(form),
         *near,
         *(10.0**-k for k in range(0, 301, 12)),
+        *(2.0**-k for k in range(0, 126, 9)),
         0.1,
         0.7853,
         1.1,
@@ -113,7 +132,6 @@ def hard_angles() -> list[float]:
     ]
 
 
-ANGLES = hard_angles()
 SLOPES = [10.0**k for k in range(-300, 301, 25)] + [0.1, 0.5, 0.9, 0.9999999, 1.0, 1.0000001, 1.7]
 # Where one half of log(2) ends and the next begins, a ladder to zero, and the ends of the range.
 EXPONENTS = [
@@ -124,6 +142,8 @@ EXPONENTS = [
 # Where 1/2 is rounded down and then once more: the worst that was found.
 WORST_TAIL = 8.547434413440087e-09
 LIMITS = [WORST_TAIL] + [10.0**-k for k in range(0, 301, 12)] + [i / 7 for i in range(1, 263)]
+# The angles that are hard depend on the format.
+ANGLES: list[float] = []
 # ulp: the approximation, the rounding of what is reduced or the quotient, the last operation.
 CASES = {
     "tan": (ANGLES, mp.tan, 2.5),
@@ -146,7 +166,14 @@ def test_exponentials_in_c(form: Format, tmp_path: Path) -> None:
     language, real = (C99, ctypes.c_double) if form == DOUBLE else (C99_SINGLE, ctypes.c_float)
     kinds = ("exp", "normal_tail")
     data = {
-        **{"prefix": "none", "reductions": [], "kernels": [], "powers": True},
+        **{
+            "prefix": "none",
+            "reductions": [],
+            "kernels": [],
+            "used": ["power_of_two"],
+            "far": {},
+            "block": 1,
+        },
         **{"form": form, "largest": 0, "number": language.number},
         **{"absolute": "", "limit": "", "letters": "", "helper": HELPER},
         "real": form.name.replace("single", "float"),
@@ -172,33 +199,52 @@ def test_exponentials_in_c(form: Format, tmp_path: Path) -> None:
                 assert function(x) == pytest.approx(wanted, rel=2 * bound * form.eps, abs=0)
 
 
+@pytest.mark.parametrize("form", FORMATS, ids=lambda f: f.name)
 @pytest.mark.parametrize("kind", CASES)
-def test_a_function_is_within_few_eps_where_reductions_fail(kind: str) -> None:
+def test_a_function_is_within_few_eps_where_reductions_fail(kind: str, form: Format) -> None:
     points, true, bound = CASES[kind]
-    function: Function = build(kind, DOUBLE)
+    program, least = build(kind, form).program, 2.0 ** (2 - form.exponent)
     with mp.workdps(60):
-        for x in (*points, *(-x for x in points)):
-            wanted = true(mp.mpf(x))
-            off = abs(mp.mpf(run(function.program, x)) - wanted) / abs(wanted)
-            assert off <= bound * DOUBLE.eps, (kind, x.hex())
+        for x in map(NUMBER[form], points or hard_angles(form)):
+            for y in (x, -x) if least <= abs(x) < math.inf else ():
+                wanted = true(mp.mpf(y))
+                off = abs(mp.mpf(RUNS[form](program, y)) - wanted)
+                if least <= abs(wanted) < 2.0 ** (form.exponent - 1):
+                    assert off <= bound * form.eps * abs(wanted), (kind, y.hex())
 
 
-def test_arcs_of_two_numbers_in_every_quarter() -> None:
-    program = build("arctan2", DOUBLE).program
-    sides = [s * v for v in (1e-300, 0.3, 1.0, 7.5, 1e200) for s in (1, -1)]
+@pytest.mark.parametrize("form", FORMATS, ids=lambda f: f.name)
+def test_arcs_of_two_numbers_in_every_quarter(form: Format) -> None:
+    arcs, quotients = (build(kind, form).program for kind in ("arctan2", "arctan_quotient"))
+    far = 2.0 ** (form.exponent // 2)
+    sides = [NUMBER[form](s * v) for v in (1 / far, 0.3, 1.0, 7.5, far) for s in (1, -1)]
     for a in sides:
         for b in sides:
-            wanted = math.atan2(a, b)
-            assert run(program, a, b) == pytest.approx(wanted, rel=2 * DOUBLE.eps, abs=0)
+            for program, wanted in ((arcs, math.atan2(a, b)), (quotients, math.atan(a / b))):
+                least = 2.0 ** (2 - form.exponent)
+                found = RUNS[form](program, a, b)
+                assert found == pytest.approx(wanted, rel=2 * form.eps, abs=least * form.eps)
     for a, b in ((0.0, 1.0), (0.0, -1.0), (-0.0, -1.0), (0.0, 0.0), (1.0, 0.0), (-1.0, -0.0)):
-        assert run(program, a, b) == math.atan2(a, b)
+        assert RUNS[form](arcs, a, b) == NUMBER[form](math.atan2(a, b))
 
 
-def test_the_length_of_a_side_that_has_no_square() -> None:
-    program = build("hypot", DOUBLE).program
-    for a, b in ((3e200, 4e200), (3e-200, 4e-200), (3.0, -4.0), (0.0, 2.0), (1e-300, 1e300)):
+LENGTHS = [(3.0, -4.0), (0.0, 2.0), (1.0, 1e-3), (0.03, 0.04), (0.1, 0.0), (0.0, 0.0)]
+# Whose squares leave the range, above and below, up to its ends.
+ENDS = {
+    DOUBLE: [(3e200, 4e200), (3e-200, 4e-200), (1e-300, 1e300), (1e308, 1e308), (5e-324, 5e-324)],
+    SINGLE: [(3e25, 4e25), (3e-25, 4e-25), (1e-30, 1e30), (2e38, 2e38), (1.4e-45, 1.4e-45)],
+}
+
+
+@pytest.mark.parametrize("form", FORMATS, ids=lambda f: f.name)
+def test_the_length_of_a_side_that_has_no_square(form: Format) -> None:
+    program, smallest = build("hypot", form).program, 2.0 ** (3 - form.exponent - form.bits)
+    ladder = [(0.7 * 2.0**n, 0.3 * 2.0**n) for n in range(-form.exponent, form.exponent - 1)]
+    for pair in (*LENGTHS, *ENDS[form], *ladder):
+        a, b = map(NUMBER[form], pair)
+        found = RUNS[form](program, a, b)
         wanted = math.hypot(a, b)
-        assert run(program, a, b) == pytest.approx(wanted, rel=1.5 * DOUBLE.eps, abs=0)
+        assert found == pytest.approx(wanted, rel=1.5 * form.eps, abs=smallest / 2)
 
 
 @pytest.mark.parametrize(
@@ -215,13 +261,14 @@ def test_the_ends_of_the_range(kind: str, points: Any, values: Any) -> None:
     assert math.isnan(run(program, math.nan))
 
 
-def test_a_reduction_that_lost_a_word_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("form", FORMATS, ids=lambda f: f.name)
+def test_a_reduction_that_lost_a_word_is_seen(form, monkeypatch: pytest.MonkeyPatch) -> None:
     """The check above fails where pi/2 is two words only."""
     split = Format.split
     monkeypatch.setattr(Format, "split", lambda self, v, n: (*split(self, v, 2), 0.0)[:n])
     build.cache_clear()
     try:
         with pytest.raises(AssertionError):
-            test_a_function_is_within_few_eps_where_reductions_fail("sin")
+            test_a_function_is_within_few_eps_where_reductions_fail("sin", form)
     finally:
         build.cache_clear()

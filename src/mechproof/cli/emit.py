@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
@@ -12,6 +13,7 @@ from mechproof.cli.judging import judge_papers, refuse_failures
 from mechproof.cli.places import DerivationsOption, find_locations, find_places, read_out
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.files import write_whole
+from mechproof.record import Paper
 from mechproof.verification import LIMIT
 
 Sizes = dict[str, float | tuple[float, ...]]
@@ -40,6 +42,14 @@ def emit_c(
         list[str] | None,
         typer.Option("--let", metavar="NAME=VALUE", help="With --error: a size, or LOW:HIGH."),
     ] = None,
+    name: Annotated[
+        str | None,
+        typer.Option(
+            "--name",
+            help="With --error: what the files, and before the quantity the functions, are "
+            "called; SYSTEM_tailored if left out.",
+        ),
+    ] = None,
     derivations: DerivationsOption = None,
 ) -> None:
     """Write a header and a source in C99 for each system; they need <math.h> and <stddef.h>.
@@ -50,7 +60,8 @@ def emit_c(
 
     With --error a kernel for fixed sizes is written, as cheap as the error permits:
     elliptic_planetary.position --error 1e-9 --let R1=66 --let R2=16 --let e=0.475; the range of
-    the running variable is --let phi1=0:10.
+    the running variable is --let phi1=0:10. A file that holds something else is not overwritten:
+    --name gives a second kernel its own.
 
     Nothing is written unless every kernel is PROVED, as `mechproof verify` shows it.
 
@@ -59,20 +70,21 @@ def emit_c(
     """
     from mechproof.codegen.backends.c99 import render_c
 
-    if let and error is None:
-        refuse("--let goes with --error")
+    if error is None and (let or name is not None):
+        refuse(f"{'--let' if let else '--name'} goes with --error")
     if error is not None:
         if float32 or derivations:
             refuse("--error goes neither with --float32 nor with --derivations")
-        _emit_tailored(systems or [], error, _read_sizes(let or []), out)
+        _emit_tailored(systems or [], error, _read_sizes(let or []), out, name)
         return
     _refuse_quantities(systems or [])
     locations = find_locations(systems or (), find_places(derivations, None))
     ledgers = judge_papers(locations, use_cache=True, limit=LIMIT, only_kernels=True)
     refuse_failures(ledgers)
-    for ledger in ledgers:
+    for location, ledger in zip(locations, ledgers, strict=True):
         try:
-            files = render_c(ledger.paper, single=float32)
+            errors = _search_errors(ledger.paper, location) if float32 else None
+            files = render_c(ledger.paper, errors=errors)
         except (ValueError, NotImplementedError) as error:
             if systems:
                 fail(str(error))
@@ -80,6 +92,13 @@ def emit_c(
             continue
         for name, text in files.items():
             _write(out / name, text)
+
+
+def _search_errors(paper: Paper, location: Path) -> Mapping[str, str]:
+    from mechproof.lab.singles import state_errors
+
+    say(f"{paper.system}: searching for the largest errors in float")
+    return state_errors(paper, location)
 
 
 def _refuse_quantities(names: list[str]) -> None:
@@ -94,7 +113,9 @@ def _refuse_quantities(names: list[str]) -> None:
             )
 
 
-def _emit_tailored(names: list[str], error: float, sizes: Sizes, out: Path) -> None:
+def _emit_tailored(
+    names: list[str], error: float, sizes: Sizes, out: Path, called: str | None
+) -> None:
     from mechproof.tailoring import tailor
 
     if len(names) != 1:
@@ -105,7 +126,11 @@ def _emit_tailored(names: list[str], error: float, sizes: Sizes, out: Path) -> N
         refuse(str(wrong))
     say(repr(kernel))
     try:
-        files = kernel.write_c(out)
+        files = kernel.write_c(out, name=called)
+    except FileExistsError as there:
+        refuse(f"--out: {there}; --name gives the new ones another name")
+    except ValueError as wrong:
+        refuse(f"--{wrong}")
     except OSError as failed:
         fail(f"--out: {failed}")
     for file in files:

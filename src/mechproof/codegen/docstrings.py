@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from textwrap import TextWrapper
 from types import MappingProxyType
 
@@ -155,18 +155,26 @@ def _paragraphs(notes: list[str]) -> list[str]:
 
 
 def _formula(kernel: Kernel, paper: Paper) -> list[str]:
-    formula, names, given = _shown_formula(kernel), input_names(kernel.quantity), _given(paper)
     beside = (k for k in list_functions(paper) if k.is_shipped == kernel.is_shipped)
-    used = find_given(formula, kernel.quantity, paper)
+    used = find_given(_shown_formula(kernel), kernel.quantity, paper)
     shared = _find_shared(beside, paper) if len(used) > MOST_SYMBOLS else set()
+    elsewhere = ["", *_fill("Symbols without an equation here: see the module.")] if shared else []
+    return [*show_formula(kernel, paper, shared), *elsewhere]
+
+
+def show_formula(
+    kernel: Kernel, paper: Paper, shared: Collection[sp.Symbol] = frozenset()
+) -> list[str]:
+    """Write the formula, with an equation for each given symbol that is not explained elsewhere."""
+    formula, names, given = _shown_formula(kernel), input_names(kernel.quantity), _given(paper)
     if isinstance(formula, sp.MatrixBase):
         rows = [[write_formula(entry, names) for entry in row] for row in formula.tolist()]
         shown = [f"[{', '.join(row)}]" for row in rows]
     else:
         shown = [f"{kernel.name} = {write_formula(formula, names)}"]
+    used = find_given(formula, kernel.quantity, paper)
     shown += [f"{s} = {write_formula(given[s], names)}" for s in used if s not in shared]
-    elsewhere = ["", *_fill("Symbols without an equation here: see the module.")] if shared else []
-    return [*(line for text in shown for line in _wrap_formula(text)), *elsewhere]
+    return [line for text in shown for line in _wrap_formula(text)]
 
 
 def find_given(formula: sp.Basic, quantity: Quantity, paper: Paper) -> list[sp.Symbol]:
@@ -221,7 +229,8 @@ def list_notes(kernel: Kernel, paper: Paper) -> list[str]:
             f"Where {write_formula(form.when, names)} for all elements, {form.name} is computed."
         )
     notes += [NOTES[name] for form in kernel.forms for name in form.rewrites if name in NOTES]
-    notes += [f"Accuracy: {tell_accuracy(quantity.accuracy, names)}."] if quantity.accuracy else []
+    told = tell_bound(quantity)
+    notes += [f"Accuracy: {told}."] if told else []
     notes += [form.proved for form in kernel.forms if form.proved]
     return [*notes, f"Source: {quantity.source}."]
 
@@ -243,6 +252,11 @@ def _approximations(kernel: Kernel) -> list[str]:
         for form in kernel.forms
         if form.bound is not None
     ]
+
+
+def tell_bound(quantity: Quantity) -> str:
+    """Say what error is promised of a quantity; nothing where none is."""
+    return tell_accuracy(quantity.accuracy, input_names(quantity)) if quantity.accuracy else ""
 
 
 def tell_accuracy(accuracy: Accuracy, names: Mapping[sp.Basic, str]) -> str:

@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from types import MappingProxyType
 
+from mechproof.codegen.c_names import HELPER, spell_in_c
 from mechproof.codegen.elementary.functions import BODIES
 from mechproof.codegen.syntax import (
     ATOM,
@@ -95,8 +96,6 @@ NUMBA_FAR = replace(
     calls=MappingProxyType({**NUMBA.calls, **{name: f"math.{name}" for name in _LIBRARY}}),
     last=MappingProxyType({}),
 )
-# What helpers in a source of C begin with.
-HELPER = "mp_"
 C99 = Syntax(
     infix=MappingProxyType({**INFIX, "both": ("&&", BOTH), "either": ("||", EITHER)}),
     calls=MappingProxyType(
@@ -111,7 +110,8 @@ C99 = Syntax(
             "is_finite": "isfinite",
         }
     ),
-    last=MappingProxyType({}),
+    # Wherever an angle lies: loops over points alone know that all are near.
+    last=MappingProxyType(dict.fromkeys(NUMBA.last, "1")),
     patterns=MappingProxyType(
         {"negate": ("-{}", SIGN, SIGN), "choose": ("{} ? {} : {}", EITHER, CHOICE)}
     ),
@@ -124,8 +124,13 @@ C99 = Syntax(
         }
     ),
     number=lambda number: repr(float(number)),
+    name=spell_in_c,
 )  # fmt: skip
-C99_FAR = replace(C99, calls=MappingProxyType({**C99.calls, **{n: n for n in _LIBRARY}}))
+C99_FAR = replace(
+    C99,
+    calls=MappingProxyType({**C99.calls, **{n: n for n in _LIBRARY}}),
+    last=MappingProxyType({}),
+)
 
 
 def _write_single(number: float) -> str:
@@ -152,4 +157,5 @@ C99_SINGLE = replace(
 C99_SINGLE_FAR = replace(
     C99_SINGLE,
     calls=MappingProxyType({**C99_SINGLE.calls, **{n: f"{n}f" for n in _LIBRARY}}),
+    last=MappingProxyType({}),
 )

@@ -35,7 +35,8 @@ class Syntax:
 
     `calls` are functions by the kind of operation, `last` what is put after their arguments.
     `patterns` spell the other kinds: a text for the operands, as they stand or in brackets if
-    they bind less than the level, and the level of the whole.
+    they bind less than the level, and the level of the whole. `name` spells a name of the paper
+    so that it is none of the language's or the machinery's.
     """
 
     infix: Mapping[str, tuple[str, Level]]
@@ -44,6 +45,7 @@ class Syntax:
     patterns: Mapping[str, tuple[str, Level, Level]]
     constants: Mapping[str, str]
     number: Callable[[float], str] = repr
+    name: Callable[[str], str] = str
 
 
 @dataclass(frozen=True)
@@ -63,7 +65,7 @@ def write_program(program: Program, syntax: Syntax) -> Text:
         if operation.result.startswith(TEMPORARY):
             writer.written[operation.result] = text, level
         else:
-            steps.append((operation.result, text))
+            steps.append((syntax.name(operation.result), text))
     return Text(tuple(steps), tuple(writer.show(output)[0] for output in program.outputs))
 
 
@@ -74,8 +76,9 @@ class _Writer:
 
     def show(self, operand: Operand) -> tuple[str, Level]:
         if isinstance(operand, str):
-            constants = self._syntax.constants
-            return self.written.get(operand, (constants.get(operand, operand), ATOM))
+            if operand in self.written:
+                return self.written[operand]
+            return self._syntax.constants.get(operand) or self._syntax.name(operand), ATOM
         return self._syntax.number(operand), ATOM if operand >= 0 else SIGN
 
     def enclose(self, operand: Operand, level: Level) -> str:

@@ -17,7 +17,7 @@ def fma(a: Any, b: Any, c: Any) -> Any:
     product = a * b
     low, lowest = add_exactly(c, product_rest(a, b, product))
     high, middle = add_exactly(product, low)
-    fused = high + _add_to_odd(middle, lowest)
+    fused = high + add_to_odd(middle, lowest)
     return np.where(np.isfinite(fused), fused, product + c)
 
 
@@ -28,7 +28,7 @@ def add_exactly(a: Any, b: Any) -> tuple[Any, Any]:
     return total, (a - (total - part)) + (b - part)
 
 
-def _add_to_odd(a: Any, b: Any) -> Any:
+def add_to_odd(a: Any, b: Any) -> Any:
     """Return the sum, of its two neighbours that with an odd last bit if it is no double."""
     total, rest = add_exactly(a, b)
     bits = np.asarray(total).view(np.int64)

@@ -17,10 +17,12 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.scalars import require
-from mechproof.codegen.backends.c99 import KEYWORDS, render_c_kernels
+from mechproof.codegen.backends.c99 import render_c_kernels
 from mechproof.codegen.backends.numba import render_scalars
 from mechproof.codegen.backends.numpy import render_module, write_kernel
+from mechproof.codegen.c_names import WORDS
 from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.docstrings import show_formula
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.kernel_reading import read_module
 from mechproof.codegen.program import NOTHING, Program, unfuse
@@ -88,16 +90,21 @@ class Tailored:
 
         The files and, before the quantity, the functions are called `name`, by default
         <system>_tailored. TypeError if it is no text, ValueError if it is no name in C.
+        FileExistsError if a file of the name is there and holds something else.
         """
         called = f"{self.name.partition('.')[0]}_tailored" if name is None else name
         require(isinstance(called, str), "name", name, "must be a text", TypeError)
-        is_name = called.isidentifier() and called.isascii() and called not in KEYWORDS
+        is_name = called.isidentifier() and called.isascii() and called not in WORDS
         require(is_name and called[0] != "_", "name", name, "must be a name in C")
         require(len(called) <= LONGEST, "name", name, f"must have at most {LONGEST} characters")
         files = _render_c(self._request, self._built.model, called, _tell_bound(self))
-        for file, text in files.items():
-            write_whole(Path(folder) / file, text)
-        return tuple(Path(folder) / file for file in files)
+        texts = {Path(folder) / file: text for file, text in files.items()}
+        for file, text in texts.items():
+            if file.exists() and file.read_bytes() != text.encode():
+                raise FileExistsError(f"{file} is there and holds something else")
+        for file, text in texts.items():
+            write_whole(file, text)
+        return tuple(texts)
 
 
 def _tell_bound(kernel: Tailored) -> str:
@@ -218,4 +225,7 @@ def _render_c(request: Request, model: Model, called: str, accuracy: str) -> dic
         f"{accuracy}, proved, roundings included.",
         request.paper.system,
     )
-    return render_c_kernels(called, [_wrap(request, model, fused=True)], about)
+    kernel = _wrap(request, model, fused=True)
+    domain = f"Domain: {model.low:.17g} <= {request.variable} <= {model.high:.17g}."
+    notes = {kernel.name: [*show_formula(kernel, request.paper), "", domain]}
+    return render_c_kernels(called, [kernel], about, notes)

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
+from typing import Any
 
+from mechproof.codegen.backends.angles import Angles, ask_first
 from mechproof.codegen.backends.numpy import render_template
 from mechproof.codegen.backends.one_pass import join_kernels, list_unlike_domains
-from mechproof.codegen.backends.scalar import list_elementary, list_scalars
+from mechproof.codegen.backends.scalar import list_scalars, list_stages
 from mechproof.codegen.backends.scalar_texts import (
     ScalarKernel,
     extend_syntax,
@@ -18,26 +21,28 @@ from mechproof.codegen.backends.scalar_texts import (
     write_scalar,
 )
 from mechproof.codegen.backends.sums import LOOPS, fold_sums
-from mechproof.codegen.elementary.formats import DOUBLE, SINGLE
-from mechproof.codegen.elementary.functions import build
+from mechproof.codegen.c_names import HELPER, spell_in_c
+from mechproof.codegen.docstrings import describe_domain, show_formula, tell_bound, tell_unit
+from mechproof.codegen.elementary.formats import DOUBLE, SINGLE, Format
+from mechproof.codegen.elementary.functions import BODIES
 from mechproof.codegen.kernel import Kernel
-from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR, HELPER
+from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
 from mechproof.codegen.syntax import Syntax
 from mechproof.record import Paper, Together
 
 WIDTH = 90
 ACCURACY = {
-    False: "Tests hold them to the accuracy bounds that the help of the NumPy kernels states. What "
-    "it says is proved of compiled kernels is proved of these, without contractions.",
-    True: "No accuracy bound is stated in float.",
+    False: "Accuracy is the bound of the error that the tests hold; eps = 2**-52. What the help of "
+    "the NumPy kernels says is proved of compiled kernels is proved of these: without contractions "
+    "they compute the same.",
+    True: "Accuracy is the largest error that a search has found, in floats as they are computed "
+    "here, where no value on the way leaves their range; eps = 2**-23.",
 }
-KEYWORDS = frozenset({
-    "auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else",
-    "enum", "extern", "float", "for", "goto", "if", "inline", "int", "long", "register",
-    "restrict", "return", "short", "signed", "sizeof", "static", "struct", "switch", "typedef",
-    "union", "unsigned", "void", "volatile", "while", "out", "count", "prepared", "i", "j",
-    "terms",
-})  # fmt: skip
+COMMAND = "cc -std=c99 -O3 -march=native -ffp-contract=off -fno-math-errno -fno-trapping-math"
+# Points whose angles are asked for together: of a block numbers stay in the first cache.
+BLOCK = 512
+# What is written out beside the elementary functions.
+MACHINE = ("square", "maximum", "power_of_two")
 # With a file of the same name beside it, <math.h>, or what it includes, may be that one.
 HEADERS = frozenset({
     "assert", "complex", "ctype", "errno", "features", "fenv", "float", "inttypes", "iso646",
@@ -47,32 +52,47 @@ HEADERS = frozenset({
 })  # fmt: skip
 
 
-def render_c(paper: Paper, *, single: bool = False) -> dict[str, str]:
+def render_c(paper: Paper, *, errors: Mapping[str, str] | None = None) -> dict[str, str]:
     """Render the header and the source of a paper's kernels by their file names.
 
-    Raises ValueError if there is no kernel, or a name means something else in C.
+    They compute in float if `errors` says of each how far off it was found then.
+    Raises ValueError if there is no kernel, or the names of two kernels meet in C.
     """
     kernels = list_scalars(paper)
     if not kernels:
         raise ValueError(f"{paper.system}: no kernel that C can compute point by point")
+    single = errors is not None
     file = f"{paper.system}_single" if single else paper.system
     about = paper.citation, ACCURACY[single], paper.system
-    return render_c_kernels(file, kernels, about, paper.together, single=single)
+    notes = {k.name: _describe(k, paper, errors) for k in kernels}
+    return render_c_kernels(file, kernels, about, notes, paper.together, single=single)
+
+
+def _describe(kernel: Kernel, paper: Paper, errors: Mapping[str, str] | None) -> list[str]:
+    """Write the lines of a function: formula, domain, accuracy, source."""
+    quantity = kernel.quantity
+    told = tell_bound(quantity) if errors is None else errors[kernel.name]
+    notes = [f"Domain: {describe_domain(quantity, paper)}."]
+    notes += [f"Accuracy: {told}."] if told else []
+    notes += [f"Source: {quantity.source}."]
+    wrapped = [line for note in notes for line in textwrap.wrap(note, WIDTH)]
+    return [*show_formula(kernel, paper), "", *wrapped]
 
 
 def render_c_kernels(
     file: str,
     kernels: Sequence[Kernel],
     about: tuple[str, str, str],
+    notes: Mapping[str, Sequence[str]],
     together: Iterable[Together] = (),
     *,
     single: bool = False,
 ) -> dict[str, str]:
     """Render the header and the source of kernels whose names begin with that of the file.
 
-    `about` says what they are, how accurate, and of which system.
-    Raises ValueError if a name means something else in C, NotImplementedError for what has no
-    pass in common. Kernels of different domains are called one after the other, point by point.
+    `about` says what they are, how accurate, and of which system, `notes` what each computes.
+    Raises ValueError where the names of files or functions meet, NotImplementedError for what has
+    no pass in common. Kernels of different domains are called one after the other, point by point.
     """
     if file.lower() in HEADERS:
         raise ValueError(f"{file}: C has a header {file.lower()}.h, kernels need another name")
@@ -80,22 +100,24 @@ def render_c_kernels(
         raise ValueError(
             f"{file}: what begins with {HELPER} are helpers, kernels need another name"
         )
-    citation, accuracy, system = about
     form, language, far = (SINGLE, C99_SINGLE, C99_SINGLE_FAR) if single else (DOUBLE, C99, C99_FAR)
+    language = replace(language, name=partial(spell_in_c, file=file))
     folded, reductions = fold_sums(kernels)
     extended = extend_syntax(language, reductions, HELPER, "terms")
-    written = [write_scalar(kernel, extended) for kernel in folded]
-    written += [_write_together(several, folded, written, extended) for several in together]
-    for kernel in written:
-        if taken := sorted(KEYWORDS.union(kernel.outs) & set(kernel.names)):
-            raise ValueError(f"{file}.{kernel.name}: {taken} mean something else in C")
+    angles: dict[str, Angles] = {}
+    written = [_write(kernel, extended, form, angles) for kernel in folded]
+    written += [
+        _write_together(several, folded, written, extended, form, angles) for several in together
+    ]
+    names = [name for kernel in written for name in (kernel.name, f"{kernel.name}_array")]
+    if twice := sorted({name for name in names if names.count(name) > 1}):
+        raise ValueError(f"{file}: two kernels would be called {file}_{twice[0]} in C")
+    citation, accuracy, system = about
     common: dict[str, object] = {
         "prefix": file,
         "real": "float" if single else "double",
         "kernels": written,
     }
-    elementary = list_elementary(folded, reductions)
-    steps = [step for kind in elementary for step in build(kind, form).program.operations]
     header = {
         **common,
         "citation": textwrap.wrap(citation, WIDTH),
@@ -103,36 +125,70 @@ def render_c_kernels(
         "system": system,
         "precision": "single precision" if single else "double precision",
         "accuracy": textwrap.wrap(accuracy, WIDTH),
+        "notes": notes,
+        "command": COMMAND,
+        "tell_unit": tell_unit,
     }
     source = {
         **common,
         "helper": HELPER,
         "largest": form.largest,
+        "block": BLOCK,
         "limit": language.number(form.largest),
         "absolute": language.calls["absolute"],
         "number": language.number,
-        "powers": any(step.kind == "power_of_two" for step in steps),
         "form": form,
-        "functions": [write_elementary(kind, form, language, far) for kind in elementary],
-        "letters": LOOPS,
+        "letters": [f"{HELPER}{letter}" for letter in LOOPS],
         "reductions": [write_reduction(found, extended) for found in reductions],
+        "far": angles,
     }
     return {
         f"{file}.h": _tidy(render_template("c_header.h.jinja", header)),
-        f"{file}.c": _tidy(render_template("c_source.c.jinja", source)),
+        f"{file}.c": _tidy(_render_source(source, form, language, far)),
     }
 
 
+def _render_source(data: Mapping[str, object], form: Format, language: Syntax, far: Syntax) -> str:
+    """Render a source with the helpers that it calls, and no others."""
+
+    def render(helpers: Sequence[str]) -> str:
+        texts = [write_elementary(k, form, language, far) for k in BODIES if k in helpers]
+        return render_template("c_source.c.jinja", {**data, "functions": texts, "used": helpers})
+
+    known = (*BODIES, *MACHINE)
+    called: tuple[str, ...] = ()
+    # Helpers of kernels, then those that these call.
+    for _ in range(2):
+        text = render(called)
+        called = tuple(kind for kind in known if f"{language.calls[kind]}(" in text)
+    return render(called)
+
+
+def _write(kernel: Kernel, syntax: Syntax, form: Format, angles: dict[str, Angles]) -> ScalarKernel:
+    """Write a kernel, and what it asks of its angles by the names of its stages."""
+    text = write_scalar(kernel, syntax)
+    if text.sums:
+        return text
+    stages = []
+    for written, (name, stage) in zip(text.stages, list_stages(kernel), strict=True):
+        told, asked = ask_first(written, stage, form.largest, syntax)
+        stages.append(told)
+        angles.update({name: asked} if asked else {})
+    return replace(text, stages=tuple(stages))
+
+
 def _write_together(
-    together: Together, kernels: Sequence[Kernel], written: Sequence[ScalarKernel], syntax: Syntax
+    together: Together,
+    kernels: Sequence[Kernel],
+    written: Sequence[ScalarKernel],
+    *how: Any,
 ) -> ScalarKernel:
     several = join_scalars(together, written)
     named = {kernel.name: kernel for kernel in kernels}
     members = [named[name] for name in together.quantities]
     if list_unlike_domains(members):
         return several
-    joined = join_kernels(together.name, members)
-    text = write_scalar(joined, syntax)
+    text = _write(join_kernels(together.name, members), *how)
     return replace(text, summary=several.summary, members=several.members)
 
 

@@ -193,7 +193,7 @@ def check_translation(source: str, kernels: Iterable[Kernel]) -> None:
     for kernel, _ in parted:
         for name, stage in list_stages(kernel):
             meant[f"_prepare{name}"] = stage.prepare
-            meant[name] = stage.evaluate or NOTHING
+            meant[f"_form{name}"] = stage.evaluate or NOTHING
     _compare({n: p for n, p in meant.items() if p != NOTHING}, read_scalars(source))
     loops = {f"_{f.name}": (f.kind, f.axes, f.parameters, f.elements) for f in reductions}
     beside = {f"{name}{OF_SETS}": loop for name, loop in loops.items()}

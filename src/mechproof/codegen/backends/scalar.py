@@ -6,13 +6,11 @@ products, and the elementary functions that occur are programs of plain arithmet
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from mechproof.codegen.backends.quotients import put_off_divisions
-from mechproof.codegen.backends.sums import ADDED, Reduction
 from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.elementary.functions import BODIES
 from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program
 from mechproof.record import Paper
@@ -99,7 +97,7 @@ def rename(program: Program, names: Mapping[Operand, str]) -> Program:
 
 
 def list_stages(kernel: Kernel) -> list[tuple[str, Stage]]:
-    """List the stages of a kernel by the names of their functions, all components named."""
+    """List the stages of a kernel by how the names of their functions end, components named."""
     renamed = rename_components(kernel.code, list_arguments(kernel))
     return [_scalar_stage(kernel, number, renamed) for number in range(len(kernel.code.stages))]
 
@@ -114,7 +112,7 @@ def list_conditions(kernel: Kernel) -> list[Program]:
 def _scalar_stage(kernel: Kernel, number: int, names: Mapping[Operand, str]) -> tuple[str, Stage]:
     stage = kernel.code.stages[number]
     last = number == len(kernel.code.stages) - 1
-    name = f"_{kernel.name}" if last else f"_{kernel.name}_{number + 1}"
+    name = f"_of_{kernel.name}" if last else f"_{number + 1}_of_{kernel.name}"
     running = tuple(names.get(n, n) for n in stage.running)
     scalar = Stage(
         rename(stage.when, names) if stage.when else None,
@@ -142,12 +140,3 @@ def map_affinely(point: tuple[str, ...]) -> Program:
         outputs.append(result)
     inputs = (*point, *rows, *shift)
     return Program(inputs, tuple(operations), tuple(outputs)).normal_form()
-
-
-def list_elementary(kernels: Iterable[Kernel], reductions: Iterable[Reduction]) -> tuple[str, ...]:
-    """List the elementary functions that kernels take, in the order of their table."""
-    programs = [p for kernel in kernels for stage in kernel.code.stages for p in stage.programs]
-    used = {ADDED for reduction in reductions if reduction.kind == "sum"}
-    used |= {step.kind for p in programs for step in p.operations}
-    used |= {step.kind for reduction in reductions for step in reduction.term.operations}
-    return tuple(kind for kind in BODIES if kind in used)

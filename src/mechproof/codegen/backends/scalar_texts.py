@@ -13,6 +13,7 @@ from mechproof.codegen.backends.scalar import (
     rename_components,
 )
 from mechproof.codegen.backends.sums import Reduction
+from mechproof.codegen.c_names import STORED
 from mechproof.codegen.code import Stage
 from mechproof.codegen.elementary.fits import enclose
 from mechproof.codegen.elementary.formats import Format
@@ -70,13 +71,19 @@ class ScalarKernel:
     stages: tuple[ScalarStage, ...]
     shape: tuple[int, ...]
     limited: bool
+    unit: str
     members: tuple[ScalarKernel, ...] = ()
     loops: tuple[LoopCall, ...] = ()
 
     @property
     def outs(self) -> tuple[str, ...]:
         """Return the names of the arrays that results are stored in."""
-        return tuple(f"out_{m.name}" for m in self.members) or ("out",)
+        return tuple(f"{STORED}{m.name}" for m in self.members) or ("out",)
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """Return the unit of each result."""
+        return tuple(m.unit for m in self.members) or (self.unit,)
 
     @property
     def count(self) -> int:
@@ -142,14 +149,24 @@ def write_scalar(kernel: Kernel, syntax: Syntax, loops: tuple[LoopCall, ...] = (
     return ScalarKernel(
         kernel.name,
         kernel.quantity.summary,
-        arguments,
+        tuple(_spell_argument(a, syntax) for a in arguments),
         "".join(write_program(inside, syntax).outputs),
-        frozenset(n for a in arguments for n in a.components if n in used),
+        frozenset(syntax.name(n) for a in arguments for n in a.components if n in used),
         tuple(_write_stage(name, stage, syntax) for name, stage in list_stages(kernel)),
         code.shape,
         any(is_limited(p, syntax) for s in code.stages for p in s.programs),
+        kernel.quantity.unit,
         loops=loops,
     )
+
+
+def _spell_argument(argument: ScalarArgument, syntax: Syntax) -> ScalarArgument:
+    components = _spell(argument.components, syntax)
+    return replace(argument, name=syntax.name(argument.name), components=components)
+
+
+def _spell(names: Iterable[str], syntax: Syntax) -> tuple[str, ...]:
+    return tuple(map(syntax.name, names))
 
 
 def join_scalars(together: Together, kernels: Sequence[ScalarKernel]) -> ScalarKernel:
@@ -183,18 +200,20 @@ def _write_stage(name: str, stage: Stage, syntax: Syntax) -> ScalarStage:
     return ScalarStage(
         name,
         when,
-        stage.parameters,
+        _spell(stage.parameters, syntax),
         write_program(stage.prepare, syntax),
         write_program(stage.evaluate, syntax),
-        stage.evaluate.inputs,
-        stage.running,
-        list_booleans(stage.prepare) | list_booleans(stage.evaluate),
+        _spell(stage.evaluate.inputs, syntax),
+        _spell(stage.running, syntax),
+        list_booleans(stage.prepare, syntax) | list_booleans(stage.evaluate, syntax),
     )
 
 
-def list_booleans(program: Program) -> frozenset[str]:
+def list_booleans(program: Program, syntax: Syntax) -> frozenset[str]:
     """List the results that are true or false."""
-    return frozenset(step.result for step in program.operations if step.kind in BOOLEAN)
+    return frozenset(
+        syntax.name(step.result) for step in program.operations if step.kind in BOOLEAN
+    )
 
 
 def is_limited(program: Program, syntax: Syntax) -> bool:
@@ -228,10 +247,17 @@ class ReductionText:
 
 def write_reduction(found: Reduction, syntax: Syntax) -> ReductionText:
     """Write the text of a term."""
-    return ReductionText(
+    spelled = replace(
         found,
+        parameters=_spell(found.parameters, syntax),
+        arrays=_spell(found.arrays, syntax),
+        elements=tuple((syntax.name(name), indices) for name, indices in found.elements),
+        term=replace(found.term, inputs=_spell(found.term.inputs, syntax)),
+    )
+    return ReductionText(
+        spelled,
         write_program(found.term, syntax),
-        list_booleans(found.term),
+        list_booleans(found.term, syntax),
         is_limited(found.term, syntax),
     )
 
@@ -242,9 +268,9 @@ def write_elementary(kind: str, form: Format, syntax: Syntax, far: Syntax) -> Fu
     return FunctionText(
         kind,
         function.meaning,
-        function.program.inputs,
+        _spell(function.program.inputs, syntax),
         write_program(function.program, syntax),
         write_program(function.far, far) if function.far else None,
-        list_booleans(function.program),
+        list_booleans(function.program, syntax),
         tuple((t.meaning, enclose(t, fitted) / form.eps) for t, fitted in function.fits),
     )

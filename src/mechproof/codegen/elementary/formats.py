@@ -15,7 +15,9 @@ class Format:
 
     `largest` is the largest angle, and the reciprocal of `margin` the number of quarter turns,
     up to which the reduction is as exact as an ulp of what it leaves. Numbers from
-    2**`exponent` on are infinite.
+    2**`exponent` on are infinite. Sums of squares keep their digits where the larger number is
+    between 2**-`squares` and 2**`squares`; any other has its own there times 2**`scale` or
+    2**-`scale`.
     """
 
     name: str
@@ -28,6 +30,7 @@ class Format:
     small_arctangent: int
     exponential: int
     tail: int
+    squares: int
     scale: int
     exponent: int
 
@@ -50,5 +53,5 @@ class Format:
         return tuple(words)
 
 
-DOUBLE = Format("double", 53, 2.0**26, (3, 3), 5, 5, 21, 13, 4, 22, 600, 1024)
-SINGLE = Format("single", 24, 2.0**11, (1, 2), 2, 2, 8, 5, 2, 12, 70, 128)
+DOUBLE = Format("double", 53, 2.0**26, (3, 3), 5, 5, 21, 13, 4, 22, 500, 600, 1024)
+SINGLE = Format("single", 24, 2.0**11, (1, 2), 2, 2, 8, 5, 2, 12, 50, 90, 128)

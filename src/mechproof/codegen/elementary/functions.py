@@ -183,7 +183,7 @@ class _Maker:
         """Return sqrt(a**2 + b**2), scaled where squares would leave the range."""
         one, other = abs(a), abs(b)
         size = choose(one > other, one, other)
-        large, small = 2.0 ** (self.form.scale - 100), 2.0 ** (100 - self.form.scale)
+        large, small = 2.0**self.form.squares, 2.0**-self.form.squares
         factor = choose(
             size > large,
             2.0**-self.form.scale,
