@@ -33,7 +33,7 @@ from mechproof.record import Form, Paper
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 LINE_LENGTH = 100
-REGENERATED = "Regenerate with `mechproof regenerate`; edits are overwritten."
+REGENERATED = "Regenerate with `mechproof regenerate`, which refuses to overwrite edits."
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "arrays": ("as_floats", "check_components", "split_components", "sum_axes"),
