@@ -81,8 +81,9 @@ class Made:
         present = None if content is None else content.decode("utf-8", "backslashreplace")
         if present == wanted:
             return None
-        is_listed = content is None or (sha256(content).hexdigest(), name) in known
-        is_own = is_listed or name == self.listed or not content.strip()
+        digest = sha256(content or b"").hexdigest()
+        # There is nothing to lose of what is empty.
+        is_own = (digest, name) in known or name == self.listed or not (content or b"").strip()
         return Change(name, present, wanted, is_own) if wanted is not None or is_own else None
 
     def update(self, files: Mapping[str, str], *, and_remove: bool = True) -> list[Change]:

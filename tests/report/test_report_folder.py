@@ -51,9 +51,7 @@ def test_a_file_in_the_way_is_kept(tmp_path: Path) -> None:
     write_folder(tmp_path, {"index.html": "one"})
     (tmp_path / "papers").mkdir()
     (tmp_path / "papers" / "a.html").write_text("mine")
-    with pytest.raises(
-        ForeignFileError, match=r"a\.html: .* was not made"
-    ):
+    with pytest.raises(ForeignFileError, match=r"a\.html: .* was not made"):
         write_folder(tmp_path, FILES)
     assert (tmp_path / "index.html").read_text() == "one"
 

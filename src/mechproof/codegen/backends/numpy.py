@@ -24,6 +24,7 @@ from mechproof.codegen.elementary.fits import (
     fit,
 )
 from mechproof.codegen.elementary.formats import DOUBLE
+from mechproof.codegen.escapes import ESCAPES
 from mechproof.codegen.facts import Condition, Sizes, list_conditions, list_sizes
 from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.languages import NUMPY_BODY
@@ -228,6 +229,7 @@ def render_template(name: str, data: Mapping[str, object], folder: Path = TEMPLA
         keep_trailing_newline=True,
         autoescape=False,
     )
+    environment.filters.update(ESCAPES)
     text = (folder / name).read_text(encoding="utf-8")
     asked = meta.find_undeclared_variables(environment.parse(text))
     if asked != set(data):
