@@ -72,6 +72,15 @@ def test_a_file_in_the_way_is_named(tmp_path: Path) -> None:
     assert "__init__.py: to be written, but what lies there was not made" in result.output
 
 
+def test_a_place_that_cannot_be_written_to_is_a_sentence(tmp_path: Path) -> None:
+    (tmp_path / "derivations").mkdir()
+    write(tmp_path / "derivations", PROVED)
+    (tmp_path / "generated").write_text("mine")
+    result = run("regenerate", "--root", str(tmp_path))
+    assert (result.exit_code, type(result.exception)) == (1, SystemExit)
+    assert "File exists: " in result.output
+
+
 def test_two_papers_of_one_name_are_an_error(tmp_path: Path) -> None:
     text = write(tmp_path, PROVED).read_text(encoding="utf-8")
     (tmp_path / "other.py").write_text(text, encoding="utf-8")

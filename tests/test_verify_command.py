@@ -95,6 +95,23 @@ def test_a_row_that_crashes_is_an_error_and_no_verdict(tmp_path: Path) -> None:
     assert not (tmp_path / "rows.json").exists()
 
 
+def test_a_run_that_fails_leaves_no_rows_of_an_earlier_one(tmp_path: Path) -> None:
+    target = tmp_path / "rows.json"
+    file = write(tmp_path, PROVED)
+    for text, status in ((None, 0), ("PAPER = 1", 1)):
+        if text:
+            file.write_text(text, encoding="utf-8")
+        assert run("verify", str(file), "--json", str(target)).exit_code == status
+        assert target.exists() is (status == 0)
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
+def test_a_full_disk_is_a_sentence(tmp_path: Path) -> None:
+    result = run("verify", str(write(tmp_path, PROVED)), "--json", "/dev/full")
+    assert (result.exit_code, Path("/dev/full").exists()) == (1, True)
+    assert "--json /dev/full: No space left on device\n" in result.output
+
+
 def test_piped_text_is_full(tmp_path: Path) -> None:
     note = "a note that is longer than any terminal is wide, " * 8
     file = write(tmp_path, PROVED.replace("S.One)", f"S.One), note={note!r}"))
