@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import re
+import signal
+import time
 from pathlib import Path
 
 import pytest
 from command import HEAD, OPEN, PROVED, in_process, run, write
 
+from mechproof.derivation import DerivationError, stop_after
 from mechproof.verification import judge_derivations
 
 FIELDS = {
@@ -41,6 +44,8 @@ def test_an_open_row_must_say_why(tmp_path: Path, reason: str, status: int) -> N
     [
         ("PAPER = 1", "", "binds no mechproof.record.Paper"),
         ("\nimport nowhere", ":2", "No module named 'nowhere'"),
+        ("import os\nos._exit(0)", ":2", "SystemExit: os._exit(0)"),
+        ("import sys\nsys.exit(0)", ":2", "SystemExit: 0"),
         (f"{HEAD}\nPAPER = paper({PROVED}, {PROVED})", ":7", "row numbers given twice"),
     ],
 )
@@ -53,6 +58,32 @@ def test_a_derivation_that_fails_is_named(
     assert result.exit_code == 1
     assert re.search(rf"{re.escape(str(file))}{place}: ", result.output)
     assert message in result.output
+
+
+@pytest.mark.parametrize("loop", ["while True: pass", "import time; time.sleep(600)"])
+def test_a_derivation_that_loops_is_stopped_by_the_limit(tmp_path: Path, loop: str) -> None:
+    file = tmp_path / "loops.py"
+    file.write_text(loop, encoding="utf-8")
+    for command in ("verify", "report"):
+        out = ("--out", str(tmp_path / "out")) if command == "report" else ()
+        result = run(command, str(file), "--limit", "1", *out)
+        assert result.exit_code == 1
+        assert f"{file}: is not loaded within 1 s\n" in result.output
+
+
+def test_an_interrupt_of_the_user_stays_one(tmp_path: Path) -> None:
+    with pytest.raises(KeyboardInterrupt), stop_after(60.0, tmp_path):
+        signal.raise_signal(signal.SIGINT)
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        with stop_after(60.0, tmp_path):
+            signal.raise_signal(signal.SIGINT)
+        late = pytest.raises(DerivationError, match=r"is not loaded within 0\.1 s")
+        with late, stop_after(0.1, tmp_path):
+            time.sleep(60)
+        assert signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_verify_takes_the_folder_that_is_named_then_the_one_here_then_the_package(
