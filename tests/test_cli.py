@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.metadata
 import re
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -122,3 +123,55 @@ def test_a_second_tailored_kernel_does_not_replace_the_first(tmp_path: Path) -> 
     whole = run("emit", "c", "elliptic_planetary", "--name", "drive", "--out", str(tmp_path))
     assert whole.exit_code == 2
     assert "--name goes with --error" in whole.output
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
+@pytest.mark.parametrize(
+    ("streams", "said"),
+    [
+        (">/dev/full", "mechproof: [Errno 28] No space left on device\n"),
+        (">&-", "mechproof: stdout is closed\n"),
+        (">&- 2>&-", ""),
+        (">/dev/full 2>/dev/full", ""),
+        ("2>/dev/full >/dev/null", ""),
+    ],
+)
+@pytest.mark.parametrize("arguments", ["check x=x", "--help"])
+def test_what_cannot_be_said_is_a_sentence_and_status_1(
+    arguments: str, streams: str, said: str
+) -> None:
+    command = f"{sys.executable} -m mechproof {arguments} {streams}"
+    done = subprocess.run(command, shell=True, capture_output=True, text=True)
+    quiet = arguments == "--help" and streams.startswith("2>")
+    assert done.returncode == (0 if quiet else 1)
+    assert done.stderr.removeprefix("judging the equation\n") == said
+
+
+def test_a_reader_that_has_enough_is_no_error() -> None:
+    command = f"{sys.executable} -m mechproof --help | head -c 1"
+    done = subprocess.run(command, shell=True, capture_output=True, text=True)
+    assert done.stderr == ""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+@pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGHUP])
+def test_what_is_asked_to_end_tidies_up(tmp_path: Path, ending: signal.Signals) -> None:
+    code = (
+        "import sys, time, mechproof.__main__ as m\n"
+        "from pathlib import Path\n"
+        "from mechproof import made\n"
+        "def run():\n"
+        "    with made._stage(Path(sys.argv[1])):\n"
+        "        print('ready', flush=True)\n"
+        "        time.sleep(60)\n"
+        "m._run = run\n"
+        "m.main()\n"
+    )
+    command = [sys.executable, "-c", code, str(tmp_path)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+        assert list(tmp_path.iterdir())
+        process.send_signal(ending)
+        assert process.wait(30) == 128 + ending
+    assert list(tmp_path.iterdir()) == []

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import subprocess
 import sys
-from collections.abc import Iterable
+from collections.abc import Container, Iterable, Mapping
 from pathlib import Path
 
 import pytest
@@ -230,6 +230,73 @@ def test_kernels_import_numpy_and_their_support_alone() -> None:
             # And the elementary functions, which lie beside them.
             allowed = {"numpy", "mechproof.compiled_support", "mechproof.kernels"}
         assert imported(ast.walk(tree)) <= allowed, path.name
+
+
+def edges(name: str, source: str, is_package: bool, known: Container[str]) -> set[str]:
+    """Modules that a module imports, inside functions too, but not for type checkers alone."""
+    loaded, inside = split(ast.parse(source))
+    above = name.split(".") if is_package else name.split(".")[:-1]
+    found: set[str] = set()
+    for node in (*loaded, *inside):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            start = above[: len(above) + 1 - node.level] if node.level else []
+            base = ".".join([*start, *([node.module] if node.module else [])])
+            inner = {f"{base}.{alias.name}" for alias in node.names}
+            found |= {module if module in known else base for module in inner}
+    return {module for module in found if module in known and module != name}
+
+
+def circles(graph: Mapping[str, Iterable[str]]) -> set[str]:
+    """Nodes from which a way leads back."""
+    reached = {node: set(graph[node]) for node in graph}
+    for middle in graph:
+        for node in graph:
+            if middle in reached[node]:
+                reached[node] |= reached[middle]
+    return {node for node in graph if node in reached[node]}
+
+
+def module_graph() -> dict[str, set[str]]:
+    homes = {"mechproof": mechproof, "mechproof.kernels": kernels}
+    homes["mechproof.derivations"] = derivations
+    files = {
+        ".".join((package, *path.relative_to(folder).with_suffix("").parts)).removesuffix(
+            ".__init__"
+        ): path
+        for package, module in homes.items()
+        for folder in [Path(module.__path__[0])]
+        for path in folder.rglob("*.py")
+    }
+    return {
+        name: edges(name, path.read_text(encoding="utf-8"), path.stem == "__init__", files)
+        for name, path in files.items()
+    }
+
+
+def package_of(module: str) -> str:
+    return ".".join(module.split(".")[:2])
+
+
+def test_no_import_leads_back_to_another_package() -> None:
+    """Inside functions too; the modules of one package, a grammar, may need each other."""
+    graph = module_graph()
+    assert len(graph) > 400
+    packages: dict[str, set[str]] = {}
+    for module, imported_ in graph.items():
+        beside = {package_of(one) for one in imported_} - {package_of(module)}
+        packages.setdefault(package_of(module), set()).update(beside)
+    assert circles(packages) == set()
+
+
+def test_the_search_for_circles_sees_one() -> None:
+    known = ("mechproof.a", "mechproof.a.b", "mechproof.c")
+    lazy = edges("mechproof.a.b", "def f():\n    from mechproof.c import g", False, known)
+    relative = edges("mechproof.c", "from .a import b", False, known)
+    typed = edges("mechproof.c", "if TYPE_CHECKING:\n    import mechproof.a", False, known)
+    assert (lazy, relative, typed) == ({"mechproof.c"}, {"mechproof.a.b"}, set())
+    assert circles({"a": ["b"], "b": ["c"], "c": ["b"], "d": ["a"]}) == {"b", "c"}
 
 
 def test_public_names() -> None:

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import signal
+import subprocess
 import sys
 import time
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -121,3 +124,57 @@ def test_tasks_given_ahead_to_a_process_that_dies_are_done_by_another() -> None:
     assert {n for n, result in results.items() if isinstance(result, WorkerError)} == {1, 3}
     assert len(results) == 6
     assert multiprocessing.active_children() == []
+
+
+LONG = {
+    # Python and, with the interpreter's lock held throughout, C.
+    "Python": "while True: pass",
+    "C": "pow(7, 10**9)",
+}
+PARENT = """
+import os, sys
+from pathlib import Path
+from mechproof.processes import run_tasks
+
+def work(folder):
+    Path(folder, str(os.getpid())).touch()
+    {work}
+
+if __name__ == "__main__":
+    list(run_tasks(work, sys.argv[1:] * 2, limit=600.0, processes=2, start={start!r}))
+"""
+
+
+def is_alive(process: int) -> bool:
+    try:
+        state = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return False
+    return state != "Z"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+@pytest.mark.parametrize(
+    ("start", "work"), [("fork", "Python"), ("fork", "C"), ("spawn", "Python")]
+)
+@pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])
+def test_no_process_outlives_its_parent(
+    tmp_path: Path, start: str, work: str, ending: signal.Signals
+) -> None:
+    script, folder = tmp_path / "parent.py", tmp_path / "at_work"
+    folder.mkdir()
+    script.write_text(PARENT.format(start=start, work=LONG[work]))
+    parent = subprocess.Popen([sys.executable, str(script), str(folder)])
+    wait_until(lambda: len(list(folder.iterdir())) == 2)
+    time.sleep(0.2)
+    parent.send_signal(ending)
+    parent.wait(30)
+    workers = [int(path.name) for path in folder.iterdir()]
+    wait_until(lambda: not any(map(is_alive, workers)))
+
+
+def wait_until(holds: Callable[[], bool]) -> None:
+    end = time.monotonic() + 60
+    while not holds():
+        assert time.monotonic() < end
+        time.sleep(0.05)

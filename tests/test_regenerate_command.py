@@ -7,6 +7,9 @@ from pathlib import Path
 import pytest
 from command import PROVED, run, write
 
+from mechproof.codegen.regenerate import LIST
+from mechproof.made import Made
+
 
 def test_regenerate_writes_a_users_own_folder(tmp_path: Path) -> None:
     (tmp_path / "derivations").mkdir()
@@ -14,11 +17,26 @@ def test_regenerate_writes_a_users_own_folder(tmp_path: Path) -> None:
     assert run("regenerate", "--root", str(tmp_path), "--check").exit_code == 1
     assert run("regenerate", "--root", str(tmp_path)).exit_code == 0
     assert run("regenerate", "--root", str(tmp_path), "--check").exit_code == 0
-    ledger = tmp_path / "generated" / "LEDGER.md"
-    ledger.write_text(ledger.read_text(encoding="utf-8") + "edited", encoding="utf-8")
+    (tmp_path / "generated" / "LEDGER.md").unlink()
     result = run("regenerate", "--root", str(tmp_path), "--check")
     assert result.exit_code == 1
     assert f"mechproof regenerate --root {tmp_path}" in result.output
+
+
+@pytest.mark.parametrize("name", ["LEDGER.md", "ledger.json", "__init__.py", "forms/__init__.py"])
+def test_what_was_edited_is_shown_and_kept(tmp_path: Path, name: str) -> None:
+    (tmp_path / "derivations").mkdir()
+    write(tmp_path / "derivations", PROVED)
+    run("regenerate", "--root", str(tmp_path))
+    file = tmp_path / "generated" / name
+    file.write_text("edited\n", encoding="utf-8")
+    for options, said in (((), "move it away or delete it"), (("--check",), f"different: {name}")):
+        result = run("regenerate", "--root", str(tmp_path), *options)
+        assert result.exit_code == 1
+        assert said in result.output
+    assert file.read_text(encoding="utf-8") == "edited\n"
+    file.unlink()
+    assert run("regenerate", "--root", str(tmp_path)).exit_code == 0
 
 
 def test_regenerate_says_what_it_wrote_and_removed(tmp_path: Path) -> None:
@@ -27,7 +45,9 @@ def test_regenerate_says_what_it_wrote_and_removed(tmp_path: Path) -> None:
     folder = ("--derivations", str(tmp_path / "papers"))
     run("regenerate", *folder)
     target = tmp_path / "generated"
-    (target / "old.py").write_text((target / "__init__.py").read_text(encoding="utf-8"))
+    listed = Made(target, LIST)
+    listed.update({"old.py": "x = 1\n"}, and_remove=False)
+    (target / "copy.py").write_text((target / "__init__.py").read_text(encoding="utf-8"))
     (target / "notes.txt").write_text("mine")
     (target / "LEDGER.md").unlink()
     check = run("regenerate", *folder, "--check")
@@ -38,6 +58,7 @@ def test_regenerate_says_what_it_wrote_and_removed(tmp_path: Path) -> None:
     assert "wrote LEDGER.md\n" in result.output
     assert "1 written, 1 removed" in result.output
     assert (target / "notes.txt").read_text() == "mine"
+    assert (target / "copy.py").is_file()
     assert not (target / "old.py").exists()
 
 
@@ -48,7 +69,16 @@ def test_a_file_in_the_way_is_named(tmp_path: Path) -> None:
     (tmp_path / "generated" / "__init__.py").write_text("made_by = 'hand'\n")
     result = run("regenerate", "--root", str(tmp_path))
     assert result.exit_code == 1
-    assert "__init__.py: is to be generated" in result.output
+    assert "__init__.py: to be written, but what lies there was not made" in result.output
+
+
+def test_a_place_that_cannot_be_written_to_is_a_sentence(tmp_path: Path) -> None:
+    (tmp_path / "derivations").mkdir()
+    write(tmp_path / "derivations", PROVED)
+    (tmp_path / "generated").write_text("mine")
+    result = run("regenerate", "--root", str(tmp_path))
+    assert (result.exit_code, type(result.exception)) == (1, SystemExit)
+    assert "File exists: " in result.output
 
 
 def test_two_papers_of_one_name_are_an_error(tmp_path: Path) -> None:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import re
+import signal
+import time
 from pathlib import Path
 
 import pytest
 from command import HEAD, OPEN, PROVED, in_process, run, write
 
+from mechproof.derivation import DerivationError, stop_after
 from mechproof.verification import judge_derivations
 
 FIELDS = {
@@ -41,6 +44,8 @@ def test_an_open_row_must_say_why(tmp_path: Path, reason: str, status: int) -> N
     [
         ("PAPER = 1", "", "binds no mechproof.record.Paper"),
         ("\nimport nowhere", ":2", "No module named 'nowhere'"),
+        ("import os\nos._exit(0)", ":2", "SystemExit: os._exit(0)"),
+        ("import sys\nsys.exit(0)", ":2", "SystemExit: 0"),
         (f"{HEAD}\nPAPER = paper({PROVED}, {PROVED})", ":7", "row numbers given twice"),
     ],
 )
@@ -53,6 +58,32 @@ def test_a_derivation_that_fails_is_named(
     assert result.exit_code == 1
     assert re.search(rf"{re.escape(str(file))}{place}: ", result.output)
     assert message in result.output
+
+
+@pytest.mark.parametrize("loop", ["while True: pass", "import time; time.sleep(600)"])
+def test_a_derivation_that_loops_is_stopped_by_the_limit(tmp_path: Path, loop: str) -> None:
+    file = tmp_path / "loops.py"
+    file.write_text(loop, encoding="utf-8")
+    for command in ("verify", "report"):
+        out = ("--out", str(tmp_path / "out")) if command == "report" else ()
+        result = run(command, str(file), "--limit", "1", *out)
+        assert result.exit_code == 1
+        assert f"{file}: is not loaded within 1 s\n" in result.output
+
+
+def test_an_interrupt_of_the_user_stays_one(tmp_path: Path) -> None:
+    with pytest.raises(KeyboardInterrupt), stop_after(60.0, tmp_path):
+        signal.raise_signal(signal.SIGINT)
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        with stop_after(60.0, tmp_path):
+            signal.raise_signal(signal.SIGINT)
+        late = pytest.raises(DerivationError, match=r"is not loaded within 0\.1 s")
+        with late, stop_after(0.1, tmp_path):
+            time.sleep(60)
+        assert signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_verify_takes_the_folder_that_is_named_then_the_one_here_then_the_package(
@@ -93,6 +124,23 @@ def test_a_row_that_crashes_is_an_error_and_no_verdict(tmp_path: Path) -> None:
     assert "mine.py: row (1): its process ended with status 3" in result.output
     assert "PROVED" not in result.output
     assert not (tmp_path / "rows.json").exists()
+
+
+def test_a_run_that_fails_leaves_no_rows_of_an_earlier_one(tmp_path: Path) -> None:
+    target = tmp_path / "rows.json"
+    file = write(tmp_path, PROVED)
+    for text, status in ((None, 0), ("PAPER = 1", 1)):
+        if text:
+            file.write_text(text, encoding="utf-8")
+        assert run("verify", str(file), "--json", str(target)).exit_code == status
+        assert target.exists() is (status == 0)
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
+def test_a_full_disk_is_a_sentence(tmp_path: Path) -> None:
+    result = run("verify", str(write(tmp_path, PROVED)), "--json", "/dev/full")
+    assert (result.exit_code, Path("/dev/full").exists()) == (1, True)
+    assert "--json /dev/full: No space left on device\n" in result.output
 
 
 def test_piped_text_is_full(tmp_path: Path) -> None:

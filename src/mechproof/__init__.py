@@ -12,6 +12,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from mechproof.notebook import Displayed
+
 if TYPE_CHECKING:
     from mechproof.choice import choose
     from mechproof.mechanisms import (
@@ -45,6 +47,20 @@ HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
     "choose": "mechproof.choice",
     "tailor": "mechproof.tailoring",
 }
+
+
+def _show(shown: object) -> str | None:
+    """Return what a report shows of a thing, None without the `derive` extra."""
+    try:
+        from mechproof.report.fragments import show
+    except ModuleNotFoundError as error:
+        if (error.name or "").startswith("mechproof"):
+            raise
+        return None
+    return show(shown)
+
+
+Displayed._show = staticmethod(_show)
 
 
 def __getattr__(name: str) -> Any:

@@ -1,16 +1,65 @@
-"""Entry point of the command line: says what is missing before anything heavy is imported."""
+"""Entry point of the command line: what it needs, and in one sentence what the system refuses."""
 
 from __future__ import annotations
 
+import os
+import signal
 import sys
+from contextlib import suppress
 from importlib.util import find_spec
+from typing import NoReturn
+
+from mechproof.processes import ENDING
 
 # What the extra `derive` installs, as it is imported.
 EXTRA = ("PIL", "flint", "jinja2", "latex2mathml", "matplotlib", "rich", "ruff", "sympy", "typer")
 
 
 def main() -> None:
-    """Run the command line; exit with 2 if the extra `derive` is not installed."""
+    """Run the command line; exit with 2 if the extra `derive` is not installed.
+
+    What is asked to end tidies up first. An error of the system, as a disk that is full or a
+    folder that cannot be written to, is a sentence and status 1.
+    """
+    for number in ENDING:
+        # What was told to ignore it goes on.
+        if signal.getsignal(number) is signal.SIG_DFL:
+            signal.signal(number, _end)
+    _check_streams()
+    try:
+        try:
+            _run()
+        finally:
+            sys.stdout.flush()
+    except OSError as error:
+        _give_up(error)
+
+
+def _end(number: int, frame: object) -> NoReturn:
+    sys.exit(128 + number)
+
+
+def _check_streams() -> None:
+    """Refuse to run without an output: the next file that is opened would take its place."""
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w")  # noqa: SIM115
+    if sys.stdout is None:
+        sys.exit("mechproof: stdout is closed")
+
+
+def _give_up(error: OSError) -> NoReturn:
+    """Say what the system refuses, unless nobody listens any more, and end with 1."""
+    with suppress(OSError):
+        if not isinstance(error, BrokenPipeError):
+            print(f"mechproof: {error}", file=sys.stderr, flush=True)
+    # What is left of the output would fail once more at the end.
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        os.dup2(nowhere, stream.fileno())
+    sys.exit(1)
+
+
+def _run() -> None:
     for stream in (sys.stdout, sys.stderr):
         stream.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
     missing = [name for name in EXTRA if find_spec(name) is None]

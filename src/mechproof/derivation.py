@@ -8,16 +8,21 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import os
 import re
+import signal
 import sys
+import threading
 import traceback
-from collections.abc import Sequence
+from _thread import interrupt_main
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from importlib.abc import MetaPathFinder
 from importlib.machinery import FileFinder, ModuleSpec, SourceFileLoader
 from itertools import count
 from pathlib import Path
 from types import CodeType, ModuleType
-from typing import Literal
+from typing import Literal, NoReturn
 
 from mechproof.latex import read_paper
 from mechproof.proof.dimensions import check_derived
@@ -163,9 +168,62 @@ def _forget(name: str, *shared: str) -> None:
         del sys.modules[module]
 
 
+@contextmanager
+def stop_after(seconds: float, location: Path) -> Iterator[None]:
+    """End what runs longer in the main thread; `DerivationError` naming the place of a derivation.
+
+    A call of a library that returns late is ended late.
+    """
+    main, late = threading.main_thread(), threading.Event()
+
+    def stop() -> None:
+        late.set()
+        if hasattr(signal, "pthread_kill") and main.ident is not None:
+            signal.pthread_kill(main.ident, signal.SIGINT)
+        else:
+            interrupt_main()
+
+    def interrupt(number: int, frame: object) -> None:
+        if late.is_set() or before is not signal.SIG_IGN:
+            raise KeyboardInterrupt
+
+    if threading.current_thread() is not main:
+        yield
+        return
+    # Where the user's interrupts are ignored, as in the background, this one is not.
+    before = signal.signal(signal.SIGINT, interrupt)
+    timer = threading.Timer(seconds, stop)
+    timer.start()
+    try:
+        yield
+    except KeyboardInterrupt:
+        if not late.is_set():
+            raise
+        raise DerivationError(f"{location}: is not loaded within {seconds:g} s") from None
+    finally:
+        timer.cancel()
+        signal.signal(signal.SIGINT, before)
+
+
+@contextmanager
+def _refuse_exit() -> Iterator[None]:
+    """Make an error of what would end the process at once, with a status that looks right."""
+    end = os._exit
+
+    def refuse(status: int) -> NoReturn:
+        raise SystemExit(f"os._exit({status})")
+
+    os._exit = refuse
+    try:
+        yield
+    finally:
+        os._exit = end
+
+
 def _import(name: str, place: Path) -> ModuleType:
     try:
-        return importlib.import_module(name)
+        with _refuse_exit():
+            return importlib.import_module(name)
     except (Exception, SystemExit) as error:
         where = _find_fault(error, place)
         raise DerivationError(f"{where}: {type(error).__name__}: {_describe(error)}") from error

@@ -50,12 +50,13 @@ def start_executor(processes: int) -> Iterator[Executor | None]:
     import multiprocessing
     from concurrent.futures import ProcessPoolExecutor
 
-    from mechproof.processes import START
+    from mechproof.processes import START, end_with_parent
 
     if processes == 1:
         yield None
         return
-    with ProcessPoolExecutor(processes, multiprocessing.get_context(START)) as executor:
+    context = multiprocessing.get_context(START)
+    with ProcessPoolExecutor(processes, context, end_with_parent) as executor:
         yield executor
 
 

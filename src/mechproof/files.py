@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import os
-from contextlib import suppress
 from pathlib import Path
 
 
 def write_whole(target: Path, text: str) -> None:
-    """Write a file and the folders above it; an interrupted write leaves the old file."""
+    """Write a file and the folders above it; an interrupted write leaves the old file.
+
+    What is there and is no file, as a pipe or a terminal, is written to and not replaced.
+    """
     target.parent.mkdir(parents=True, exist_ok=True)
+    if target.exists() and not target.is_file():
+        target.write_text(text, encoding="utf-8", newline="\n")
+        return
     staged = target.with_name(f"{target.name}.{os.getpid()}")
     try:
-        staged.write_text(text, encoding="utf-8")
+        staged.write_text(text, encoding="utf-8", newline="\n")
         os.replace(staged, target)
-    except OSError:
-        with suppress(OSError):
-            staged.unlink()
-        raise
+    finally:
+        staged.unlink(missing_ok=True)

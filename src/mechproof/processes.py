@@ -6,10 +6,12 @@ import multiprocessing
 import os
 import signal
 import sys
+import threading
 import time
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
+from ctypes import CDLL
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
@@ -17,7 +19,9 @@ from typing import Generic, TypeVar
 
 # What is loaded before a fork need not be loaded again; elsewhere a fork is not safe.
 START = "fork" if sys.platform == "linux" else "spawn"
-_ORPHAN_CHECK = 1.0
+_SET_PARENT_DEATH_SIGNAL = 1
+# What asks a process to end, where the system has it.
+ENDING = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
 # Tasks that a process gets at once while further ones are being made.
 AHEAD = 64
 
@@ -190,7 +194,7 @@ class _Pool(Generic[Task, Result]):
     def _start(self) -> _Worker[Task, Result]:
         context = multiprocessing.get_context(self.start)
         ours, theirs = context.Pipe()
-        arguments = (self.function, theirs, os.getpid())
+        arguments = (self.function, theirs)
         process = context.Process(target=_serve, args=arguments, daemon=True)  # type: ignore[attr-defined]
         process.start()
         theirs.close()
@@ -206,14 +210,34 @@ class _Pool(Generic[Task, Result]):
             worker.end()
 
 
-def _serve(function: Callable[[Task], Result], pipe: Connection, parent: int) -> None:
-    """Answer tasks until the parent is gone (of its ends of the pipes, siblings hold copies)."""
+def _serve(function: Callable[[Task], Result], pipe: Connection) -> None:
+    """Answer tasks until the parent ends this process, or is ended itself."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    end_with_parent()
     while True:
-        while not pipe.poll(_ORPHAN_CHECK):
-            if os.getppid() != parent:
-                return
         pipe.send(_answer(function, pipe.recv()))
+
+
+def end_with_parent() -> None:
+    """End this process when its parent is gone, whatever ended that and whatever is done here.
+
+    A thread waits for the parent. It does not come to run while a library computes for long
+    without Python; there Linux ends the process.
+    """
+    for number in ENDING:
+        # What the parent tidies up is not this process's.
+        if callable(signal.getsignal(number)):
+            signal.signal(number, signal.SIG_DFL)
+    if sys.platform == "linux":
+        CDLL(None).prctl(_SET_PARENT_DEATH_SIGNAL, signal.SIGKILL)
+    threading.Thread(target=_wait_for_parent, daemon=True).start()
+
+
+def _wait_for_parent() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 def _answer(function: Callable[[Task], Result], task: Task) -> tuple[bool, Result | str]:

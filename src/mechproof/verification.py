@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 
 from mechproof.codegen.forms import form_rows, number_shipped
-from mechproof.derivation import DerivationError, check_names, load_paper
+from mechproof.derivation import DerivationError, check_names, load_paper, stop_after
 from mechproof.processes import START, WorkerError, run_batches
 from mechproof.proof.cache import VerdictCache, row_keys
 from mechproof.proof.findings import follower_rows, list_findings
@@ -80,14 +80,16 @@ def judge_derivations(
     With `only_kernels` the rows on which shipped kernels rest, and no findings.
     `report` is told what has been done. A row that takes longer than `limit` seconds, that is
     wrongly stated or at which the prover fails has no judgement but a failure that names it; the
-    other rows are judged all the same. Raises `DerivationError`.
+    other rows are judged all the same. Raises `DerivationError`, also for a derivation that takes
+    longer to load.
     """
     progress: list[_Progress] = []
     places: dict[str, Path] = {}
 
     def load(location: Path) -> _Progress:
         report(f"loading {location}")
-        _opened[location] = opened = open_derivation(location)
+        with stop_after(limit, location):
+            _opened[location] = opened = open_derivation(location)
         check_names(places, opened.paper, location)
         progress.append(_Progress(opened, use_cache, only_kernels))
         return progress[-1]

@@ -21,7 +21,7 @@ from mechproof.lab.measure import describe_ways, measure
 from mechproof.lab.proofs import list_claims
 from mechproof.lab.search import scaled_errors
 from mechproof.lab.subject import Subject, find_subjects
-from mechproof.lab.table import PAGE, headline, list_lines, write_tables
+from mechproof.lab.table import PAGE, headline, list_lines
 from mechproof.lab.timing import Effort, interleave, time_subject
 from mechproof.lab.ways import list_ways
 from mechproof.measured import COPY, Record, find_known, read_record, read_records, write_record
@@ -200,6 +200,10 @@ def test_modules_of_a_folder_are_found_by_their_names(tmp_path: Path) -> None:
     assert import_module(compiled.__name__) is compiled
 
 
+def render_tables(folder: Path) -> str:
+    return "\n".join(list_lines(read_records(folder)))
+
+
 def test_a_quantity_without_an_accuracy_bound_is_measured_like_any_other(tmp_path: Path) -> None:
     record = measure(bare_subject(), quick=True)
     assert (record.bound, record.scale, record.error_unit) == (None, "", "ulp of the value")
@@ -211,7 +215,7 @@ def test_a_quantity_without_an_accuracy_bound_is_measured_like_any_other(tmp_pat
     assert headline(record).endswith("ulp of the value; 72 points, 0 undecided")
     file = write_record(record, tmp_path)
     assert read_record(file) == record
-    assert "Scaled: ulp of the value." in write_tables(tmp_path).read_text(encoding="utf-8")
+    assert "Scaled: ulp of the value." in render_tables(tmp_path)
     assert draw_charts(record, None, tmp_path)[0].stat().st_size > 10_000
 
 
@@ -238,7 +242,7 @@ def test_inputs_of_another_quantity_are_not_known(record: Record, tmp_path: Path
 
 def test_the_tables_show_every_way_and_what_was_lost(record: Record, tmp_path: Path) -> None:
     write_record(record, tmp_path)
-    page = write_tables(tmp_path).read_text(encoding="utf-8")
+    page = render_tables(tmp_path)
     accuracy, _ = page.split("\nN values of displacement\n")
     rows = {line.split("|")[1]: line for line in accuracy.splitlines() if line[:1] == "|"}
     assert {way.name for way in record.ways} <= rows.keys()
@@ -254,7 +258,7 @@ def test_a_way_that_was_not_timed_says_so(record: Record, tmp_path: Path) -> Non
     assert len(timed) < len(record.times)
     for times, says in ((record.times, False), (timed, True)):
         write_record(replace(record, times=times), tmp_path)
-        page = write_tables(tmp_path).read_text(encoding="utf-8")
+        page = render_tables(tmp_path)
         assert ("|sympy.lambdify|not timed|not timed|" in page) is says
 
 

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.cli.json_file import clear_json, write_json
 from mechproof.cli.ledger import print_details
 from mechproof.pasted import Checked, Pasted, PastedError, check_pasted
 from mechproof.processes import WorkerError
@@ -69,15 +70,9 @@ def check(
         natural=tuple(natural or ()),
         lower_limit=start,
     )
+    clear_json(json_file)
     answer = _judge(pasted, limit)
-    if json_file:
-        try:
-            json_file.write_text(
-                to_json([Ledger(Paper("pasted", "", (), ()), answer.judgements, ())]),
-                encoding="utf-8",
-            )
-        except OSError as error:
-            refuse(f"--json {json_file}: {error}")
+    write_json(json_file, to_json([Ledger(Paper("pasted", "", (), ()), answer.judgements, ())]))
     for row in answer.judgements:
         print_details(row, ("one side", "other side"))
     for verdict, remark in REMARKS.items():

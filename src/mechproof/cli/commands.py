@@ -14,19 +14,15 @@ from mechproof.cli.check import check
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.emit import app as emit_app
 from mechproof.cli.figures import figures
+from mechproof.cli.json_file import clear_json, write_json
 from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
 from mechproof.cli.ledger import print_ledgers
 from mechproof.cli.places import RULE, DerivationsOption, Places, find_locations, find_places
 from mechproof.cli.report import report
 from mechproof.cli.start import show_start
-from mechproof.codegen.regenerate import (
-    Change,
-    ForeignFileError,
-    compare_files,
-    render_package,
-    update_files,
-)
+from mechproof.codegen.regenerate import LIST, render_package
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
+from mechproof.made import Change, ForeignFileError, Made
 from mechproof.proof.ledger import Ledger, to_json, to_markdown
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Paper
@@ -100,13 +96,10 @@ def verify(
     be wrong: they are named as such), a row hangs or crashes, or a derivation fails; 2: bad usage.
     """
     locations = find_locations(papers or (), find_places(derivations, root))
-    if json_file and json_file.is_dir():
-        refuse(f"--json {json_file}: is a folder, a file is needed")
-    if json_file and not json_file.absolute().parent.is_dir():
-        refuse(f"--json {json_file}: the folder {json_file.absolute().parent} does not exist")
+    clear_json(json_file)
     ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
-    if json_file and not any(ledger.failures for ledger in ledgers):
-        _write(json_file, to_json(ledgers))
+    if not any(ledger.failures for ledger in ledgers):
+        write_json(json_file, to_json(ledgers))
     print_ledgers(ledgers, show_all=show_all)
     refuse_failures(ledgers)
     rows = (row for ledger in ledgers for row in ledger.judgements)
@@ -126,13 +119,15 @@ def regenerate(
 ) -> None:
     """Write kernels, certificates and the ledger of DIR into DIR/../generated.
 
-    Only what was generated is replaced or removed: the ledger, certificates, and modules that say
-    so. Every kernel is read back from its source, has to be PROVED (exactly, or within its bound),
-    and is run against the oracle first; the bounds of the certificates are proved anew.
+    Only what was generated is replaced or removed, and only while it is as it was generated:
+    mechproof-generated.sha256 there lists it. Every kernel is read back from its source, has to be
+    PROVED (exactly, or within its bound), and is run against the oracle first; the bounds of the
+    certificates are proved anew.
 
     Exit status 0: nothing to do or written; 1: with --check, a file is missing, surplus or
-    different; a kernel is not PROVED, or computes something else than its derivation; a row hangs
-    or crashes, or a derivation fails; 2: bad usage.
+    different; a file that was edited or not generated is in the way; a kernel is not PROVED, or
+    computes something else than its derivation; a row hangs or crashes, or a derivation fails;
+    2: bad usage.
     """
     places = find_places(derivations, root)
     if not (derivations or root) and not Path("derivations").is_dir():
@@ -182,8 +177,8 @@ def measure(
     from mechproof.executors import start_executor
     from mechproof.lab.measure import measure as measure_subject
     from mechproof.lab.subject import find_subjects
-    from mechproof.lab.table import headline, write_tables
-    from mechproof.measured import FOLDER, find_known, write_record
+    from mechproof.lab.table import PAGE, headline, list_lines
+    from mechproof.measured import FOLDER, find_known, read_records, write_record
 
     target = places.generated / FOLDER / ("quick" if quick else "")
     directory = None if places.is_packaged else places.derivations
@@ -206,7 +201,16 @@ def measure(
                     known=known[subject.name],
                 )
             say(f"{write_record(record, target)}: {headline(record)}")
-    say(str(write_tables(target)))
+    # What a quick run writes is kept apart, and so is what lists it.
+    root = target if quick else places.generated
+    page = {
+        (target / PAGE).relative_to(root).as_posix(): "\n".join(list_lines(read_records(target)))
+    }
+    try:
+        Made(root, LIST).update(page, and_remove=False)
+    except (ForeignFileError, OSError) as error:
+        fail(str(error))
+    say(str(target / PAGE))
 
 
 def _certify(
@@ -269,13 +273,11 @@ def _validate(
 
 
 def _compare_or_update(directory: Path, files: Mapping[str, str], check: bool) -> list[Change]:
+    made = Made(directory, LIST)
     try:
-        changes = compare_files(directory, files)
-        if not check:
-            update_files(directory, changes)
+        return made.compare(files) if check else made.update(files)
     except (ForeignFileError, OSError) as error:
         fail(str(error))
-    return changes
 
 
 def _describe_step(change: Change) -> str:
@@ -289,10 +291,3 @@ def _count(changes: Sequence[Change], check: bool) -> str:
         return "differences found"
     removed = sum(change.is_removal for change in changes)
     return f"{len(changes) - removed} written, {removed} removed"
-
-
-def _write(file: Path, text: str) -> None:
-    try:
-        file.write_text(text, encoding="utf-8")
-    except OSError as error:
-        fail(f"--json {file}: {error}")

@@ -19,7 +19,10 @@ NoCacheOption = Annotated[
 LimitOption = Annotated[
     float,
     typer.Option(
-        "--limit", metavar="SECONDS", min=0, help="A row that takes longer is an error, no verdict."
+        "--limit",
+        metavar="SECONDS",
+        min=0,
+        help="A row that takes longer is an error, no verdict; so is a derivation that loads.",
     ),
 ]
 

@@ -11,6 +11,7 @@ from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
 from mechproof.cli.places import DerivationsOption, find_locations, find_places, read_out
 from mechproof.derivation import DerivationError
+from mechproof.made import ForeignFileError
 from mechproof.verification import LIMIT
 
 
@@ -37,11 +38,11 @@ def report(
     Exit status 0: written; 1: a row or a figure hangs or crashes, or a kernel is not PROVED, which
     the page of its paper shows, or a derivation fails; 2: bad usage.
     """
-    from mechproof.report import FolderError, build_site, check_folder, write_folder
+    from mechproof.report import build_site, check_folder, write_folder
 
     try:
         check_folder(out)
-    except FolderError as error:
+    except ForeignFileError as error:
         refuse(f"--out {error}")
     locations = find_locations(papers or (), find_places(derivations, None))
     ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
@@ -49,7 +50,7 @@ def report(
         with show_progress("writing the pages") as tell:
             site = build_site(locations, ledgers, tell)
         write_folder(out, site.files)
-    except (DerivationError, FolderError, ValueError) as error:
+    except (DerivationError, ForeignFileError, ValueError) as error:
         fail(str(error))
     except OSError as error:
         fail(f"--out: {error}")

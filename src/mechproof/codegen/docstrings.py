@@ -11,6 +11,7 @@ from types import MappingProxyType
 import sympy as sp
 
 from mechproof.codegen.domain import domain_relations
+from mechproof.codegen.escapes import fold
 from mechproof.codegen.formula_text import chain_relations, join_equal_limits, write_formula
 from mechproof.codegen.kernel import Kernel, input_names, list_functions, shape_of
 from mechproof.record import Accuracy, Argument, Paper, Quantity, Scale
@@ -84,7 +85,7 @@ def describe_kernel(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
     if not kernel.is_shipped:
         return _describe_rival(kernel, paper)
     return (
-        quantity.summary,
+        fold(quantity.summary),
         "",
         *_formula(kernel, paper),
         *_section(

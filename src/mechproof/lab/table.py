@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from pathlib import Path
 
 from mechproof.lab.proofs import find_way, list_claims
 from mechproof.measured import (
@@ -14,7 +13,6 @@ from mechproof.measured import (
     Searched,
     SetErrors,
     Timing,
-    read_records,
 )
 from mechproof.roundoff.certificate import Claim
 
@@ -44,13 +42,6 @@ columns are over all points. *bits*: log2(1 + ulps). Times are medians, in ns pe
 in which all ways took turns; in brackets the ratio to the first way in the same round. Quartiles,
 errors set by set, and the times of NumPy's own functions are in the records beside.
 """
-
-
-def write_tables(folder: Path) -> Path:
-    """Write the page of all records in a folder."""
-    target = folder / PAGE
-    target.write_text("\n".join(list_lines(read_records(folder))), encoding="utf-8")
-    return target
 
 
 def headline(record: Record) -> str:

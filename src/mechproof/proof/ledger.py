@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -20,6 +21,8 @@ CLASSES = {"equation": "printed equations", "claim": "printed claims", "datum": 
 OURS = "our own rows"
 REBUILT = "rebuilt"
 COUNTED = (*CLASSES.values(), OURS)
+# What means something in Markdown, and how it is written as itself.
+MARKDOWN = str.maketrans({"<": "&lt;", **{sign: f"\\{sign}" for sign in "|_^$"}})
 INTRODUCTION = """# Ledger
 
 What is wrong, ambiguous or missing in print comes first, each cause once: the findings. Then every
@@ -98,13 +101,13 @@ def to_markdown(ledgers: Sequence[Ledger]) -> str:
 
 def _finding(found: Found) -> str:
     paragraphs = [
-        f"### {found.system} {found.number}: {found.verdict}{_show_marks(found.marks)}",
-        f"$$ {found.printed_latex} $$",
+        f"### {found.system} {_escape(found.number)}: {found.verdict}{_show_marks(found.marks)}",
+        _formula(found.printed_latex),
         _escape(found.wrong),
         "\n".join(f"- {_escape(cost)}" for cost in found.costs),
     ]
     if found.corrected_latex:
-        paragraphs += [f"Right (proved: {found.corrected_by}):", f"$$ {found.corrected_latex} $$"]
+        paragraphs += [f"Right (proved: {found.corrected_by}):", _formula(found.corrected_latex)]
     if found.follows:
         paragraphs.append(f"Follows from it: {_escape('; '.join(found.follows))}.")
     return "\n\n".join(filter(None, paragraphs)) + "\n"
@@ -116,7 +119,7 @@ def _show_marks(marks: Sequence[str]) -> str:
 
 def _heading(ledger: Ledger) -> str:
     totals = (f"- {name}: {line}" for name, line in show_totals(ledger.judgements).items())
-    lines = [f"\n## {ledger.paper.system}", f"{ledger.paper.citation}", "\n".join(totals)]
+    lines = [f"\n## {ledger.paper.system}", _escape(ledger.paper.citation), "\n".join(totals)]
     return "\n\n".join(lines) + "\n"
 
 
@@ -133,8 +136,8 @@ def _list_compared(judgements: Sequence[Judgement]) -> str:
     proved = [j for j in judgements if j.verdict is Verdict.PROVED and j.compared_with]
     lines = [f"<details><summary>{len(proved)} proved rows: what was compared</summary>\n"]
     for j in proved:
-        lines.append(f"**{_escape(j.number)}**\n\n$$ {j.printed_latex} $$\n")
-        lines.append(f"compared with\n\n$$ {j.compared_with} $$\n")
+        lines.append(f"**{_escape(j.number)}**\n\n{_formula(j.printed_latex)}\n")
+        lines.append(f"compared with\n\n{_formula(j.compared_with)}\n")
     return "\n".join([*lines, "</details>\n"]) if proved else ""
 
 
@@ -145,19 +148,25 @@ def _explain_rungs(judgements: Sequence[Judgement]) -> str:
     return "\n".join([*lines, *(f"| {name} | {_escape(RUNGS[name])} |" for name in met), ""])
 
 
+def _formula(latex: str) -> str:
+    """Write a formula on a line of its own, which it does not end; in it nothing is a tag."""
+    line = re.sub(r"(?<!\\)\$", r"\\$", " ".join(latex.split()))
+    return f"$$ {re.sub('<(?=[A-Za-z/!?])', '< ', line)} $$"
+
+
 def _escape(cell: str) -> str:
-    return cell.replace("|", "\\|").replace("<", "&lt;").replace("_", "\\_").replace("^", "\\^")
+    return " ".join(cell.splitlines()).translate(MARKDOWN)
 
 
 def _details(j: Judgement) -> str:
-    lines = [f"### {j.system} {j.number}: {j.verdict}\n", f"$$ {j.printed_latex} $$\n"]
+    lines = [f"### {j.system} {_escape(j.number)}: {j.verdict}\n", f"{_formula(j.printed_latex)}\n"]
     lines += [f"Read as: `{j.read_as}`\n"] if j.read_as else []
     lines += [f"{_escape(j.reason)} ({j.rung})\n"]
-    lines += [f"Compared with:\n\n$$ {j.compared_with} $$\n"] if j.compared_with else []
+    lines += [f"Compared with:\n\n{_formula(j.compared_with)}\n"] if j.compared_with else []
     lines += [f"- {_describe(item)}" for item in j.evidence]
     if j.corrected_latex:
         by = f" (proved: {j.corrected_by})" if j.corrected_by else ""
-        lines.append(f"\nCorrected{by}:\n\n$$ {j.corrected_latex} $$")
+        lines.append(f"\nCorrected{by}:\n\n{_formula(j.corrected_latex)}")
     return "\n".join(lines) + "\n"
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from keyword import iskeyword
 from types import MappingProxyType
 
 import sympy as sp
@@ -13,6 +12,7 @@ from mechproof.notebook import Displayed
 from mechproof.record.findings import Finding
 from mechproof.record.quantities import Quantity, Together
 from mechproof.record.rows import Row
+from mechproof.record.texts import check_name, check_texts
 from mechproof.record.variables import Notation, Variable
 
 # Names of the generated package that no system may take.
@@ -62,11 +62,12 @@ class Paper(Displayed):
     usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
 
     def __post_init__(self) -> None:
-        if not _names_module(self.system):
+        check_name("paper: system", self.system)
+        if self.system in RESERVED:
             raise ValueError(
-                f"paper: system = {self.system!r}: it names a module, so it must be a Python name "
-                f"that begins with no underscore and is none of {', '.join(RESERVED)}"
+                f"paper: system = {self.system!r}: must be none of {', '.join(RESERVED)}"
             )
+        check_texts(self, f"paper {self.system!r}")
         for what, names in (
             ("row numbers", [row.number for row in self.rows]),
             ("symbols", [str(variable.symbol) for variable in self.variables]),
@@ -92,8 +93,3 @@ def _check_together(paper: Paper, together: Together) -> None:
         raise ValueError(f"{where}: no quantities with forms: {unknown}")
     if len({arguments[name] for name in together.quantities}) != 1:
         raise ValueError(f"{where}: quantities of different arguments: {together.quantities}")
-
-
-def _names_module(system: str) -> bool:
-    is_name = isinstance(system, str) and system.isidentifier() and not iskeyword(system)
-    return is_name and not system.startswith("_") and system not in RESERVED

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from mechproof.record.forms import Form
+from mechproof.record.texts import check_name, is_name
 from mechproof.record.variables import Part
 
 
@@ -116,12 +117,11 @@ class Quantity:
         return self.forms[len(self.shipped) :]
 
     def __post_init__(self) -> None:
+        check_name("quantity: name", self.name)
         if self.forms and all(form.when is not None for form in self.forms):
             raise ValueError(f"quantity {self.name!r}: every form has a condition")
         keys = [form.key for form in self.rivals]
-        wrong = sorted(
-            {k for k in keys if not f"x_{k}".isidentifier() or keys.count(k) > 1 or not k}
-        )
+        wrong = sorted({k for k in keys if not is_name(f"x_{k}") or keys.count(k) > 1 or not k})
         if wrong:
             raise ValueError(f"quantity {self.name!r}: keys of rivals {wrong}: no names, or twice")
 
@@ -135,3 +135,6 @@ class Together:
 
     name: str
     quantities: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        check_name("together: name", self.name)

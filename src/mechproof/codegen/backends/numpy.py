@@ -24,6 +24,7 @@ from mechproof.codegen.elementary.fits import (
     fit,
 )
 from mechproof.codegen.elementary.formats import DOUBLE
+from mechproof.codegen.escapes import ESCAPES
 from mechproof.codegen.facts import Condition, Sizes, list_conditions, list_sizes
 from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.languages import NUMPY_BODY
@@ -33,7 +34,7 @@ from mechproof.record import Form, Paper
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 LINE_LENGTH = 100
-REGENERATED = "Regenerate with `mechproof regenerate`; edits are overwritten."
+REGENERATED = "Regenerate with `mechproof regenerate`, which refuses to overwrite edits."
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "arrays": ("as_floats", "check_components", "split_components", "sum_axes"),
@@ -228,6 +229,7 @@ def render_template(name: str, data: Mapping[str, object], folder: Path = TEMPLA
         keep_trailing_newline=True,
         autoescape=False,
     )
+    environment.filters.update(ESCAPES)
     text = (folder / name).read_text(encoding="utf-8")
     asked = meta.find_undeclared_variables(environment.parse(text))
     if asked != set(data):

@@ -1,0 +1,22 @@
+"""What the generated package consists of."""
+
+from __future__ import annotations
+
+import dataclasses
+
+from mechproof.codegen.backends.numpy import REGENERATED
+from mechproof.codegen.regenerate import render_package
+from mechproof.derivations import elliptic_planetary
+from mechproof.record import Paper
+
+
+def test_package_has_modules_for_systems_with_forms_and_no_others() -> None:
+    paper = dataclasses.replace(elliptic_planetary.PAPER, system="system")
+    bare = Paper("bare", "", (), ())
+    files = render_package([paper, bare])
+    folders = ("", "forms/", "compiled/")
+    assert set(files) == {f"{d}{n}.py" for d in folders for n in ("__init__", "system")}
+    assert all(text.endswith("\n") and REGENERATED in text for text in files.values())
+    own = render_package([paper, bare], is_own=True)
+    assert set(own) - set(files) == {"compiled/elementary.py"}
+    assert REGENERATED in own["compiled/elementary.py"]
