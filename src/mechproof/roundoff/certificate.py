@@ -123,7 +123,11 @@ def _tell(claim: Claim) -> str:
 
 
 def _list_all(paper: Paper) -> Iterator[Subject]:
-    return (s for kernel in list_functions(paper) for s in list_subjects(kernel, paper))
+    for kernel in list_functions(paper):
+        try:
+            yield from list_subjects(kernel, paper)
+        except ValueError as error:
+            raise ValueError(f"{paper.system}.{kernel.name}: {error}") from error
 
 
 def _key(subject: Subject) -> tuple[str, str, str]:
@@ -209,7 +213,7 @@ def make_claim(subject: Subject, known: Claim | None = None) -> Claim:
 
 
 def _lower_bound(subject: Subject, low: float) -> float:
-    """Return the lowest bound above another that can be shown, nearly."""
+    """Return the lowest bound above another that can be shown, nearly, in hundredths of an eps."""
     high = max(FIRST, 2 * low)
     while _tell_open(cover_all(subject, high, MOST)):
         low, high = high, 2 * high
@@ -217,6 +221,8 @@ def _lower_bound(subject: Subject, low: float) -> float:
             return math.inf
     while high - low > RESOLUTION * high:
         middle = round((low + high) / 2, DIGITS)
+        if not low < middle < high:
+            break
         if _tell_open(cover_all(subject, middle, MOST)):
             low = middle
         else:
