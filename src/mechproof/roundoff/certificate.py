@@ -110,14 +110,16 @@ def _tell_form(
         return form
     name = f" of {form.name}" if len(quantity.shipped) > 1 else ""
     where = " or ".join(claims[0].where)
-    told = "; ".join(map(_tell, claims))
-    return replace(form, proved=f"Proved{name}, where {where}: {told}.")
+    of_all = [text for text in claims[0].assumptions if all(text in c.assumptions for c in claims)]
+    resting = f", as long as {' and '.join(of_all)}" if of_all else ""
+    told = "; ".join(_tell(claim, of_all) for claim in claims)
+    return replace(form, proved=f"Proved{name}, where {where}{resting}: {told}.")
 
 
-def _tell(claim: Claim) -> str:
+def _tell(claim: Claim, told: Sequence[str]) -> str:
     if claim.open:
         return f"nothing {claim.way}, open at {claim.open}"
-    rests = [text for text in claim.assumptions if text != NORMAL]
+    rests = [text for text in claim.assumptions if text not in told]
     given = f" with {' and '.join(rests)}" if rests else f" {claim.way}"
     return f"at most {claim.proved:g} eps{given}, found {claim.found:g}"
 
