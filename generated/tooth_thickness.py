@@ -13,7 +13,10 @@ domain and where an argument is NaN the result is NaN; in a domain numpy.pi coun
 TypeError: an argument is complex or not numeric, or `out` is no array of the result's type.
 ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
 
-Accuracy is the bound of the error that the tests hold; eps = 2**-52.
+Accuracy is tested: on the stated arguments no search has found a result that is off by
+more. It is of float64, in which float32 is computed, too; eps = 2**-52.
+
+What errors are relative to:
 
     the way that the chord's end rolls (height_change) = r_b*(1 + t_c + |tilt|)*|tilt|
 
@@ -128,7 +131,7 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
     -----
     Domain: 0 < m < oo, 0 < alpha < pi/4.
 
-    Accuracy: 4 eps of the value.
+    Accuracy, tested: 4 eps of the value.
 
     Source: paper on tooth thickness, design data; basic rack.
 
@@ -176,7 +179,7 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
     -----
     Domain: 0 < m < oo, 0 < alpha < pi/4.
 
-    Accuracy: 3 eps of the value.
+    Accuracy, tested: 3 eps of the value.
 
     Source: paper on tooth thickness, design data; basic rack.
 
@@ -239,8 +242,8 @@ def height_change(
     -----
     Domain: 0 < m < oo, 1 <= z < oo, z = floor(z), 0 < alpha < pi/4.
 
-    Accuracy: 15 eps of the way that the chord's end rolls, where (tilt = 0 or 1e-250 <= |tilt|)
-    and 1e-30 <= m.
+    Accuracy, tested: 15 eps of the way that the chord's end rolls, where (tilt = 0 or 1e-250 <=
+    |tilt|) and 1e-30 <= m.
 
     Source: paper on tooth thickness, step 6, on the involute.
 
@@ -313,8 +316,8 @@ def thickness_change(
     -----
     Domain: 0 < m < oo, 1 <= z < oo, z = floor(z), 0 < alpha < pi/4.
 
-    Accuracy: 29 eps of the way that the chord's end rolls, where (tilt = 0 or 1e-250 <= |tilt|)
-    and 1e-30 <= m.
+    Accuracy, tested: 29 eps of the way that the chord's end rolls, where (tilt = 0 or 1e-250 <=
+    |tilt|) and 1e-30 <= m.
 
     Source: paper on tooth thickness, step 6, on the involute.
 
@@ -378,7 +381,7 @@ def thickness_change_linear(
     -----
     Domain: 0 < alpha < pi/4.
 
-    Accuracy: 5 eps of the value.
+    Accuracy, tested: 5 eps of the value.
 
     Source: paper on tooth thickness, equation (1) with the exact derivative.
 
@@ -439,8 +442,8 @@ def linearisation_bound(
     Domain: 0 < m < oo, 1 <= z < oo, z = floor(z), 0 < alpha < pi/4 (the chord lies no deeper
     than the base circle and no higher than the tip).
 
-    Accuracy: 32 eps of the value times what its root's difference loses, where (dh = 0 or
-    1e-100 <= |dh|) and 1e-30 <= m and m <= 1e50.
+    Accuracy, tested: 32 eps of the value times what its root's difference loses, where (dh = 0
+    or 1e-100 <= |dh|) and 1e-30 <= m and m <= 1e50.
 
     Source: paper on tooth thickness, step 6, second derivative on the involute.
 
@@ -512,7 +515,7 @@ def thickness_error(
     -----
     Domain: 0 < alpha < pi/4.
 
-    Accuracy: 6 eps of the sum of its terms' sizes.
+    Accuracy, tested: 6 eps of the sum of its terms' sizes.
 
     Source: paper on tooth thickness, steps 5 and 6 corrected.
 

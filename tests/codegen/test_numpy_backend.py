@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import inspect
+import itertools
 import os
 import subprocess
 import sys
@@ -26,7 +27,7 @@ from mechproof.codegen.kernel import list_functions
 from mechproof.codegen.kernel_reading import read_module
 from mechproof.derivations import elliptic_planetary
 from mechproof.derivations.elliptic_planetary.symbols import k
-from mechproof.record import Accuracy, Part, Quantity, Variable
+from mechproof.record import Accuracy, Form, Part, Quantity, Scale, Variable
 
 
 @pytest.mark.parametrize(
@@ -147,7 +148,38 @@ def test_alternatives_among_the_conditions_of_the_accuracy_stand_in_brackets() -
     for within, text in told.items():
         quantity = dataclasses.replace(quantity_of(a + b, a, b), accuracy=Accuracy(1, None, within))
         (source,) = render_modules(paper_of(quantity)).values()
-        assert f"Accuracy: 1 eps of the value, {text}" in source
+        assert f"Accuracy, tested: 1 eps of the value, {text}" in source
+
+
+def test_a_scale_of_errors_is_defined_by_its_module_with_its_steps() -> None:
+    steps = sp.symbols("s0:12", real=True)
+    where = [(steps[0], a), *((s, before + b) for before, s in itertools.pairwise(steps))]
+    scales = {
+        "long, by steps": (sp.Abs(steps[-1]), tuple(where)),
+        "what its name says": (sum(sp.sin(a) ** n * sp.cos(n * b) for n in range(3, 70)), ()),
+    }
+    for name, (expression, given) in scales.items():
+        scale = Scale(name, expression, given)
+        quantity = dataclasses.replace(quantity_of(a + b, a, b), accuracy=Accuracy(1, scale))
+        (source,) = render_modules(paper_of(quantity)).values()
+        assert f"Accuracy, tested: 1 eps of {name}." in source
+        assert (f"{name} (f) =" in source) == bool(given)
+        assert source.count("s5 = b + s4") == bool(given)
+        both = (quantity, dataclasses.replace(quantity, name="g"))
+        paper = dataclasses.replace(paper_of(quantity), quantities=both)
+        (source,) = render_modules(paper).values()
+        assert source.count("s5 = b + s4") == bool(given)
+
+
+def test_what_is_proved_and_what_is_tested_are_told_apart() -> None:
+    form = Form("sum", a + b, proved="Proved, where all is: at most 1 eps, found 0.5.")
+    quantity = quantity_of(a + b, a, b)
+    for accuracy, forms in ((Accuracy(1), quantity.forms), (None, (form,)), (Accuracy(1), (form,))):
+        changed = dataclasses.replace(quantity, accuracy=accuracy, forms=forms)
+        (source,) = render_modules(paper_of(changed)).values()
+        assert ("Accuracy is tested:" in source) == bool(accuracy)
+        assert ("Accuracy, tested:" in source) == bool(accuracy)
+        assert ("What is proved holds" in source) == (forms == (form,))
 
 
 def test_alternatives_among_the_conditions_of_the_domain_are_checked(tmp_path: Path) -> None:

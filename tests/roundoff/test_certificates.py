@@ -8,16 +8,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy as sp
-from certified import claims, name_claim, subject_of, subjects
+from certified import SYSTEMS, certificate, claims, name_claim, subject_of, subjects
 from derived import paper_of
 
 from mechproof.codegen.kernel import input_names
 from mechproof.kernel_support import polynomials
 from mechproof.kernels import elliptic_planetary as kernels
+from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.certificate import (
     Claim,
     holds,
     list_digests,
+    tell_proofs,
 )
 from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.expansions import ARCTANGENT, QUOTIENT
@@ -231,6 +233,18 @@ def test_certificates_are_what_the_derivations_say() -> None:
     for subject in subjects().values():
         name = f"{subject.kernel.name}: {subject.form.name}, {subject.way}"
         assert told[name] == (subject.digest, subject.where, "")
+
+
+@pytest.mark.parametrize("system", SYSTEMS)
+def test_what_a_bound_rests_on_is_told_with_it(system: str) -> None:
+    known = certificate(system)
+    told = [f.proved for q in tell_proofs(paper_of(system), known).quantities for f in q.forms]
+    told = [text for text in told if text]
+    assert len(told) == len({(c.quantity, c.form) for c in known.claims})
+    assert all(f", as long as {NORMAL}: at most" in text for text in told)
+    for claim in known.claims:
+        (text,) = (t for t in told if f"at most {claim.proved:g} eps" in t)
+        assert all(assumption in text for assumption in claim.assumptions)
 
 
 @pytest.mark.parametrize("way", ["NumPy's functions", "compiled"])

@@ -219,7 +219,7 @@ def _certify(
     try:
         with show_progress("bounding the rounding errors"):
             return certify_papers(papers, places.generated, use_cache=use_cache)
-    except ValueError as error:
+    except (ValueError, NotImplementedError) as error:
         fail(str(error))
 
 

@@ -18,7 +18,7 @@ from mechproof.record import Accuracy, Argument, Paper, Quantity, Scale
 
 WIDTH = 92
 INDENT = "    "
-# Lines of a scale's formula; of a longer one the name alone is told.
+# Lines of a scale's formula without steps; of a longer one the name alone is told.
 LONGEST_SCALE = 8
 # Symbols that a formula explains itself; where there are more, those of several kernels are
 # explained once, by the module.
@@ -32,7 +32,19 @@ COMMON = (
     "TypeError: an argument is complex or not numeric, or `out` is no array of the result's type. "
     "ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.",
 )
-EPS = "Accuracy is the bound of the error that the tests hold; eps = 2**-52."
+ACCURACY = (
+    "Accuracy is tested: on the stated arguments no search has found a result that is off by more. "
+    "It is of float64, in which float32 is computed, too; eps = 2**-52."
+)
+# Of one kernel, beside what is proved.
+TESTED = "Accuracy, tested"
+SCALES = "What errors are relative to:"
+PROVED = (
+    "What is proved holds for all arguments that its line states, of float64 rounded to nearest, "
+    "on the assumptions of that line: the results that they speak of are those of all operations "
+    "on the way, and the normal range is 0 and what is at least 2**-1022 in size. More may be "
+    "proved than is tested, since a proof adds up roundings that may never meet."
+)
 
 # What a rewrite does that a user may see.
 NOTES: Mapping[str, str] = MappingProxyType(
@@ -46,14 +58,14 @@ NOTES: Mapping[str, str] = MappingProxyType(
 def describe_module(paper: Paper, first_line: str, kernels: Iterable[Kernel]) -> tuple[str, ...]:
     """Write the module's lines: what it holds, conventions, what all kernels share, scales."""
     kernels = tuple(kernels)
-    bounds = [k.quantity.accuracy for k in kernels if k.is_shipped]
-    scales = [_define_scale(k) for k in kernels if k.is_shipped and _scale_of(k.quantity)]
+    shipped = [k for k in kernels if k.is_shipped]
     paragraphs = [first_line, paper.citation, paper.conventions, *COMMON]
-    paragraphs += [EPS] if any(bounds) else []
+    paragraphs += [ACCURACY] if any(k.quantity.accuracy for k in shipped) else []
+    paragraphs += [PROVED] if any(f.proved for k in shipped for f in k.forms) else []
+    paragraphs += [SCALES] if any(_scale_of(k.quantity) for k in shipped) else []
     lines = [line for p in paragraphs if p for line in (*_fill(p), "")]
-    short = [scale for scale in scales if len(scale) <= LONGEST_SCALE]
-    symbols = _define_shared(kernels, paper)
-    return (*lines, *(line for block in (symbols, *short) if block for line in (*block, "")))
+    symbols, scales = _define_shared(kernels, paper), _define_scales(shipped)
+    return (*lines, *(line for block in (*scales, symbols) if block for line in (*block, "")))
 
 
 def _define_shared(kernels: tuple[Kernel, ...], paper: Paper) -> list[str]:
@@ -116,12 +128,32 @@ def _scale_of(quantity: Quantity) -> Scale | None:
     return quantity.accuracy.scale if quantity.accuracy else None
 
 
-def _define_scale(kernel: Kernel) -> list[str]:
+def _define_scales(kernels: Iterable[Kernel]) -> list[list[str]]:
+    """Define the scales of errors; steps that several have in common stand before them."""
+    scales = [(_write_scale(k), _write_steps(k)) for k in kernels if _scale_of(k.quantity)]
+    counts = Counter(step for _, steps in scales for step in steps)
+    shared = [line for step, n in counts.items() if n > 1 for line in _wrap_formula(step)]
+    blocks = [shared]
+    for scale, steps in scales:
+        texts = (scale, *(step for step in steps if counts[step] == 1))
+        lines = [line for text in texts for line in _wrap_formula(text)]
+        # The name of a long formula without steps says what it is.
+        if steps or len(lines) <= LONGEST_SCALE:
+            blocks.append(lines)
+    return blocks
+
+
+def _write_scale(kernel: Kernel) -> str:
+    scale = _scale_of(kernel.quantity)
+    assert scale is not None
+    formula = write_formula(scale.expression, input_names(kernel.quantity))
+    return f"{scale.name} ({kernel.name}) = {formula}"
+
+
+def _write_steps(kernel: Kernel) -> list[str]:
     scale, names = _scale_of(kernel.quantity), input_names(kernel.quantity)
     assert scale is not None
-    shown = [f"{s} = {write_formula(value, names)}" for s, value in scale.where]
-    text = f"{scale.name} ({kernel.name}) = {write_formula(scale.expression, names)}"
-    return [line for item in (text, *shown) for line in _wrap_formula(item)]
+    return [f"{s} = {write_formula(value, names)}" for s, value in scale.where]
 
 
 def _section(title: str, lines: list[str]) -> list[str]:
@@ -231,7 +263,7 @@ def list_notes(kernel: Kernel, paper: Paper) -> list[str]:
         )
     notes += [NOTES[name] for form in kernel.forms for name in form.rewrites if name in NOTES]
     told = tell_bound(quantity)
-    notes += [f"Accuracy: {told}."] if told else []
+    notes += [f"{TESTED}: {told}."] if told else []
     notes += [form.proved for form in kernel.forms if form.proved]
     return [*notes, f"Source: {quantity.source}."]
 

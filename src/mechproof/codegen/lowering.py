@@ -10,6 +10,7 @@ two indices alike it is the vector of a quadratic form, which under a root is no
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
 
@@ -111,11 +112,14 @@ class Lowering:
         return self._names.get(symbol, str(symbol.name))
 
     def _number(self, number: sp.Rational | sp.Float) -> Operand:
-        if number.is_Integer:
-            return int(number)
-        if sp.Rational(float(number)) == number:
-            return float(number)
-        return self._add("divide", int(number.p), int(number.q))
+        exact = sp.Rational(number)
+        if max(abs(exact.p), exact.q) > sys.float_info.max:
+            raise NotImplementedError("a constant beyond the range of doubles")
+        if exact.is_Integer:
+            return int(exact)
+        if sp.Rational(float(exact)) == exact:
+            return float(exact)
+        return self._add("divide", int(exact.p), int(exact.q))
 
     def _constant(self, constant: sp.Basic) -> Operand:
         return CONSTANTS[constant]

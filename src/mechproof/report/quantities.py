@@ -11,6 +11,7 @@ from markupsafe import Markup
 
 from mechproof.codegen.backends.c99 import render_c
 from mechproof.codegen.docstrings import (
+    TESTED,
     describe_domain,
     find_given,
     list_notes,
@@ -168,7 +169,7 @@ def _pick_notes(kernel: Kernel | None, paper: Paper) -> Iterator[tuple[str, Mark
     """Yield what is said beside domain, accuracy and source, which stand for themselves."""
     for note in list_notes(kernel, paper) if kernel else ():
         lead, colon, rest = note.partition(": ")
-        if lead not in ("Domain", "Accuracy", "Source"):
+        if lead not in ("Domain", TESTED, "Source"):
             named = colon and len(lead.split()) == 1
             yield (lead, set_prose(rest)) if named else ("", set_prose(note))
 

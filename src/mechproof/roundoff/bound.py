@@ -15,18 +15,32 @@ import numpy as np
 
 from mechproof.codegen.program import Operand
 from mechproof.kernel_support.polynomials import PI_LOW
+from mechproof.proof.balls import to_ball
 from mechproof.roundoff.angles import Turn, reduce
 from mechproof.roundoff.ends import Rounded, limit_by_spacing, round_at_ends, widen_by_ulps
 from mechproof.roundoff.germs import Frame, Germ
-from mechproof.roundoff.intervals import EPS, ONE, UNIT, Ends, Interval, Mask, around, exactly
+from mechproof.roundoff.intervals import (
+    EPS,
+    ONE,
+    UNIT,
+    Ends,
+    Interval,
+    Mask,
+    around,
+    enclose_ball,
+    exactly,
+)
 from mechproof.roundoff.profiles import Profile
 from mechproof.roundoff.regions import HALF_TURN
 from mechproof.roundoff.rules import RULES, Slopes
-from mechproof.roundoff.steps import HALF, RESTS, Step, Straight
+from mechproof.roundoff.running import IN_DOUBLES, find_number
+from mechproof.roundoff.steps import CONSTANT, HALF, RESTS, Step, Straight
 
 # Of angles up to here no half turn is taken off, or another region has the little beyond pi/2.
 UNREDUCED, OVERLAPPED = math.pi / 2, HALF_TURN / 2 * (1 + 2.0**-45)
 UNKNOWN = exactly(math.nan)
+# Of other kinds nothing can be bounded.
+KINDS = frozenset({*RULES, *RESTS, CONSTANT, "pi_off", "small_tangent", "copy", "approximate"})
 
 
 @dataclass(frozen=True)
@@ -79,6 +93,9 @@ class Evaluation:
         return self.frame.constant(exactly(operand))
 
     def _move(self, step: Step, stated: Germ | None) -> None:
+        if step.kind == CONSTANT:
+            self._take_constant(step)
+            return
         given = [self.value(operand) for operand in step.operands]
         if step.kind == "pi_off":
             self._take_half_turns_off(step, given[0])
@@ -99,6 +116,12 @@ class Evaluation:
                 )
             else:
                 self._round(step, stated or exact, slopes, self._are_exact(step, given))
+
+    def _take_constant(self, step: Step) -> None:
+        (operand,) = step.operands
+        exact = self.frame.constant(enclose_ball(to_ball(find_number(operand))))
+        double = exactly(IN_DOUBLES[CONSTANT](operand))
+        self._add(step, exact, (None,), np.float64(EPS * step.ulps), None, double)
 
     def _look_up(self, step: Step, germ: Germ) -> Ends:
         """Return by how many eps of itself a function is off by what is proved of it."""

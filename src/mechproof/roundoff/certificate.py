@@ -110,20 +110,26 @@ def _tell_form(
         return form
     name = f" of {form.name}" if len(quantity.shipped) > 1 else ""
     where = " or ".join(claims[0].where)
-    told = "; ".join(map(_tell, claims))
-    return replace(form, proved=f"Proved{name}, where {where}: {told}.")
+    of_all = [text for text in claims[0].assumptions if all(text in c.assumptions for c in claims)]
+    resting = f", as long as {' and '.join(of_all)}" if of_all else ""
+    told = "; ".join(_tell(claim, of_all) for claim in claims)
+    return replace(form, proved=f"Proved{name}, where {where}{resting}: {told}.")
 
 
-def _tell(claim: Claim) -> str:
+def _tell(claim: Claim, told: Sequence[str]) -> str:
     if claim.open:
         return f"nothing {claim.way}, open at {claim.open}"
-    rests = [text for text in claim.assumptions if text != NORMAL]
+    rests = [text for text in claim.assumptions if text not in told]
     given = f" with {' and '.join(rests)}" if rests else f" {claim.way}"
     return f"at most {claim.proved:g} eps{given}, found {claim.found:g}"
 
 
 def _list_all(paper: Paper) -> Iterator[Subject]:
-    return (s for kernel in list_functions(paper) for s in list_subjects(kernel, paper))
+    for kernel in list_functions(paper):
+        try:
+            yield from list_subjects(kernel, paper)
+        except ValueError as error:
+            raise ValueError(f"{paper.system}.{kernel.name}: {error}") from error
 
 
 def _key(subject: Subject) -> tuple[str, str, str]:
@@ -209,7 +215,7 @@ def make_claim(subject: Subject, known: Claim | None = None) -> Claim:
 
 
 def _lower_bound(subject: Subject, low: float) -> float:
-    """Return the lowest bound above another that can be shown, nearly."""
+    """Return the lowest bound above another that can be shown, nearly, in hundredths of an eps."""
     high = max(FIRST, 2 * low)
     while _tell_open(cover_all(subject, high, MOST)):
         low, high = high, 2 * high
@@ -217,6 +223,8 @@ def _lower_bound(subject: Subject, low: float) -> float:
             return math.inf
     while high - low > RESOLUTION * high:
         middle = round((low + high) / 2, DIGITS)
+        if not low < middle < high:
+            break
         if _tell_open(cover_all(subject, middle, MOST)):
             low = middle
         else:

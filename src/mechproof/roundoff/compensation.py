@@ -12,8 +12,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.codegen.program import MEANINGS, Operand
-from mechproof.roundoff.steps import PRODUCT_REST, QUOTIENT_REST, RESTS, Step, Straight
+from mechproof.codegen.program import CONSTANTS, MEANINGS, Operand
+from mechproof.roundoff.steps import CONSTANT, PRODUCT_REST, QUOTIENT_REST, RESTS, Step, Straight
 
 Pair = tuple[sp.Expr, sp.Expr]
 
@@ -36,7 +36,8 @@ def _list_rounded(straight: Straight, rest: str) -> tuple[str, ...]:
 
 def _slope(straight: Straight, name: str, products: Sequence[str], output: Operand) -> sp.Expr:
     """Return the derivative of an output by a rounded value, as its rests and products see it."""
-    values: dict[Operand, Pair] = {n: (sp.Symbol(n), sp.S.Zero) for n in straight.inputs}
+    symbols = (*straight.inputs, *CONSTANTS)
+    values: dict[Operand, Pair] = {n: (sp.Symbol(n), sp.S.Zero) for n in symbols}
     moved = (sp.Symbol(f"rounded {name}"), sp.S.One)
     for step in straight.steps:
         sees = step.kind in RESTS or step.result in products
@@ -61,7 +62,7 @@ def _slope(straight: Straight, name: str, products: Sequence[str], output: Opera
 def _differentiate(step: Step, given: list[Pair]) -> Pair:
     """Return value and derivative; those of functions are symbols, their derivatives rational."""
     dummies = [sp.Dummy() for _ in given]
-    meaning = dummies[0] if step.kind == "copy" else MEANINGS[step.kind](*dummies)
+    meaning = dummies[0] if step.kind in ("copy", CONSTANT) else MEANINGS[step.kind](*dummies)
     places = dict(zip(dummies, (value for value, _ in given), strict=True))
     total = sum(
         (meaning.diff(d) * slope for d, (_, slope) in zip(dummies, given, strict=True)), sp.S.Zero

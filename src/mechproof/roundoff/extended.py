@@ -15,6 +15,7 @@ import sympy as sp
 from mechproof.codegen.program import CONSTANTS, Operand
 from mechproof.kernel_support import error_free
 from mechproof.roundoff.running import IN_DOUBLES, Table
+from mechproof.roundoff.steps import CONSTANT
 
 FORMAT = np.longdouble
 BITS = int(np.finfo(FORMAT).nmant) + 1
@@ -48,12 +49,16 @@ def _first_axes(count: Operand) -> tuple[int, ...]:
     return tuple(range(int(count)))
 
 
+# Of the constants; infinity is known to all that run.
+DIGITS_OF = {n: str(sp.N(v, DIGITS)) for n, v in CONSTANTS.items() if v != sp.oo}
 IN_EXTENDED: Table = MappingProxyType(
     {
         **IN_DOUBLES,
         **{name: getattr(np, name) for name in ("arcsin", "arccos", "arctan2", "exp", "log")},
         **{name: getattr(np, name) for name in ("tan", "arctan", "sign", "power")},
         "number": FORMAT,
+        # By its digits: a whole number of Python's may become a double on the way.
+        CONSTANT: lambda operand: FORMAT(DIGITS_OF.get(operand, str(operand))),
         "fma": lambda a, b, c: a * b + c,
         "product_rest": _product_rest,
         "quotient_rest": _quotient_rest,
@@ -74,5 +79,3 @@ IN_EXTENDED: Table = MappingProxyType(
         "every": lambda a, count: np.all(a, axis=_first_axes(count)),
     }
 )
-# Of the constants; infinity is known to all that run.
-DIGITS_OF = {n: str(sp.N(v, DIGITS)) for n, v in CONSTANTS.items() if v != sp.oo}

@@ -9,15 +9,21 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from mechproof.codegen.program import Operand, Program
+from mechproof.codegen.program import CONSTANTS, Operand, Program
 from mechproof.kernel_support import error_free
 from mechproof.kernel_support.polynomials import PI, PI_LOW
+from mechproof.proof.balls import to_ball
 from mechproof.roundoff.fused import fma
-from mechproof.roundoff.steps import Straight
+from mechproof.roundoff.steps import CONSTANT, Straight
 
 Values = dict[str, Any]
 Table = Mapping[str, Callable[..., Any]]
 ENDLESS = MappingProxyType({"#inf": np.inf})
+
+
+def find_number(operand: Operand) -> Any:
+    """Return the number that a constant's operand stands for."""
+    return CONSTANTS[operand] if isinstance(operand, str) else operand
 
 
 def _take_half_turns_off(y: Any) -> Any:
@@ -42,6 +48,7 @@ IN_DOUBLES: Table = MappingProxyType(
     {
         **ARITHMETIC,
         "number": np.float64,
+        CONSTANT: lambda operand: np.float64(float(find_number(operand))),
         "fma": fma,
         "pi_off": _take_half_turns_off,
         "product_rest": error_free.product_rest,
@@ -65,6 +72,7 @@ IN_BALLS: Table = MappingProxyType(
     {
         **ARITHMETIC,
         "number": arb,
+        CONSTANT: lambda operand: to_ball(find_number(operand)),
         "fma": lambda a, b, c: a * b + c,
         "pi_off": lambda a: a,
         "product_rest": lambda a, b, p: a * b - p,
@@ -92,5 +100,6 @@ def run(straight: Straight | Program, given: Mapping[str, Any], table: Table) ->
         return values[operand] if isinstance(operand, str) else table["number"](operand)
 
     for step in steps:
-        values[step.result] = table[step.kind](*map(look_up, step.operands))
+        given = step.operands if step.kind == CONSTANT else map(look_up, step.operands)
+        values[step.result] = table[step.kind](*given)
     return tuple(map(look_up, straight.outputs))

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from mechproof.codegen.code import Stage
-from mechproof.codegen.program import Operand, Operation, Program
+from mechproof.codegen.program import CONSTANTS, Operand, Operation, Program
 from mechproof.roundoff.assumptions import FUNCTIONS
 from mechproof.roundoff.expansions import Expansion
 
@@ -15,6 +15,8 @@ HALF = 0.5
 EXACT = 0.0
 # What rounding took from a product and from a quotient: exact, or a rounding away from it.
 RESTS = PRODUCT_REST, QUOTIENT_REST = "product_rest", "quotient_rest"
+# A number that is no double, which is rounded where it is written; its operand is the number.
+CONSTANT = "constant"
 ALWAYS_EXACT = frozenset(
     {"negate", "absolute", "maximum", "minimum", "copy", "approximate", PRODUCT_REST}
 )
@@ -63,7 +65,35 @@ def keep_needed(straight: Straight) -> Straight:
 
 
 def flatten_stage(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight:
-    """Put what is prepared before what is evaluated, and kinds with an expansion into it."""
+    """Put what is prepared before what is evaluated, and kinds with an expansion into it.
+
+    Numbers that are no doubles are rounded first, each once.
+    """
+    return _round_constants(_flatten(stage, expansions))
+
+
+def _round_constants(straight: Straight) -> Straight:
+    operands = (*(o for step in straight.steps for o in step.operands), *straight.outputs)
+    names = {o: f"rounded {o}" for o in operands if not is_double(o)}
+    rounded = [Step(name, CONSTANT, (o,), HALF) for o, name in names.items()]
+    if not rounded:
+        return straight
+    steps = [
+        replace(step, operands=tuple(_rename(names, o) for o in step.operands))
+        for step in straight.steps
+    ]
+    outputs = tuple(_rename(names, o) for o in straight.outputs)
+    return replace(straight, steps=(*rounded, *steps), outputs=outputs)
+
+
+def is_double(operand: Operand) -> bool:
+    """Say whether an operand is a double as it stands, or a result."""
+    if isinstance(operand, str):
+        return operand not in CONSTANTS or not CONSTANTS[operand].is_finite
+    return float(operand) == operand
+
+
+def _flatten(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight:
     inputs = (*stage.running, *(p for p in stage.parameters if p not in stage.running))
     known: dict[Operand, Operand] = {name: name for name in inputs}
     steps: list[Step] = []
@@ -97,7 +127,7 @@ def _append(
 
 
 def _rename(names: Mapping[Operand, Operand], operand: Operand) -> Operand:
-    return names[operand] if isinstance(operand, str) and operand in names else operand
+    return names.get(operand, operand)
 
 
 def _expand(operation: Operation, expansions: Mapping[str, Expansion]) -> Iterator[Step]:
@@ -133,4 +163,8 @@ def make_step(operation: Operation) -> Step:
 def _scales_by_power(kind: str, operands: Sequence[Operand]) -> bool:
     """Say whether the operation multiplies or divides by a power of two."""
     factors = {"multiply": operands, "divide": operands[1:]}.get(kind, ())
-    return any(not isinstance(f, str) and f and math.frexp(abs(f))[0] == HALF for f in factors)
+    return any(_is_power(f) for f in factors if not isinstance(f, str))
+
+
+def _is_power(number: float) -> bool:
+    return is_double(number) and math.frexp(abs(number))[0] == HALF

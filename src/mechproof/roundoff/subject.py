@@ -21,7 +21,7 @@ from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, find_size, measure_norm
 from mechproof.roundoff.apart import Rows, bound_apart
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
-from mechproof.roundoff.bound import Bar, Evaluation
+from mechproof.roundoff.bound import KINDS, Bar, Evaluation
 from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.compiled import COMPILED, WAY, list_expansions
 from mechproof.roundoff.elementary import prove
@@ -219,6 +219,7 @@ def list_subjects(kernel: Kernel, paper: Paper) -> Iterator[Subject]:
             whole = affine.apply() if affine else straight
             if whole not in known:
                 known.append(whole)
+                _check_kinds(straight)
                 _check_signs(straight, kernel, form)
                 yield Subject(kernel, form, stage, way, whole, known[0], scale, map=affine)
         if kernel.is_shipped:
@@ -231,6 +232,7 @@ def _compile(
     compiled = put_off_stage(stage)
     expanded = keep_needed(flatten_stage(compiled, list_expansions()))
     straight = find_scaled(hold_compensated(expanded))
+    _check_kinds(straight)
     _check_signs(straight, kernel, form)
     affine = _find_map(kernel.quantity, stage, straight)
     if affine:
@@ -238,6 +240,13 @@ def _compile(
         compiled = replace(compiled, running=points, evaluate=map_affinely(points))
     computed = flatten_stage(compiled, {})
     return Subject(kernel, form, stage, WAY, straight, exact, scale, computed, affine)
+
+
+def _check_kinds(straight: Straight) -> None:
+    if unknown := sorted({step.kind for step in straight.steps} - KINDS):
+        raise ValueError(
+            f"no rounding of {', '.join(unknown)} can be bounded: leave out the charts"
+        )
 
 
 def _check_signs(straight: Straight, kernel: Kernel, form: Form) -> None:

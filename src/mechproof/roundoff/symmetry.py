@@ -7,9 +7,9 @@ from types import MappingProxyType
 
 import sympy as sp
 
-from mechproof.codegen.program import Operand
+from mechproof.codegen.program import CONSTANTS, Operand
 from mechproof.record import Chart
-from mechproof.roundoff.steps import Straight
+from mechproof.roundoff.steps import CONSTANT, Straight
 
 # 1 for what stays, -1 for what is negated.
 Parity = int
@@ -52,7 +52,7 @@ PARITIES: Mapping[str, Callable[..., Parity]] = MappingProxyType(
     {
         **dict.fromkeys(("add", "subtract"), _same),
         **dict.fromkeys(("multiply", "divide"), _product),
-        **dict.fromkeys(("square", "cos", "absolute"), _even),
+        **dict.fromkeys(("square", "cos", "absolute", CONSTANT), _even),
         **dict.fromkeys(("negate", "copy", "approximate", "pi_off"), _keep),
         **dict.fromkeys(("tan", "sin", "arctan", "small_tangent"), _keep),
         "greater": _compare,
@@ -91,7 +91,7 @@ def list_parities(
 
 def find_parities(straight: Straight, given: Mapping[str, Parity]) -> Mapping[Operand, Parity]:
     """Return what becomes of all results where the given ones do; ValueError if that is neither."""
-    parities: dict[Operand, Parity] = dict(given.items())
+    parities: dict[Operand, Parity] = {**dict.fromkeys(CONSTANTS, 1), **given}
     for step in straight.steps:
         operands = [parities[o] if isinstance(o, str) else 1 for o in step.operands]
         if step.kind not in PARITIES:
