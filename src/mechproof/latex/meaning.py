@@ -83,7 +83,7 @@ class Meaning:
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
         is_scalar = isinstance(found, sp.Expr) and not isinstance(found, sp.MatrixExpr)
-        if is_scalar and found.is_extended_real is False:
+        if is_scalar and _name_turns(found).is_extended_real is False:
             raise self.source.refuse(node.start, "this has no real value")
         return found
 
@@ -239,6 +239,12 @@ class Meaning:
                 "a variable.",
             )
         return running, inside
+
+
+def _name_turns(expression: sp.Expr) -> sp.Expr:
+    """Let powers of negative numbers be real: SymPy takes (-1)^(n(n+1)/2) for imaginary."""
+    powers = (p for p in expression.atoms(sp.Pow) if p.base.is_negative and p.exp.free_symbols)
+    return expression.xreplace({power: sp.Dummy("turn", real=True) for power in powers})
 
 
 def _any_matrix(parts: list[Any]) -> bool:
