@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
@@ -86,13 +86,25 @@ def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> E
     return None
 
 
-def find_undefined(relation: sp.Basic, domain: Domain, count: int) -> str:
-    """Return an interior point at which a side of a relation has no value, empty if none is met."""
-    for point in points_for((relation,), domain, count):
-        sides = (put_exactly(s, point) for r in _relations(relation) for s in r.args)
-        if all(balls.evaluate(side, point).is_finite() for side in sides):
-            continue
-        if domain.is_interior(point):
+def find_undefined(sides: Sequence[sp.Basic], domain: Domain, count: int = POINTS) -> str:
+    """Return an interior point at which a side has no value, empty if none is met."""
+    return _find_point(sides, domain, count, lambda have_values: not all(have_values))
+
+
+def find_unlike(sides: Sequence[sp.Basic], domain: Domain) -> str:
+    """Return an interior point at which one side only has a value, empty if none is met."""
+    return _find_point(sides, domain, POINTS, lambda have_values: len(set(have_values)) > 1)
+
+
+def _find_point(
+    sides: Sequence[sp.Basic],
+    domain: Domain,
+    count: int,
+    is_wanted: Callable[[list[bool]], bool],
+) -> str:
+    for point in points_for(tuple(sides), domain, count, thorough=count == POINTS):
+        values = [balls.evaluate(put_exactly(side, point), point) for side in sides]
+        if is_wanted([bool(v.is_finite()) for v in values]) and domain.is_interior(point):
             return _name_point(point, domain)
     return ""
 
