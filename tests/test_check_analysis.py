@@ -34,6 +34,54 @@ NOT_PROVED = [
     r"\lim_{x\to0}x\ge0",
     # The logarithm has no derivative where it has no value.
     r"\frac{d}{dx}\ln x=\frac1x",
+    # Nor is it undone or cancelled there; the same of roots, and of what has no value anywhere.
+    r"\mathrm{e}^{\ln x}=x",
+    r"\ln x-\ln x=0",
+    r"0\cdot\ln x=0",
+    r"\ln(x+10^{12})\ge\ln(10^{12}+x)",
+    r"\sqrt x\sqrt x=x",
+    r"x^{\frac12}x^{\frac12}=x",
+    r"x^{\frac32}x^{-\frac12}=x",
+    r"\sqrt{x-y}\sqrt{x-y}=x-y",
+    r"\sqrt{-x^2}\sqrt{-x^2}=-x^2",
+    r"\sqrt{-x^2}\sqrt{-x^2}\le0",
+    r"\sin\arcsin x=x",
+    r"\cos\arccos x-x=0",
+    r"\operatorname{th}\operatorname{arth}x=x",
+    r"\arcsin x-\arcsin x=0",
+    r"(|x|-x)\cdot\frac1{|x|-x}=1",
+    r"\int_0^1\frac{dt}t-\int_0^1\frac{dt}t=0",
+    r"0\int_0^1\frac{dt}t=0",
+    r"\left(\int_0^1\frac{dt}t\right)^0=1",
+    r"\frac{\int_{-1}^1\frac{dt}t}{\int_{-1}^1\frac{dt}t}=1",
+    r"\int_{-1}^1\mathrm{e}^{\ln t}dt=0",
+    r"\sum_{k=1}^\infty k-\sum_{k=1}^\infty k=0",
+    r"\sum_{k=1}^n\sqrt{a_k}\sqrt{a_k}=\sum_{k=1}^na_k",
+    r"\frac{d}{dx}(\ln x-\ln x)=0",
+    r"\lim_{x\to0}(\sqrt{-x^2}\sqrt{-x^2})=0",
+]
+SAID = [
+    # What both sides need is said, unless it is shown.
+    (r"\sqrt x=\sqrt x", "x >= 0"),
+    (r"\lg x+\lg x=2\lg x", "x > 0"),
+    (r"\ln(x+1000)=\ln(1000+x)", "x + 1000 > 0"),
+    (r"\sqrt{x-y}(x+y)=x\sqrt{x-y}+y\sqrt{x-y}", "x - y >= 0"),
+]
+DEFINED = [
+    # The same where all that is printed has a value, whatever a denominator is.
+    (r"\mathrm{e}^{\ln x}=x", ("x>0",)),
+    (r"\ln x-\ln x=0", ("x>0",)),
+    (r"\ln(x+1000)=\ln(1000+x)", ("x>-1000",)),
+    (r"\sqrt x\sqrt x=x", (r"x\ge0",)),
+    (r"\sqrt{x-y}\sqrt{x-y}=x-y", ("x>y",)),
+    (r"\sin\arcsin x=x", ("|x|<1",)),
+    (r"\sqrt{x^2}\sqrt{x^2}=x^2", ()),
+    (r"\frac xx=1", ()),
+    (r"\frac{x^2-1}{x-1}=x+1", ()),
+    (r"\sum_{k=1}^na_k-\sum_{k=1}^na_k=0", ()),
+    (r"\int_0^xt\,dt-\int_0^xt\,dt=0", ()),
+    (r"\sum_{k=1}^n\frac{\sqrt k\sqrt k}k=n", ()),
+    (r"\lim_{x\to0}\frac xx=1", ()),
 ]
 REFUSED = [
     (r"\sqrt{x^2}=\pm x", "both signs, or either"),
@@ -74,6 +122,18 @@ def test_an_equation_is_proved_and_its_neighbour_refuted(
 @pytest.mark.parametrize("latex", NOT_PROVED)
 def test_what_has_no_value_everywhere_stays_open(latex: str) -> None:
     assert judge(latex) == "UNDECIDED"
+
+
+@pytest.mark.parametrize(("latex", "needed"), SAID)
+def test_what_both_sides_need_is_said(latex: str, needed: str) -> None:
+    done = run(latex)
+    assert "PROVED" in done.output
+    assert f"both sides agree where {needed}" in " ".join(done.output.split())
+
+
+@pytest.mark.parametrize(("latex", "where"), DEFINED)
+def test_what_has_values_where_it_is_meant_is_proved(latex: str, where: tuple[str, ...]) -> None:
+    assert judge(latex, where) == "PROVED"
 
 
 @pytest.mark.parametrize(("latex", "told"), REFUSED)

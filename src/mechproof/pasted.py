@@ -262,14 +262,33 @@ def _narrow(
             raise ValueError(f"--where {relation.lhs}={relation.rhs}: say a value by --let")
         symbol = next(iter(relation.free_symbols), None)
         alone = len(relation.free_symbols) == 1 and symbol in sets
-        inside = sets[symbol].intersect(relation.as_set()) if alone else None
+        found = _solve(relation, symbol) if alone else None
+        inside = None if found is None else sets[symbol].intersect(found)
         if inside is sp.S.EmptySet:
             raise ValueError(f"--where leaves no value of {symbol}")
-        if isinstance(inside, sp.Interval):
+        if isinstance(inside, sp.Interval | sp.FiniteSet):
             sets[symbol] = inside
         else:
             where.append(relation)
     return tuple(replace(v, within=sets.get(v.symbol, v.within)) for v in variables), tuple(where)
+
+
+def _solve(relation: sp.Basic, symbol: sp.Basic) -> sp.Set | None:
+    """Return the set that a relation between fractions of polynomials says, None for any other.
+
+    An absolute value may be the smaller side. What SymPy makes of other functions is not believed.
+    """
+    if isinstance(getattr(relation, "lts", None), sp.Abs) and not relation.gts.has(sp.Abs):
+        parts = (relation.func(*_order(relation, sign * relation.lts.args[0])) for sign in (1, -1))
+        sets = [_solve(part, symbol) for part in parts]
+        return None if None in sets else sp.Intersection(*sets)
+    is_rational = all(side.is_rational_function(symbol) for side in relation.args)
+    return relation.as_set() if is_rational else None
+
+
+def _order(relation: sp.Basic, smaller: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return the sides of a relation in their order, with another smaller side."""
+    return (smaller, relation.gts) if relation.lhs == relation.lts else (relation.gts, smaller)
 
 
 def _describe(variable: Variable) -> str:

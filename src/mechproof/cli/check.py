@@ -22,6 +22,7 @@ DEFAULTS = (
     "What is not said is taken so: letters are real numbers, a letter up to which a sum goes is "
     "a natural number, d within an integral is its differential. Nothing else is guessed."
 )
+SUCCESS = (Verdict.PROVED, Verdict.DEFINITION, Verdict.CONVENTION)
 REMARKS = {
     Verdict.REFUTED: "REFUTED means: not true for all values of its letters. Where one of them "
     "depends on others (an angle on an angle), say it: --let 'letter=…'; where they are "
@@ -58,8 +59,9 @@ def check(
 ) -> None:
     """Judge one pasted equation: whether it is true for all values of its letters.
 
-    Exit status 0: every sign has a verdict; 1: one is UNDECIDED, or it takes too long or crashes;
-    2: bad usage, or the equation cannot be read without a guess.
+    Exit status 0: every sign is PROVED, a DEFINITION or a CONVENTION; 1: one is not, REFUTED and
+    ENCLOSED among them, or it takes too long or crashes; 2: bad usage, an empty domain, or the
+    equation cannot be read without a guess.
     """
     pasted = Pasted(
         equation,
@@ -81,7 +83,7 @@ def check(
     for letter, kind in answer.taken.items():
         say(f"  taken as  {letter}: {kind}")
     say(DEFAULTS)
-    if any(row.verdict is Verdict.UNDECIDED for row in answer.judgements):
+    if any(row.verdict not in SUCCESS for row in answer.judgements):
         raise typer.Exit(1)
 
 

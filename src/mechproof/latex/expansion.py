@@ -132,7 +132,7 @@ class _Place:
 
     def members(self, meaning: Meaning) -> tuple[Any, Any]:
         one, other = self.nodes
-        return meaning.of(one), meaning.of(other)
+        return meaning.side(one), meaning.side(other)
 
     @property
     def text(self) -> str:
@@ -258,7 +258,7 @@ def _read_correction(correction: Correction, row: Row, place: _Place) -> Correct
         place.members(place.read.meaning(values)) for values in ({}, row.derived)
     )
     other, other_derived = (
-        read.meaning(values).of(chain.members[0]) for values in ({}, row.derived)
+        read.meaning(values).side(chain.members[0]) for values in ({}, row.derived)
     )
     nodes = (place.nodes[0], chain.members[0])
     members = Members(nodes, one, other, one_derived, other_derived)

@@ -37,7 +37,12 @@ from mechproof.latex.tree import (
     Transposed,
 )
 from mechproof.latex.values import depends, settle
-from mechproof.record import FunctionWithoutArgument, IntegralWithoutDifferential, ValueWhere
+from mechproof.record import (
+    FunctionWithoutArgument,
+    IntegralWithoutDifferential,
+    ValueWhere,
+    list_partial,
+)
 
 LARGEST_EXPONENT = 1000
 # Functions with kinks or steps, of which SymPy gives a derivative everywhere.
@@ -72,6 +77,21 @@ class Meaning:
         self.values = values
         self.lower_limit = lower_limit
         self.remedies = remedies
+        self._met: dict[sp.Basic, None] = {}
+
+    def side(self, node: Node) -> Any:
+        """Return the expression of a node, with the parts that SymPy has cancelled as its needs.
+
+        A root, a logarithm or an integral that is printed must have a value, whatever it is
+        multiplied by or taken from.
+        """
+        outside, self._met = self._met, {}
+        value = self.of(node)
+        lost = [part for part in self._met if not value.has(part)]
+        self._met = outside
+        if isinstance(value, sp.MatrixBase):
+            return value.applyfunc(lambda entry: reduce(ValueWhere, lost, entry))
+        return reduce(ValueWhere, lost, value)
 
     def of(self, node: Node) -> Any:
         """Return the expression of a node; `ReadingError` for a division by zero and the like."""
@@ -83,8 +103,10 @@ class Meaning:
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
         is_scalar = isinstance(found, sp.Expr) and not isinstance(found, sp.MatrixExpr)
-        if is_scalar and found.is_extended_real is False:
+        if is_scalar and _name_turns(found).is_extended_real is False:
             raise self.source.refuse(node.start, "this has no real value")
+        if is_scalar:
+            self._met |= dict.fromkeys(list_partial(found))
         return found
 
     def relate(self, chain: Chain) -> tuple[sp.Basic, ...]:
@@ -151,21 +173,21 @@ class Meaning:
         return sp.ImmutableMatrix([[self.of(part) for part in node.parts]])
 
     def _cases(self, node: Cases) -> sp.Basic:
-        pieces = [(self.of(v), sp.And(*self.relate(c), evaluate=False)) for v, c in node.pieces]
+        pieces = [(self.side(v), sp.And(*self.relate(c), evaluate=False)) for v, c in node.pieces]
         if node.otherwise:
-            pieces.append((self.of(node.otherwise), sp.true))
+            pieces.append((self.side(node.otherwise), sp.true))
         return sp.Piecewise(*pieces, evaluate=False)
 
     def _repeated(self, node: Repeated) -> sp.Basic:
         index = node.index.symbol
-        term = self.of(node.term)
+        term = self.side(node.term)
         for other in node.apart:
             term = term * (1 - sp.KroneckerDelta(self.of(other), index))
         kind = sp.Sum if node.name == "sum" else sp.Product
         return kind(term, (index, self.of(node.low), self.of(node.high)))
 
     def _integration(self, node: Integration) -> sp.Basic:
-        integrand = self.of(node.integrand)
+        integrand = self.side(node.integrand)
         if node.differential is None:
             return IntegralWithoutDifferential(integrand)
         variable = self.of(node.differential)
@@ -186,7 +208,8 @@ class Meaning:
             raise self.source.refuse(
                 node.by.start, f"a derivative by {variable}, which is given by others or no letter"
             )
-        value = settle(self.of(node.of), self.values, {variable: variable})
+        needed = settle(self.side(node.of), self.values, {variable: variable})
+        value = needed.replace(ValueWhere, lambda inner, _: inner)
         if value.free_symbols and variable not in value.free_symbols:
             raise self.source.refuse(
                 node.of.start,
@@ -199,7 +222,7 @@ class Meaning:
                 "a derivative of a function with kinks or steps is not read",
                 "Say on which side of them it is meant, and print it without them.",
             )
-        return ValueWhere(sp.diff(value, variable, node.order), value)
+        return ValueWhere(sp.diff(value, variable, node.order), needed)
 
     def _approach(self, node: Approach) -> sp.Expr:
         variable, point = self._letter(node.by), self.of(node.point)
@@ -209,7 +232,7 @@ class Meaning:
                 node.by.start, f"{variable} goes to a limit, but is given by others or is in it"
             )
         running = sp.Symbol(f"{variable.name}_", real=True)
-        inside = settle(self.of(node.term), self.values, {variable: running})
+        inside = settle(self.side(node.term), self.values, {variable: running})
         return sp.Limit(inside, running, point, node.side)
 
     def _bind(
@@ -239,6 +262,12 @@ class Meaning:
                 "a variable.",
             )
         return running, inside
+
+
+def _name_turns(expression: sp.Expr) -> sp.Expr:
+    """Let powers of negative numbers be real: SymPy takes (-1)^(n(n+1)/2) for imaginary."""
+    powers = (p for p in expression.atoms(sp.Pow) if p.base.is_negative and p.exp.free_symbols)
+    return expression.xreplace({power: sp.Dummy("turn", real=True) for power in powers})
 
 
 def _any_matrix(parts: list[Any]) -> bool:

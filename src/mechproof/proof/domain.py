@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import islice, product
@@ -13,6 +13,7 @@ import sympy as sp
 from mechproof.proof import balls
 from mechproof.proof.dimensions import dimensions_of
 from mechproof.proof.domain_checks import check_given, check_relation, check_set
+from mechproof.proof.narrowing import leaves_values, search
 from mechproof.proof.set_values import list_closed_ends, list_special_values, place, radical_inverse
 from mechproof.proof.substitution import substitute
 from mechproof.record import NUMBER, Dimension, Paper, Part, Published, RecordError, Toleranced
@@ -22,6 +23,9 @@ _NO_VALUES: Mapping[sp.Basic, sp.Expr] = MappingProxyType({})
 _NO_DIMENSIONS: Mapping[sp.Basic, Dimension] = MappingProxyType({})
 
 _TRIES_PER_POINT = 60
+# After so many tries without a point, points are searched for; how many are enough then.
+_BARREN = 80
+_FEW = 12
 # Angles at which a reader looks first.
 _ROUND_ANGLES = tuple(
     sp.pi * sp.Rational(degrees, 180) for degrees in (30, 45, 60, 90, 120, 150, 180, 270, 360)
@@ -74,10 +78,12 @@ class Domain:
         where = paper.where + tuple(relation for part in parts for relation in part.where)
         for relation in where:
             check_relation(relation, {*within, *given})
-        if sp.false in where:
-            raise RecordError(f"paper {paper.system!r}: a relation of its domain is always false")
         domain = cls(within, (), given, paper.published, dimensions_of(paper), paper.usual)
-        return replace(domain, where=tuple(domain.resolve(relation) for relation in where))
+        resolved = tuple(domain.resolve(relation) for relation in where)
+        for relation, found in zip(where, resolved, strict=True):
+            if found == sp.false:
+                raise RecordError(f"the domain is empty: {relation} is always false")
+        return replace(domain, where=tuple(r for r in resolved if r != sp.true))
 
     def resolve(self, expression: sp.Basic) -> sp.Basic:
         """Substitute the given symbols until only free ones are left."""
@@ -95,7 +101,7 @@ class Domain:
 
     def allows(self, point: Point) -> bool:
         """Return whether no set and no relation that the point decides excludes it."""
-        relations = _relations_at(list(self.where), point)
+        relations = [r for r in self.where if r.free_symbols <= point.keys()]
         inside = (self.set_of(s).contains(v) != sp.false for s, v in point.items())
         return all(inside) and _allowed(relations, point)
 
@@ -111,19 +117,46 @@ class Domain:
     ) -> list[Point]:
         """Return `count` exact interior points, then the corners of closed finite ends.
 
-        `fixed` values are taken over. Raises `ValueError` if no point is found.
+        `fixed` values are taken over. Raises `RecordError` if no point is found.
         """
-        names, relations = self._connect(set(symbols) | fixed.keys())
+        names, relations = self._connect(set(symbols) | fixed.keys(), fixed)
         ordered = sorted(names - fixed.keys(), key=str)
-        of_elements = self._relate_elements(names, fixed)
-        relations += of_elements
-        walk = (_tie(of_elements, {**fixed, **point}) for point in self._walk(ordered, count))
-        interior = list(islice((p for p in walk if _allowed(relations, p)), count))
+        wanted = count if ordered else 1
+        walk = self._walk(ordered, wanted)
+        first = self._complete(islice(walk, _BARREN), relations, fixed)
+        interior = list(islice(first, wanted))
+        if interior:
+            rest = self._complete(walk, relations, fixed)
+            interior += islice(rest, wanted - len(interior))
+        if len(interior) < wanted:
+            sets = {symbol: self.set_of(symbol) for symbol in ordered}
+            few = min(wanted - len(interior), _FEW)
+            found = self._complete(search(sets, relations, fixed, few), relations, fixed)
+            interior += islice((point for point in found if point not in interior), few)
         if not interior:
-            raise ValueError(f"no point found in the domain of {[str(s) for s in ordered]}")
+            raise RecordError(f"no point found in the domain where {_say(relations)}: is it empty?")
         corners = self._corners({s: interior[0][s] for s in ordered})
-        tied = (_tie(of_elements, {**fixed, **corner}) for corner in corners)
-        return interior + [point for point in tied if _allowed(relations, point)]
+        return interior + list(self._complete(corners, relations, fixed))
+
+    def _complete(
+        self, points: Iterable[Point], relations: list[sp.Basic], fixed: Point
+    ) -> Iterator[Point]:
+        """Yield those of the points that all relations allow, with the fixed values."""
+        free = [relation for relation in relations if relation.args[0] not in fixed]
+        tied = (_tie(free, {**fixed, **point}) for point in points)
+        return (point for point in tied if _allowed(relations, point))
+
+    def reaches(self, chosen: Point) -> bool:
+        """Return whether a point with these values is found, for all that relations tie to them."""
+        names, relations = self._connect(set(chosen), chosen)
+        sets = {symbol: self.set_of(symbol) for symbol in names - chosen.keys()}
+        if not relations:
+            return True
+        if not leaves_values(sets, relations, chosen):
+            return False
+        with suppress(RecordError):
+            return bool(self.points(list(chosen), 1, chosen))
+        return False
 
     def points_at(
         self,
@@ -135,7 +168,7 @@ class Domain:
 
         Nothing comes of sizes that the domain does not allow, and where nothing is known.
         """
-        names, _ = self._connect(set(symbols) | fixed.keys())
+        names, _ = self._connect(set(symbols) | fixed.keys(), fixed)
         known = {s: value for s, value in sizes.items() if s in names}
         if not self.allows(known) or (sizes and not known):
             return
@@ -157,31 +190,18 @@ class Domain:
         base = symbol.base if isinstance(symbol, sp.Indexed) else symbol
         return self.dimensions.get(base, NUMBER)
 
-    def _connect(self, names: set[sp.Basic]) -> tuple[set[sp.Basic], list[sp.Basic]]:
-        """Add the symbols that relations tie to the names, directly or through others."""
-        relations: list[sp.Basic] = []
-        plain = [r for r in self.where if not r.has(sp.Indexed)]
-        for _ in plain:
-            relations = [r for r in plain if r.free_symbols & names]
-            names = names.union(*(r.free_symbols for r in relations))
-        return names, relations
+    def _connect(self, names: set[sp.Basic], fixed: Point) -> tuple[set[sp.Basic], list[sp.Basic]]:
+        """Add the symbols that relations tie to the names, through others too, and the relations.
 
-    def _relate_elements(
-        self, names: set[sp.Basic], fixed: Mapping[sp.Basic, sp.Rational]
-    ) -> list[sp.Basic]:
-        """State the relations of indexed symbols for the elements among the names."""
+        Relations of families are taken for the elements whose numbers are among the names.
+        """
         numbers = sorted({k for s in names if isinstance(s, sp.Indexed) for k in s.indices})
-        related: dict[sp.Basic, None] = {}
-        for relation in self.where if numbers else ():
-            written = relation.subs(fixed).doit() if relation.has(sp.Sum) else relation
-            if written.has(sp.Sum):
-                continue
-            free = {i for item in written.atoms(sp.Indexed) for i in item.indices if i.is_Symbol}
-            for values in product(numbers, repeat=len(free)):
-                one = written.xreplace(dict(zip(sorted(free, key=str), values, strict=True)))
-                if one.atoms(sp.Indexed) and _symbols(one) <= names:
-                    related[one] = None
-        return list(related)
+        stated = dict.fromkeys(r for whole in self.where for r in _write(whole, numbers, fixed))
+        tied: list[sp.Basic] = []
+        for _ in stated:
+            tied = [relation for relation in stated if _symbols(relation) & names]
+            names = names.union(*map(_symbols, tied))
+        return names, tied
 
     def _walk(self, ordered: list[sp.Basic], count: int) -> Iterator[Point]:
         tries = count * (_TRIES_PER_POINT if self.where else 1)
@@ -191,10 +211,19 @@ class Domain:
                 for k, symbol in enumerate(ordered, start=1)
             }
 
-    def special_points(self, inside: Point) -> list[Point]:
-        """Return points that differ from one inside by zero, one, fractions of a turn, ends."""
+    def special_points(self, inside: Point, landmarks: Sequence[sp.Expr] = ()) -> list[Point]:
+        """Return points that differ from one inside by zero, one, fractions of a turn, ends.
+
+        With landmarks also by these, one symbol at a time, counts included.
+        """
         found = {s: list_special_values(self.set_of(s)) for s in inside if not s.is_integer}
         single = [{**inside, s: value} for s, values in found.items() for value in values]
+        single += [
+            {**inside, s: value}
+            for s in inside
+            for value in landmarks
+            if self.set_of(s).contains(value) == sp.true
+        ]
         longest = max(map(len, found.values()), default=0)
         joint = [
             {**inside, **{s: values[k % len(values)] for s, values in found.items() if values}}
@@ -204,10 +233,9 @@ class Domain:
         if 1 < len(small) <= 3:
             joint += [{**inside, **dict(zip(found, v, strict=True))} for v in product(*small)]
         counts = {s: value for s, value in inside.items() if s.is_integer}
-        of_elements = self._relate_elements(set(inside), counts)
-        tied = [_tie(of_elements, point) for point in single + joint]
-        plain = _relations_at(list(self.where), inside)
-        return [point for point in tied if _allowed(plain + of_elements, point)]
+        _, tied = self._connect(set(inside), counts)
+        relations = [relation for relation in tied if _symbols(relation) <= inside.keys()]
+        return list(self._complete(single + joint, relations, {}))
 
     def _corners(self, inside: Point) -> Iterator[Point]:
         ends = {symbol: list_closed_ends(self.set_of(symbol)) for symbol in inside}
@@ -251,6 +279,25 @@ def _symbols(relation: sp.Basic) -> set[sp.Basic]:
     return items.union(relation.free_symbols - labels)
 
 
+def _write(relation: sp.Basic, numbers: list[sp.Basic], fixed: Point) -> Iterator[sp.Basic]:
+    """Yield a relation for the elements of families with these numbers, any other as it stands."""
+    if not relation.has(sp.Indexed):
+        yield relation
+        return
+    written = relation.subs(fixed).doit() if relation.has(sp.Sum) else relation
+    if written.has(sp.Sum):
+        return
+    free = {k for item in written.atoms(sp.Indexed) for k in item.indices if k.is_Symbol}
+    for values in product(numbers, repeat=len(free)):
+        one = written.xreplace(dict(zip(sorted(free, key=str), values, strict=True)))
+        if one.atoms(sp.Indexed):
+            yield one
+
+
+def _say(relations: list[sp.Basic]) -> str:
+    return " and ".join(map(str, relations)) or "its sets"
+
+
 def _tie(relations: list[sp.Basic], point: Point) -> Point:
     """Give elements on the left of an equation the values that it gives them."""
     for relation in relations:
@@ -266,7 +313,3 @@ def _allowed(relations: list[sp.Basic], point: Point) -> bool:
         or balls.truth(relation, point) is True
         for relation in relations
     )
-
-
-def _relations_at(relations: list[sp.Basic], point: Point) -> list[sp.Basic]:
-    return [r for r in relations if r.free_symbols <= point.keys()]

@@ -11,6 +11,7 @@ from mechproof.proof.declarations import check_statement
 from mechproof.proof.dimensions import dimensions_of
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import ContradictionError, decide
+from mechproof.proof.refutation import refuse_empty
 from mechproof.proof.restatements import check_restatements
 from mechproof.proof.set_values import COUNTS
 from mechproof.proof.verdict import Answer, Evidence, Judgement, Verdict
@@ -65,6 +66,7 @@ def _marks(row: Row) -> tuple[str, ...]:
 
 def _decide_row(row: Row, paper: Paper) -> Answer:
     domain = Domain.of(paper, row.on)
+    refuse_empty(domain)
     check_restatements(row, domain)
     answer = _decide_well_formed(row, paper, domain)
     if answer.verdict is Verdict.REFUTED:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -13,11 +13,19 @@ from mechproof.proof.algebra import decide_equal, explain_unequal
 from mechproof.proof.antiderivative import decide_by_derivative, explain_break
 from mechproof.proof.arguments import decide_by_argument
 from mechproof.proof.bisection import holds_on_interval
+from mechproof.proof.definedness import list_unshown
 from mechproof.proof.domain import Domain
 from mechproof.proof.limits import settle_limits
 from mechproof.proof.numbers import decide_number
-from mechproof.proof.preparation import prepare
-from mechproof.proof.refutation import Comparison, compare, find_undefined, find_violation
+from mechproof.proof.preparation import prepare, take_values
+from mechproof.proof.refutation import (
+    POINTS,
+    Comparison,
+    compare,
+    find_undefined,
+    find_unlike,
+    find_violation,
+)
 from mechproof.proof.showing import show_plainly
 from mechproof.proof.signs import find_sign
 from mechproof.proof.substitution import substitute
@@ -95,11 +103,15 @@ def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Answer:
 def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answer:
     rung = _prove_equal(printed, rebuilt, domain)
     if rung:
+        needed = _list_needed((printed, rebuilt), domain)
         undefined = _cross_examine(printed, rebuilt, domain)
+        if not undefined and needed:
+            undefined = find_unlike((printed, rebuilt), domain)
         if undefined:
             reason = f"both sides agree where both are defined, which fails at {undefined}"
             return Answer(Verdict.UNDECIDED, rung, reason)
-        return Answer(Verdict.PROVED, rung, "both sides agree wherever they are defined")
+        where = f"where {needed}" if needed else "wherever they are defined"
+        return Answer(Verdict.PROVED, rung, f"both sides agree {where}")
     comparison = compare(printed, rebuilt, domain)
     if comparison.counterexample:
         reason = explain_break(printed, domain) or "the two sides differ"
@@ -108,7 +120,15 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
     return _report_unproved(comparison, why)
 
 
+def _list_needed(sides: Sequence[sp.Basic], domain: Domain) -> str:
+    """Say what roots, logarithms and so on need that is not shown, empty for nothing."""
+    return _clip(
+        " and ".join(dict.fromkeys(n for side in sides for n in list_unshown(side, domain)))
+    )
+
+
 def _prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
+    printed, rebuilt = take_values(printed), take_values(rebuilt)
     if printed == rebuilt:
         return IDENTICAL
     printed, rebuilt = prepare(printed), prepare(rebuilt)
@@ -156,14 +176,17 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
         return _decide_exact(relation, _resolve_sides(statement.relation, domain), sign)
     if isinstance(relation, sp.Equality):
         return _decide_sides(relation.lhs, relation.rhs, domain)
-    rung = _prove_relation(relation, domain)
+    rung = _prove_relation(take_values(relation), domain)
     if rung:
         if found := find_violation(relation, domain, CROSS_EXAMINATION):
             raise ContradictionError(f"proved, yet {found}")
-        if undefined := find_undefined(relation, domain, CROSS_EXAMINATION):
+        needed = _list_needed(relation.args, domain)
+        count = POINTS if needed else CROSS_EXAMINATION
+        if undefined := find_undefined(relation.args, domain, count):
             reason = f"true wherever it is defined, which fails at {undefined}"
             return Answer(Verdict.UNDECIDED, rung, reason)
-        return Answer(Verdict.PROVED, rung, "true wherever it is defined")
+        where = f"where {needed}" if needed else "wherever it is defined"
+        return Answer(Verdict.PROVED, rung, f"true {where}")
     violation = find_violation(relation, domain)
     if violation:
         return Answer(Verdict.REFUTED, "separating balls", "a point violates it", (violation,))

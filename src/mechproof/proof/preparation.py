@@ -5,17 +5,25 @@ from __future__ import annotations
 from typing import Any
 
 import sympy as sp
+from sympy.core.relational import Relational
 
 from mechproof.record import ValueWhere
 
 _FARTHEST = 20
 
 
+def take_values(expression: Any) -> Any:
+    """Return an expression without what its parts need to have values."""
+    if not expression.has(ValueWhere):
+        return expression
+    if isinstance(expression, Relational):
+        return expression.func(*map(take_values, expression.args), evaluate=False)
+    return expression.replace(ValueWhere, lambda value, needed: value)
+
+
 def prepare(expression: Any) -> Any:
     """Return an expression that is equal wherever both have values."""
-    if not expression.has(ValueWhere, sp.factorial):
-        return expression
-    plain = expression.replace(ValueWhere, lambda value, needed: value)
+    plain = take_values(expression)
     shifts = {node: node.args[0].as_coeff_Add() for node in plain.atoms(sp.factorial)}
     return plain.xreplace(
         {

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import chain, islice, permutations
+from functools import lru_cache
+from itertools import islice
 
 import sympy as sp
 from flint import arb
@@ -12,6 +13,7 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
 from mechproof.proof import balls
+from mechproof.proof.counts import choose_counts, is_count
 from mechproof.proof.domain import Domain, Point, sizes_of
 from mechproof.proof.showing import describe, show_point
 from mechproof.proof.substitution import substitute
@@ -20,11 +22,12 @@ from mechproof.proof.verdict import Evidence
 
 POINTS = 40
 PRECISIONS = (64, 192, 512)
-# Counts in the order in which they are tried; how many choices of several counts.
-_FIRST_COUNTS = (2, 3, 5, 1, 4, 7, 6, 10, 12, 8, 9, 11, 0)
+# How many choices of counts.
 _CHOICES = 3
 _MORE_CHOICES = 14
-_MOST_TRIED = 2000
+# Statements that hold near zero may fail beyond the numbers that they name, or far away.
+_FIRST_LANDMARK = 5
+_FAR = (sp.Integer(10) ** 6, sp.Integer(10) ** 15)
 # Characters of a relation that a reader still takes in.
 _LONGEST_RELATION = 120
 # Balls wider than this say nothing of how close two sides are.
@@ -83,13 +86,25 @@ def find_violation(relation: sp.Basic, domain: Domain, count: int = POINTS) -> E
     return None
 
 
-def find_undefined(relation: sp.Basic, domain: Domain, count: int) -> str:
-    """Return an interior point at which a side of a relation has no value, empty if none is met."""
-    for point in points_for((relation,), domain, count):
-        sides = (put_exactly(s, point) for r in _relations(relation) for s in r.args)
-        if all(balls.evaluate(side, point).is_finite() for side in sides):
-            continue
-        if domain.is_interior(point):
+def find_undefined(sides: Sequence[sp.Basic], domain: Domain, count: int = POINTS) -> str:
+    """Return an interior point at which a side has no value, empty if none is met."""
+    return _find_point(sides, domain, count, lambda have_values: not all(have_values))
+
+
+def find_unlike(sides: Sequence[sp.Basic], domain: Domain) -> str:
+    """Return an interior point at which one side only has a value, empty if none is met."""
+    return _find_point(sides, domain, POINTS, lambda have_values: len(set(have_values)) > 1)
+
+
+def _find_point(
+    sides: Sequence[sp.Basic],
+    domain: Domain,
+    count: int,
+    is_wanted: Callable[[list[bool]], bool],
+) -> str:
+    for point in points_for(tuple(sides), domain, count, thorough=count == POINTS):
+        values = [balls.evaluate(put_exactly(side, point), point) for side in sides]
+        if is_wanted([bool(v.is_finite()) for v in values]) and domain.is_interior(point):
             return _name_point(point, domain)
     return ""
 
@@ -100,22 +115,44 @@ def points_for(
     """Yield points that give every symbol of the expressions a value, indexed ones included.
 
     Thorough: published sizes and round angles before the ordinary points, more counts, and
-    special points after them.
+    special points after them. Raises `RecordError` where no point of the domain is found.
     """
     free = {s for e in expressions for s in e.free_symbols}
     bases = {i.base.label for e in expressions for i in e.atoms(sp.Indexed)}
     symbols = {s for s in free if isinstance(s, sp.Symbol)} - bases
-    counts = sorted((s for s in symbols if _is_count(s, domain)), key=str)
+    counts = sorted((s for s in symbols if is_count(s, domain)), key=str)
     plain = sorted(symbols - set(counts), key=str)
     if thorough:
         yield from _published_points(expressions, counts, plain, domain)
+    number = _MORE_CHOICES if thorough else _CHOICES
     special: list[Point] = []
-    for sizes in _choose_counts(counts, domain, _MORE_CHOICES if thorough else _CHOICES):
-        names = plain + _list_elements(expressions, sizes)
-        points = domain.points(names, count, sizes) if names else [sizes]
+    for sizes in choose_counts(counts, domain, number):
+        points = domain.points([*plain, *_list_elements(expressions, sizes)], count, sizes)
         yield from points
-        special += domain.special_points(points[0]) if thorough and not special else []
+        if thorough and not special:
+            special += domain.special_points(points[0], _list_landmarks(expressions))
     yield from special
+
+
+def _list_landmarks(expressions: tuple[sp.Basic, ...]) -> list[sp.Expr]:
+    """List numbers about and beyond the large ones that expressions name, and far away.
+
+    None where counts say how many terms or elements there are.
+    """
+    if any(e.has(sp.Sum, sp.Product, sp.Indexed) for e in expressions):
+        return []
+    named = {abs(c) for e in expressions for c in e.atoms(sp.Rational) if abs(c) > _FIRST_LANDMARK}
+    sizes = [f * c for c in (*sorted(named), *_FAR) for f in (1, 2)]
+    return [sign * size for size in sizes for sign in (1, -1)]
+
+
+@lru_cache(maxsize=64)
+def refuse_empty(domain: Domain) -> None:
+    """Raise `RecordError` where no point is found that a relation of the domain allows."""
+    for relation in domain.where:
+        numbers = {k for item in relation.atoms(sp.Indexed) for k in item.indices}
+        first = dict.fromkeys(numbers & relation.free_symbols, sp.S.One)
+        next(points_for((substitute(relation, first),), domain, 1))
 
 
 def _published_points(
@@ -128,7 +165,7 @@ def _published_points(
     usual = {s: v for s, v in domain.usual.items() if s in {*counts, *plain}}
     published: list[Point] = [*map(sizes_of, domain.published), {}]
     for sizes in (*({**usual, **p} for p in published if usual), *published):
-        for others in _choose_counts([s for s in counts if s not in sizes], domain, 1):
+        for others in islice(choose_counts([s for s in counts if s not in sizes], domain, 1), 1):
             elements = _list_elements(expressions, {**others, **sizes})
             yield from domain.points_at(sizes, [*plain, *counts, *elements], others)
 
@@ -137,21 +174,6 @@ def _list_elements(expressions: tuple[sp.Basic, ...], sizes: Point) -> list[sp.B
     """List the elements of families that are met once counts have their sizes."""
     elements = {i for e in expressions for i in put_exactly(e, sizes).atoms(sp.Indexed)}
     return sorted(elements, key=str)
-
-
-def _is_count(symbol: sp.Symbol, domain: Domain) -> bool:
-    return bool(symbol.is_integer) and not isinstance(domain.set_of(symbol), sp.FiniteSet)
-
-
-def _choose_counts(counts: list[sp.Basic], domain: Domain, number: int) -> list[Point]:
-    """Return the first choices of counts, unlike before like, that the domain allows."""
-    if not counts:
-        return [{}]
-    unlike = (turned for v in permutations(_FIRST_COUNTS, len(counts)) for turned in (v, v[::-1]))
-    like = [(start,) * len(counts) for start in _FIRST_COUNTS] if len(counts) > 1 else []
-    values = chain(islice(unlike, max(3, number - 4)), like, islice(unlike, _MOST_TRIED))
-    choices = (dict(zip(counts, map(sp.Integer, v), strict=True)) for v in dict.fromkeys(values))
-    return list(islice((sizes for sizes in choices if domain.allows(sizes)), number))
 
 
 def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:

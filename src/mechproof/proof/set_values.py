@@ -35,6 +35,8 @@ def place(where: sp.Set, u: sp.Rational, step: int) -> sp.Expr:
     """Map u in (0, 1) into the set; the odds of the whole line are spread over several turns."""
     if where in COUNTS:
         return sp.Integer(1 + step % 7)
+    if isinstance(where, sp.Range):
+        return where.inf + step % int(min(where.sup - where.inf + 1, 7))
     if isinstance(where, sp.FiniteSet):
         return where.args[step % len(where)]
     low, high = where.inf, where.sup

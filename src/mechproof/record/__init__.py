@@ -15,6 +15,7 @@ from mechproof.record.expressions import (
 )
 from mechproof.record.findings import Cost, Finding, Follower
 from mechproof.record.forms import Chart, Form, Peer, Written
+from mechproof.record.needs import list_needs, list_partial
 from mechproof.record.papers import RESERVED, Paper, Published, Toleranced
 from mechproof.record.quantities import (
     Accuracy,
@@ -101,5 +102,7 @@ __all__ = [
     "ValueWhere",
     "Variable",
     "Written",
+    "list_needs",
+    "list_partial",
     "sum_distinct",
 ]

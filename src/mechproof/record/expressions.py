@@ -21,6 +21,8 @@ class ValueWhere(sp.Function):  # type: ignore[misc]
         written: str = printer.doprint(self.args[0])
         return written
 
+    _sympystr = _latex
+
 
 class FunctionWithoutArgument(sp.Function):  # type: ignore[misc]
     """A function, named by its argument, that is printed without one; it has no value."""

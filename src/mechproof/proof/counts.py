@@ -1,0 +1,41 @@
+"""Whole numbers at which a statement is tried: small ones first, unlike ones before like ones."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import chain, islice, permutations
+
+import sympy as sp
+
+from mechproof.proof.domain import Domain, Point
+
+_FIRST = (2, 3, 5, 1, 4, 7, 6, 10, 12, 8, 9, 11, 0)
+_MOST_TRIED = 2000
+
+
+def is_count(symbol: sp.Basic, domain: Domain) -> bool:
+    """Tell whether a symbol is a whole number that a finite set does not list."""
+    return bool(symbol.is_integer) and not isinstance(domain.set_of(symbol), sp.FiniteSet)
+
+
+def choose_counts(counts: list[sp.Basic], domain: Domain, number: int) -> Iterator[Point]:
+    """Yield choices of counts that belong to points of the domain: small ones where there are.
+
+    Raises `RecordError` where none is found.
+    """
+    if not counts:
+        yield {}
+        return
+    small = (sizes for sizes in _list_small(counts, number) if domain.allows(sizes))
+    reached = list(islice((sizes for sizes in small if domain.reaches(sizes)), number))
+    if not reached:
+        points = domain.points(counts, number)
+        reached = [{symbol: point[symbol] for symbol in counts} for point in points]
+    yield from reached
+
+
+def _list_small(counts: list[sp.Basic], number: int) -> Iterator[Point]:
+    unlike = (turned for v in permutations(_FIRST, len(counts)) for turned in (v, v[::-1]))
+    like = [(start,) * len(counts) for start in _FIRST] if len(counts) > 1 else []
+    values = chain(islice(unlike, max(3, number - 4)), like, islice(unlike, _MOST_TRIED))
+    return (dict(zip(counts, map(sp.Integer, v), strict=True)) for v in dict.fromkeys(values))

@@ -1,0 +1,59 @@
+"""What parts of an expression need to have values: roots, logarithms, integrals, ...
+
+Denominators are no matter here: a statement is judged where none of them is zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+import sympy as sp
+from sympy.concrete.expr_with_limits import ExprWithLimits
+
+from mechproof.record.expressions import ValueWhere
+
+# What must not be negative, and whether it must not be zero either.
+Need = tuple[sp.Expr, bool]
+_NEEDS: Mapping[type[sp.Basic], Callable[[sp.Expr], tuple[Need, ...]]] = {
+    sp.log: lambda x: ((x, True),),
+    sp.asin: lambda x: ((1 - x, False), (1 + x, False)),
+    sp.acos: lambda x: ((1 - x, False), (1 + x, False)),
+    sp.acosh: lambda x: ((x - 1, False),),
+    sp.atanh: lambda x: ((1 - x, True), (1 + x, True)),
+}
+# Denominators of these may be zero on whole intervals.
+_KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Piecewise)
+
+
+def list_partial(expression: sp.Basic) -> Iterator[sp.Expr]:
+    """Yield the parts that have a value in places only; none inside sums, integrals and cases."""
+    if isinstance(expression, ExprWithLimits | sp.Limit):
+        yield expression
+    if isinstance(expression, ExprWithLimits | sp.Limit | sp.Piecewise):
+        return
+    for part in expression.args:
+        yield from list_partial(part)
+    if (
+        expression is sp.I
+        or isinstance(expression, ValueWhere)
+        or list_needs(expression)
+        or _is_kinked(expression)
+    ):
+        yield expression
+
+
+def list_needs(node: sp.Basic) -> tuple[Need, ...]:
+    """Return what a root, a logarithm or an inverse function needs beyond values of its parts."""
+    if isinstance(node, sp.Pow) and not node.exp.is_integer:
+        needs: tuple[Need, ...] = ((node.base, not node.exp.is_positive),)
+    else:
+        needs = _NEEDS[type(node)](node.args[0]) if type(node) in _NEEDS else ()
+    return tuple(need for need in needs if not _is_told(*need))
+
+
+def _is_told(number: sp.Expr, strict: bool) -> bool:
+    return bool(number.is_positive or (number.is_nonnegative and not strict))
+
+
+def _is_kinked(node: sp.Basic) -> bool:
+    return isinstance(node, sp.Pow) and bool(node.exp.is_negative) and node.base.has(*_KINKED)
