@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from mechproof.latex import atoms, calculus
 from mechproof.latex.meaning import Meaning
 from mechproof.latex.tree import (
+    Bracket,
     Call,
     Constant,
     Entries,
@@ -113,6 +114,9 @@ def _read_grouped(parser: Parser) -> tuple[Node, ...]:
     r"""Read \sin{x+1}: braces of their own behind a function hold its argument."""
     parts = parser.read_inside("{", lambda: atoms.read_list(parser), "}")
     _refuse_power_behind(parser)
+    first = parts[0]
+    if len(parts) == 1 and isinstance(first, Bracket | Entries):
+        return first.parts if isinstance(first, Entries) else (first,)
     _check_reach(parser)
     return tuple(parts)
 
