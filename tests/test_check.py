@@ -93,6 +93,7 @@ CHECKED = [
     ([r"\lim_{x\to0}(x+x_{})=0"], ["REFUTED"]),
     (["\\sin²\u03b1+\\cos²\u03b1=1"], ["PROVED"]),
     (["\u03b1+\\alpha=2\\alpha"], ["PROVED"]),
+    ([r"\det A=1", "--let", r"A=\begin{pmatrix}1&x\\0&1\end{pmatrix}"], ["PROVED"]),
     (["=".join("abcfghklmopq")], ["DEFINITION"] * 11),
     ([r"r_b(x+1)=r_bx+r_b", "--factor", "r_b"], ["PROVED"]),
 ]
@@ -172,6 +173,7 @@ REFUSED = [
     ([r"\overline{x+y}=\bar x+\bar y"], r"--name '\overline{x+y}'"),
     ([r"\Sigma_{k=1}^nk=1"], r"\sum"),
     (["(1, 2)<3"], "not put in order"),
+    ([r"|x|=x\text{ for }x>(1, 2)"], "a matrix where a number is meant"),
 ]
 
 

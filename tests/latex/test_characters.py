@@ -67,6 +67,15 @@ def test_letters_that_look_alike_are_told(latex: str) -> None:
     assert latex[caught.value.place] in "ху"
 
 
+@pytest.mark.parametrize("latex", [r"φ+\phi", r"\varepsilon+ε+\epsilon", "ϕ+φ"])
+def test_a_letter_that_fonts_print_in_two_ways_is_told(latex: str) -> None:
+    letters = (r"\phi", r"\varphi", r"\varepsilon", r"\epsilon")
+    variables = [Variable(sp.Symbol(x.strip("\\"), real=True), "", latex=(x,)) for x in letters]
+    with pytest.raises(ReadingError, match="look alike"):
+        Reader(variables).parse(latex)
+    assert Reader(variables[:2]).parse(r"\phi+\varphi").chains
+
+
 def test_which_letters_look_alike() -> None:
     assert find_alike(("a", "а")) == ("a", "а")
     assert find_alike(("o", "ο")) == ("o", "ο")

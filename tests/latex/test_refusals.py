@@ -109,6 +109,7 @@ REFUSED = [
     ("2{x+1}", "x+1}", "braces print nothing", r"\left("),
     ("{x+1}y", "x+1}y", "braces print nothing", r"\left("),
     ("x-{y+1}", "y+1}", "braces print nothing", r"\left("),
+    ("x{-1}", "-1}", "braces print nothing", r"\left("),
     ("-{y-1}", "y-1}", "braces print nothing", r"\left("),
     ("1/{x/y}", "/{x/y}", "several factors", r"\frac"),
     (r"\sum_{i=1}^2{i+1}", "i+1}", "braces print nothing", r"\left("),

@@ -51,19 +51,25 @@ _INSTEAD: Mapping[str, str] = {
     **dict.fromkeys("º˚ª", "Print ° or ^\\circ for degrees."),
     **dict.fromkeys("√∛∜", r"Print \sqrt{…} or \sqrt[3]{…}."),
     **dict.fromkeys("÷∶", r"Print \frac{…}{…}."),
+    "≔": "Print = for a definition.",
     **dict.fromkeys("•∗✕⨯✖∘", r"Print \cdot for a product."),
 }
 _KINDS = ("MATHEMATICAL ITALIC ", "FULLWIDTH ", "SMALL HYPHEN-MINUS", "PLANCK CONSTANT")
 _ALPHABETS = ("LATIN ", "GREEK ", "CYRILLIC ", "CJK ")
 _SCRIPTS = {"<super>": "^", "<sub>": "_"}
+# What is printed for one command by some fonts, for the other by others.
+EITHER = "φε"
 # Each letter and the Latin (or Greek) one that it prints like.
-_ALIKE = dict(
-    zip(
-        *("аеорсухіјѕһԁԛԝӏАВЕКМНОРСТУХІЈЅЗГПФфßɑɡıΑΒΕΖΗΙΚΜΝΟΡΤΥΧο",),
-        *("aeopcyxijshdqwlABEKMHOPCTYXIJS3ΓΠΦφβαgiABEZHIKMNOPTYXo",),
-        strict=True,
-    )
-)
+_ALIKE = {
+    **dict(
+        zip(
+            "аеорсухіјѕһԁԛԝӏАВЕКМНОРСТУХІЈЅЗГПФфßɑɡıΑΒΕΖΗΙΚΜΝΟΡΤΥΧο",
+            "aeopcyxijshdqwlABEKMHOPCTYXIJS3ΓΠΦφβαgiABEZHIKMNOPTYXo",
+            strict=True,
+        )
+    ),
+    **{"φ": r"\phi", "ε": r"\epsilon"},
+}
 
 
 def spell(character: str) -> tuple[str, ...]:

@@ -30,4 +30,8 @@ def _cuts(node: Node, start: int, end: int) -> bool:
     if not isinstance(node, Add):
         return False
     inside = [(sign, t) for sign, t in node.terms if start <= t.start and t.end <= end]
-    return len(inside) > 1 and inside[0][0] < 0 and inside[0][1].start == start
+    if not inside:
+        return False
+    (sign, first), is_sign_inside = inside[0], inside[0][1].start > start
+    is_behind = first is not node.terms[0][1]
+    return (is_sign_inside and is_behind) or (len(inside) > 1 and sign < 0 and not is_sign_inside)

@@ -92,7 +92,9 @@ class Meaning:
 
     def relate(self, chain: Chain) -> tuple[sp.Basic, ...]:
         """Return the relations of a chain, left as they stand."""
-        members = [self._number(member) for member in chain.members]
+        is_equal = all(sign in ("=", r"\equiv") for sign in chain.relations)
+        read = self.of if is_equal else self._number
+        members = [read(member) for member in chain.members]
         return tuple(
             RELATIONS[sign](left, right, evaluate=False)
             for left, sign, right in zip(members, chain.relations, members[1:], strict=False)
@@ -163,7 +165,10 @@ class Meaning:
         return value ** self.of(node.exponent) if node.exponent else value
 
     def _table(self, node: Table) -> sp.Basic:
-        return sp.ImmutableMatrix([[self.of(entry) for entry in row] for row in node.rows])
+        rows = [[self.of(entry) for entry in row] for row in node.rows]
+        if len({isinstance(entry, sp.MatrixBase) for row in rows for entry in row}) > 1:
+            raise self.source.refuse(node.start, _UNFIT)
+        return sp.ImmutableMatrix(rows)
 
     def _entries(self, node: Entries) -> sp.Basic:
         return sp.ImmutableMatrix([[self.of(part) for part in node.parts]])

@@ -12,7 +12,7 @@ from typing import TypeVar
 import sympy as sp
 
 from mechproof.latex import atoms, calculus, calls, conditions, derivatives, letters
-from mechproof.latex.characters import find_alike, is_digit, name_character
+from mechproof.latex.characters import EITHER, find_alike, is_digit, name_character
 from mechproof.latex.errors import MODULE, ReadingError, Remedies, Source
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.names import Names, to_signs
@@ -123,16 +123,16 @@ class Parser:
 
     def _refuse_alike(self) -> None:
         """Refuse letters of two alphabets that print alike, here or among the names."""
-        alike = find_alike((*(token.text for token in self.tokens), *self.names.signs))
-        if alike is None:
-            return
-        here = next((t for t in self.tokens if t.text in alike and not t.text.isascii()), None)
-        here = here or next((t for t in self.tokens if t.text in alike), None)
-        if here:
+        signs = (token.text for token in self.tokens)
+        either = (sign for sign in self.source.latex if sign in EITHER)
+        alike = find_alike((*signs, *self.names.signs, *either)) or ()
+        places = sorted((sign.isascii(), self.source.latex.find(sign)) for sign in alike)
+        found = [place for _, place in places if place >= 0]
+        if found:
             raise self.refuse(
                 f"{' and '.join(map(name_character, alike))} look alike: one letter or two?",
                 "Print the same letter for one quantity, letters that look different for two.",
-                here.start,
+                found[0],
             )
 
     def refuse(self, reason: str, remedy: str = "", place: int | None = None) -> ReadingError:
