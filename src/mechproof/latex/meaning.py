@@ -273,7 +273,7 @@ def _make_running(name: str, inside: Any) -> sp.Dummy:
 
 
 def _any_matrix(parts: list[Any]) -> bool:
-    return any(isinstance(part, sp.MatrixBase) for part in parts)
+    return any(isinstance(part, sp.MatrixBase | sp.MatrixExpr) for part in parts)
 
 
 _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
