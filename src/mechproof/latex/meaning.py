@@ -268,7 +268,7 @@ class Meaning:
 def _make_running(name: str, inside: Any) -> sp.Dummy:
     """Return a bound variable that nothing within is, the same one at each reading."""
     met = inside.atoms(sp.Dummy)
-    numbered = (sp.Dummy(name, dummy_index=n, real=True) for n in count())
+    numbered = (sp.Dummy(f"{name}_", dummy_index=n, real=True) for n in count())
     return next(dummy for dummy in numbered if dummy not in met)
 
 
