@@ -27,6 +27,8 @@ COMMAND = Remedies(
     scope="Print another letter for '{0}' where it is bound.",
     lower_limit="Say --from 0, or where else it starts.",
     family="Leave --name '{0}' out.",
+    membership="Print an interval as a relation, 0<x<1; say --natural for a letter that counts "
+    "from 1. Letters are real anyway.",
 )
 NUMBER = "(pasted)"
 _WRAPPERS = (
@@ -83,7 +85,7 @@ def _answer(pasted: Pasted) -> Checked | str:
     try:
         return judge_pasted(pasted)
     except (ReadingError, ValueError) as error:
-        return str(error)
+        return str(error).removeprefix(f"row {NUMBER!r}: ")
     except RecursionError:
         return "it is nested too deeply to be read"
 
@@ -98,13 +100,17 @@ def judge_pasted(pasted: Pasted) -> Checked:
     variables = _give_values(variables, pasted, reader)
     reader = Reader(variables, notation, COMMAND)
     relations = [r for text in pasted.where for r in _read_relations(text, reader)]
+    printed = _read_conditions(pasted.latex, reader)
+    relations += printed
     said = {s for relation in relations for s in relation.free_symbols}
     variables, where = _narrow(variables, relations)
     reader = Reader(variables, notation, COMMAND)
     free = tuple(v.symbol for v in variables if v.given is None and isinstance(v.symbol, sp.Symbol))
     _refuse_constant(variables, pasted, reader)
-    on = Part(" and ".join(pasted.where), where=where) if relations else None
+    on = Part(" and ".join(pasted.where), where=where) if pasted.where else None
     rows = read_row(Equation(NUMBER, pasted.latex, defines=free, on=on), reader)
+    if printed:
+        rows = tuple(replace(row, on=row.on and replace(row.on, where=where)) for row in rows)
     _refuse_definitions(rows, said)
     paper = Paper("pasted", "", variables, ())
     read = tuple(judge(_rename(row, len(rows)), paper) for row in rows)
@@ -133,8 +139,8 @@ def _refuse_definitions(rows: Sequence[Row], said: Collection[sp.Basic]) -> None
             raise ValueError(f"{symbol} is defined twice: say one of them by --let")
         if symbol in said:
             raise ValueError(
-                f"the equation defines {symbol}, of which --where says something: say its value "
-                "by --let, or leave --where out"
+                f"the equation defines {symbol}, of which its condition or --where says something: "
+                "say its value by --let, or leave that out"
             )
 
 
@@ -150,7 +156,13 @@ def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
     letters = dict.fromkeys(letter for text in prints for letter in reader.collect(text))
     families = {x.partition("_")[0] for x in letters if INDEX in x}
     kept = [x for x in letters if INDEX in x or x.partition("_")[0] not in families or "_" not in x]
-    return (*named, *(_make(x, pasted, counts) for x in kept))
+    variables = (*named, *(_make(x, pasted, counts) for x in kept))
+    met: dict[str, str] = {}
+    for variable in variables:
+        (latex,) = variable.latex
+        if (other := met.setdefault(str(variable.symbol), latex)) != latex:
+            raise ValueError(f"{other} and {latex} are too much alike: print another letter")
+    return variables
 
 
 def _make(latex: str, pasted: Pasted, counts: Collection[str]) -> Variable:
@@ -245,10 +257,23 @@ def _give_values(
 
 def _read_relations(text: str, reader: Reader) -> list[sp.Basic]:
     read = reader.parse(text)
-    relations = [r for chain in read.chains for r in read.meaning().relate(chain)]
-    if not relations:
+    if not all(chain.relations for chain in read.chains):
         raise ValueError(f"{text}: it has no relation sign")
-    return relations
+    said = [part for chain in read.chains for part in (chain, chain.condition) if part]
+    return [relation for part in said for relation in read.meaning().relate(part)]
+
+
+def _read_conditions(latex: str, reader: Reader) -> list[sp.Basic]:
+    """Return what an equation itself says of where it is meant, if all of it is meant there."""
+    read = reader.parse(latex, upper=1)
+    conditions = {chain.condition for chain in read.chains}
+    relations = [r for part in conditions if part for r in read.meaning().relate(part)]
+    for relation in relations:
+        if isinstance(relation, sp.Equality):
+            raise ValueError(
+                f"the condition {relation.lhs} = {relation.rhs}: say the value of a letter by --let"
+            )
+    return relations if len(conditions) == 1 else []
 
 
 def _narrow(
@@ -265,7 +290,7 @@ def _narrow(
         found = _solve(relation, symbol) if alone else None
         inside = None if found is None else sets[symbol].intersect(found)
         if inside is sp.S.EmptySet:
-            raise ValueError(f"--where leaves no value of {symbol}")
+            raise ValueError(f"no value of {symbol} meets all that is said of it")
         if isinstance(inside, sp.Interval | sp.FiniteSet):
             sets[symbol] = inside
         else:

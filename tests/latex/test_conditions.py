@@ -26,3 +26,78 @@ def test_relations_are_joined_by_and() -> None:
 def test_each_side_of_and_needs_a_relation(condition: str) -> None:
     with pytest.raises(ReadingError, match="relation sign"):
         READER.members(Equation("(1)", rf"f=1\text{{ if }}{condition},\text{{ else }}0"))
+
+
+BEHIND = [
+    *(rf"f=1\text{{ {word} }}x>0" for word in ("if", "for", "where", "when", "with", "for all")),
+    *(rf"f=1{mark}x>0" for mark in (",", r",\ ", r",\quad ", r"\quad ", r"\qquad ", ";", r",\;")),
+    *(rf"f=1{mark}\text{{ for }}x>0" for mark in (",", r"\quad", r"\ ", r",\ ")),
+    *(rf"f=1{mark}(x>0)" for mark in ("", ",", r"\quad", r"\ ")),
+    *(r"f=1\ [x>0]", r"f=1\quad(\text{for }x>0)", r"f=1\ (\forall x>0)", r"f=1\ \forall x>0"),
+    *(r"f=1\mathrm{\ for\ }x>0", r"f=1\mbox{ If }x>0", r"f=1\textrm{, for }x>0", "f=1 ∀x>0"),
+]
+BOTH = [
+    *(r"f=1,\ x>0,\ y>0", "f=1,x,y>0", r"f=1\quad x,\ y>0", r"f=1\text{ for }x,y>0"),
+    *(r"f=1\text{ for }x>0\text{ and }y>0", r"f=1\ (x>0,\ y>0)", r"f=1\quad x>0\quad y>0"),
+    *(r"f=1\text{ for }x>0,\ y>0", r"f=1\text{ for }x>0\land y>0", r"f=1\quad(x>0)\ (y>0)"),
+]
+
+
+def conditions(print_: str) -> set[sp.Basic]:
+    read = READER.parse(print_)
+    (chain,) = read.chains
+    assert read.meaning().of(chain.members[1]) == 1
+    assert chain.condition is not None
+    return set(read.meaning().relate(chain.condition))
+
+
+@pytest.mark.parametrize("print_", BEHIND)
+def test_a_condition_is_read_in_every_spelling(print_: str) -> None:
+    assert conditions(print_) == {sp.Gt(x, 0)}
+
+
+@pytest.mark.parametrize("print_", BOTH)
+def test_several_conditions_hold_together(print_: str) -> None:
+    assert conditions(print_) == {sp.Gt(x, 0), sp.Gt(y, 0)}
+
+
+def test_a_condition_holds_for_all_equations_before_it() -> None:
+    chains = READER.parse(r"f=1,\ y=2,\ x>0").chains
+    assert [len(chain.relations) for chain in chains] == [1, 1]
+    assert chains[0].condition == chains[1].condition is not None
+
+
+def test_a_gap_without_a_relation_around_it_is_a_blank() -> None:
+    assert READER.members(Equation("(1)", r"f=x\quad+\quad y")) == (f, x + y)
+    assert READER.members(Equation("(1)", r"f\quad x=x\ f")) == (f * x, f * x)
+    ((_, value),) = [READER.members(Equation("(1)", r"f=\int_0^1y\quad dy"))]
+    assert value.doit() == sp.Rational(1, 2)
+
+
+REFUSED = [
+    (r"f=x\;y>0", "a blank before a relation"),
+    (r"f=x~x,y>0", "a blank before a relation"),
+    (r"f=x\ -1<x<1", "a blank before a relation"),
+    (r"f=x\quad y=1", "a wide gap before an equation"),
+    (r"x>0,\ f=1", "a relation before an equation"),
+    (r"\text{for }x>0,\ f=1", "a condition before"),
+    (r"\forall x>0:f=1", "a condition before"),
+    (r"f=1,\ x>0,\ y=2", "an equation behind a condition"),
+    (r"x^2\ge0,\ y^2\ge0", "a condition of the first, or a claim of its own"),
+    (r"f=1,\ 0<x,y<1", "letters between two bounds"),
+    (r"f=1,\ x\in(0,1)", "sets are not read"),
+    (r"f=1\quad(x\in\mathbb N)", "sets are not read"),
+    (r"f=1\ \forall x\in\mathbb R", "sets are not read"),
+    (r"f=1\text{ if $x>0$}", "is not understood here"),
+    (r"f=1\text{ if and only if }x>0", "is not understood here"),
+    (r"f=1\text{ or }x>0", "is not understood here"),
+    (r"x>0\Rightarrow f=1", "no meaning here"),
+    (r"f=x for x>0", "in italics"),
+    (r"f=1\hspace{1em}x>0", "no meaning here"),
+]
+
+
+@pytest.mark.parametrize(("print_", "told"), REFUSED)
+def test_what_may_be_a_condition_or_not_is_refused(print_: str, told: str) -> None:
+    with pytest.raises(ReadingError, match=told):
+        READER.parse(print_)

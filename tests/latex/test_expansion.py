@@ -74,6 +74,30 @@ def test_each_sign_is_a_row_with_its_number_print_and_reading() -> None:
     assert [row.number for row in expand("x+1=w", defines=(w,))] == ["(1)"]
 
 
+def test_signs_are_counted_beyond_the_ninth() -> None:
+    rows = expand("=".join(["w"] * 25))
+    assert [row.number for row in rows[8:13]] == [
+        f"(1), {n} equals sign" for n in ("ninth", "10th", "11th", "12th", "13th")
+    ]
+    assert [row.number for row in rows[20:]] == [
+        f"(1), {n} equals sign" for n in ("21st", "22nd", "23rd", "24th")
+    ]
+
+
+def test_a_bound_variable_is_no_letter_of_the_print() -> None:
+    under = sp.Symbol("x_", real=True)
+    reader = Reader((*VARIABLES, Variable(under, "", latex=(r"\xi",))), NOTATION)
+    for latex, value in (
+        (r"\int_0^w(x-\xi)\,dx", w**2 / 2 - under * w),
+        (r"\lim_{x\to0}(x+\xi)", under),
+        (r"\int_0^1\left(\int_0^1\cos x\sin w\,d\cos x\right)d\sin w", sp.Rational(1, 4)),
+        (r"\int_0^1\int_0^xx\,dx\,dx", sp.Rational(1, 6)),
+    ):
+        one, other = (reader.members(Equation("(1)", latex)) for _ in range(2))
+        assert one == other
+        assert sp.expand(one[0].doit() - value) == 0
+
+
 def test_chains_with_commas_count_their_signs_through() -> None:
     rows = expand(r"x=(w+1)w,\ z=(\dots)x", defines=(x, z))
     assert rows[1].printed_latex == r"z=(\dots)x"
@@ -125,6 +149,13 @@ def test_a_print_may_introduce_a_symbol() -> None:
 def test_a_symbol_of_which_nothing_is_known_is_an_error_of_the_module() -> None:
     with pytest.raises(ValueError, match="nothing is known of x"):
         expand("x=w+1")
+    for latex in ("Kx=1", "K<x", r"K\ne x", "K^2=K", "K=K^T", r"\det K=1", "K+K=2K"):
+        with pytest.raises(ValueError, match="nothing is known of K"):
+            expand(latex)
+    with pytest.raises(ValueError, match="nothing is known of K"):
+        expand("K=1", residual=x)
+    with pytest.raises(ValueError, match="do not fit together"):
+        expand("K+x=1")
 
 
 def test_a_substitution_is_made_on_both_sides_and_shown() -> None:

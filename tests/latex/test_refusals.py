@@ -87,6 +87,46 @@ REFUSED = [
     (r"\sum_{i=1}^2\sum_{i=1}^2 i", r"i=1}^2 i", "of a sum around", "another letter"),
     ("1" * 301, "1", "300 digits", ""),
     (r"\log^2x", r"\log", "not the same everywhere", "functions"),
+    # Minus one in every spelling.
+    *(
+        (rf"\sin{power}x", rf"{power}x", "inverse or its reciprocal", r"\arctan")
+        for power in (
+            "^{\u22121}",
+            "^{{-1}}",
+            "^{(-1)}",
+            "^{-1.0}",
+            "^{1-2}",
+            "^{ - 1}",
+            "\u207b\u00b9",
+        )
+    ),
+    (r"\log_2^{{-1}}x", "^{{-1}}x", "inverse or its reciprocal", r"\arctan"),
+    # Braces print nothing.
+    ("{x+y}^2", "x+y}^2", "braces print nothing", r"\left("),
+    ("{-x}^2", "-x}^2", "braces print nothing", r"\left("),
+    ("{xy}^2", "xy}^2", "braces print nothing", r"\left("),
+    (r"{\sin x}^2", r"\sin x}^2", "braces print nothing", r"\left("),
+    ("2{x+1}", "x+1}", "braces print nothing", r"\left("),
+    ("{x+1}y", "x+1}y", "braces print nothing", r"\left("),
+    ("x-{y+1}", "y+1}", "braces print nothing", r"\left("),
+    ("x{-1}", "-1}", "braces print nothing", r"\left("),
+    ("-{y-1}", "y-1}", "braces print nothing", r"\left("),
+    ("1/{x/y}", "/{x/y}", "several factors", r"\frac"),
+    (r"\sum_{i=1}^2{i+1}", "i+1}", "braces print nothing", r"\left("),
+    (r"\cos{x}^2", "^2", "of the function or of the argument", r"\cos^2"),
+    (r"\cos{x}y", "y", "belong to the argument", "brackets"),
+    (r"\cos{x}(1+y)", "(1+y)", "belong to the argument", "brackets"),
+    (r"\cos{x}/2", "/2", "belong to the argument", "brackets"),
+    # Numbers, letters and scripts.
+    ("1.5E-3", "E-3", "power of ten", r"\cdot 10^"),
+    ("2e3", "e3", "power of ten", r"\cdot"),
+    ("1.5 E\u22123", "E", "power of ten", r"\cdot"),
+    ("x^3\u00b2", "\u00b2", "a second ^", ""),
+    ("x^2°", "°", "a second ^", ""),
+    (r"\Sigma_{k=1}^2 k", r"\Sigma", "not declared", r"\Sigma"),
+    ("x for y", "for y", "in italics", r"\text{ for }"),
+    ("x or y", "or y", "in italics", r"\text{ or }"),
+    (r"\overline{x+y}", r"\overline", "not declared", "Variable"),
 ]
 
 
@@ -122,6 +162,17 @@ MEANINGLESS = [
     (r"\frac{1}{\begin{pmatrix}1\end{pmatrix}}", "do not fit"),
     (r"\arctan(1, 2)", "do not fit"),
     (r"\det x", "do not fit"),
+    (r"\det(1, 2)", "do not fit"),
+    *(
+        (latex.replace("M", r"\begin{pmatrix}1&x\\0&1\end{pmatrix}"), "where a number is meant")
+        for latex in (
+            *(r"\left|(x, y)\right|", r"\left|2M\right|", r"\sin M", r"\exp M", r"\max(M, 1)"),
+            *(r"\sqrt{M}", r"\sum_{i=1}^2M", r"\int_0^1M\,dx", r"\lim_{x\to0}M"),
+            r"\frac{d}{dx}M",
+        )
+    ),
+    (r"\begin{pmatrix}1\end{pmatrix}^{1/2}", "do not fit"),
+    (r"\left|\begin{matrix}1&2\end{matrix}\right|", "do not fit"),
 ]
 
 
@@ -152,6 +203,11 @@ def test_a_scope_frees_a_letter_for_an_index() -> None:
     assert total.doit() == q[1] + q[2]
 
 
+# Functions with an argument that may have any sign.
+ARGUMENTS = {
+    **{"exp": sp.exp, "sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "arctan": sp.atan},
+    **{"sinh": sp.sinh, "th": sp.tanh, "erf": sp.erf},
+}
 # Read, as there is only one way.
 READ = [
     (r"\cos 2x\cdot y", sp.cos(2 * x) * y),
@@ -190,6 +246,33 @@ READ = [
     (r"\mathrm e^x", sp.exp(x)),
     (r"\int_0^1 t\,\mathrm dt", sp.Rational(1, 2)),
     (r"\begin{vmatrix}x&y\\a&k\end{vmatrix}", x * k - y * a),
+    (r"\left|\begin{matrix}x&y\\a&k\end{matrix}\right|", x * k - y * a),
+    (r"\left|\begin{array}{cc}x&y\\a&k\end{array}\right|^2", (x * k - y * a) ** 2),
+    (r"|\begin{pmatrix}x&y\\a&k\end{pmatrix}|", x * k - y * a),
+    # Braces of their own behind a function hold its argument.
+    *(
+        (rf"\{name}{power}{{{inside}}}+1", make(argument) ** exponent + 1)
+        for name, make in ARGUMENTS.items()
+        for power, exponent in (("", 1), ("^2", 2))
+        for inside, argument in (
+            *(("-x", -x), ("x+1", x + 1), ("{x}-{y}", x - y), ("2xy", 2 * x * y), ("x", x)),
+            *((r"\frac{x}{2}", x / 2), ("{(x+1)}", x + 1), (r"\ x^2", x**2), ("{-{x}}", -x)),
+        )
+    ),
+    (r"\log_2{x+1}", sp.log(x + 1, 2)),
+    (r"\max{x,y}", sp.Max(x, y)),
+    (r"\max{\left(x, y\right)}", sp.Max(x, y)),
+    (r"\cos{\left(x\right)}y", sp.cos(x) * y),
+    (r"\cos{(x)}/2", sp.cos(x) / 2),
+    (r"\mathrm{tg}{-x}", -sp.tan(x)),
+    (r"\operatorname{ch}{x+y}", sp.cosh(x + y)),
+    (r"\cos{x}\sin{y+1}", sp.cos(x) * sp.sin(y + 1)),
+    (r"\sin{\cos{x+1}}", sp.sin(sp.cos(x + 1))),
+    (r"\sin{}x", sp.sin(x)),
+    (r"\arccos{-1}", sp.pi),
+    (r"{\displaystyle x+1}", x + 1),
+    ("{x}^2+{y}{a}", x**2 + y * a),
+    ("x+{y-a}", x + y - a),
     (r"\det\left[\begin{array}{cc}x&y\\a&k\end{array}\right]", x * k - y * a),
 ]
 

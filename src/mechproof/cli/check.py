@@ -33,7 +33,12 @@ REMARKS = {
 
 
 def check(
-    equation: Annotated[str, typer.Argument(help="LaTeX: one equation, a chain, or a relation.")],
+    equation: Annotated[
+        str,
+        typer.Argument(
+            help="LaTeX: one equation, a chain, or a relation; its condition behind it: |x|=x, x>0."
+        ),
+    ],
     names: Annotated[
         Texts, typer.Option("--name", help="A print that is one quantity: AC.")
     ] = None,

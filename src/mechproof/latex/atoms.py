@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from mechproof.latex import calculus, derivatives, letters
+from mechproof.latex.characters import is_digit
 from mechproof.latex.tree import (
     Bracket,
     Call,
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
 
 MATRICES = ("pmatrix", "bmatrix", "matrix", "vmatrix")
 LONGEST_NUMBER = 300
+_POWER_OF_TEN = re.compile(r"\s*[eE][-+\u2212]?[0-9]")
 _CLOSED_BY = {"(": ")", "[": "]"}
 
 
@@ -34,7 +37,7 @@ def read_atom(parser: Parser) -> Node:
     """Read what stands between two operators."""
     start = parser.start
     text = parser.text
-    if text.isdigit():
+    if is_digit(text):
         return read_number(parser)
     if match := parser.names.match(parser.tokens, parser.place):
         return letters.read_letter(parser, match)
@@ -50,7 +53,7 @@ def read_atom(parser: Parser) -> Node:
         return _read_magnitude(parser, start)
     if text == r"\lvert":
         inside = parser.read_inside(r"\lvert", parser.read_sum, r"\rvert")
-        return Magnitude(inside, start=start, end=parser.end)
+        return _enclose(parser, inside, start)
     if text.startswith(r"\begin{"):
         return _read_table(parser, start)
     if text in (r"\sum", r"\prod"):
@@ -66,7 +69,7 @@ def read_number(parser: Parser) -> Number:
     """Read digits that stand close together, and a decimal point."""
     start = parser.start
     text = parser.take().text
-    while parser.text.isdigit() or (parser.text == "." and "." not in text):
+    while is_digit(parser.text) or (parser.text == "." and "." not in text):
         if parser.start != parser.end and "." not in (parser.text, text[-1]):
             raise parser.refuse("a blank within a number: one number or two?", "Close the gap.")
         text += parser.take().text
@@ -75,13 +78,18 @@ def read_number(parser: Parser) -> Number:
     if len(text) > LONGEST_NUMBER:
         raise parser.refuse(f"a number of more than {LONGEST_NUMBER} digits", place=start)
     follows = parser.tokens[parser.place + 1 : parser.place + 2]
-    if parser.text == "," and follows and follows[0].text.isdigit():
+    if parser.text == "," and follows and is_digit(follows[0].text):
         close = follows[0].start == parser.end + 1 and parser.start == parser.end
         if close:
             raise parser.refuse(
                 "a comma between digits: a decimal comma or a list?",
                 "Print 0.5 or 0{,}5 for the number, a blank after the comma for a list.",
             )
+    if _POWER_OF_TEN.match(parser.source.latex, parser.end):
+        raise parser.refuse(
+            "a number before an E and digits: a power of ten, or a product?",
+            rf"Print {text}\cdot 10^{{…}}, or \cdot before the letter.",
+        )
     return Number(text, start=start, end=parser.end)
 
 
@@ -105,13 +113,14 @@ def _read_bracket(parser: Parser, start: int) -> Node:
     following = [token.text for token in parser.tokens[parser.place + 1 : parser.place + 3]]
     if following == [r"\dots", closing]:
         return _repeat_bracket(parser, start)
-    parts = parser.read_inside(parser.text, lambda: _read_list(parser), closing)
+    parts = parser.read_inside(parser.text, lambda: read_list(parser), closing)
     if len(parts) == 1:
         return Bracket(parts[0], start=start, end=parser.end)
     return Entries(tuple(parts), start=start, end=parser.end)
 
 
-def _read_list(parser: Parser) -> list[Node]:
+def read_list(parser: Parser) -> list[Node]:
+    """Read what stands in brackets or braces, parted by commas."""
     parts = [parser.read_sum()]
     while parser.skip(","):
         parts.append(parser.read_sum())
@@ -137,6 +146,14 @@ def _read_magnitude(parser: Parser, start: int) -> Node:
     parser.bars -= 1
     parser.take("|")
     _refuse_bar_between_factors(parser)
+    return _enclose(parser, inside, start)
+
+
+def _enclose(parser: Parser, inside: Node, start: int) -> Node:
+    """Return what bars say: the determinant of a printed matrix, else the absolute value."""
+    table = inside.inside if isinstance(inside, Bracket) else inside
+    if isinstance(table, Table):
+        return Call(parser.functions[r"\det"], (table,), start=start, end=parser.end)
     return Magnitude(inside, start=start, end=parser.end)
 
 

@@ -178,8 +178,8 @@ def _read_numerator(parser: Parser) -> Node:
 
 def _bind(parser: Parser, opened: Open) -> None:
     """Hand letters that this integral does not bind to the one around it, or refuse them."""
-    bound = opened.differential.symbol if isinstance(opened.differential, Letter) else None
-    free = [letter for letter in opened.running if letter.symbol != bound]
+    bound = opened.differential.text if isinstance(opened.differential, Letter) else None
+    free = [letter for letter in opened.running if letter.text != bound]
     if parser.integrals:
         parser.integrals[-1].running += free
     elif parser.collects:

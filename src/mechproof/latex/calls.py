@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from mechproof.latex import atoms, calculus
+from mechproof.latex.meaning import Meaning
 from mechproof.latex.tree import (
+    Bracket,
     Call,
     Constant,
     Entries,
@@ -15,6 +17,7 @@ from mechproof.latex.tree import (
     Power,
     Product,
     Quotient,
+    walk,
 )
 
 if TYPE_CHECKING:
@@ -70,7 +73,7 @@ def _read_exponent(parser: Parser) -> Node | None:
         return None
     start = parser.start
     exponent = parser.read_script("^")
-    if parser.source.latex[start:].replace(" ", "").startswith(("^{-1}", "^-1")):
+    if _is_minus_one(exponent, parser):
         raise parser.refuse(
             "the power -1 of a function: its inverse or its reciprocal?",
             r"Print the inverse function (\arctan) or a fraction.",
@@ -79,7 +82,17 @@ def _read_exponent(parser: Parser) -> Node | None:
     return exponent
 
 
+def _is_minus_one(exponent: Node, parser: Parser) -> bool:
+    """Return whether an exponent is minus one, in whatever way it is printed."""
+    if any(isinstance(part, Letter) for part in walk(exponent)):
+        return False
+    meaning = Meaning(parser.source, {}, None, parser.remedies)
+    return bool(meaning.of(exponent) == -1)
+
+
 def _read_arguments(parser: Parser) -> tuple[Node, ...]:
+    if parser.open_group():
+        return _read_grouped(parser)
     if parser.text in _BRACKETS:
         return _read_bracketed(parser)
     if parser.ends_product() or parser.text in ("/", r"\cdot"):
@@ -93,12 +106,27 @@ def _read_arguments(parser: Parser) -> tuple[Node, ...]:
 
 def _read_bracketed(parser: Parser) -> tuple[Node, ...]:
     bracket = atoms.read_atom(parser)
+    _refuse_power_behind(parser)
+    return bracket.parts if isinstance(bracket, Entries) else (bracket,)
+
+
+def _read_grouped(parser: Parser) -> tuple[Node, ...]:
+    r"""Read \sin{x+1}: braces of their own behind a function hold its argument."""
+    parts = parser.read_inside("{", lambda: atoms.read_list(parser), "}")
+    _refuse_power_behind(parser)
+    first = parts[0]
+    if len(parts) == 1 and isinstance(first, Bracket | Entries):
+        return first.parts if isinstance(first, Entries) else (first,)
+    _check_reach(parser)
+    return tuple(parts)
+
+
+def _refuse_power_behind(parser: Parser) -> None:
     if parser.text == "^":
         raise parser.refuse(
             "a power after the argument: of the function or of the argument?",
             r"Print \cos^2(x), or (x^2).",
         )
-    return bracket.parts if isinstance(bracket, Entries) else (bracket,)
 
 
 def _read_short(parser: Parser) -> Node:

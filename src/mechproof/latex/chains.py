@@ -1,27 +1,83 @@
 r"""A whole print -> its chains of members and relation signs, with cases and conditions.
 
-A comma parts one chain from the next: `x=…,\ y=…`. `\text{ if }`, `\text{ for }` begin a condition,
-`\text{ and }` joins the relations of one.
+A comma parts one chain from the next: `x=…,\ y=…`; an inequality behind it is a condition, as is
+what follows `\text{ if }`, `\text{ for }` or stands in a bracket. `\text{ and }` joins relations.
 """
 
 from __future__ import annotations
 
+from mechproof.latex import conditions, groups
+from mechproof.latex.conditions import Part
 from mechproof.latex.parser import RELATIONS, Parser
-from mechproof.latex.tree import AND, Bracket, Cases, Chain, Node, Product
+from mechproof.latex.tokens import NARROW, WIDE
+from mechproof.latex.tree import Bracket, Cases, Chain, Node, Product
+from mechproof.latex.words import AND, ELSE, IF
 
-_IF = (r"\text{if}", r"\text{for}", r"\text{where}", r"\text{since}")
-_ELSE = (r"\text{else}", r"\text{otherwise}")
+_LEFT_OVER = {
+    "(": r"Print the number of an equation by \tag{…}.",
+    AND: "Print one equation at a time.",
+}
 
 
 def read_print(parser: Parser) -> tuple[Chain, ...]:
     """Read all chains of a print up to its end."""
-    chains = [_read_chain(parser)]
-    while parser.skip(",", ";"):
-        parser.brackets = _brackets_among_factors(chains[-1].members[-1])
-        chains.append(_read_chain(parser))
-    if parser.text:
-        raise parser.refuse(f"{parser.text} is not understood here")
-    return tuple(chains)
+    if parser.text in (*IF, r"\forall"):
+        raise parser.refuse("a condition before what it is a condition of", "Print it behind that.")
+    parts = [Part(_read_chain(parser))]
+    while parser.text:
+        if parser.skip(",", ";"):
+            parser.brackets = _brackets_among_factors(parts[-1].chain.members[-1])
+        elif not (parser.text in (WIDE, *IF, r"\forall") or conditions.is_bracketed(parser)):
+            raise _refuse_rest(parser)
+        parts += _read_parts(parser)
+    groups.refuse_cut(parser, [part.chain for part in parts])
+    return conditions.fold(parser, parts)
+
+
+def _refuse_rest(parser: Parser) -> Exception:
+    if parser.text == NARROW:
+        return parser.refuse(
+            "a blank before a relation: does it part a condition, or factors?",
+            r"Print ,\quad or \text{ for } before a condition, \cdot between factors.",
+        )
+    if parser.text.startswith(r"\text"):
+        remedy = r"A condition is read as a relation: \text{ for }x>0. Leave other words out."
+        return parser.refuse(f"{parser.text} is not understood here", remedy)
+    if parser.text == r"\in":
+        return parser.refuse("sets are not read", parser.remedies.membership)
+    remedy = _LEFT_OVER.get(parser.text, "")
+    return parser.refuse(f"{parser.text} is not understood here", remedy)
+
+
+def _read_parts(parser: Parser) -> list[Part]:
+    """Read what follows a comma or a gap: a chain, or conditions that are said to be some."""
+    if conditions.is_bracketed(parser):
+        closing = {"(": ")", "[": "]"}[parser.text]
+        return parser.read_inside(parser.text, lambda: _read_bracketed(parser), closing)
+    if parser.text in (*IF, r"\forall"):
+        return [Part(_read_condition(parser), said=True)]
+    if not parser.skip(WIDE):
+        return [Part(_read_chain(parser))]
+    if parser.text in (*IF, r"\forall") or conditions.is_bracketed(parser):
+        return _read_parts(parser)
+    start = parser.start
+    chain = _read_chain(parser)
+    if not set(chain.relations).isdisjoint(("=", r"\approx", r"\equiv")):
+        raise parser.refuse(
+            "a wide gap before an equation: a second one, or a factor?",
+            r"Print a comma between equations, \cdot between factors.",
+            start,
+        )
+    return [Part(chain, said=True)]
+
+
+def _read_bracketed(parser: Parser) -> list[Part]:
+    """Read the conditions in a bracket."""
+    parts: list[Part] = []
+    while not parts or parser.skip(",", ";"):
+        chain = _read_condition(parser) if parser.text in (*IF, r"\forall") else _read_chain(parser)
+        parts.append(Part(chain, said=True))
+    return parts
 
 
 def _brackets_among_factors(member: Node) -> tuple[Bracket, ...]:
@@ -36,13 +92,15 @@ def _read_chain(parser: Parser) -> Chain:
         relations.append(parser.take().text)
         members.append(parser.read_sum())
     condition = None
-    if parser.text in _IF:
+    if parser.text in IF:
         cases = _read_cases(parser, members.pop())
         if len(cases.pieces) == 1 and cases.otherwise is None:
             ((value, condition),) = cases.pieces
             members.append(value)
         else:
             members.append(cases)
+    if parser.text == r"\in":
+        raise _refuse_rest(parser)
     return Chain(tuple(members), tuple(relations), condition, start=start, end=parser.end)
 
 
@@ -51,12 +109,13 @@ def _read_cases(parser: Parser, value: Node) -> Cases:
     while True:
         place = parser.place
         parser.skip(",", ";")
-        if parser.skip(*_ELSE):
+        if parser.skip(*ELSE):
             return Cases(tuple(pieces), parser.read_sum(), start=value.start, end=parser.end)
-        if not parser.text or place == parser.place:
+        if not parser.text or place == parser.place or parser.text in IF:
+            parser.place = place
             break
         other = parser.read_sum()
-        if parser.text not in _IF:
+        if parser.text not in IF:
             parser.place = place
             break
         pieces.append((other, _read_condition(parser)))
@@ -64,13 +123,32 @@ def _read_cases(parser: Parser, value: Node) -> Cases:
 
 
 def _read_condition(parser: Parser) -> Chain:
-    parser.take()
-    start = parser.start
-    members = [parser.read_sum()]
-    relations: list[str] = []
-    while parser.text in RELATIONS or (parser.text == AND and relations and relations[-1] != AND):
+    start = parser.take().start
+    parser.skip(r"\forall")
+    found = _read_relations(parser)
+    while parser.skip(AND):
+        found += _read_relations(parser)
+    members, relations = conditions.join(found)
+    return Chain(members, relations, start=start, end=parser.end)
+
+
+def _read_relations(parser: Parser) -> list[Chain]:
+    """Read a relation, x,y>0 as one of each letter."""
+    heads = [parser.read_sum()]
+    while parser.text == "," and not _is_else_next(parser):
+        parser.take()
+        heads.append(parser.read_sum())
+    relations, rest = [], []
+    while parser.text in RELATIONS:
         relations.append(parser.take().text)
-        members.append(parser.read_sum())
-    if not relations or relations[-1] == AND:
+        rest.append(parser.read_sum())
+    if parser.text == r"\in":
+        raise _refuse_rest(parser)
+    if not relations:
         raise parser.refuse("a condition needs a relation sign")
-    return Chain(tuple(members), tuple(relations), start=start, end=parser.end)
+    return [Chain((head, *rest), tuple(relations)) for head in heads]
+
+
+def _is_else_next(parser: Parser) -> bool:
+    follows = parser.tokens[parser.place + 1 : parser.place + 2]
+    return bool(follows) and follows[0].text in ELSE

@@ -32,6 +32,7 @@ class Remedies:
     scope: str
     lower_limit: str
     family: str
+    membership: str
 
 
 MODULE = Remedies(
@@ -44,6 +45,7 @@ MODULE = Remedies(
     scope="Declare Scope(rows=(…), names={{r'{0}': None}}) in Notation.scopes.",
     lower_limit="Declare Notation(lower_limit=…), and what a constant of integration is.",
     family="Declare an IndexedBase in the place of {0}.",
+    membership=r"Print an interval as a relation, 0<x<1; declare the set of a letter as `within`.",
 )
 
 

@@ -30,7 +30,7 @@ from mechproof.record import (
 )
 
 _DOUBLE = (r"\pm", r"\mp", "±", "∓")
-ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
+_ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
 
 
 def read_paper(paper: Paper) -> Paper:
@@ -151,7 +151,15 @@ def _number(row: Row, number: int, count: int, only_equal: bool) -> str:
     if count == 1:
         return row.number
     kind = "equals sign" if only_equal else "sign"
-    return f"{row.number}, {ORDINALS[number - 1]} {kind}"
+    return f"{row.number}, {_count(number)} {kind}"
+
+
+def _count(number: int) -> str:
+    """Return an ordinal number, in letters as long as it is small."""
+    if number <= len(_ORDINALS):
+        return _ORDINALS[number - 1]
+    endings = {1: "st", 2: "nd", 3: "rd"} if number % 100 not in (11, 12, 13) else {}
+    return f"{number}{endings.get(number % 10, 'th')}"
 
 
 def _specialise(row: Row, number: int) -> Row:

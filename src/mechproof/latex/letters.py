@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from mechproof.latex import atoms
+from mechproof.latex.characters import advise, is_digit, is_letter, name_character
 from mechproof.latex.functions import AMBIGUOUS, CONSTANTS
-from mechproof.latex.names import INDEX, Match
+from mechproof.latex.names import INDEX, Match, find_brace
 from mechproof.latex.tokens import ACCENTS
 from mechproof.latex.tree import Constant, Letter, Node, Power
+from mechproof.latex.words import ITALICS
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -34,6 +36,11 @@ _UNREAD = {
     "!": "Print n! or (…)!, and brackets around what is raised or follows.",
     r"\binom": r"Print factorials, \frac{n!}{k!(n-k)!}.",
     **dict.fromkeys((":", r"\div", "÷"), r"Print \frac{…}{…}."),
+    **dict.fromkeys(
+        (r"\Rightarrow", r"\implies", r"\iff", r"\Leftrightarrow"),
+        r"Print the conclusion, and its condition behind it: \text{ for }x>0.",
+    ),
+    **dict.fromkeys((r"\mid", r"\Vert", r"\|"), r"Print | or \left| for an absolute value."),
     **dict.fromkeys((r"\vec", r"\mathbf", r"\bm"), "Vectors need their components: check these."),
 }
 _UPRIGHT = r"\mathrm{"
@@ -83,6 +90,11 @@ def _refuse_italics(parser: Parser) -> None:
     word = _WORD.match(parser.source.latex, parser.start)
     if word is None or parser.text != word[0][0]:
         return
+    if word[0] in ITALICS:
+        raise parser.refuse(
+            f"{word[0]} in italics: a word or a product?",
+            rf"Print \text{{ {word[0]} }}, or \cdot between the letters.",
+        )
     lengths = range(len(word[0]), 1, -1)
     begun = (word[0][:n] for n in lengths if rf"\{word[0][:n]}" in parser.functions)
     if name := next(begun, ""):
@@ -155,7 +167,7 @@ def _read_indices(parser: Parser, start: int, end: int) -> list[Node]:
         return [_read_index_sum(parser, end)]
     found: list[Node] = []
     while parser.place < end:
-        found.append(atoms.read_number(parser) if parser.text.isdigit() else _read_index(parser))
+        found.append(atoms.read_number(parser) if is_digit(parser.text) else _read_index(parser))
     return found
 
 
@@ -188,10 +200,10 @@ def _read_undeclared(parser: Parser) -> Node:
             parser.remedies.function.format(text[1:]),
         )
     if not _begins_letter(text):
-        shown = text if text.isprintable() else f"the character U+{ord(text[0]):04X}"
         is_upright = text.startswith(_UPRIGHT)
         remedy = parser.remedies.name.format(text) if is_upright else _UNREAD.get(text, "")
-        raise parser.refuse(f"{shown} has no meaning here", remedy)
+        reason = f"{name_character(text)} has no meaning here"
+        raise parser.refuse(reason, remedy or advise(text))
     printed = _printed_name(parser, parser.place)
     is_unsure = text in UNSURE and _find_end(parser, parser.place) == parser.place + 1
     if parser.collects and text != r"\vec" and not is_unsure:
@@ -208,6 +220,12 @@ def _read_undeclared(parser: Parser) -> Node:
 def _read_running(parser: Parser) -> Letter:
     """Read an undeclared letter that the differential of an integral around it may bind."""
     letter = _read_plain(parser)
+    if other := parser.names.symbols.get(str(letter.symbol), ""):
+        raise parser.refuse(
+            f"{letter.text} would be taken for {other}, which has its name",
+            "Print another letter for what is bound.",
+            letter.start,
+        )
     parser.integrals[-1].running.append(letter)
     return letter
 
@@ -216,10 +234,28 @@ def _read_plain(parser: Parser) -> Letter:
     """Read a letter with its index and primes as a real symbol."""
     start = parser.start
     end = _find_end(parser, parser.place)
-    latex = "".join(token.text for token in parser.tokens[parser.place : end])
+    texts = [token.text for token in parser.tokens[parser.place : end]]
+    _refuse_expression(parser, texts)
+    latex = "".join(texts)
     parser.place = end
     name = re.sub(r"[\\{}\s]", "", latex)
     return Letter(sp.Symbol(name, real=True), latex, start=start, end=parser.end)
+
+
+def _refuse_expression(parser: Parser, texts: list[str]) -> None:
+    """Refuse a letter whose index says a relation, or whose accent spans more than a name."""
+    if not {"=", "<", ">", r"\le", r"\ge"}.isdisjoint(texts):
+        raise parser.refuse(
+            "an index with a relation in it: a sum, or a value at a place?",
+            r"Print \sum for a sum, a value at a place with brackets or as a letter of its own.",
+        )
+    is_accent = texts[0] in ACCENTS
+    inside = texts[2 : texts.index("}")] if is_accent else []
+    if any(not (is_digit(t) or _begins_letter(t) or t in ("_", "{", "'")) for t in inside):
+        printed = _printed_name(parser, parser.place)
+        raise parser.refuse(
+            f"{printed}: an accent over an expression", parser.remedies.name.format(printed)
+        )
 
 
 def _collect(parser: Parser) -> Letter:
@@ -246,15 +282,15 @@ def _collect(parser: Parser) -> Letter:
 
 
 def _begins_letter(text: str) -> bool:
-    return text.isalpha() or text[1:] in GREEK or text in ACCENTS
+    return is_letter(text) or text[1:] in GREEK or text in ACCENTS
 
 
 def _find_end(parser: Parser, place: int) -> int:
     """Return the place behind a letter with its accent, index and primes."""
-    texts = [token.text for token in parser.tokens]
-    end = texts.index("}", place) + 1 if texts[place] in ACCENTS else place + 1
-    while end < len(texts) and texts[end] in ("_", "'"):
-        end = texts.index("}", end) + 1 if texts[end] == "_" else end + 1
+    tokens = parser.tokens
+    end = find_brace(tokens, place + 2) + 1 if tokens[place].text in ACCENTS else place + 1
+    while end < len(tokens) and tokens[end].text in ("_", "'"):
+        end = find_brace(tokens, end + 2) + 1 if tokens[end].text == "_" else end + 1
     return end
 
 

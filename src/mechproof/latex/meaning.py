@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import reduce
+from itertools import count
 from operator import add, mul
 from typing import Any
 
@@ -11,8 +12,8 @@ import sympy as sp
 from sympy.matrices.exceptions import ShapeError
 
 from mechproof.latex.errors import Remedies, Source
+from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.tree import (
-    AND,
     Add,
     Approach,
     Bracket,
@@ -37,6 +38,7 @@ from mechproof.latex.tree import (
     Transposed,
 )
 from mechproof.latex.values import depends, settle
+from mechproof.latex.words import AND
 from mechproof.record import (
     FunctionWithoutArgument,
     IntegralWithoutDifferential,
@@ -45,6 +47,8 @@ from mechproof.record import (
 )
 
 LARGEST_EXPONENT = 1000
+_UNFIT = "numbers, matrices or their shapes do not fit together here"
+_ENTRIES = r"Print it for the entries, or \det for a determinant, the root of squares for a length."
 # Functions with kinks or steps, of which SymPy gives a derivative everywhere.
 _UNSMOOTH = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
 LARGEST_POWER_BITS = 100_000
@@ -98,8 +102,7 @@ class Meaning:
         try:
             found = _RULES[type(node)](self, node)
         except (AttributeError, NotImplementedError, ShapeError, TypeError) as error:
-            reason = "numbers, matrices or their shapes do not fit together here"
-            raise self.source.refuse(node.start, reason) from error
+            raise self.source.refuse(node.start, _UNFIT) from error
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
         is_scalar = isinstance(found, sp.Expr) and not isinstance(found, sp.MatrixExpr)
@@ -111,12 +114,23 @@ class Meaning:
 
     def relate(self, chain: Chain) -> tuple[sp.Basic, ...]:
         """Return the relations of a chain, left as they stand."""
-        members = [self.of(member) for member in chain.members]
+        is_equal = all(sign in ("=", r"\equiv") for sign in chain.relations)
+        read = self.of if is_equal else self._number
+        members = [read(member) for member in chain.members]
         return tuple(
             RELATIONS[sign](left, right, evaluate=False)
             for left, sign, right in zip(members, chain.relations, members[1:], strict=False)
             if sign != AND
         )
+
+    def _number(self, node: Node) -> Any:
+        return self._take_number(node, self.of(node))
+
+    def _take_number(self, node: Node, found: Any) -> Any:
+        """Return what has to be a number; of matrices sums, integrals and so on are not read."""
+        if isinstance(found, sp.MatrixBase | sp.MatrixExpr):
+            raise self.source.refuse(node.start, "a matrix where a number is meant", _ENTRIES)
+        return found
 
     def _letter(self, node: Letter) -> Any:
         if isinstance(node.symbol, sp.IndexedBase):
@@ -140,6 +154,8 @@ class Meaning:
 
     def _power(self, node: Power) -> Any:
         base, exponent = self.of(node.base), self.of(node.exponent)
+        if isinstance(base, sp.MatrixBase) and not exponent.is_Integer:
+            raise self.source.refuse(node.start, _UNFIT)
         if isinstance(exponent, sp.Rational) and abs(exponent) > LARGEST_EXPONENT:
             raise self.source.refuse(
                 node.exponent.start, f"an exponent beyond {LARGEST_EXPONENT} is not worked out"
@@ -153,8 +169,8 @@ class Meaning:
         return base**exponent
 
     def _root(self, node: Root) -> sp.Expr:
-        degree = self.of(node.degree) if node.degree else sp.Integer(2)
-        radicand = self.of(node.radicand)
+        degree = self._number(node.degree) if node.degree else sp.Integer(2)
+        radicand = self._number(node.radicand)
         if degree.is_odd and not radicand.is_nonnegative:
             # The real root; SymPy's power is the principal one, which is complex.
             return sp.sign(radicand) * sp.Abs(radicand) ** (1 / degree)
@@ -163,11 +179,20 @@ class Meaning:
     def _call(self, node: Call) -> sp.Expr:
         if not node.arguments:
             return FunctionWithoutArgument(sp.Symbol(node.function.name))
-        value = node.function.make(*map(self.of, node.arguments))
+        is_known = node.function.name in FUNCTIONS and node.function.name != "det"
+        read = self._number if is_known else self.of
+        arguments = [read(argument) for argument in node.arguments]
+        try:
+            value = node.function.make(*arguments)
+        except ValueError as error:
+            raise self.source.refuse(node.start, _UNFIT) from error
         return value ** self.of(node.exponent) if node.exponent else value
 
     def _table(self, node: Table) -> sp.Basic:
-        return sp.ImmutableMatrix([[self.of(entry) for entry in row] for row in node.rows])
+        rows = [[self.of(entry) for entry in row] for row in node.rows]
+        if len({isinstance(entry, sp.MatrixBase) for row in rows for entry in row}) > 1:
+            raise self.source.refuse(node.start, _UNFIT)
+        return sp.ImmutableMatrix(rows)
 
     def _entries(self, node: Entries) -> sp.Basic:
         return sp.ImmutableMatrix([[self.of(part) for part in node.parts]])
@@ -180,14 +205,14 @@ class Meaning:
 
     def _repeated(self, node: Repeated) -> sp.Basic:
         index = node.index.symbol
-        term = self.side(node.term)
+        term = self._take_number(node.term, self.side(node.term))
         for other in node.apart:
             term = term * (1 - sp.KroneckerDelta(self.of(other), index))
         kind = sp.Sum if node.name == "sum" else sp.Product
         return kind(term, (index, self.of(node.low), self.of(node.high)))
 
     def _integration(self, node: Integration) -> sp.Basic:
-        integrand = self.side(node.integrand)
+        integrand = self._take_number(node.integrand, self.side(node.integrand))
         if node.differential is None:
             return IntegralWithoutDifferential(integrand)
         variable = self.of(node.differential)
@@ -208,7 +233,8 @@ class Meaning:
             raise self.source.refuse(
                 node.by.start, f"a derivative by {variable}, which is given by others or no letter"
             )
-        needed = settle(self.side(node.of), self.values, {variable: variable})
+        printed = self._take_number(node.of, self.side(node.of))
+        needed = settle(printed, self.values, {variable: variable})
         value = needed.replace(ValueWhere, lambda inner, _: inner)
         if value.free_symbols and variable not in value.free_symbols:
             raise self.source.refuse(
@@ -231,21 +257,22 @@ class Meaning:
             raise self.source.refuse(
                 node.by.start, f"{variable} goes to a limit, but is given by others or is in it"
             )
-        running = sp.Symbol(f"{variable.name}_", real=True)
-        inside = settle(self.side(node.term), self.values, {variable: running})
+        term = self._take_number(node.term, self.side(node.term))
+        running = _make_running(variable.name, term)
+        inside = settle(term, self.values, {variable: running})
         return sp.Limit(inside, running, point, node.side)
 
     def _bind(
         self, node: Integration, integrand: sp.Expr, variable: sp.Expr
-    ) -> tuple[sp.Symbol, sp.Expr]:
+    ) -> tuple[sp.Dummy, sp.Expr]:
         """Return a variable of integration and the integrand in it, nothing else moving."""
         place = node.differential.start if node.differential else node.start
         if variable.is_Symbol:
-            running = sp.Symbol(f"{variable.name}_", real=True)
+            running = _make_running(variable.name, integrand)
             inside = settle(integrand, self.values, {variable: running})
             moving = self.values.get(variable, sp.S.Zero).free_symbols
         else:
-            running = sp.Symbol("u_", real=True)
+            running = _make_running("u", integrand)
             inside = integrand.xreplace({variable: running})
             moving = variable.free_symbols
         caught = [
@@ -270,8 +297,15 @@ def _name_turns(expression: sp.Expr) -> sp.Expr:
     return expression.xreplace({power: sp.Dummy("turn", real=True) for power in powers})
 
 
+def _make_running(name: str, inside: Any) -> sp.Dummy:
+    """Return a bound variable that nothing within is, the same one at each reading."""
+    met = inside.atoms(sp.Dummy)
+    numbered = (sp.Dummy(f"{name}_", dummy_index=n, real=True) for n in count())
+    return next(dummy for dummy in numbered if dummy not in met)
+
+
 def _any_matrix(parts: list[Any]) -> bool:
-    return any(isinstance(part, sp.MatrixBase) for part in parts)
+    return any(isinstance(part, sp.MatrixBase | sp.MatrixExpr) for part in parts)
 
 
 _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
@@ -292,7 +326,7 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Table: Meaning._table,
     Entries: Meaning._entries,
     Transposed: lambda meaning, node: meaning.of(node.of).T,
-    Magnitude: lambda meaning, node: sp.Abs(meaning.of(node.inside)),
+    Magnitude: lambda meaning, node: sp.Abs(meaning._number(node.inside)),
     Degrees: lambda meaning, node: meaning.of(node.number) * sp.pi / 180,
     Cases: Meaning._cases,
 }

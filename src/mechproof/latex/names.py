@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -35,8 +35,10 @@ class Match:
 class Names:
     """All names of a row, found by their first sign."""
 
-    def __init__(self, names: Iterable[Name]) -> None:
+    def __init__(self, names: Collection[Name]) -> None:
         self._by_first: dict[str, list[Name]] = {}
+        self.symbols = {str(name.symbol): name.latex for name in names}
+        self.signs = {sign for name in names for sign in name.signs}
         for name in names:
             self._by_first.setdefault(name.signs[0], []).append(name)
 
@@ -67,7 +69,7 @@ def _fit(name: Name, tokens: Sequence[Token], place: int) -> Match | None:
         if place >= len(tokens):
             return None
         if sign == INDEX:
-            end = _find_brace(tokens, place)
+            end = find_brace(tokens, place)
             if not _is_index(tokens[place:end]):
                 return None
             indices.append((place, end))
@@ -79,7 +81,8 @@ def _fit(name: Name, tokens: Sequence[Token], place: int) -> Match | None:
     return Match(name, place, tuple(indices))
 
 
-def _find_brace(tokens: Sequence[Token], place: int) -> int:
+def find_brace(tokens: Sequence[Token], place: int) -> int:
+    """Return the place of the brace that closes the one a place stands in."""
     depth = 0
     while place < len(tokens) and (depth or tokens[place].text != "}"):
         depth += {"{": 1, "}": -1}.get(tokens[place].text, 0)

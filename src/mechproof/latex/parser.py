@@ -11,17 +11,21 @@ from typing import TypeVar
 
 import sympy as sp
 
-from mechproof.latex import atoms, calculus, calls, derivatives, letters
+from mechproof.latex import atoms, calculus, calls, conditions, derivatives, letters
+from mechproof.latex.characters import EITHER, find_alike, is_digit, name_character
 from mechproof.latex.errors import MODULE, ReadingError, Remedies, Source
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.names import Names, to_signs
-from mechproof.latex.tokens import Token, tokenize
+from mechproof.latex.tokens import NARROW, WIDE, Token, read_signs
 from mechproof.latex.tree import Add, Bracket, Function, Node, Number, Power, Product, Quotient
 from mechproof.record import Notation
 
 T = TypeVar("T")
 RELATIONS = ("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv")
-ENDING = (*RELATIONS, "+", "-", ")", "]", "}", ",", ";", "&", r"\\", r"\rvert", "")
+ENDING = (
+    *(*RELATIONS, "+", "-", ")", "]", "}", ",", ";", "&", r"\\", r"\rvert", ""),
+    *(WIDE, NARROW, r"\in", r"\forall"),
+)
 
 
 class Parser:
@@ -41,7 +45,9 @@ class Parser:
         upper: int = 0,
     ) -> None:
         self.source = Source(latex)
-        self.tokens: Sequence[Token] = tokenize(latex)
+        signs = read_signs(latex)
+        self.tokens: Sequence[Token] = conditions.keep_gaps(signs.tokens)
+        self.groups = signs.groups
         self.names = names
         self.notation = notation
         self.factors = {"".join(to_signs(latex)) for latex in notation.factors}
@@ -58,6 +64,7 @@ class Parser:
         self.bound: list[str] = []
         self.integrals: list[calculus.Open] = []
         self.brackets: tuple[Bracket, ...] = ()
+        self._refuse_alike()
 
     # Walking --------------------------------------------------------------------------------
 
@@ -103,6 +110,31 @@ class Parser:
                 found.append(token.text)
         return found
 
+    def open_group(self) -> bool:
+        """Return whether the next signs stood in braces of their own, and put these there."""
+        ends = [end for start, end in self.groups if start == self.start]
+        if not ends or self.text in ("{", ""):
+            return self.text == "{"
+        start, end = self.start, max(ends)
+        last = next((n for n, t in enumerate(self.tokens) if t.start >= end), len(self.tokens))
+        inside = (Token("{", start, start), *self.tokens[self.place : last], Token("}", end, end))
+        self.tokens = (*self.tokens[: self.place], *inside, *self.tokens[last:])
+        return True
+
+    def _refuse_alike(self) -> None:
+        """Refuse letters of two alphabets that print alike, here or among the names."""
+        signs = (token.text for token in self.tokens)
+        either = (sign for sign in self.source.latex if sign in EITHER)
+        alike = find_alike((*signs, *self.names.signs, *either)) or ()
+        places = sorted((sign.isascii(), self.source.latex.find(sign)) for sign in alike)
+        found = [place for _, place in places if place >= 0]
+        if found:
+            raise self.refuse(
+                f"{' and '.join(map(name_character, alike))} look alike: one letter or two?",
+                "Print the same letter for one quantity, letters that look different for two.",
+                found[0],
+            )
+
     def refuse(self, reason: str, remedy: str = "", place: int | None = None) -> ReadingError:
         """Return the error that points at the next sign, or at a place of the source."""
         return self.source.refuse(self.start if place is None else place, reason, remedy)
@@ -145,7 +177,7 @@ class Parser:
             return self.bars > 0
         is_word = self.text.startswith((r"\text", r"\end"))
         ends = self.text in ENDING or self.text in self.signs
-        return is_word or ends or calculus.is_over(self)
+        return is_word or ends or calculus.is_over(self) or conditions.is_bracketed(self)
 
     def _divide(self, factors: list[Node], start: int) -> Node:
         slash = self.take("/")
@@ -156,12 +188,14 @@ class Parser:
                 r"Print \frac{…}{…}, or brackets.",
                 slash.start,
             )
-        above = factors[0] if len(factors) == 1 else Product(tuple(factors), start=start)
+        above = factors[0]
+        if len(factors) > 1:
+            above = Product(tuple(factors), start=start, end=slash.start)
         return Quotient(above, below, upright=False, start=start, end=self.end)
 
     def _check_neighbours(self, left: Node) -> None:
         """Refuse factors side by side that could be something else."""
-        if self.text.isdigit() and not isinstance(left, Bracket):
+        if is_digit(self.text) and not isinstance(left, Bracket):
             raise self.refuse(
                 "a number follows without a sign between: a factor, an index or a decimal place?",
                 r"Print \cdot, or the number first.",
@@ -176,7 +210,7 @@ class Parser:
     def _is_number_fraction(self) -> bool:
         texts = [token.text for token in self.tokens[self.place + 1 :]]
         inside = texts[: texts.index("}", texts.index("}") + 1)]
-        return all(text.isdigit() or text in "{}." for text in inside)
+        return all(is_digit(text) or text in "{}." for text in inside)
 
     def read_factor(self) -> Node:
         """Read an atom and the power it is raised to."""

@@ -42,6 +42,7 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     if sign not in ("=", r"\equiv"):
         return _relate(row, sign, members, reader)
     if row.residual is not None:
+        _refuse_unknown_entries(row, members.left, members.right)
         if isinstance(members.left, sp.MatrixBase) != isinstance(members.right, sp.MatrixBase):
             raise ValueError(f"row {row.number!r}: a number and a matrix have no residual")
         return Equality(members.left - members.right, row.residual)
@@ -58,6 +59,7 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
             return defined
         if not any(_is_faulty(side, reader) for side in (left, right)):
             _refuse_unknown(row, members, reader)
+    _refuse_unknown_entries(row, left, right)
     left, right = (_substitute(row, side) for side in (left, right))
     if not any(changed):
         return Equality(left, right, "member")
@@ -86,6 +88,7 @@ def _substitute(row: Row, member: Any) -> Any:
 def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     left = _substitute(row, _derive(row, members.left, members.left_derived, reader))
     right = _substitute(row, _derive(row, members.right, members.right_derived, reader))
+    _refuse_unknown_entries(row, left, right)
     if sign == r"\ne" and isinstance(left, sp.MatrixBase):
         return Distinct(left, right)
     if any(isinstance(side, sp.MatrixBase) for side in (left, right)):
@@ -147,10 +150,20 @@ def _refuse_unknown(row: Row, members: Members, reader: Reader) -> None:
     for member, other in ((members.left, members.right), (members.right, members.left)):
         is_bare = isinstance(member, sp.Symbol | sp.Indexed | sp.MatrixSymbol)
         if is_bare and member not in reader.values and member not in other.free_symbols:
-            raise ValueError(
-                f"row {row.number!r}: nothing is known of {member}: say what our mechanics give "
-                "for it (`derived`), or that the print introduces it (`defines`)"
-            )
+            raise _tell_unknown(row, member)
+
+
+def _refuse_unknown_entries(row: Row, *sides: Any) -> None:
+    """Refuse a matrix of which no entry is known: nothing of it can be compared."""
+    for symbol in sorted({s for side in sides for s in side.atoms(sp.MatrixSymbol)}, key=str):
+        raise _tell_unknown(row, symbol)
+
+
+def _tell_unknown(row: Row, symbol: sp.Basic) -> ValueError:
+    return ValueError(
+        f"row {row.number!r}: nothing is known of {symbol}: say what our mechanics give "
+        "for it (`derived`), or that the print introduces it (`defines`)"
+    )
 
 
 def _is_faulty(member: Any, reader: Reader) -> bool:

@@ -8,7 +8,6 @@ from typing import Any
 import sympy as sp
 
 from mechproof.latex.tree import (
-    AND,
     Add,
     Approach,
     Bracket,
@@ -32,6 +31,7 @@ from mechproof.latex.tree import (
     Table,
     Transposed,
 )
+from mechproof.latex.words import AND
 
 _SIGNS = {AND: "and", r"\le": "<=", r"\ge": ">=", r"\ne": "!=", r"\approx": "~", r"\equiv": "=="}
 # Written as they are wherever they stand; all else gets brackets within powers and products.

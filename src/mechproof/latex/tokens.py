@@ -1,23 +1,32 @@
 r"""LaTeX -> signs in one order: what prints alike becomes the same signs.
 
-Blanks and sizes are dropped, arguments of `\frac`, `_`, `^` stand in braces, other braces go,
-scripts come in the order index, primes, power.
+Blanks and sizes are dropped, arguments of `\frac`, `_`, `^` stand in braces, other braces go (it
+is kept what they enclosed), scripts come in the order index, primes, power.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 
+from mechproof.latex.characters import read_script, spell
 from mechproof.latex.errors import Source
 from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.words import AND, ELSE, IF, to_text
 
 _SIGN = re.compile(r"\\[A-Za-z]+\*?|\\.|\s+|.", re.DOTALL)
 _BLANK = (
-    *(r"\,", r"\;", r"\:", r"\!", "\\ ", r"\quad", r"\qquad", "~", r"\displaystyle"),
+    *(r"\,", r"\:", r"\>", r"\!", r"\thinspace", r"\medspace", r"\negthinspace", r"\displaystyle"),
     *(r"\textstyle", r"\limits", r"\nolimits", r"\big", r"\Big", r"\bigg"),
     *(r"\Bigg", r"\mathstrut"),
 )
+# Blanks that part as often as they do nothing.
+WIDE, NARROW = r"\quad", "\\ "
+GAPS = {
+    **dict.fromkeys((r"\quad", r"\qquad"), WIDE),
+    **dict.fromkeys(("\\ ", "~", r"\;", r"\enspace", r"\thickspace", r"\space"), NARROW),
+}
 _OPENING = (r"\left", r"\bigl", r"\Bigl", r"\biggl", r"\Biggl")
 _CLOSING = (r"\right", r"\bigr", r"\Bigr", r"\biggr", r"\Biggr")
 # A bar whose size says whether it opens or closes; a plain one does not say it.
@@ -30,11 +39,9 @@ _SAME = {
     **dict.fromkeys((r"\leq", r"\leqslant"), r"\le"),
     **dict.fromkeys((r"\geq", r"\geqslant"), r"\ge"),
     **dict.fromkeys((r"\ldots", r"\cdots", r"\dotsc"), r"\dots"),
-    **dict.fromkeys((r"\times", "*", "\u00b7", "\u00d7"), r"\cdot"),
+    **dict.fromkeys((r"\times", "*"), r"\cdot"),
     **dict.fromkeys((r"\vert",), "|"),
-    **{"\u2212": "-", "\u2264": r"\le", "\u2265": r"\ge", "\u2260": r"\ne"},
-    **{"\u2192": r"\to", r"\rightarrow": r"\to", "\u00b1": r"\pm", "\u2213": r"\mp"},
-    **{"\u2248": r"\approx", "\u221e": r"\infty", "\u2032": "'", "\u03c0": r"\pi"},
+    **{r"\rightarrow": r"\to", r"\land": AND},
     **dict.fromkeys((r"\lbrack",), "["),
     **dict.fromkeys((r"\rbrack",), "]"),
     r"\neq": r"\ne",
@@ -58,8 +65,8 @@ _UPRIGHT = (
     r"\mathbf",
 )
 _PRIME = r"\prime"
-# Signs that are scripts by themselves.
-_SIGN_SCRIPTS = {"°": r"\circ", r"\degree": r"\circ", "²": "2", "³": "3"}
+_TEXT = (r"\text", r"\mbox", r"\textnormal", r"\hbox")
+_DEGREE = ("°", r"\degree")
 
 
 @dataclass(frozen=True)
@@ -71,22 +78,41 @@ class Token:
     end: int
 
 
+@dataclass(frozen=True)
+class Signs:
+    """The signs of a print with its gaps, and the places of what stood in braces that went."""
+
+    tokens: tuple[Token, ...]
+    groups: tuple[tuple[int, int], ...]
+
+
 def tokenize(latex: str) -> tuple[Token, ...]:
     """Return the signs of a print; `ReadingError` for braces that do not match."""
-    return tuple(_Normaliser(latex).read_all())
+    return tuple(token for token in read_signs(latex).tokens if token.text not in GAPS)
+
+
+def read_signs(latex: str) -> Signs:
+    """Return the signs of a print, its gaps among them, and what its braces enclosed."""
+    normaliser = _Normaliser(latex)
+    return Signs(tuple(normaliser.read_all()), tuple(normaliser.groups))
+
+
+def _find_signs(latex: str) -> Iterator[Token]:
+    for match in _SIGN.finditer(latex):
+        for text in spell(match[0]) if len(match[0]) == 1 else (match[0],):
+            yield Token(text, match.start(), match.end())
 
 
 def _split(latex: str) -> list[Token]:
-    found = (Token(m[0], m.start(), m.end()) for m in _SIGN.finditer(latex))
     signs: list[Token] = []
     size = ""
-    for sign in found:
+    for sign in _find_signs(latex):
         if sign.text.isspace() or sign.text in _BLANK:
             continue
         if sign.text in (*_OPENING, *_CLOSING):
             size = sign.text
             continue
-        text = _BARS.get((size, sign.text), sign.text)
+        text = _BARS.get((size, sign.text), GAPS.get(sign.text, sign.text))
         signs.append(Token(text, sign.start, sign.end))
         size = ""
     return signs
@@ -97,6 +123,7 @@ class _Normaliser:
         self.source = Source(latex)
         self.raw = _split(latex)
         self.place = 0
+        self.groups: list[tuple[int, int]] = []
 
     def read_all(self) -> list[Token]:
         signs = self._read_until("")
@@ -132,16 +159,17 @@ class _Normaliser:
             self._close("}")
             if [t.text for t in inner] == [","]:
                 return [Token(".", first.start, first.end)]
+            if inner:
+                self.groups.append((min(t.start for t in inner), max(t.end for t in inner)))
             return inner
         if first.text in ("_", "^"):
             raise self.source.refuse(first.start, f"nothing stands before this {first.text}")
         if first.text in _UPRIGHT:
             return [self._read_upright(first)]
-        if first.text == r"\text":
+        if first.text in _TEXT:
             words, end = self._read_words()
-            text = words.strip(" ,;")
-            sign = rf"\{text}" if text in FUNCTIONS else rf"\text{{{text}}}"
-            return [Token(sign, first.start, end)]
+            name = words.strip(" ,;")
+            return [Token(rf"\{name}" if name in FUNCTIONS else to_text(words), first.start, end)]
         if first.text in (r"\begin", r"\end"):
             return [self._read_environment(first)]
         text = _SAME.get(first.text, first.text)
@@ -169,6 +197,8 @@ class _Normaliser:
 
     def _read_argument(self) -> list[Token]:
         """Read what TeX takes as an argument: a group or one sign; it comes in braces."""
+        while self._peek() in GAPS:
+            self._take()
         first = self.place
         inner = self._read_item()
         opening, closing = self.raw[first], self.raw[self.place - 1]
@@ -206,6 +236,8 @@ class _Normaliser:
             words, end = sign.text, sign.end
         else:
             raise self._refuse(f"{command.text} needs a letter or braces here")
+        if (word := to_text(words)) in (AND, *IF, *ELSE):
+            return Token(word, command.start, end)
         name = re.sub(r"\\[,;:! ]|\s|\\mathrm|[{}]", "", words)
         is_word = name.isalnum() and name[0].isalpha() and len(name) > 1
         text = rf"\{name}" if is_word else rf"\mathrm{{{name}}}"
@@ -214,20 +246,30 @@ class _Normaliser:
     def _read_scripts(self) -> list[Token]:
         found: dict[str, list[Token]] = {}
         primes: list[Token] = []
-        while self._peek() in ("_", "^", "'", *_SIGN_SCRIPTS):
+        while self._peek() in ("_", "^", "'", *_DEGREE) or read_script(self._peek())[0]:
             mark = self._take()
-            if mark.text in _SIGN_SCRIPTS:
-                texts = ("^", "{", _SIGN_SCRIPTS[mark.text], "}")
-                found["^"] = [Token(text, mark.start, mark.end) for text in texts]
-                continue
             if mark.text == "'":
                 primes.append(mark)
                 continue
-            inner = self._read_argument()
-            if mark.text == "^" and all(t.text == _PRIME for t in inner[1:-1]) and inner[1:-1]:
-                primes += [Token("'", t.start, t.end) for t in inner[1:-1]]
-            elif mark.text in found:
-                raise self.source.refuse(mark.start, f"a second {mark.text} at the same sign")
+            if mark.text in ("_", "^"):
+                inner = [mark, *self._read_argument()]
             else:
-                found[mark.text] = [mark, *inner]
+                inner = self._read_sign_script(mark)
+            kind, inside = inner[0].text, inner[2:-1]
+            if kind == "^" and all(t.text == _PRIME for t in inside) and inside:
+                primes += [Token("'", t.start, t.end) for t in inside]
+            elif kind in found:
+                raise self.source.refuse(mark.start, f"a second {kind} at the same sign")
+            else:
+                found[kind] = inner
         return [*found.get("_", []), *primes, *found.get("^", [])]
+
+    def _read_sign_script(self, first: Token) -> list[Token]:
+        """Read signs that are scripts by themselves: a degree, raised or lowered digits."""
+        kind, text = read_script(first.text) if first.text not in _DEGREE else ("^", r"\circ")
+        signs, last = [Token(text, first.start, first.end)], first
+        while first.text not in _DEGREE and read_script(self._peek())[0] == kind:
+            last = self._take()
+            signs.append(Token(read_script(last.text)[1], last.start, last.end))
+        begin, end = Token("", first.start, first.start), Token("", last.end, last.end)
+        return [Token(kind, first.start, first.start), *self._brace(signs, begin, end)]

@@ -7,8 +7,6 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-AND = r"\text{and}"
-
 
 @dataclass(frozen=True)
 class Node:

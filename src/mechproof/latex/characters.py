@@ -1,0 +1,152 @@
+r"""Characters beyond ASCII -> the signs that they print like, or what to print instead of them.
+
+A Greek letter is its command, a full-width or slanted letter the plain one, a raised or lowered one
+a script. Letters of two alphabets that print alike are told from each other by nobody.
+"""
+
+# ruff: noqa: RUF001
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Iterable, Mapping
+
+_GREEK = (
+    *("alpha", "beta", "gamma", "delta", "varepsilon", "zeta", "eta", "theta", "iota", "kappa"),
+    *("lambda", "mu", "nu", "xi", "", "pi", "rho", "varsigma", "sigma", "tau", "upsilon"),
+    *("varphi", "chi", "psi", "omega"),
+)
+_SIGNS: Mapping[str, str] = {
+    **{chr(0x3B1 + n): f"\\{name}" for n, name in enumerate(_GREEK) if name},
+    **dict(
+        zip(
+            "ΓΔΘΛΞΠΣΦΨΩ",
+            (
+                r"\Gamma",
+                r"\Delta",
+                r"\Theta",
+                r"\Lambda",
+                r"\Xi",
+                r"\Pi",
+                r"\Sigma",
+                r"\Phi",
+                r"\Psi",
+                r"\Omega",
+            ),
+            strict=True,
+        )
+    ),
+    **{"ϑ": r"\vartheta", "ϕ": r"\phi", "ϖ": r"\varpi", "ϰ": r"\varkappa", "ϱ": r"\varrho"},
+    **{"ϵ": r"\epsilon", "µ": r"\mu", "\u2126": r"\Omega", "∆": r"\Delta", "ℓ": r"\ell"},
+    **{"−": "-", "×": r"\cdot", "·": r"\cdot", "⋅": r"\cdot", "∙": r"\cdot"},
+    **{"±": r"\pm", "∓": r"\mp", "∞": r"\infty", "∑": r"\sum", "∏": r"\prod", "∫": r"\int"},
+    **dict.fromkeys("≤⩽≦", r"\le"),
+    **dict.fromkeys("≥⩾≧", r"\ge"),
+    **{"≠": r"\ne", "≈": r"\approx", "≡": r"\equiv", "→": r"\to", "∈": r"\in", "∀": r"\forall"},
+    **{"′": "'", "∣": "|", "…": r"\dots", "⋯": r"\dots", "\u2044": "/", "\u2215": "/"},
+}
+# What is copied in the place of other signs, and what to print.
+_INSTEAD: Mapping[str, str] = {
+    **dict.fromkeys("‐‑‒–—―\u00ad⁃➖", "Print - for a minus."),
+    **dict.fromkeys('’‘`´ʹʼˈ"”“', "Print ' for a prime."),
+    **dict.fromkeys("º˚ª", "Print ° or ^\\circ for degrees."),
+    **dict.fromkeys("√∛∜", r"Print \sqrt{…} or \sqrt[3]{…}."),
+    **dict.fromkeys("÷∶", r"Print \frac{…}{…}."),
+    "≔": "Print = for a definition.",
+    **dict.fromkeys("•∗✕⨯✖∘", r"Print \cdot for a product."),
+}
+_KINDS = ("MATHEMATICAL ITALIC ", "FULLWIDTH ", "SMALL HYPHEN-MINUS", "PLANCK CONSTANT")
+_ALPHABETS = ("LATIN ", "GREEK ", "CYRILLIC ", "CJK ")
+_SCRIPTS = {"<super>": "^", "<sub>": "_"}
+# What is printed for one command by some fonts, for the other by others.
+EITHER = "φε"
+# Each letter and the Latin (or Greek) one that it prints like.
+_ALIKE = {
+    **dict(
+        zip(
+            "аеорсухіјѕһԁԛԝӏАВЕКМНОРСТУХІЈЅЗГПФфßɑɡıΑΒΕΖΗΙΚΜΝΟΡΤΥΧο",
+            "aeopcyxijshdqwlABEKMHOPCTYXIJS3ΓΠΦφβαgiABEZHIKMNOPTYXo",
+            strict=True,
+        )
+    ),
+    **{"φ": r"\phi", "ε": r"\epsilon"},
+}
+
+
+def spell(character: str) -> tuple[str, ...]:
+    """Return the signs that a character prints like, itself where there is nothing to say."""
+    if character.isascii() or len(character) > 1:
+        return (character,)
+    if character in _SIGNS:
+        return (_SIGNS[character],)
+    if set(plain := unicodedata.normalize("NFKC", character)) == {"′"}:
+        return ("'",) * len(plain)
+    is_kind = unicodedata.name(character, "").startswith(_KINDS)
+    if is_kind and plain != character and len(plain) == 1:
+        return spell(plain)
+    return (character,)
+
+
+def read_script(character: str) -> tuple[str, str]:
+    """Return the mark of a raised or lowered character and the sign that it is, else nothing."""
+    if len(character) != 1:
+        return "", ""
+    kind, _, codes = unicodedata.decomposition(character).partition(" ")
+    if kind not in _SCRIPTS or character in _INSTEAD or " " in codes:
+        return "", ""
+    return _SCRIPTS[kind], spell(chr(int(codes, 16)))[0]
+
+
+def is_letter(text: str) -> bool:
+    """Return whether a sign is one letter of an alphabet, not dressed up as another sign."""
+    if text.isascii():
+        return text.isalpha()
+    return (
+        len(text) == 1
+        and unicodedata.name(text, "").startswith(_ALPHABETS)
+        and unicodedata.category(text) in ("Ll", "Lu", "Lo")
+        and unicodedata.normalize("NFKC", text) == text
+        and not _has_accent(text)
+    )
+
+
+def is_digit(text: str) -> bool:
+    """Return whether a sign is a digit, and no raised, circled or foreign one."""
+    return text.isascii() and text.isdigit()
+
+
+def name_character(text: str) -> str:
+    """Return a sign as a message shows it; that of another alphabet with its name."""
+    if len(text) > 1 or (text.isascii() and text.isprintable()):
+        return text
+    code = f"U+{ord(text[0]):04X}"
+    name = unicodedata.name(text[0], "")
+    shown = f"{text} " if text.isprintable() and not unicodedata.combining(text[0]) else ""
+    return f"{shown}({code}, {name.lower()})" if name else f"the character {code}"
+
+
+def advise(text: str) -> str:
+    """Return what to print instead of a character, where that can be said."""
+    if len(text) != 1:
+        return ""
+    if text in _INSTEAD:
+        return _INSTEAD[text]
+    if unicodedata.combining(text) or _has_accent(text):
+        return r"Print the accent by its command: \dot x."
+    is_dressed = unicodedata.normalize("NFKC", text)[:1].isalnum()
+    return "Print the plain sign, or its command." if is_dressed else ""
+
+
+def find_alike(signs: Iterable[str]) -> tuple[str, str] | None:
+    """Return two different letters among signs that print alike."""
+    met: dict[str, str] = {}
+    for sign in sorted(set(signs)):
+        seen = spell(_ALIKE.get(sign, sign))[0]
+        if (other := met.setdefault(seen, sign)) != sign:
+            return other, sign
+    return None
+
+
+def _has_accent(text: str) -> bool:
+    """Return whether a Latin letter is composed with an accent, for which there is a command."""
+    is_latin = unicodedata.name(text, "").startswith("LATIN ")
+    return is_latin and len(unicodedata.normalize("NFD", text)) > 1

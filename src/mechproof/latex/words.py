@@ -1,0 +1,23 @@
+"""The words of a print that are more than text: those that begin, join or end conditions."""
+
+from __future__ import annotations
+
+import re
+
+AND = r"\text{and}"
+_IF = (
+    *("if", "for", "where", "since", "when", "whenever", "with", "provided", "provided that"),
+    *("for all", "for any", "for each", "for every", "if also", "as long as"),
+)
+IF = tuple(rf"\text{{{word}}}" for word in _IF)
+ELSE = (r"\text{else}", r"\text{otherwise}")
+# Letters side by side that are rather one of the words.
+ITALICS = ("if", "for", "where", "when", "with", "and", "or", "else", "forall")
+_BLANK = re.compile(r"\\[,;: ]|[~\s]+")
+
+
+def to_text(words: str) -> str:
+    """Return the sign of a text, its blanks and points aside; our words in small letters."""
+    text = _BLANK.sub(" ", words).strip(" ,;:.")
+    small = rf"\text{{{text.lower()}}}"
+    return small if small in (AND, *IF, *ELSE) else rf"\text{{{text}}}"
