@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from mechproof.arguments.arrays import check_finite, check_pair
-from mechproof.arguments.scalars import check_count
+from mechproof.arguments.scalars import check_count, check_progress
 from mechproof.conformity.normal import normal_masses
 from mechproof.conformity.quadrature import law_masses
 from mechproof.executors import check_executor, run_in_order, slices, spawn_generators
@@ -156,8 +156,11 @@ def simulate_shares(
     """
     count, chunk = check_count("count", count), check_count("chunk", chunk)
     check_executor(executor)
-    errors = [error] if isinstance(error, LAWS) else list(error)
+    check_progress(progress)
     check_law("true", true)
+    if not isinstance(error, Sequence):
+        check_law("error", error)
+    errors = [error] if isinstance(error, LAWS) else list(error)
     for i, law in enumerate(errors):
         check_law(f"error[{i}]", law)
     limits = _check_limits(tolerance, acceptance)
