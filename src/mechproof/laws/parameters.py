@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,6 +22,13 @@ class ByValue:
             own = np.array(value, np.float64)
             own.flags.writeable = False
             object.__setattr__(self, name, own)
+
+    @classmethod
+    def of_checked(cls, **parameters: ArrayLike) -> Self:
+        """Return a law of parameters that were checked: what is derived may lie beyond limits."""
+        law = object.__new__(cls)
+        law._keep(**parameters)
+        return law
 
     def _check_draw(self, rng: Any, size: Any) -> None:
         """Raise an error for what is no generator, and a size in which values would recur."""

@@ -43,7 +43,7 @@ class TruncatedNormal(ByValue):
 
     @property
     def _parent(self) -> Normal:
-        return Normal(self.mean, self.std)
+        return Normal.of_checked(mean=self.mean, std=self.std)
 
     @property
     def _mass(self) -> Array:
