@@ -110,8 +110,8 @@ def draw_chart(record: Record, workload: str, count: int) -> Figure:
         f"The worst of {points:,} points, chosen to hurt": worst,
     }
     figure = Figure(figsize=(WIDTH, 8), dpi=DPI, layout="constrained")
-    title = textwrap.wrap(write_title(record, workload, count), 92)
-    figure.suptitle("\n".join(title), weight="bold", fontsize=11)
+    says = textwrap.wrap(write_title(record, workload, count), 92)
+    figure.suptitle("\n".join(says), weight="bold", fontsize=11)
     rows = figure.subplots(2, 1, sharex=True)
     copy = find_copy(record, workload, count)
     rows[0].set_xlim(find_limits([mark for marks in panels.values() for mark in marks], copy))
