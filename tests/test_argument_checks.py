@@ -12,15 +12,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from units import list_with_units
 
 from mechproof.arguments import arrays, scalars
-
-
-class Millimetres:
-    """A number with a unit that conversion to an array strips."""
-
-    units = "mm"
-
 
 REFUSED: list[tuple[Callable[[str, Any], object], Any, type[Exception], str]] = [
     (scalars.check_number, "1", TypeError, "'1': must be a real number, not str"),
@@ -41,7 +35,18 @@ REFUSED: list[tuple[Callable[[str, Any], object], Any, type[Exception], str]] = 
     (scalars.check_triple, (1, 2), TypeError, r"\(1, 2\): must be three real numbers"),
     (arrays.check_array, None, TypeError, "None: must be a real number or an array, not object"),
     (arrays.check_array, [True], TypeError, r"\[True\]: must be a real number or an array"),
-    (arrays.check_array, Millimetres(), TypeError, ".*: carries a unit; give plain numbers"),
+    *(
+        (check, value, TypeError, ".*: carries a unit; give plain numbers")
+        for check in (arrays.check_array, scalars.check_number)
+        for value in list_with_units([1.0, 2.0])
+    ),
+    (arrays.check_array, [[1, 2], [3]], ValueError, r"\[\[1, 2\], \[3\]\]: must .* of one length"),
+    (arrays.check_flag, "no", TypeError, "'no': must be True or False, not str"),
+    (arrays.check_flag, 1, TypeError, "1: must be True or False, not int"),
+    (arrays.check_generator, None, TypeError, r"None: must be a numpy\.random\.Generator"),
+    (arrays.check_shape, (2, -1), ValueError, "-1: must be at least 0"),
+    (scalars.check_text, b"mm", TypeError, "b'mm': must be a text"),
+    (scalars.check_function, 3, TypeError, "3: must be a function"),
     (arrays.check_finite, [1, math.inf], ValueError, r"\[1, inf\]: must be finite"),
     (arrays.check_finite, 10**400, ValueError, "10+: must be finite"),
     (arrays.check_finite, 1e151, ValueError, r".*between -1e\+150 and 1e\+150"),

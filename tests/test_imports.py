@@ -34,7 +34,7 @@ PROBES = {
 
 # What the files of a runtime package may import when they are loaded, and inside functions.
 LOADED = {
-    "kernel_support": {"numpy", "mechproof.kernel_support"},
+    "kernel_support": {"numpy", "mechproof.arguments", "mechproof.kernel_support"},
     "compiled_support": {
         *("numpy", "numba", "llvmlite"),
         *("mechproof.compiled_support", "mechproof.kernel_support"),
@@ -49,7 +49,9 @@ LOADED = {
         *("numpy", "mechproof.compiled_support", "mechproof.conformity", "mechproof.executors"),
         *("mechproof.kernels", "mechproof.laws"),
     },
-    "measurement": {"numpy", "mechproof.arguments", "mechproof.measurement"},
+    "measurement": {
+        *("numpy", "mechproof.arguments", "mechproof.kernel_support", "mechproof.measurement"),
+    },
     "tolerance": {
         *("numpy", "mechproof.arguments", "mechproof.executors", "mechproof.laws"),
         "mechproof.tolerance",
@@ -93,7 +95,9 @@ INSIDE = {
     "laws": {"scipy"},
     "conformity": {"scipy"},
     "measurement": {"scipy"},
-    "tolerance": {"sympy", "flint", "mechproof.derivation", "mechproof.proof"},
+    "tolerance": {
+        *("sympy", "flint", "mechproof.derivation", "mechproof.proof", "mechproof.record"),
+    },
     "mechanisms": {"scipy", "mechproof.tolerance"},
 }
 

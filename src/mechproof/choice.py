@@ -223,6 +223,8 @@ def _tell_install(extra: str) -> str:
 
 def _find_record(quantity: str, measured: str | os.PathLike[str] | None) -> Record:
     """Read the record of a quantity, from the package or from a folder."""
+    is_path = measured is None or isinstance(measured, str | os.PathLike)
+    require(is_path, "measured", measured, "must be the path of a folder", TypeError)
     files = find_files(None if measured is None else Path(measured))
     found = measured is None or files
     require(found, "measured", measured, "no folder with records of `mechproof measure`")

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
+from mechproof.arguments.arrays import check_generator
 from mechproof.arguments.scalars import refuse, require
 
 Task = TypeVar("Task")
@@ -67,8 +68,7 @@ def slices(total: int, step: int) -> Iterator[slice]:
 
 def spawn_generators(rng: Any) -> Iterator[np.random.Generator]:
     """Yield independent generators, spawned one by one; TypeError for what is no such source."""
-    is_source = isinstance(rng, np.random.Generator)
-    require(is_source, "rng", rng, "must be a numpy.random.Generator", TypeError)
+    check_generator("rng", rng)
     while True:
         try:
             (child,) = rng.spawn(1)

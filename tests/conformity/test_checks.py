@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from units import list_with_units
 
 from mechproof.conformity import (
     Law,
@@ -23,15 +24,6 @@ ONE = Normal(0, 1)
 LAWS: list[Law] = [ONE, Uniform(-1, 1), TruncatedNormal(0, 1, -1, 1)]
 
 
-class Millimetres:
-    """A number with a unit that conversion to an array strips."""
-
-    units = "mm"
-
-    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
-        return np.asarray(1.0, dtype)
-
-
 NO_NUMBERS = [
     ("1", "'1': must be a real number"),
     (None, "None: must be a real number"),
@@ -42,7 +34,7 @@ NO_NUMBERS = [
     (np.longdouble(1), "must be a real number"),
     (np.ma.masked_array([1.0, 2.0], [True, False]), "is a masked array; give NaN"),
     (np.ma.masked, "is a masked array; give NaN"),
-    (Millimetres(), "carries a unit"),
+    *((value, "carries a unit") for value in list_with_units(1.0)),
 ]
 
 

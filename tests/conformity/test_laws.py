@@ -183,3 +183,24 @@ def test_conformance_probability_of_a_fixed_value() -> None:
 def test_bad_input_is_named(act: Callable[[], object], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         act()
+
+
+@pytest.mark.parametrize(
+    "law", [Normal(0, 1), Normal(0, 0), Uniform(-1, 1), TruncatedNormal(0, 1, -2, 3)], ids=repr
+)
+def test_every_value_is_outside_reversed_limits(law: Law) -> None:
+    lower, upper = np.array([1.0, 0.0, 0.5, np.inf, 2.0]), np.array([-1.0, 0.0, -0.1, -np.inf, 2.0])
+    assert law.probability(lower, upper).tolist() == [0.0] * 5
+    # A sum of two rounded tails.
+    np.testing.assert_allclose(law.outside(lower, upper), 1.0, rtol=4e-16)
+    assert (law.outside(lower, upper) <= 1).all()
+    assert np.isnan(law.outside(np.nan, -1.0))
+
+
+def test_a_size_that_repeats_values_is_refused() -> None:
+    rng = np.random.default_rng(1)
+    for law in (Normal([0, 0], 1), Uniform([0, 0], 1), TruncatedNormal([0, 0], 1, -1, 1)):
+        assert law.sample(rng).shape == law.sample(rng, 2).shape == (2,)
+        for size in (1, (2, 1), ()):
+            with pytest.raises(ValueError, match=r"^size = .*shape of the parameters, \(2,\)"):
+                law.sample(rng, size)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+from itertools import pairwise, product
 from typing import Any
 
 import numpy as np
@@ -10,7 +12,13 @@ from cases import BAR, HARD, INF, NAMES, Find, four, random_case, random_sets
 from enclosures import relative_errors
 from flint import arb, ctx
 
-from mechproof.conformity import Normal, Uniform, shares
+from mechproof.conformity import (
+    Normal,
+    TruncatedNormal,
+    Uniform,
+    conformance_probability,
+    shares,
+)
 from mechproof.conformity.quadrature import law_masses
 
 
@@ -81,3 +89,79 @@ def test_endless_windows_among_the_smallest_numbers(
     found = find(Normal(mean, 1.0), Normal(0.0, scatter), tolerance, acceptance)
     assert getattr(found, sure) == 1.0
     assert all(0 <= getattr(found, name) < 1e-100 for name in NAMES if name != sure)
+
+
+# Multiples of it stay exact beside 1e8.
+GRID = 2.0**-26
+
+
+def on_grid(rng: np.random.Generator, low: float, high: float) -> float:
+    """Return an even multiple, of which a half is one, too."""
+    return float(np.round(1e-3 * rng.uniform(low, high) / GRID / 2) * GRID * 2)
+
+
+def random_law(rng: np.random.Generator, kind: type, at: float) -> Any:
+    """Widths of a micrometre or so."""
+    mean, half = at + on_grid(rng, -1, 1), on_grid(rng, 0.2, 1)
+    places = {Normal: (mean, half), Uniform: (mean - half, mean + half)}
+    return kind(*places.get(kind, (mean, half, mean - half, mean + half / 2)))
+
+
+@pytest.mark.parametrize("kinds", [*product((Normal, Uniform, TruncatedNormal), repeat=2)])
+@pytest.mark.parametrize(("place", "bias"), [(1e3, 0.0), (1e8, 0.0), (0.0, 1e8), (1e8, -(2.0**26))])
+def test_a_common_offset_costs_no_digits(
+    find: Find, kinds: tuple[type, type], place: float, bias: float
+) -> None:
+    rng = np.random.default_rng([int(place), int(abs(bias))])
+    for _ in range(5):
+        half, guard = on_grid(rng, 0.5, 1), on_grid(rng, 0, 0.3)
+        state = rng.bit_generator.state
+        found = []
+        for y, e in ((0.0, 0.0), (place, bias)):
+            rng.bit_generator.state = state
+            laws = random_law(rng, kinds[0], y), random_law(rng, kinds[1], e)
+            accepted = y + e - half + guard, y + e + half - guard
+            found.append(four(find(*laws, (y - half, y + half), accepted)))
+        np.testing.assert_allclose(found[1], found[0], rtol=BAR)
+
+
+def area(low: Fraction, high: Fraction, window: Any, inside: Any) -> Fraction:
+    """Integrate over y from low to high the part of inside - y that lies in the window."""
+
+    def part(y: Fraction) -> Fraction:
+        start, end = max(window[0], inside[0] - y), min(window[1], inside[1] - y)
+        return max(end - start, Fraction(0))
+
+    cuts = sorted({low, high, *(c for i in inside for w in window if low < (c := i - w) < high)})
+    # Between the cuts it is straight.
+    return sum(((part(a) + part(b)) * (b - a) / 2 for a, b in pairwise(cuts)), Fraction(0))
+
+
+@pytest.mark.parametrize(("place", "bias"), [(0.0, 0.0), (1e3, 0.0), (1e8, 777.0), (1e-3, -1e8)])
+def test_rectangular_laws_at_any_place_against_areas(find: Find, place: float, bias: float) -> None:
+    rng = np.random.default_rng(5)
+    for _ in range(20):
+        shape = rng.uniform(0.5, 1, 6) * 1e-3
+        y, e = (place - shape[0], place + shape[1]), (bias - shape[2], bias + shape[3])
+        tolerance = place - shape[4], place + shape[5]
+        accepted = place + bias - shape[5], place + bias + shape[4]
+        found = four(find(Uniform(*y), Uniform(*e), tolerance, accepted))
+        y_, e_, t_, a_ = (tuple(map(Fraction, pair)) for pair in (y, e, tolerance, accepted))
+        unit = (y_[1] - y_[0]) * (e_[1] - e_[0])
+        both = area(max(y_[0], t_[0]), min(y_[1], t_[1]), e_, a_) / unit
+        good = (min(y_[1], t_[1]) - max(y_[0], t_[0])) / (y_[1] - y_[0])
+        taken = area(*y_, e_, a_) / unit
+        exact = both, taken - both, 1 - good - taken + both, good - both
+        np.testing.assert_allclose(found, [float(share) for share in exact], rtol=BAR)
+
+
+@pytest.mark.parametrize("place", [1e3, 1e8])
+def test_conformance_probabilities_keep_their_digits_at_any_place(place: float) -> None:
+    measured, half = 3 * GRID, 1024 * GRID
+    found, expected = (
+        conformance_probability(
+            at + measured, Normal(at, 512 * GRID), Normal(0, 300 * GRID), (at - half, at + half)
+        )
+        for at in (place, 0.0)
+    )
+    np.testing.assert_allclose(found, expected, rtol=BAR)

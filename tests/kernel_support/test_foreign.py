@@ -1,4 +1,4 @@
-"""Arguments that bring arithmetic of their own: units, indices, masks, and arrays that wait."""
+"""Arguments that bring arithmetic of their own: indices, masks, and arrays that wait; units."""
 
 from __future__ import annotations
 
@@ -6,63 +6,18 @@ import operator
 from collections.abc import Callable
 from typing import Any
 
+import astropy.table
+import astropy.units
 import numpy as np
 import pytest
 from calls import CALLS, RADII, SHARED_SHIFT, spread
+from units import list_with_units
 
 from mechproof import EllipticPlanetary, ToothThickness
 from mechproof.kernel_support import domains
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import elliptic_planetary, track_wheel
-
-
-class Length(np.lib.mixins.NDArrayOperatorsMixin):
-    """Numbers in a unit of length to a power; conversion to an array strips the unit.
-
-    As in the libraries of units, a Python number inside has no dtype.
-    """
-
-    def __init__(self, magnitude: Any, unit: float = 1.0, power: int = 1) -> None:
-        self.magnitude, self.unit, self.power = magnitude, unit, power
-
-    @property
-    def units(self) -> str:
-        return f"{self.unit} mm^{self.power}"
-
-    def __getattr__(self, name: str) -> Any:
-        if name in ("dtype", "shape", "ndim", "size"):
-            return getattr(self.magnitude, name)
-        raise AttributeError(name)
-
-    def astype(self, dtype: Any) -> Length:
-        return Length(self.magnitude.astype(dtype), self.unit, self.power)
-
-    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
-        return np.asarray(self.magnitude, dtype)
-
-    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
-        powers = [i.power if isinstance(i, Length) else 0 for i in inputs]
-        base = [i.magnitude * i.unit if isinstance(i, Length) else i for i in inputs]
-        power = powers[0]
-        if ufunc in (np.multiply, np.divide):
-            power += powers[1] if ufunc is np.multiply else -powers[1]
-        result = getattr(ufunc, method)(*base, **options)
-        return result if result.dtype == bool else Length(result, 1.0, power)
-
-
-METRE = 1000.0
-
-
-@pytest.mark.parametrize("kind", [float, int, np.float64, lambda v: np.array([v]), np.array])
-def test_scalars_with_units_are_treated_as_arrays_are(kind: Any) -> None:
-    plain = elliptic_planetary.position(1.0, 66.0, 16.0, 0.4)
-    found = elliptic_planetary.position(1.0, Length(kind(66)), Length(kind(16), 1.0), 0.4)
-    assert isinstance(found, Length)
-    assert found.power == 0
-    assert np.ravel(found.magnitude)[0] == pytest.approx(plain, rel=1e-15)
-    in_metres = elliptic_planetary.position(1.0, Length(kind(66)), Length(0.016, METRE), 0.4)
-    # An eps of the converted radius.
-    assert np.ravel(in_metres.magnitude)[0] == pytest.approx(plain, rel=1e-14)
+from mechproof.kernels.compiled import elliptic_planetary as compiled_kernels
 
 
 def test_a_foreign_scalar_without_numbers_is_refused() -> None:
@@ -74,12 +29,25 @@ def test_a_foreign_scalar_without_numbers_is_refused() -> None:
         as_floats("R1", Opaque())
 
 
-@pytest.mark.parametrize("value", [Length(1.0), Length(np.ones(2))])
-def test_the_inverses_refuse_units(value: Any) -> None:
+@pytest.mark.parametrize("value", list_with_units([1.0, 2.0]), ids=repr)
+def test_units_are_refused(value: Any) -> None:
     with pytest.raises(TypeError, match=r"^phi3 = .*carries a unit"):
         EllipticPlanetary(66, 16, 0.4).carrier_angle(value)
     with pytest.raises(TypeError, match=r"^dh = .*carries a unit"):
         ToothThickness.published().thickness_change(value)
+
+
+def test_a_result_is_not_written_where_a_unit_would_be_claimed() -> None:
+    for kernels in (elliptic_planetary, compiled_kernels):
+        with pytest.raises(TypeError, match=r"^out = <Quantity.*carries a unit"):
+            kernels.position(spread(7), *RADII, 0.4, out=np.zeros(7) * astropy.units.deg)
+
+
+def test_a_column_without_a_unit_is_an_array() -> None:
+    column = astropy.table.Column(spread(7))
+    assert column.unit is None
+    found = elliptic_planetary.position(column, *RADII, 0.4)
+    assert np.array_equal(found, elliptic_planetary.position(spread(7), *RADII, 0.4))
 
 
 class Column(np.lib.mixins.NDArrayOperatorsMixin):

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from compiled import grouped
+from units import list_with_units
 
 from mechproof.kernel_support import arrays
 from mechproof.kernels import elliptic_planetary, track_wheel
@@ -135,6 +136,16 @@ def test_bad_types_are_named(name: str) -> None:
     for bad in (1j, "1", None, np.longdouble(1)):
         with pytest.raises(TypeError, match="expected real numbers"):
             call(name, (*arguments[:-1], bad))
+
+
+@for_each_kernel
+def test_units_are_refused_by_name(name: str) -> None:
+    arguments = CALLS[name]
+    for i, argument in enumerate(arguments):
+        named = SUBJECTS[name].quantity.arguments[i].name
+        for given in list_with_units(argument):
+            with pytest.raises(TypeError, match=rf"^{named} = .*: carries a unit; give plain"):
+                call(name, (*arguments[:i], given, *arguments[i + 1 :]))
 
 
 NAN = float("nan")

@@ -13,7 +13,7 @@ from PIL import Image
 from typer.testing import CliRunner
 
 from mechproof.cli import app
-from mechproof.lab.chart import draw_chart, draw_charts, tell_sources
+from mechproof.lab.chart import draw_chart, draw_charts, tell_sources, write_title
 from mechproof.lab.marks import (
     LOST_LANE,
     TURNS_LANE,
@@ -33,7 +33,7 @@ from mechproof.lab.overview import (
     pick_marks,
     write_summary,
 )
-from mechproof.lab.proofs import find_way, list_claims, tell_proved
+from mechproof.lab.proofs import find_searched, find_way, list_claims, tell_proved
 from mechproof.measured import Record, find_files, read_record, read_records, write_record
 
 ROOT = Path(__file__).parents[2]
@@ -182,9 +182,36 @@ def test_the_title_says_what_is_seen(others: list[tuple[str, float, float]], say
     assert write_headline(marks) == f"{seen}, {says}"
 
 
+@pytest.mark.parametrize(
+    ("searched", "says"),
+    [
+        (4.512, "2 eps at worst on these points (4.51 eps by search), the least of 2 ways"),
+        (1649.0, "2 eps at worst on these points (1649 eps by search), the least of 2 ways"),
+        (2.0, "2 eps at worst on these points, the least of 2 ways"),
+    ],
+)
+def test_the_title_tells_what_a_search_found_beyond_the_points(searched: float, says: str) -> None:
+    marks = [make_mark("kernel", 1, 2, family="shipped"), make_mark("a", 2, 9)]
+    assert says in write_headline(marks, searched)
+    lost = [replace(marks[0], turns=True), marks[1]]
+    assert "by search" not in write_headline(lost, searched)
+
+
+def test_the_title_and_the_marks_tell_the_same(record: Record, figure: Figure) -> None:
+    title = " ".join(figure.get_suptitle().split())
+    shipped = record.ways[0].name
+    searched = find_searched(record)[shipped]
+    (found,) = (one.scaled for one in record.searched if one.way == shipped)
+    claimed = [c.found for c in list_claims(record) if find_way(record, c) == shipped]
+    assert searched == max(found, *claimed)
+    assert f"({searched:.3g} eps by search)" in title
+    labels = [text.get_text() for text in figure.axes[1].texts]
+    assert any(text.startswith(f"{shipped}, {searched:.3g} by search, proved") for text in labels)
+
+
 def test_the_title_is_computed_from_all_points(record: Record, figure: Figure) -> None:
     title = " ".join(figure.get_suptitle().split())
-    assert title == write_headline(collect_marks(record, *list_workloads(record)[0]))
+    assert title == write_title(record, *list_workloads(record)[0])
     assert f"off by {record.worst_of('kernel'):.2g} eps at worst on these points" in title
 
 
@@ -288,7 +315,7 @@ def test_the_pictures_of_the_readme_are_of_the_records(record: Record) -> None:
     """Pixels depend on the fonts of a machine; what a picture says of itself does not."""
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     records = read_records(MEASURED)
-    headline = write_headline(collect_marks(record, *list_workloads(record)[0]))
+    headline = write_title(record, *list_workloads(record)[0])
     says = {PICTURES[0]: (headline, [record]), PICTURES[1]: (write_summary(records), records)}
     for name, (text, drawn_from) in says.items():
         assert f"](docs/{name}.png)" in readme
@@ -308,7 +335,7 @@ def test_what_is_proved_stands_beside_the_worst(record: Record, figure: Figure) 
     told = tell_proved(record)
     for claim in list_claims(record):
         way = find_way(record, claim)
-        (name,) = (text for text in worst if text.startswith((f"{way} (", f"{way}, found")))
+        (name,) = (t for t in worst if t == f"{way}, {told[way]}" or t.startswith(f"{way} ("))
         assert name.endswith(f", {told[way]}")
         bound = float(told[way].rpartition(" ")[2])
         assert max(record.worst_of(way) or 0, claim.found) <= claim.proved <= bound

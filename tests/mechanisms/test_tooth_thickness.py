@@ -14,7 +14,8 @@ import pytest
 from mechproof import ThicknessInspection, ToothThickness
 from mechproof.conformity import Shares, shares
 from mechproof.laws import Law, Normal, TruncatedNormal, Uniform
-from mechproof.mechanisms.tooth_thickness_errors import exact_shares, scale_law, shift_law
+from mechproof.laws.kinds import move
+from mechproof.mechanisms.tooth_thickness_errors import exact_shares, scale_law
 from mechproof.mechanisms.tooth_thickness_inspection import IT_120_TO_180
 
 EPS = float(np.finfo(float).eps)
@@ -228,6 +229,20 @@ def test_one_error_of_any_law_stays_whole() -> None:
         assert getattr(got, share) == pytest.approx(getattr(expected, share), rel=1e-11)
 
 
+def test_errors_far_from_zero_keep_the_absolute_bound() -> None:
+    # A million widths: what a place loses in rounding.
+    half, far = 2.0**-10, 2.0**10
+    others = [Uniform(-2 * half, half), Normal(0.0, half)]
+    found = exact_shares(
+        TOOTH, [Uniform(far - half, far + half), *others], (-0.057, -0.012), (far - 0.05, far)
+    )
+    expected = exact_shares(
+        TOOTH, [Uniform(-half, half), *others], (-0.057, -0.012), (far - 0.05 - far, 0.0)
+    )
+    for share in FOUR:
+        assert getattr(found, share) == pytest.approx(getattr(expected, share), rel=0, abs=2e-8)
+
+
 def test_parameters_broadcast_and_nan_passes() -> None:
     limit = np.array([0.0, 0.002, 0.01, np.nan])
     gauge = Normal.from_width(0.0, 2 * limit, 4)
@@ -272,7 +287,7 @@ def test_reversed_limits_are_named() -> None:
 )
 @pytest.mark.parametrize("factor", [2.0, -0.5])
 def test_scaled_and_shifted_laws(law: Law, factor: float) -> None:
-    moved = shift_law(scale_law(law, factor), 0.7)
+    moved = move(scale_law(law, factor), 0.7)
     low, high = sorted((factor * -0.05 + 0.7, factor * 0.15 + 0.7))
     # Some roundings of the limits against a density of a few units.
     assert moved.probability(low, high) == pytest.approx(law.probability(-0.05, 0.15), rel=1e-13)

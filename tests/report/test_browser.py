@@ -86,7 +86,7 @@ def test_no_script_of_a_paper_runs(browser: Browser, site: Path) -> None:
         assert "hurt" not in browser.evaluate("document.title").casefold()
 
 
-def test_the_filter_shows_one_verdict_and_what_a_link_points_at(
+def test_the_filter_shows_one_verdict_or_our_rows_and_what_a_link_points_at(
     browser: Browser, site: Path
 ) -> None:
     browser.open(site / "papers" / "elliptic_planetary.html")
@@ -96,7 +96,12 @@ def test_the_filter_shows_one_verdict_and_what_a_link_points_at(
     assert browser.evaluate("document.getElementById('show-refuted').click()") is None
     refuted = browser.evaluate(shown)
     assert set(refuted) == {"row v-refuted"}
-    assert 0 < len(refuted) < len(every)
+    number = "document.querySelector('[for=show-refuted] small').textContent"
+    assert 0 < len(refuted) == int(browser.evaluate(number)) < len(every)
+    assert browser.evaluate("document.getElementById('show-ours').click()") is None
+    ours = browser.evaluate(shown)
+    assert {"row v-refuted ours", "row v-proved plain ours"} <= {*ours}
+    assert all(name.endswith(" ours") for name in ours)
     browser.evaluate("location.hash = '#eq-3'")
     assert "row v-proved plain" in browser.evaluate(shown)
 

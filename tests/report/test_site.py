@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+from collections import Counter
 from importlib import import_module
 from pathlib import Path
 
@@ -22,6 +23,8 @@ from mechproof.report.pictures import chart
 pytestmark = pytest.mark.xdist_group("report")
 # WCAG 2.2, AA: text of usual size.
 LEAST_CONTRAST = 4.5
+# A verdict and how many rows have it.
+COUNT = r'<span class="count v-([\w-]+)"><b>(\d+)</b>'
 
 
 def test_pages_are_whole_and_links_resolve(site: Path) -> None:
@@ -64,6 +67,26 @@ def test_the_start_page_has_findings_totals_chart_and_legend(files: dict[str, st
     for part in ("findings", "totals", "speed", "verdicts", "marks", "rungs"):
         assert f'id="{part}"' in page
     assert page.count("<svg") == 1
+
+
+def test_cards_and_filters_count_what_is_printed_and_ours_apart(files: dict[str, str]) -> None:
+    start = files["index.html"]
+    page = files["papers/elliptic_planetary.html"]
+    card = start[start.index('href="papers/elliptic_planetary.html"') :]
+    card = card[: card.index("</article>")]
+    printed, ours = (
+        {look: int(number) for look, number in re.findall(COUNT, part)}
+        for part in card.split("our own rows:")
+    )
+    rows = Counter(re.findall(r'<article class="row v-([\w-]+)((?: \w+)*)"', page))
+    for counted, is_ours in ((printed, False), (ours, True)):
+        found = Counter[str]()
+        for (look, marks), number in rows.items():
+            found[look] += number if ("ours" in marks.split()) is is_ours else 0
+        assert counted == +found
+    filters = dict(re.findall(r'<label for="show-([\w-]+)">[^<]*<small>(\d+)', page))
+    assert filters == {k: str(n) for k, n in {**printed, "ours": sum(ours.values())}.items()}
+    assert printed["refuted"] > 0 < ours["refuted"]
 
 
 def test_the_legend_has_the_marks_and_verdicts_that_the_pages_show(files: dict[str, str]) -> None:

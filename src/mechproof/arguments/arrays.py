@@ -8,7 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.arguments.scalars import check_items, check_number, refuse, require
+from mechproof.arguments.scalars import (
+    check_count,
+    check_items,
+    check_number,
+    refuse,
+    refuse_units,
+    require,
+)
 
 Array = NDArray[np.float64]
 
@@ -23,16 +30,14 @@ def check_array(name: str, value: Any) -> Array:
         allowed = "is a masked array; give NaN for what is unknown, or compressed()"
         refuse(name, value, allowed, TypeError)
     exact = isinstance(value, Real) and not isinstance(value, np.generic)
-    array = np.asarray(check_number(name, value) if exact else value)
+    number = check_number(name, value) if exact else value
+    try:
+        array = np.asarray(number)
+    except ValueError:
+        refuse(name, value, "must be a real number or rows of one length")
     if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
         refuse(name, value, f"must be a real number or an array, not {array.dtype}", TypeError)
     return array.astype(np.float64, copy=False)
-
-
-def refuse_units(name: str, value: Any) -> None:
-    """Raise TypeError for what carries a unit, which would be lost."""
-    if hasattr(value, "units"):
-        refuse(name, value, "carries a unit; give plain numbers in one unit", TypeError)
 
 
 def check_finite(name: str, value: ArrayLike) -> Array:
@@ -71,3 +76,23 @@ def check_pair(name: str, value: Any) -> tuple[Array, Array]:
     lower, upper = check_items(name, value, 2, "must be a pair (lower, upper)")
     names = f"{name}[0]", f"{name}[1]"
     return check_order(f"{name} (lower, upper)", lower, upper, names)
+
+
+def check_flag(name: str, value: Any) -> bool:
+    """Return a truth value; TypeError for anything else, which a condition would take for one."""
+    is_flag = isinstance(value, bool | np.bool)
+    require(is_flag, name, value, f"must be True or False, not {type(value).__name__}", TypeError)
+    return bool(value)
+
+
+def check_generator(name: str, value: Any) -> np.random.Generator:
+    """Return a source of random numbers; TypeError for anything else."""
+    if not isinstance(value, np.random.Generator):
+        refuse(name, value, "must be a numpy.random.Generator", TypeError)
+    return value
+
+
+def check_shape(name: str, value: Any) -> tuple[int, ...]:
+    """Return a shape, of a length or several; TypeError or ValueError for what is none."""
+    lengths = value if isinstance(value, tuple | list) else (value,)
+    return tuple(check_count(name, length, least=0) for length in lengths)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping, Set
 from numbers import Real
 from typing import Any, NoReturn
+
+PLAIN = frozenset({int, float})
 
 
 def refuse(name: str, value: object, allowed: str, error: type[Exception] = ValueError) -> NoReturn:
@@ -22,10 +24,24 @@ def require(
         refuse(name, value, allowed, error)
 
 
+def refuse_units(name: str, value: Any) -> None:
+    """Raise TypeError for what carries a unit, which would be lost; rows of numbers may, too."""
+    if _carries_unit(value):
+        refuse(name, value, "carries a unit; give plain numbers in one unit", TypeError)
+
+
+def _carries_unit(value: Any) -> bool:
+    """Say whether a value has a unit, by what libraries of units call it, or an item of it has."""
+    if isinstance(value, list | tuple):
+        return not PLAIN.issuperset(map(type, value)) and any(map(_carries_unit, value))
+    return any(getattr(value, word, None) is not None for word in ("unit", "units"))
+
+
 def check_number(name: str, value: Any) -> float:
     """Return a float, NaN and infinite too; TypeError for what is no real number, as a bool."""
     is_real = isinstance(value, Real) and not isinstance(value, bool)
     if not is_real:
+        refuse_units(name, value)
         refuse(name, value, f"must be a real number, not {type(value).__name__}", TypeError)
     try:
         return float(value)
@@ -57,6 +73,7 @@ def check_probability(name: str, value: Any) -> float:
 
 def check_count(name: str, value: Any, least: int = 1) -> int:
     """Return an integer from `least` on; TypeError unless `value` is one (a bool is none)."""
+    refuse_units(name, value)
     try:
         count = None if isinstance(value, bool) else operator.index(value)
     except TypeError:
@@ -67,10 +84,14 @@ def check_count(name: str, value: Any, least: int = 1) -> int:
     return count
 
 
-def check_items(name: str, value: Any, count: int, allowed: str) -> tuple[Any, ...]:
-    """Return the `count` items of a tuple or the like; TypeError for any other number of them."""
-    items = tuple(value) if isinstance(value, Iterable) else ()
-    require(len(items) == count, name, value, allowed, TypeError)
+def check_items(name: str, value: Any, count: int | None, allowed: str) -> tuple[Any, ...]:
+    """Return the items of a tuple or the like; TypeError unless there are `count`, None: any."""
+    # Sets have no order, and an array without axes no items.
+    ordered = isinstance(value, Iterable) and not isinstance(value, Set | Mapping)
+    items = tuple(value) if ordered and getattr(value, "ndim", None) != 0 else None
+    if items is None or count not in (None, len(items)):
+        refuse_units(name, value)
+        refuse(name, value, allowed, TypeError)
     return items
 
 
@@ -79,3 +100,29 @@ def check_triple(name: str, value: Any) -> tuple[float, float, float]:
     items = check_items(name, value, 3, "must be three real numbers")
     x, y, z = (check_real(f"{name}[{i}]", item) for i, item in enumerate(items))
     return x, y, z
+
+
+def check_text(name: str, value: Any) -> str:
+    """Return a text; TypeError for anything else."""
+    require(isinstance(value, str), name, value, "must be a text", TypeError)
+    return str(value)
+
+
+def check_mapping(name: str, value: Any, allowed: str) -> Mapping[Any, Any]:
+    """Return a mapping; TypeError for anything else."""
+    if not isinstance(value, Mapping):
+        refuse(name, value, allowed, TypeError)
+    return value
+
+
+def check_function(name: str, value: Any) -> Callable[..., Any]:
+    """Return what can be called; TypeError for anything else."""
+    if not callable(value):
+        refuse(name, value, "must be a function", TypeError)
+    return value  # type: ignore[no-any-return]
+
+
+def check_progress(progress: Any) -> None:
+    """Raise TypeError for what is neither None nor a function."""
+    if progress is not None:
+        check_function("progress", progress)

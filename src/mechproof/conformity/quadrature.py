@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from mechproof.conformity.plane import subtract_twice
 from mechproof.laws import Law
-from mechproof.laws.kinds import select
+from mechproof.laws.kinds import find_centre, move, select
 from mechproof.laws.windows import Array
 
 # Two overlapping steps of 18 nats fall by 36: 28 nodes integrate exp(-36 x) to rounding.
@@ -17,9 +18,15 @@ def law_masses(
 ) -> tuple[Array, Array, Array, Array]:
     """Rightly and wrongly accepted, rightly and wrongly rejected masses.
 
-    The parameters of the laws have shape (n,), the limits shape (2, n); the results (n,).
+    The parameters of the laws have shape (n,), the limits shape (2, n); the results (n,). Places
+    are counted from the centres of the laws, exactly where they are far from 0 and so do not keep
+    the digits of what is small beside them.
     """
     count = tolerance.shape[1]
+    middle, bias = find_centre(true), find_centre(error)
+    true, error, tolerance = move(true, -middle), move(error, -bias), tolerance - middle
+    with np.errstate(invalid="ignore"):
+        acceptance = subtract_twice(acceptance, middle, bias)
     fixed = true.knots()[:, 0] == true.knots()[:, -1]
     accepted, rejected = np.zeros((2, count, 2))
     for integrate, rows in ((_add_fixed, fixed), (_add_panels, ~fixed)):

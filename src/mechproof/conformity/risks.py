@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from mechproof.arguments.arrays import check_finite, check_pair
-from mechproof.arguments.scalars import check_count
+from mechproof.arguments.scalars import check_count, check_progress
 from mechproof.conformity.normal import normal_masses
+from mechproof.conformity.plane import subtract_twice
 from mechproof.conformity.quadrature import law_masses
 from mechproof.executors import check_executor, run_in_order, slices, spawn_generators
 from mechproof.laws import Law, Normal
@@ -62,8 +63,8 @@ def shares(true: Law, error: Law, tolerance: Limits, acceptance: Limits | None =
 
     Accuracy: for two normal laws every share that is above 1e-100 is right to a relative 1e-12,
     however small it is beside the others; for other laws to 1e-12 as long as the widths of both
-    laws and windows and the distances between them lie within a factor of 1000.
-    A law of width 0 is a fixed value.
+    laws and windows and the distances between them lie within a factor of 1000, wherever all of
+    them lie. A law of width 0 is a fixed value.
 
     Raises ValueError for a lower limit that is not below the upper one and finite numbers beyond
     1e150, TypeError for what is no law, no pair, no real number, or has a mask or a unit.
@@ -126,9 +127,11 @@ def conformance_probability(
     with np.errstate(invalid="ignore"):
         gain = np.where(rho == 0, 0.0, np.asarray(true.std) / rho)
         spread = np.where(rho == 0, 0.0, np.asarray(error.std) / rho)
-    surprise = check_finite("measured", measured) - true.mean - error.mean
-    given = Normal(true.mean + gain**2 * surprise, np.asarray(true.std) * spread)
-    return given.probability(low, high), given.outside(low, high)
+    surprise = subtract_twice(check_finite("measured", measured), true.mean, error.mean)
+    # Counted from the mean of Y: a place far from 0 would not keep the digits of a shift.
+    given = Normal.of_checked(mean=gain**2 * surprise, std=np.asarray(true.std) * spread)
+    window = low - true.mean, high - true.mean
+    return given.probability(*window), given.outside(*window)
 
 
 def simulate_shares(
@@ -156,8 +159,11 @@ def simulate_shares(
     """
     count, chunk = check_count("count", count), check_count("chunk", chunk)
     check_executor(executor)
-    errors = [error] if isinstance(error, LAWS) else list(error)
+    check_progress(progress)
     check_law("true", true)
+    if not isinstance(error, Sequence):
+        check_law("error", error)
+    errors = [error] if isinstance(error, LAWS) else list(error)
     for i, law in enumerate(errors):
         check_law(f"error[{i}]", law)
     limits = _check_limits(tolerance, acceptance)

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mechproof.arguments.scalars import refuse_units
+
 SCALARS = frozenset({float, np.float64, np.float32})
 # Numbers that are doubles or become one as NumPy's do.
 EXACT = frozenset({float, np.float64, np.int64})
@@ -26,14 +28,15 @@ def as_floats(names: str, *values: Any, axes: tuple[int, ...] = ()) -> tuple[NDA
 
     Python numbers are weak; float32 if every array is float32, float64 otherwise. Numbers of the
     type float64 become Python's, whose arithmetic rounds alike in a third of the time. Subclasses
-    of arrays and other arrays that bring their own ufuncs (masked, lazy, with units) stay what
-    they are, matrices apart; of several arguments a masked number is NaN. `axes` are how many last
-    axes of each do not broadcast, none if left out.
+    of arrays and other arrays that bring their own ufuncs (masked, lazy) stay what they are,
+    matrices apart; of several arguments a masked number is NaN. `axes` are how many last axes of
+    each do not broadcast, none if left out.
 
     Raises
     ------
     TypeError
-        If an argument is complex, longer than float64 or not numeric; the message names it.
+        If an argument is complex, longer than float64 or not numeric, or carries a unit; the
+        message names it.
     ValueError
         If rows have different lengths, or arrays do not broadcast; the message names the argument.
 
@@ -160,6 +163,7 @@ def _as_array(name: str, value: Any) -> Any:
     if type(value) in PLAIN:
         # Taken out of its array, an object has no dtype.
         return value if value.shape or value.dtype.hasobject else value[()]
+    refuse_units(name, value)
     if not hasattr(value, "__array_ufunc__") or isinstance(value, AS_ARRAYS):
         try:
             return np.asarray(value)
@@ -167,7 +171,7 @@ def _as_array(name: str, value: Any) -> Any:
             raise ValueError(
                 f"{name}: expected a number or rows of one length, got {_show(value)}"
             ) from None
-    # A foreign scalar, a number with a unit, gets a dtype and stays what it is.
+    # A foreign scalar gets a dtype and stays what it is.
     return value if hasattr(value, "dtype") else np.multiply(value, np.float64(1.0))
 
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mechproof.arguments.scalars import refuse_units
 from mechproof.kernel_support.arrays import (
     DOUBLE,
     PLAIN,
@@ -44,6 +45,8 @@ def check_out(out: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
     """Raise TypeError or ValueError, naming `out`, unless it is an array of the type and shape."""
     if not isinstance(out, np.ndarray):
         raise TypeError(f"out: expected an array, got {type(out).__name__}")
+    if type(out) not in WRITTEN:
+        refuse_units("out", out)
     if out.dtype != dtype:
         raise TypeError(f"out: expected {dtype}, the type of the result, got {out.dtype}")
     if out.shape != shape:

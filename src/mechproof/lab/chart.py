@@ -26,7 +26,7 @@ from mechproof.lab.marks import (
 )
 from mechproof.lab.names import name_marks
 from mechproof.lab.panel import LOOKS, draw_panel, set_ticks
-from mechproof.lab.proofs import tell_proved, tell_where
+from mechproof.lab.proofs import find_searched, tell_proved, tell_where
 from mechproof.lab.subject import Subject
 from mechproof.measured import Record
 
@@ -47,7 +47,7 @@ def draw_charts(record: Record, subject: Subject | None, folder: Path) -> list[P
         with mpl.rc_context(STYLE):
             figure = draw_chart(record, workload, count)
         name = f"{record.quantity}.{_as_file_name(workload)}"
-        says = write_headline(collect_marks(record, workload, count))
+        says = write_title(record, workload, count)
         files += save(figure, folder / name, says, [record])
     if subject is not None and (jumps := draw_jumps(subject)):
         files += save(jumps, folder / f"{record.quantity}.jumps", "whole periods lost", [record])
@@ -94,6 +94,12 @@ def _as_file_name(text: str) -> str:
     return "".join(c if c.isalnum() else "_" for c in text)
 
 
+def write_title(record: Record, workload: str, count: int) -> str:
+    """Say in a sentence what the chart shows, with the worst that a search found beside it."""
+    marks = collect_marks(record, workload, count)
+    return write_headline(marks, find_searched(record).get(marks[0].name, 0.0))
+
+
 def draw_chart(record: Record, workload: str, count: int) -> Figure:
     """Draw a panel of the usual point set and, below, one of the worst of all, with a headline."""
     usual = find_usual_set(record)
@@ -104,7 +110,8 @@ def draw_chart(record: Record, workload: str, count: int) -> Figure:
         f"The worst of {points:,} points, chosen to hurt": worst,
     }
     figure = Figure(figsize=(WIDTH, 8), dpi=DPI, layout="constrained")
-    figure.suptitle("\n".join(textwrap.wrap(write_headline(worst), 92)), weight="bold", fontsize=11)
+    says = textwrap.wrap(write_title(record, workload, count), 92)
+    figure.suptitle("\n".join(says), weight="bold", fontsize=11)
     rows = figure.subplots(2, 1, sharex=True)
     copy = find_copy(record, workload, count)
     rows[0].set_xlim(find_limits([mark for marks in panels.values() for mark in marks], copy))

@@ -158,19 +158,30 @@ def rank(mark: Mark) -> tuple[float, float]:
     return (mark.height, mark.time)
 
 
-def write_headline(marks: Sequence[Mark]) -> str:
-    """Say in one sentence how the first mark, the shipped way, stands among the others."""
+def write_eps(error: float) -> str:
+    """Write an error in eps with three digits, or with those before its point."""
+    return f"{error:.0f}" if error >= 1000 else f"{error:.3g}"
+
+
+def write_headline(marks: Sequence[Mark], searched: float = 0.0) -> str:
+    """Say in one sentence how the first mark, the shipped way, stands among the others.
+
+    `searched` is the worst error in eps that a search found for it, told where it is larger.
+    """
     shipped, others = marks[0], [mark for mark in marks if mark.family != "shipped"]
     subject = "The shipped kernel" if shipped.name == "kernel" else shipped.name
+    seen = shipped.tell_error()
+    if shipped.has_digits and searched > shipped.error:
+        seen += f" ({write_eps(searched)} eps by search)"
     if not others:
-        return f"{subject} {shipped.tell_error()}"
+        return f"{subject} {seen}"
     best = min(others, key=rank)
     if best.error < shipped.error and best.has_digits:
-        accuracy = f"{shipped.tell_error()}, {best.name} by {best.error:.2g}"
+        accuracy = f"{seen}, {best.name} by {best.error:.2g}"
     elif (best.height, best.error) == (shipped.height, shipped.error):
-        accuracy = f"{shipped.tell_error()}, as is the best of {len(others)} other ways"
+        accuracy = f"{seen}, as is the best of {len(others)} other ways"
     else:
-        accuracy = f"{shipped.tell_error()}, the least of {1 + len(others)} ways"
+        accuracy = f"{seen}, the least of {1 + len(others)} ways"
     return f"{subject} {accuracy}; {_compare_times(shipped, others)}"
 
 

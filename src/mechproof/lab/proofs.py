@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from importlib.resources import files
 
+from mechproof.lab.marks import write_eps
 from mechproof.measured import KERNELS, Record
 from mechproof.roundoff.certificate import Certificate, Claim
 from mechproof.roundoff.compiled import WAY
@@ -37,19 +38,23 @@ def find_way(record: Record, claim: Claim) -> str:
     return f"{shipped}, {WAY}" if claim.way == WAY else shipped
 
 
+def find_searched(record: Record) -> Mapping[str, float]:
+    """Find the worst error in eps that searches found for each way, when measuring or proving."""
+    found = [(searched.way, searched.scaled) for searched in record.searched]
+    found += [(find_way(record, claim), claim.found) for claim in list_claims(record)]
+    return {way: max(error for name, error in found if name == way) for way, _ in found}
+
+
 def tell_proved(record: Record) -> Mapping[str, str]:
-    """Tell the largest bound of all forms of a way, and the worst error found, in eps."""
-    claims: dict[str, list[Claim]] = {}
+    """Tell the largest bound of all forms of a way, and the worst error that was found, in eps."""
+    bounds: dict[str, list[float]] = {}
     for claim in list_claims(record):
-        claims.setdefault(find_way(record, claim), []).append(claim)
-    return {way: _tell_largest(mine) for way, mine in claims.items()}
-
-
-def _tell_largest(claims: Iterable[Claim]) -> str:
-    found, proved = (
-        max(numbers) for numbers in zip(*((c.found, c.proved) for c in claims), strict=True)
-    )
-    return f"found {found:.3g}, proved {AT_MOST} {proved:g}"
+        bounds.setdefault(find_way(record, claim), []).append(claim.proved)
+    searched = find_searched(record)
+    return {
+        way: f"{write_eps(searched[way])} by search, proved {AT_MOST} {max(proved):g}"
+        for way, proved in bounds.items()
+    }
 
 
 def tell_where(record: Record) -> str:

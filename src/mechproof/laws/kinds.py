@@ -6,6 +6,7 @@ from dataclasses import fields
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from mechproof.arguments.scalars import require
 from mechproof.laws.normal import Normal
@@ -30,4 +31,22 @@ def list_parameters(law: Law) -> list[Array]:
 
 def select(law: Law, shape: tuple[int, ...], index: Any) -> Law:
     """Broadcast every parameter of the law to `shape`, flatten it and index it."""
-    return type(law)(*(np.broadcast_to(p, shape).reshape(-1)[index] for p in list_parameters(law)))
+    return type(law).of_checked(
+        **{n: np.broadcast_to(p, shape).reshape(-1)[index] for n, p in vars(law).items()}
+    )
+
+
+def find_centre(law: Law) -> Array:
+    """Find a place where the law has its mass, or within a width of it."""
+    if isinstance(law, Uniform):
+        return np.asarray(law.lower) / 2 + np.asarray(law.upper) / 2
+    if isinstance(law, Normal):
+        return np.asarray(law.mean)
+    centre: Array = np.clip(law.mean, law.lower, law.upper)
+    return centre
+
+
+def move(law: Law, distance: ArrayLike) -> Law:
+    """Return the law of the value plus `distance`: all parameters are places but the width."""
+    moved = {n: p if n == "std" else np.add(p, distance) for n, p in vars(law).items()}
+    return type(law).of_checked(**moved)

@@ -69,16 +69,18 @@ class Normal(ByValue):
             return normal_interval(*np.broadcast_arrays(*ends, width))[()]
 
     def outside(self, lower: ArrayLike, upper: ArrayLike) -> Any:
-        """Probability of a value at or beyond either limit, lower < upper."""
+        """Probability of a value at or beyond either limit; 1 where they are reversed."""
         from scipy.special import ndtr
 
         low, high = check_limits(lower, upper)
         below = standardise(low - self.mean, self.std, np.inf)
         above = standardise(high - self.mean, self.std, -np.inf)
-        return ndtr(below) + ndtr(-above)
+        # Of reversed limits, every value is beyond one or both.
+        return np.minimum(ndtr(below) + ndtr(-above), 1.0)
 
     def sample(self, rng: np.random.Generator, size: int | tuple[int, ...] | None = None) -> Any:
         """Independent values of the given shape; `None`: one per parameter set."""
+        self._check_draw(rng, size)
         return rng.normal(self.mean, self.std, size)
 
     def knots(self) -> Array:

@@ -1,11 +1,14 @@
-"""What the laws share: parameters that are equal by value, and checked limits."""
+"""What the laws share: parameters that are equal by value, checked limits and sizes to draw."""
 
 from __future__ import annotations
+
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import check_array
+from mechproof.arguments.arrays import check_array, check_generator, check_shape
+from mechproof.arguments.scalars import require
 from mechproof.laws.windows import Array
 
 Values = float | Array
@@ -19,6 +22,24 @@ class ByValue:
             own = np.array(value, np.float64)
             own.flags.writeable = False
             object.__setattr__(self, name, own)
+
+    @classmethod
+    def of_checked(cls, **parameters: ArrayLike) -> Self:
+        """Return a law of parameters that were checked: what is derived may lie beyond limits."""
+        law = object.__new__(cls)
+        law._keep(**parameters)
+        return law
+
+    def _check_draw(self, rng: Any, size: Any) -> None:
+        """Raise an error for what is no generator, and a size in which values would recur."""
+        check_generator("rng", rng)
+        if size is not None:
+            shape = check_shape("size", size)
+            own = np.broadcast_shapes(*(p.shape for p in vars(self).values()))
+            fits = len(own) <= len(shape) and all(
+                n in (1, length) for n, length in zip(own[::-1], shape[::-1], strict=False)
+            )
+            require(fits, "size", size, f"must end with the shape of the parameters, {own}")
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):

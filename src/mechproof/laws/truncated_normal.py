@@ -43,7 +43,7 @@ class TruncatedNormal(ByValue):
 
     @property
     def _parent(self) -> Normal:
-        return Normal(self.mean, self.std)
+        return Normal.of_checked(mean=self.mean, std=self.std)
 
     @property
     def _mass(self) -> Array:
@@ -58,7 +58,7 @@ class TruncatedNormal(ByValue):
 
     def cdf(self, x: ArrayLike) -> Any:
         """Probability of a value below `x`."""
-        return self.probability(-np.inf, x)
+        return self.probability(-np.inf, check_array("x", x))
 
     def probability(self, lower: ArrayLike, upper: ArrayLike) -> Any:
         """Probability of a value strictly between the limits; 0 where they are reversed."""
@@ -67,12 +67,15 @@ class TruncatedNormal(ByValue):
         return self._parent.probability(*ends) / self._mass
 
     def outside(self, lower: ArrayLike, upper: ArrayLike) -> Any:
-        """Probability of a value at or beyond either limit, lower < upper."""
+        """Probability of a value at or beyond either limit; 1 where they are reversed."""
         low, high = check_limits(lower, upper)
-        return self.probability(-np.inf, low) + self.probability(high, np.inf)
+        beyond = self.probability(-np.inf, low) + self.probability(high, np.inf)
+        # Of reversed limits, every value is beyond one or both.
+        return np.minimum(beyond, 1.0)
 
     def sample(self, rng: np.random.Generator, size: int | tuple[int, ...] | None = None) -> Any:
         """Independent values of the given shape; `None`: one per parameter set."""
+        self._check_draw(rng, size)
         mean, std, low, high = np.broadcast_arrays(self.mean, self.std, self.lower, self.upper)
         quantile = rng.random(low.shape if size is None else size)
         a, b = standardise(low - mean, std), standardise(high - mean, std)

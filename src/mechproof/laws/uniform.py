@@ -40,7 +40,7 @@ class Uniform(ByValue):
 
     def cdf(self, x: ArrayLike) -> Any:
         """Probability of a value below `x`."""
-        return self.probability(-np.inf, x)
+        return self.probability(-np.inf, check_array("x", x))
 
     def probability(self, lower: ArrayLike, upper: ArrayLike) -> Any:
         """Probability of a value strictly between the limits; 0 where they are reversed."""
@@ -50,12 +50,15 @@ class Uniform(ByValue):
         return (np.maximum(overlap, 0.0) / (high - low))[()]
 
     def outside(self, lower: ArrayLike, upper: ArrayLike) -> Any:
-        """Probability of a value at or beyond either limit, lower < upper."""
+        """Probability of a value at or beyond either limit; 1 where they are reversed."""
         low, high = check_limits(lower, upper)
-        return self.probability(-np.inf, low) + self.probability(high, np.inf)
+        beyond = self.probability(-np.inf, low) + self.probability(high, np.inf)
+        # Of reversed limits, every value is beyond one or both.
+        return np.minimum(beyond, 1.0)
 
     def sample(self, rng: np.random.Generator, size: int | tuple[int, ...] | None = None) -> Any:
         """Independent values of the given shape; `None`: one per parameter set."""
+        self._check_draw(rng, size)
         low, high = np.broadcast_arrays(self.lower, self.upper)
         return low + (high - low) * rng.random(low.shape if size is None else size)
 

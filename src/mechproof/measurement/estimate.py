@@ -10,6 +10,7 @@ from mechproof.arguments.scalars import (
     check_number,
     check_probability,
     check_real,
+    check_text,
     require,
 )
 from mechproof.measurement.notation import format_expanded, format_shorthand
@@ -30,6 +31,16 @@ class CoverageInterval:
     k: float
     probability: float | None = None
     unit: str = ""
+
+    def __post_init__(self) -> None:
+        """Check the numbers and the unit."""
+        check_number("value", self.value)
+        width = check_number("expanded_uncertainty", self.expanded_uncertainty)
+        require(not width < 0, "expanded_uncertainty", width, "must not be negative")
+        require(not check_number("k", self.k) <= 0, "k", self.k, "must be positive")
+        if self.probability is not None:
+            check_probability("probability", self.probability)
+        check_text("unit", self.unit)
 
     @property
     def lower(self) -> float:
@@ -64,7 +75,9 @@ class Estimate:
     unit: str = ""
 
     def __post_init__(self) -> None:
-        """Check the uncertainty and its degrees of freedom."""
+        """Check the value, its uncertainty with the degrees of freedom, and the unit."""
+        check_number("value", self.value)
+        check_text("unit", self.unit)
         check_not_negative("uncertainty", self.uncertainty)
         check_degrees_of_freedom(self.degrees_of_freedom)
 

@@ -8,7 +8,8 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.scalars import require
+from mechproof.arguments.scalars import check_items, require
+from mechproof.kernel_support.arrays import as_floats
 from mechproof.measurement.estimate import Estimate
 from mechproof.measurement.uncertainty import TypeB, combine, evaluate_type_a
 
@@ -26,6 +27,7 @@ def wrap_angle(angle: ArrayLike) -> Any:
     The turn is the true 2π, not the double next to it: the tests hold 12 eps, relative to the
     result (three library calls of at most 4 ulp, none of which is amplified).
     """
+    (angle,) = as_floats("angle", angle)
     with np.errstate(invalid="ignore"):
         return np.arctan2(np.sin(angle), np.cos(angle))
 
@@ -40,13 +42,14 @@ def position_errors(mechanism: Mechanism, phi1: ArrayLike, measured: ArrayLike) 
     """
     is_mechanism = callable(getattr(mechanism, "position", None))
     require(is_mechanism, "mechanism", mechanism, "must have a method position(phi1)", TypeError)
+    given, reading = as_floats("phi1 measured", phi1, measured)
     calculated = mechanism.position(phi1)
-    if np.shape(calculated) != np.shape(phi1):
+    if np.shape(calculated) != np.shape(given):
         raise ValueError(
             f"mechanism.position gave shape {np.shape(calculated)} "
-            f"for phi1 of shape {np.shape(phi1)}: must be the same"
+            f"for phi1 of shape {np.shape(given)}: must be the same"
         )
-    return wrap_angle(np.subtract(measured, calculated))
+    return wrap_angle(np.subtract(reading, calculated))
 
 
 def evaluate_position_errors(
@@ -66,6 +69,7 @@ def evaluate_position_errors(
     Errors known only to a whole turn have a mean only if they keep within half a turn of
     each other; a wider spread (a wrong zero of the encoder, a lost turn of phi1) raises ValueError.
     """
+    parts = check_items("type_b", type_b, None, "must be any number of TypeB")
     errors = position_errors(mechanism, phi1, measured)
     result = evaluate_type_a(errors)
     spread = np.ptp(errors)
@@ -74,4 +78,4 @@ def evaluate_position_errors(
             f"measured: the position errors spread over {spread:.3g} rad, more than half a turn, "
             "so their mean is not defined; set the encoder's zero near that of the mechanism"
         )
-    return combine(result, TypeB.from_resolution(resolution), *type_b, unit="rad")
+    return combine(result, TypeB.from_resolution(resolution), *parts, unit="rad")

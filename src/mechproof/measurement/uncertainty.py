@@ -9,7 +9,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.arrays import check_array
-from mechproof.arguments.scalars import check_not_negative, refuse, require
+from mechproof.arguments.scalars import (
+    check_count,
+    check_not_negative,
+    check_number,
+    refuse,
+    require,
+)
 from mechproof.measurement.estimate import Estimate, check_degrees_of_freedom
 
 
@@ -23,6 +29,12 @@ class TypeA:
     mean: float
     standard_deviation: float
     count: int
+
+    def __post_init__(self) -> None:
+        """Check the numbers."""
+        check_number("mean", self.mean)
+        check_not_negative("standard_deviation", self.standard_deviation)
+        check_count("count", self.count, least=2)
 
     @property
     def uncertainty(self) -> float:
@@ -104,6 +116,9 @@ def combine(type_a: TypeA, *type_b: TypeB, unit: str = "") -> Estimate:
     freedom follow Welch and Satterthwaite (GUM G.4.1). Where every part is zero, the
     degrees of freedom are the smallest of the parts'.
     """
+    require(isinstance(type_a, TypeA), "type_a", type_a, "must be a TypeA", TypeError)
+    for i, part in enumerate(type_b):
+        require(isinstance(part, TypeB), f"type_b[{i}]", part, "must be a TypeB", TypeError)
     parts: tuple[TypeA | TypeB, ...] = (type_a, *type_b)
     total = math.hypot(*(part.uncertainty for part in parts))
     if total == 0:

@@ -19,7 +19,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import refuse_units
 from mechproof.arguments.scalars import check_real
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import elliptic_planetary as kernels
@@ -138,7 +137,6 @@ class EllipticPlanetary(Displayed):
 
         """
         (given,) = as_floats("phi3", phi3)
-        refuse_units("phi3", given)
         target = np.asarray(given)
         proper = np.isfinite(target) & (target != 0)
         # The function is odd; its positive half is enough.

@@ -24,7 +24,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import refuse_units
 from mechproof.arguments.scalars import check_real, refuse, require
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import oval_planetary as kernels
@@ -229,7 +228,6 @@ class OvalPlanetary(Displayed):
         """
         sign = self._direction()
         (given,) = as_floats("phi3", phi3)
-        refuse_units("phi3", given)
         target = np.asarray(given)
         proper = np.isfinite(target) & (target != 0)
         # The function is odd; its positive half is enough.

@@ -22,7 +22,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import refuse_units
 from mechproof.arguments.scalars import check_count, check_real
 from mechproof.kernel_support.arrays import as_floats, as_numpy
 from mechproof.kernels import tooth_thickness as kernels
@@ -124,7 +123,6 @@ class ToothThickness(Displayed):
 
         """
         (given,) = as_floats("dh", dh)
-        refuse_units("dh", given)
         depth = np.asarray(given)
         proper = (depth >= -self.chord_height) & (depth <= self.deepest)
         tilt = self._invert(np.where(proper, depth, 0.0).astype(np.float64))

@@ -27,8 +27,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.arrays import check_pair
-from mechproof.arguments.scalars import refuse
+from mechproof.arguments.arrays import check_flag, check_pair
+from mechproof.arguments.scalars import refuse, require
 from mechproof.conformity import (
     Law,
     Normal,
@@ -79,7 +79,8 @@ class ThicknessInspection(Displayed):
     Raises
     ------
     TypeError, ValueError
-        If a law is none, or the lower limit is not below the upper one; the message names it.
+        If the wheel, a law or a flag is none, or the lower limit is not below the upper one; the
+        message names it.
 
     Notes
     -----
@@ -99,10 +100,14 @@ class ThicknessInspection(Displayed):
     steps_as_printed: bool = False
 
     def __post_init__(self) -> None:
-        """Check the limits and the kinds of the laws, which have checked themselves."""
+        """Check the limits and the kinds of all else, which has checked itself."""
+        is_wheel = isinstance(self.wheel, ToothThickness)
+        require(is_wheel, "wheel", self.wheel, "must be a ToothThickness", TypeError)
         object.__setattr__(self, "tolerance", check_pair("tolerance", self.tolerance))
         for name in ("true", "tip_diameter", "height", "thickness"):
             check_law(name, getattr(self, name))
+        printed = check_flag("steps_as_printed", self.steps_as_printed)
+        object.__setattr__(self, "steps_as_printed", printed)
 
     @classmethod
     def published(

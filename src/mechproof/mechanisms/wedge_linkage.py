@@ -19,7 +19,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from mechproof.arguments.scalars import check_items, check_real, require
+from mechproof.arguments.arrays import check_array
+from mechproof.arguments.scalars import check_items, check_mapping, check_real, require
 from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.mechanisms.facts import check_domain, choose_published
@@ -157,17 +158,18 @@ class WedgeLinkage(Displayed):
         Combinations outside the reach of the linkage are counted in `undefined`.
 
         """
-        from mechproof.tolerance import Size, corner_range
+        from mechproof.tolerance import corner_range
 
-        unknown = sorted(deviations.keys() - asdict(self).keys())
+        points = check_array("x1", x1)
+        check_mapping("deviations", deviations, "must map names of sizes to pairs of deviations")
+        unknown = sorted(map(str, deviations.keys() - asdict(self).keys()))
         require(not unknown, "deviations", unknown, f"names must be among {[*asdict(self)]}")
-        pairs = {name: _check_pair(name, pair) for name, pair in deviations.items()}
         sizes = {
-            name: Size(nominal, *pairs.get(name, (0.0, 0.0)))
+            name: _make_size(name, nominal, deviations.get(name, (0.0, 0.0)))
             for name, nominal in asdict(self).items()
         }
         with np.errstate(invalid="ignore"):
-            return corner_range(kernels.position, x1, sizes, executor=executor)
+            return corner_range(kernels.position, points, sizes, executor=executor)
 
     def _check_reach(self, x1: ArrayLike) -> None:
         """Raise for the first displacement that the linkage cannot follow; NaN passes."""
@@ -189,8 +191,14 @@ class WedgeLinkage(Displayed):
             )
 
 
-def _check_pair(name: str, pair: Any) -> tuple[float, float]:
-    """Return the upper and the lower deviation of a size."""
+def _make_size(name: str, nominal: float, pair: Any) -> Size:
+    """Return a size with its upper and its lower deviation; errors name the deviations."""
+    from mechproof.tolerance import Size
+
     where = f"deviations[{name!r}]"
     upper, lower = check_items(where, pair, 2, "must be a pair, the upper and the lower deviation")
-    return check_real(f"{where}[0]", upper), check_real(f"{where}[1]", lower)
+    ends = check_real(f"{where}[0]", upper), check_real(f"{where}[1]", lower)
+    try:
+        return Size(nominal, *ends)
+    except ValueError as error:
+        raise ValueError(f"{where} = {pair!r}: {error}") from None

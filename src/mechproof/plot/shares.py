@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from mechproof.arguments.arrays import check_array
-from mechproof.arguments.scalars import check_items, refuse, require
+from mechproof.arguments.scalars import check_items, check_text, refuse, require
 from mechproof.conformity import Shares, SimulatedShares
 from mechproof.plot.canvas import SMALL, Look, check_axes
 
@@ -75,6 +75,7 @@ def shares(
     points = check_array("inputs", inputs)
     require(points.ndim == 1, "inputs", inputs, "must have one axis")
     names = _check_names(which)
+    check_text("label", label)
     _check_shares("exact", exact, Shares, points.shape)
     (panel,) = check_axes("ax", ax, 1, HEIGHT)
     for name in names:
@@ -92,10 +93,10 @@ def shares(
 
 
 def _check_names(which: Sequence[str]) -> tuple[str, ...]:
-    names = (which,) if isinstance(which, str) else tuple(which)
+    allowed = f"must be among {[*LOOKS]}"
+    names = (which,) if isinstance(which, str) else check_items("which", which, None, allowed)
     for name in names:
-        if name not in LOOKS:
-            refuse("which", name, f"must be among {[*LOOKS]}")
+        require(name in LOOKS, "which", name, allowed)
     return names
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.arrays import check_array
-from mechproof.arguments.scalars import refuse, require
+from mechproof.arguments.scalars import check_items, check_text, refuse, require
 from mechproof.plot.canvas import SMALL, Look, check_axes, write
 from mechproof.tolerance import CertifiedRange, CornerRange, MonteCarloRange
 
@@ -68,6 +68,8 @@ def tolerance(
     ranges = {"corners": corners, "certified": certified, "scatter": scatter}
     for name, given in ranges.items():
         _check_range(name, given, kinds[name], points.shape, optional=name != "corners")
+    across, upward = check_items("labels", labels, 2, "must be two texts")
+    check_text("labels[0]", across), check_text("labels[1]", upward)
     (panel,) = check_axes("ax", ax, 1, HEIGHT)
     nominal = np.asarray(corners.nominal)
     lower, upper = np.asarray(corners.lower) - nominal, np.asarray(corners.upper) - nominal
@@ -82,8 +84,8 @@ def tolerance(
         if given is not None:
             _draw_ends(panel, points, given.lower - nominal, given.upper - nominal, look, label)
     _mark_widest(panel, points, lower, upper)
-    panel.set_xlabel(labels[0], fontsize=SMALL)
-    panel.set_ylabel(labels[1], fontsize=SMALL)
+    panel.set_xlabel(across, fontsize=SMALL)
+    panel.set_ylabel(upward, fontsize=SMALL)
     panel.legend(frameon=False, fontsize=SMALL, loc="upper left", bbox_to_anchor=(0, -0.2))
     return panel
 

@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.findings import Found
-from mechproof.proof.ledger import COUNTED, Ledger, classify
+from mechproof.proof.ledger import COUNTED, OURS, Ledger, classify
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper, Row, Variable
 from mechproof.report.anchors import find_equation, name_anchors, name_equation
@@ -101,13 +101,17 @@ class Section:
 
 @dataclass(frozen=True)
 class PaperView:
-    """The page of a paper; `loose` are figures that stand after no row."""
+    """The page of a paper; `loose` are figures that stand after no row.
+
+    `found` counts the verdicts of what is printed, `ours` those of our own rows.
+    """
 
     system: str
     citation: str
     conventions: str
     totals: tuple[Total, ...]
     found: tuple[Count, ...]
+    ours: tuple[Count, ...]
     findings: tuple[FindingView, ...]
     failures: tuple[str, ...]
     index: tuple[Equation, ...]
@@ -129,7 +133,8 @@ def describe_paper(source: Source, figures: Mapping[str, str]) -> PaperView:
         citation=paper.citation,
         conventions=paper.conventions,
         totals=tuple(count_totals(ledger.judgements)),
-        found=count_verdicts(ledger.judgements),
+        found=count_verdicts([row for row in ledger.judgements if classify(row) != OURS]),
+        ours=count_verdicts([row for row in ledger.judgements if classify(row) == OURS]),
         findings=tuple(describe_finding(found, anchors) for found in ledger.findings),
         failures=tuple(_strip_failures(source)),
         index=tuple(_index_equations(sections[0].entries)),

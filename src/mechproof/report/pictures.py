@@ -13,8 +13,8 @@ from pathlib import Path
 import matplotlib as mpl
 from matplotlib.figure import Figure as Canvas
 
-from mechproof.lab.chart import STYLE, date_records, draw_chart
-from mechproof.lab.marks import collect_marks, list_workloads, write_headline
+from mechproof.lab.chart import STYLE, date_records, draw_chart, write_title
+from mechproof.lab.marks import list_workloads
 from mechproof.lab.overview import draw_panels, write_summary
 from mechproof.measured import Record
 from mechproof.plot.figures import DrawingError, find_figures, render_svg, strip_svg
@@ -94,7 +94,7 @@ def chart(record: Record, workload: str, count: int) -> Picture:
     """Draw time against error of all ways to compute a quantity."""
     with mpl.rc_context(STYLE):
         canvas = draw_chart(record, workload, count)
-    says = write_headline(collect_marks(record, workload, count))
+    says = write_title(record, workload, count)
     return Picture(says, f"{workload}; {_date([record])}", _render(canvas, says))
 
 

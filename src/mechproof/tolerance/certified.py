@@ -27,10 +27,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.arrays import check_array
-from mechproof.arguments.scalars import check_count, check_number, require
+from mechproof.arguments.scalars import check_count, check_number, check_text, require
 from mechproof.executors import BALLS, check_executor, run_in_order
 from mechproof.tolerance.problem import Bounds, Problem
-from mechproof.tolerance.sizes import Floats, Progress, Report, Size
+from mechproof.tolerance.sizes import Floats, Progress, Report, Size, check_sizes
 
 if TYPE_CHECKING:
     from mechproof.record import Paper
@@ -130,10 +130,12 @@ def certified_range(
     require(check_number("gap", gap) >= 0, "gap", gap, "must not be negative")
     points = check_array("inputs", inputs)
     check_executor(executor)
+    report = Report(points.size, progress)
+    check_text("quantity", quantity)
+    check_sizes(sizes)
     with BALLS:
         problem = Problem(_load(system), quantity, sizes)
     bound = partial(_bound, _Sent(problem), gap, budget)
-    report = Report(points.size, progress)
     results = []
     for bounds in run_in_order(bound, points.ravel().tolist(), executor, batch=INPUTS):
         results.append(bounds)
@@ -183,11 +185,13 @@ def _load(system: str | Paper) -> Paper:
         import flint  # noqa: F401
 
         from mechproof.derivation import find_systems, load_paper, packaged_directory
+        from mechproof.record import Paper
     except ImportError as error:
         raise ImportError(
             f"certified_range needs {error.name}: install mechproof with the extra `derive`"
         ) from error
     if not isinstance(system, str):
+        require(isinstance(system, Paper), "system", system, "must be a name or a Paper", TypeError)
         return system
     if system not in _LOADED:
         places = find_systems(packaged_directory())

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.arrays import check_array
-from mechproof.arguments.scalars import check_count, refuse
+from mechproof.arguments.scalars import check_count, check_function, refuse, require
 from mechproof.executors import check_executor, run_in_order, slices
 from mechproof.tolerance.sizes import (
     Floats,
@@ -86,7 +86,9 @@ class CornerRange:
 
     def describe(self, signs: ArrayLike) -> str:
         """Return a row of signs as text, such as "+l_BC -l_CD"; sizes of sign 0 are left out."""
-        pairs = zip(self.names, np.asarray(signs), strict=True)
+        row = check_array("signs", signs)
+        require(row.shape == (len(self.names),), "signs", signs, f"must be {len(self.names)} signs")
+        pairs = zip(self.names, row, strict=True)
         return " ".join(f"{'+' if sign > 0 else '-'}{name}" for name, sign in pairs if sign)
 
     def _all_signs(self) -> NDArray[np.int8]:
@@ -148,6 +150,7 @@ def corner_range(
     Source: Bazuev et al. 2021 (wedge_linkage), boundaries II to IV of the transfer function.
 
     """
+    check_function("function", function)
     check_count("chunk", chunk)
     check_executor(executor)
     points = check_array("inputs", inputs)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from mechproof.arguments.arrays import check_array
-from mechproof.arguments.scalars import check_count, check_probability, require
+from mechproof.arguments.scalars import check_count, check_function, check_probability, require
 from mechproof.executors import check_executor, run_in_order, slices, spawn_generators
 from mechproof.laws.kinds import LAWS, list_parameters
 from mechproof.tolerance.sizes import (
@@ -101,6 +101,7 @@ def monte_carlo_range(
     """
     check_count("count", count, least=2)
     check_count("chunk", chunk)
+    check_function("function", function)
     check_probability("probability", probability)
     check_executor(executor)
     points = check_array("inputs", inputs)
@@ -172,7 +173,7 @@ def _sample(
 
 
 def _sample_law(name: str, law: Scatter, rng: np.random.Generator, count: int) -> Floats:
-    is_law = callable(getattr(law, "sample", None))
+    is_law = callable(getattr(law, "sample", None)) and not isinstance(law, type)
     require(is_law, name, law, "must be a law, or have a method sample(rng, size)", TypeError)
     single = not isinstance(law, LAWS) or all(p.ndim == 0 for p in list_parameters(law))
     require(single, name, law, "must have one number for each parameter")

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from mechproof.arguments.arrays import check_array
-from mechproof.arguments.scalars import refuse
+from mechproof.arguments.scalars import check_function, refuse, require
 from mechproof.tolerance.sizes import (
     Floats,
     Function,
@@ -94,6 +94,7 @@ def contributions(
 
     """
     points = check_array("inputs", inputs)
+    check_function("function", function)
     varying = check_sizes(sizes)
     nominal = evaluate_nominal(function, points, sizes)
     if sensitivities is None:
@@ -142,5 +143,7 @@ def root_sum_square(contributions: Contributions) -> Range:
     Source: equation (5) of Kapitonov and Yakubovsky 2022 (track_wheel) with the sensitivities
     kept and all relative-scatter coefficients equal.
     """
+    is_one = isinstance(contributions, Contributions)
+    require(is_one, "contributions", contributions, "must be Contributions", TypeError)
     half = np.linalg.norm(contributions.effects, axis=-1) / 2
     return Range(contributions.middle - half, contributions.middle + half)

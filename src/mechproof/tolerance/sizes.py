@@ -9,7 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechproof.arguments.scalars import check_real, require
+from mechproof.arguments.scalars import (
+    check_mapping,
+    check_progress,
+    check_real,
+    require,
+)
 from mechproof.laws import Normal, TruncatedNormal, Uniform
 
 Floats = NDArray[np.float64]
@@ -79,6 +84,7 @@ class Size:
 
 def check_sizes(sizes: Mapping[str, Size]) -> dict[str, Size]:
     """Return the toleranced sizes; TypeError names what is not a Size."""
+    check_mapping("sizes", sizes, "must map names to Sizes")
     for name, size in sizes.items():
         is_named = isinstance(name, str) and isinstance(size, Size)
         require(is_named, f"sizes[{name!r}]", size, "must be a Size with a name", TypeError)
@@ -86,8 +92,9 @@ def check_sizes(sizes: Mapping[str, Size]) -> dict[str, Size]:
 
 
 def check_names(name: str, given: Mapping[str, object], varying: Mapping[str, Size]) -> None:
-    """Raise ValueError unless something is given for every size with a tolerance, and no other."""
+    """Raise an error unless something is given for every size with a tolerance, and no other."""
     allowed = f"must be given for the sizes with a tolerance, {sorted(varying)}"
+    check_mapping(name, given, allowed)
     require(set(given) == set(varying), name, sorted(map(str, given)), allowed)
 
 
@@ -120,6 +127,7 @@ class Report:
     """Counts the function values done and tells the caller's callback."""
 
     def __init__(self, total: int, progress: Progress | None) -> None:
+        check_progress(progress)
         self.done, self.total, self.progress = 0, total, progress
 
     def add(self, values: int) -> None:

@@ -1,0 +1,131 @@
+"""What each kind of parameter does not take, and of which kind the parameters are."""
+
+from __future__ import annotations
+
+import random
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import numpy as np
+from units import list_with_units
+
+from mechproof.laws import Normal
+from mechproof.tolerance import Size
+
+UNITS = [*list_with_units(0.5), *list_with_units([0.5, 1.0])]
+NO_NUMBERS = [
+    *(None, "1", "x", b"1", {"a": 1.0}, {1.0}, object(), float, 1j),
+    *([1j, 1.0], ["1"], [None], [[1.0, 2.0], [3.0]], [1.0, [2.0]], [{}]),
+    *(np.array([1j]), np.array([None]), np.array(["1"]), np.array([1.0], object)),
+    *UNITS,
+]
+NO_NUMBER = [*NO_NUMBERS, True, False, [], [1.0, 2.0], (1.0,), np.ones(2), np.ones((1, 1))]
+NO_OBJECTS = [None, "x", 3, 1.5, [], {"a": 1.0}, object(), object]
+# What each kind of parameter does not take.
+REFUSED: dict[str, list[Any]] = {
+    "array": NO_NUMBERS,
+    "strict array": [*NO_NUMBERS, True, [True]],
+    "number": NO_NUMBER,
+    "exact": [v for v in NO_NUMBER if not (v is None or isinstance(v, str))] + ["x", b"1"],
+    "positive": [*NO_NUMBER, -1.0, 0.0],
+    "not negative": [*NO_NUMBER, -1.0, -1e-300, np.inf],
+    "width": [*NO_NUMBER, -1.0],
+    "probability": [*NO_NUMBER, -1.0, 0.0, 1, 1.5, np.nan],
+    "count": [*NO_NUMBER, 1.5, 2.0, 0, -1, np.nan],
+    "pair": [
+        *(bad for bad in NO_NUMBERS if not isinstance(bad, list)), 3, (), (1.0,), (1, 2, 3), "ab",
+        (2.0, 1.0), (1.0, 1.0), {1.0, 2.0}, {1.0: 0, 2.0: 0}, (True, 5.0), np.ones((2, 3)),
+        *((value, 5.0) for value in NO_NUMBERS),
+    ],
+    "deviations": [None, 3, "x", [], [("l_AB", (1, 2))], {"l_AB": 3}, {"l_AB": (1,)},
+                   {"l_AB": (-1, 1)}, {"none": (1, 0)}, {1: (1, 0)}, {"l_AB": (None, 1)}, ],
+    "triple": [*NO_NUMBERS, 3, (), (1, 2), (1, 2, "3"), (1, 2, None), (True, 1, 2), np.eye(3)],
+    "mapping": [None, 3, "s", b"s", [], ["s"], ("s",), {"s": 1.0}, {1: Size(1)}, {"s": None},
+                {"s"}, [("s", Size(1))], {"s": Size}],
+    "laws": [None, 3, "s", [], [Normal(0, 1)], {}, {"s": None}, {"s": 3}, {"s": Normal}, {"t": 3},
+             Normal(0, 1)],
+    "sensitivities": [3, "s", [], [1.0], {}, {"s": None}, {"s": "x"}, {"t": 1.0}, {"s": [1, 2, 3]},
+                      *({"s": value} for value in UNITS)],
+    "law": [*NO_OBJECTS, Normal, (0, 1), Size(1)],
+    "errors": [None, 3, "x", {"a": 1}, [3], [None], Normal, [Normal]],
+    "source": [None, 3, "x", np.random, random.Random(1), np.random.RandomState(1)],
+    "shape": [-1, 1.5, "x", True, (2, -1), (1.5,), [[1]], (None,), {}, object(), (2, 1), 3],
+    "flag": [None, "no", "yes", 0, 1, 1.0, [], [True], np.array([True]), object()],
+    "executor": [3, "threads", [], object(), ThreadPoolExecutor, True],
+    "function": [None, 3, "x", [], {}],
+    "callback": [3, "x", [], {}],
+    "text": [None, 3, 1.5, b"x", [], {}, object(), True],
+    "which": [None, 3, "none", ["none"], [None], [3]],
+    "simulated": [3, "x", (), (1.0,), (None, None), ([0.0], None), ([0.0], 3)],
+    "parts": [None, 3, "x", [3], [None], {"a": 1}],
+    "sizes": [*NO_NUMBER[:9], [1.0], (0.1, 0.0), (0.0, "x"), -np.inf, np.nan, 99.0, *UNITS],
+    "folder": [3, 1.5, [], object(), "nowhere"],
+    "labels": [None, 3, "x", ("x",), ("x", None), (3, "y"), {"x", "y"}],
+    "optional pair": [],
+    "number of": [*NO_NUMBER, 1.5, 0, -1, 100],
+    "teeth": [*NO_NUMBER, 4.5, 3, 0, -5],
+    "object": NO_OBJECTS,
+    "optional object": NO_OBJECTS[1:],
+}  # fmt: skip
+REFUSED["optional pair"] = [bad for bad in REFUSED["pair"] if bad is not None]
+# The kind of a parameter, by its name.
+KINDS = {
+    "number": "R1 R2 e m alpha l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM R A H "
+    "nominal gap value",
+    "number of": "variant set",
+    "array": "phi3 phi1 dh e_tip height_error x1 phi points angle",
+    "strict array": "measured mean std width multiple lower upper x inputs signs readings",
+    "exact": "mount R4 R5 e2 eta",
+    "object": "pair wheel contributions system type_a mechanism corners exact",
+    "optional object": "axes ax certified scatter",
+    "count": "z count chunk budget",
+    "positive": "degrees_of_freedom k",
+    "width": "expanded_uncertainty",
+    "not negative": "uncertainty standard_deviation half_width resolution",
+    "probability": "probability",
+    "text": "quantity unit name label",
+    "labels": "labels",
+    "which": "which",
+    "simulated": "simulated",
+    "parts": "type_b",
+    "folder": "folder",
+    "flag": "steps_as_printed",
+    "pair": "tolerance",
+    "optional pair": "acceptance",
+    "triple": "angles shift",
+    "law": "true tip_diameter height thickness error",
+    "source": "rng",
+    "shape": "size",
+    "function": "function",
+    "callback": "progress",
+    "executor": "executor",
+    "mapping": "sizes",
+    "deviations": "deviations",
+    "sensitivities": "sensitivities",
+    "laws": "laws",
+}
+# Of which kind it is in one call, where the name has another elsewhere.
+ELSEWHERE = {
+    "OvalPair.e": "exact",
+    "ToothThickness.z": "teeth",
+    "WedgeLinkage.tolerance_range.x1": "strict array",
+    "conformity.simulate_shares.error": "errors",
+    "Size.upper": "number",
+    "Size.lower": "number",
+    "TypeA.mean": "number",
+    "position_errors.measured": "array",
+    "evaluate_position_errors.measured": "array",
+    "choose.error": "positive",
+    "choose.size": "count",
+    "choose.measured": "folder",
+    "choose.angles": "sizes",
+    "tailor.error": "positive",
+    "tailor.phi1": "pair",
+    "plot.pitch_curves.phi1": "number",
+}
+KIND_OF = {name: kind for kind, names in KINDS.items() for name in names.split()} | ELSEWHERE
+
+
+def list_refused(call: str, parameter: str) -> list[Any]:
+    """List what a parameter of a call does not take."""
+    return REFUSED[KIND_OF.get(f"{call}.{parameter}", KIND_OF[parameter])]

@@ -1,0 +1,24 @@
+"""Numbers with units, of two libraries that call them differently."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import astropy.units
+import numpy as np
+import pint
+
+REGISTRY = pint.UnitRegistry()
+LIBRARIES = (
+    (REGISTRY.Quantity, REGISTRY.deg),
+    (astropy.units.Quantity, astropy.units.deg),
+)
+
+
+def list_with_units(value: Any) -> list[Any]:
+    """List a value in degrees, as a number without a dimension, and inside a list and a tuple."""
+    found = []
+    for quantity, degree in LIBRARIES:
+        given = quantity(np.asarray(value, float)[()], degree)
+        found += [given, given / quantity(2.0, degree), [given], ((given,), (given,))]
+    return found
