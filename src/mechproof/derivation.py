@@ -202,6 +202,8 @@ def stop_after(seconds: float, location: Path) -> Iterator[None]:
         raise DerivationError(f"{location}: is not loaded within {seconds:g} s") from None
     finally:
         timer.cancel()
+        # A process with two threads could not be forked.
+        timer.join()
         signal.signal(signal.SIGINT, before)
 
 
