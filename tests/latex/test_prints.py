@@ -2,7 +2,7 @@
 
 `frozen/<system>.tsv` has a line for each sign that was typed: the number of its row and the tree of
 the printed side. What is read from the print must be that tree, up to names of bound symbols, to
-declared values and to an expansion.
+declared values, to an expansion and to the parts that SymPy has cancelled and that need a value.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import sympy as sp
 from derived import paper_of
 
 from mechproof import record
-from mechproof.record import Definition, Equality, Paper, Row
+from mechproof.record import Definition, Equality, Paper, Row, ValueWhere
 
 FROZEN = sorted((Path(__file__).parent / "frozen").glob("*.tsv"))
 NAMES = vars(sp) | vars(record)
@@ -29,6 +29,7 @@ def resolve(tree: sp.Basic, paper: Paper) -> sp.Basic:
     given = {v.symbol: v.given for v in paper.variables if v.given is not None}
     while found := tree.free_symbols & given.keys():
         tree = tree.xreplace({symbol: given[symbol] for symbol in found})
+    tree = tree.replace(ValueWhere, lambda value, needed: value)
     # A symbol alone would become a dummy itself.
     return tree if tree.is_Symbol else tree.as_dummy()
 
