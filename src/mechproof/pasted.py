@@ -83,7 +83,7 @@ def _answer(pasted: Pasted) -> Checked | str:
     try:
         return judge_pasted(pasted)
     except (ReadingError, ValueError) as error:
-        return str(error)
+        return str(error).removeprefix(f"row {NUMBER!r}: ")
     except RecursionError:
         return "it is nested too deeply to be read"
 

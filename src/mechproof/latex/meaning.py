@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.exceptions import ShapeError
 
-from mechproof.latex.errors import Remedies, Source
+from mechproof.latex.errors import ReadingError, Remedies, Source
 from mechproof.latex.tree import (
     AND,
     Add,
@@ -97,9 +97,14 @@ class Meaning:
         """Return the expression of a node; `ReadingError` for a division by zero and the like."""
         try:
             found = _RULES[type(node)](self, node)
-        except (AttributeError, NotImplementedError, ShapeError, TypeError) as error:
+        except ReadingError:
+            raise
+        except (ValueError, AttributeError, NotImplementedError, ShapeError, TypeError) as error:
             reason = "numbers, matrices or their shapes do not fit together here"
             raise self.source.refuse(node.start, reason) from error
+        is_matrix = isinstance(found, sp.MatrixBase)
+        if isinstance(found, sp.Basic) and not is_matrix and found.has(sp.ImmutableMatrix):
+            raise self.source.refuse(node.start, "a matrix has no place within this")
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
         is_scalar = isinstance(found, sp.Expr) and not isinstance(found, sp.MatrixExpr)
@@ -112,6 +117,8 @@ class Meaning:
     def relate(self, chain: Chain) -> tuple[sp.Basic, ...]:
         """Return the relations of a chain, left as they stand."""
         members = [self.of(member) for member in chain.members]
+        if _any_matrix(members) and {*chain.relations} - {"="}:
+            raise self.source.refuse(chain.members[0].start, "matrices are not put in order")
         return tuple(
             RELATIONS[sign](left, right, evaluate=False)
             for left, sign, right in zip(members, chain.relations, members[1:], strict=False)
