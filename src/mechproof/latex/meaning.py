@@ -87,7 +87,8 @@ class Meaning:
         """
         outside, self._met = self._met, {}
         value = self.of(node)
-        lost = [part for part in self._met if not value.has(part)]
+        roots = {power.base for power in value.atoms(sp.Pow) if not power.exp.is_integer}
+        lost = [p for p in self._met if not (value.has(p) or (_is_root(p) and p.base in roots))]
         self._met = outside
         if isinstance(value, sp.MatrixBase):
             return value.applyfunc(lambda entry: reduce(ValueWhere, lost, entry))
@@ -102,12 +103,11 @@ class Meaning:
         except (ValueError, AttributeError, NotImplementedError, ShapeError, TypeError) as error:
             reason = "numbers, matrices or their shapes do not fit together here"
             raise self.source.refuse(node.start, reason) from error
-        is_matrix = isinstance(found, sp.MatrixBase)
-        if isinstance(found, sp.Basic) and not is_matrix and found.has(sp.ImmutableMatrix):
-            raise self.source.refuse(node.start, "a matrix has no place within this")
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
         is_scalar = isinstance(found, sp.Expr) and not isinstance(found, sp.MatrixExpr)
+        if is_scalar and found.has(sp.ImmutableMatrix):
+            raise self.source.refuse(node.start, "a matrix has no place within this")
         if is_scalar and _name_turns(found).is_extended_real is False:
             raise self.source.refuse(node.start, "this has no real value")
         if is_scalar:
@@ -269,6 +269,10 @@ class Meaning:
                 "a variable.",
             )
         return running, inside
+
+
+def _is_root(part: sp.Expr) -> bool:
+    return isinstance(part, sp.Pow) and bool(part.exp.is_positive and not part.exp.is_integer)
 
 
 def _name_turns(expression: sp.Expr) -> sp.Expr:
