@@ -73,6 +73,9 @@ CHECKED = [
     ([r"\mathrm{ch}\frac x2=\sqrt{\frac{1+\mathrm{ch}\,x}{2}}"], ["PROVED"]),
     ([r"\operatorname{inv}\alpha=\operatorname{tg}\alpha-\alpha"], ["PROVED"]),
     ([r"\int_0^1 x^n\,dx=\frac{1}{n+1}", "--natural", "n"], ["ENCLOSED"]),
+    ([r"\prod_{k=1}^nk=n!"], ["ENCLOSED"]),
+    ([r"\prod_{k=1}^nk=(n+1)!"], ["REFUTED"]),
+    ([r"\max(x,-10^9)=x"], ["REFUTED"]),
     ([r"z_1d_1=d_1z_1"], ["PROVED"]),
     # Braces behind a function, conditions behind an equation, bars around a matrix.
     ([r"\exp{-x}=\frac1{\exp{x}}"], ["PROVED"]),
@@ -137,6 +140,13 @@ REFUSED = [
     (["x+1"], "no relation sign"),
     (["x=1", "--let", "x^2=1"], "letter=expression"),
     (["x=1", "--where", "x"], "no relation sign"),
+    (["2x=x", "--where", r"x>\begin{pmatrix}1&2\end{pmatrix}"], "not put in order"),
+    ([r"\begin{pmatrix}1&2\end{pmatrix}<1"], "matrices are not put in order"),
+    ([r"\sum_{k=1}^n\begin{pmatrix}1&k\end{pmatrix}=1"], "a matrix where a number is meant"),
+    ([r"\int_0^1\begin{pmatrix}1&t\end{pmatrix}dt=1"], "a matrix where a number is meant"),
+    ([r"\max(\begin{pmatrix}x&y\end{pmatrix},1)=1"], "a matrix where a number is meant"),
+    (["2x=x", "--where", "y<z", "--where", "z<y"], "is it empty?"),
+    (["2x=x", "--let", "y=x^2", "--where", "y<0"], "the domain is empty"),
     (["9^{9^{9^{9}}}=1"], "not worked out"),
     (["{" * 5000 + "x" + "}" * 5000 + "=x"], "nested too deeply"),
     (["(" * 5000 + "x=x"], "nested too deeply"),
@@ -174,8 +184,23 @@ REFUSED = [
     ([r"\overline{x+y}=\bar x+\bar y"], r"--name '\overline{x+y}'"),
     ([r"\Sigma_{k=1}^nk=1"], r"\sum"),
     (["(1, 2)<3"], "not put in order"),
-    ([r"|x|=x\text{ for }x>(1, 2)"], "a matrix where a number is meant"),
+    ([r"|x|=x\text{ for }x>(1, 2)"], "matrices are not put in order"),
 ]
+
+
+LEFT_OPEN = [
+    (r"\int_0^1\int_0^1xy\,dx\,dy=\frac14", "an integral of an integral cannot be enclosed"),
+    (r"\int_0^1\max(t,0)\,dt=\frac12", "is zero is not shown"),
+    (r"\int_0^1\operatorname{arth}\frac t2\,dt=1", "is zero is not shown"),
+]
+
+
+@pytest.mark.parametrize(("latex", "told"), LEFT_OPEN)
+def test_what_is_left_open_says_why_in_a_sentence(latex: str, told: str) -> None:
+    done = run(latex)
+    assert done.exit_code == 1
+    assert told in " ".join(done.output.split())
+    assert "Error" not in done.output
 
 
 @pytest.mark.parametrize(("arguments", "told"), REFUSED, ids=[" ".join(r[0]) for r in REFUSED])

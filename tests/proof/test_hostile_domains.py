@@ -40,14 +40,14 @@ TRUE = [
     ("|x|<1", ("x^2+y^2<1",), ()),
     (r"x<\frac12", ("x<y^2", r"y^2<\frac12", "y>0"), ()),
     # Families that are tied to others.
-    (r"a_1+a_2<0", ("a_k<b_k", "b_k<0"), ()),
+    (r"\sum_{k=1}^2a_k<0", ("a_k<b_k", "b_k<0"), ()),
     (r"\sum_{k=1}^3a_k>3", ("a_k>c", "c>1"), ()),
     (r"a_1<a_2", (r"a_1<b", "b<a_2"), ()),
-    (r"a_1a_3>0", (r"a_k\ge b", "b>c", "c>0"), ()),
+    (r"\sum_{k=1}^2a_k^2>0", (r"a_k\ge b", "b>c", "c>0"), ()),
 ]
 FALSE = [
     ("n!>3^n", ("n>p", "p>5"), N),
-    (r"\sum_{k=1}^na_k<-50", ("a_k<b", "b<0"), ()),
+    (r"\sum_{k=1}^3a_k<-50", ("a_k<b", "b<0"), ()),
     ("(-1)^n=-1", (r"n\ge2m", r"n\le2m"), NM),
     ("|n-3|=n-4", ("n>p", "p>3"), N),
     ("|x-1|=x", ("x>y", "y>z", "z>1"), ()),
@@ -55,7 +55,7 @@ FALSE = [
     ("3x=2y", (r"x\le y", r"y\le x"), ()),
     ("3n=2m", (r"n\le m", r"m\le n"), NM),
     (r"x<\frac14", ("x<y^2", r"y^2<\frac12", "y>0"), ()),
-    (r"\sum_{k=1}^na_k>0", ("a_k<b_k", "b_k<0"), ()),
+    (r"\sum_{k=1}^3a_k>0", ("a_k<b_k", "b_k<0"), ()),
 ]
 FAR = [
     # Where a statement fails only far from zero.
@@ -98,7 +98,7 @@ EMPTY = [
     (ANY, N, (r"n<p", "p<1"), ()),
     (ANY, NM, ("n>m", "n<m+1"), ()),
     (ANY, (), ("x^2+y^2<0",), ()),
-    (ANY, (), ("a_k<b", "b<0", "a_k>0"), ()),
+    (r"\sum_{k=1}^2a_k<0", (), ("a_k<b", "b<0", "a_k>0"), ()),
 ]
 
 

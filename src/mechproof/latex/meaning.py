@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.exceptions import ShapeError
 
-from mechproof.latex.errors import Remedies, Source
+from mechproof.latex.errors import ReadingError, Remedies, Source
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.tree import (
     Add,
@@ -91,7 +91,8 @@ class Meaning:
         """
         outside, self._met = self._met, {}
         value = self.of(node)
-        lost = [part for part in self._met if not value.has(part)]
+        roots = {power.base for power in value.atoms(sp.Pow) if not power.exp.is_integer}
+        lost = [p for p in self._met if not (value.has(p) or (_is_root(p) and p.base in roots))]
         self._met = outside
         if isinstance(value, sp.MatrixBase):
             return value.applyfunc(lambda entry: reduce(ValueWhere, lost, entry))
@@ -101,7 +102,9 @@ class Meaning:
         """Return the expression of a node; `ReadingError` for a division by zero and the like."""
         try:
             found = _RULES[type(node)](self, node)
-        except (AttributeError, NotImplementedError, ShapeError, TypeError) as error:
+        except ReadingError:
+            raise
+        except (ValueError, AttributeError, NotImplementedError, ShapeError, TypeError) as error:
             raise self.source.refuse(node.start, _UNFIT) from error
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
@@ -114,9 +117,11 @@ class Meaning:
 
     def relate(self, chain: Chain) -> tuple[sp.Basic, ...]:
         """Return the relations of a chain, left as they stand."""
-        is_equal = all(sign in ("=", r"\equiv") for sign in chain.relations)
-        read = self.of if is_equal else self._number
-        members = [read(member) for member in chain.members]
+        members = [self.of(member) for member in chain.members]
+        if _any_matrix(members) and {*chain.relations} - {"=", r"\equiv"}:
+            raise self.source.refuse(
+                chain.members[0].start, "matrices are not put in order", _ENTRIES
+            )
         return tuple(
             RELATIONS[sign](left, right, evaluate=False)
             for left, sign, right in zip(members, chain.relations, members[1:], strict=False)
@@ -182,10 +187,7 @@ class Meaning:
         is_known = node.function.name in FUNCTIONS and node.function.name != "det"
         read = self._number if is_known else self.of
         arguments = [read(argument) for argument in node.arguments]
-        try:
-            value = node.function.make(*arguments)
-        except ValueError as error:
-            raise self.source.refuse(node.start, _UNFIT) from error
+        value = node.function.make(*arguments)
         return value ** self.of(node.exponent) if node.exponent else value
 
     def _table(self, node: Table) -> sp.Basic:
@@ -289,6 +291,10 @@ class Meaning:
                 "a variable.",
             )
         return running, inside
+
+
+def _is_root(part: sp.Expr) -> bool:
+    return isinstance(part, sp.Pow) and bool(part.exp.is_positive and not part.exp.is_integer)
 
 
 def _name_turns(expression: sp.Expr) -> sp.Expr:

@@ -19,6 +19,7 @@ from mechproof.proof.ball_functions import (
     CONSTANTS,
     ENTIRE,
     FUNCTIONS,
+    NOT_ANALYTIC,
     NOT_FINITE,
     Ball,
     accumulate,
@@ -30,7 +31,7 @@ Values = Mapping[sp.Basic, Any]
 Evaluator = Callable[[Values], Ball]
 Operation = Callable[..., Ball]
 Plan = tuple[Operation, tuple[sp.Basic, ...]]
-# A sum of more terms is not written out.
+# A sum of more terms, or a product of more factors, is not written out.
 MOST_TERMS = 1000
 _ANALYTIC = sp.Dummy("analytic")
 
@@ -75,7 +76,7 @@ def _operation(node: sp.Basic) -> Plan:
             return rule(node)
     function = FUNCTIONS.get(type(node))
     if function is None:
-        raise NotImplementedError(f"no ball version of {type(node).__name__}")
+        raise NotImplementedError(f"{type(node).__name__} is a function that cannot be enclosed")
     return _apply(node, function), node.args
 
 
@@ -100,7 +101,7 @@ def _evaluate_complex(node: sp.Basic, values: Values, *arguments: Ball) -> Ball:
     """Continue a real function into the complex plane; not finite where that is not analytic."""
     function = COMPLEX.get(type(node))
     if function is None:
-        raise NotImplementedError(f"no analytic version of {type(node).__name__}")
+        return NOT_ANALYTIC
     return function(*arguments, bool(values.get(_ANALYTIC, False)))
 
 
@@ -129,18 +130,21 @@ def _square_root(base: Ball, values: Values) -> Ball:
     return base.sqrt()
 
 
-def _sum(node: sp.Basic) -> Plan:
+def _repeat(node: sp.Basic) -> Plan:
+    """Return how the terms of a sum or the factors of a product are put together."""
     index, lower, upper = node.limits[-1]
-    inner = node.function if len(node.limits) == 1 else sp.Sum(node.function, *node.limits[:-1])
+    inner = node.func(node.function, *node.limits[:-1]) if node.limits[1:] else node.function
+    is_sum = isinstance(node, sp.Sum)
+    combine, start_value = (operator.add, arb(0)) if is_sum else (operator.mul, arb(1))
 
-    def add_terms(values: Values, first: Ball, last: Ball) -> Ball:
+    def put_together(values: Values, first: Ball, last: Ball) -> Ball:
         start, end = _as_integer(first), _as_integer(last)
         if start is None or end is None or not 0 <= end + 1 - start <= MOST_TERMS:
             return NOT_FINITE
         terms = (compile_expression(inner.subs(index, k))(values) for k in range(start, end + 1))
-        return accumulate(operator.add, arb(0), terms)
+        return accumulate(combine, start_value, terms)
 
-    return add_terms, (lower, upper)
+    return put_together, (lower, upper)
 
 
 def _as_integer(ball: Ball) -> int | None:
@@ -152,7 +156,7 @@ def _as_integer(ball: Ball) -> int | None:
 def _integral(node: sp.Basic) -> Plan:
     (variable, lower, upper), *others = node.limits
     if others:
-        raise NotImplementedError("no ball version of a multiple Integral")
+        raise NotImplementedError("an integral of an integral cannot be enclosed")
     function = compile_expression(node.function)
 
     def integrate(values: Values, start: Ball, end: Ball) -> Ball:
@@ -192,7 +196,8 @@ _RULES: tuple[tuple[type[sp.Basic], Callable[[sp.Basic], Plan]], ...] = (
     (sp.Add, _add),
     (sp.Mul, _multiply),
     (sp.Pow, _power),
-    (sp.Sum, _sum),
+    (sp.Sum, _repeat),
+    (sp.Product, _repeat),
     (sp.Integral, _integral),
     (sp.Piecewise, _piecewise),
     (sp.KroneckerDelta, _delta),

@@ -13,7 +13,7 @@ import sympy as sp
 from mechproof.proof import balls
 from mechproof.proof.dimensions import dimensions_of
 from mechproof.proof.domain_checks import check_given, check_relation, check_set
-from mechproof.proof.narrowing import leaves_values, search
+from mechproof.proof.narrowing import Values, leaves_values, search
 from mechproof.proof.set_values import list_closed_ends, list_special_values, place, radical_inverse
 from mechproof.proof.substitution import substitute
 from mechproof.record import NUMBER, Dimension, Paper, Part, Published, RecordError, Toleranced
@@ -113,7 +113,7 @@ class Domain:
         self,
         symbols: list[sp.Basic],
         count: int,
-        fixed: Mapping[sp.Basic, sp.Expr] = _NO_VALUES,
+        fixed: Values = _NO_VALUES,
     ) -> list[Point]:
         """Return `count` exact interior points, then the corners of closed finite ends.
 
@@ -139,7 +139,7 @@ class Domain:
         return interior + list(self._complete(corners, relations, fixed))
 
     def _complete(
-        self, points: Iterable[Point], relations: list[sp.Basic], fixed: Point
+        self, points: Iterable[Point], relations: list[sp.Basic], fixed: Values
     ) -> Iterator[Point]:
         """Yield those of the points that all relations allow, with the fixed values."""
         free = [relation for relation in relations if relation.args[0] not in fixed]
@@ -162,7 +162,7 @@ class Domain:
         self,
         sizes: Mapping[sp.Basic, sp.Expr],
         symbols: list[sp.Basic],
-        fixed: Mapping[sp.Basic, sp.Expr] = _NO_VALUES,
+        fixed: Values = _NO_VALUES,
     ) -> Iterator[Point]:
         """Yield points at sizes and round angles; what is neither is any value inside.
 
@@ -190,7 +190,7 @@ class Domain:
         base = symbol.base if isinstance(symbol, sp.Indexed) else symbol
         return self.dimensions.get(base, NUMBER)
 
-    def _connect(self, names: set[sp.Basic], fixed: Point) -> tuple[set[sp.Basic], list[sp.Basic]]:
+    def _connect(self, names: set[sp.Basic], fixed: Values) -> tuple[set[sp.Basic], list[sp.Basic]]:
         """Add the symbols that relations tie to the names, through others too, and the relations.
 
         Relations of families are taken for the elements whose numbers are among the names.
@@ -279,7 +279,7 @@ def _symbols(relation: sp.Basic) -> set[sp.Basic]:
     return items.union(relation.free_symbols - labels)
 
 
-def _write(relation: sp.Basic, numbers: list[sp.Basic], fixed: Point) -> Iterator[sp.Basic]:
+def _write(relation: sp.Basic, numbers: list[sp.Basic], fixed: Values) -> Iterator[sp.Basic]:
     """Yield a relation for the elements of families with these numbers, any other as it stands."""
     if not relation.has(sp.Indexed):
         yield relation

@@ -32,8 +32,7 @@ def judge(row: Row, paper: Paper) -> Judgement:
     except (ContradictionError, RecordError):
         raise
     except Exception as error:
-        reason = f"{type(error).__name__}: {error}"
-        answer = Answer(Verdict.UNDECIDED, "none", reason)
+        answer = Answer(Verdict.UNDECIDED, "none", _explain(error))
     on = row.on.text if row.on else ""
     where = [f"on {on}"] if on else []
     where += [f"singular at {', '.join(row.singular)}"] if row.singular else []
@@ -57,6 +56,14 @@ def judge(row: Row, paper: Paper) -> Judgement:
         may_stay_open=bool(row.stays_open),
         compared_with=write_compared(row.statement, paper.variables),
     )
+
+
+def _explain(error: Exception) -> str:
+    """Say what was too much: our own refusals are sentences, what SymPy raises is named only."""
+    told = str(error)
+    if isinstance(error, NotImplementedError) and told and "\n" not in told:
+        return told
+    return f"it cannot be worked out: SymPy gives up on it ({type(error).__name__})"
 
 
 def _marks(row: Row) -> tuple[str, ...]:

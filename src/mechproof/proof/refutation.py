@@ -182,7 +182,7 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
         parts = [put_exactly(part, point) for part in expression.args]
         unevaluated = {"evaluate": False} if expression.is_Relational else {}
         return expression.func(*parts, **unevaluated)
-    has_sums = expression.has(sp.Sum)
+    has_sums = expression.has(sp.Sum, sp.Product)
     exact = {
         s: v
         for s, v in point.items()

@@ -39,25 +39,26 @@ def canonicalise(expression: sp.Basic, domain: Domain) -> sp.Basic:
 
 
 def write_out(expression: sp.Basic) -> sp.Basic:
-    """Write the sums between integers term by term; one that ends before it begins has no value."""
-    if not expression.has(sp.Sum):
+    """Write sums and products between integers out; one that ends before it begins has no value."""
+    if not expression.has(sp.Sum, sp.Product):
         return expression
-    if isinstance(expression, sp.Sum):
-        return _write_out_sum(expression)
+    if isinstance(expression, sp.Sum | sp.Product):
+        return _write_out(expression)
     return expression.func(*map(write_out, expression.args))
 
 
 # A refutation meets the same sums at every point that has the same counts.
 @lru_cache(maxsize=256)
-def _write_out_sum(node: sp.Sum) -> sp.Basic:
+def _write_out(node: sp.Sum | sp.Product) -> sp.Basic:
     *inner, (index, lower, upper) = node.limits
-    body = sp.Sum(node.function, *inner) if inner else node.function
+    body = node.func(node.function, *inner) if inner else node.function
     if not (lower.is_Integer and upper.is_Integer and upper - lower < MOST_TERMS):
         return node
     if upper < lower - 1:
         return sp.nan
     numbers = range(int(lower), int(upper) + 1)
-    return sp.Add(*(write_out(substitute(body, {index: sp.Integer(number)})) for number in numbers))
+    combine = sp.Add if isinstance(node, sp.Sum) else sp.Mul
+    return combine(*(write_out(substitute(body, {index: sp.Integer(k)})) for k in numbers))
 
 
 def _canonical_sum(node: sp.Sum, domain: Domain) -> sp.Expr:
