@@ -289,7 +289,9 @@ QUANTITIES = (
         ),
         f"derivative of {SOURCE}, equation (8)",
         accuracy=Accuracy(
-            16, ACCELERATION_SCALE, (*LOW_WORD, Or(Eq(e, 0), Ge(e, Rational(1, 10**200))))
+            16,
+            ACCELERATION_SCALE,
+            (*LOW_WORD, R1 <= 10**150 * R2, Or(Eq(e, 0), Ge(e, Rational(1, 10**200)))),
         ),
         singular=SINGULAR,
         repeats=Repeats(2 * pi / k),

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from hashlib import sha256
 from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -20,7 +21,7 @@ from mechproof.proof.cache import cache_folder
 from mechproof.record import Paper
 
 # What a validation rests on besides the emitted source and the derivation.
-LAYERS = ("kernel_support", "codegen", "lab", "proof")
+LAYERS = ("kernel_support", "compiled_support", "codegen", "lab", "proof")
 VERSIONS = ("sympy", "numpy", "python-flint")
 # What has passed is kept; more than so many entries are of old sources.
 MOST_KEPT = 1000
@@ -80,7 +81,8 @@ def _key(place: Path, paper: Paper, files: Mapping[str, str]) -> str:
     sources += sorted(place.rglob("*.py")) if place.is_dir() else [place]
     sources += sorted(place.parent.glob("_*.py"))
     emitted = [text for name, text in sorted(files.items()) if Path(name).stem == paper.system]
-    parts = [sys.version, *map(version, VERSIONS), *emitted]
+    compiler = version("numba") if find_spec("numba") else ""
+    parts = [sys.version, *map(version, VERSIONS), compiler, *emitted]
     digests = [sha256(path.read_bytes()).hexdigest() for path in sources]
     return sha256("\n".join([*parts, *digests]).encode()).hexdigest()
 

@@ -37,7 +37,7 @@ from mechproof.record import Accuracy, Form, Part, Quantity, Scale, Variable
         (quantity_of(sp.sin(a), a, b), r"arguments that do not occur: \['b'\]"),
         (quantity_of(a + b, a, b, names="a lambda"), "'lambda' cannot name a variable"),
         (quantity_of(a + b, a, b, names="a _b"), "'_b' cannot name a variable"),
-        (quantity_of(a + b, a, b, names="a np"), r"\['np'\] cannot name variables"),
+        (quantity_of(a + b, a, b, names="a out"), "'out' cannot name a variable"),
         (quantity_of(a + b, a, b, names="a b+c"), r"'b\+c' cannot name a variable"),
     ],
 )
@@ -70,7 +70,7 @@ def test_templates_hold_layout_only() -> None:
     """No call of NumPy and no long stretch without a placeholder."""
     for template in TEMPLATES.glob("*.jinja"):
         text = template.read_text(encoding="utf-8")
-        assert "np." not in text.replace("import numpy as np", "")
+        assert "np." not in text
         plain = [len(part.splitlines()) for part in text.replace("{%", "{{").split("{{")]
         assert max(plain) <= 20, template.name
 

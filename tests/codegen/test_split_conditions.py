@@ -11,19 +11,19 @@ from mechproof.codegen.syntax import write_program
 
 POSITIVE = (("greater", "a", 0.0), ("is_finite", "a"))
 CASES = [
-    (POSITIVE, ("is_positive(a)",)),
-    ((("greater_equal", "a", 0.0), ("is_finite", "a")), ("is_nonnegative(a)",)),
-    ((("less", "b", "a"), *POSITIVE), ("b < a", "is_positive(a)")),
-    ((*POSITIVE, ("less", "b", "a")), ("is_positive(a)", "b < a")),
-    ((("greater", "a", 0.0), ("is_finite", "b")), ("a > 0.0", "is_finite(b)")),
-    ((("greater", "a", 1.0), ("is_finite", "a")), ("a > 1.0", "is_finite(a)")),
-    ((("is_finite", "a"), ("greater", "a", 0.0)), ("is_finite(a)", "a > 0.0")),
+    (POSITIVE, ("_is_positive(a)",)),
+    ((("greater_equal", "a", 0.0), ("is_finite", "a")), ("_is_nonnegative(a)",)),
+    ((("less", "b", "a"), *POSITIVE), ("b < a", "_is_positive(a)")),
+    ((*POSITIVE, ("less", "b", "a")), ("_is_positive(a)", "b < a")),
+    ((("greater", "a", 0.0), ("is_finite", "b")), ("a > 0.0", "_is_finite(b)")),
+    ((("greater", "a", 1.0), ("is_finite", "a")), ("a > 1.0", "_is_finite(a)")),
+    ((("is_finite", "a"), ("greater", "a", 0.0)), ("_is_finite(a)", "a > 0.0")),
     ((("greater", "a", 0.0),), ("a > 0.0",)),
 ]
 OF_TERMS = [
-    ((1, 1), ("every(is_positive(a), axis=-1)",)),
-    ((2, 2), ("every(is_positive(a), axis=(-2, -1))",)),
-    ((1, 2), ("every(a > 0.0, axis=-1)", "every(is_finite(a), axis=(-2, -1))")),
+    ((1, 1), ("_every(_is_positive(a), axis=-1)",)),
+    ((2, 2), ("_every(_is_positive(a), axis=(-2, -1))",)),
+    ((1, 2), ("_every(a > 0.0, axis=-1)", "_every(_is_finite(a), axis=(-2, -1))")),
 ]
 
 

@@ -28,7 +28,7 @@ from mechproof.roundoff.running import run
 
 i, j, n = sp.symbols("i j n", integer=True, positive=True)
 u, v, m = (sp.IndexedBase(name, real=True) for name in "uvm")
-FIRST, LAST = "[..., :, np.newaxis]", "[..., np.newaxis, :]"
+FIRST, LAST = "[..., :, _np.newaxis]", "[..., _np.newaxis, :]"
 
 
 def lower(term: sp.Expr, *indices: sp.Symbol) -> Program:
@@ -39,15 +39,15 @@ def lower(term: sp.Expr, *indices: sp.Symbol) -> Program:
 @pytest.mark.parametrize(
     ("term", "indices", "text"),
     [
-        ((u[i] * v[i]) ** 2, (i,), "add_up(square(u * v), axis=-1)"),
-        (u[i] ** 2 * v[i], (i,), "add_up(square(u) * v, axis=-1)"),
-        (-(u[i] ** 2) * v[i] ** 2, (i,), "add_up(-square(u) * square(v), axis=-1)"),
-        (u[i] * u[j] * m[i, j], (i, j), "quadratic_form(u, m)"),
-        (u[i] * v[i] * u[j] * v[j] * m[i, j], (i, j), "quadratic_form(u * v, m)"),
-        (u[i] * u[j] * m[j, i], (i, j), "quadratic_form(u, np.swapaxes(m, -1, -2))"),
-        (u[i] * v[j] * m[i, j], (i, j), f"add_up(u{FIRST} * v{LAST} * m, axis=(-2, -1))"),
-        (2 * u[i] * u[j] * m[i, j], (i, j), f"add_up(2 * u{FIRST} * u{LAST} * m, axis=(-2, -1))"),
-        (u[i] * u[j], (i, j), f"add_up(u{FIRST} * u{LAST}, axis=(-2, -1))"),
+        ((u[i] * v[i]) ** 2, (i,), "_add_up(_square(u * v), axis=-1)"),
+        (u[i] ** 2 * v[i], (i,), "_add_up(_square(u) * v, axis=-1)"),
+        (-(u[i] ** 2) * v[i] ** 2, (i,), "_add_up(-_square(u) * _square(v), axis=-1)"),
+        (u[i] * u[j] * m[i, j], (i, j), "_quadratic_form(u, m)"),
+        (u[i] * v[i] * u[j] * v[j] * m[i, j], (i, j), "_quadratic_form(u * v, m)"),
+        (u[i] * u[j] * m[j, i], (i, j), "_quadratic_form(u, _np.swapaxes(m, -1, -2))"),
+        (u[i] * v[j] * m[i, j], (i, j), f"_add_up(u{FIRST} * v{LAST} * m, axis=(-2, -1))"),
+        (2 * u[i] * u[j] * m[i, j], (i, j), f"_add_up(2 * u{FIRST} * u{LAST} * m, axis=(-2, -1))"),
+        (u[i] * u[j], (i, j), f"_add_up(u{FIRST} * u{LAST}, axis=(-2, -1))"),
     ],
 )  # fmt: skip
 def test_the_text_of_a_sum(term: sp.Expr, indices: tuple[sp.Symbol, ...], text: str) -> None:
@@ -58,7 +58,7 @@ def test_under_a_root_a_quadratic_form_is_not_negative() -> None:
     total = sp.Sum(u[i] * u[j] * m[j, i], (j, 1, n), (i, 1, n))
     names = {u: "u", m: "m"}
     program = lower_steps(names, frozenset(), ("u", "m"), (), (sp.sqrt(total),))
-    text = "np.sqrt(nonnegative_form(u, np.swapaxes(m, -1, -2)))"
+    text = "_np.sqrt(_nonnegative_form(u, _np.swapaxes(m, -1, -2)))"
     assert write_program(program, NUMPY).outputs == (text,)
 
 
@@ -107,10 +107,10 @@ def source() -> str:
     ("old", "new"),
     [
         ("form(sensitivities * scatters * tolerances", "form(sensitivities * tolerances"),
-        ("tolerances, correlation)", "tolerances, np.swapaxes(correlation, -1, -2))"),
-        ("np.sqrt(nonnegative_form(", "np.sqrt(product_rest("),
-        ("np.sqrt(nonnegative_form(", "np.sqrt(quadratic_form("),
-        ("every(is_positive(scatters)", "every(is_nonnegative(scatters)"),
+        ("tolerances, correlation)", "tolerances, _np.swapaxes(correlation, -1, -2))"),
+        ("_np.sqrt(_nonnegative_form(", "_np.sqrt(_product_rest("),
+        ("_np.sqrt(_nonnegative_form(", "_np.sqrt(_quadratic_form("),
+        ("_every(_is_positive(scatters)", "_every(_is_nonnegative(scatters)"),
     ],
 )
 def test_a_wrong_text_of_a_sum_is_caught(old: str, new: str) -> None:

@@ -52,19 +52,19 @@ def sources_with(*changes: tuple[str, str]) -> Callable[[Paper], dict[str, str]]
 @pytest.mark.parametrize(
     ("old", "new", "seen"),
     [
-        ("(base * square(base))", "base * square(base)", "stages"),
-        ("1.0 + b * np.cos(x)", "b * np.cos(x)", "stages"),
-        ("1.0 + b * np.cos(x)", "1.0 - b * np.cos(x)", "stages"),
-        ("np.cos(x)", "np.sin(x)", "stages"),
+        ("(base * _square(base))", "base * _square(base)", "stages"),
+        ("1.0 + b * _np.cos(x)", "b * _np.cos(x)", "stages"),
+        ("1.0 + b * _np.cos(x)", "1.0 - b * _np.cos(x)", "stages"),
+        ("_np.cos(x)", "_np.sin(x)", "stages"),
         (
-            "in_blocks(_f, (x,), _prepare_f, (a, b)",
-            "in_blocks(_f, (x,), _prepare_f, (b, a)",
+            "_in_blocks(_form_of_f, (x,), _prepare_of_f, (a, b)",
+            "_in_blocks(_form_of_f, (x,), _prepare_of_f, (b, a)",
             "stages",
         ),
-        ("def _prepare_f(a: Any, b: Any)", "def _prepare_f(b: Any, a: Any)", "stages"),
+        ("def _prepare_of_f(a: Any, b: Any)", "def _prepare_of_f(b: Any, a: Any)", "stages"),
         ("return (a, b)", "return (b, a)", "stages"),
-        ("return (is_positive(a),)", "return (a > 0.0,)", "inside"),
-        ("return (is_positive(a),)", "return (is_nonnegative(a),)", "inside"),
+        ("return (_is_positive(a),)", "return (a > 0.0,)", "inside"),
+        ("return (_is_positive(a),)", "return (_is_nonnegative(a),)", "inside"),
     ],
 )
 def test_a_text_that_is_not_the_program_is_caught(
@@ -82,9 +82,9 @@ def test_a_text_that_is_not_the_program_is_caught(
 def test_another_masked_parameter_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     paper = paper_of(quantity_of(a / (1 + b * sp.cos(x)) ** 3, *MECHANISM), POSITIVE)
     change = sources_with(
-        ("(a,) = nan_outside(_check_f, a)", "(b,) = nan_outside(_check_f, b)"),
-        ("def _check_f(a: Any)", "def _check_f(b: Any)"),
-        ("return (is_positive(a),)", "return (is_positive(b),)"),
+        ("(a,) = _nan_outside(_check_of_f, a)", "(b,) = _nan_outside(_check_of_f, b)"),
+        ("def _check_of_f(a: Any)", "def _check_of_f(b: Any)"),
+        ("return (_is_positive(a),)", "return (_is_positive(b),)"),
     )
     monkeypatch.setattr("mechproof.codegen.forms.render_modules", change)
     with pytest.raises(TranslationError, match=r"system\.f: inside meant"):
@@ -96,23 +96,26 @@ def test_another_masked_parameter_is_caught(monkeypatch: pytest.MonkeyPatch) -> 
     [
         ("x, a, b)", "a, x, b)"),
         ("x a b", "a x b"),
-        ("nan_outside(_check_f, a)", "nan_outside(_check_f, b)"),
-        ("nan_outside(_check_f, a)", "nan_outside(_check_f, a, also=b)"),
+        ("_nan_outside(_check_of_f, a)", "_nan_outside(_check_of_f, b)"),
+        ("_nan_outside(_check_of_f, a)", "_nan_outside(_check_of_f, a, also=b)"),
         (
-            "    (a,) = nan_outside(_check_f, a)\n",
-            "    a = b\n    (a,) = nan_outside(_check_f, a)\n",
+            "    (a,) = _nan_outside(_check_of_f, a)\n",
+            "    a = b\n    (a,) = _nan_outside(_check_of_f, a)\n",
         ),
-        ("    (a,) = nan_outside(_check_f, a)\n", 2 * "    (a,) = nan_outside(_check_f, a)\n"),
-        ("return (is_positive(a),)", "return is_positive(a)"),
-        ("return (is_positive(a),)", "return (is_positive(b),)"),
-        ("return (is_positive(a),)", "return (True,)"),
-        ("return (is_positive(a),)", "return ()"),
-        ("def _check_f(a: Any)", "@cache\ndef _check_f(a: Any)"),
-        ("def _check_f(a: Any)", "def _check_f(a: Any, *, b: Any = 1.0)"),
-        ("    return in_blocks(_f", "    a = b\n    return in_blocks(_f"),
-        ("np.cos(x)", "np.cosh(x)"),
+        (
+            "    (a,) = _nan_outside(_check_of_f, a)\n",
+            2 * "    (a,) = _nan_outside(_check_of_f, a)\n",
+        ),
+        ("return (_is_positive(a),)", "return _is_positive(a)"),
+        ("return (_is_positive(a),)", "return (_is_positive(b),)"),
+        ("return (_is_positive(a),)", "return (True,)"),
+        ("return (_is_positive(a),)", "return ()"),
+        ("def _check_of_f(a: Any)", "@cache\ndef _check_of_f(a: Any)"),
+        ("def _check_of_f(a: Any)", "def _check_of_f(a: Any, *, b: Any = 1.0)"),
+        ("    return _in_blocks(_form_of_f", "    a = b\n    return _in_blocks(_form_of_f"),
+        ("_np.cos(x)", "_np.cosh(x)"),
         ("out=out)", "out=None)"),
-        ("np.cos(x)", "(lambda t: t)(x)"),
+        ("_np.cos(x)", "(lambda t: t)(x)"),
     ],
 )
 def test_a_text_that_no_kernel_has_is_refused(
@@ -135,7 +138,7 @@ def test_a_printer_that_forgets_a_bracket_is_caught(monkeypatch: pytest.MonkeyPa
 @pytest.mark.parametrize(
     ("right", "wrong"),
     [
-        ("k_low * phi1 + product_rest", "product_rest"),
+        ("k_low * phi1 + _product_rest", "_product_rest"),
         ("x_low / 2.0", "x_low"),
         ("+ t_low", "- t_low"),
     ],

@@ -93,6 +93,20 @@ def test_unfit_out_is_refused(out: Any, error: type[Exception], message: str) ->
         track_wheel.error_sum(np.ones((7, 3)), 1.0, 1.0, 1.2, out=out)
 
 
+@pytest.mark.parametrize("shape", [(), (1,), (1, 1)])
+def test_one_point_is_computed_in_numbers_with_out_too(shape: tuple[int, ...]) -> None:
+    """Arrays take five times as long."""
+
+    def evaluate(x: Any) -> Any:
+        assert isinstance(x, float)
+        return x * x
+
+    point = 3.0 if shape == () else np.full(shape, 3.0)
+    out = np.empty(shape)
+    assert in_blocks(evaluate, (point,), out=out) is out
+    assert out == in_blocks(evaluate, (point,)) == 9.0
+
+
 def test_scalar_out_and_empty_arrays() -> None:
     out = np.empty(())
     assert elliptic_planetary.position(0.3, *RADII, 0.475, out=out) is out
@@ -155,13 +169,13 @@ def test_outer_products_keep_what_depends_on_few_arguments_short(
     l_de = np.linspace(82, 84, shape[0]).reshape(-1, *[1] * (len(shape) - 1))
     l_kl = np.linspace(59.8, 60.2, shape[-2])[:, np.newaxis]
     seen: list[tuple[int, ...]] = []
-    evaluate = wedge_linkage._position
+    evaluate = wedge_linkage._form_of_position
 
     def watched(x1: Any, l_bc: Any, l_de: Any, *rest: Any) -> Any:
         seen.append(np.shape(x1))
         return evaluate(x1, l_bc, l_de, *rest)
 
-    monkeypatch.setattr(wedge_linkage, "_position", watched)
+    monkeypatch.setattr(wedge_linkage, "_form_of_position", watched)
     arguments = (x1, 6.25, 49.75, 38.0, l_de, 2.0, l_kl, 145.0, 4.94, 1.13, 2.155)
     found = wedge_linkage.position(*arguments)
     assert found.shape == shape

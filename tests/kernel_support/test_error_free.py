@@ -51,7 +51,7 @@ def test_a_product_with_its_low_word_is_rounded_once() -> None:
         *random.uniform(0, 1, (200, 2)) ** 3,
         *1 - 10 ** random.uniform(-15, 0, (200, 2)),
     ):
-        both, less, *_ = oval_planetary._prepare_acceleration(e1, e2, np.float64(0.0))
+        both, less, *_ = oval_planetary._prepare_of_acceleration(e1, e2, np.float64(0.0))
         one, other = Fraction(float(e1)), Fraction(float(e2))
         for value, exact in ((both, (1 + one) * (1 + other)), (less, (1 - one) * (1 - other))):
             half = Fraction(float(np.spacing(value))) / 2
@@ -106,7 +106,7 @@ def test_the_low_word_is_paid_for_only_above_its_threshold(
     def refuse(*words: Any) -> Any:
         raise AssertionError("low word asked for")
 
-    monkeypatch.setattr(elliptic_planetary, "product_rest", refuse)
+    monkeypatch.setattr(elliptic_planetary, "_product_rest", refuse)
     assert elliptic_planetary.position(spread(2), *RADII, [0.0, 0.5]).shape == (2,)
     for e in (np.nextafter(0.5, 1), [0.1, 0.9]):
         with pytest.raises(AssertionError, match="low word asked for"):

@@ -31,8 +31,8 @@ def always(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_the_shipped_coefficients_are_the_fitted() -> None:
     for shipped, target, degrees in (
-        (kernels.TANGENT, HALF_TANGENT, (3, 3)),
-        (kernels.ARCTANGENT, SMALL_ARCTANGENT, (4, 4)),
+        (kernels._TANGENT, HALF_TANGENT, (3, 3)),
+        (kernels._ARCTANGENT, SMALL_ARCTANGENT, (4, 4)),
     ):
         fitted = fit(target, *degrees)
         assert (fitted.above, fitted.below) == shipped
@@ -91,8 +91,8 @@ def test_the_bound_of_the_position_holds() -> None:
 
 def test_the_bound_sees_a_wrong_coefficient(monkeypatch: pytest.MonkeyPatch) -> None:
     (subject,) = find_subjects(("elliptic_planetary.position",))
-    (first, *others), below = kernels.ARCTANGENT
-    monkeypatch.setattr(kernels, "ARCTANGENT", ((first * (1 + 2.0**-40), *others), below))
+    (first, *others), below = kernels._ARCTANGENT
+    monkeypatch.setattr(kernels, "_ARCTANGENT", ((first * (1 + 2.0**-40), *others), below))
     found = find_worst(subject, together, rounds=0, seed=4711, share=0.2, most=60)
     assert subject.quantity.accuracy is not None
     assert found.scaled > subject.quantity.accuracy.ulp
@@ -103,7 +103,7 @@ Y = np.concatenate([np.linspace(-9, 9, 37), 10.0 ** np.arange(-300, 7, 17), [np.
 
 @pytest.mark.parametrize(("a", "b"), [(1.0, 1.0), (0.5, 1.5), (1.5, 0.5), (1e-3, 1.0)])
 def test_the_quotient_is_off_by_a_few_eps_of_its_largest_value(a: float, b: float) -> None:
-    found = polynomials.tangent_quotient(Y, np.float64(a), np.float64(b), kernels.TANGENT)
+    found = polynomials.tangent_quotient(Y, np.float64(a), np.float64(b), kernels._TANGENT)
     with mp.workdps(60):
         for y, value in zip(Y, found, strict=True):
             t = mp.tan(mp.mpf(float(y)))
@@ -131,7 +131,7 @@ def test_the_argument_is_not_written_to() -> None:
     phi.flags.writeable = False
     position(phi, *RADII, 0.4)
     y = phi.copy()
-    polynomials.tangent_quotient(y, np.float64(1), np.float64(1), kernels.TANGENT)
+    polynomials.tangent_quotient(y, np.float64(1), np.float64(1), kernels._TANGENT)
     assert np.array_equal(y, phi)
 
 

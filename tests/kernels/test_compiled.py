@@ -71,6 +71,18 @@ def test_shapes_broadcast_as_in_numpy() -> None:
         np.testing.assert_allclose(found, wanted, rtol=6 * np.finfo(wanted.dtype).eps)
 
 
+def test_nan_beside_infinity_is_nan() -> None:
+    from mechproof.kernels import track_wheel as plain_wheel
+
+    points = [[np.inf, np.nan, 0.0], [np.nan, -np.inf, 0.0], [-np.inf, 2.0, 0.0], [3.0, -4.0, 0.0]]
+    expected = [np.nan, np.nan, np.inf, 5.0]
+    for module in (plain_wheel, track_wheel):
+        for function in (module.planar_error, module.spatial_error):
+            np.testing.assert_equal(function(np.array(points)), expected)
+            np.testing.assert_equal([function(point) for point in points], expected)
+    np.testing.assert_equal(plain_wheel.spatial_error([np.inf, 0.0, np.nan]), np.nan)
+
+
 def test_results_with_components() -> None:
     from mechproof.kernels import track_wheel as plain_wheel
 
@@ -182,7 +194,7 @@ def test_rows_of_every_kind_are_entered_alike(first: int) -> None:
     held.flags.writeable = False
     kinds = [row, held, unaligned(row), np.repeat(row, 2)[::2]]
     kinds = kinds[first:] + kinds[:first]
-    made = loops.Loops(**{n: getattr(elliptic_planetary._POSITION, n) for n in FIELDS})
+    made = loops.Loops(**{n: getattr(elliptic_planetary._loops_of_position, n) for n in FIELDS})
     wanted = plain.position(row, *SIZES)
     for given in kinds:
         found = loops.run(made, (given, *SIZES), None)
@@ -191,7 +203,7 @@ def test_rows_of_every_kind_are_entered_alike(first: int) -> None:
             assert loops.run(made, (given, *SIZES), out) is out
             assert np.array_equal(out, found)
     assert np.array_equal(row, held)
-    entries = [kept.entry_point for kept in elliptic_planetary._fill_position.overloads.values()]
+    entries = [kept.entry_point for kept in elliptic_planetary._fill_of_position.overloads.values()]
     assert made.fill in entries
     numbers = [loops.run(made, (x, *SIZES), None) for x in row.tolist()]
     assert np.array_equal(numbers, found)

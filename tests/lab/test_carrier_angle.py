@@ -7,8 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from mechproof import CylindricalPair as Pair
-from mechproof import EllipticPlanetary, OvalPlanetary
+from mechproof import CylindricalPair as Pair, EllipticPlanetary, OvalPlanetary
 from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.oracle import Truth, find_truth
 from mechproof.lab.subject import find_subjects

@@ -39,7 +39,7 @@ def test_the_shipped_kernels_pass(position: Subject) -> None:
     validate(iter([position]))
 
 
-@pytest.mark.parametrize("name", ["product_rest", "quotient_rest", "small_tangent"])
+@pytest.mark.parametrize("name", ["_product_rest", "_quotient_rest", "_small_tangent"])
 @pytest.mark.parametrize("factor", [0.0, 2.0, -1.0], ids=["dropped", "doubled", "turned"])
 def test_a_wrong_low_word_stops_it(position: Subject, name: str, factor: float) -> None:
     module = position.modules[0]
@@ -61,19 +61,33 @@ def test_a_wrong_rival_stops_it(position: Subject) -> None:
 def test_a_fault_in_long_arrays_only_stops_it(position: Subject) -> None:
     """Blocks and polynomials are support code, and part of what is run."""
     module = position.modules[0]
-    right = module.in_blocks
+    right = module._in_blocks
 
     def wrong(evaluate: Any, running: Any, *others: Any, **options: Any) -> Any:
         values = right(evaluate, running, *others, **options)
         return values if np.size(values) < 10_000 else values * (1 + 1e-12)
 
     with pytest.raises(TranslationError, match="position"):
-        validate(iter([with_modules(position, kernels=changed(module, in_blocks=wrong))]))
+        validate(iter([with_modules(position, kernels=changed(module, _in_blocks=wrong))]))
 
 
 def test_a_wrong_coefficient_of_a_polynomial_stops_it(position: Subject) -> None:
     module = position.modules[0]
-    (first, *others), below = module.ARCTANGENT
+    (first, *others), below = module._ARCTANGENT
     wrong = ((first * (1 + 1e-10), *others), below)
     with pytest.raises(TranslationError, match="position"):
-        validate(iter([with_modules(position, kernels=changed(module, ARCTANGENT=wrong))]))
+        validate(iter([with_modules(position, kernels=changed(module, _ARCTANGENT=wrong))]))
+
+
+@pytest.mark.parametrize("way", ["together", "alone", "in rows"])
+def test_a_fault_in_one_compiled_loop_stops_it(position: Subject, way: str) -> None:
+    right = position.load_compiled().position
+
+    def wrong(phi1: Any, *sizes: Any) -> Any:
+        ranks = np.ndim(phi1), np.ndim(sizes[0])
+        met = {(1, 1): "together", (0, 0): "alone", (1, 0): "in rows"}[ranks]
+        return right(phi1, *sizes) * (1 + 1e-12 * (met == way))
+
+    faulty = replace(position, load_compiled=lambda: SimpleNamespace(position=wrong))
+    with pytest.raises(TranslationError, match=r"compiled: .*position\(.*the oracle gives"):
+        validate(iter([faulty]))

@@ -150,7 +150,7 @@ def test_all_that_a_bound_is_of_is_hashed() -> None:
 
 def test_a_wrong_coefficient_is_refused_even_under_its_own_hash() -> None:
     claim, subject = by_polynomials()
-    last = kernels.ARCTANGENT[0][0]
+    last = kernels._ARCTANGENT[0][0]
     steps = tuple(
         replace(s, operands=tuple(o * (1 + 2.0**-40) if o == last else o for o in s.operands))
         for s in subject.straight.steps
@@ -210,9 +210,9 @@ def test_no_part_of_a_box_has_a_larger_bound(claim: Claim) -> None:
     [
         (
             QUOTIENT,
-            lambda y, a, b: polynomials.tangent_quotient(y, a, b, kernels.TANGENT),
+            lambda y, a, b: polynomials.tangent_quotient(y, a, b, kernels._TANGENT),
         ),
-        (ARCTANGENT, lambda y, a, b: polynomials.small_arctan(y, kernels.ARCTANGENT)),
+        (ARCTANGENT, lambda y, a, b: polynomials.small_arctan(y, kernels._ARCTANGENT)),
     ],
 )
 def test_expansions_are_what_the_support_computes(

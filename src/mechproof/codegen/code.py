@@ -58,6 +58,16 @@ class KernelCode:
         counts = {name: 1 for name, _ in self.vectors} | dict(self.indexed)
         return tuple(counts.get(name, 0) for name in self.arguments) if counts else ()
 
+    @property
+    def names(self) -> frozenset[str]:
+        """Return the names of arguments, of their components and of what is computed."""
+        programs = [p for stage in self.stages for p in stage.programs]
+        programs += [self.inside] if self.inside else []
+        parts = [self.arguments, *(names for _, names in self.vectors)]
+        parts += [program.inputs for program in programs]
+        steps = (step.result for program in programs for step in program.operations)
+        return frozenset(name for part in parts for name in part).union(steps)
+
     def count_operations(self) -> tuple[int, ...]:
         """Count the operations of each stage."""
         return tuple(sum(p.count_operations() for p in s.programs) for s in self.stages)

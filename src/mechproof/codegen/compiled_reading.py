@@ -14,13 +14,13 @@ from mechproof.codegen.reading import EXACT, ReadingError, list_names, read_prog
 def read_scalars(source: str) -> dict[str, Program]:
     """Return the programs of the private functions of a compiled module that compute one point.
 
-    What follows after `value = ...` says where the value is taken, and is not read.
+    What follows after `_value = ...` says where the value is taken, and is not read.
     """
     functions = (n for n in ast.parse(source).body if isinstance(n, ast.FunctionDef))
     return {
         node.name: _read_scalar(node)
         for node in functions
-        if any(ast.unparse(d) == "scalar" for d in node.decorator_list)
+        if any(ast.unparse(d) == "_scalar" for d in node.decorator_list)
         and not any(isinstance(s, ast.If) for s in node.body[:1])
         and not any(isinstance(n, ast.Starred) for n in ast.walk(node))
     }
@@ -31,7 +31,7 @@ def _read_scalar(node: ast.FunctionDef) -> Program:
     inputs = tuple(a.arg for a in node.args.args if a.arg != EXACT)
     for statement in node.body:
         match statement:
-            case ast.Assign(targets=[ast.Name(id="value")], value=value):
+            case ast.Assign(targets=[ast.Name(id="_value")], value=value):
                 return read_program(inputs, assigned, (value,))
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 assigned.append((name, value))
@@ -60,7 +60,7 @@ def read_guards(source: str) -> dict[str, tuple[Program, ...]]:
             for test in [_without_not(statement.test)]
         )
         for node in functions
-        if node.name.endswith("_at")
+        if node.name.startswith("_value_of_")
     }
 
 
@@ -70,48 +70,49 @@ def _without_not(test: ast.expr) -> ast.expr:
 
 # What a loop over terms is besides its parameters and its term.
 ADDED = """
-high, low = (0.0, 0.0)
+_high, _low = (0.0, 0.0)
 {loops}
-{space}term = TERM
-{space}total = high + term
-{space}low += elementary.total_rest(high, term, total)
-{space}high = total
-return choose(is_finite(low), high + low, high)
+{space}_term = TERM
+{space}_total = _high + _term
+{space}_low += _elementary.total_rest(_high, _term, _total)
+{space}_high = _total
+return _choose(_is_finite(_low), _high + _low, _high)
 """
 HELD = """
-holds = True
+_holds = True
 {loops}
-{space}holds = holds & TERM
-return holds
+{space}_holds = _holds & TERM
+return _holds
 """
 # The same for many sets beside each other.
 OF_SETS = "_sets"
 ADDED_OF_SETS = """
-widen()
-high, low = (own_row(), own_row())
-for s in range(len(out)):
-    high[s], low[s] = (0.0, 0.0)
+_widen()
+_high, _low = (_own_row(), _own_row())
+for _s in _range(_len(_out)):
+    _high[_s], _low[_s] = (0.0, 0.0)
 {loops}
-{space}for s in range(len(out)):
-{space}    term = TERM
-{space}    total = high[s] + term
-{space}    low[s] += elementary.total_rest(high[s], term, total)
-{space}    high[s] = total
-for s in range(len(out)):
-    out[s] = choose(is_finite(low[s]), high[s] + low[s], high[s])
+{space}for _s in _range(_len(_out)):
+{space}    _term = TERM
+{space}    _total = _high[_s] + _term
+{space}    _low[_s] += _elementary.total_rest(_high[_s], _term, _total)
+{space}    _high[_s] = _total
+for _s in _range(_len(_out)):
+    _out[_s] = _choose(_is_finite(_low[_s]), _high[_s] + _low[_s], _high[_s])
 """
 HELD_OF_SETS = """
-widen()
-holds = own_row()
-for s in range(len(out)):
-    holds[s] = 1.0
+_widen()
+_holds = _own_row()
+for _s in _range(_len(_out)):
+    _holds[_s] = 1.0
 {loops}
-{space}for s in range(len(out)):
-{space}    holds[s] = choose(TERM, holds[s], 0.0)
-for s in range(len(out)):
-    out[s] = holds[s]
+{space}for _s in _range(_len(_out)):
+{space}    _holds[_s] = _choose(TERM, _holds[_s], 0.0)
+for _s in _range(_len(_out)):
+    _out[_s] = _holds[_s]
 """
-LOOPS = ("for i in range(len(ARRAY)):", "    for j in range(len(ARRAY)):")
+LOOPS = ("for _i in _range(_len(ARRAY)):", "    for _j in _range(_len(ARRAY)):")
+LETTERS = ("_i", "_j")
 Reduced = tuple[str, int, tuple[str, ...], tuple[tuple[str, tuple[int, ...]], ...]]
 
 
@@ -164,7 +165,7 @@ class _ReductionReader(ast.NodeTransformer):
 
     def visit_Call(self, node: ast.Call) -> ast.expr:
         match node:
-            case ast.Call(func=ast.Name(id="len"), args=[ast.Name(id=name)]):
+            case ast.Call(func=ast.Name(id="_len"), args=[ast.Name(id=name)]):
                 if any(name == array and indices for array, indices in self.elements):
                     return ast.Call(node.func, [ast.Name("ARRAY")], [])
             case ast.Call(func=ast.Name(id=name)) if name == self._term:
@@ -177,9 +178,9 @@ def _read_element(node: ast.expr) -> tuple[str, tuple[int, ...]]:
         case ast.Name(id=name):
             return name, ()
         case ast.Call(
-            func=ast.Name(id="float64"), args=[ast.Subscript(value=ast.Name(id=name), slice=index)]
+            func=ast.Name(id="_float64"), args=[ast.Subscript(value=ast.Name(id=name), slice=index)]
         ):
-            return name, tuple("ij".index(letter) for letter in list_names(index))
+            return name, tuple(LETTERS.index(letter) for letter in list_names(index))
     raise ReadingError(f"line {node.lineno}: {ast.unparse(node)!r} is no element")
 
 
@@ -187,6 +188,6 @@ def _read_element_of_sets(node: ast.expr) -> tuple[str, tuple[int, ...]]:
     match node:
         case ast.Subscript(value=ast.Name(id=name), slice=index):
             *letters, last = list_names(index)
-            if last == "s" and (letters == ["0"] or set(letters) <= set("ij")):
-                return name, tuple("ij".index(letter) for letter in letters if letter != "0")
+            if last == "_s" and (letters == ["0"] or set(letters) <= set(LETTERS)):
+                return name, tuple(LETTERS.index(letter) for letter in letters if letter != "0")
     raise ReadingError(f"line {node.lineno}: {ast.unparse(node)!r} is no element of a set")

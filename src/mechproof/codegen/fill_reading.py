@@ -11,8 +11,11 @@ from mechproof.codegen.compiled_reading import OF_SETS
 from mechproof.codegen.program import Program
 from mechproof.codegen.reading import ReadingError, read_program
 
-FILL = "_fill_each_"
-PUT = "put_sets"
+FILL = "_fill_each_of_"
+PUT = "_put_sets"
+SETS = "_sets_of_"
+VALUES = "_values_of_"
+SUMMED = ("_sum_", "_every_")
 
 
 def read_fills(source: str) -> dict[str, Program]:
@@ -26,7 +29,7 @@ def read_fills(source: str) -> dict[str, Program]:
 
 
 def _read_fill(node: ast.FunctionDef) -> Program:
-    value = f"_{node.name.removeprefix(FILL)}_at"
+    value = f"_value_of_{node.name.removeprefix(FILL)}"
     inputs: list[str] = []
     found: dict[str, ast.expr] = {}
     for call in _list_calls(node):
@@ -35,10 +38,10 @@ def _read_fill(node: ast.FunctionDef) -> Program:
             inputs.append(_read_put(call))
         elif name == value:
             return read_program(tuple(inputs), (), (_Inserted(found).visit(call),))
-        elif name.startswith("_") and name.endswith(OF_SETS):
+        elif name.startswith(SUMMED) and name.endswith(OF_SETS):
             target, *arguments = call.args
             kind = name.removesuffix(OF_SETS)
-            if ast.unparse(target) != f"{kind.removeprefix('_')}{OF_SETS}":
+            if ast.unparse(target) != f"{SETS}{kind.removeprefix('_')}":
                 raise ReadingError(f"line {call.lineno}: {name} is not put where it is taken")
             given: list[ast.expr] = [_Inserted({}).visit(a) for a in arguments]
             found[ast.unparse(target)] = ast.Call(ast.Name(kind), given, [])
@@ -55,9 +58,9 @@ def _read_put(call: ast.Call) -> str:
     """Return what is put for each set; ReadingError for values of another argument."""
     target, values, *_ = call.args
     block = ast.unparse(target).partition(".")[0]
-    name, values_of = block.removesuffix(OF_SETS), ast.unparse(values)
+    name, values_of = block.removeprefix(SETS), ast.unparse(values)
     given, _, columns = values_of.partition("[:, ")
-    argument = given.removesuffix("_values")
+    argument = given.removeprefix(VALUES)
     number = columns.partition(":")[0].strip()
     if name != (f"{argument}_{number}" if columns else argument):
         raise ReadingError(f"line {call.lineno}: {values_of} are put into {block}")
@@ -77,10 +80,10 @@ class _Inserted(ast.NodeTransformer):
         return node
 
     def visit_Subscript(self, node: ast.Subscript) -> ast.expr:
-        if ast.unparse(node.slice) not in ("s", "(0, s)"):
+        if ast.unparse(node.slice) not in ("_s", "(0, _s)"):
             raise ReadingError(f"line {node.lineno}: {ast.unparse(node)!r} is not of a set")
         value: ast.expr = self.visit(node.value)
         return value
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
-        return self._found.get(node.id, ast.Name(node.id.removesuffix(OF_SETS)))
+        return self._found.get(node.id, ast.Name(node.id.removeprefix(SETS)))

@@ -9,7 +9,6 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from keyword import iskeyword
 
 import sympy as sp
 
@@ -24,6 +23,7 @@ from mechproof.codegen.evaluation import (
     start_evaluation,
 )
 from mechproof.codegen.lowering import lower_conditions, lower_steps
+from mechproof.codegen.names import PUBLIC_IN_MODULES, is_free
 from mechproof.codegen.program import NOTHING
 from mechproof.codegen.rewrites import apply_rewrites
 from mechproof.codegen.subexpressions import share_subexpressions
@@ -87,6 +87,8 @@ def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: 
 
     Raises ValueError where the quantity cannot be computed or its domain cannot be checked.
     """
+    if not is_free(name, PUBLIC_IN_MODULES) or name.endswith("_"):
+        raise ValueError(f"{paper.system}: {name!r} cannot name a kernel")
     evaluations = [evaluate_form(quantity, form, paper) for form in forms]
     used = set().union(*map(_used_symbols, evaluations))
     running = quantity.arguments[0].symbols
@@ -193,7 +195,7 @@ def _check_names(quantity: Quantity, names: list[str]) -> None:
     """Require every name to be a variable of its own in the printed function."""
     taken = {a.name for a in quantity.arguments if len(a.symbols) > 1}
     for name in names:
-        if not name.isidentifier() or iskeyword(name) or name.startswith("_") or name in taken:
+        if not is_free(name) or name in taken:
             raise ValueError(f"{quantity.name}: {name!r} cannot name a variable of the kernel")
         taken.add(name)
 

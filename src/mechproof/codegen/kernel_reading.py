@@ -65,18 +65,18 @@ class _KernelReader:
         return code
 
     def _check_conversion(self, statement: ast.stmt, axes: tuple[int, ...]) -> None:
-        """Require `a, b = as_floats("a b", a, b)` with the arguments in their order, and axes."""
+        """Require `a, b = _as_floats("a b", a, b)` with the arguments in their order, and axes."""
         names = ", ".join(self._arguments)
         comma = "," if len(self._arguments) == 1 else ""
         last = f", axes={axes}" if axes else ""
-        text = f"{names}{comma} = as_floats({' '.join(self._arguments)!r}, {names}{last})"
+        text = f"{names}{comma} = _as_floats({' '.join(self._arguments)!r}, {names}{last})"
         expected = ast.unparse(ast.parse(text))
         if ast.unparse(statement) != expected:
             raise ReadingError(f"line {statement.lineno}: expected {expected!r}")
 
     def _read_statement(self, statement: ast.stmt) -> None:
         match statement:
-            case ast.Expr(value=ast.Call(func=ast.Name(id="check_components"), args=args)):
+            case ast.Expr(value=ast.Call(func=ast.Name(id="_check_components"), args=args)):
                 name, count = ast.literal_eval(args[0]), ast.literal_eval(args[2])
                 self._require(statement, ast.unparse(args[1]) == name)
                 components = tuple(f"{name}[{i}]" for i in range(count))
@@ -85,12 +85,12 @@ class _KernelReader:
                 self._read_assignment(statement, target, function, call)
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 self._assigned.append((name, value))
-            case ast.If(test=ast.Call(func=ast.Name(id="holds"), args=[when]), body=[inner]):
+            case ast.If(test=ast.Call(func=ast.Name(id="_holds"), args=[when]), body=[inner]):
                 self._read_return(inner, read_program(self._scalars(), (), (when,)))
             case ast.Return():
                 self._read_return(statement, None)
             case ast.With(items=[context], body=body):
-                self._require(context.context_expr, ast.unparse(context) == "quietly()")
+                self._require(context.context_expr, ast.unparse(context) == "_quietly()")
                 self._quiet = True
                 for inner in body:
                     self._read_statement(inner)
@@ -101,18 +101,18 @@ class _KernelReader:
         self, statement: ast.stmt, target: ast.expr, function: str, call: ast.Call
     ) -> None:
         names = list_names(target)
-        if function in ("split_components", "sum_axes"):
+        if function in ("_split_components", "_sum_axes"):
             self._require(statement, self._inside is None)
-        if function == "split_components":
+        if function == "_split_components":
             name, count = ast.literal_eval(call.args[0]), ast.literal_eval(call.args[2])
             self._require(statement, ast.unparse(call.args[1]) == name and count == len(names))
             self._vectors.append((name, names))
-        elif function == "sum_axes":
+        elif function == "_sum_axes":
             pairs = {str(k.arg): _pair(k.value) for k in call.keywords}
             self._require(statement, tuple(pairs) == names)
             self._require(statement, all(given == name for name, (given, _) in pairs.items()))
             self._indexed = tuple((name, count) for name, (_, count) in pairs.items())
-        elif function == "nan_outside":
+        elif function == "_nan_outside":
             self._read_check(statement, names, call)
         else:
             (name,) = names
@@ -142,17 +142,17 @@ class _KernelReader:
         call = statement.value
         keywords = {k.arg: ast.unparse(k.value) for k in call.keywords}
         function = ast.unparse(call.func)
-        if function == "store":
+        if function == "_store":
             value, out = call.args
             self._require(statement, ast.unparse(out) == "out" and not keywords)
             self._stages.append(self._read_inline(value))
             return
         self._require(statement, keywords.pop("out", None) == "out")
         self._quiet = keywords.pop("quiet", "False") == "True"
-        if function == "transform":
+        if function == "_transform":
             self._require(statement, not keywords)
             self._stages.append(self._read_affine(call, when))
-        elif function == "in_blocks":
+        elif function == "_in_blocks":
             self._shape = ast.literal_eval(keywords.pop("shape", "()"))
             self._require(statement, not keywords)
             self._stages.append(self._read_blocks(call, when))

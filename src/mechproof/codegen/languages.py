@@ -24,39 +24,39 @@ NUMPY = Syntax(
     calls=MappingProxyType(
         {
             **{
-                name: f"np.{name}"
+                name: f"_np.{name}"
                 for name in (
                     "sqrt", "sin", "cos", "tan", "arcsin", "arccos", "arctan", "arctan2", "exp",
-                    "log", "hypot", "copysign", "sign",
+                    "log", "copysign", "sign",
                 )
             },
-            "absolute": "abs",
-            "choose": "choose_where",
+            "absolute": "_abs",
+            "choose": "_choose_where",
             **{
-                name: name
+                name: f"_{name}"
                 for name in (
                     "is_finite", "is_positive", "is_nonnegative", "product_rest", "sum_rest",
                     "quotient_rest", "small_tangent", "tangent_quotient", "small_arctan", "single",
                     "whole_turns_off", "maximum", "floor", "nonnegative_form", "quadratic_form",
-                    "square",
+                    "square", "hypot",
                 )
             },
         }
     ),
     # The constants of the module that a function takes.
-    last=MappingProxyType({"small_arctan": "ARCTANGENT", "tangent_quotient": "TANGENT"}),
+    last=MappingProxyType({"small_arctan": "_ARCTANGENT", "tangent_quotient": "_TANGENT"}),
     patterns=MappingProxyType(
         {
             "negate": ("-{}", SIGN, SIGN),
             "power": ("{} ** {}", ATOM, POWER),
-            "along_first": ("{}[..., :, np.newaxis]", ATOM, ATOM),
-            "along_last": ("{}[..., np.newaxis, :]", ATOM, ATOM),
-            "transpose": ("np.swapaxes({}, -1, -2)", CHOICE, ATOM),
-            "diagonal": ("np.diagonal({}, axis1=-2, axis2=-1)", CHOICE, ATOM),
+            "along_first": ("{}[..., :, _np.newaxis]", ATOM, ATOM),
+            "along_last": ("{}[..., _np.newaxis, :]", ATOM, ATOM),
+            "transpose": ("_np.swapaxes({}, -1, -2)", CHOICE, ATOM),
+            "diagonal": ("_np.diagonal({}, axis1=-2, axis2=-1)", CHOICE, ATOM),
         }
     ),
     constants=MappingProxyType(
-        {"#pi": "np.pi", "#e": "np.e", "#inf": "np.inf", "#nan": "np.nan"}
+        {"#pi": "_np.pi", "#e": "_np.e", "#inf": "_np.inf", "#nan": "_np.nan"}
     ),
 )  # fmt: skip
 # In kernels whole numbers are floats, which NumPy converts faster beside an array; in the facts of
@@ -70,19 +70,19 @@ NUMBA = Syntax(
     infix=INFIX,
     calls=MappingProxyType(
         {
-            **{kind: f"elementary.{kind}" for kind in BODIES},
+            **{kind: f"_elementary.{kind}" for kind in BODIES},
             **{
-                n: n
+                n: f"_{n}"
                 for n in (
                     "floor", "rint", "fma", "copysign", "is_finite", "maximum", "choose",
                     "power_of_two",
                 )
             },
-            "sqrt": "np.sqrt",
-            "absolute": "abs",
+            "sqrt": "_np.sqrt",
+            "absolute": "_abs",
         }
     ),
-    last=MappingProxyType({kind: "exact" for kind, (_, _, far) in BODIES.items() if far}),
+    last=MappingProxyType({kind: "_exact" for kind, (_, _, far) in BODIES.items() if far}),
     patterns=MappingProxyType(
         {
             "negate": ("-{}", SIGN, SIGN),
@@ -93,7 +93,7 @@ NUMBA = Syntax(
 )  # fmt: skip
 NUMBA_FAR = replace(
     NUMBA,
-    calls=MappingProxyType({**NUMBA.calls, **{name: f"math.{name}" for name in _LIBRARY}}),
+    calls=MappingProxyType({**NUMBA.calls, **{name: f"_math.{name}" for name in _LIBRARY}}),
     last=MappingProxyType({}),
 )
 C99 = Syntax(

@@ -1,12 +1,61 @@
-"""Names: in, an expression; out, a name a reader would give it (`one_minus_e`, `sin_alpha`)."""
+"""Names: in, an expression; out, a name a reader would give it (`one_minus_e`, `sin_alpha`).
+
+What a paper names begins with no underscore. What emitted Python computes with begins with one:
+functions and modules are imported under such names, so that the two never meet.
+"""
 
 from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from keyword import iskeyword
+from types import MappingProxyType
 
 import sympy as sp
 
 NUMBERS = {1: "one", 2: "two", 3: "three", 4: "four"}
 POWERS = {2: "squared", 3: "cubed"}
 LONGEST = 24
+# What signatures say, and what the runtime asks modules of kernels for.
+PUBLIC = frozenset({"out"})
+PUBLIC_IN_MODULES = frozenset({"Any", "ArrayLike", "DOMAIN", "NDArray", "PUBLISHED", "annotations"})
+# Modules that emitted code has by names of its own, and what annotations name.
+MODULES: Mapping[str, str] = MappingProxyType({"math": "_math", "numpy": "_np"})
+ANNOTATED: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {"typing": ("Any",), "numpy.typing": ("ArrayLike", "NDArray")}
+)
+# Imports come in this order, those of one package beside each other.
+PACKAGES = ("", "numpy", "mechproof")
+
+
+def is_free(name: str, taken: Iterable[str] = PUBLIC) -> bool:
+    """Say whether a paper may give a name to a variable, or to a kernel."""
+    is_name = name.isidentifier() and not iskeyword(name) and not name.startswith("_")
+    return is_name and name not in taken
+
+
+def list_imports(text: str, names: Mapping[str, Iterable[str]]) -> tuple[str, ...]:
+    """List the lines that import what a text uses, of modules and of `names` that modules have."""
+    words = frozenset(re.findall(r"\w+", text))
+    found = [(m, False, f"import {m} as {name}") for m, name in MODULES.items() if name in words]
+    for module, annotated in ANNOTATED.items():
+        if used := [name for name in annotated if name in words]:
+            found.append((module, True, f"from {module} import {', '.join(used)}"))
+    for module, offered in names.items():
+        if used := [f"{name} as _{name}" for name in offered if f"_{name}" in words]:
+            found.append((module, True, f"from {module} import {', '.join(used)}"))
+    packages = [_find_package(module) for module, _, _ in found]
+    lines: list[str] = []
+    for package in sorted(set(packages)):
+        of_package = [line for line, own in zip(found, packages, strict=True) if own == package]
+        lines += [text for _, _, text in sorted(of_package, key=lambda line: (line[1], line[0]))]
+        lines.append("")
+    return tuple(lines[:-1])
+
+
+def _find_package(module: str) -> int:
+    first = module.partition(".")[0]
+    return PACKAGES.index(first) if first in PACKAGES else 0
 
 
 def suggest_name(expression: sp.Expr, otherwise: str = "term") -> str:

@@ -36,12 +36,12 @@ COMPARED: Mapping[type[ast.cmpop], str] = MappingProxyType(
 RENAMED: Mapping[str, str] = MappingProxyType({"abs": "absolute", "choose_where": "choose"})
 REDUCED: Mapping[str, str] = MappingProxyType({"add_up": "sum", "every": "every"})
 LAST_CONSTANT: Mapping[str, str] = MappingProxyType(
-    {"small_arctan": "ARCTANGENT", "tangent_quotient": "TANGENT"}
+    {"small_arctan": "_ARCTANGENT", "tangent_quotient": "_TANGENT"}
 )
 # Where compiled kernels find the elementary functions.
-ELEMENTARY = "elementary."
+ELEMENTARY = "_elementary."
 # The last argument of a compiled function that is right up to the largest angle only.
-EXACT = "exact"
+EXACT = "_exact"
 
 
 class ReadingError(ValueError):
@@ -76,7 +76,7 @@ class _ProgramReader:
                 return -number
             case ast.UnaryOp(op=ast.USub(), operand=operand):
                 return self._add("negate", self.read(operand))
-            case ast.Attribute(value=ast.Name(id="np"), attr="pi" | "e" | "inf" | "nan" as name):
+            case ast.Attribute(value=ast.Name(id="_np"), attr="pi" | "e" | "inf" | "nan" as name):
                 return f"#{name}"
             case ast.BinOp(left=base, op=ast.Pow(), right=ast.Constant(value=2)):
                 return self._add("square", self.read(base))
@@ -99,7 +99,7 @@ class _ProgramReader:
         return result
 
     def _view(self, node: ast.Subscript) -> Operand:
-        views = {"(..., :, np.newaxis)": "along_first", "(..., np.newaxis, :)": "along_last"}
+        views = {"(..., :, _np.newaxis)": "along_first", "(..., _np.newaxis, :)": "along_last"}
         kind = views.get(ast.unparse(node.slice)) or views.get(f"({ast.unparse(node.slice)})")
         if kind is None:
             raise ReadingError(f"line {node.lineno}: no view is written {ast.unparse(node)!r}")
@@ -107,14 +107,14 @@ class _ProgramReader:
 
     def _call(self, node: ast.Call) -> Operand:
         function = ast.unparse(node.func)
-        is_scalar = function.startswith(("_", ELEMENTARY))
-        name = function.removeprefix("np.").removeprefix(ELEMENTARY).removeprefix("_")
+        is_elementary = function.startswith(ELEMENTARY)
+        name = function.removeprefix("_np.").removeprefix(ELEMENTARY).removeprefix("_")
         keywords = {k.arg: ast.unparse(k.value) for k in node.keywords}
         if name in REDUCED and set(keywords) == {"axis"}:
             count = {"-1": 1, "(-2, -1)": 2}[keywords["axis"]]
             (value,) = node.args
             return self._add(REDUCED[name], self.read(value), count)
-        if ast.unparse(node).startswith("np.swapaxes(") and not keywords:
+        if ast.unparse(node).startswith("_np.swapaxes(") and not keywords:
             value, *axes = node.args
             if [ast.unparse(a) for a in axes] == ["-1", "-2"]:
                 return self._add("transpose", self.read(value))
@@ -123,7 +123,7 @@ class _ProgramReader:
         arguments = list(node.args)
         if keywords:
             raise ReadingError(f"line {node.lineno}: no operation is written {ast.unparse(node)!r}")
-        constant = None if is_scalar else LAST_CONSTANT.get(name)
+        constant = None if is_elementary else LAST_CONSTANT.get(name)
         if constant and ast.unparse(arguments.pop()) != constant:
             raise ReadingError(f"line {node.lineno}: {name} takes {LAST_CONSTANT[name]} last")
         if arguments and ast.unparse(arguments[-1]) == EXACT:

@@ -113,4 +113,4 @@ class _Writer:
         return f"{REDUCTIONS[kind]}({self.show(value)[0]}, axis={where})"
 
 
-REDUCTIONS: Mapping[str, str] = MappingProxyType({"sum": "add_up", "every": "every"})
+REDUCTIONS: Mapping[str, str] = MappingProxyType({"sum": "_add_up", "every": "_every"})

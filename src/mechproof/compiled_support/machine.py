@@ -19,6 +19,8 @@ except ImportError as error:
         "pip install '.[fast]'"
     ) from error
 
+from mechproof.compiled_support.keeping import compile_kept
+
 # What a fast loop leaves as NaN is looked at again after so many points.
 BLOCK = 1024
 _REAL = types.float64
@@ -27,8 +29,8 @@ __all__ = [
     "maximum", "overload", "power_of_two", "rint", "scalar", "stand_in", "typeof", "widen",
 ]  # fmt: skip
 
-scalar = njit(error_model="numpy", nogil=True, cache=True, forceinline=True)
-loop = njit(error_model="numpy", nogil=True, cache=True)
+scalar = compile_kept(forceinline=True)
+loop = compile_kept()
 # A loop that is kept with the one that calls it, not on its own.
 inner = njit(error_model="numpy", nogil=True)
 

@@ -122,10 +122,10 @@ def in_blocks(
     if quiet:
         return _in_quiet_blocks(evaluate, running, prepare, parameters, out=out, shape=shape)
     try:
-        if out is None and not shape:
+        if not shape:
             few = _find_few((*running, *parameters))
             if few is not None:
-                return _evaluate_few(evaluate, running, prepare, parameters, few)
+                return _evaluate_few(evaluate, running, prepare, parameters, few, out)
         return _evaluate(evaluate, running, prepare, parameters, out, shape)
     except ArithmeticError:
         # Python refuses what NumPy answers with infinity or NaN; and single precision is NumPy's.
@@ -156,14 +156,20 @@ def _evaluate_few(
     prepare: Function,
     parameters: tuple[Any, ...],
     shape: tuple[int, ...],
+    out: NDArray[Any] | None,
 ) -> Any:
     """Evaluate few points, one alone in numbers: arrays take five times as long."""
     if not shape:
-        return np.float64(evaluate(*running, *prepare(*parameters)))
+        return store(np.float64(evaluate(*running, *prepare(*parameters))), out)
     numbers = as_numbers((*running, *parameters))
     if numbers is None:
-        return evaluate(*running, *prepare(*parameters))
-    found, count = np.empty(shape), len(running)
+        return store(evaluate(*running, *prepare(*parameters)), out)
+    if out is None:
+        found = np.empty(shape)
+    else:
+        check_out(out, shape, DOUBLE)
+        found = out
+    count = len(running)
     found[...] = evaluate(*numbers[:count], *prepare(*numbers[count:]))
     return found
 

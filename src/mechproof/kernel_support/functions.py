@@ -61,6 +61,18 @@ def floor(a: Any) -> Any:
     return a // 1.0 if -inf < a < inf else a
 
 
+def hypot(a: Any, b: Any) -> Any:
+    """Return np.hypot(a, b), but NaN where one is NaN and the other infinite."""
+    found = np.hypot(a, b)
+    if type(found) is np.float64:
+        return found if found < inf else abs(a) + abs(b)
+    # No number is larger than the root, and NaN is what remains of it and another.
+    if type(found) is np.ndarray:
+        np.maximum(found, a, out=found)
+        return np.maximum(found, b, out=found)
+    return np.maximum(np.maximum(found, a), b)
+
+
 def maximum(a: Any, b: Any) -> Any:
     """Return np.maximum(a, b), of two numbers without a call of it."""
     if type(a) in NUMBERS and type(b) in NUMBERS:

@@ -4,7 +4,8 @@ Every function, its support code included, has to give a value that some order o
 program can give; a shipped kernel has to compute its definition, whatever its row states of it, and
 to keep its accuracy bound against the oracle as well. The first alone would pass a low word that is
 dropped: it is smaller than what rounding may do. The points lie on both sides of every condition,
-alone and in arrays longer than every block.
+alone and in arrays longer than every block. Compiled kernels are held to the same bound, each of
+their loops, where numba is installed.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.reading import TranslationError
 from mechproof.kernel_support import blocks, polynomials
 from mechproof.lab.error import find_errors
-from mechproof.lab.oracle import count_points, find_truth, list_values
+from mechproof.lab.oracle import Truth, count_points, find_truth, list_values
 from mechproof.lab.points import TUNE, PointSet, choose_evenly, draw_points
 from mechproof.lab.rounding import decide, enclose_stage
 from mechproof.lab.sets import list_sets
@@ -34,6 +35,8 @@ from mechproof.record import Form
 
 # Of the first set so many points are enclosed, of every set so many go to the oracle.
 ENCLOSED, DECIDED = 8, 6
+# A row of equal points for compiled loops over rows.
+ROW = 3
 # Of a set so much is drawn.
 SHARE = 0.05
 # Of a value and its ball: a ball wider than this part of the value says nothing.
@@ -142,9 +145,7 @@ def _name(code: KernelCode, point: Arguments) -> Mapping[str, float | np.ndarray
 
 
 def _check_accuracy(subject: Subject) -> None:
-    """Hold the shipped kernel to its bound on a few points of every set."""
-    accuracy = subject.quantity.accuracy
-    assert accuracy is not None
+    """Hold the shipped kernel to its bound on a few points of every set, and the compiled one."""
     for point_set in list_sets(subject, SHARE):
         if point_set.ordered:
             continue
@@ -153,15 +154,39 @@ def _check_accuracy(subject: Subject) -> None:
         held = mark_within(subject, arguments) & truth.decided
         for polynomial in (True, False):
             with np.errstate(all="ignore"), _with_polynomials(polynomial):
-                result = subject.kernel(*arguments)
-                errors = np.where(held, find_errors(result, truth).scaled, 0.0)
-            worst = int(np.argmax(errors))
-            if errors[worst] > accuracy.ulp:
-                shown = ", ".join(repr(np.asarray(a[worst]).tolist()) for a in arguments)
-                raise TranslationError(
-                    f"{subject.name}({shown}): {np.asarray(result)[worst]!r}, the oracle gives "
-                    f"{truth.high[worst]!r}: {errors[worst]:.3g} of {accuracy.ulp:g} eps"
-                )
+                _require_accuracy(subject, arguments, truth, held, subject.kernel(*arguments))
+        if compiled := getattr(subject.load_compiled(), subject.quantity.name, None):
+            for result in _compute_compiled(compiled, arguments):
+                _require_accuracy(subject, arguments, truth, held, result, "compiled: ")
+
+
+def _compute_compiled(compute: Compute, arguments: Arguments) -> Iterator[np.ndarray]:
+    """Compute points by every loop of a compiled kernel: together, alone, and in rows of equals."""
+    points = list(zip(*arguments, strict=True))
+    yield compute(*arguments)
+    yield np.array([compute(*point) for point in points])
+    rows = [compute(np.repeat(first[None], ROW, 0), *others) for first, *others in points]
+    yield np.array([row[-1] for row in rows])
+
+
+def _require_accuracy(
+    subject: Subject,
+    arguments: Arguments,
+    truth: Truth,
+    held: np.ndarray,
+    result: np.ndarray,
+    how: str = "",
+) -> None:
+    accuracy = subject.quantity.accuracy
+    assert accuracy is not None
+    errors = np.where(held, find_errors(result, truth).scaled, 0.0)
+    worst = int(np.argmax(errors))
+    if errors[worst] > accuracy.ulp:
+        shown = ", ".join(repr(np.asarray(a[worst]).tolist()) for a in arguments)
+        raise TranslationError(
+            f"{how}{subject.name}({shown}): {np.asarray(result)[worst]!r}, the oracle gives "
+            f"{truth.high[worst]!r}: {errors[worst]:.3g} of {accuracy.ulp:g} eps"
+        )
 
 
 def _take(subject: Subject, point_set: PointSet, count: int) -> Arguments:

@@ -33,14 +33,21 @@ UNREAD = "none"
 
 
 def cache_folder() -> Path:
-    """Return MECHPROOF_CACHE, or `mechproof` in the user's folder for caches."""
+    """Return MECHPROOF_CACHE, or `mechproof` in the user's folder for caches.
+
+    A user without a home has none that can be written.
+    """
     if named := os.environ.get(VARIABLE):
         return Path(named)
+    try:
+        home = Path.home()
+    except RuntimeError:
+        home = Path(os.devnull)
     if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData/Local", "mechproof")
+        return Path(os.environ.get("LOCALAPPDATA") or home / "AppData/Local", "mechproof")
     if sys.platform == "darwin":
-        return Path.home() / "Library/Caches/mechproof"
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "mechproof")
+        return home / "Library/Caches/mechproof"
+    return Path(os.environ.get("XDG_CACHE_HOME") or home / ".cache", "mechproof")
 
 
 def prover_sources() -> list[Path]:

@@ -9,8 +9,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from mechproof.derivation import packaged_directory
-from mechproof.measured import FOLDER as MEASURED
-from mechproof.measured import KERNELS, Record, find_files, read_record
+from mechproof.measured import FOLDER as MEASURED, KERNELS, Record, find_files, read_record
 from mechproof.proof.ledger import Ledger
 from mechproof.record import Paper
 from mechproof.roundoff.certificate import tell_proofs

@@ -76,5 +76,5 @@ def mean_calls(kernel: ScalarKernel) -> Program:
     ]
     found = tuple(step.result for step in operations)
     exact = (True,) if kernel.limited else ()
-    last = Operation("_value", f"{kernel.name}_at", (*kernel.numbers, *found, *exact))
+    last = Operation("_value", f"value_of_{kernel.name}", (*kernel.numbers, *found, *exact))
     return Program(kernel.names, (*operations, last), (last.result,)).normal_form()

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
+from types import MappingProxyType
 
 from mechproof.codegen.backends.loops import describe_calls, mean_calls, take_out_loops
 from mechproof.codegen.backends.numpy import (
@@ -37,15 +37,25 @@ from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.fill_reading import read_fills
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import NUMBA, NUMBA_FAR
+from mechproof.codegen.names import list_imports
 from mechproof.codegen.program import NOTHING, Program
 from mechproof.codegen.reading import ELEMENTARY, TranslationError
 from mechproof.codegen.syntax import Syntax
 from mechproof.record import Paper, Together
 
-SUPPORT = (
-    "BLOCK", "Loops", "Sums", "choose", "copysign", "count_sets", "count_terms", "floor", "fma",
-    "has_nan", "is_finite", "loop", "maximum", "overload", "own_row", "power_of_two", "put_sets",
-    "rint", "run", "run_sums", "scalar", "take_row", "take_square", "take_terms", "widen",
+# To numba float() of a float32 is that float32, float64() is not.
+SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "builtins": ("abs", "float", "len", "min", "range", "type"),
+        "numpy": ("empty", "float64", "ndarray"),
+        "mechproof.compiled_support": (
+            "BLOCK", "Loops", "Sums", "choose", "copysign", "count_sets", "count_terms", "floor",
+            "fma", "has_nan", "is_finite", "loop", "maximum", "overload", "own_row",
+            "power_of_two", "put_sets", "rint", "run", "run_sums", "scalar", "take_row",
+            "take_square", "take_terms", "widen",
+        ),
+        "mechproof.kernels.compiled": ("elementary",),
+    }
 )  # fmt: skip
 # What is said of sums besides.
 SUMMED = (
@@ -81,7 +91,7 @@ def _describe(system: str) -> tuple[str, ...]:
         "Tests hold them to the same accuracy bounds. What help says is proved of rounding errors",
         "is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.",
         "",
-        f"Elementary functions: `{ELEMENTARY.strip('.')}` {_hash_elementary()}.",
+        f"Elementary functions: `{ELEMENTARY.strip('_.')}` {_hash_elementary()}.",
         "",
     )
 
@@ -105,11 +115,10 @@ def render_elementary() -> str:
     data: dict[str, object] = {
         "docstring": (*ELEMENTARY_TEXT, _name_support(), "", REGENERATED),
         "largest": DOUBLE.largest,
-        "support": SUPPORT,
+        "imports": [],
         "functions": [write_elementary(kind, DOUBLE, NUMBA, NUMBA_FAR) for kind in BODIES],
     }
-    _, _, used = render_template("numba_elementary.py.jinja", data).partition("LARGEST")
-    data["support"] = list_support(used)
+    data["imports"] = list_imports(render_template("numba_elementary.py.jinja", data), SUPPORT)
     source = format_source(render_template("numba_elementary.py.jinja", data))
     check_elementary(source)
     return source
@@ -133,12 +142,6 @@ def _name_support() -> str:
     return f"Compiled with them: `compiled_support` {digest[:12]}."
 
 
-def list_support(text: str) -> tuple[str, ...]:
-    """List the names of the support package that a text has."""
-    words = frozenset(re.findall(r"\w+", text))
-    return tuple(name for name in SUPPORT if name in words)
-
-
 def render_scalars(
     system: str,
     docstring: Sequence[str],
@@ -152,23 +155,12 @@ def render_scalars(
     data: dict[str, object] = {
         "system": system,
         "docstring": docstring,
-        "support": SUPPORT,
-        "numpy": [],
-        "elementary": False,
-        "letters": LOOPS,
+        "imports": [],
+        "letters": [f"_{letter}" for letter in LOOPS],
         "reductions": [write_reduction(found, language) for found in reductions],
         "kernels": written,
     }
-    # What the body names is imported.
-    _, _, used = render_template("numba_module.py.jinja", data).partition("__all__")
-    data["support"] = list_support(used)
-    data["elementary"] = ELEMENTARY in used
-    names = [name for name in ("empty", "float64", "ndarray") if re.search(rf"\b{name}\b", used)]
-    data["numpy"] = [
-        *(["import numpy as np"] if "np." in used else []),
-        # To numba float() of a float32 is that float32.
-        *([f"from numpy import {', '.join(names)}"] if names else []),
-    ]
+    data["imports"] = list_imports(render_template("numba_module.py.jinja", data), SUPPORT)
     source = format_source(render_template("numba_module.py.jinja", data))
     check_translation(source, kernels)
     return source
@@ -199,11 +191,11 @@ def check_translation(source: str, kernels: Iterable[Kernel]) -> None:
     beside = {f"{name}{OF_SETS}": loop for name, loop in loops.items()}
     _compare(loops | beside, read_reductions(source))
     written = [(kernel, write_scalar(kernel, language, loops)) for kernel, loops in parted]
-    guards = {f"_{k.name}_at": _mean_guards(k, text.taken_names) for k, text in written}
+    guards = {f"_value_of_{k.name}": _mean_guards(k, text.taken_names) for k, text in written}
     _compare(guards, read_guards(source))
     sums = [text for _, text in written if text.sums]
-    _compare({f"_{text.name}_point": mean_calls(text) for text in sums}, read_scalars(source))
-    _compare({f"_fill_each_{text.name}": mean_calls(text) for text in sums}, read_fills(source))
+    _compare({f"_point_of_{text.name}": mean_calls(text) for text in sums}, read_scalars(source))
+    _compare({f"_fill_each_of_{text.name}": mean_calls(text) for text in sums}, read_fills(source))
 
 
 def _mean_guards(kernel: Kernel, taken: tuple[str, ...]) -> tuple[Program, ...]:

@@ -28,6 +28,7 @@ from mechproof.codegen.escapes import ESCAPES
 from mechproof.codegen.facts import Condition, Sizes, list_conditions, list_sizes
 from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.languages import NUMPY_BODY
+from mechproof.codegen.names import list_imports
 from mechproof.codegen.program import Program
 from mechproof.codegen.syntax import Text, write_program
 from mechproof.record import Form, Paper
@@ -37,9 +38,15 @@ LINE_LENGTH = 100
 REGENERATED = "Regenerate with `mechproof regenerate`, which refuses to overwrite edits."
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
-        "arrays": ("as_floats", "check_components", "split_components", "sum_axes"),
-        "blocks": ("in_blocks", "quietly", "store", "transform"),
-        "domains": (
+        "builtins": ("abs",),
+        "mechproof.kernel_support.arrays": (
+            "as_floats",
+            "check_components",
+            "split_components",
+            "sum_axes",
+        ),
+        "mechproof.kernel_support.blocks": ("in_blocks", "quietly", "store", "transform"),
+        "mechproof.kernel_support.domains": (
             "every",
             "holds",
             "is_finite",
@@ -47,7 +54,7 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "is_positive",
             "nan_outside",
         ),
-        "error_free": (
+        "mechproof.kernel_support.error_free": (
             "product_rest",
             "quotient_rest",
             "single",
@@ -55,24 +62,24 @@ SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
             "sum_rest",
             "whole_turns_off",
         ),
-        "facts": ("Condition", "Sizes"),
-        "functions": (
+        "mechproof.kernel_support.facts": ("Condition", "Sizes"),
+        "mechproof.kernel_support.functions": (
             "add_up",
             "choose_where",
             "floor",
+            "hypot",
             "maximum",
             "nonnegative_form",
             "quadratic_form",
             "square",
         ),
-        "polynomials": ("small_arctan", "tangent_quotient"),
+        "mechproof.kernel_support.polynomials": ("small_arctan", "tangent_quotient"),
     }
 )
 # Constants that functions of the support package take as their last argument.
 FITS: Mapping[str, tuple[Target, tuple[int, int]]] = MappingProxyType(
-    {"TANGENT": (HALF_TANGENT, (3, 3)), "ARCTANGENT": (SMALL_ARCTANGENT, (4, 4))}
+    {"_TANGENT": (HALF_TANGENT, (3, 3)), "_ARCTANGENT": (SMALL_ARCTANGENT, (4, 4))}
 )
-RESERVED = frozenset({"np", "out", *FITS, *(n for ns in SUPPORT.values() for n in ns)})
 
 
 @dataclass(frozen=True)
@@ -147,16 +154,12 @@ def render_module(
         "kernels": kernels,
         "conditions": conditions,
         "sizes": sizes,
-        "support": {},
+        "imports": [],
         "constants": [],
     }
     # What the body names is imported.
     body = render_template("numpy_module.py.jinja", data)
-    data["support"] = {
-        file: used
-        for file, names in SUPPORT.items()
-        if (used := [name for name in names if f"{name}(" in body])
-    }
+    data["imports"] = list_imports(body, SUPPORT)
     data["constants"] = [
         (name, target, fitted, enclose(target, fitted) / DOUBLE.eps)
         for name, (target, degrees) in FITS.items()
@@ -167,15 +170,11 @@ def render_module(
 
 
 def write_kernel(kernel: Kernel, docstring: tuple[str, ...]) -> KernelText:
-    """Write the texts of a kernel.
-
-    Raises ValueError if a name in it means something else in the module.
-    """
+    """Write the texts of a kernel."""
     code, stages = kernel.code, []
     counts = zip(kernel.forms, code.stages, code.count_operations(), strict=True)
     for number, (form, stage, operations) in enumerate(counts):
         last = number == len(code.stages) - 1
-        _check_reserved(kernel.name, stage)
         stages.append(
             StageText(
                 form,
@@ -205,12 +204,6 @@ def _write_condition(program: Program | None) -> str:
         return ""
     (text,) = write_program(program, NUMPY_BODY).outputs
     return text
-
-
-def _check_reserved(name: str, stage: Stage) -> None:
-    used = {n for p in stage.programs for n in (*p.inputs, *(o.result for o in p.operations))}
-    if taken := sorted(used & RESERVED):
-        raise ValueError(f"{name}: {taken} cannot name variables of a kernel")
 
 
 def render_init(text: str) -> str:

@@ -6,11 +6,12 @@ products, and the elementary functions that occur are programs of plain arithmet
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 
 from mechproof.codegen.backends.quotients import put_off_divisions
 from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.evaluation import unused_name
 from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program
 from mechproof.record import Paper
@@ -39,6 +40,34 @@ def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
 
 def _adapt(kernel: Kernel) -> Kernel:
     stages = tuple(map(put_off_stage, kernel.code.stages))
+    adapted = replace(kernel, code=replace(kernel.code, stages=stages))
+    components = {c for a in list_arguments(kernel) if a.width for c in a.components}
+    return _rename_steps(adapted, components)
+
+
+def _rename_steps(kernel: Kernel, taken: Collection[str]) -> Kernel:
+    """Give steps that are called like a component another name."""
+    made = {s.result for stage in kernel.code.stages for p in stage.programs for s in p.operations}
+    known = kernel.code.names.union(taken)
+    names: dict[Operand, str] = {n: unused_name(n, known) for n in sorted(made.intersection(taken))}
+    if not names:
+        return kernel
+
+    def change(program: Program) -> Program:
+        steps = tuple(
+            replace(step, result=names.get(step.result, step.result))
+            for step in rename(program, names).operations
+        )
+        return replace(rename(program, names), operations=steps)
+
+    stages = tuple(
+        replace(
+            stage,
+            prepare=change(stage.prepare) if stage.prepare is not NOTHING else NOTHING,
+            evaluate=change(stage.evaluate) if stage.evaluate else None,
+        )
+        for stage in kernel.code.stages
+    )
     return replace(kernel, code=replace(kernel.code, stages=stages))
 
 
@@ -54,11 +83,12 @@ def put_off_stage(stage: Stage) -> Stage:
 def list_arguments(kernel: Kernel) -> tuple[ScalarArgument, ...]:
     """List the arguments of a kernel with the names of their components."""
     widths = {name: len(components) for name, components in kernel.code.vectors}
+    taken = kernel.code.arguments
     axes = dict(kernel.code.indexed)
     return tuple(
         ScalarArgument(
             a.name,
-            tuple(f"{a.name}_{i}" for i in range(widths[a.name]))
+            tuple(unused_name(f"{a.name}_{i}", taken) for i in range(widths[a.name]))
             if a.name in widths
             else (a.name,),
             widths.get(a.name, 0),

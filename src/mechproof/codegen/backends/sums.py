@@ -27,8 +27,6 @@ INDICES: Mapping[str, tuple[int, ...]] = MappingProxyType(
     {"along_first": (0,), "along_last": (1,), "transpose": (1, 0), "diagonal": (0, 0)}
 )
 LOOPS = "ij"
-# Names of the printed loops; a parameter takes another one.
-LOCAL = ("i", "j", "s", "high", "low", "term", "terms", "total", "holds", "exact", "out")
 # The operations that a printed sum is made of.
 ADDED = "total_rest"
 
@@ -55,14 +53,16 @@ def fold_sums(kernels: Iterable[Kernel]) -> tuple[tuple[Kernel, ...], tuple[Redu
 
     Raises NotImplementedError for sums in the terms of sums.
     """
-    folder = _Folder()
+    kernels = tuple(kernels)
+    folder = _Folder({name for kernel in kernels for name in kernel.code.names})
     folded = tuple(map(folder.fold, kernels))
     return folded, tuple(folder.reductions)
 
 
 class _Folder:
-    def __init__(self) -> None:
+    def __init__(self, taken: set[str]) -> None:
         self.reductions: list[Reduction] = []
+        self._taken = taken
 
     def fold(self, kernel: Kernel) -> Kernel:
         if not kernel.code.indexed:
@@ -99,14 +99,13 @@ class _Folder:
         value, count = step.operands
         result = term.take(value)
         used = tuple(dict.fromkeys(name for name, _ in term.elements))
-        names = {name: unused_name(name, LOCAL) for name in used}
         found = Reduction(
             "",
             step.kind,
             int(count),
-            tuple(names.values()),
-            tuple(names[n] for n in used if n in term.axes),
-            tuple((names[n], indices) for n, indices in term.elements),
+            used,
+            tuple(n for n in used if n in term.axes),
+            tuple(term.elements),
             Program(tuple(term.elements.values()), tuple(term.operations), (result,)).normal_form(),
         )
         return Operation(step.result, self._name(found), used)
@@ -115,7 +114,7 @@ class _Folder:
         for known in self.reductions:
             if replace(known, name="") == found:
                 return known.name
-        name = f"{found.kind}_{len(self.reductions) + 1}"
+        name = unused_name(f"{found.kind}_{len(self.reductions) + 1}", self._taken)
         self.reductions.append(replace(found, name=name))
         return name
 

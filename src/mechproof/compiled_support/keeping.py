@@ -1,0 +1,59 @@
+"""Compiled code in files: found again by the module that it was compiled as, or done without."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from functools import cache
+from hashlib import sha256
+from typing import Any
+
+from numba import njit
+from numba.core.caching import CompileResultCacheImpl, FunctionCache
+
+
+class _Files(CompileResultCacheImpl):
+    """Files of their own for each module: what is in them finds the rest by the module's name."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        super().__init__(function)
+        self._filename_base += f"-{sha256(function.__module__.encode()).hexdigest()[:8]}"
+
+
+class _Kept(FunctionCache):
+    """What numba keeps of a function; a folder that cannot be written is no error."""
+
+    _impl_class = _Files
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        try:
+            super().save_overload(sig, data)
+        except OSError:
+            _say_once()
+
+
+def compile_kept(**options: Any) -> Callable[[Callable[..., Any]], Any]:
+    """Return a decorator that compiles a function on its first call and keeps it in a file."""
+    compiled = njit(error_model="numpy", nogil=True, **options)
+
+    def decorate(function: Callable[..., Any]) -> Any:
+        dispatcher = compiled(function)
+        # Without numba's compiler a function stays as it is.
+        if dispatcher is not function:
+            try:
+                dispatcher._cache = _Kept(function)
+            except RuntimeError:
+                _say_once()
+        return dispatcher
+
+    return decorate
+
+
+@cache
+def _say_once() -> None:
+    warnings.warn(
+        "compiled kernels are compiled anew in every process: no folder for them can be written; "
+        "name one in NUMBA_CACHE_DIR",
+        RuntimeWarning,
+        stacklevel=3,
+    )
