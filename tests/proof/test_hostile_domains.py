@@ -39,6 +39,11 @@ TRUE = [
     ("n>30", ("n^2>p", "p>1000"), N),
     ("|x|<1", ("x^2+y^2<1",), ()),
     (r"x<\frac12", ("x<y^2", r"y^2<\frac12", "y>0"), ()),
+    ("n>7", (r"n>\sqrt p", "p>50"), N),
+    (r"n\ge m", (r"n^2\ge m^2",), NM),
+    ("n!>100", ("2n>p", r"p\ge9"), N),
+    ("x>0", ("x>y", r"y>\sin z", r"\sin z>0"), ()),
+    (r"x\ge1", ("x>y", r"y>\ln z", r"z>\mathrm{e}"), ()),
     # Families that are tied to others.
     (r"\sum_{k=1}^2a_k<0", ("a_k<b_k", "b_k<0"), ()),
     (r"\sum_{k=1}^3a_k>3", ("a_k>c", "c>1"), ()),
@@ -98,6 +103,8 @@ EMPTY = [
     (ANY, N, (r"n<p", "p<1"), ()),
     (ANY, NM, ("n>m", "n<m+1"), ()),
     (ANY, (), ("x^2+y^2<0",), ()),
+    (ANY, (), ("z>2", "y<3"), (r"z=\sqrt y",)),
+    (r"\sum_{k=1}^na_k\ge0", (), (r"a_k^2\le b", "b<0"), ()),
     (r"\sum_{k=1}^2a_k<0", (), ("a_k<b", "b<0", "a_k>0"), ()),
 ]
 

@@ -117,7 +117,7 @@ class Meaning:
 
     def relate(self, chain: Chain) -> tuple[sp.Basic, ...]:
         """Return the relations of a chain, left as they stand."""
-        members = [self.of(member) for member in chain.members]
+        members = [self.side(member) for member in chain.members]
         if _any_matrix(members) and {*chain.relations} - {"=", r"\equiv"}:
             raise self.source.refuse(
                 chain.members[0].start, "matrices are not put in order", _ENTRIES
@@ -141,6 +141,8 @@ class Meaning:
         if isinstance(node.symbol, sp.IndexedBase):
             return node.symbol[tuple(self.of(index) for index in node.indices)]
         value = self.values.get(node.symbol)
+        if isinstance(value, sp.Expr) and not isinstance(value, sp.MatrixBase):
+            self._met[node.symbol] = None
         return value if isinstance(value, sp.MatrixBase) else node.symbol
 
     def _add(self, node: Add) -> Any:
