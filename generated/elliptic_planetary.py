@@ -31,23 +31,35 @@ What errors are relative to:
         e**2 - 2*e*cos(x))**2| + e*k**2*(1 - e**2)*|x|/(2**51*(1 + e**2 - 2*e*cos(x))**2)
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
+import numpy as _np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats
-from mechproof.kernel_support.blocks import in_blocks
-from mechproof.kernel_support.domains import holds, is_finite, is_positive, nan_outside
-from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent
-from mechproof.kernel_support.facts import Condition, Sizes
-from mechproof.kernel_support.functions import square
-from mechproof.kernel_support.polynomials import small_arctan, tangent_quotient
+from mechproof.kernel_support.arrays import as_floats as _as_floats
+from mechproof.kernel_support.blocks import in_blocks as _in_blocks
+from mechproof.kernel_support.domains import (
+    holds as _holds,
+    is_finite as _is_finite,
+    is_positive as _is_positive,
+    nan_outside as _nan_outside,
+)
+from mechproof.kernel_support.error_free import (
+    product_rest as _product_rest,
+    quotient_rest as _quotient_rest,
+    small_tangent as _small_tangent,
+)
+from mechproof.kernel_support.facts import Condition as _Condition, Sizes as _Sizes
+from mechproof.kernel_support.functions import square as _square
+from mechproof.kernel_support.polynomials import (
+    small_arctan as _small_arctan,
+    tangent_quotient as _tangent_quotient,
+)
 
 __all__ = [
     "acceleration",
@@ -58,12 +70,12 @@ __all__ = [
 ]
 
 # tan(r/2)/r in powers of r**2; the whole function is off by at most 0.232 eps
-TANGENT = (
+_TANGENT = (
     (0.5, -0.016035293642667474, 8.768104139812438e-05, -5.8456452551230476e-08),
     (1.0, -0.11540392061866767, 0.0014590221343479823, -3.256720523293968e-06),
 )
 # (atan(y)/y - 1)/y**2 in powers of y**2; the whole function is off by at most 0.296 eps
-ARCTANGENT = (
+_ARCTANGENT = (
     (
         -0.333333333333333,
         -0.5450762850257569,
@@ -74,28 +86,28 @@ ARCTANGENT = (
     (1.0, 2.2352288550767723, 1.696653795115032, 0.4973868644715952, 0.04408898987456305),
 )
 DOMAIN = (
-    Condition(
+    _Condition(
         "R1",
         "0 < R1 < oo",
         ("R1",),
-        lambda R1: (R1 > 0) & is_finite(R1),
+        lambda R1: (R1 > 0) & _is_finite(R1),
         ("ratio", "position", "acceleration", "largest_ratio", "smallest_ratio"),
     ),
-    Condition(
+    _Condition(
         "R2",
         "0 < R2 < oo",
         ("R2",),
-        lambda R2: (R2 > 0) & is_finite(R2),
+        lambda R2: (R2 > 0) & _is_finite(R2),
         ("ratio", "position", "acceleration", "largest_ratio", "smallest_ratio"),
     ),
-    Condition(
+    _Condition(
         "e",
         "0 <= e < 1",
         ("e",),
         lambda e: (e >= 0) & (e < 1),
         ("ratio", "position", "acceleration", "largest_ratio", "smallest_ratio"),
     ),
-    Condition(
+    _Condition(
         "R2",
         "R2 < R1",
         ("R1", "R2"),
@@ -104,10 +116,10 @@ DOMAIN = (
     ),
 )
 PUBLISHED = (
-    Sizes("Table 1, variant 1", {"R1": 66.0, "R2": 16.0, "e": 0.28}, ()),
-    Sizes("Table 1, variant 2", {"R1": 66.0, "R2": 16.0, "e": 0.475}, ()),
-    Sizes("Table 1, variant 3", {"R1": 80.0, "R2": 30.0, "e": 0.28}, ()),
-    Sizes("Table 1, variant 4", {"R1": 80.0, "R2": 30.0, "e": 0.475}, ()),
+    _Sizes("Table 1, variant 1", {"R1": 66.0, "R2": 16.0, "e": 0.28}, ()),
+    _Sizes("Table 1, variant 2", {"R1": 66.0, "R2": 16.0, "e": 0.475}, ()),
+    _Sizes("Table 1, variant 3", {"R1": 80.0, "R2": 30.0, "e": 0.28}, ()),
+    _Sizes("Table 1, variant 4", {"R1": 80.0, "R2": 30.0, "e": 0.475}, ()),
 )
 
 
@@ -158,36 +170,36 @@ def ratio(
     Source: Prikhodko et al. 2024, equation (8).
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_ratio, R1, R2, e)
-    return in_blocks(_ratio, (phi1,), _prepare_ratio, (R1, R2, e), out=out)
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio, R1, R2, e)
+    return _in_blocks(_form_of_ratio, (phi1,), _prepare_of_ratio, (R1, R2, e), out=out)
 
 
-def _check_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
     one_minus_e = 1.0 - e
     one_plus_e = 1.0 + e
-    k_low = quotient_rest(R1, R2, k)
+    k_low = _quotient_rest(R1, R2, k)
 
     return (k, one_minus_e, one_plus_e, k_low)
 
 
-def _ratio(phi1: Any, k: Any, one_minus_e: Any, one_plus_e: Any, k_low: Any) -> Any:
+def _form_of_ratio(phi1: Any, k: Any, one_minus_e: Any, one_plus_e: Any, k_low: Any) -> Any:
     x = k * phi1
-    t = np.tan(x / 2.0)
-    x_low = k_low * phi1 + product_rest(k, phi1, x)
-    t_low = small_tangent(x_low / 2.0)
+    t = _np.tan(x / 2.0)
+    x_low = k_low * phi1 + _product_rest(k, phi1, x)
+    t_low = _small_tangent(x_low / 2.0)
     adjacent = 1.0 - t * t_low
-    adjacent_squared = square(adjacent)
+    adjacent_squared = _square(adjacent)
     opposite = t + t_low
-    opposite_squared = square(opposite)
+    opposite_squared = _square(opposite)
 
     return 1.0 + k * one_minus_e * one_plus_e / (
-        square(one_minus_e) * adjacent_squared + square(one_plus_e) * opposite_squared
+        _square(one_minus_e) * adjacent_squared + _square(one_plus_e) * opposite_squared
     ) * (adjacent_squared + opposite_squared)
 
 
@@ -248,18 +260,20 @@ def position(
     Source: Prikhodko et al. 2024, integral (9) of equation (8).
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position, R1, R2, e)
-    if holds(e <= 0.5):
-        return in_blocks(_position_1, (phi1,), _prepare_position_1, (R1, R2, e), out=out)
-    return in_blocks(_position, (phi1,), _prepare_position, (R1, R2, e), out=out)
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position, R1, R2, e)
+    if _holds(e <= 0.5):
+        return _in_blocks(
+            _form_1_of_position, (phi1,), _prepare_1_of_position, (R1, R2, e), out=out
+        )
+    return _in_blocks(_form_of_position, (phi1,), _prepare_of_position, (R1, R2, e), out=out)
 
 
-def _check_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_1(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_1_of_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
     one_minus_e = 1.0 - e
     one_plus_e = 1.0 + e
@@ -267,35 +281,37 @@ def _prepare_position_1(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     return (e, k, one_minus_e, one_plus_e)
 
 
-def _position_1(phi1: Any, e: Any, k: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
+def _form_1_of_position(phi1: Any, e: Any, k: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
     x = k * phi1
 
-    return (1.0 + k) * phi1 + 2.0 * small_arctan(
-        2.0 * e * tangent_quotient(x / 2.0, one_minus_e, one_plus_e, TANGENT), ARCTANGENT
+    return (1.0 + k) * phi1 + 2.0 * _small_arctan(
+        2.0 * e * _tangent_quotient(x / 2.0, one_minus_e, one_plus_e, _TANGENT), _ARCTANGENT
     )
 
 
-def _prepare_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_position(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
-    k_low = quotient_rest(R1, R2, k)
+    k_low = _quotient_rest(R1, R2, k)
     one_minus_e = 1.0 - e
     one_plus_e = 1.0 + e
 
     return (e, k, k_low, one_minus_e, one_plus_e)
 
 
-def _position(phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
+def _form_of_position(
+    phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_plus_e: Any
+) -> Any:
     x = k * phi1
-    t = np.tan(x / 2.0)
-    x_low = k_low * phi1 + product_rest(k, phi1, x)
-    t_low = small_tangent(x_low / 2.0)
+    t = _np.tan(x / 2.0)
+    x_low = k_low * phi1 + _product_rest(k, phi1, x)
+    t_low = _small_tangent(x_low / 2.0)
     adjacent = 1.0 - t * t_low
     opposite = t + t_low
 
-    return (1.0 + k) * phi1 + 2.0 * np.arctan(
+    return (1.0 + k) * phi1 + 2.0 * _np.arctan(
         2.0
         * e
-        / (one_minus_e * square(adjacent) + one_plus_e * square(opposite))
+        / (one_minus_e * _square(adjacent) + one_plus_e * _square(opposite))
         * adjacent
         * opposite
     )
@@ -335,7 +351,8 @@ def acceleration(
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy, tested: 16 eps of the value and what eps*x makes of it, where |x| <= 2**26 and
-    (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and (e = 0 or 1e-200 <= e).
+    (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e150*R2 and (e =
+    0 or 1e-200 <= e).
 
     Proved, where |x| <= 22/7 and |pi - |x|| >= 2**-40, as long as no result overflows or falls
     below the normal range: at most 21.88 eps with np.tan within 1 ulp, found 10.23; at most
@@ -344,41 +361,45 @@ def acceleration(
     Source: derivative of Prikhodko et al. 2024, equation (8).
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_acceleration, R1, R2, e)
-    return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (R1, R2, e), out=out)
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_acceleration, R1, R2, e)
+    return _in_blocks(
+        _form_of_acceleration, (phi1,), _prepare_of_acceleration, (R1, R2, e), out=out
+    )
 
 
-def _check_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_acceleration(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
-    k_low = quotient_rest(R1, R2, k)
+    k_low = _quotient_rest(R1, R2, k)
     one_minus_e = 1.0 - e
     one_plus_e = 1.0 + e
 
     return (e, k, k_low, one_minus_e, one_plus_e)
 
 
-def _acceleration(phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
+def _form_of_acceleration(
+    phi1: Any, e: Any, k: Any, k_low: Any, one_minus_e: Any, one_plus_e: Any
+) -> Any:
     x = k * phi1
-    t = np.tan(x / 2.0)
-    x_low = k_low * phi1 + product_rest(k, phi1, x)
-    t_low = small_tangent(x_low / 2.0)
+    t = _np.tan(x / 2.0)
+    x_low = k_low * phi1 + _product_rest(k, phi1, x)
+    t_low = _small_tangent(x_low / 2.0)
     adjacent = 1.0 - t * t_low
     opposite = t + t_low
-    adjacent_squared = square(adjacent)
-    opposite_squared = square(opposite)
+    adjacent_squared = _square(adjacent)
+    opposite_squared = _square(opposite)
 
     return (
         -4.0
         * e
         * one_minus_e
         * one_plus_e
-        * square(k)
-        / square(square(one_minus_e) * adjacent_squared + square(one_plus_e) * opposite_squared)
+        * _square(k)
+        / _square(_square(one_minus_e) * adjacent_squared + _square(one_plus_e) * opposite_squared)
         * adjacent
         * opposite
         * (adjacent_squared + opposite_squared)
@@ -419,21 +440,21 @@ def largest_ratio(
     Source: extremes of Prikhodko et al. 2024, equation (8).
 
     """
-    R1, R2, e = as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = nan_outside(_check_largest_ratio, R1, R2, e)
-    return in_blocks(_largest_ratio, (R1,), _prepare_largest_ratio, (R2, e), out=out)
+    R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_largest_ratio, R1, R2, e)
+    return _in_blocks(_form_of_largest_ratio, (R1,), _prepare_of_largest_ratio, (R2, e), out=out)
 
 
-def _check_largest_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R2), e >= 0.0, e < 1.0, is_positive(R1), R2 < R1)
+def _check_of_largest_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
-def _prepare_largest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_largest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
 
     return (R2, e)
 
 
-def _largest_ratio(R1: Any, R2: Any, e: Any) -> Any:
+def _form_of_largest_ratio(R1: Any, R2: Any, e: Any) -> Any:
     k = R1 / R2
 
     return 1.0 + (1.0 + e) / (1.0 - e) * k
@@ -473,21 +494,21 @@ def smallest_ratio(
     Source: extremes of Prikhodko et al. 2024, equation (8).
 
     """
-    R1, R2, e = as_floats("R1 R2 e", R1, R2, e)
-    R1, R2, e = nan_outside(_check_smallest_ratio, R1, R2, e)
-    return in_blocks(_smallest_ratio, (R1,), _prepare_smallest_ratio, (R2, e), out=out)
+    R1, R2, e = _as_floats("R1 R2 e", R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_smallest_ratio, R1, R2, e)
+    return _in_blocks(_form_of_smallest_ratio, (R1,), _prepare_of_smallest_ratio, (R2, e), out=out)
 
 
-def _check_smallest_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R2), e >= 0.0, e < 1.0, is_positive(R1), R2 < R1)
+def _check_of_smallest_ratio(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R2), e >= 0.0, e < 1.0, _is_positive(R1), R2 < R1)
 
 
-def _prepare_smallest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_smallest_ratio(R2: Any, e: Any) -> tuple[Any, ...]:
 
     return (R2, e)
 
 
-def _smallest_ratio(R1: Any, R2: Any, e: Any) -> Any:
+def _form_of_smallest_ratio(R1: Any, R2: Any, e: Any) -> Any:
     k = R1 / R2
 
     return 1.0 + (1.0 - e) / (1.0 + e) * k

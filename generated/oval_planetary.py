@@ -60,22 +60,33 @@ What errors are relative to:
         - 2*e2*cos(x))**2)
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
+from builtins import abs as _abs
 from typing import Any
 
-import numpy as np
+import numpy as _np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats
-from mechproof.kernel_support.blocks import in_blocks
-from mechproof.kernel_support.domains import holds, is_finite, is_positive, nan_outside
-from mechproof.kernel_support.error_free import product_rest, quotient_rest, small_tangent, sum_rest
-from mechproof.kernel_support.facts import Condition, Sizes
-from mechproof.kernel_support.functions import square
+from mechproof.kernel_support.arrays import as_floats as _as_floats
+from mechproof.kernel_support.blocks import in_blocks as _in_blocks
+from mechproof.kernel_support.domains import (
+    holds as _holds,
+    is_finite as _is_finite,
+    is_positive as _is_positive,
+    nan_outside as _nan_outside,
+)
+from mechproof.kernel_support.error_free import (
+    product_rest as _product_rest,
+    quotient_rest as _quotient_rest,
+    small_tangent as _small_tangent,
+    sum_rest as _sum_rest,
+)
+from mechproof.kernel_support.facts import Condition as _Condition, Sizes as _Sizes
+from mechproof.kernel_support.functions import square as _square
 
 __all__ = [
     "acceleration",
@@ -87,14 +98,14 @@ __all__ = [
 ]
 
 DOMAIN = (
-    Condition(
+    _Condition(
         "e1",
         "0 <= e1 < 1",
         ("e1",),
         lambda e1: (e1 >= 0) & (e1 < 1),
         ("ratio", "position", "acceleration"),
     ),
-    Condition(
+    _Condition(
         "e2",
         "0 <= e2 < 1",
         ("e2",),
@@ -108,26 +119,26 @@ DOMAIN = (
             "acceleration_cylindrical",
         ),
     ),
-    Condition(
+    _Condition(
         "R4",
         "0 < R4 < oo",
         ("R4",),
-        lambda R4: (R4 > 0) & is_finite(R4),
+        lambda R4: (R4 > 0) & _is_finite(R4),
         ("ratio_cylindrical", "position_cylindrical", "acceleration_cylindrical"),
     ),
-    Condition(
+    _Condition(
         "R5",
         "0 < R5 < oo",
         ("R5",),
-        lambda R5: (R5 > 0) & is_finite(R5),
+        lambda R5: (R5 > 0) & _is_finite(R5),
         ("ratio_cylindrical", "position_cylindrical", "acceleration_cylindrical"),
     ),
 )
 PUBLISHED = (
-    Sizes("variant 1", {"e1": 0.2, "e2": 0.2}, ()),
-    Sizes("variant 2", {"R4": 25.0, "R5": 25.0, "e2": 0.2}, ()),
-    Sizes("variant 3", {"R4": 30.0, "R5": 20.0, "e2": 0.2}, ()),
-    Sizes("variant 4", {"R4": 32.0, "R5": 18.0, "e2": 0.2}, ()),
+    _Sizes("variant 1", {"e1": 0.2, "e2": 0.2}, ()),
+    _Sizes("variant 2", {"R4": 25.0, "R5": 25.0, "e2": 0.2}, ()),
+    _Sizes("variant 3", {"R4": 30.0, "R5": 20.0, "e2": 0.2}, ()),
+    _Sizes("variant 4", {"R4": 32.0, "R5": 18.0, "e2": 0.2}, ()),
 )
 
 
@@ -179,35 +190,35 @@ def ratio(
     Source: Prikhodko et al. 2024 (oval wheels), equation (10).
 
     """
-    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = nan_outside(_check_ratio, e1, e2)
-    return in_blocks(_ratio, (phi1,), _prepare_ratio, (e1, e2, mount), out=out)
+    phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
+    e1, e2 = _nan_outside(_check_of_ratio, e1, e2)
+    return _in_blocks(_form_of_ratio, (phi1,), _prepare_of_ratio, (e1, e2, mount), out=out)
 
 
-def _check_ratio(e1: Any, e2: Any) -> tuple[Any, ...]:
+def _check_of_ratio(e1: Any, e2: Any) -> tuple[Any, ...]:
     return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_ratio(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+def _prepare_of_ratio(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
     one_plus_e1 = 1.0 + e1
     both = one_plus_e1 * (1.0 + e2)
     one_minus_e1 = 1.0 - e1
     one_minus_e2 = 1.0 - e2
     less = one_minus_e1 * one_minus_e2
-    sin_mount = np.sin(mount)
+    sin_mount = _np.sin(mount)
     lever = 4.0 * e2 * sin_mount / one_minus_e2
     shift = lever * one_minus_e1 * sin_mount
-    rise = lever * one_plus_e1 * np.cos(mount)
+    rise = lever * one_plus_e1 * _np.cos(mount)
 
     return (both, less, shift, rise)
 
 
-def _ratio(phi1: Any, both: Any, less: Any, shift: Any, rise: Any) -> Any:
-    tan_phi1 = np.tan(phi1)
+def _form_of_ratio(phi1: Any, both: Any, less: Any, shift: Any, rise: Any) -> Any:
+    tan_phi1 = _np.tan(phi1)
     y = shift + rise * tan_phi1
-    tan_phi1_squared = square(tan_phi1)
+    tan_phi1_squared = _square(tan_phi1)
 
-    return 1.0 - both * (less + shift) / (square(both) * tan_phi1_squared + square(less + y)) * (
+    return 1.0 - both * (less + shift) / (_square(both) * tan_phi1_squared + _square(less + y)) * (
         1.0 + tan_phi1_squared
     )
 
@@ -259,23 +270,23 @@ def position(
     Source: Prikhodko et al. 2024 (oval wheels), integral (11).
 
     """
-    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = nan_outside(_check_position, e1, e2)
-    return in_blocks(_position, (phi1,), _prepare_position, (e1, e2, mount), out=out)
+    phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
+    e1, e2 = _nan_outside(_check_of_position, e1, e2)
+    return _in_blocks(_form_of_position, (phi1,), _prepare_of_position, (e1, e2, mount), out=out)
 
 
-def _check_position(e1: Any, e2: Any) -> tuple[Any, ...]:
+def _check_of_position(e1: Any, e2: Any) -> tuple[Any, ...]:
     return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_position(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    sin_mount = np.sin(mount)
+def _prepare_of_position(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+    sin_mount = _np.sin(mount)
     one_minus_e2 = 1.0 - e2
     lever = 4.0 * e2 * sin_mount / one_minus_e2
     one_minus_e1 = 1.0 - e1
     shift = lever * one_minus_e1 * sin_mount
     one_plus_e1 = 1.0 + e1
-    rise = lever * one_plus_e1 * np.cos(mount)
+    rise = lever * one_plus_e1 * _np.cos(mount)
     swing = 2.0 * e1 + 2.0 * e2
     less = one_minus_e1 * one_minus_e2
     both = one_plus_e1 * (1.0 + e2)
@@ -283,11 +294,11 @@ def _prepare_position(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
     return (shift, rise, swing, less, both)
 
 
-def _position(phi1: Any, shift: Any, rise: Any, swing: Any, less: Any, both: Any) -> Any:
-    tan_phi1 = np.tan(phi1)
+def _form_of_position(phi1: Any, shift: Any, rise: Any, swing: Any, less: Any, both: Any) -> Any:
+    tan_phi1 = _np.tan(phi1)
     y = shift + rise * tan_phi1
 
-    return np.arctan2(tan_phi1 * (y - swing), less + y + both * square(tan_phi1))
+    return _np.arctan2(tan_phi1 * (y - swing), less + y + both * _square(tan_phi1))
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), derivative of (10)
@@ -338,57 +349,61 @@ def acceleration(
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10).
 
     """
-    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = nan_outside(_check_acceleration, e1, e2)
-    return in_blocks(_acceleration, (phi1,), _prepare_acceleration, (e1, e2, mount), out=out)
+    phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
+    e1, e2 = _nan_outside(_check_of_acceleration, e1, e2)
+    return _in_blocks(
+        _form_of_acceleration, (phi1,), _prepare_of_acceleration, (e1, e2, mount), out=out
+    )
 
 
-def _check_acceleration(e1: Any, e2: Any) -> tuple[Any, ...]:
+def _check_of_acceleration(e1: Any, e2: Any) -> tuple[Any, ...]:
     return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_acceleration(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+def _prepare_of_acceleration(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
     one_plus_e1 = 1.0 + e1
     one_plus_e2 = 1.0 + e2
     both_high = one_plus_e1 * one_plus_e2
-    one_plus_e2_low = sum_rest(1.0, e2, one_plus_e2)
-    one_plus_e1_low = sum_rest(1.0, e1, one_plus_e1)
+    one_plus_e2_low = _sum_rest(1.0, e2, one_plus_e2)
+    one_plus_e1_low = _sum_rest(1.0, e1, one_plus_e1)
     both_low = (
         one_plus_e1 * one_plus_e2_low
         + one_plus_e1_low * one_plus_e2
-        + product_rest(one_plus_e1, one_plus_e2, both_high)
+        + _product_rest(one_plus_e1, one_plus_e2, both_high)
     )
     both = both_high + both_low
     one_minus_e1 = 1.0 - e1
     one_minus_e2 = 1.0 - e2
     less_high = one_minus_e1 * one_minus_e2
-    one_minus_e2_low = sum_rest(1.0, -e2, one_minus_e2)
-    one_minus_e1_low = sum_rest(1.0, -e1, one_minus_e1)
+    one_minus_e2_low = _sum_rest(1.0, -e2, one_minus_e2)
+    one_minus_e1_low = _sum_rest(1.0, -e1, one_minus_e1)
     less_low = (
         one_minus_e1 * one_minus_e2_low
         + one_minus_e1_low * one_minus_e2
-        + product_rest(one_minus_e1, one_minus_e2, less_high)
+        + _product_rest(one_minus_e1, one_minus_e2, less_high)
     )
     less = less_high + less_low
-    sin_mount = np.sin(mount)
+    sin_mount = _np.sin(mount)
     lever = 4.0 * e2 * sin_mount / one_minus_e2
     shift = lever * one_minus_e1 * sin_mount
-    rise = lever * one_plus_e1 * np.cos(mount)
+    rise = lever * one_plus_e1 * _np.cos(mount)
     swing = 2.0 * e1 + 2.0 * e2
 
     return (both, less, shift, rise, swing)
 
 
-def _acceleration(phi1: Any, both: Any, less: Any, shift: Any, rise: Any, swing: Any) -> Any:
-    tan_phi1 = np.tan(phi1)
+def _form_of_acceleration(
+    phi1: Any, both: Any, less: Any, shift: Any, rise: Any, swing: Any
+) -> Any:
+    tan_phi1 = _np.tan(phi1)
     y = shift + rise * tan_phi1
-    tan_phi1_squared = square(tan_phi1)
+    tan_phi1_squared = _square(tan_phi1)
 
     return (
         2.0
         * both
         * (less + shift)
-        / square(square(both) * tan_phi1_squared + square(less + y))
+        / _square(_square(both) * tan_phi1_squared + _square(less + y))
         * (1.0 + tan_phi1_squared)
         * (
             (swing * (both + less) - 2.0 * less * shift) * tan_phi1
@@ -437,42 +452,46 @@ def ratio_cylindrical(
     Source: Prikhodko et al. 2024 (oval wheels), equation (10), pair 4-5 cylindrical.
 
     """
-    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = nan_outside(_check_ratio_cylindrical, R4, R5, e2)
-    return in_blocks(_ratio_cylindrical, (phi1,), _prepare_ratio_cylindrical, (R4, R5, e2), out=out)
+    phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical, R4, R5, e2)
+    return _in_blocks(
+        _form_of_ratio_cylindrical, (phi1,), _prepare_of_ratio_cylindrical, (R4, R5, e2), out=out
+    )
 
 
-def _check_ratio_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
+def _check_of_ratio_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_ratio_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+def _prepare_of_ratio_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
     one_minus_e2 = 1.0 - e2
     one_plus_e2 = 1.0 + e2
-    k_low = quotient_rest(R4, R5, k)
+    k_low = _quotient_rest(R4, R5, k)
 
     return (k, one_minus_e2, one_plus_e2, k_low)
 
 
-def _ratio_cylindrical(phi1: Any, k: Any, one_minus_e2: Any, one_plus_e2: Any, k_low: Any) -> Any:
+def _form_of_ratio_cylindrical(
+    phi1: Any, k: Any, one_minus_e2: Any, one_plus_e2: Any, k_low: Any
+) -> Any:
     x = 2.0 * k * phi1
-    t = np.tan(x / 2.0)
-    x_low = 2.0 * k_low * phi1 + 2.0 * product_rest(k, phi1, x / 2.0)
-    t_low = small_tangent(x_low / 2.0)
+    t = _np.tan(x / 2.0)
+    x_low = 2.0 * k_low * phi1 + 2.0 * _product_rest(k, phi1, x / 2.0)
+    t_low = _small_tangent(x_low / 2.0)
     adjacent = 1.0 - t * t_low
-    adjacent_squared = square(adjacent)
+    adjacent_squared = _square(adjacent)
     opposite = t + t_low
-    opposite_squared = square(opposite)
+    opposite_squared = _square(opposite)
 
     return 1.0 - k * one_minus_e2 * one_plus_e2 / (
-        square(one_minus_e2) * adjacent_squared + square(one_plus_e2) * opposite_squared
+        _square(one_minus_e2) * adjacent_squared + _square(one_plus_e2) * opposite_squared
     ) * (adjacent_squared + opposite_squared)
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
 # Expressions sha256: f8b907549eae029485216bcc629080770ee49b161db6cef2debba288a7aae18d
-# Form where e2 * R4 <= (1.0 - e2) * abs(R4 - R5): half-angle atan
+# Form where e2 * R4 <= (1.0 - e2) * _abs(R4 - R5): half-angle atan
 # Rewrites: positive_atan2, half_angle_tangent
 # Operations: 18
 # Form: half-angle atan with low word
@@ -514,22 +533,30 @@ def position_cylindrical(
     Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical.
 
     """
-    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = nan_outside(_check_position_cylindrical, R4, R5, e2)
-    if holds(e2 * R4 <= (1.0 - e2) * abs(R4 - R5)):
-        return in_blocks(
-            _position_cylindrical_1, (phi1,), _prepare_position_cylindrical_1, (R4, R5, e2), out=out
+    phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_position_cylindrical, R4, R5, e2)
+    if _holds(e2 * R4 <= (1.0 - e2) * _abs(R4 - R5)):
+        return _in_blocks(
+            _form_1_of_position_cylindrical,
+            (phi1,),
+            _prepare_1_of_position_cylindrical,
+            (R4, R5, e2),
+            out=out,
         )
-    return in_blocks(
-        _position_cylindrical, (phi1,), _prepare_position_cylindrical, (R4, R5, e2), out=out
+    return _in_blocks(
+        _form_of_position_cylindrical,
+        (phi1,),
+        _prepare_of_position_cylindrical,
+        (R4, R5, e2),
+        out=out,
     )
 
 
-def _check_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
+def _check_of_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_position_cylindrical_1(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+def _prepare_1_of_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
     one_minus_e2 = 1.0 - e2
     one_plus_e2 = 1.0 + e2
@@ -537,40 +564,40 @@ def _prepare_position_cylindrical_1(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...
     return (R4, R5, e2, k, one_minus_e2, one_plus_e2)
 
 
-def _position_cylindrical_1(
+def _form_1_of_position_cylindrical(
     phi1: Any, R4: Any, R5: Any, e2: Any, k: Any, one_minus_e2: Any, one_plus_e2: Any
 ) -> Any:
     x = 2.0 * k * phi1
-    t = np.tan(x / 2.0)
+    t = _np.tan(x / 2.0)
 
-    return (R5 - R4) / R5 * phi1 - np.arctan(
-        2.0 * e2 / (one_minus_e2 + one_plus_e2 * square(t)) * t
+    return (R5 - R4) / R5 * phi1 - _np.arctan(
+        2.0 * e2 / (one_minus_e2 + one_plus_e2 * _square(t)) * t
     )
 
 
-def _prepare_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+def _prepare_of_position_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
-    k_low = quotient_rest(R4, R5, k)
+    k_low = _quotient_rest(R4, R5, k)
     one_minus_e2 = 1.0 - e2
     one_plus_e2 = 1.0 + e2
 
     return (R4, R5, e2, k, k_low, one_minus_e2, one_plus_e2)
 
 
-def _position_cylindrical(
+def _form_of_position_cylindrical(
     phi1: Any, R4: Any, R5: Any, e2: Any, k: Any, k_low: Any, one_minus_e2: Any, one_plus_e2: Any
 ) -> Any:
     x = 2.0 * k * phi1
-    t = np.tan(x / 2.0)
-    x_low = 2.0 * k_low * phi1 + 2.0 * product_rest(k, phi1, x / 2.0)
-    t_low = small_tangent(x_low / 2.0)
+    t = _np.tan(x / 2.0)
+    x_low = 2.0 * k_low * phi1 + 2.0 * _product_rest(k, phi1, x / 2.0)
+    t_low = _small_tangent(x_low / 2.0)
     adjacent = 1.0 - t * t_low
     opposite = t + t_low
 
-    return (R5 - R4) / R5 * phi1 - np.arctan(
+    return (R5 - R4) / R5 * phi1 - _np.arctan(
         2.0
         * e2
-        / (one_minus_e2 * square(adjacent) + one_plus_e2 * square(opposite))
+        / (one_minus_e2 * _square(adjacent) + one_plus_e2 * _square(opposite))
         * adjacent
         * opposite
     )
@@ -615,45 +642,51 @@ def acceleration_cylindrical(
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10), pair 4-5 cylindrical.
 
     """
-    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = nan_outside(_check_acceleration_cylindrical, R4, R5, e2)
-    return in_blocks(
-        _acceleration_cylindrical, (phi1,), _prepare_acceleration_cylindrical, (R4, R5, e2), out=out
+    phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_acceleration_cylindrical, R4, R5, e2)
+    return _in_blocks(
+        _form_of_acceleration_cylindrical,
+        (phi1,),
+        _prepare_of_acceleration_cylindrical,
+        (R4, R5, e2),
+        out=out,
     )
 
 
-def _check_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
+def _check_of_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+def _prepare_of_acceleration_cylindrical(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
-    k_low = quotient_rest(R4, R5, k)
+    k_low = _quotient_rest(R4, R5, k)
     one_minus_e2 = 1.0 - e2
     one_plus_e2 = 1.0 + e2
 
     return (e2, k, k_low, one_minus_e2, one_plus_e2)
 
 
-def _acceleration_cylindrical(
+def _form_of_acceleration_cylindrical(
     phi1: Any, e2: Any, k: Any, k_low: Any, one_minus_e2: Any, one_plus_e2: Any
 ) -> Any:
     x = 2.0 * k * phi1
-    t = np.tan(x / 2.0)
-    x_low = 2.0 * k_low * phi1 + 2.0 * product_rest(k, phi1, x / 2.0)
-    t_low = small_tangent(x_low / 2.0)
+    t = _np.tan(x / 2.0)
+    x_low = 2.0 * k_low * phi1 + 2.0 * _product_rest(k, phi1, x / 2.0)
+    t_low = _small_tangent(x_low / 2.0)
     adjacent = 1.0 - t * t_low
     opposite = t + t_low
-    adjacent_squared = square(adjacent)
-    opposite_squared = square(opposite)
+    adjacent_squared = _square(adjacent)
+    opposite_squared = _square(opposite)
 
     return (
         8.0
         * e2
         * one_minus_e2
         * one_plus_e2
-        * square(k)
-        / square(square(one_minus_e2) * adjacent_squared + square(one_plus_e2) * opposite_squared)
+        * _square(k)
+        / _square(
+            _square(one_minus_e2) * adjacent_squared + _square(one_plus_e2) * opposite_squared
+        )
         * adjacent
         * opposite
         * (adjacent_squared + opposite_squared)

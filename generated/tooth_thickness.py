@@ -31,21 +31,26 @@ What errors are relative to:
         |e_tip|/2)*tan(alpha)
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
+from builtins import abs as _abs
 from typing import Any
 
-import numpy as np
+import numpy as _np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats
-from mechproof.kernel_support.blocks import in_blocks
-from mechproof.kernel_support.domains import is_finite, is_positive, nan_outside
-from mechproof.kernel_support.facts import Condition, Sizes
-from mechproof.kernel_support.functions import floor, square
+from mechproof.kernel_support.arrays import as_floats as _as_floats
+from mechproof.kernel_support.blocks import in_blocks as _in_blocks
+from mechproof.kernel_support.domains import (
+    is_finite as _is_finite,
+    is_positive as _is_positive,
+    nan_outside as _nan_outside,
+)
+from mechproof.kernel_support.facts import Condition as _Condition, Sizes as _Sizes
+from mechproof.kernel_support.functions import floor as _floor, square as _square
 
 __all__ = [
     "chord_height",
@@ -58,11 +63,11 @@ __all__ = [
 ]
 
 DOMAIN = (
-    Condition(
+    _Condition(
         "m",
         "0 < m < oo",
         ("m",),
-        lambda m: (m > 0) & is_finite(m),
+        lambda m: (m > 0) & _is_finite(m),
         (
             "constant_chord",
             "chord_height",
@@ -71,11 +76,11 @@ DOMAIN = (
             "linearisation_bound",
         ),
     ),
-    Condition(
+    _Condition(
         "alpha",
         "0 < alpha < pi/4",
         ("alpha",),
-        lambda alpha: (alpha > 0) & (alpha < np.pi / 4),
+        lambda alpha: (alpha > 0) & (alpha < _np.pi / 4),
         (
             "constant_chord",
             "chord_height",
@@ -86,16 +91,16 @@ DOMAIN = (
             "thickness_error",
         ),
     ),
-    Condition(
+    _Condition(
         "z",
         "1 <= z < oo, z = floor(z)",
         ("z",),
-        lambda z: (z >= 1) & is_finite(z) & (z == floor(z)),
+        lambda z: (z >= 1) & _is_finite(z) & (z == _floor(z)),
         ("height_change", "thickness_change", "linearisation_bound"),
     ),
 )
 PUBLISHED = (
-    Sizes(
+    _Sizes(
         "paper on tooth thickness, design data",
         {"m": 3.0, "z": 50.0, "alpha": 0.3490658503988659},
         ("fitted",),
@@ -136,23 +141,23 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
     Source: paper on tooth thickness, design data; basic rack.
 
     """
-    m, alpha = as_floats("m alpha", m, alpha)
-    m, alpha = nan_outside(_check_constant_chord, m, alpha)
-    return in_blocks(_constant_chord, (m,), _prepare_constant_chord, (alpha,), out=out)
+    m, alpha = _as_floats("m alpha", m, alpha)
+    m, alpha = _nan_outside(_check_of_constant_chord, m, alpha)
+    return _in_blocks(_form_of_constant_chord, (m,), _prepare_of_constant_chord, (alpha,), out=out)
 
 
-def _check_constant_chord(m: Any, alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < np.pi / 4.0, is_positive(m))
+def _check_of_constant_chord(m: Any, alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < _np.pi / 4.0, _is_positive(m))
 
 
-def _prepare_constant_chord(alpha: Any) -> tuple[Any, ...]:
+def _prepare_of_constant_chord(alpha: Any) -> tuple[Any, ...]:
 
     return (alpha,)
 
 
-def _constant_chord(m: Any, alpha: Any) -> Any:
+def _form_of_constant_chord(m: Any, alpha: Any) -> Any:
 
-    return np.pi * square(np.cos(alpha)) / 2.0 * m
+    return _np.pi * _square(_np.cos(alpha)) / 2.0 * m
 
 
 # Source: paper on tooth thickness, design data; basic rack
@@ -184,23 +189,23 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
     Source: paper on tooth thickness, design data; basic rack.
 
     """
-    m, alpha = as_floats("m alpha", m, alpha)
-    m, alpha = nan_outside(_check_chord_height, m, alpha)
-    return in_blocks(_chord_height, (m,), _prepare_chord_height, (alpha,), out=out)
+    m, alpha = _as_floats("m alpha", m, alpha)
+    m, alpha = _nan_outside(_check_of_chord_height, m, alpha)
+    return _in_blocks(_form_of_chord_height, (m,), _prepare_of_chord_height, (alpha,), out=out)
 
 
-def _check_chord_height(m: Any, alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < np.pi / 4.0, is_positive(m))
+def _check_of_chord_height(m: Any, alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < _np.pi / 4.0, _is_positive(m))
 
 
-def _prepare_chord_height(alpha: Any) -> tuple[Any, ...]:
+def _prepare_of_chord_height(alpha: Any) -> tuple[Any, ...]:
 
     return (alpha,)
 
 
-def _chord_height(m: Any, alpha: Any) -> Any:
+def _form_of_chord_height(m: Any, alpha: Any) -> Any:
 
-    return (1.0 - np.pi * np.sin(2.0 * alpha) / 8.0) * m
+    return (1.0 - _np.pi * _np.sin(2.0 * alpha) / 8.0) * m
 
 
 # Source: paper on tooth thickness, step 6, on the involute
@@ -248,31 +253,40 @@ def height_change(
     Source: paper on tooth thickness, step 6, on the involute.
 
     """
-    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = nan_outside(_check_height_change, m, z, alpha)
-    return in_blocks(_height_change, (tilt,), _prepare_height_change, (m, z, alpha), out=out)
+    tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_height_change, m, z, alpha)
+    return _in_blocks(
+        _form_of_height_change, (tilt,), _prepare_of_height_change, (m, z, alpha), out=out
+    )
 
 
-def _check_height_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_height_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(m),
+        z >= 1.0,
+        _is_finite(z),
+        z == _floor(z),
+        alpha > 0.0,
+        alpha < _np.pi / 4.0,
+    )
 
 
-def _prepare_height_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    cosm1_alpha = -2.0 * square(np.sin(alpha / 2.0))
+def _prepare_of_height_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    cosm1_alpha = -2.0 * _square(_np.sin(alpha / 2.0))
     cos_alpha = 1.0 + cosm1_alpha
     r_b = cos_alpha * m * z / 2.0
-    t_c = np.pi / (2.0 * z) + np.tan(alpha)
+    t_c = _np.pi / (2.0 * z) + _np.tan(alpha)
 
     return (alpha, cos_alpha, r_b, t_c)
 
 
-def _height_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
-    sin_tilt = np.sin(tilt)
-    cosm1_tilt = -2.0 * square(np.sin(tilt / 2.0))
+def _form_of_height_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
+    sin_tilt = _np.sin(tilt)
+    cosm1_tilt = -2.0 * _square(_np.sin(tilt / 2.0))
     cos_tilt = 1.0 + cosm1_tilt
 
     return r_b * (
-        np.sin(alpha) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
+        _np.sin(alpha) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
         - cos_alpha * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
     )
 
@@ -322,27 +336,36 @@ def thickness_change(
     Source: paper on tooth thickness, step 6, on the involute.
 
     """
-    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = nan_outside(_check_thickness_change, m, z, alpha)
-    return in_blocks(_thickness_change, (tilt,), _prepare_thickness_change, (m, z, alpha), out=out)
+    tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_thickness_change, m, z, alpha)
+    return _in_blocks(
+        _form_of_thickness_change, (tilt,), _prepare_of_thickness_change, (m, z, alpha), out=out
+    )
 
 
-def _check_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(m),
+        z >= 1.0,
+        _is_finite(z),
+        z == _floor(z),
+        alpha > 0.0,
+        alpha < _np.pi / 4.0,
+    )
 
 
-def _prepare_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    cosm1_alpha = -2.0 * square(np.sin(alpha / 2.0))
+def _prepare_of_thickness_change(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    cosm1_alpha = -2.0 * _square(_np.sin(alpha / 2.0))
     cos_alpha = 1.0 + cosm1_alpha
     r_b = cos_alpha * m * z / 2.0
-    t_c = np.pi / (2.0 * z) + np.tan(alpha)
+    t_c = _np.pi / (2.0 * z) + _np.tan(alpha)
 
     return (alpha, cos_alpha, r_b, t_c)
 
 
-def _thickness_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
-    sin_tilt = np.sin(tilt)
-    cosm1_tilt = -2.0 * square(np.sin(tilt / 2.0))
+def _form_of_thickness_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
+    sin_tilt = _np.sin(tilt)
+    cosm1_tilt = -2.0 * _square(_np.sin(tilt / 2.0))
     cos_tilt = 1.0 + cosm1_tilt
 
     return (
@@ -350,7 +373,7 @@ def _thickness_change(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any)
         * r_b
         * (
             cos_alpha * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
-            + np.sin(alpha) * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
+            + _np.sin(alpha) * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
         )
     )
 
@@ -386,25 +409,29 @@ def thickness_change_linear(
     Source: paper on tooth thickness, equation (1) with the exact derivative.
 
     """
-    dh, alpha = as_floats("dh alpha", dh, alpha)
-    (alpha,) = nan_outside(_check_thickness_change_linear, alpha)
-    return in_blocks(
-        _thickness_change_linear, (dh,), _prepare_thickness_change_linear, (alpha,), out=out
+    dh, alpha = _as_floats("dh alpha", dh, alpha)
+    (alpha,) = _nan_outside(_check_of_thickness_change_linear, alpha)
+    return _in_blocks(
+        _form_of_thickness_change_linear,
+        (dh,),
+        _prepare_of_thickness_change_linear,
+        (alpha,),
+        out=out,
     )
 
 
-def _check_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < _np.pi / 4.0)
 
 
-def _prepare_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
+def _prepare_of_thickness_change_linear(alpha: Any) -> tuple[Any, ...]:
 
     return (alpha,)
 
 
-def _thickness_change_linear(dh: Any, alpha: Any) -> Any:
+def _form_of_thickness_change_linear(dh: Any, alpha: Any) -> Any:
 
-    return 2.0 * np.tan(alpha) * dh
+    return 2.0 * _np.tan(alpha) * dh
 
 
 # Source: paper on tooth thickness, step 6, second derivative on the involute
@@ -448,41 +475,48 @@ def linearisation_bound(
     Source: paper on tooth thickness, step 6, second derivative on the involute.
 
     """
-    dh, m, z, alpha = as_floats("dh m z alpha", dh, m, z, alpha)
-    m, z, alpha = nan_outside(_check_linearisation_bound, m, z, alpha)
-    return in_blocks(
-        _linearisation_bound,
+    dh, m, z, alpha = _as_floats("dh m z alpha", dh, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_linearisation_bound, m, z, alpha)
+    return _in_blocks(
+        _form_of_linearisation_bound,
         (dh,),
-        _prepare_linearisation_bound,
+        _prepare_of_linearisation_bound,
         (m, z, alpha),
         out=out,
         quiet=True,
     )
 
 
-def _check_linearisation_bound(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_linearisation_bound(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(m),
+        z >= 1.0,
+        _is_finite(z),
+        z == _floor(z),
+        alpha > 0.0,
+        alpha < _np.pi / 4.0,
+    )
 
 
-def _prepare_linearisation_bound(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    r_b = m * z * np.cos(alpha) / 2.0
-    y_c = m * (z / 2.0 + np.pi * np.sin(2.0 * alpha) / 8.0)
-    t_c = np.pi / (2.0 * z) + np.tan(alpha)
+def _prepare_of_linearisation_bound(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    r_b = m * z * _np.cos(alpha) / 2.0
+    y_c = m * (z / 2.0 + _np.pi * _np.sin(2.0 * alpha) / 8.0)
+    t_c = _np.pi / (2.0 * z) + _np.tan(alpha)
 
     return (r_b, y_c, t_c)
 
 
-def _linearisation_bound(dh: Any, r_b: Any, y_c: Any, t_c: Any) -> Any:
-    abs_Delta_h = abs(dh)
+def _form_of_linearisation_bound(dh: Any, r_b: Any, y_c: Any, t_c: Any) -> Any:
+    abs_Delta_h = _abs(dh)
     abs_Delta_h_plus_y_c = abs_Delta_h + y_c
 
     return (
-        square(dh)
-        * (abs_Delta_h_plus_y_c * square(abs_Delta_h_plus_y_c))
+        _square(dh)
+        * (abs_Delta_h_plus_y_c * _square(abs_Delta_h_plus_y_c))
         / (
             r_b
-            * square(r_b)
-            * np.sqrt(square(r_b) * square(t_c) - abs_Delta_h * (2.0 * y_c - abs_Delta_h))
+            * _square(r_b)
+            * _np.sqrt(_square(r_b) * _square(t_c) - abs_Delta_h * (2.0 * y_c - abs_Delta_h))
         )
     )
 
@@ -520,22 +554,26 @@ def thickness_error(
     Source: paper on tooth thickness, steps 5 and 6 corrected.
 
     """
-    e_tip, height_error, alpha = as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
-    (alpha,) = nan_outside(_check_thickness_error, alpha)
-    return in_blocks(
-        _thickness_error, (e_tip,), _prepare_thickness_error, (height_error, alpha), out=out
+    e_tip, height_error, alpha = _as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
+    (alpha,) = _nan_outside(_check_of_thickness_error, alpha)
+    return _in_blocks(
+        _form_of_thickness_error,
+        (e_tip,),
+        _prepare_of_thickness_error,
+        (height_error, alpha),
+        out=out,
     )
 
 
-def _check_thickness_error(alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_thickness_error(alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < _np.pi / 4.0)
 
 
-def _prepare_thickness_error(height_error: Any, alpha: Any) -> tuple[Any, ...]:
+def _prepare_of_thickness_error(height_error: Any, alpha: Any) -> tuple[Any, ...]:
 
     return (height_error, alpha)
 
 
-def _thickness_error(e_tip: Any, height_error: Any, alpha: Any) -> Any:
+def _form_of_thickness_error(e_tip: Any, height_error: Any, alpha: Any) -> Any:
 
-    return 2.0 * np.tan(alpha) * (height_error - e_tip / 2.0)
+    return 2.0 * _np.tan(alpha) * (height_error - e_tip / 2.0)

@@ -57,27 +57,45 @@ What errors are relative to:
         thermal_scatter**2*thermal_share**2))
 
 Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
+from builtins import abs as _abs
 from typing import Any
 
-import numpy as np
+import numpy as _np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, check_components, split_components, sum_axes
-from mechproof.kernel_support.blocks import in_blocks, quietly, store, transform
-from mechproof.kernel_support.domains import (
-    every,
-    is_finite,
-    is_nonnegative,
-    is_positive,
-    nan_outside,
+from mechproof.kernel_support.arrays import (
+    as_floats as _as_floats,
+    check_components as _check_components,
+    split_components as _split_components,
+    sum_axes as _sum_axes,
 )
-from mechproof.kernel_support.facts import Condition, Sizes
-from mechproof.kernel_support.functions import add_up, choose_where, floor, nonnegative_form, square
+from mechproof.kernel_support.blocks import (
+    in_blocks as _in_blocks,
+    quietly as _quietly,
+    store as _store,
+    transform as _transform,
+)
+from mechproof.kernel_support.domains import (
+    every as _every,
+    is_finite as _is_finite,
+    is_nonnegative as _is_nonnegative,
+    is_positive as _is_positive,
+    nan_outside as _nan_outside,
+)
+from mechproof.kernel_support.facts import Condition as _Condition, Sizes as _Sizes
+from mechproof.kernel_support.functions import (
+    add_up as _add_up,
+    choose_where as _choose_where,
+    floor as _floor,
+    hypot as _hypot,
+    nonnegative_form as _nonnegative_form,
+    square as _square,
+)
 
 __all__ = [
     "displacement",
@@ -94,50 +112,50 @@ __all__ = [
 ]
 
 DOMAIN = (
-    Condition(
+    _Condition(
         "R",
         "0 < R < oo",
         ("R",),
-        lambda R: (R > 0) & is_finite(R),
+        lambda R: (R > 0) & _is_finite(R),
         ("radius", "track", "largest_radius", "smallest_radius"),
     ),
-    Condition(
+    _Condition(
         "z",
         "1 <= z < oo, z = floor(z)",
         ("z",),
-        lambda z: (z >= 1) & is_finite(z) & (z == floor(z)),
+        lambda z: (z >= 1) & _is_finite(z) & (z == _floor(z)),
         ("radius", "track"),
     ),
-    Condition(
+    _Condition(
         "A",
         "|A| <= R",
         ("R", "A"),
-        lambda R, A: abs(A) <= R,
+        lambda R, A: _abs(A) <= R,
         ("radius", "track", "largest_radius", "smallest_radius"),
     ),
-    Condition("H", "0 < H < oo", ("H",), lambda H: (H > 0) & is_finite(H), ("track",)),
-    Condition(
+    _Condition("H", "0 < H < oo", ("H",), lambda H: (H > 0) & _is_finite(H), ("track",)),
+    _Condition(
         "total_scatter",
         "0 < total_scatter < oo",
         ("total_scatter",),
-        lambda total_scatter: (total_scatter > 0) & is_finite(total_scatter),
+        lambda total_scatter: (total_scatter > 0) & _is_finite(total_scatter),
         ("error_sum_correlated", "error_sum", "error_sum_thermal"),
     ),
-    Condition(
+    _Condition(
         "thermal_scatter",
         "0 < thermal_scatter < oo",
         ("thermal_scatter",),
-        lambda thermal_scatter: (thermal_scatter > 0) & is_finite(thermal_scatter),
+        lambda thermal_scatter: (thermal_scatter > 0) & _is_finite(thermal_scatter),
         ("error_sum_thermal",),
     ),
-    Condition(
+    _Condition(
         "thermal_share",
         "0 <= thermal_share < oo",
         ("thermal_share",),
-        lambda thermal_share: (thermal_share >= 0) & is_finite(thermal_share),
+        lambda thermal_share: (thermal_share >= 0) & _is_finite(thermal_share),
         ("error_sum_thermal",),
     ),
-    Condition(
+    _Condition(
         "thermal_scatter",
         "thermal_scatter*thermal_share < total_scatter",
         ("total_scatter", "thermal_share", "thermal_scatter"),
@@ -148,7 +166,7 @@ DOMAIN = (
     ),
 )
 PUBLISHED = (
-    Sizes(
+    _Sizes(
         "Table 1",
         {
             "R": 41.5,
@@ -208,22 +226,26 @@ def rotation(
     Source: Kapitonov, Yakubovsky 2022, equation (14).
 
     """
-    alpha, beta, gamma = as_floats("alpha beta gamma", alpha, beta, gamma)
-    return in_blocks(_rotation, (alpha,), _prepare_rotation, (beta, gamma), out=out, shape=(3, 3))
+    alpha, beta, gamma = _as_floats("alpha beta gamma", alpha, beta, gamma)
+    return _in_blocks(
+        _form_of_rotation, (alpha,), _prepare_of_rotation, (beta, gamma), out=out, shape=(3, 3)
+    )
 
 
-def _prepare_rotation(beta: Any, gamma: Any) -> tuple[Any, ...]:
-    cos_beta = np.cos(beta)
-    cos_gamma = np.cos(gamma)
-    sin_gamma = np.sin(gamma)
-    sin_beta = np.sin(beta)
+def _prepare_of_rotation(beta: Any, gamma: Any) -> tuple[Any, ...]:
+    cos_beta = _np.cos(beta)
+    cos_gamma = _np.cos(gamma)
+    sin_gamma = _np.sin(gamma)
+    sin_beta = _np.sin(beta)
 
     return (cos_beta, cos_gamma, sin_gamma, sin_beta)
 
 
-def _rotation(alpha: Any, cos_beta: Any, cos_gamma: Any, sin_gamma: Any, sin_beta: Any) -> Any:
-    cos_alpha = np.cos(alpha)
-    sin_alpha = np.sin(alpha)
+def _form_of_rotation(
+    alpha: Any, cos_beta: Any, cos_gamma: Any, sin_gamma: Any, sin_beta: Any
+) -> Any:
+    cos_alpha = _np.cos(alpha)
+    sin_alpha = _np.sin(alpha)
 
     return (
         cos_beta * cos_gamma,
@@ -282,22 +304,24 @@ def displacement(
     Source: Kapitonov, Yakubovsky 2022, equation (15).
 
     """
-    points, angles, shift = as_floats("points angles shift", points, angles, shift, axes=(1, 1, 1))
-    check_components("points", points, 3)
-    alpha, beta, gamma = split_components("angles", angles, 3)
-    a, b, c = split_components("shift", shift, 3)
-    return transform(points, _displacement, (alpha, beta, gamma, a, b, c), out=out)
+    points, angles, shift = _as_floats("points angles shift", points, angles, shift, axes=(1, 1, 1))
+    _check_components("points", points, 3)
+    alpha, beta, gamma = _split_components("angles", angles, 3)
+    a, b, c = _split_components("shift", shift, 3)
+    return _transform(points, _prepare_of_displacement, (alpha, beta, gamma, a, b, c), out=out)
 
 
-def _displacement(alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any) -> tuple[Any, ...]:
-    t_alpha = np.tan(alpha / 2.0)
-    t_beta = np.tan(beta / 2.0)
-    t_gamma = np.tan(gamma / 2.0)
-    scale = 2.0 / ((1.0 + square(t_alpha)) * (1.0 + square(t_beta)) * (1.0 + square(t_gamma)))
+def _prepare_of_displacement(
+    alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any
+) -> tuple[Any, ...]:
+    t_alpha = _np.tan(alpha / 2.0)
+    t_beta = _np.tan(beta / 2.0)
+    t_gamma = _np.tan(gamma / 2.0)
+    scale = 2.0 / ((1.0 + _square(t_alpha)) * (1.0 + _square(t_beta)) * (1.0 + _square(t_gamma)))
     v_y = t_beta - t_alpha * t_gamma
-    v_y_squared = square(v_y)
+    v_y_squared = _square(v_y)
     v_z = t_gamma + t_alpha * t_beta
-    v_z_squared = square(v_z)
+    v_z_squared = _square(v_z)
     C11 = scale * (-v_y_squared - v_z_squared)
     v_x = t_alpha + t_beta * t_gamma
     v_x_v_y = v_x * v_y
@@ -306,7 +330,7 @@ def _displacement(alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any) -> 
     v_x_v_z = v_x * v_z
     C13 = scale * (v_x_v_z + v_y * w)
     C21 = scale * (v_x_v_y + v_z * w)
-    v_x_squared = square(v_x)
+    v_x_squared = _square(v_x)
     C22 = scale * (-v_x_squared - v_z_squared)
     v_y_v_z = v_y * v_z
     C23 = scale * (v_y_v_z - v_x * w)
@@ -345,14 +369,14 @@ def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) ->
     Source: Kapitonov, Yakubovsky 2022, equation (17).
 
     """
-    (displacement,) = as_floats("displacement", displacement, axes=(1,))
-    Delta_x0, Delta_y0, _ = split_components("displacement", displacement, 3)
-    return in_blocks(_planar_error, (Delta_x0, Delta_y0), out=out)
+    (displacement,) = _as_floats("displacement", displacement, axes=(1,))
+    Delta_x0, Delta_y0, _ = _split_components("displacement", displacement, 3)
+    return _in_blocks(_form_of_planar_error, (Delta_x0, Delta_y0), out=out)
 
 
-def _planar_error(Delta_x0: Any, Delta_y0: Any) -> Any:
+def _form_of_planar_error(Delta_x0: Any, Delta_y0: Any) -> Any:
 
-    return np.hypot(Delta_x0, Delta_y0)
+    return _hypot(Delta_x0, Delta_y0)
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (18)
@@ -383,14 +407,14 @@ def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -
     Source: Kapitonov, Yakubovsky 2022, equation (18).
 
     """
-    (displacement,) = as_floats("displacement", displacement, axes=(1,))
-    Delta_x0, Delta_y0, Delta_z0 = split_components("displacement", displacement, 3)
-    return in_blocks(_spatial_error, (Delta_x0, Delta_y0, Delta_z0), out=out)
+    (displacement,) = _as_floats("displacement", displacement, axes=(1,))
+    Delta_x0, Delta_y0, Delta_z0 = _split_components("displacement", displacement, 3)
+    return _in_blocks(_form_of_spatial_error, (Delta_x0, Delta_y0, Delta_z0), out=out)
 
 
-def _spatial_error(Delta_x0: Any, Delta_y0: Any, Delta_z0: Any) -> Any:
+def _form_of_spatial_error(Delta_x0: Any, Delta_y0: Any, Delta_z0: Any) -> Any:
 
-    return np.hypot(np.hypot(Delta_x0, Delta_y0), Delta_z0)
+    return _hypot(_hypot(Delta_x0, Delta_y0), Delta_z0)
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (16)
@@ -432,16 +456,16 @@ def radius(
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
     """
-    phi, R, A, z = as_floats("phi R A z", phi, R, A, z)
-    R, A, z = nan_outside(_check_radius, R, A, z)
-    return in_blocks(_radius, (phi,), _prepare_radius, (R, A, z), out=out)
+    phi, R, A, z = _as_floats("phi R A z", phi, R, A, z)
+    R, A, z = _nan_outside(_check_of_radius, R, A, z)
+    return _in_blocks(_form_of_radius, (phi,), _prepare_of_radius, (R, A, z), out=out)
 
 
-def _check_radius(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
-    return (is_positive(R), z >= 1.0, is_finite(z), z == floor(z), abs(A) <= R)
+def _check_of_radius(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
+    return (_is_positive(R), z >= 1.0, _is_finite(z), z == _floor(z), _abs(A) <= R)
 
 
-def _prepare_radius(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
+def _prepare_of_radius(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
     A_plus_R = A + R
     R_minus_A = R - A
     w = A_plus_R * R_minus_A
@@ -449,11 +473,11 @@ def _prepare_radius(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
     return (A, z, w)
 
 
-def _radius(phi: Any, A: Any, z: Any, w: Any) -> Any:
-    u = A * np.cos(z * phi)
-    q = abs(u) + np.hypot(np.sqrt(w), u)
+def _form_of_radius(phi: Any, A: Any, z: Any, w: Any) -> Any:
+    u = A * _np.cos(z * phi)
+    q = _abs(u) + _hypot(_np.sqrt(w), u)
 
-    return choose_where(u >= 0.0, q, w / q)
+    return _choose_where(u >= 0.0, q, w / q)
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (16)
@@ -505,16 +529,16 @@ def track(
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
     """
-    phi, R, A, z, H = as_floats("phi R A z H", phi, R, A, z, H)
-    R, A, z, H = nan_outside(_check_track, R, A, z, H)
-    return in_blocks(_track, (phi,), _prepare_track, (R, A, z, H), out=out, shape=(3,))
+    phi, R, A, z, H = _as_floats("phi R A z H", phi, R, A, z, H)
+    R, A, z, H = _nan_outside(_check_of_track, R, A, z, H)
+    return _in_blocks(_form_of_track, (phi,), _prepare_of_track, (R, A, z, H), out=out, shape=(3,))
 
 
-def _check_track(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
-    return (is_positive(R), is_positive(H), z >= 1.0, is_finite(z), z == floor(z), abs(A) <= R)
+def _check_of_track(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
+    return (_is_positive(R), _is_positive(H), z >= 1.0, _is_finite(z), z == _floor(z), _abs(A) <= R)
 
 
-def _prepare_track(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
+def _prepare_of_track(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
     A_plus_R = A + R
     R_minus_A = R - A
     w = A_plus_R * R_minus_A
@@ -522,14 +546,14 @@ def _prepare_track(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
     return (A, z, H, w)
 
 
-def _track(phi: Any, A: Any, z: Any, H: Any, w: Any) -> Any:
-    u = A * np.cos(z * phi)
-    q = abs(u) + np.hypot(np.sqrt(w), u)
-    term = choose_where(u >= 0.0, q, w / q)
+def _form_of_track(phi: Any, A: Any, z: Any, H: Any, w: Any) -> Any:
+    u = A * _np.cos(z * phi)
+    q = _abs(u) + _hypot(_np.sqrt(w), u)
+    term = _choose_where(u >= 0.0, q, w / q)
 
     return (
-        term * np.cos(phi),
-        term * np.sin(phi),
+        term * _np.cos(phi),
+        term * _np.sin(phi),
         H,
     )
 
@@ -563,23 +587,23 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
     Source: extremes of Kapitonov, Yakubovsky 2022, equation (16).
 
     """
-    R, A = as_floats("R A", R, A)
-    R, A = nan_outside(_check_largest_radius, R, A)
-    return in_blocks(_largest_radius, (R,), _prepare_largest_radius, (A,), out=out)
+    R, A = _as_floats("R A", R, A)
+    R, A = _nan_outside(_check_of_largest_radius, R, A)
+    return _in_blocks(_form_of_largest_radius, (R,), _prepare_of_largest_radius, (A,), out=out)
 
 
-def _check_largest_radius(R: Any, A: Any) -> tuple[Any, ...]:
-    return (is_positive(R), abs(A) <= R)
+def _check_of_largest_radius(R: Any, A: Any) -> tuple[Any, ...]:
+    return (_is_positive(R), _abs(A) <= R)
 
 
-def _prepare_largest_radius(A: Any) -> tuple[Any, ...]:
+def _prepare_of_largest_radius(A: Any) -> tuple[Any, ...]:
 
     return (A,)
 
 
-def _largest_radius(R: Any, A: Any) -> Any:
+def _form_of_largest_radius(R: Any, A: Any) -> Any:
 
-    return R + abs(A)
+    return R + _abs(A)
 
 
 # Source: extremes of Kapitonov, Yakubovsky 2022, equation (16)
@@ -613,23 +637,23 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
     Source: extremes of Kapitonov, Yakubovsky 2022, equation (16).
 
     """
-    R, A = as_floats("R A", R, A)
-    R, A = nan_outside(_check_smallest_radius, R, A)
-    return in_blocks(_smallest_radius, (R,), _prepare_smallest_radius, (A,), out=out)
+    R, A = _as_floats("R A", R, A)
+    R, A = _nan_outside(_check_of_smallest_radius, R, A)
+    return _in_blocks(_form_of_smallest_radius, (R,), _prepare_of_smallest_radius, (A,), out=out)
 
 
-def _check_smallest_radius(R: Any, A: Any) -> tuple[Any, ...]:
-    return (is_positive(R), abs(A) <= R)
+def _check_of_smallest_radius(R: Any, A: Any) -> tuple[Any, ...]:
+    return (_is_positive(R), _abs(A) <= R)
 
 
-def _prepare_smallest_radius(A: Any) -> tuple[Any, ...]:
+def _prepare_of_smallest_radius(A: Any) -> tuple[Any, ...]:
 
     return (A,)
 
 
-def _smallest_radius(R: Any, A: Any) -> Any:
+def _form_of_smallest_radius(R: Any, A: Any) -> Any:
 
-    return R - abs(A)
+    return R - _abs(A)
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (3) with its indices corrected
@@ -693,7 +717,7 @@ def error_sum_correlated(
     Source: Kapitonov, Yakubovsky 2022, equation (3) with its indices corrected.
 
     """
-    tolerances, sensitivities, scatters, correlation, total_scatter = as_floats(
+    tolerances, sensitivities, scatters, correlation, total_scatter = _as_floats(
         "tolerances sensitivities scatters correlation total_scatter",
         tolerances,
         sensitivities,
@@ -702,35 +726,35 @@ def error_sum_correlated(
         total_scatter,
         axes=(1, 1, 1, 2, 0),
     )
-    tolerances, sensitivities, scatters, correlation = sum_axes(
+    tolerances, sensitivities, scatters, correlation = _sum_axes(
         tolerances=(tolerances, 1),
         sensitivities=(sensitivities, 1),
         scatters=(scatters, 1),
         correlation=(correlation, 2),
     )
-    (total_scatter,) = nan_outside(
-        _check_error_sum_correlated, total_scatter, terms=(tolerances, scatters, correlation)
+    (total_scatter,) = _nan_outside(
+        _check_of_error_sum_correlated, total_scatter, terms=(tolerances, scatters, correlation)
     )
 
-    with quietly():
-        return store(
-            np.sqrt(nonnegative_form(sensitivities * scatters * tolerances, correlation))
+    with _quietly():
+        return _store(
+            _np.sqrt(_nonnegative_form(sensitivities * scatters * tolerances, correlation))
             / total_scatter,
             out,
         )
 
 
-def _check_error_sum_correlated(
+def _check_of_error_sum_correlated(
     total_scatter: Any, tolerances: Any, scatters: Any, correlation: Any
 ) -> tuple[Any, ...]:
     return (
-        is_positive(total_scatter),
-        every(is_positive(scatters), axis=-1),
-        every(correlation >= -1.0, axis=(-2, -1)),
-        every(correlation <= 1.0, axis=(-2, -1)),
-        every(np.diagonal(correlation, axis1=-2, axis2=-1) == 1.0, axis=-1),
-        every(correlation == np.swapaxes(correlation, -1, -2), axis=(-2, -1)),
-        every(is_nonnegative(tolerances), axis=-1),
+        _is_positive(total_scatter),
+        _every(_is_positive(scatters), axis=-1),
+        _every(correlation >= -1.0, axis=(-2, -1)),
+        _every(correlation <= 1.0, axis=(-2, -1)),
+        _every(_np.diagonal(correlation, axis1=-2, axis2=-1) == 1.0, axis=-1),
+        _every(correlation == _np.swapaxes(correlation, -1, -2), axis=(-2, -1)),
+        _every(_is_nonnegative(tolerances), axis=-1),
     )
 
 
@@ -783,7 +807,7 @@ def error_sum(
     Source: Kapitonov, Yakubovsky 2022, equation (5) with sensitivities.
 
     """
-    tolerances, sensitivities, scatters, total_scatter = as_floats(
+    tolerances, sensitivities, scatters, total_scatter = _as_floats(
         "tolerances sensitivities scatters total_scatter",
         tolerances,
         sensitivities,
@@ -791,21 +815,24 @@ def error_sum(
         total_scatter,
         axes=(1, 1, 1, 0),
     )
-    tolerances, sensitivities, scatters = sum_axes(
+    tolerances, sensitivities, scatters = _sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
     )
-    (total_scatter,) = nan_outside(_check_error_sum, total_scatter, terms=(tolerances, scatters))
+    (total_scatter,) = _nan_outside(
+        _check_of_error_sum, total_scatter, terms=(tolerances, scatters)
+    )
 
-    return store(
-        np.sqrt(add_up(square(sensitivities * scatters * tolerances), axis=-1)) / total_scatter, out
+    return _store(
+        _np.sqrt(_add_up(_square(sensitivities * scatters * tolerances), axis=-1)) / total_scatter,
+        out,
     )
 
 
-def _check_error_sum(total_scatter: Any, tolerances: Any, scatters: Any) -> tuple[Any, ...]:
+def _check_of_error_sum(total_scatter: Any, tolerances: Any, scatters: Any) -> tuple[Any, ...]:
     return (
-        is_positive(total_scatter),
-        every(is_positive(scatters), axis=-1),
-        every(is_nonnegative(tolerances), axis=-1),
+        _is_positive(total_scatter),
+        _every(_is_positive(scatters), axis=-1),
+        _every(_is_nonnegative(tolerances), axis=-1),
     )
 
 
@@ -866,7 +893,7 @@ def error_sum_thermal(
     Source: Kapitonov, Yakubovsky 2022, equation (6) made homogeneous, Table 1 for the share.
 
     """
-    tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter = as_floats(
+    tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter = _as_floats(
         "tolerances sensitivities scatters total_scatter thermal_share thermal_scatter",
         tolerances,
         sensitivities,
@@ -876,11 +903,11 @@ def error_sum_thermal(
         thermal_scatter,
         axes=(1, 1, 1, 0, 0, 0),
     )
-    tolerances, sensitivities, scatters = sum_axes(
+    tolerances, sensitivities, scatters = _sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
     )
-    total_scatter, thermal_share, thermal_scatter = nan_outside(
-        _check_error_sum_thermal,
+    total_scatter, thermal_share, thermal_scatter = _nan_outside(
+        _check_of_error_sum_thermal,
         total_scatter,
         thermal_share,
         thermal_scatter,
@@ -890,21 +917,21 @@ def error_sum_thermal(
     K_minus_tau_K_T = total_scatter - thermal_share * thermal_scatter
     K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter
 
-    return store(
-        np.sqrt(add_up(square(sensitivities * scatters * tolerances), axis=-1))
-        / np.sqrt(K_minus_tau_K_T * K_plus_tau_K_T),
+    return _store(
+        _np.sqrt(_add_up(_square(sensitivities * scatters * tolerances), axis=-1))
+        / _np.sqrt(K_minus_tau_K_T * K_plus_tau_K_T),
         out,
     )
 
 
-def _check_error_sum_thermal(
+def _check_of_error_sum_thermal(
     total_scatter: Any, thermal_share: Any, thermal_scatter: Any, tolerances: Any, scatters: Any
 ) -> tuple[Any, ...]:
     return (
-        is_positive(total_scatter),
-        every(is_positive(scatters), axis=-1),
-        is_positive(thermal_scatter),
-        is_nonnegative(thermal_share),
+        _is_positive(total_scatter),
+        _every(_is_positive(scatters), axis=-1),
+        _is_positive(thermal_scatter),
+        _is_nonnegative(thermal_share),
         thermal_share * thermal_scatter < total_scatter,
-        every(is_nonnegative(tolerances), axis=-1),
+        _every(_is_nonnegative(tolerances), axis=-1),
     )

@@ -45,21 +45,29 @@ Symbols of the formulas:
     engaged = Piecewise((0, travel_5 < l_GH), (1, True))
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
+import numpy as _np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats
-from mechproof.kernel_support.blocks import in_blocks
-from mechproof.kernel_support.domains import is_finite, is_positive, nan_outside
-from mechproof.kernel_support.facts import Condition, Sizes
-from mechproof.kernel_support.functions import choose_where, maximum, square
+from mechproof.kernel_support.arrays import as_floats as _as_floats
+from mechproof.kernel_support.blocks import in_blocks as _in_blocks
+from mechproof.kernel_support.domains import (
+    is_finite as _is_finite,
+    is_positive as _is_positive,
+    nan_outside as _nan_outside,
+)
+from mechproof.kernel_support.facts import Condition as _Condition, Sizes as _Sizes
+from mechproof.kernel_support.functions import (
+    choose_where as _choose_where,
+    maximum as _maximum,
+    square as _square,
+)
 
 __all__ = [
     "clearance",
@@ -75,65 +83,65 @@ __all__ = [
 ]
 
 DOMAIN = (
-    Condition(
+    _Condition(
         "l_AB",
         "0 < l_AB < oo",
         ("l_AB",),
-        lambda l_AB: (l_AB > 0) & is_finite(l_AB),
+        lambda l_AB: (l_AB > 0) & _is_finite(l_AB),
         ("guide_radicand", "lever_angle", "position", "velocity", "sensitivities"),
     ),
-    Condition(
+    _Condition(
         "l_BC",
         "0 < l_BC < oo",
         ("l_BC",),
-        lambda l_BC: (l_BC > 0) & is_finite(l_BC),
+        lambda l_BC: (l_BC > 0) & _is_finite(l_BC),
         ("guide_radicand", "lever_angle", "position", "velocity", "sensitivities"),
     ),
-    Condition(
+    _Condition(
         "l_CD",
         "0 < l_CD < oo",
         ("l_CD",),
-        lambda l_CD: (l_CD > 0) & is_finite(l_CD),
+        lambda l_CD: (l_CD > 0) & _is_finite(l_CD),
         ("guide_radicand", "lever_angle", "position", "velocity", "sensitivities"),
     ),
-    Condition(
+    _Condition(
         "l_DE",
         "0 < l_DE < oo",
         ("l_DE",),
-        lambda l_DE: (l_DE > 0) & is_finite(l_DE),
+        lambda l_DE: (l_DE > 0) & _is_finite(l_DE),
         ("rod_displacement", "position", "velocity", "sensitivities"),
     ),
-    Condition(
+    _Condition(
         "l_GH",
         "0 < l_GH < oo",
         ("l_GH",),
-        lambda l_GH: (l_GH > 0) & is_finite(l_GH),
+        lambda l_GH: (l_GH > 0) & _is_finite(l_GH),
         ("clearance", "position", "velocity", "sensitivities"),
     ),
-    Condition(
+    _Condition(
         "l_KL",
         "0 < l_KL < oo",
         ("l_KL",),
-        lambda l_KL: (l_KL > 0) & is_finite(l_KL),
+        lambda l_KL: (l_KL > 0) & _is_finite(l_KL),
         ("roller_offset", "roller_lever_angle", "position", "velocity", "sensitivities"),
     ),
-    Condition(
+    _Condition(
         "alpha_KL",
         "0 < alpha_KL < pi",
         ("alpha_KL",),
-        lambda alpha_KL: (alpha_KL > 0) & (alpha_KL < np.pi),
+        lambda alpha_KL: (alpha_KL > 0) & (alpha_KL < _np.pi),
         ("roller_offset", "roller_lever_angle", "position", "velocity", "sensitivities"),
     ),
-    Condition(
+    _Condition(
         "l_LM",
         "0 < l_LM < oo",
         ("l_LM",),
-        lambda l_LM: (l_LM > 0) & is_finite(l_LM),
+        lambda l_LM: (l_LM > 0) & _is_finite(l_LM),
         ("wedge_displacement", "position", "velocity", "sensitivities"),
     ),
 )
 PUBLISHED = (
-    Sizes(
+    _Sizes(
         "the set reconstructed with l_BC = 49.75, l_CD = 38, l_DE = 83",
         {
             "l_AB": (6.25, 0.0, 0.0),
@@ -149,7 +157,7 @@ PUBLISHED = (
         },
         ("calibrated", "fitted", "uncertain"),
     ),
-    Sizes(
+    _Sizes(
         "the set reconstructed with l_BC = 39.75, l_CD = 28, l_DE = 70.83",
         {
             "l_AB": (6.25, 0.0, 0.0),
@@ -214,23 +222,25 @@ def guide_radicand(
     Source: Bazuev et al. 2021, equation (1).
 
     """
-    x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    l_AB, l_BC, l_CD = nan_outside(_check_guide_radicand, l_AB, l_BC, l_CD)
-    return in_blocks(_guide_radicand, (x1,), _prepare_guide_radicand, (l_AB, l_BC, l_CD), out=out)
+    x1, l_AB, l_BC, l_CD = _as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
+    l_AB, l_BC, l_CD = _nan_outside(_check_of_guide_radicand, l_AB, l_BC, l_CD)
+    return _in_blocks(
+        _form_of_guide_radicand, (x1,), _prepare_of_guide_radicand, (l_AB, l_BC, l_CD), out=out
+    )
 
 
-def _check_guide_radicand(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-    return (is_positive(l_AB), is_positive(l_BC), is_positive(l_CD))
+def _check_of_guide_radicand(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_AB), _is_positive(l_BC), _is_positive(l_CD))
 
 
-def _prepare_guide_radicand(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+def _prepare_of_guide_radicand(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
 
     return (l_AB, l_BC, l_CD)
 
 
-def _guide_radicand(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any) -> Any:
+def _form_of_guide_radicand(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any) -> Any:
 
-    return square(l_BC) + x1 * (2.0 * l_AB + 2.0 * l_CD + x1)
+    return _square(l_BC) + x1 * (2.0 * l_AB + 2.0 * l_CD + x1)
 
 
 # Source: Bazuev et al. 2021, equation (1)
@@ -283,28 +293,33 @@ def lever_angle(
     Source: Bazuev et al. 2021, equation (1).
 
     """
-    x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    l_AB, l_BC, l_CD = nan_outside(_check_lever_angle, l_AB, l_BC, l_CD)
-    return in_blocks(
-        _lever_angle, (x1,), _prepare_lever_angle, (l_AB, l_BC, l_CD), out=out, quiet=True
+    x1, l_AB, l_BC, l_CD = _as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
+    l_AB, l_BC, l_CD = _nan_outside(_check_of_lever_angle, l_AB, l_BC, l_CD)
+    return _in_blocks(
+        _form_of_lever_angle,
+        (x1,),
+        _prepare_of_lever_angle,
+        (l_AB, l_BC, l_CD),
+        out=out,
+        quiet=True,
     )
 
 
-def _check_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-    return (is_positive(l_AB), is_positive(l_BC), is_positive(l_CD))
+def _check_of_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_AB), _is_positive(l_BC), _is_positive(l_CD))
 
 
-def _prepare_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+def _prepare_of_lever_angle(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
     arm = l_AB + l_CD
 
     return (l_BC, arm)
 
 
-def _lever_angle(x1: Any, l_BC: Any, arm: Any) -> Any:
-    guide_length = np.sqrt(square(l_BC) + x1 * (2.0 * arm + x1))
+def _form_of_lever_angle(x1: Any, l_BC: Any, arm: Any) -> Any:
+    guide_length = _np.sqrt(_square(l_BC) + x1 * (2.0 * arm + x1))
     guide_sum = guide_length + l_BC
 
-    return -2.0 * np.arctan(x1 / guide_sum)
+    return -2.0 * _np.arctan(x1 / guide_sum)
 
 
 # Source: Bazuev et al. 2021, equation (3)
@@ -341,25 +356,25 @@ def rod_displacement(
     Source: Bazuev et al. 2021, equation (3).
 
     """
-    phi3, l_DE, alpha_DE = as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
-    (l_DE,) = nan_outside(_check_rod_displacement, l_DE)
-    return in_blocks(
-        _rod_displacement, (phi3,), _prepare_rod_displacement, (l_DE, alpha_DE), out=out
+    phi3, l_DE, alpha_DE = _as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
+    (l_DE,) = _nan_outside(_check_of_rod_displacement, l_DE)
+    return _in_blocks(
+        _form_of_rod_displacement, (phi3,), _prepare_of_rod_displacement, (l_DE, alpha_DE), out=out
     )
 
 
-def _check_rod_displacement(l_DE: Any) -> tuple[Any, ...]:
-    return (is_positive(l_DE),)
+def _check_of_rod_displacement(l_DE: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_DE),)
 
 
-def _prepare_rod_displacement(l_DE: Any, alpha_DE: Any) -> tuple[Any, ...]:
+def _prepare_of_rod_displacement(l_DE: Any, alpha_DE: Any) -> tuple[Any, ...]:
 
     return (l_DE, alpha_DE)
 
 
-def _rod_displacement(phi3: Any, l_DE: Any, alpha_DE: Any) -> Any:
+def _form_of_rod_displacement(phi3: Any, l_DE: Any, alpha_DE: Any) -> Any:
 
-    return -2.0 * l_DE * np.sin(phi3 / 2.0) * np.sin(alpha_DE + phi3 / 2.0)
+    return -2.0 * l_DE * _np.sin(phi3 / 2.0) * _np.sin(alpha_DE + phi3 / 2.0)
 
 
 # Source: Bazuev et al. 2021, equation (4)
@@ -391,23 +406,23 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
     Source: Bazuev et al. 2021, equation (4).
 
     """
-    x5, l_GH = as_floats("x5 l_GH", x5, l_GH)
-    (l_GH,) = nan_outside(_check_clearance, l_GH)
-    return in_blocks(_clearance, (x5,), _prepare_clearance, (l_GH,), out=out)
+    x5, l_GH = _as_floats("x5 l_GH", x5, l_GH)
+    (l_GH,) = _nan_outside(_check_of_clearance, l_GH)
+    return _in_blocks(_form_of_clearance, (x5,), _prepare_of_clearance, (l_GH,), out=out)
 
 
-def _check_clearance(l_GH: Any) -> tuple[Any, ...]:
-    return (is_positive(l_GH),)
+def _check_of_clearance(l_GH: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_GH),)
 
 
-def _prepare_clearance(l_GH: Any) -> tuple[Any, ...]:
+def _prepare_of_clearance(l_GH: Any) -> tuple[Any, ...]:
 
     return (l_GH,)
 
 
-def _clearance(x5: Any, l_GH: Any) -> Any:
+def _form_of_clearance(x5: Any, l_GH: Any) -> Any:
 
-    return maximum(0.0, x5 - l_GH)
+    return _maximum(0.0, x5 - l_GH)
 
 
 # Source: Bazuev et al. 2021, equations (7) and (8)
@@ -444,23 +459,25 @@ def roller_offset(
     Source: Bazuev et al. 2021, equations (7) and (8).
 
     """
-    x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    l_KL, alpha_KL = nan_outside(_check_roller_offset, l_KL, alpha_KL)
-    return in_blocks(_roller_offset, (x5,), _prepare_roller_offset, (l_KL, alpha_KL), out=out)
+    x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
+    l_KL, alpha_KL = _nan_outside(_check_of_roller_offset, l_KL, alpha_KL)
+    return _in_blocks(
+        _form_of_roller_offset, (x5,), _prepare_of_roller_offset, (l_KL, alpha_KL), out=out
+    )
 
 
-def _check_roller_offset(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-    return (is_positive(l_KL), alpha_KL > 0.0, alpha_KL < np.pi)
+def _check_of_roller_offset(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
 
 
-def _prepare_roller_offset(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+def _prepare_of_roller_offset(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
 
     return (l_KL, alpha_KL)
 
 
-def _roller_offset(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
+def _form_of_roller_offset(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
 
-    return l_KL * np.cos(alpha_KL) - x5
+    return l_KL * _np.cos(alpha_KL) - x5
 
 
 # Source: Bazuev et al. 2021, equations (7) and (8)
@@ -507,36 +524,36 @@ def roller_lever_angle(
     Source: Bazuev et al. 2021, equations (7) and (8).
 
     """
-    x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    l_KL, alpha_KL = nan_outside(_check_roller_lever_angle, l_KL, alpha_KL)
-    return in_blocks(
-        _roller_lever_angle,
+    x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
+    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle, l_KL, alpha_KL)
+    return _in_blocks(
+        _form_of_roller_lever_angle,
         (x5,),
-        _prepare_roller_lever_angle,
+        _prepare_of_roller_lever_angle,
         (l_KL, alpha_KL),
         out=out,
         quiet=True,
     )
 
 
-def _check_roller_lever_angle(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-    return (is_positive(l_KL), alpha_KL > 0.0, alpha_KL < np.pi)
+def _check_of_roller_lever_angle(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
 
 
-def _prepare_roller_lever_angle(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+def _prepare_of_roller_lever_angle(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
 
     return (l_KL, alpha_KL)
 
 
-def _roller_lever_angle(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
+def _form_of_roller_lever_angle(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
 
-    return 2.0 * np.arctan(
+    return 2.0 * _np.arctan(
         x5
         / (
-            l_KL * np.sin(alpha_KL)
-            + np.sqrt(
-                (x5 + 2.0 * l_KL * square(np.sin(alpha_KL / 2.0)))
-                * (2.0 * l_KL * square(np.cos(alpha_KL / 2.0)) - x5)
+            l_KL * _np.sin(alpha_KL)
+            + _np.sqrt(
+                (x5 + 2.0 * l_KL * _square(_np.sin(alpha_KL / 2.0)))
+                * (2.0 * l_KL * _square(_np.cos(alpha_KL / 2.0)) - x5)
             )
         )
     )
@@ -576,25 +593,29 @@ def wedge_displacement(
     Source: Bazuev et al. 2021, equation (10).
 
     """
-    phi7, l_LM, alpha_LM = as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
-    (l_LM,) = nan_outside(_check_wedge_displacement, l_LM)
-    return in_blocks(
-        _wedge_displacement, (phi7,), _prepare_wedge_displacement, (l_LM, alpha_LM), out=out
+    phi7, l_LM, alpha_LM = _as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
+    (l_LM,) = _nan_outside(_check_of_wedge_displacement, l_LM)
+    return _in_blocks(
+        _form_of_wedge_displacement,
+        (phi7,),
+        _prepare_of_wedge_displacement,
+        (l_LM, alpha_LM),
+        out=out,
     )
 
 
-def _check_wedge_displacement(l_LM: Any) -> tuple[Any, ...]:
-    return (is_positive(l_LM),)
+def _check_of_wedge_displacement(l_LM: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_LM),)
 
 
-def _prepare_wedge_displacement(l_LM: Any, alpha_LM: Any) -> tuple[Any, ...]:
+def _prepare_of_wedge_displacement(l_LM: Any, alpha_LM: Any) -> tuple[Any, ...]:
 
     return (l_LM, alpha_LM)
 
 
-def _wedge_displacement(phi7: Any, l_LM: Any, alpha_LM: Any) -> Any:
+def _form_of_wedge_displacement(phi7: Any, l_LM: Any, alpha_LM: Any) -> Any:
 
-    return 2.0 * l_LM * np.cos(alpha_LM + phi7 / 2.0) * np.sin(phi7 / 2.0)
+    return 2.0 * l_LM * _np.cos(alpha_LM + phi7 / 2.0) * _np.sin(phi7 / 2.0)
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
@@ -673,7 +694,7 @@ def position(
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
     """
-    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = _as_floats(
         "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
         x1,
         l_AB,
@@ -687,36 +708,36 @@ def position(
         alpha_KL,
         alpha_LM,
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        _check_position, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = _nan_outside(
+        _check_of_position, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    return in_blocks(
-        _position,
+    return _in_blocks(
+        _form_of_position,
         (x1,),
-        _prepare_position,
+        _prepare_of_position,
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
     )
 
 
-def _check_position(
+def _check_of_position(
     l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
 ) -> tuple[Any, ...]:
     return (
-        is_positive(l_AB),
-        is_positive(l_BC),
-        is_positive(l_CD),
-        is_positive(l_DE),
-        is_positive(l_GH),
-        is_positive(l_KL),
-        is_positive(l_LM),
+        _is_positive(l_AB),
+        _is_positive(l_BC),
+        _is_positive(l_CD),
+        _is_positive(l_DE),
+        _is_positive(l_GH),
+        _is_positive(l_KL),
+        _is_positive(l_LM),
         alpha_KL > 0.0,
-        alpha_KL < np.pi,
+        alpha_KL < _np.pi,
     )
 
 
-def _prepare_position(
+def _prepare_of_position(
     l_AB: Any,
     l_BC: Any,
     l_CD: Any,
@@ -729,13 +750,13 @@ def _prepare_position(
     alpha_LM: Any,
 ) -> tuple[Any, ...]:
     arm = l_AB + l_CD
-    sin_DE = np.sin(alpha_DE)
-    cos_DE = np.cos(alpha_DE)
-    to_right = 2.0 * l_KL * square(np.sin(alpha_KL / 2.0))
-    to_left = 2.0 * l_KL * square(np.cos(alpha_KL / 2.0))
-    start_height = l_KL * np.sin(alpha_KL)
-    cos_LM = np.cos(alpha_LM)
-    sin_LM = np.sin(alpha_LM)
+    sin_DE = _np.sin(alpha_DE)
+    cos_DE = _np.cos(alpha_DE)
+    to_right = 2.0 * l_KL * _square(_np.sin(alpha_KL / 2.0))
+    to_left = 2.0 * l_KL * _square(_np.cos(alpha_KL / 2.0))
+    start_height = l_KL * _np.sin(alpha_KL)
+    cos_LM = _np.cos(alpha_LM)
+    sin_LM = _np.sin(alpha_LM)
 
     return (
         l_BC,
@@ -753,7 +774,7 @@ def _prepare_position(
     )
 
 
-def _position(
+def _form_of_position(
     x1: Any,
     l_BC: Any,
     l_DE: Any,
@@ -768,14 +789,14 @@ def _position(
     cos_LM: Any,
     sin_LM: Any,
 ) -> Any:
-    guide_length = np.sqrt(square(l_BC) + x1 * (2.0 * arm + x1))
+    guide_length = _np.sqrt(_square(l_BC) + x1 * (2.0 * arm + x1))
     guide_sum = guide_length + l_BC
-    lever_square = square(guide_sum) + square(x1)
+    lever_square = _square(guide_sum) + _square(x1)
     run = 2.0 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
-    push = maximum(0.0, run - l_GH)
-    rise = np.sqrt((push + to_right) * (to_left - push))
+    push = _maximum(0.0, run - l_GH)
+    rise = _np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = square(push) + square(rise_sum)
+    roller_square = _square(push) + _square(rise_sum)
 
     return 2.0 * l_LM / roller_square * push * (cos_LM * rise_sum - sin_LM * push)
 
@@ -861,7 +882,7 @@ def velocity(
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
     """
-    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = _as_floats(
         "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
         x1,
         l_AB,
@@ -875,36 +896,36 @@ def velocity(
         alpha_KL,
         alpha_LM,
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        _check_velocity, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = _nan_outside(
+        _check_of_velocity, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    return in_blocks(
-        _velocity,
+    return _in_blocks(
+        _form_of_velocity,
         (x1,),
-        _prepare_velocity,
+        _prepare_of_velocity,
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
     )
 
 
-def _check_velocity(
+def _check_of_velocity(
     l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
 ) -> tuple[Any, ...]:
     return (
-        is_positive(l_AB),
-        is_positive(l_BC),
-        is_positive(l_CD),
-        is_positive(l_DE),
-        is_positive(l_GH),
-        is_positive(l_KL),
-        is_positive(l_LM),
+        _is_positive(l_AB),
+        _is_positive(l_BC),
+        _is_positive(l_CD),
+        _is_positive(l_DE),
+        _is_positive(l_GH),
+        _is_positive(l_KL),
+        _is_positive(l_LM),
         alpha_KL > 0.0,
-        alpha_KL < np.pi,
+        alpha_KL < _np.pi,
     )
 
 
-def _prepare_velocity(
+def _prepare_of_velocity(
     l_AB: Any,
     l_BC: Any,
     l_CD: Any,
@@ -917,13 +938,13 @@ def _prepare_velocity(
     alpha_LM: Any,
 ) -> tuple[Any, ...]:
     arm = l_AB + l_CD
-    sin_DE = np.sin(alpha_DE)
-    cos_DE = np.cos(alpha_DE)
-    to_right = 2.0 * l_KL * square(np.sin(alpha_KL / 2.0))
-    to_left = 2.0 * l_KL * square(np.cos(alpha_KL / 2.0))
-    start_height = l_KL * np.sin(alpha_KL)
-    cos_LM = np.cos(alpha_LM)
-    sin_LM = np.sin(alpha_LM)
+    sin_DE = _np.sin(alpha_DE)
+    cos_DE = _np.cos(alpha_DE)
+    to_right = 2.0 * l_KL * _square(_np.sin(alpha_KL / 2.0))
+    to_left = 2.0 * l_KL * _square(_np.cos(alpha_KL / 2.0))
+    start_height = l_KL * _np.sin(alpha_KL)
+    cos_LM = _np.cos(alpha_LM)
+    sin_LM = _np.sin(alpha_LM)
 
     return (
         l_BC,
@@ -941,7 +962,7 @@ def _prepare_velocity(
     )
 
 
-def _velocity(
+def _form_of_velocity(
     x1: Any,
     l_BC: Any,
     l_DE: Any,
@@ -956,19 +977,19 @@ def _velocity(
     cos_LM: Any,
     sin_LM: Any,
 ) -> Any:
-    guide_length = np.sqrt(square(l_BC) + x1 * (2.0 * arm + x1))
+    guide_length = _np.sqrt(_square(l_BC) + x1 * (2.0 * arm + x1))
     guide_sum = guide_length + l_BC
-    lever_square = square(guide_sum) + square(x1)
+    lever_square = _square(guide_sum) + _square(x1)
     cos_lever = (2.0 * arm * x1 + 2.0 * l_BC * guide_sum) / lever_square
     run = 2.0 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
-    push = maximum(0.0, run - l_GH)
-    rise = np.sqrt((push + to_right) * (to_left - push))
+    push = _maximum(0.0, run - l_GH)
+    rise = _np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = square(push) + square(rise_sum)
+    roller_square = _square(push) + _square(rise_sum)
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2.0 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = cos_wedge * choose_where(run < l_GH, 0.0, l_LM) / rise
+    gain = cos_wedge * _choose_where(run < l_GH, 0.0, l_LM) / rise
     sin_arm = sin_DE * cos_lever - 2.0 * cos_DE / lever_square * guide_sum * x1
 
     return l_DE / guide_length * cos_lever * gain * sin_arm
@@ -1070,7 +1091,7 @@ def sensitivities(
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
     """
-    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = _as_floats(
         "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
         x1,
         l_AB,
@@ -1084,13 +1105,13 @@ def sensitivities(
         alpha_KL,
         alpha_LM,
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        _check_sensitivities, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = _nan_outside(
+        _check_of_sensitivities, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    return in_blocks(
-        _sensitivities,
+    return _in_blocks(
+        _form_of_sensitivities,
         (x1,),
-        _prepare_sensitivities,
+        _prepare_of_sensitivities,
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         shape=(10,),
@@ -1098,23 +1119,23 @@ def sensitivities(
     )
 
 
-def _check_sensitivities(
+def _check_of_sensitivities(
     l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
 ) -> tuple[Any, ...]:
     return (
-        is_positive(l_AB),
-        is_positive(l_BC),
-        is_positive(l_CD),
-        is_positive(l_DE),
-        is_positive(l_GH),
-        is_positive(l_KL),
-        is_positive(l_LM),
+        _is_positive(l_AB),
+        _is_positive(l_BC),
+        _is_positive(l_CD),
+        _is_positive(l_DE),
+        _is_positive(l_GH),
+        _is_positive(l_KL),
+        _is_positive(l_LM),
         alpha_KL > 0.0,
-        alpha_KL < np.pi,
+        alpha_KL < _np.pi,
     )
 
 
-def _prepare_sensitivities(
+def _prepare_of_sensitivities(
     l_AB: Any,
     l_BC: Any,
     l_CD: Any,
@@ -1127,13 +1148,13 @@ def _prepare_sensitivities(
     alpha_LM: Any,
 ) -> tuple[Any, ...]:
     arm = l_AB + l_CD
-    sin_DE = np.sin(alpha_DE)
-    cos_DE = np.cos(alpha_DE)
-    to_right = 2.0 * l_KL * square(np.sin(alpha_KL / 2.0))
-    to_left = 2.0 * l_KL * square(np.cos(alpha_KL / 2.0))
-    start_height = l_KL * np.sin(alpha_KL)
-    cos_LM = np.cos(alpha_LM)
-    sin_LM = np.sin(alpha_LM)
+    sin_DE = _np.sin(alpha_DE)
+    cos_DE = _np.cos(alpha_DE)
+    to_right = 2.0 * l_KL * _square(_np.sin(alpha_KL / 2.0))
+    to_left = 2.0 * l_KL * _square(_np.cos(alpha_KL / 2.0))
+    start_height = l_KL * _np.sin(alpha_KL)
+    cos_LM = _np.cos(alpha_LM)
+    sin_LM = _np.sin(alpha_LM)
 
     return (
         l_BC,
@@ -1152,7 +1173,7 @@ def _prepare_sensitivities(
     )
 
 
-def _sensitivities(
+def _form_of_sensitivities(
     x1: Any,
     l_BC: Any,
     l_DE: Any,
@@ -1168,19 +1189,19 @@ def _sensitivities(
     cos_LM: Any,
     sin_LM: Any,
 ) -> Any:
-    x1_squared = square(x1)
-    guide_length = np.sqrt(square(l_BC) + x1 * (2.0 * arm + x1))
+    x1_squared = _square(x1)
+    guide_length = _np.sqrt(_square(l_BC) + x1 * (2.0 * arm + x1))
     guide_sum = guide_length + l_BC
-    lever_square = square(guide_sum) + x1_squared
+    lever_square = _square(guide_sum) + x1_squared
     run = 2.0 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
-    push = maximum(0.0, run - l_GH)
-    rise = np.sqrt((push + to_right) * (to_left - push))
+    push = _maximum(0.0, run - l_GH)
+    rise = _np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
-    roller_square = square(push) + square(rise_sum)
+    roller_square = _square(push) + _square(rise_sum)
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2.0 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = cos_wedge * choose_where(run < l_GH, 0.0, l_LM) / rise
+    gain = cos_wedge * _choose_where(run < l_GH, 0.0, l_LM) / rise
     cos_lever = (2.0 * arm * x1 + 2.0 * l_BC * guide_sum) / lever_square
     sin_arm = sin_DE * cos_lever - 2.0 * cos_DE / lever_square * guide_sum * x1
     term = -2.0 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared

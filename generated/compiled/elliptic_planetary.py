@@ -8,33 +8,34 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 8db31d8544f3.
+Elementary functions: `elementary` ad67128b931a.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
-import math
+import math as _math
+from builtins import float as _float, range as _range, type as _type
 from typing import Any
 
-from numpy import float64, ndarray
+from numpy import float64 as _float64, ndarray as _ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
-    BLOCK,
-    Loops,
-    has_nan,
-    is_finite,
-    loop,
-    overload,
-    run,
-    scalar,
-    take_row,
-    widen,
+    BLOCK as _BLOCK,
+    Loops as _Loops,
+    has_nan as _has_nan,
+    is_finite as _is_finite,
+    loop as _loop,
+    overload as _overload,
+    run as _run,
+    scalar as _scalar,
+    take_row as _take_row,
+    widen as _widen,
 )
-from mechproof.kernels.compiled import elementary
+from mechproof.kernels.compiled import elementary as _elementary
 
 __all__ = [
     "acceleration",
@@ -50,24 +51,24 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@scalar
-def _prepare_ratio(R1, R2, e, exact):
+@_scalar
+def _prepare_of_ratio(R1, R2, e, _exact):
     k = R1 / R2
     one_minus_e = 1 - e
     one_plus_e = 1 + e
-    k_low = elementary.quotient_rest(R1, R2, k)
+    k_low = _elementary.quotient_rest(R1, R2, k)
 
     return (k, one_minus_e, one_plus_e, k_low)
 
 
-@scalar
-def _ratio(phi1, k, one_minus_e, one_plus_e, k_low, exact):
+@_scalar
+def _form_of_ratio(phi1, k, one_minus_e, one_plus_e, k_low, _exact):
     x = k * phi1
     t_angle = x / 2
-    t_below = elementary.tangent_below(t_angle, exact)
-    t = elementary.tangent_above(t_angle, exact)
-    x_low = k_low * phi1 + elementary.product_rest(k, phi1, x)
-    t_low = elementary.small_tangent(x_low / 2)
+    t_below = _elementary.tangent_below(t_angle, _exact)
+    t = _elementary.tangent_above(t_angle, _exact)
+    x_low = k_low * phi1 + _elementary.product_rest(k, phi1, x)
+    t_low = _elementary.small_tangent(x_low / 2)
     adjacent = t_below - t * t_low
     adjacent_squared = adjacent**2
     opposite = t + t_low * t_below
@@ -78,80 +79,84 @@ def _ratio(phi1, k, one_minus_e, one_plus_e, k_low, exact):
     ) * (adjacent_squared + opposite_squared)
 
 
-@scalar
-def _ratio_at(phi1, R1, R2, e, exact):
-    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
-        return math.nan
-    prepared = _prepare_ratio(R1, R2, e, exact)
-    return _ratio(phi1, *prepared, exact)
+@_scalar
+def _value_of_ratio(phi1, R1, R2, e, _exact):
+    if not ((R1 > 0) & _is_finite(R1) & (R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
+        return _math.nan
+    _prepared = _prepare_of_ratio(R1, R2, e, _exact)
+    return _form_of_ratio(phi1, *_prepared, _exact)
 
 
-@scalar
-def _ratio_point(phi1, R1, R2, e):
-    return _ratio_at(phi1, R1, R2, e, True)
+@_scalar
+def _point_of_ratio(phi1, R1, R2, e):
+    return _value_of_ratio(phi1, R1, R2, e, True)
 
 
-@loop
-def _row_ratio(out, phi1_values, R1, R2, e, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
+@_loop
+def _row_of_ratio(_out, _values_of_phi1, R1, R2, e, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        value = _ratio_at(phi1, R1, R2, e, exact)
-        out[i] = value
+        _value = _value_of_ratio(phi1, R1, R2, e, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_ratio(
-    out,
-    phi1_values,
+@_loop
+def _fill_of_ratio(
+    _out,
+    _values_of_phi1,
     R1,
     R2,
     e,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        _row_ratio(out_block, phi1_block, R1, R2, e, None)
-        if has_nan(out_block):
-            _row_ratio(out_block, phi1_block, R1, R2, e, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _row_of_ratio(_out_block, _block_of_phi1, R1, R2, e, None)
+        if _has_nan(_out_block):
+            _row_of_ratio(_out_block, _block_of_phi1, R1, R2, e, True)
 
 
-@loop
-def _row_each_ratio(out, phi1_values, R1_values, R2_values, e_values, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
+@_loop
+def _row_each_of_ratio(_out, _values_of_phi1, _values_of_R1, _values_of_R2, _values_of_e, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        R1 = float64(R1_values[i])
+        R1 = _float64(_values_of_R1[_i])
 
-        R2 = float64(R2_values[i])
+        R2 = _float64(_values_of_R2[_i])
 
-        e = float64(e_values[i])
+        e = _float64(_values_of_e[_i])
 
-        value = _ratio_at(phi1, R1, R2, e, exact)
-        out[i] = value
+        _value = _value_of_ratio(phi1, R1, R2, e, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_ratio(
-    out,
-    phi1_values,
-    R1_values,
-    R2_values,
-    e_values,
+@_loop
+def _fill_each_of_ratio(
+    _out,
+    _values_of_phi1,
+    _values_of_R1,
+    _values_of_R2,
+    _values_of_e,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        R1_block = R1_values[start:stop]
-        R2_block = R2_values[start:stop]
-        e_block = e_values[start:stop]
-        _row_each_ratio(out_block, phi1_block, R1_block, R2_block, e_block, None)
-        if has_nan(out_block):
-            _row_each_ratio(out_block, phi1_block, R1_block, R2_block, e_block, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _block_of_R1 = _values_of_R1[_start:_stop]
+        _block_of_R2 = _values_of_R2[_start:_stop]
+        _block_of_e = _values_of_e[_start:_stop]
+        _row_each_of_ratio(
+            _out_block, _block_of_phi1, _block_of_R1, _block_of_R2, _block_of_e, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_ratio(
+                _out_block, _block_of_phi1, _block_of_R1, _block_of_R2, _block_of_e, True
+            )
 
 
 def ratio(
@@ -161,16 +166,16 @@ def ratio(
 
     Compiled. The help of `mechproof.kernels.elliptic_planetary.ratio` has all words.
     """
-    if type(R1) is type(R2) is type(e) is float:
-        if type(phi1) is ndarray:
-            row = take_row(phi1, out)
-            if row is not None:
-                _RATIO.fill(row, phi1, R1, R2, e)
-                return row
-        elif type(phi1) is float and out is None:
-            return float64(_RATIO.point(phi1, R1, R2, e))
-    return run(
-        _RATIO,
+    if _type(R1) is _type(R2) is _type(e) is _float:
+        if _type(phi1) is _ndarray:
+            _row = _take_row(phi1, out)
+            if _row is not None:
+                _loops_of_ratio.fill(_row, phi1, R1, R2, e)
+                return _row
+        elif _type(phi1) is _float and out is None:
+            return _float64(_loops_of_ratio.point(phi1, R1, R2, e))
+    return _run(
+        _loops_of_ratio,
         (
             phi1,
             R1,
@@ -181,7 +186,7 @@ def ratio(
     )
 
 
-_RATIO = Loops(
+_loops_of_ratio = _Loops(
     names=(
         "phi1",
         "R1",
@@ -195,29 +200,29 @@ _RATIO = Loops(
         0,
     ),
     shape=(),
-    at=_ratio_point,
-    uniform=_fill_ratio,
-    each=_fill_each_ratio,
+    at=_point_of_ratio,
+    uniform=_fill_of_ratio,
+    each=_fill_each_of_ratio,
 )
 
 
-@overload(ratio)
-def _offer_ratio(
+@_overload(ratio)
+def _offer_of_ratio(
     phi1,
     R1,
     R2,
     e,
 ):
-    return lambda phi1, R1, R2, e: _ratio_point(
-        float64(phi1),
-        float64(R1),
-        float64(R2),
-        float64(e),
+    return lambda phi1, R1, R2, e: _point_of_ratio(
+        _float64(phi1),
+        _float64(R1),
+        _float64(R2),
+        _float64(e),
     )
 
 
-@scalar
-def _prepare_position_1(R1, R2, e, exact):
+@_scalar
+def _prepare_1_of_position(R1, R2, e, _exact):
     k = R1 / R2
     one_minus_e = 1 - e
     one_plus_e = 1 + e
@@ -225,119 +230,125 @@ def _prepare_position_1(R1, R2, e, exact):
     return (e, k, one_minus_e, one_plus_e)
 
 
-@scalar
-def _position_1(phi1, e, k, one_minus_e, one_plus_e, exact):
+@_scalar
+def _form_1_of_position(phi1, e, k, one_minus_e, one_plus_e, _exact):
     x = k * phi1
 
-    return (1 + k) * phi1 + 2 * elementary.small_arctan(
-        2 * e * elementary.tangent_quotient(x / 2, one_minus_e, one_plus_e, exact)
+    return (1 + k) * phi1 + 2 * _elementary.small_arctan(
+        2 * e * _elementary.tangent_quotient(x / 2, one_minus_e, one_plus_e, _exact)
     )
 
 
-@scalar
-def _prepare_position(R1, R2, e, exact):
+@_scalar
+def _prepare_of_position(R1, R2, e, _exact):
     k = R1 / R2
-    k_low = elementary.quotient_rest(R1, R2, k)
+    k_low = _elementary.quotient_rest(R1, R2, k)
     one_minus_e = 1 - e
     one_plus_e = 1 + e
 
     return (e, k, k_low, one_minus_e, one_plus_e)
 
 
-@scalar
-def _position(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
+@_scalar
+def _form_of_position(phi1, e, k, k_low, one_minus_e, one_plus_e, _exact):
     x = k * phi1
     t_angle = x / 2
-    t_below = elementary.tangent_below(t_angle, exact)
-    t = elementary.tangent_above(t_angle, exact)
-    x_low = k_low * phi1 + elementary.product_rest(k, phi1, x)
-    t_low = elementary.small_tangent(x_low / 2)
+    t_below = _elementary.tangent_below(t_angle, _exact)
+    t = _elementary.tangent_above(t_angle, _exact)
+    x_low = k_low * phi1 + _elementary.product_rest(k, phi1, x)
+    t_low = _elementary.small_tangent(x_low / 2)
     adjacent = t_below - t * t_low
     opposite = t + t_low * t_below
 
-    return (1 + k) * phi1 + 2 * elementary.arctan_quotient(
+    return (1 + k) * phi1 + 2 * _elementary.arctan_quotient(
         2 * e * adjacent * opposite, one_minus_e * adjacent**2 + one_plus_e * opposite**2
     )
 
 
-@scalar
-def _position_at(phi1, R1, R2, e, exact):
-    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
-        return math.nan
+@_scalar
+def _value_of_position(phi1, R1, R2, e, _exact):
+    if not ((R1 > 0) & _is_finite(R1) & (R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
+        return _math.nan
     if e <= 0.5:
-        prepared = _prepare_position_1(R1, R2, e, exact)
-        return _position_1(phi1, *prepared, exact)
+        _prepared = _prepare_1_of_position(R1, R2, e, _exact)
+        return _form_1_of_position(phi1, *_prepared, _exact)
 
-    prepared = _prepare_position(R1, R2, e, exact)
-    return _position(phi1, *prepared, exact)
-
-
-@scalar
-def _position_point(phi1, R1, R2, e):
-    return _position_at(phi1, R1, R2, e, True)
+    _prepared = _prepare_of_position(R1, R2, e, _exact)
+    return _form_of_position(phi1, *_prepared, _exact)
 
 
-@loop
-def _row_position(out, phi1_values, R1, R2, e, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
-
-        value = _position_at(phi1, R1, R2, e, exact)
-        out[i] = value
+@_scalar
+def _point_of_position(phi1, R1, R2, e):
+    return _value_of_position(phi1, R1, R2, e, True)
 
 
-@loop
-def _fill_position(
-    out,
-    phi1_values,
+@_loop
+def _row_of_position(_out, _values_of_phi1, R1, R2, e, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
+
+        _value = _value_of_position(phi1, R1, R2, e, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_of_position(
+    _out,
+    _values_of_phi1,
     R1,
     R2,
     e,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        _row_position(out_block, phi1_block, R1, R2, e, None)
-        if has_nan(out_block):
-            _row_position(out_block, phi1_block, R1, R2, e, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _row_of_position(_out_block, _block_of_phi1, R1, R2, e, None)
+        if _has_nan(_out_block):
+            _row_of_position(_out_block, _block_of_phi1, R1, R2, e, True)
 
 
-@loop
-def _row_each_position(out, phi1_values, R1_values, R2_values, e_values, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
-
-        R1 = float64(R1_values[i])
-
-        R2 = float64(R2_values[i])
-
-        e = float64(e_values[i])
-
-        value = _position_at(phi1, R1, R2, e, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_position(
-    out,
-    phi1_values,
-    R1_values,
-    R2_values,
-    e_values,
+@_loop
+def _row_each_of_position(
+    _out, _values_of_phi1, _values_of_R1, _values_of_R2, _values_of_e, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        R1_block = R1_values[start:stop]
-        R2_block = R2_values[start:stop]
-        e_block = e_values[start:stop]
-        _row_each_position(out_block, phi1_block, R1_block, R2_block, e_block, None)
-        if has_nan(out_block):
-            _row_each_position(out_block, phi1_block, R1_block, R2_block, e_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
+
+        R1 = _float64(_values_of_R1[_i])
+
+        R2 = _float64(_values_of_R2[_i])
+
+        e = _float64(_values_of_e[_i])
+
+        _value = _value_of_position(phi1, R1, R2, e, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_position(
+    _out,
+    _values_of_phi1,
+    _values_of_R1,
+    _values_of_R2,
+    _values_of_e,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _block_of_R1 = _values_of_R1[_start:_stop]
+        _block_of_R2 = _values_of_R2[_start:_stop]
+        _block_of_e = _values_of_e[_start:_stop]
+        _row_each_of_position(
+            _out_block, _block_of_phi1, _block_of_R1, _block_of_R2, _block_of_e, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_position(
+                _out_block, _block_of_phi1, _block_of_R1, _block_of_R2, _block_of_e, True
+            )
 
 
 def position(
@@ -347,16 +358,16 @@ def position(
 
     Compiled. The help of `mechproof.kernels.elliptic_planetary.position` has all words.
     """
-    if type(R1) is type(R2) is type(e) is float:
-        if type(phi1) is ndarray:
-            row = take_row(phi1, out)
-            if row is not None:
-                _POSITION.fill(row, phi1, R1, R2, e)
-                return row
-        elif type(phi1) is float and out is None:
-            return float64(_POSITION.point(phi1, R1, R2, e))
-    return run(
-        _POSITION,
+    if _type(R1) is _type(R2) is _type(e) is _float:
+        if _type(phi1) is _ndarray:
+            _row = _take_row(phi1, out)
+            if _row is not None:
+                _loops_of_position.fill(_row, phi1, R1, R2, e)
+                return _row
+        elif _type(phi1) is _float and out is None:
+            return _float64(_loops_of_position.point(phi1, R1, R2, e))
+    return _run(
+        _loops_of_position,
         (
             phi1,
             R1,
@@ -367,7 +378,7 @@ def position(
     )
 
 
-_POSITION = Loops(
+_loops_of_position = _Loops(
     names=(
         "phi1",
         "R1",
@@ -381,45 +392,45 @@ _POSITION = Loops(
         0,
     ),
     shape=(),
-    at=_position_point,
-    uniform=_fill_position,
-    each=_fill_each_position,
+    at=_point_of_position,
+    uniform=_fill_of_position,
+    each=_fill_each_of_position,
 )
 
 
-@overload(position)
-def _offer_position(
+@_overload(position)
+def _offer_of_position(
     phi1,
     R1,
     R2,
     e,
 ):
-    return lambda phi1, R1, R2, e: _position_point(
-        float64(phi1),
-        float64(R1),
-        float64(R2),
-        float64(e),
+    return lambda phi1, R1, R2, e: _point_of_position(
+        _float64(phi1),
+        _float64(R1),
+        _float64(R2),
+        _float64(e),
     )
 
 
-@scalar
-def _prepare_acceleration(R1, R2, e, exact):
+@_scalar
+def _prepare_of_acceleration(R1, R2, e, _exact):
     k = R1 / R2
-    k_low = elementary.quotient_rest(R1, R2, k)
+    k_low = _elementary.quotient_rest(R1, R2, k)
     one_minus_e = 1 - e
     one_plus_e = 1 + e
 
     return (e, k, k_low, one_minus_e, one_plus_e)
 
 
-@scalar
-def _acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
+@_scalar
+def _form_of_acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, _exact):
     x = k * phi1
     t_angle = x / 2
-    t_below = elementary.tangent_below(t_angle, exact)
-    t = elementary.tangent_above(t_angle, exact)
-    x_low = k_low * phi1 + elementary.product_rest(k, phi1, x)
-    t_low = elementary.small_tangent(x_low / 2)
+    t_below = _elementary.tangent_below(t_angle, _exact)
+    t = _elementary.tangent_above(t_angle, _exact)
+    x_low = k_low * phi1 + _elementary.product_rest(k, phi1, x)
+    t_low = _elementary.small_tangent(x_low / 2)
     adjacent = t_below - t * t_low
     opposite = t + t_low * t_below
     adjacent_squared = adjacent**2
@@ -438,80 +449,86 @@ def _acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, exact):
     )
 
 
-@scalar
-def _acceleration_at(phi1, R1, R2, e, exact):
-    if not ((R1 > 0) & is_finite(R1) & (R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
-        return math.nan
-    prepared = _prepare_acceleration(R1, R2, e, exact)
-    return _acceleration(phi1, *prepared, exact)
+@_scalar
+def _value_of_acceleration(phi1, R1, R2, e, _exact):
+    if not ((R1 > 0) & _is_finite(R1) & (R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
+        return _math.nan
+    _prepared = _prepare_of_acceleration(R1, R2, e, _exact)
+    return _form_of_acceleration(phi1, *_prepared, _exact)
 
 
-@scalar
-def _acceleration_point(phi1, R1, R2, e):
-    return _acceleration_at(phi1, R1, R2, e, True)
+@_scalar
+def _point_of_acceleration(phi1, R1, R2, e):
+    return _value_of_acceleration(phi1, R1, R2, e, True)
 
 
-@loop
-def _row_acceleration(out, phi1_values, R1, R2, e, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
+@_loop
+def _row_of_acceleration(_out, _values_of_phi1, R1, R2, e, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        value = _acceleration_at(phi1, R1, R2, e, exact)
-        out[i] = value
+        _value = _value_of_acceleration(phi1, R1, R2, e, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_acceleration(
-    out,
-    phi1_values,
+@_loop
+def _fill_of_acceleration(
+    _out,
+    _values_of_phi1,
     R1,
     R2,
     e,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        _row_acceleration(out_block, phi1_block, R1, R2, e, None)
-        if has_nan(out_block):
-            _row_acceleration(out_block, phi1_block, R1, R2, e, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _row_of_acceleration(_out_block, _block_of_phi1, R1, R2, e, None)
+        if _has_nan(_out_block):
+            _row_of_acceleration(_out_block, _block_of_phi1, R1, R2, e, True)
 
 
-@loop
-def _row_each_acceleration(out, phi1_values, R1_values, R2_values, e_values, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
-
-        R1 = float64(R1_values[i])
-
-        R2 = float64(R2_values[i])
-
-        e = float64(e_values[i])
-
-        value = _acceleration_at(phi1, R1, R2, e, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_acceleration(
-    out,
-    phi1_values,
-    R1_values,
-    R2_values,
-    e_values,
+@_loop
+def _row_each_of_acceleration(
+    _out, _values_of_phi1, _values_of_R1, _values_of_R2, _values_of_e, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        R1_block = R1_values[start:stop]
-        R2_block = R2_values[start:stop]
-        e_block = e_values[start:stop]
-        _row_each_acceleration(out_block, phi1_block, R1_block, R2_block, e_block, None)
-        if has_nan(out_block):
-            _row_each_acceleration(out_block, phi1_block, R1_block, R2_block, e_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
+
+        R1 = _float64(_values_of_R1[_i])
+
+        R2 = _float64(_values_of_R2[_i])
+
+        e = _float64(_values_of_e[_i])
+
+        _value = _value_of_acceleration(phi1, R1, R2, e, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_acceleration(
+    _out,
+    _values_of_phi1,
+    _values_of_R1,
+    _values_of_R2,
+    _values_of_e,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _block_of_R1 = _values_of_R1[_start:_stop]
+        _block_of_R2 = _values_of_R2[_start:_stop]
+        _block_of_e = _values_of_e[_start:_stop]
+        _row_each_of_acceleration(
+            _out_block, _block_of_phi1, _block_of_R1, _block_of_R2, _block_of_e, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_acceleration(
+                _out_block, _block_of_phi1, _block_of_R1, _block_of_R2, _block_of_e, True
+            )
 
 
 def acceleration(
@@ -521,16 +538,16 @@ def acceleration(
 
     Compiled. The help of `mechproof.kernels.elliptic_planetary.acceleration` has all words.
     """
-    if type(R1) is type(R2) is type(e) is float:
-        if type(phi1) is ndarray:
-            row = take_row(phi1, out)
-            if row is not None:
-                _ACCELERATION.fill(row, phi1, R1, R2, e)
-                return row
-        elif type(phi1) is float and out is None:
-            return float64(_ACCELERATION.point(phi1, R1, R2, e))
-    return run(
-        _ACCELERATION,
+    if _type(R1) is _type(R2) is _type(e) is _float:
+        if _type(phi1) is _ndarray:
+            _row = _take_row(phi1, out)
+            if _row is not None:
+                _loops_of_acceleration.fill(_row, phi1, R1, R2, e)
+                return _row
+        elif _type(phi1) is _float and out is None:
+            return _float64(_loops_of_acceleration.point(phi1, R1, R2, e))
+    return _run(
+        _loops_of_acceleration,
         (
             phi1,
             R1,
@@ -541,7 +558,7 @@ def acceleration(
     )
 
 
-_ACCELERATION = Loops(
+_loops_of_acceleration = _Loops(
     names=(
         "phi1",
         "R1",
@@ -555,114 +572,114 @@ _ACCELERATION = Loops(
         0,
     ),
     shape=(),
-    at=_acceleration_point,
-    uniform=_fill_acceleration,
-    each=_fill_each_acceleration,
+    at=_point_of_acceleration,
+    uniform=_fill_of_acceleration,
+    each=_fill_each_of_acceleration,
 )
 
 
-@overload(acceleration)
-def _offer_acceleration(
+@_overload(acceleration)
+def _offer_of_acceleration(
     phi1,
     R1,
     R2,
     e,
 ):
-    return lambda phi1, R1, R2, e: _acceleration_point(
-        float64(phi1),
-        float64(R1),
-        float64(R2),
-        float64(e),
+    return lambda phi1, R1, R2, e: _point_of_acceleration(
+        _float64(phi1),
+        _float64(R1),
+        _float64(R2),
+        _float64(e),
     )
 
 
-@scalar
-def _prepare_largest_ratio(R2, e):
+@_scalar
+def _prepare_of_largest_ratio(R2, e):
 
     return (R2, e)
 
 
-@scalar
-def _largest_ratio(R1, R2, e):
+@_scalar
+def _form_of_largest_ratio(R1, R2, e):
     k = R1 / R2
 
     return 1 + (1 + e) / (1 - e) * k
 
 
-@scalar
-def _largest_ratio_at(R1, R2, e):
-    if not ((R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)):
-        return math.nan
-    prepared = _prepare_largest_ratio(R2, e)
-    return _largest_ratio(R1, *prepared)
+@_scalar
+def _value_of_largest_ratio(R1, R2, e):
+    if not ((R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & _is_finite(R1) & (R2 < R1)):
+        return _math.nan
+    _prepared = _prepare_of_largest_ratio(R2, e)
+    return _form_of_largest_ratio(R1, *_prepared)
 
 
-@scalar
-def _largest_ratio_point(R1, R2, e):
-    return _largest_ratio_at(R1, R2, e)
+@_scalar
+def _point_of_largest_ratio(R1, R2, e):
+    return _value_of_largest_ratio(R1, R2, e)
 
 
-@loop
-def _row_largest_ratio(
-    out,
-    R1_values,
+@_loop
+def _row_of_largest_ratio(
+    _out,
+    _values_of_R1,
     R2,
     e,
 ):
-    widen()
-    for i in range(out.size):
-        R1 = float64(R1_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        R1 = _float64(_values_of_R1[_i])
 
-        value = _largest_ratio_at(R1, R2, e)
-        out[i] = value
+        _value = _value_of_largest_ratio(R1, R2, e)
+        _out[_i] = _value
 
 
-@loop
-def _fill_largest_ratio(
-    out,
-    R1_values,
+@_loop
+def _fill_of_largest_ratio(
+    _out,
+    _values_of_R1,
     R2,
     e,
 ):
-    _row_largest_ratio(
-        out,
-        R1_values,
+    _row_of_largest_ratio(
+        _out,
+        _values_of_R1,
         R2,
         e,
     )
 
 
-@loop
-def _row_each_largest_ratio(
-    out,
-    R1_values,
-    R2_values,
-    e_values,
+@_loop
+def _row_each_of_largest_ratio(
+    _out,
+    _values_of_R1,
+    _values_of_R2,
+    _values_of_e,
 ):
-    widen()
-    for i in range(out.size):
-        R1 = float64(R1_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        R1 = _float64(_values_of_R1[_i])
 
-        R2 = float64(R2_values[i])
+        R2 = _float64(_values_of_R2[_i])
 
-        e = float64(e_values[i])
+        e = _float64(_values_of_e[_i])
 
-        value = _largest_ratio_at(R1, R2, e)
-        out[i] = value
+        _value = _value_of_largest_ratio(R1, R2, e)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_largest_ratio(
-    out,
-    R1_values,
-    R2_values,
-    e_values,
+@_loop
+def _fill_each_of_largest_ratio(
+    _out,
+    _values_of_R1,
+    _values_of_R2,
+    _values_of_e,
 ):
-    _row_each_largest_ratio(
-        out,
-        R1_values,
-        R2_values,
-        e_values,
+    _row_each_of_largest_ratio(
+        _out,
+        _values_of_R1,
+        _values_of_R2,
+        _values_of_e,
     )
 
 
@@ -673,16 +690,16 @@ def largest_ratio(
 
     Compiled. The help of `mechproof.kernels.elliptic_planetary.largest_ratio` has all words.
     """
-    if type(R2) is type(e) is float:
-        if type(R1) is ndarray:
-            row = take_row(R1, out)
-            if row is not None:
-                _LARGEST_RATIO.fill(row, R1, R2, e)
-                return row
-        elif type(R1) is float and out is None:
-            return float64(_LARGEST_RATIO.point(R1, R2, e))
-    return run(
-        _LARGEST_RATIO,
+    if _type(R2) is _type(e) is _float:
+        if _type(R1) is _ndarray:
+            _row = _take_row(R1, out)
+            if _row is not None:
+                _loops_of_largest_ratio.fill(_row, R1, R2, e)
+                return _row
+        elif _type(R1) is _float and out is None:
+            return _float64(_loops_of_largest_ratio.point(R1, R2, e))
+    return _run(
+        _loops_of_largest_ratio,
         (
             R1,
             R2,
@@ -692,7 +709,7 @@ def largest_ratio(
     )
 
 
-_LARGEST_RATIO = Loops(
+_loops_of_largest_ratio = _Loops(
     names=(
         "R1",
         "R2",
@@ -704,112 +721,112 @@ _LARGEST_RATIO = Loops(
         0,
     ),
     shape=(),
-    at=_largest_ratio_point,
-    uniform=_fill_largest_ratio,
-    each=_fill_each_largest_ratio,
+    at=_point_of_largest_ratio,
+    uniform=_fill_of_largest_ratio,
+    each=_fill_each_of_largest_ratio,
 )
 
 
-@overload(largest_ratio)
-def _offer_largest_ratio(
+@_overload(largest_ratio)
+def _offer_of_largest_ratio(
     R1,
     R2,
     e,
 ):
-    return lambda R1, R2, e: _largest_ratio_point(
-        float64(R1),
-        float64(R2),
-        float64(e),
+    return lambda R1, R2, e: _point_of_largest_ratio(
+        _float64(R1),
+        _float64(R2),
+        _float64(e),
     )
 
 
-@scalar
-def _prepare_smallest_ratio(R2, e):
+@_scalar
+def _prepare_of_smallest_ratio(R2, e):
 
     return (R2, e)
 
 
-@scalar
-def _smallest_ratio(R1, R2, e):
+@_scalar
+def _form_of_smallest_ratio(R1, R2, e):
     k = R1 / R2
 
     return 1 + (1 - e) / (1 + e) * k
 
 
-@scalar
-def _smallest_ratio_at(R1, R2, e):
-    if not ((R2 > 0) & is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & is_finite(R1) & (R2 < R1)):
-        return math.nan
-    prepared = _prepare_smallest_ratio(R2, e)
-    return _smallest_ratio(R1, *prepared)
+@_scalar
+def _value_of_smallest_ratio(R1, R2, e):
+    if not ((R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & _is_finite(R1) & (R2 < R1)):
+        return _math.nan
+    _prepared = _prepare_of_smallest_ratio(R2, e)
+    return _form_of_smallest_ratio(R1, *_prepared)
 
 
-@scalar
-def _smallest_ratio_point(R1, R2, e):
-    return _smallest_ratio_at(R1, R2, e)
+@_scalar
+def _point_of_smallest_ratio(R1, R2, e):
+    return _value_of_smallest_ratio(R1, R2, e)
 
 
-@loop
-def _row_smallest_ratio(
-    out,
-    R1_values,
+@_loop
+def _row_of_smallest_ratio(
+    _out,
+    _values_of_R1,
     R2,
     e,
 ):
-    widen()
-    for i in range(out.size):
-        R1 = float64(R1_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        R1 = _float64(_values_of_R1[_i])
 
-        value = _smallest_ratio_at(R1, R2, e)
-        out[i] = value
+        _value = _value_of_smallest_ratio(R1, R2, e)
+        _out[_i] = _value
 
 
-@loop
-def _fill_smallest_ratio(
-    out,
-    R1_values,
+@_loop
+def _fill_of_smallest_ratio(
+    _out,
+    _values_of_R1,
     R2,
     e,
 ):
-    _row_smallest_ratio(
-        out,
-        R1_values,
+    _row_of_smallest_ratio(
+        _out,
+        _values_of_R1,
         R2,
         e,
     )
 
 
-@loop
-def _row_each_smallest_ratio(
-    out,
-    R1_values,
-    R2_values,
-    e_values,
+@_loop
+def _row_each_of_smallest_ratio(
+    _out,
+    _values_of_R1,
+    _values_of_R2,
+    _values_of_e,
 ):
-    widen()
-    for i in range(out.size):
-        R1 = float64(R1_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        R1 = _float64(_values_of_R1[_i])
 
-        R2 = float64(R2_values[i])
+        R2 = _float64(_values_of_R2[_i])
 
-        e = float64(e_values[i])
+        e = _float64(_values_of_e[_i])
 
-        value = _smallest_ratio_at(R1, R2, e)
-        out[i] = value
+        _value = _value_of_smallest_ratio(R1, R2, e)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_smallest_ratio(
-    out,
-    R1_values,
-    R2_values,
-    e_values,
+@_loop
+def _fill_each_of_smallest_ratio(
+    _out,
+    _values_of_R1,
+    _values_of_R2,
+    _values_of_e,
 ):
-    _row_each_smallest_ratio(
-        out,
-        R1_values,
-        R2_values,
-        e_values,
+    _row_each_of_smallest_ratio(
+        _out,
+        _values_of_R1,
+        _values_of_R2,
+        _values_of_e,
     )
 
 
@@ -820,16 +837,16 @@ def smallest_ratio(
 
     Compiled. The help of `mechproof.kernels.elliptic_planetary.smallest_ratio` has all words.
     """
-    if type(R2) is type(e) is float:
-        if type(R1) is ndarray:
-            row = take_row(R1, out)
-            if row is not None:
-                _SMALLEST_RATIO.fill(row, R1, R2, e)
-                return row
-        elif type(R1) is float and out is None:
-            return float64(_SMALLEST_RATIO.point(R1, R2, e))
-    return run(
-        _SMALLEST_RATIO,
+    if _type(R2) is _type(e) is _float:
+        if _type(R1) is _ndarray:
+            _row = _take_row(R1, out)
+            if _row is not None:
+                _loops_of_smallest_ratio.fill(_row, R1, R2, e)
+                return _row
+        elif _type(R1) is _float and out is None:
+            return _float64(_loops_of_smallest_ratio.point(R1, R2, e))
+    return _run(
+        _loops_of_smallest_ratio,
         (
             R1,
             R2,
@@ -839,7 +856,7 @@ def smallest_ratio(
     )
 
 
-_SMALLEST_RATIO = Loops(
+_loops_of_smallest_ratio = _Loops(
     names=(
         "R1",
         "R2",
@@ -851,80 +868,89 @@ _SMALLEST_RATIO = Loops(
         0,
     ),
     shape=(),
-    at=_smallest_ratio_point,
-    uniform=_fill_smallest_ratio,
-    each=_fill_each_smallest_ratio,
+    at=_point_of_smallest_ratio,
+    uniform=_fill_of_smallest_ratio,
+    each=_fill_each_of_smallest_ratio,
 )
 
 
-@overload(smallest_ratio)
-def _offer_smallest_ratio(
+@_overload(smallest_ratio)
+def _offer_of_smallest_ratio(
     R1,
     R2,
     e,
 ):
-    return lambda R1, R2, e: _smallest_ratio_point(
-        float64(R1),
-        float64(R2),
-        float64(e),
+    return lambda R1, R2, e: _point_of_smallest_ratio(
+        _float64(R1),
+        _float64(R2),
+        _float64(e),
     )
 
 
-@scalar
-def _motion_at(phi1, R1, R2, e, exact):
+@_scalar
+def _value_of_motion(phi1, R1, R2, e, _exact):
     return (
-        _position_at(phi1, R1, R2, e, exact),
-        _ratio_at(phi1, R1, R2, e, exact),
-        _acceleration_at(phi1, R1, R2, e, exact),
+        _value_of_position(phi1, R1, R2, e, _exact),
+        _value_of_ratio(phi1, R1, R2, e, _exact),
+        _value_of_acceleration(phi1, R1, R2, e, _exact),
     )
 
 
-@scalar
-def _motion_point(phi1, R1, R2, e):
-    return _motion_at(phi1, R1, R2, e, True)
+@_scalar
+def _point_of_motion(phi1, R1, R2, e):
+    return _value_of_motion(phi1, R1, R2, e, True)
 
 
-@loop
-def _row_motion(out_position, out_ratio, out_acceleration, phi1_values, R1, R2, e, exact):
-    widen()
-    for i in range(out_position.size):
-        phi1 = float64(phi1_values[i])
+@_loop
+def _row_of_motion(
+    _out_of_position, _out_of_ratio, _out_of_acceleration, _values_of_phi1, R1, R2, e, _exact
+):
+    _widen()
+    for _i in _range(_out_of_position.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        value = _motion_at(phi1, R1, R2, e, exact)
-        out_position[i] = value[0]
-        out_ratio[i] = value[1]
-        out_acceleration[i] = value[2]
+        _value = _value_of_motion(phi1, R1, R2, e, _exact)
+        _out_of_position[_i] = _value[0]
+        _out_of_ratio[_i] = _value[1]
+        _out_of_acceleration[_i] = _value[2]
 
 
-@loop
-def _fill_motion(
-    out_position,
-    out_ratio,
-    out_acceleration,
-    phi1_values,
+@_loop
+def _fill_of_motion(
+    _out_of_position,
+    _out_of_ratio,
+    _out_of_acceleration,
+    _values_of_phi1,
     R1,
     R2,
     e,
 ):
-    for start in range(0, out_position.size, BLOCK):
-        stop = start + BLOCK
-        out_position_block = out_position[start:stop]
-        out_ratio_block = out_ratio[start:stop]
-        out_acceleration_block = out_acceleration[start:stop]
-        phi1_block = phi1_values[start:stop]
-        _row_motion(
-            out_position_block, out_ratio_block, out_acceleration_block, phi1_block, R1, R2, e, None
+    for _start in _range(0, _out_of_position.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block_of_position = _out_of_position[_start:_stop]
+        _out_block_of_ratio = _out_of_ratio[_start:_stop]
+        _out_block_of_acceleration = _out_of_acceleration[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _row_of_motion(
+            _out_block_of_position,
+            _out_block_of_ratio,
+            _out_block_of_acceleration,
+            _block_of_phi1,
+            R1,
+            R2,
+            e,
+            None,
         )
         if (
-            has_nan(out_position_block)
-            or has_nan(out_ratio_block)
-            or has_nan(out_acceleration_block)
+            _has_nan(_out_block_of_position)
+            or _has_nan(_out_block_of_ratio)
+            or _has_nan(_out_block_of_acceleration)
         ):
-            _row_motion(
-                out_position_block,
-                out_ratio_block,
-                out_acceleration_block,
-                phi1_block,
+            _row_of_motion(
+                _out_block_of_position,
+                _out_block_of_ratio,
+                _out_block_of_acceleration,
+                _block_of_phi1,
                 R1,
                 R2,
                 e,
@@ -932,68 +958,75 @@ def _fill_motion(
             )
 
 
-@loop
-def _row_each_motion(
-    out_position, out_ratio, out_acceleration, phi1_values, R1_values, R2_values, e_values, exact
+@_loop
+def _row_each_of_motion(
+    _out_of_position,
+    _out_of_ratio,
+    _out_of_acceleration,
+    _values_of_phi1,
+    _values_of_R1,
+    _values_of_R2,
+    _values_of_e,
+    _exact,
 ):
-    widen()
-    for i in range(out_position.size):
-        phi1 = float64(phi1_values[i])
+    _widen()
+    for _i in _range(_out_of_position.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        R1 = float64(R1_values[i])
+        R1 = _float64(_values_of_R1[_i])
 
-        R2 = float64(R2_values[i])
+        R2 = _float64(_values_of_R2[_i])
 
-        e = float64(e_values[i])
+        e = _float64(_values_of_e[_i])
 
-        value = _motion_at(phi1, R1, R2, e, exact)
-        out_position[i] = value[0]
-        out_ratio[i] = value[1]
-        out_acceleration[i] = value[2]
+        _value = _value_of_motion(phi1, R1, R2, e, _exact)
+        _out_of_position[_i] = _value[0]
+        _out_of_ratio[_i] = _value[1]
+        _out_of_acceleration[_i] = _value[2]
 
 
-@loop
-def _fill_each_motion(
-    out_position,
-    out_ratio,
-    out_acceleration,
-    phi1_values,
-    R1_values,
-    R2_values,
-    e_values,
+@_loop
+def _fill_each_of_motion(
+    _out_of_position,
+    _out_of_ratio,
+    _out_of_acceleration,
+    _values_of_phi1,
+    _values_of_R1,
+    _values_of_R2,
+    _values_of_e,
 ):
-    for start in range(0, out_position.size, BLOCK):
-        stop = start + BLOCK
-        out_position_block = out_position[start:stop]
-        out_ratio_block = out_ratio[start:stop]
-        out_acceleration_block = out_acceleration[start:stop]
-        phi1_block = phi1_values[start:stop]
-        R1_block = R1_values[start:stop]
-        R2_block = R2_values[start:stop]
-        e_block = e_values[start:stop]
-        _row_each_motion(
-            out_position_block,
-            out_ratio_block,
-            out_acceleration_block,
-            phi1_block,
-            R1_block,
-            R2_block,
-            e_block,
+    for _start in _range(0, _out_of_position.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block_of_position = _out_of_position[_start:_stop]
+        _out_block_of_ratio = _out_of_ratio[_start:_stop]
+        _out_block_of_acceleration = _out_of_acceleration[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _block_of_R1 = _values_of_R1[_start:_stop]
+        _block_of_R2 = _values_of_R2[_start:_stop]
+        _block_of_e = _values_of_e[_start:_stop]
+        _row_each_of_motion(
+            _out_block_of_position,
+            _out_block_of_ratio,
+            _out_block_of_acceleration,
+            _block_of_phi1,
+            _block_of_R1,
+            _block_of_R2,
+            _block_of_e,
             None,
         )
         if (
-            has_nan(out_position_block)
-            or has_nan(out_ratio_block)
-            or has_nan(out_acceleration_block)
+            _has_nan(_out_block_of_position)
+            or _has_nan(_out_block_of_ratio)
+            or _has_nan(_out_block_of_acceleration)
         ):
-            _row_each_motion(
-                out_position_block,
-                out_ratio_block,
-                out_acceleration_block,
-                phi1_block,
-                R1_block,
-                R2_block,
-                e_block,
+            _row_each_of_motion(
+                _out_block_of_position,
+                _out_block_of_ratio,
+                _out_block_of_acceleration,
+                _block_of_phi1,
+                _block_of_R1,
+                _block_of_R2,
+                _block_of_e,
                 True,
             )
 
@@ -1005,8 +1038,8 @@ def motion(
 
     They lie along the first axis of the result, each with the bits of its own kernel. Compiled.
     """
-    return run(
-        _MOTION,
+    return _run(
+        _loops_of_motion,
         (
             phi1,
             R1,
@@ -1017,7 +1050,7 @@ def motion(
     )
 
 
-_MOTION = Loops(
+_loops_of_motion = _Loops(
     names=(
         "phi1",
         "R1",
@@ -1031,23 +1064,23 @@ _MOTION = Loops(
         0,
     ),
     shape=(),
-    at=_motion_point,
-    uniform=_fill_motion,
+    at=_point_of_motion,
+    uniform=_fill_of_motion,
     results=3,
-    each=_fill_each_motion,
+    each=_fill_each_of_motion,
 )
 
 
-@overload(motion)
-def _offer_motion(
+@_overload(motion)
+def _offer_of_motion(
     phi1,
     R1,
     R2,
     e,
 ):
-    return lambda phi1, R1, R2, e: _motion_point(
-        float64(phi1),
-        float64(R1),
-        float64(R2),
-        float64(e),
+    return lambda phi1, R1, R2, e: _point_of_motion(
+        _float64(phi1),
+        _float64(R1),
+        _float64(R2),
+        _float64(e),
     )

@@ -8,33 +8,34 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 8db31d8544f3.
+Elementary functions: `elementary` ad67128b931a.
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
-import math
+import math as _math
+from builtins import abs as _abs, float as _float, range as _range, type as _type
 from typing import Any
 
-from numpy import float64, ndarray
+from numpy import float64 as _float64, ndarray as _ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
-    BLOCK,
-    Loops,
-    has_nan,
-    is_finite,
-    loop,
-    overload,
-    run,
-    scalar,
-    take_row,
-    widen,
+    BLOCK as _BLOCK,
+    Loops as _Loops,
+    has_nan as _has_nan,
+    is_finite as _is_finite,
+    loop as _loop,
+    overload as _overload,
+    run as _run,
+    scalar as _scalar,
+    take_row as _take_row,
+    widen as _widen,
 )
-from mechproof.kernels.compiled import elementary
+from mechproof.kernels.compiled import elementary as _elementary
 
 __all__ = [
     "acceleration",
@@ -52,25 +53,25 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@scalar
-def _prepare_ratio(e1, e2, mount, exact):
+@_scalar
+def _prepare_of_ratio(e1, e2, mount, _exact):
     one_plus_e1 = 1 + e1
     both = one_plus_e1 * (1 + e2)
     one_minus_e1 = 1 - e1
     one_minus_e2 = 1 - e2
     less = one_minus_e1 * one_minus_e2
-    sin_mount = elementary.sin(mount, exact)
+    sin_mount = _elementary.sin(mount, _exact)
     lever = 4 * e2 * sin_mount / one_minus_e2
     shift = lever * one_minus_e1 * sin_mount
-    rise = lever * one_plus_e1 * elementary.cos(mount, exact)
+    rise = lever * one_plus_e1 * _elementary.cos(mount, _exact)
 
     return (both, less, shift, rise)
 
 
-@scalar
-def _ratio(phi1, both, less, shift, rise, exact):
-    tan_phi1_below = elementary.tangent_below(phi1, exact)
-    tan_phi1 = elementary.tangent_above(phi1, exact)
+@_scalar
+def _form_of_ratio(phi1, both, less, shift, rise, _exact):
+    tan_phi1_below = _elementary.tangent_below(phi1, _exact)
+    tan_phi1 = _elementary.tangent_above(phi1, _exact)
     y = shift * tan_phi1_below + rise * tan_phi1
     tan_phi1_squared = tan_phi1**2
 
@@ -79,80 +80,86 @@ def _ratio(phi1, both, less, shift, rise, exact):
     ) * (tan_phi1_below * tan_phi1_below + tan_phi1_squared)
 
 
-@scalar
-def _ratio_at(phi1, e1, e2, mount, exact):
+@_scalar
+def _value_of_ratio(phi1, e1, e2, mount, _exact):
     if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
-        return math.nan
-    prepared = _prepare_ratio(e1, e2, mount, exact)
-    return _ratio(phi1, *prepared, exact)
+        return _math.nan
+    _prepared = _prepare_of_ratio(e1, e2, mount, _exact)
+    return _form_of_ratio(phi1, *_prepared, _exact)
 
 
-@scalar
-def _ratio_point(phi1, e1, e2, mount):
-    return _ratio_at(phi1, e1, e2, mount, True)
+@_scalar
+def _point_of_ratio(phi1, e1, e2, mount):
+    return _value_of_ratio(phi1, e1, e2, mount, True)
 
 
-@loop
-def _row_ratio(out, phi1_values, e1, e2, mount, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
+@_loop
+def _row_of_ratio(_out, _values_of_phi1, e1, e2, mount, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        value = _ratio_at(phi1, e1, e2, mount, exact)
-        out[i] = value
+        _value = _value_of_ratio(phi1, e1, e2, mount, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_ratio(
-    out,
-    phi1_values,
+@_loop
+def _fill_of_ratio(
+    _out,
+    _values_of_phi1,
     e1,
     e2,
     mount,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        _row_ratio(out_block, phi1_block, e1, e2, mount, None)
-        if has_nan(out_block):
-            _row_ratio(out_block, phi1_block, e1, e2, mount, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _row_of_ratio(_out_block, _block_of_phi1, e1, e2, mount, None)
+        if _has_nan(_out_block):
+            _row_of_ratio(_out_block, _block_of_phi1, e1, e2, mount, True)
 
 
-@loop
-def _row_each_ratio(out, phi1_values, e1_values, e2_values, mount_values, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
-
-        e1 = float64(e1_values[i])
-
-        e2 = float64(e2_values[i])
-
-        mount = float64(mount_values[i])
-
-        value = _ratio_at(phi1, e1, e2, mount, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_ratio(
-    out,
-    phi1_values,
-    e1_values,
-    e2_values,
-    mount_values,
+@_loop
+def _row_each_of_ratio(
+    _out, _values_of_phi1, _values_of_e1, _values_of_e2, _values_of_mount, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        e1_block = e1_values[start:stop]
-        e2_block = e2_values[start:stop]
-        mount_block = mount_values[start:stop]
-        _row_each_ratio(out_block, phi1_block, e1_block, e2_block, mount_block, None)
-        if has_nan(out_block):
-            _row_each_ratio(out_block, phi1_block, e1_block, e2_block, mount_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
+
+        e1 = _float64(_values_of_e1[_i])
+
+        e2 = _float64(_values_of_e2[_i])
+
+        mount = _float64(_values_of_mount[_i])
+
+        _value = _value_of_ratio(phi1, e1, e2, mount, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_ratio(
+    _out,
+    _values_of_phi1,
+    _values_of_e1,
+    _values_of_e2,
+    _values_of_mount,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _block_of_e1 = _values_of_e1[_start:_stop]
+        _block_of_e2 = _values_of_e2[_start:_stop]
+        _block_of_mount = _values_of_mount[_start:_stop]
+        _row_each_of_ratio(
+            _out_block, _block_of_phi1, _block_of_e1, _block_of_e2, _block_of_mount, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_ratio(
+                _out_block, _block_of_phi1, _block_of_e1, _block_of_e2, _block_of_mount, True
+            )
 
 
 def ratio(
@@ -167,16 +174,16 @@ def ratio(
 
     Compiled. The help of `mechproof.kernels.oval_planetary.ratio` has all words.
     """
-    if type(e1) is type(e2) is type(mount) is float:
-        if type(phi1) is ndarray:
-            row = take_row(phi1, out)
-            if row is not None:
-                _RATIO.fill(row, phi1, e1, e2, mount)
-                return row
-        elif type(phi1) is float and out is None:
-            return float64(_RATIO.point(phi1, e1, e2, mount))
-    return run(
-        _RATIO,
+    if _type(e1) is _type(e2) is _type(mount) is _float:
+        if _type(phi1) is _ndarray:
+            _row = _take_row(phi1, out)
+            if _row is not None:
+                _loops_of_ratio.fill(_row, phi1, e1, e2, mount)
+                return _row
+        elif _type(phi1) is _float and out is None:
+            return _float64(_loops_of_ratio.point(phi1, e1, e2, mount))
+    return _run(
+        _loops_of_ratio,
         (
             phi1,
             e1,
@@ -187,7 +194,7 @@ def ratio(
     )
 
 
-_RATIO = Loops(
+_loops_of_ratio = _Loops(
     names=(
         "phi1",
         "e1",
@@ -201,36 +208,36 @@ _RATIO = Loops(
         0,
     ),
     shape=(),
-    at=_ratio_point,
-    uniform=_fill_ratio,
-    each=_fill_each_ratio,
+    at=_point_of_ratio,
+    uniform=_fill_of_ratio,
+    each=_fill_each_of_ratio,
 )
 
 
-@overload(ratio)
-def _offer_ratio(
+@_overload(ratio)
+def _offer_of_ratio(
     phi1,
     e1,
     e2,
     mount=0.0,
 ):
-    return lambda phi1, e1, e2, mount=0.0: _ratio_point(
-        float64(phi1),
-        float64(e1),
-        float64(e2),
-        float64(mount),
+    return lambda phi1, e1, e2, mount=0.0: _point_of_ratio(
+        _float64(phi1),
+        _float64(e1),
+        _float64(e2),
+        _float64(mount),
     )
 
 
-@scalar
-def _prepare_position(e1, e2, mount, exact):
-    sin_mount = elementary.sin(mount, exact)
+@_scalar
+def _prepare_of_position(e1, e2, mount, _exact):
+    sin_mount = _elementary.sin(mount, _exact)
     one_minus_e2 = 1 - e2
     lever = 4 * e2 * sin_mount / one_minus_e2
     one_minus_e1 = 1 - e1
     shift = lever * one_minus_e1 * sin_mount
     one_plus_e1 = 1 + e1
-    rise = lever * one_plus_e1 * elementary.cos(mount, exact)
+    rise = lever * one_plus_e1 * _elementary.cos(mount, _exact)
     swing = 2 * e1 + 2 * e2
     less = one_minus_e1 * one_minus_e2
     both = one_plus_e1 * (1 + e2)
@@ -238,88 +245,94 @@ def _prepare_position(e1, e2, mount, exact):
     return (shift, rise, swing, less, both)
 
 
-@scalar
-def _position(phi1, shift, rise, swing, less, both, exact):
-    tan_phi1 = elementary.tan(phi1, exact)
+@_scalar
+def _form_of_position(phi1, shift, rise, swing, less, both, _exact):
+    tan_phi1 = _elementary.tan(phi1, _exact)
     y = shift + rise * tan_phi1
 
-    return elementary.arctan2(tan_phi1 * (y - swing), less + y + both * tan_phi1**2)
+    return _elementary.arctan2(tan_phi1 * (y - swing), less + y + both * tan_phi1**2)
 
 
-@scalar
-def _position_at(phi1, e1, e2, mount, exact):
+@_scalar
+def _value_of_position(phi1, e1, e2, mount, _exact):
     if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
-        return math.nan
-    prepared = _prepare_position(e1, e2, mount, exact)
-    return _position(phi1, *prepared, exact)
+        return _math.nan
+    _prepared = _prepare_of_position(e1, e2, mount, _exact)
+    return _form_of_position(phi1, *_prepared, _exact)
 
 
-@scalar
-def _position_point(phi1, e1, e2, mount):
-    return _position_at(phi1, e1, e2, mount, True)
+@_scalar
+def _point_of_position(phi1, e1, e2, mount):
+    return _value_of_position(phi1, e1, e2, mount, True)
 
 
-@loop
-def _row_position(out, phi1_values, e1, e2, mount, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
+@_loop
+def _row_of_position(_out, _values_of_phi1, e1, e2, mount, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        value = _position_at(phi1, e1, e2, mount, exact)
-        out[i] = value
+        _value = _value_of_position(phi1, e1, e2, mount, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_position(
-    out,
-    phi1_values,
+@_loop
+def _fill_of_position(
+    _out,
+    _values_of_phi1,
     e1,
     e2,
     mount,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        _row_position(out_block, phi1_block, e1, e2, mount, None)
-        if has_nan(out_block):
-            _row_position(out_block, phi1_block, e1, e2, mount, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _row_of_position(_out_block, _block_of_phi1, e1, e2, mount, None)
+        if _has_nan(_out_block):
+            _row_of_position(_out_block, _block_of_phi1, e1, e2, mount, True)
 
 
-@loop
-def _row_each_position(out, phi1_values, e1_values, e2_values, mount_values, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
-
-        e1 = float64(e1_values[i])
-
-        e2 = float64(e2_values[i])
-
-        mount = float64(mount_values[i])
-
-        value = _position_at(phi1, e1, e2, mount, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_position(
-    out,
-    phi1_values,
-    e1_values,
-    e2_values,
-    mount_values,
+@_loop
+def _row_each_of_position(
+    _out, _values_of_phi1, _values_of_e1, _values_of_e2, _values_of_mount, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        e1_block = e1_values[start:stop]
-        e2_block = e2_values[start:stop]
-        mount_block = mount_values[start:stop]
-        _row_each_position(out_block, phi1_block, e1_block, e2_block, mount_block, None)
-        if has_nan(out_block):
-            _row_each_position(out_block, phi1_block, e1_block, e2_block, mount_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
+
+        e1 = _float64(_values_of_e1[_i])
+
+        e2 = _float64(_values_of_e2[_i])
+
+        mount = _float64(_values_of_mount[_i])
+
+        _value = _value_of_position(phi1, e1, e2, mount, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_position(
+    _out,
+    _values_of_phi1,
+    _values_of_e1,
+    _values_of_e2,
+    _values_of_mount,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _block_of_e1 = _values_of_e1[_start:_stop]
+        _block_of_e2 = _values_of_e2[_start:_stop]
+        _block_of_mount = _values_of_mount[_start:_stop]
+        _row_each_of_position(
+            _out_block, _block_of_phi1, _block_of_e1, _block_of_e2, _block_of_mount, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_position(
+                _out_block, _block_of_phi1, _block_of_e1, _block_of_e2, _block_of_mount, True
+            )
 
 
 def position(
@@ -334,16 +347,16 @@ def position(
 
     Compiled. The help of `mechproof.kernels.oval_planetary.position` has all words.
     """
-    if type(e1) is type(e2) is type(mount) is float:
-        if type(phi1) is ndarray:
-            row = take_row(phi1, out)
-            if row is not None:
-                _POSITION.fill(row, phi1, e1, e2, mount)
-                return row
-        elif type(phi1) is float and out is None:
-            return float64(_POSITION.point(phi1, e1, e2, mount))
-    return run(
-        _POSITION,
+    if _type(e1) is _type(e2) is _type(mount) is _float:
+        if _type(phi1) is _ndarray:
+            _row = _take_row(phi1, out)
+            if _row is not None:
+                _loops_of_position.fill(_row, phi1, e1, e2, mount)
+                return _row
+        elif _type(phi1) is _float and out is None:
+            return _float64(_loops_of_position.point(phi1, e1, e2, mount))
+    return _run(
+        _loops_of_position,
         (
             phi1,
             e1,
@@ -354,7 +367,7 @@ def position(
     )
 
 
-_POSITION = Loops(
+_loops_of_position = _Loops(
     names=(
         "phi1",
         "e1",
@@ -368,64 +381,64 @@ _POSITION = Loops(
         0,
     ),
     shape=(),
-    at=_position_point,
-    uniform=_fill_position,
-    each=_fill_each_position,
+    at=_point_of_position,
+    uniform=_fill_of_position,
+    each=_fill_each_of_position,
 )
 
 
-@overload(position)
-def _offer_position(
+@_overload(position)
+def _offer_of_position(
     phi1,
     e1,
     e2,
     mount=0.0,
 ):
-    return lambda phi1, e1, e2, mount=0.0: _position_point(
-        float64(phi1),
-        float64(e1),
-        float64(e2),
-        float64(mount),
+    return lambda phi1, e1, e2, mount=0.0: _point_of_position(
+        _float64(phi1),
+        _float64(e1),
+        _float64(e2),
+        _float64(mount),
     )
 
 
-@scalar
-def _prepare_acceleration(e1, e2, mount, exact):
+@_scalar
+def _prepare_of_acceleration(e1, e2, mount, _exact):
     one_plus_e1 = 1 + e1
     one_plus_e2 = 1 + e2
     both_high = one_plus_e1 * one_plus_e2
-    one_plus_e2_low = elementary.sum_rest(1, e2, one_plus_e2)
-    one_plus_e1_low = elementary.sum_rest(1, e1, one_plus_e1)
+    one_plus_e2_low = _elementary.sum_rest(1, e2, one_plus_e2)
+    one_plus_e1_low = _elementary.sum_rest(1, e1, one_plus_e1)
     both_low = (
         one_plus_e1 * one_plus_e2_low
         + one_plus_e1_low * one_plus_e2
-        + elementary.product_rest(one_plus_e1, one_plus_e2, both_high)
+        + _elementary.product_rest(one_plus_e1, one_plus_e2, both_high)
     )
     both = both_high + both_low
     one_minus_e1 = 1 - e1
     one_minus_e2 = 1 - e2
     less_high = one_minus_e1 * one_minus_e2
-    one_minus_e2_low = elementary.sum_rest(1, -e2, one_minus_e2)
-    one_minus_e1_low = elementary.sum_rest(1, -e1, one_minus_e1)
+    one_minus_e2_low = _elementary.sum_rest(1, -e2, one_minus_e2)
+    one_minus_e1_low = _elementary.sum_rest(1, -e1, one_minus_e1)
     less_low = (
         one_minus_e1 * one_minus_e2_low
         + one_minus_e1_low * one_minus_e2
-        + elementary.product_rest(one_minus_e1, one_minus_e2, less_high)
+        + _elementary.product_rest(one_minus_e1, one_minus_e2, less_high)
     )
     less = less_high + less_low
-    sin_mount = elementary.sin(mount, exact)
+    sin_mount = _elementary.sin(mount, _exact)
     lever = 4 * e2 * sin_mount / one_minus_e2
     shift = lever * one_minus_e1 * sin_mount
-    rise = lever * one_plus_e1 * elementary.cos(mount, exact)
+    rise = lever * one_plus_e1 * _elementary.cos(mount, _exact)
     swing = 2 * e1 + 2 * e2
 
     return (both, less, shift, rise, swing)
 
 
-@scalar
-def _acceleration(phi1, both, less, shift, rise, swing, exact):
-    tan_phi1_below = elementary.tangent_below(phi1, exact)
-    tan_phi1 = elementary.tangent_above(phi1, exact)
+@_scalar
+def _form_of_acceleration(phi1, both, less, shift, rise, swing, _exact):
+    tan_phi1_below = _elementary.tangent_below(phi1, _exact)
+    tan_phi1 = _elementary.tangent_above(phi1, _exact)
     y = shift * tan_phi1_below + rise * tan_phi1
     tan_phi1_squared = tan_phi1**2
 
@@ -443,80 +456,86 @@ def _acceleration(phi1, both, less, shift, rise, swing, exact):
     )
 
 
-@scalar
-def _acceleration_at(phi1, e1, e2, mount, exact):
+@_scalar
+def _value_of_acceleration(phi1, e1, e2, mount, _exact):
     if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
-        return math.nan
-    prepared = _prepare_acceleration(e1, e2, mount, exact)
-    return _acceleration(phi1, *prepared, exact)
+        return _math.nan
+    _prepared = _prepare_of_acceleration(e1, e2, mount, _exact)
+    return _form_of_acceleration(phi1, *_prepared, _exact)
 
 
-@scalar
-def _acceleration_point(phi1, e1, e2, mount):
-    return _acceleration_at(phi1, e1, e2, mount, True)
+@_scalar
+def _point_of_acceleration(phi1, e1, e2, mount):
+    return _value_of_acceleration(phi1, e1, e2, mount, True)
 
 
-@loop
-def _row_acceleration(out, phi1_values, e1, e2, mount, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
+@_loop
+def _row_of_acceleration(_out, _values_of_phi1, e1, e2, mount, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        value = _acceleration_at(phi1, e1, e2, mount, exact)
-        out[i] = value
+        _value = _value_of_acceleration(phi1, e1, e2, mount, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_acceleration(
-    out,
-    phi1_values,
+@_loop
+def _fill_of_acceleration(
+    _out,
+    _values_of_phi1,
     e1,
     e2,
     mount,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        _row_acceleration(out_block, phi1_block, e1, e2, mount, None)
-        if has_nan(out_block):
-            _row_acceleration(out_block, phi1_block, e1, e2, mount, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _row_of_acceleration(_out_block, _block_of_phi1, e1, e2, mount, None)
+        if _has_nan(_out_block):
+            _row_of_acceleration(_out_block, _block_of_phi1, e1, e2, mount, True)
 
 
-@loop
-def _row_each_acceleration(out, phi1_values, e1_values, e2_values, mount_values, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
-
-        e1 = float64(e1_values[i])
-
-        e2 = float64(e2_values[i])
-
-        mount = float64(mount_values[i])
-
-        value = _acceleration_at(phi1, e1, e2, mount, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_acceleration(
-    out,
-    phi1_values,
-    e1_values,
-    e2_values,
-    mount_values,
+@_loop
+def _row_each_of_acceleration(
+    _out, _values_of_phi1, _values_of_e1, _values_of_e2, _values_of_mount, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        e1_block = e1_values[start:stop]
-        e2_block = e2_values[start:stop]
-        mount_block = mount_values[start:stop]
-        _row_each_acceleration(out_block, phi1_block, e1_block, e2_block, mount_block, None)
-        if has_nan(out_block):
-            _row_each_acceleration(out_block, phi1_block, e1_block, e2_block, mount_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
+
+        e1 = _float64(_values_of_e1[_i])
+
+        e2 = _float64(_values_of_e2[_i])
+
+        mount = _float64(_values_of_mount[_i])
+
+        _value = _value_of_acceleration(phi1, e1, e2, mount, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_acceleration(
+    _out,
+    _values_of_phi1,
+    _values_of_e1,
+    _values_of_e2,
+    _values_of_mount,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _block_of_e1 = _values_of_e1[_start:_stop]
+        _block_of_e2 = _values_of_e2[_start:_stop]
+        _block_of_mount = _values_of_mount[_start:_stop]
+        _row_each_of_acceleration(
+            _out_block, _block_of_phi1, _block_of_e1, _block_of_e2, _block_of_mount, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_acceleration(
+                _out_block, _block_of_phi1, _block_of_e1, _block_of_e2, _block_of_mount, True
+            )
 
 
 def acceleration(
@@ -531,16 +550,16 @@ def acceleration(
 
     Compiled. The help of `mechproof.kernels.oval_planetary.acceleration` has all words.
     """
-    if type(e1) is type(e2) is type(mount) is float:
-        if type(phi1) is ndarray:
-            row = take_row(phi1, out)
-            if row is not None:
-                _ACCELERATION.fill(row, phi1, e1, e2, mount)
-                return row
-        elif type(phi1) is float and out is None:
-            return float64(_ACCELERATION.point(phi1, e1, e2, mount))
-    return run(
-        _ACCELERATION,
+    if _type(e1) is _type(e2) is _type(mount) is _float:
+        if _type(phi1) is _ndarray:
+            _row = _take_row(phi1, out)
+            if _row is not None:
+                _loops_of_acceleration.fill(_row, phi1, e1, e2, mount)
+                return _row
+        elif _type(phi1) is _float and out is None:
+            return _float64(_loops_of_acceleration.point(phi1, e1, e2, mount))
+    return _run(
+        _loops_of_acceleration,
         (
             phi1,
             e1,
@@ -551,7 +570,7 @@ def acceleration(
     )
 
 
-_ACCELERATION = Loops(
+_loops_of_acceleration = _Loops(
     names=(
         "phi1",
         "e1",
@@ -565,45 +584,45 @@ _ACCELERATION = Loops(
         0,
     ),
     shape=(),
-    at=_acceleration_point,
-    uniform=_fill_acceleration,
-    each=_fill_each_acceleration,
+    at=_point_of_acceleration,
+    uniform=_fill_of_acceleration,
+    each=_fill_each_of_acceleration,
 )
 
 
-@overload(acceleration)
-def _offer_acceleration(
+@_overload(acceleration)
+def _offer_of_acceleration(
     phi1,
     e1,
     e2,
     mount=0.0,
 ):
-    return lambda phi1, e1, e2, mount=0.0: _acceleration_point(
-        float64(phi1),
-        float64(e1),
-        float64(e2),
-        float64(mount),
+    return lambda phi1, e1, e2, mount=0.0: _point_of_acceleration(
+        _float64(phi1),
+        _float64(e1),
+        _float64(e2),
+        _float64(mount),
     )
 
 
-@scalar
-def _prepare_ratio_cylindrical(R4, R5, e2, exact):
+@_scalar
+def _prepare_of_ratio_cylindrical(R4, R5, e2, _exact):
     k = R4 / R5
     one_minus_e2 = 1 - e2
     one_plus_e2 = 1 + e2
-    k_low = elementary.quotient_rest(R4, R5, k)
+    k_low = _elementary.quotient_rest(R4, R5, k)
 
     return (k, one_minus_e2, one_plus_e2, k_low)
 
 
-@scalar
-def _ratio_cylindrical(phi1, k, one_minus_e2, one_plus_e2, k_low, exact):
+@_scalar
+def _form_of_ratio_cylindrical(phi1, k, one_minus_e2, one_plus_e2, k_low, _exact):
     x = 2 * k * phi1
     t_angle = x / 2
-    t_below = elementary.tangent_below(t_angle, exact)
-    t = elementary.tangent_above(t_angle, exact)
-    x_low = 2 * k_low * phi1 + 2 * elementary.product_rest(k, phi1, x / 2)
-    t_low = elementary.small_tangent(x_low / 2)
+    t_below = _elementary.tangent_below(t_angle, _exact)
+    t = _elementary.tangent_above(t_angle, _exact)
+    x_low = 2 * k_low * phi1 + 2 * _elementary.product_rest(k, phi1, x / 2)
+    t_low = _elementary.small_tangent(x_low / 2)
     adjacent = t_below - t * t_low
     adjacent_squared = adjacent**2
     opposite = t + t_low * t_below
@@ -614,80 +633,86 @@ def _ratio_cylindrical(phi1, k, one_minus_e2, one_plus_e2, k_low, exact):
     ) * (adjacent_squared + opposite_squared)
 
 
-@scalar
-def _ratio_cylindrical_at(phi1, R4, R5, e2, exact):
-    if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
-        return math.nan
-    prepared = _prepare_ratio_cylindrical(R4, R5, e2, exact)
-    return _ratio_cylindrical(phi1, *prepared, exact)
+@_scalar
+def _value_of_ratio_cylindrical(phi1, R4, R5, e2, _exact):
+    if not ((R4 > 0) & _is_finite(R4) & (R5 > 0) & _is_finite(R5) & (e2 >= 0) & (e2 < 1)):
+        return _math.nan
+    _prepared = _prepare_of_ratio_cylindrical(R4, R5, e2, _exact)
+    return _form_of_ratio_cylindrical(phi1, *_prepared, _exact)
 
 
-@scalar
-def _ratio_cylindrical_point(phi1, R4, R5, e2):
-    return _ratio_cylindrical_at(phi1, R4, R5, e2, True)
+@_scalar
+def _point_of_ratio_cylindrical(phi1, R4, R5, e2):
+    return _value_of_ratio_cylindrical(phi1, R4, R5, e2, True)
 
 
-@loop
-def _row_ratio_cylindrical(out, phi1_values, R4, R5, e2, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
+@_loop
+def _row_of_ratio_cylindrical(_out, _values_of_phi1, R4, R5, e2, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        value = _ratio_cylindrical_at(phi1, R4, R5, e2, exact)
-        out[i] = value
+        _value = _value_of_ratio_cylindrical(phi1, R4, R5, e2, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_ratio_cylindrical(
-    out,
-    phi1_values,
+@_loop
+def _fill_of_ratio_cylindrical(
+    _out,
+    _values_of_phi1,
     R4,
     R5,
     e2,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        _row_ratio_cylindrical(out_block, phi1_block, R4, R5, e2, None)
-        if has_nan(out_block):
-            _row_ratio_cylindrical(out_block, phi1_block, R4, R5, e2, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _row_of_ratio_cylindrical(_out_block, _block_of_phi1, R4, R5, e2, None)
+        if _has_nan(_out_block):
+            _row_of_ratio_cylindrical(_out_block, _block_of_phi1, R4, R5, e2, True)
 
 
-@loop
-def _row_each_ratio_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
-
-        R4 = float64(R4_values[i])
-
-        R5 = float64(R5_values[i])
-
-        e2 = float64(e2_values[i])
-
-        value = _ratio_cylindrical_at(phi1, R4, R5, e2, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_ratio_cylindrical(
-    out,
-    phi1_values,
-    R4_values,
-    R5_values,
-    e2_values,
+@_loop
+def _row_each_of_ratio_cylindrical(
+    _out, _values_of_phi1, _values_of_R4, _values_of_R5, _values_of_e2, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        R4_block = R4_values[start:stop]
-        R5_block = R5_values[start:stop]
-        e2_block = e2_values[start:stop]
-        _row_each_ratio_cylindrical(out_block, phi1_block, R4_block, R5_block, e2_block, None)
-        if has_nan(out_block):
-            _row_each_ratio_cylindrical(out_block, phi1_block, R4_block, R5_block, e2_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
+
+        R4 = _float64(_values_of_R4[_i])
+
+        R5 = _float64(_values_of_R5[_i])
+
+        e2 = _float64(_values_of_e2[_i])
+
+        _value = _value_of_ratio_cylindrical(phi1, R4, R5, e2, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_ratio_cylindrical(
+    _out,
+    _values_of_phi1,
+    _values_of_R4,
+    _values_of_R5,
+    _values_of_e2,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _block_of_R4 = _values_of_R4[_start:_stop]
+        _block_of_R5 = _values_of_R5[_start:_stop]
+        _block_of_e2 = _values_of_e2[_start:_stop]
+        _row_each_of_ratio_cylindrical(
+            _out_block, _block_of_phi1, _block_of_R4, _block_of_R5, _block_of_e2, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_ratio_cylindrical(
+                _out_block, _block_of_phi1, _block_of_R4, _block_of_R5, _block_of_e2, True
+            )
 
 
 def ratio_cylindrical(
@@ -697,16 +722,16 @@ def ratio_cylindrical(
 
     Compiled. The help of `mechproof.kernels.oval_planetary.ratio_cylindrical` has all words.
     """
-    if type(R4) is type(R5) is type(e2) is float:
-        if type(phi1) is ndarray:
-            row = take_row(phi1, out)
-            if row is not None:
-                _RATIO_CYLINDRICAL.fill(row, phi1, R4, R5, e2)
-                return row
-        elif type(phi1) is float and out is None:
-            return float64(_RATIO_CYLINDRICAL.point(phi1, R4, R5, e2))
-    return run(
-        _RATIO_CYLINDRICAL,
+    if _type(R4) is _type(R5) is _type(e2) is _float:
+        if _type(phi1) is _ndarray:
+            _row = _take_row(phi1, out)
+            if _row is not None:
+                _loops_of_ratio_cylindrical.fill(_row, phi1, R4, R5, e2)
+                return _row
+        elif _type(phi1) is _float and out is None:
+            return _float64(_loops_of_ratio_cylindrical.point(phi1, R4, R5, e2))
+    return _run(
+        _loops_of_ratio_cylindrical,
         (
             phi1,
             R4,
@@ -717,7 +742,7 @@ def ratio_cylindrical(
     )
 
 
-_RATIO_CYLINDRICAL = Loops(
+_loops_of_ratio_cylindrical = _Loops(
     names=(
         "phi1",
         "R4",
@@ -731,29 +756,29 @@ _RATIO_CYLINDRICAL = Loops(
         0,
     ),
     shape=(),
-    at=_ratio_cylindrical_point,
-    uniform=_fill_ratio_cylindrical,
-    each=_fill_each_ratio_cylindrical,
+    at=_point_of_ratio_cylindrical,
+    uniform=_fill_of_ratio_cylindrical,
+    each=_fill_each_of_ratio_cylindrical,
 )
 
 
-@overload(ratio_cylindrical)
-def _offer_ratio_cylindrical(
+@_overload(ratio_cylindrical)
+def _offer_of_ratio_cylindrical(
     phi1,
     R4,
     R5,
     e2,
 ):
-    return lambda phi1, R4, R5, e2: _ratio_cylindrical_point(
-        float64(phi1),
-        float64(R4),
-        float64(R5),
-        float64(e2),
+    return lambda phi1, R4, R5, e2: _point_of_ratio_cylindrical(
+        _float64(phi1),
+        _float64(R4),
+        _float64(R5),
+        _float64(e2),
     )
 
 
-@scalar
-def _prepare_position_cylindrical_1(R4, R5, e2, exact):
+@_scalar
+def _prepare_1_of_position_cylindrical(R4, R5, e2, _exact):
     k = R4 / R5
     one_minus_e2 = 1 - e2
     one_plus_e2 = 1 + e2
@@ -761,123 +786,127 @@ def _prepare_position_cylindrical_1(R4, R5, e2, exact):
     return (R4, R5, e2, k, one_minus_e2, one_plus_e2)
 
 
-@scalar
-def _position_cylindrical_1(phi1, R4, R5, e2, k, one_minus_e2, one_plus_e2, exact):
+@_scalar
+def _form_1_of_position_cylindrical(phi1, R4, R5, e2, k, one_minus_e2, one_plus_e2, _exact):
     x = 2 * k * phi1
     t_angle = x / 2
-    t_below = elementary.tangent_below(t_angle, exact)
-    t = elementary.tangent_above(t_angle, exact)
+    t_below = _elementary.tangent_below(t_angle, _exact)
+    t = _elementary.tangent_above(t_angle, _exact)
 
-    return (R5 - R4) / R5 * phi1 - elementary.arctan_quotient(
+    return (R5 - R4) / R5 * phi1 - _elementary.arctan_quotient(
         2 * e2 * t * t_below, one_minus_e2 * t_below * t_below + one_plus_e2 * t**2
     )
 
 
-@scalar
-def _prepare_position_cylindrical(R4, R5, e2, exact):
+@_scalar
+def _prepare_of_position_cylindrical(R4, R5, e2, _exact):
     k = R4 / R5
-    k_low = elementary.quotient_rest(R4, R5, k)
+    k_low = _elementary.quotient_rest(R4, R5, k)
     one_minus_e2 = 1 - e2
     one_plus_e2 = 1 + e2
 
     return (R4, R5, e2, k, k_low, one_minus_e2, one_plus_e2)
 
 
-@scalar
-def _position_cylindrical(phi1, R4, R5, e2, k, k_low, one_minus_e2, one_plus_e2, exact):
+@_scalar
+def _form_of_position_cylindrical(phi1, R4, R5, e2, k, k_low, one_minus_e2, one_plus_e2, _exact):
     x = 2 * k * phi1
     t_angle = x / 2
-    t_below = elementary.tangent_below(t_angle, exact)
-    t = elementary.tangent_above(t_angle, exact)
-    x_low = 2 * k_low * phi1 + 2 * elementary.product_rest(k, phi1, x / 2)
-    t_low = elementary.small_tangent(x_low / 2)
+    t_below = _elementary.tangent_below(t_angle, _exact)
+    t = _elementary.tangent_above(t_angle, _exact)
+    x_low = 2 * k_low * phi1 + 2 * _elementary.product_rest(k, phi1, x / 2)
+    t_low = _elementary.small_tangent(x_low / 2)
     adjacent = t_below - t * t_low
     opposite = t + t_low * t_below
 
-    return (R5 - R4) / R5 * phi1 - elementary.arctan_quotient(
+    return (R5 - R4) / R5 * phi1 - _elementary.arctan_quotient(
         2 * e2 * adjacent * opposite, one_minus_e2 * adjacent**2 + one_plus_e2 * opposite**2
     )
 
 
-@scalar
-def _position_cylindrical_at(phi1, R4, R5, e2, exact):
-    if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
-        return math.nan
-    if e2 * R4 <= (1 - e2) * abs(R4 - R5):
-        prepared = _prepare_position_cylindrical_1(R4, R5, e2, exact)
-        return _position_cylindrical_1(phi1, *prepared, exact)
+@_scalar
+def _value_of_position_cylindrical(phi1, R4, R5, e2, _exact):
+    if not ((R4 > 0) & _is_finite(R4) & (R5 > 0) & _is_finite(R5) & (e2 >= 0) & (e2 < 1)):
+        return _math.nan
+    if e2 * R4 <= (1 - e2) * _abs(R4 - R5):
+        _prepared = _prepare_1_of_position_cylindrical(R4, R5, e2, _exact)
+        return _form_1_of_position_cylindrical(phi1, *_prepared, _exact)
 
-    prepared = _prepare_position_cylindrical(R4, R5, e2, exact)
-    return _position_cylindrical(phi1, *prepared, exact)
-
-
-@scalar
-def _position_cylindrical_point(phi1, R4, R5, e2):
-    return _position_cylindrical_at(phi1, R4, R5, e2, True)
+    _prepared = _prepare_of_position_cylindrical(R4, R5, e2, _exact)
+    return _form_of_position_cylindrical(phi1, *_prepared, _exact)
 
 
-@loop
-def _row_position_cylindrical(out, phi1_values, R4, R5, e2, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
-
-        value = _position_cylindrical_at(phi1, R4, R5, e2, exact)
-        out[i] = value
+@_scalar
+def _point_of_position_cylindrical(phi1, R4, R5, e2):
+    return _value_of_position_cylindrical(phi1, R4, R5, e2, True)
 
 
-@loop
-def _fill_position_cylindrical(
-    out,
-    phi1_values,
+@_loop
+def _row_of_position_cylindrical(_out, _values_of_phi1, R4, R5, e2, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
+
+        _value = _value_of_position_cylindrical(phi1, R4, R5, e2, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_of_position_cylindrical(
+    _out,
+    _values_of_phi1,
     R4,
     R5,
     e2,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        _row_position_cylindrical(out_block, phi1_block, R4, R5, e2, None)
-        if has_nan(out_block):
-            _row_position_cylindrical(out_block, phi1_block, R4, R5, e2, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _row_of_position_cylindrical(_out_block, _block_of_phi1, R4, R5, e2, None)
+        if _has_nan(_out_block):
+            _row_of_position_cylindrical(_out_block, _block_of_phi1, R4, R5, e2, True)
 
 
-@loop
-def _row_each_position_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
-
-        R4 = float64(R4_values[i])
-
-        R5 = float64(R5_values[i])
-
-        e2 = float64(e2_values[i])
-
-        value = _position_cylindrical_at(phi1, R4, R5, e2, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_position_cylindrical(
-    out,
-    phi1_values,
-    R4_values,
-    R5_values,
-    e2_values,
+@_loop
+def _row_each_of_position_cylindrical(
+    _out, _values_of_phi1, _values_of_R4, _values_of_R5, _values_of_e2, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        R4_block = R4_values[start:stop]
-        R5_block = R5_values[start:stop]
-        e2_block = e2_values[start:stop]
-        _row_each_position_cylindrical(out_block, phi1_block, R4_block, R5_block, e2_block, None)
-        if has_nan(out_block):
-            _row_each_position_cylindrical(
-                out_block, phi1_block, R4_block, R5_block, e2_block, True
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
+
+        R4 = _float64(_values_of_R4[_i])
+
+        R5 = _float64(_values_of_R5[_i])
+
+        e2 = _float64(_values_of_e2[_i])
+
+        _value = _value_of_position_cylindrical(phi1, R4, R5, e2, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_position_cylindrical(
+    _out,
+    _values_of_phi1,
+    _values_of_R4,
+    _values_of_R5,
+    _values_of_e2,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _block_of_R4 = _values_of_R4[_start:_stop]
+        _block_of_R5 = _values_of_R5[_start:_stop]
+        _block_of_e2 = _values_of_e2[_start:_stop]
+        _row_each_of_position_cylindrical(
+            _out_block, _block_of_phi1, _block_of_R4, _block_of_R5, _block_of_e2, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_position_cylindrical(
+                _out_block, _block_of_phi1, _block_of_R4, _block_of_R5, _block_of_e2, True
             )
 
 
@@ -888,16 +917,16 @@ def position_cylindrical(
 
     Compiled. The help of `mechproof.kernels.oval_planetary.position_cylindrical` has all words.
     """
-    if type(R4) is type(R5) is type(e2) is float:
-        if type(phi1) is ndarray:
-            row = take_row(phi1, out)
-            if row is not None:
-                _POSITION_CYLINDRICAL.fill(row, phi1, R4, R5, e2)
-                return row
-        elif type(phi1) is float and out is None:
-            return float64(_POSITION_CYLINDRICAL.point(phi1, R4, R5, e2))
-    return run(
-        _POSITION_CYLINDRICAL,
+    if _type(R4) is _type(R5) is _type(e2) is _float:
+        if _type(phi1) is _ndarray:
+            _row = _take_row(phi1, out)
+            if _row is not None:
+                _loops_of_position_cylindrical.fill(_row, phi1, R4, R5, e2)
+                return _row
+        elif _type(phi1) is _float and out is None:
+            return _float64(_loops_of_position_cylindrical.point(phi1, R4, R5, e2))
+    return _run(
+        _loops_of_position_cylindrical,
         (
             phi1,
             R4,
@@ -908,7 +937,7 @@ def position_cylindrical(
     )
 
 
-_POSITION_CYLINDRICAL = Loops(
+_loops_of_position_cylindrical = _Loops(
     names=(
         "phi1",
         "R4",
@@ -922,45 +951,45 @@ _POSITION_CYLINDRICAL = Loops(
         0,
     ),
     shape=(),
-    at=_position_cylindrical_point,
-    uniform=_fill_position_cylindrical,
-    each=_fill_each_position_cylindrical,
+    at=_point_of_position_cylindrical,
+    uniform=_fill_of_position_cylindrical,
+    each=_fill_each_of_position_cylindrical,
 )
 
 
-@overload(position_cylindrical)
-def _offer_position_cylindrical(
+@_overload(position_cylindrical)
+def _offer_of_position_cylindrical(
     phi1,
     R4,
     R5,
     e2,
 ):
-    return lambda phi1, R4, R5, e2: _position_cylindrical_point(
-        float64(phi1),
-        float64(R4),
-        float64(R5),
-        float64(e2),
+    return lambda phi1, R4, R5, e2: _point_of_position_cylindrical(
+        _float64(phi1),
+        _float64(R4),
+        _float64(R5),
+        _float64(e2),
     )
 
 
-@scalar
-def _prepare_acceleration_cylindrical(R4, R5, e2, exact):
+@_scalar
+def _prepare_of_acceleration_cylindrical(R4, R5, e2, _exact):
     k = R4 / R5
-    k_low = elementary.quotient_rest(R4, R5, k)
+    k_low = _elementary.quotient_rest(R4, R5, k)
     one_minus_e2 = 1 - e2
     one_plus_e2 = 1 + e2
 
     return (e2, k, k_low, one_minus_e2, one_plus_e2)
 
 
-@scalar
-def _acceleration_cylindrical(phi1, e2, k, k_low, one_minus_e2, one_plus_e2, exact):
+@_scalar
+def _form_of_acceleration_cylindrical(phi1, e2, k, k_low, one_minus_e2, one_plus_e2, _exact):
     x = 2 * k * phi1
     t_angle = x / 2
-    t_below = elementary.tangent_below(t_angle, exact)
-    t = elementary.tangent_above(t_angle, exact)
-    x_low = 2 * k_low * phi1 + 2 * elementary.product_rest(k, phi1, x / 2)
-    t_low = elementary.small_tangent(x_low / 2)
+    t_below = _elementary.tangent_below(t_angle, _exact)
+    t = _elementary.tangent_above(t_angle, _exact)
+    x_low = 2 * k_low * phi1 + 2 * _elementary.product_rest(k, phi1, x / 2)
+    t_low = _elementary.small_tangent(x_low / 2)
     adjacent = t_below - t * t_low
     opposite = t + t_low * t_below
     adjacent_squared = adjacent**2
@@ -979,83 +1008,85 @@ def _acceleration_cylindrical(phi1, e2, k, k_low, one_minus_e2, one_plus_e2, exa
     )
 
 
-@scalar
-def _acceleration_cylindrical_at(phi1, R4, R5, e2, exact):
-    if not ((R4 > 0) & is_finite(R4) & (R5 > 0) & is_finite(R5) & (e2 >= 0) & (e2 < 1)):
-        return math.nan
-    prepared = _prepare_acceleration_cylindrical(R4, R5, e2, exact)
-    return _acceleration_cylindrical(phi1, *prepared, exact)
+@_scalar
+def _value_of_acceleration_cylindrical(phi1, R4, R5, e2, _exact):
+    if not ((R4 > 0) & _is_finite(R4) & (R5 > 0) & _is_finite(R5) & (e2 >= 0) & (e2 < 1)):
+        return _math.nan
+    _prepared = _prepare_of_acceleration_cylindrical(R4, R5, e2, _exact)
+    return _form_of_acceleration_cylindrical(phi1, *_prepared, _exact)
 
 
-@scalar
-def _acceleration_cylindrical_point(phi1, R4, R5, e2):
-    return _acceleration_cylindrical_at(phi1, R4, R5, e2, True)
+@_scalar
+def _point_of_acceleration_cylindrical(phi1, R4, R5, e2):
+    return _value_of_acceleration_cylindrical(phi1, R4, R5, e2, True)
 
 
-@loop
-def _row_acceleration_cylindrical(out, phi1_values, R4, R5, e2, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
+@_loop
+def _row_of_acceleration_cylindrical(_out, _values_of_phi1, R4, R5, e2, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        value = _acceleration_cylindrical_at(phi1, R4, R5, e2, exact)
-        out[i] = value
+        _value = _value_of_acceleration_cylindrical(phi1, R4, R5, e2, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_acceleration_cylindrical(
-    out,
-    phi1_values,
+@_loop
+def _fill_of_acceleration_cylindrical(
+    _out,
+    _values_of_phi1,
     R4,
     R5,
     e2,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        _row_acceleration_cylindrical(out_block, phi1_block, R4, R5, e2, None)
-        if has_nan(out_block):
-            _row_acceleration_cylindrical(out_block, phi1_block, R4, R5, e2, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _row_of_acceleration_cylindrical(_out_block, _block_of_phi1, R4, R5, e2, None)
+        if _has_nan(_out_block):
+            _row_of_acceleration_cylindrical(_out_block, _block_of_phi1, R4, R5, e2, True)
 
 
-@loop
-def _row_each_acceleration_cylindrical(out, phi1_values, R4_values, R5_values, e2_values, exact):
-    widen()
-    for i in range(out.size):
-        phi1 = float64(phi1_values[i])
-
-        R4 = float64(R4_values[i])
-
-        R5 = float64(R5_values[i])
-
-        e2 = float64(e2_values[i])
-
-        value = _acceleration_cylindrical_at(phi1, R4, R5, e2, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_acceleration_cylindrical(
-    out,
-    phi1_values,
-    R4_values,
-    R5_values,
-    e2_values,
+@_loop
+def _row_each_of_acceleration_cylindrical(
+    _out, _values_of_phi1, _values_of_R4, _values_of_R5, _values_of_e2, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi1_block = phi1_values[start:stop]
-        R4_block = R4_values[start:stop]
-        R5_block = R5_values[start:stop]
-        e2_block = e2_values[start:stop]
-        _row_each_acceleration_cylindrical(
-            out_block, phi1_block, R4_block, R5_block, e2_block, None
+    _widen()
+    for _i in _range(_out.size):
+        phi1 = _float64(_values_of_phi1[_i])
+
+        R4 = _float64(_values_of_R4[_i])
+
+        R5 = _float64(_values_of_R5[_i])
+
+        e2 = _float64(_values_of_e2[_i])
+
+        _value = _value_of_acceleration_cylindrical(phi1, R4, R5, e2, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_acceleration_cylindrical(
+    _out,
+    _values_of_phi1,
+    _values_of_R4,
+    _values_of_R5,
+    _values_of_e2,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _block_of_R4 = _values_of_R4[_start:_stop]
+        _block_of_R5 = _values_of_R5[_start:_stop]
+        _block_of_e2 = _values_of_e2[_start:_stop]
+        _row_each_of_acceleration_cylindrical(
+            _out_block, _block_of_phi1, _block_of_R4, _block_of_R5, _block_of_e2, None
         )
-        if has_nan(out_block):
-            _row_each_acceleration_cylindrical(
-                out_block, phi1_block, R4_block, R5_block, e2_block, True
+        if _has_nan(_out_block):
+            _row_each_of_acceleration_cylindrical(
+                _out_block, _block_of_phi1, _block_of_R4, _block_of_R5, _block_of_e2, True
             )
 
 
@@ -1066,16 +1097,16 @@ def acceleration_cylindrical(
 
     Compiled. The help of `mechproof.kernels.oval_planetary.acceleration_cylindrical` has all words.
     """
-    if type(R4) is type(R5) is type(e2) is float:
-        if type(phi1) is ndarray:
-            row = take_row(phi1, out)
-            if row is not None:
-                _ACCELERATION_CYLINDRICAL.fill(row, phi1, R4, R5, e2)
-                return row
-        elif type(phi1) is float and out is None:
-            return float64(_ACCELERATION_CYLINDRICAL.point(phi1, R4, R5, e2))
-    return run(
-        _ACCELERATION_CYLINDRICAL,
+    if _type(R4) is _type(R5) is _type(e2) is _float:
+        if _type(phi1) is _ndarray:
+            _row = _take_row(phi1, out)
+            if _row is not None:
+                _loops_of_acceleration_cylindrical.fill(_row, phi1, R4, R5, e2)
+                return _row
+        elif _type(phi1) is _float and out is None:
+            return _float64(_loops_of_acceleration_cylindrical.point(phi1, R4, R5, e2))
+    return _run(
+        _loops_of_acceleration_cylindrical,
         (
             phi1,
             R4,
@@ -1086,7 +1117,7 @@ def acceleration_cylindrical(
     )
 
 
-_ACCELERATION_CYLINDRICAL = Loops(
+_loops_of_acceleration_cylindrical = _Loops(
     names=(
         "phi1",
         "R4",
@@ -1100,89 +1131,91 @@ _ACCELERATION_CYLINDRICAL = Loops(
         0,
     ),
     shape=(),
-    at=_acceleration_cylindrical_point,
-    uniform=_fill_acceleration_cylindrical,
-    each=_fill_each_acceleration_cylindrical,
+    at=_point_of_acceleration_cylindrical,
+    uniform=_fill_of_acceleration_cylindrical,
+    each=_fill_each_of_acceleration_cylindrical,
 )
 
 
-@overload(acceleration_cylindrical)
-def _offer_acceleration_cylindrical(
+@_overload(acceleration_cylindrical)
+def _offer_of_acceleration_cylindrical(
     phi1,
     R4,
     R5,
     e2,
 ):
-    return lambda phi1, R4, R5, e2: _acceleration_cylindrical_point(
-        float64(phi1),
-        float64(R4),
-        float64(R5),
-        float64(e2),
+    return lambda phi1, R4, R5, e2: _point_of_acceleration_cylindrical(
+        _float64(phi1),
+        _float64(R4),
+        _float64(R5),
+        _float64(e2),
     )
 
 
-@scalar
-def _motion_at(phi1, e1, e2, mount, exact):
+@_scalar
+def _value_of_motion(phi1, e1, e2, mount, _exact):
     return (
-        _position_at(phi1, e1, e2, mount, exact),
-        _ratio_at(phi1, e1, e2, mount, exact),
-        _acceleration_at(phi1, e1, e2, mount, exact),
+        _value_of_position(phi1, e1, e2, mount, _exact),
+        _value_of_ratio(phi1, e1, e2, mount, _exact),
+        _value_of_acceleration(phi1, e1, e2, mount, _exact),
     )
 
 
-@scalar
-def _motion_point(phi1, e1, e2, mount):
-    return _motion_at(phi1, e1, e2, mount, True)
+@_scalar
+def _point_of_motion(phi1, e1, e2, mount):
+    return _value_of_motion(phi1, e1, e2, mount, True)
 
 
-@loop
-def _row_motion(out_position, out_ratio, out_acceleration, phi1_values, e1, e2, mount, exact):
-    widen()
-    for i in range(out_position.size):
-        phi1 = float64(phi1_values[i])
+@_loop
+def _row_of_motion(
+    _out_of_position, _out_of_ratio, _out_of_acceleration, _values_of_phi1, e1, e2, mount, _exact
+):
+    _widen()
+    for _i in _range(_out_of_position.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        value = _motion_at(phi1, e1, e2, mount, exact)
-        out_position[i] = value[0]
-        out_ratio[i] = value[1]
-        out_acceleration[i] = value[2]
+        _value = _value_of_motion(phi1, e1, e2, mount, _exact)
+        _out_of_position[_i] = _value[0]
+        _out_of_ratio[_i] = _value[1]
+        _out_of_acceleration[_i] = _value[2]
 
 
-@loop
-def _fill_motion(
-    out_position,
-    out_ratio,
-    out_acceleration,
-    phi1_values,
+@_loop
+def _fill_of_motion(
+    _out_of_position,
+    _out_of_ratio,
+    _out_of_acceleration,
+    _values_of_phi1,
     e1,
     e2,
     mount,
 ):
-    for start in range(0, out_position.size, BLOCK):
-        stop = start + BLOCK
-        out_position_block = out_position[start:stop]
-        out_ratio_block = out_ratio[start:stop]
-        out_acceleration_block = out_acceleration[start:stop]
-        phi1_block = phi1_values[start:stop]
-        _row_motion(
-            out_position_block,
-            out_ratio_block,
-            out_acceleration_block,
-            phi1_block,
+    for _start in _range(0, _out_of_position.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block_of_position = _out_of_position[_start:_stop]
+        _out_block_of_ratio = _out_of_ratio[_start:_stop]
+        _out_block_of_acceleration = _out_of_acceleration[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _row_of_motion(
+            _out_block_of_position,
+            _out_block_of_ratio,
+            _out_block_of_acceleration,
+            _block_of_phi1,
             e1,
             e2,
             mount,
             None,
         )
         if (
-            has_nan(out_position_block)
-            or has_nan(out_ratio_block)
-            or has_nan(out_acceleration_block)
+            _has_nan(_out_block_of_position)
+            or _has_nan(_out_block_of_ratio)
+            or _has_nan(_out_block_of_acceleration)
         ):
-            _row_motion(
-                out_position_block,
-                out_ratio_block,
-                out_acceleration_block,
-                phi1_block,
+            _row_of_motion(
+                _out_block_of_position,
+                _out_block_of_ratio,
+                _out_block_of_acceleration,
+                _block_of_phi1,
                 e1,
                 e2,
                 mount,
@@ -1190,75 +1223,75 @@ def _fill_motion(
             )
 
 
-@loop
-def _row_each_motion(
-    out_position,
-    out_ratio,
-    out_acceleration,
-    phi1_values,
-    e1_values,
-    e2_values,
-    mount_values,
-    exact,
+@_loop
+def _row_each_of_motion(
+    _out_of_position,
+    _out_of_ratio,
+    _out_of_acceleration,
+    _values_of_phi1,
+    _values_of_e1,
+    _values_of_e2,
+    _values_of_mount,
+    _exact,
 ):
-    widen()
-    for i in range(out_position.size):
-        phi1 = float64(phi1_values[i])
+    _widen()
+    for _i in _range(_out_of_position.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        e1 = float64(e1_values[i])
+        e1 = _float64(_values_of_e1[_i])
 
-        e2 = float64(e2_values[i])
+        e2 = _float64(_values_of_e2[_i])
 
-        mount = float64(mount_values[i])
+        mount = _float64(_values_of_mount[_i])
 
-        value = _motion_at(phi1, e1, e2, mount, exact)
-        out_position[i] = value[0]
-        out_ratio[i] = value[1]
-        out_acceleration[i] = value[2]
+        _value = _value_of_motion(phi1, e1, e2, mount, _exact)
+        _out_of_position[_i] = _value[0]
+        _out_of_ratio[_i] = _value[1]
+        _out_of_acceleration[_i] = _value[2]
 
 
-@loop
-def _fill_each_motion(
-    out_position,
-    out_ratio,
-    out_acceleration,
-    phi1_values,
-    e1_values,
-    e2_values,
-    mount_values,
+@_loop
+def _fill_each_of_motion(
+    _out_of_position,
+    _out_of_ratio,
+    _out_of_acceleration,
+    _values_of_phi1,
+    _values_of_e1,
+    _values_of_e2,
+    _values_of_mount,
 ):
-    for start in range(0, out_position.size, BLOCK):
-        stop = start + BLOCK
-        out_position_block = out_position[start:stop]
-        out_ratio_block = out_ratio[start:stop]
-        out_acceleration_block = out_acceleration[start:stop]
-        phi1_block = phi1_values[start:stop]
-        e1_block = e1_values[start:stop]
-        e2_block = e2_values[start:stop]
-        mount_block = mount_values[start:stop]
-        _row_each_motion(
-            out_position_block,
-            out_ratio_block,
-            out_acceleration_block,
-            phi1_block,
-            e1_block,
-            e2_block,
-            mount_block,
+    for _start in _range(0, _out_of_position.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block_of_position = _out_of_position[_start:_stop]
+        _out_block_of_ratio = _out_of_ratio[_start:_stop]
+        _out_block_of_acceleration = _out_of_acceleration[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _block_of_e1 = _values_of_e1[_start:_stop]
+        _block_of_e2 = _values_of_e2[_start:_stop]
+        _block_of_mount = _values_of_mount[_start:_stop]
+        _row_each_of_motion(
+            _out_block_of_position,
+            _out_block_of_ratio,
+            _out_block_of_acceleration,
+            _block_of_phi1,
+            _block_of_e1,
+            _block_of_e2,
+            _block_of_mount,
             None,
         )
         if (
-            has_nan(out_position_block)
-            or has_nan(out_ratio_block)
-            or has_nan(out_acceleration_block)
+            _has_nan(_out_block_of_position)
+            or _has_nan(_out_block_of_ratio)
+            or _has_nan(_out_block_of_acceleration)
         ):
-            _row_each_motion(
-                out_position_block,
-                out_ratio_block,
-                out_acceleration_block,
-                phi1_block,
-                e1_block,
-                e2_block,
-                mount_block,
+            _row_each_of_motion(
+                _out_block_of_position,
+                _out_block_of_ratio,
+                _out_block_of_acceleration,
+                _block_of_phi1,
+                _block_of_e1,
+                _block_of_e2,
+                _block_of_mount,
                 True,
             )
 
@@ -1275,8 +1308,8 @@ def motion(
 
     They lie along the first axis of the result, each with the bits of its own kernel. Compiled.
     """
-    return run(
-        _MOTION,
+    return _run(
+        _loops_of_motion,
         (
             phi1,
             e1,
@@ -1287,7 +1320,7 @@ def motion(
     )
 
 
-_MOTION = Loops(
+_loops_of_motion = _Loops(
     names=(
         "phi1",
         "e1",
@@ -1301,99 +1334,99 @@ _MOTION = Loops(
         0,
     ),
     shape=(),
-    at=_motion_point,
-    uniform=_fill_motion,
+    at=_point_of_motion,
+    uniform=_fill_of_motion,
     results=3,
-    each=_fill_each_motion,
+    each=_fill_each_of_motion,
 )
 
 
-@overload(motion)
-def _offer_motion(
+@_overload(motion)
+def _offer_of_motion(
     phi1,
     e1,
     e2,
     mount=0.0,
 ):
-    return lambda phi1, e1, e2, mount=0.0: _motion_point(
-        float64(phi1),
-        float64(e1),
-        float64(e2),
-        float64(mount),
+    return lambda phi1, e1, e2, mount=0.0: _point_of_motion(
+        _float64(phi1),
+        _float64(e1),
+        _float64(e2),
+        _float64(mount),
     )
 
 
-@scalar
-def _motion_cylindrical_at(phi1, R4, R5, e2, exact):
+@_scalar
+def _value_of_motion_cylindrical(phi1, R4, R5, e2, _exact):
     return (
-        _position_cylindrical_at(phi1, R4, R5, e2, exact),
-        _ratio_cylindrical_at(phi1, R4, R5, e2, exact),
-        _acceleration_cylindrical_at(phi1, R4, R5, e2, exact),
+        _value_of_position_cylindrical(phi1, R4, R5, e2, _exact),
+        _value_of_ratio_cylindrical(phi1, R4, R5, e2, _exact),
+        _value_of_acceleration_cylindrical(phi1, R4, R5, e2, _exact),
     )
 
 
-@scalar
-def _motion_cylindrical_point(phi1, R4, R5, e2):
-    return _motion_cylindrical_at(phi1, R4, R5, e2, True)
+@_scalar
+def _point_of_motion_cylindrical(phi1, R4, R5, e2):
+    return _value_of_motion_cylindrical(phi1, R4, R5, e2, True)
 
 
-@loop
-def _row_motion_cylindrical(
-    out_position_cylindrical,
-    out_ratio_cylindrical,
-    out_acceleration_cylindrical,
-    phi1_values,
+@_loop
+def _row_of_motion_cylindrical(
+    _out_of_position_cylindrical,
+    _out_of_ratio_cylindrical,
+    _out_of_acceleration_cylindrical,
+    _values_of_phi1,
     R4,
     R5,
     e2,
-    exact,
+    _exact,
 ):
-    widen()
-    for i in range(out_position_cylindrical.size):
-        phi1 = float64(phi1_values[i])
+    _widen()
+    for _i in _range(_out_of_position_cylindrical.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        value = _motion_cylindrical_at(phi1, R4, R5, e2, exact)
-        out_position_cylindrical[i] = value[0]
-        out_ratio_cylindrical[i] = value[1]
-        out_acceleration_cylindrical[i] = value[2]
+        _value = _value_of_motion_cylindrical(phi1, R4, R5, e2, _exact)
+        _out_of_position_cylindrical[_i] = _value[0]
+        _out_of_ratio_cylindrical[_i] = _value[1]
+        _out_of_acceleration_cylindrical[_i] = _value[2]
 
 
-@loop
-def _fill_motion_cylindrical(
-    out_position_cylindrical,
-    out_ratio_cylindrical,
-    out_acceleration_cylindrical,
-    phi1_values,
+@_loop
+def _fill_of_motion_cylindrical(
+    _out_of_position_cylindrical,
+    _out_of_ratio_cylindrical,
+    _out_of_acceleration_cylindrical,
+    _values_of_phi1,
     R4,
     R5,
     e2,
 ):
-    for start in range(0, out_position_cylindrical.size, BLOCK):
-        stop = start + BLOCK
-        out_position_cylindrical_block = out_position_cylindrical[start:stop]
-        out_ratio_cylindrical_block = out_ratio_cylindrical[start:stop]
-        out_acceleration_cylindrical_block = out_acceleration_cylindrical[start:stop]
-        phi1_block = phi1_values[start:stop]
-        _row_motion_cylindrical(
-            out_position_cylindrical_block,
-            out_ratio_cylindrical_block,
-            out_acceleration_cylindrical_block,
-            phi1_block,
+    for _start in _range(0, _out_of_position_cylindrical.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block_of_position_cylindrical = _out_of_position_cylindrical[_start:_stop]
+        _out_block_of_ratio_cylindrical = _out_of_ratio_cylindrical[_start:_stop]
+        _out_block_of_acceleration_cylindrical = _out_of_acceleration_cylindrical[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _row_of_motion_cylindrical(
+            _out_block_of_position_cylindrical,
+            _out_block_of_ratio_cylindrical,
+            _out_block_of_acceleration_cylindrical,
+            _block_of_phi1,
             R4,
             R5,
             e2,
             None,
         )
         if (
-            has_nan(out_position_cylindrical_block)
-            or has_nan(out_ratio_cylindrical_block)
-            or has_nan(out_acceleration_cylindrical_block)
+            _has_nan(_out_block_of_position_cylindrical)
+            or _has_nan(_out_block_of_ratio_cylindrical)
+            or _has_nan(_out_block_of_acceleration_cylindrical)
         ):
-            _row_motion_cylindrical(
-                out_position_cylindrical_block,
-                out_ratio_cylindrical_block,
-                out_acceleration_cylindrical_block,
-                phi1_block,
+            _row_of_motion_cylindrical(
+                _out_block_of_position_cylindrical,
+                _out_block_of_ratio_cylindrical,
+                _out_block_of_acceleration_cylindrical,
+                _block_of_phi1,
                 R4,
                 R5,
                 e2,
@@ -1401,75 +1434,75 @@ def _fill_motion_cylindrical(
             )
 
 
-@loop
-def _row_each_motion_cylindrical(
-    out_position_cylindrical,
-    out_ratio_cylindrical,
-    out_acceleration_cylindrical,
-    phi1_values,
-    R4_values,
-    R5_values,
-    e2_values,
-    exact,
+@_loop
+def _row_each_of_motion_cylindrical(
+    _out_of_position_cylindrical,
+    _out_of_ratio_cylindrical,
+    _out_of_acceleration_cylindrical,
+    _values_of_phi1,
+    _values_of_R4,
+    _values_of_R5,
+    _values_of_e2,
+    _exact,
 ):
-    widen()
-    for i in range(out_position_cylindrical.size):
-        phi1 = float64(phi1_values[i])
+    _widen()
+    for _i in _range(_out_of_position_cylindrical.size):
+        phi1 = _float64(_values_of_phi1[_i])
 
-        R4 = float64(R4_values[i])
+        R4 = _float64(_values_of_R4[_i])
 
-        R5 = float64(R5_values[i])
+        R5 = _float64(_values_of_R5[_i])
 
-        e2 = float64(e2_values[i])
+        e2 = _float64(_values_of_e2[_i])
 
-        value = _motion_cylindrical_at(phi1, R4, R5, e2, exact)
-        out_position_cylindrical[i] = value[0]
-        out_ratio_cylindrical[i] = value[1]
-        out_acceleration_cylindrical[i] = value[2]
+        _value = _value_of_motion_cylindrical(phi1, R4, R5, e2, _exact)
+        _out_of_position_cylindrical[_i] = _value[0]
+        _out_of_ratio_cylindrical[_i] = _value[1]
+        _out_of_acceleration_cylindrical[_i] = _value[2]
 
 
-@loop
-def _fill_each_motion_cylindrical(
-    out_position_cylindrical,
-    out_ratio_cylindrical,
-    out_acceleration_cylindrical,
-    phi1_values,
-    R4_values,
-    R5_values,
-    e2_values,
+@_loop
+def _fill_each_of_motion_cylindrical(
+    _out_of_position_cylindrical,
+    _out_of_ratio_cylindrical,
+    _out_of_acceleration_cylindrical,
+    _values_of_phi1,
+    _values_of_R4,
+    _values_of_R5,
+    _values_of_e2,
 ):
-    for start in range(0, out_position_cylindrical.size, BLOCK):
-        stop = start + BLOCK
-        out_position_cylindrical_block = out_position_cylindrical[start:stop]
-        out_ratio_cylindrical_block = out_ratio_cylindrical[start:stop]
-        out_acceleration_cylindrical_block = out_acceleration_cylindrical[start:stop]
-        phi1_block = phi1_values[start:stop]
-        R4_block = R4_values[start:stop]
-        R5_block = R5_values[start:stop]
-        e2_block = e2_values[start:stop]
-        _row_each_motion_cylindrical(
-            out_position_cylindrical_block,
-            out_ratio_cylindrical_block,
-            out_acceleration_cylindrical_block,
-            phi1_block,
-            R4_block,
-            R5_block,
-            e2_block,
+    for _start in _range(0, _out_of_position_cylindrical.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block_of_position_cylindrical = _out_of_position_cylindrical[_start:_stop]
+        _out_block_of_ratio_cylindrical = _out_of_ratio_cylindrical[_start:_stop]
+        _out_block_of_acceleration_cylindrical = _out_of_acceleration_cylindrical[_start:_stop]
+        _block_of_phi1 = _values_of_phi1[_start:_stop]
+        _block_of_R4 = _values_of_R4[_start:_stop]
+        _block_of_R5 = _values_of_R5[_start:_stop]
+        _block_of_e2 = _values_of_e2[_start:_stop]
+        _row_each_of_motion_cylindrical(
+            _out_block_of_position_cylindrical,
+            _out_block_of_ratio_cylindrical,
+            _out_block_of_acceleration_cylindrical,
+            _block_of_phi1,
+            _block_of_R4,
+            _block_of_R5,
+            _block_of_e2,
             None,
         )
         if (
-            has_nan(out_position_cylindrical_block)
-            or has_nan(out_ratio_cylindrical_block)
-            or has_nan(out_acceleration_cylindrical_block)
+            _has_nan(_out_block_of_position_cylindrical)
+            or _has_nan(_out_block_of_ratio_cylindrical)
+            or _has_nan(_out_block_of_acceleration_cylindrical)
         ):
-            _row_each_motion_cylindrical(
-                out_position_cylindrical_block,
-                out_ratio_cylindrical_block,
-                out_acceleration_cylindrical_block,
-                phi1_block,
-                R4_block,
-                R5_block,
-                e2_block,
+            _row_each_of_motion_cylindrical(
+                _out_block_of_position_cylindrical,
+                _out_block_of_ratio_cylindrical,
+                _out_block_of_acceleration_cylindrical,
+                _block_of_phi1,
+                _block_of_R4,
+                _block_of_R5,
+                _block_of_e2,
                 True,
             )
 
@@ -1481,8 +1514,8 @@ def motion_cylindrical(
 
     They lie along the first axis of the result, each with the bits of its own kernel. Compiled.
     """
-    return run(
-        _MOTION_CYLINDRICAL,
+    return _run(
+        _loops_of_motion_cylindrical,
         (
             phi1,
             R4,
@@ -1493,7 +1526,7 @@ def motion_cylindrical(
     )
 
 
-_MOTION_CYLINDRICAL = Loops(
+_loops_of_motion_cylindrical = _Loops(
     names=(
         "phi1",
         "R4",
@@ -1507,23 +1540,23 @@ _MOTION_CYLINDRICAL = Loops(
         0,
     ),
     shape=(),
-    at=_motion_cylindrical_point,
-    uniform=_fill_motion_cylindrical,
+    at=_point_of_motion_cylindrical,
+    uniform=_fill_of_motion_cylindrical,
     results=3,
-    each=_fill_each_motion_cylindrical,
+    each=_fill_each_of_motion_cylindrical,
 )
 
 
-@overload(motion_cylindrical)
-def _offer_motion_cylindrical(
+@_overload(motion_cylindrical)
+def _offer_of_motion_cylindrical(
     phi1,
     R4,
     R5,
     e2,
 ):
-    return lambda phi1, R4, R5, e2: _motion_cylindrical_point(
-        float64(phi1),
-        float64(R4),
-        float64(R5),
-        float64(e2),
+    return lambda phi1, R4, R5, e2: _point_of_motion_cylindrical(
+        _float64(phi1),
+        _float64(R4),
+        _float64(R5),
+        _float64(e2),
     )

@@ -8,35 +8,36 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 8db31d8544f3.
+Elementary functions: `elementary` ad67128b931a.
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
-import math
+import math as _math
+from builtins import abs as _abs, float as _float, range as _range, type as _type
 from typing import Any
 
-import numpy as np
-from numpy import float64, ndarray
+import numpy as _np
+from numpy import float64 as _float64, ndarray as _ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
-    BLOCK,
-    Loops,
-    floor,
-    has_nan,
-    is_finite,
-    loop,
-    overload,
-    run,
-    scalar,
-    take_row,
-    widen,
+    BLOCK as _BLOCK,
+    Loops as _Loops,
+    floor as _floor,
+    has_nan as _has_nan,
+    is_finite as _is_finite,
+    loop as _loop,
+    overload as _overload,
+    run as _run,
+    scalar as _scalar,
+    take_row as _take_row,
+    widen as _widen,
 )
-from mechproof.kernels.compiled import elementary
+from mechproof.kernels.compiled import elementary as _elementary
 
 __all__ = [
     "chord_height",
@@ -53,82 +54,82 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@scalar
-def _prepare_constant_chord(alpha, exact):
+@_scalar
+def _prepare_of_constant_chord(alpha, _exact):
 
     return (alpha,)
 
 
-@scalar
-def _constant_chord(m, alpha, exact):
+@_scalar
+def _form_of_constant_chord(m, alpha, _exact):
 
-    return np.pi * elementary.cos(alpha, exact) ** 2 / 2 * m
-
-
-@scalar
-def _constant_chord_at(m, alpha, exact):
-    if not ((alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)):
-        return math.nan
-    prepared = _prepare_constant_chord(alpha, exact)
-    return _constant_chord(m, *prepared, exact)
+    return _np.pi * _elementary.cos(alpha, _exact) ** 2 / 2 * m
 
 
-@scalar
-def _constant_chord_point(m, alpha):
-    return _constant_chord_at(m, alpha, True)
+@_scalar
+def _value_of_constant_chord(m, alpha, _exact):
+    if not ((alpha > 0) & (alpha < _np.pi / 4) & (m > 0) & _is_finite(m)):
+        return _math.nan
+    _prepared = _prepare_of_constant_chord(alpha, _exact)
+    return _form_of_constant_chord(m, *_prepared, _exact)
 
 
-@loop
-def _row_constant_chord(out, m_values, alpha, exact):
-    widen()
-    for i in range(out.size):
-        m = float64(m_values[i])
-
-        value = _constant_chord_at(m, alpha, exact)
-        out[i] = value
+@_scalar
+def _point_of_constant_chord(m, alpha):
+    return _value_of_constant_chord(m, alpha, True)
 
 
-@loop
-def _fill_constant_chord(
-    out,
-    m_values,
+@_loop
+def _row_of_constant_chord(_out, _values_of_m, alpha, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        m = _float64(_values_of_m[_i])
+
+        _value = _value_of_constant_chord(m, alpha, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_of_constant_chord(
+    _out,
+    _values_of_m,
     alpha,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        m_block = m_values[start:stop]
-        _row_constant_chord(out_block, m_block, alpha, None)
-        if has_nan(out_block):
-            _row_constant_chord(out_block, m_block, alpha, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_m = _values_of_m[_start:_stop]
+        _row_of_constant_chord(_out_block, _block_of_m, alpha, None)
+        if _has_nan(_out_block):
+            _row_of_constant_chord(_out_block, _block_of_m, alpha, True)
 
 
-@loop
-def _row_each_constant_chord(out, m_values, alpha_values, exact):
-    widen()
-    for i in range(out.size):
-        m = float64(m_values[i])
+@_loop
+def _row_each_of_constant_chord(_out, _values_of_m, _values_of_alpha, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        m = _float64(_values_of_m[_i])
 
-        alpha = float64(alpha_values[i])
+        alpha = _float64(_values_of_alpha[_i])
 
-        value = _constant_chord_at(m, alpha, exact)
-        out[i] = value
+        _value = _value_of_constant_chord(m, alpha, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_constant_chord(
-    out,
-    m_values,
-    alpha_values,
+@_loop
+def _fill_each_of_constant_chord(
+    _out,
+    _values_of_m,
+    _values_of_alpha,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        m_block = m_values[start:stop]
-        alpha_block = alpha_values[start:stop]
-        _row_each_constant_chord(out_block, m_block, alpha_block, None)
-        if has_nan(out_block):
-            _row_each_constant_chord(out_block, m_block, alpha_block, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_m = _values_of_m[_start:_stop]
+        _block_of_alpha = _values_of_alpha[_start:_stop]
+        _row_each_of_constant_chord(_out_block, _block_of_m, _block_of_alpha, None)
+        if _has_nan(_out_block):
+            _row_each_of_constant_chord(_out_block, _block_of_m, _block_of_alpha, True)
 
 
 def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -136,16 +137,16 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.constant_chord` has all words.
     """
-    if type(alpha) is float:
-        if type(m) is ndarray:
-            row = take_row(m, out)
-            if row is not None:
-                _CONSTANT_CHORD.fill(row, m, alpha)
-                return row
-        elif type(m) is float and out is None:
-            return float64(_CONSTANT_CHORD.point(m, alpha))
-    return run(
-        _CONSTANT_CHORD,
+    if _type(alpha) is _float:
+        if _type(m) is _ndarray:
+            _row = _take_row(m, out)
+            if _row is not None:
+                _loops_of_constant_chord.fill(_row, m, alpha)
+                return _row
+        elif _type(m) is _float and out is None:
+            return _float64(_loops_of_constant_chord.point(m, alpha))
+    return _run(
+        _loops_of_constant_chord,
         (
             m,
             alpha,
@@ -154,7 +155,7 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
     )
 
 
-_CONSTANT_CHORD = Loops(
+_loops_of_constant_chord = _Loops(
     names=(
         "m",
         "alpha",
@@ -164,99 +165,99 @@ _CONSTANT_CHORD = Loops(
         0,
     ),
     shape=(),
-    at=_constant_chord_point,
-    uniform=_fill_constant_chord,
-    each=_fill_each_constant_chord,
+    at=_point_of_constant_chord,
+    uniform=_fill_of_constant_chord,
+    each=_fill_each_of_constant_chord,
 )
 
 
-@overload(constant_chord)
-def _offer_constant_chord(
+@_overload(constant_chord)
+def _offer_of_constant_chord(
     m,
     alpha,
 ):
-    return lambda m, alpha: _constant_chord_point(
-        float64(m),
-        float64(alpha),
+    return lambda m, alpha: _point_of_constant_chord(
+        _float64(m),
+        _float64(alpha),
     )
 
 
-@scalar
-def _prepare_chord_height(alpha, exact):
+@_scalar
+def _prepare_of_chord_height(alpha, _exact):
 
     return (alpha,)
 
 
-@scalar
-def _chord_height(m, alpha, exact):
+@_scalar
+def _form_of_chord_height(m, alpha, _exact):
 
-    return (1 - np.pi * elementary.sin(2 * alpha, exact) / 8) * m
-
-
-@scalar
-def _chord_height_at(m, alpha, exact):
-    if not ((alpha > 0) & (alpha < np.pi / 4) & (m > 0) & is_finite(m)):
-        return math.nan
-    prepared = _prepare_chord_height(alpha, exact)
-    return _chord_height(m, *prepared, exact)
+    return (1 - _np.pi * _elementary.sin(2 * alpha, _exact) / 8) * m
 
 
-@scalar
-def _chord_height_point(m, alpha):
-    return _chord_height_at(m, alpha, True)
+@_scalar
+def _value_of_chord_height(m, alpha, _exact):
+    if not ((alpha > 0) & (alpha < _np.pi / 4) & (m > 0) & _is_finite(m)):
+        return _math.nan
+    _prepared = _prepare_of_chord_height(alpha, _exact)
+    return _form_of_chord_height(m, *_prepared, _exact)
 
 
-@loop
-def _row_chord_height(out, m_values, alpha, exact):
-    widen()
-    for i in range(out.size):
-        m = float64(m_values[i])
-
-        value = _chord_height_at(m, alpha, exact)
-        out[i] = value
+@_scalar
+def _point_of_chord_height(m, alpha):
+    return _value_of_chord_height(m, alpha, True)
 
 
-@loop
-def _fill_chord_height(
-    out,
-    m_values,
+@_loop
+def _row_of_chord_height(_out, _values_of_m, alpha, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        m = _float64(_values_of_m[_i])
+
+        _value = _value_of_chord_height(m, alpha, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_of_chord_height(
+    _out,
+    _values_of_m,
     alpha,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        m_block = m_values[start:stop]
-        _row_chord_height(out_block, m_block, alpha, None)
-        if has_nan(out_block):
-            _row_chord_height(out_block, m_block, alpha, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_m = _values_of_m[_start:_stop]
+        _row_of_chord_height(_out_block, _block_of_m, alpha, None)
+        if _has_nan(_out_block):
+            _row_of_chord_height(_out_block, _block_of_m, alpha, True)
 
 
-@loop
-def _row_each_chord_height(out, m_values, alpha_values, exact):
-    widen()
-    for i in range(out.size):
-        m = float64(m_values[i])
+@_loop
+def _row_each_of_chord_height(_out, _values_of_m, _values_of_alpha, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        m = _float64(_values_of_m[_i])
 
-        alpha = float64(alpha_values[i])
+        alpha = _float64(_values_of_alpha[_i])
 
-        value = _chord_height_at(m, alpha, exact)
-        out[i] = value
+        _value = _value_of_chord_height(m, alpha, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_chord_height(
-    out,
-    m_values,
-    alpha_values,
+@_loop
+def _fill_each_of_chord_height(
+    _out,
+    _values_of_m,
+    _values_of_alpha,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        m_block = m_values[start:stop]
-        alpha_block = alpha_values[start:stop]
-        _row_each_chord_height(out_block, m_block, alpha_block, None)
-        if has_nan(out_block):
-            _row_each_chord_height(out_block, m_block, alpha_block, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_m = _values_of_m[_start:_stop]
+        _block_of_alpha = _values_of_alpha[_start:_stop]
+        _row_each_of_chord_height(_out_block, _block_of_m, _block_of_alpha, None)
+        if _has_nan(_out_block):
+            _row_each_of_chord_height(_out_block, _block_of_m, _block_of_alpha, True)
 
 
 def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -264,16 +265,16 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.chord_height` has all words.
     """
-    if type(alpha) is float:
-        if type(m) is ndarray:
-            row = take_row(m, out)
-            if row is not None:
-                _CHORD_HEIGHT.fill(row, m, alpha)
-                return row
-        elif type(m) is float and out is None:
-            return float64(_CHORD_HEIGHT.point(m, alpha))
-    return run(
-        _CHORD_HEIGHT,
+    if _type(alpha) is _float:
+        if _type(m) is _ndarray:
+            _row = _take_row(m, out)
+            if _row is not None:
+                _loops_of_chord_height.fill(_row, m, alpha)
+                return _row
+        elif _type(m) is _float and out is None:
+            return _float64(_loops_of_chord_height.point(m, alpha))
+    return _run(
+        _loops_of_chord_height,
         (
             m,
             alpha,
@@ -282,7 +283,7 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
     )
 
 
-_CHORD_HEIGHT = Loops(
+_loops_of_chord_height = _Loops(
     names=(
         "m",
         "alpha",
@@ -292,127 +293,133 @@ _CHORD_HEIGHT = Loops(
         0,
     ),
     shape=(),
-    at=_chord_height_point,
-    uniform=_fill_chord_height,
-    each=_fill_each_chord_height,
+    at=_point_of_chord_height,
+    uniform=_fill_of_chord_height,
+    each=_fill_each_of_chord_height,
 )
 
 
-@overload(chord_height)
-def _offer_chord_height(
+@_overload(chord_height)
+def _offer_of_chord_height(
     m,
     alpha,
 ):
-    return lambda m, alpha: _chord_height_point(
-        float64(m),
-        float64(alpha),
+    return lambda m, alpha: _point_of_chord_height(
+        _float64(m),
+        _float64(alpha),
     )
 
 
-@scalar
-def _prepare_height_change(m, z, alpha, exact):
-    cosm1_alpha = -2 * elementary.sin(alpha / 2, exact) ** 2
+@_scalar
+def _prepare_of_height_change(m, z, alpha, _exact):
+    cosm1_alpha = -2 * _elementary.sin(alpha / 2, _exact) ** 2
     cos_alpha = 1 + cosm1_alpha
     r_b = cos_alpha * m * z / 2
-    t_c = np.pi / (2 * z) + elementary.tan(alpha, exact)
+    t_c = _np.pi / (2 * z) + _elementary.tan(alpha, _exact)
 
     return (alpha, cos_alpha, r_b, t_c)
 
 
-@scalar
-def _height_change(tilt, alpha, cos_alpha, r_b, t_c, exact):
-    sin_tilt = elementary.sin(tilt, exact)
-    cosm1_tilt = -2 * elementary.sin(tilt / 2, exact) ** 2
+@_scalar
+def _form_of_height_change(tilt, alpha, cos_alpha, r_b, t_c, _exact):
+    sin_tilt = _elementary.sin(tilt, _exact)
+    cosm1_tilt = -2 * _elementary.sin(tilt / 2, _exact) ** 2
     cos_tilt = 1 + cosm1_tilt
 
     return r_b * (
-        elementary.sin(alpha, exact) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
+        _elementary.sin(alpha, _exact) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
         - cos_alpha * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
     )
 
 
-@scalar
-def _height_change_at(tilt, m, z, alpha, exact):
+@_scalar
+def _value_of_height_change(tilt, m, z, alpha, _exact):
     if not (
         (m > 0)
-        & is_finite(m)
+        & _is_finite(m)
         & (z >= 1)
-        & is_finite(z)
-        & (z == floor(z))
+        & _is_finite(z)
+        & (z == _floor(z))
         & (alpha > 0)
-        & (alpha < np.pi / 4)
+        & (alpha < _np.pi / 4)
     ):
-        return math.nan
-    prepared = _prepare_height_change(m, z, alpha, exact)
-    return _height_change(tilt, *prepared, exact)
+        return _math.nan
+    _prepared = _prepare_of_height_change(m, z, alpha, _exact)
+    return _form_of_height_change(tilt, *_prepared, _exact)
 
 
-@scalar
-def _height_change_point(tilt, m, z, alpha):
-    return _height_change_at(tilt, m, z, alpha, True)
+@_scalar
+def _point_of_height_change(tilt, m, z, alpha):
+    return _value_of_height_change(tilt, m, z, alpha, True)
 
 
-@loop
-def _row_height_change(out, tilt_values, m, z, alpha, exact):
-    widen()
-    for i in range(out.size):
-        tilt = float64(tilt_values[i])
+@_loop
+def _row_of_height_change(_out, _values_of_tilt, m, z, alpha, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        tilt = _float64(_values_of_tilt[_i])
 
-        value = _height_change_at(tilt, m, z, alpha, exact)
-        out[i] = value
+        _value = _value_of_height_change(tilt, m, z, alpha, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_height_change(
-    out,
-    tilt_values,
+@_loop
+def _fill_of_height_change(
+    _out,
+    _values_of_tilt,
     m,
     z,
     alpha,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        tilt_block = tilt_values[start:stop]
-        _row_height_change(out_block, tilt_block, m, z, alpha, None)
-        if has_nan(out_block):
-            _row_height_change(out_block, tilt_block, m, z, alpha, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_tilt = _values_of_tilt[_start:_stop]
+        _row_of_height_change(_out_block, _block_of_tilt, m, z, alpha, None)
+        if _has_nan(_out_block):
+            _row_of_height_change(_out_block, _block_of_tilt, m, z, alpha, True)
 
 
-@loop
-def _row_each_height_change(out, tilt_values, m_values, z_values, alpha_values, exact):
-    widen()
-    for i in range(out.size):
-        tilt = float64(tilt_values[i])
-
-        m = float64(m_values[i])
-
-        z = float64(z_values[i])
-
-        alpha = float64(alpha_values[i])
-
-        value = _height_change_at(tilt, m, z, alpha, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_height_change(
-    out,
-    tilt_values,
-    m_values,
-    z_values,
-    alpha_values,
+@_loop
+def _row_each_of_height_change(
+    _out, _values_of_tilt, _values_of_m, _values_of_z, _values_of_alpha, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        tilt_block = tilt_values[start:stop]
-        m_block = m_values[start:stop]
-        z_block = z_values[start:stop]
-        alpha_block = alpha_values[start:stop]
-        _row_each_height_change(out_block, tilt_block, m_block, z_block, alpha_block, None)
-        if has_nan(out_block):
-            _row_each_height_change(out_block, tilt_block, m_block, z_block, alpha_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        tilt = _float64(_values_of_tilt[_i])
+
+        m = _float64(_values_of_m[_i])
+
+        z = _float64(_values_of_z[_i])
+
+        alpha = _float64(_values_of_alpha[_i])
+
+        _value = _value_of_height_change(tilt, m, z, alpha, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_height_change(
+    _out,
+    _values_of_tilt,
+    _values_of_m,
+    _values_of_z,
+    _values_of_alpha,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_tilt = _values_of_tilt[_start:_stop]
+        _block_of_m = _values_of_m[_start:_stop]
+        _block_of_z = _values_of_z[_start:_stop]
+        _block_of_alpha = _values_of_alpha[_start:_stop]
+        _row_each_of_height_change(
+            _out_block, _block_of_tilt, _block_of_m, _block_of_z, _block_of_alpha, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_height_change(
+                _out_block, _block_of_tilt, _block_of_m, _block_of_z, _block_of_alpha, True
+            )
 
 
 def height_change(
@@ -427,16 +434,16 @@ def height_change(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.height_change` has all words.
     """
-    if type(m) is type(z) is type(alpha) is float:
-        if type(tilt) is ndarray:
-            row = take_row(tilt, out)
-            if row is not None:
-                _HEIGHT_CHANGE.fill(row, tilt, m, z, alpha)
-                return row
-        elif type(tilt) is float and out is None:
-            return float64(_HEIGHT_CHANGE.point(tilt, m, z, alpha))
-    return run(
-        _HEIGHT_CHANGE,
+    if _type(m) is _type(z) is _type(alpha) is _float:
+        if _type(tilt) is _ndarray:
+            _row = _take_row(tilt, out)
+            if _row is not None:
+                _loops_of_height_change.fill(_row, tilt, m, z, alpha)
+                return _row
+        elif _type(tilt) is _float and out is None:
+            return _float64(_loops_of_height_change.point(tilt, m, z, alpha))
+    return _run(
+        _loops_of_height_change,
         (
             tilt,
             m,
@@ -447,7 +454,7 @@ def height_change(
     )
 
 
-_HEIGHT_CHANGE = Loops(
+_loops_of_height_change = _Loops(
     names=(
         "tilt",
         "m",
@@ -461,41 +468,41 @@ _HEIGHT_CHANGE = Loops(
         0,
     ),
     shape=(),
-    at=_height_change_point,
-    uniform=_fill_height_change,
-    each=_fill_each_height_change,
+    at=_point_of_height_change,
+    uniform=_fill_of_height_change,
+    each=_fill_each_of_height_change,
 )
 
 
-@overload(height_change)
-def _offer_height_change(
+@_overload(height_change)
+def _offer_of_height_change(
     tilt,
     m,
     z,
     alpha,
 ):
-    return lambda tilt, m, z, alpha: _height_change_point(
-        float64(tilt),
-        float64(m),
-        float64(z),
-        float64(alpha),
+    return lambda tilt, m, z, alpha: _point_of_height_change(
+        _float64(tilt),
+        _float64(m),
+        _float64(z),
+        _float64(alpha),
     )
 
 
-@scalar
-def _prepare_thickness_change(m, z, alpha, exact):
-    cosm1_alpha = -2 * elementary.sin(alpha / 2, exact) ** 2
+@_scalar
+def _prepare_of_thickness_change(m, z, alpha, _exact):
+    cosm1_alpha = -2 * _elementary.sin(alpha / 2, _exact) ** 2
     cos_alpha = 1 + cosm1_alpha
     r_b = cos_alpha * m * z / 2
-    t_c = np.pi / (2 * z) + elementary.tan(alpha, exact)
+    t_c = _np.pi / (2 * z) + _elementary.tan(alpha, _exact)
 
     return (alpha, cos_alpha, r_b, t_c)
 
 
-@scalar
-def _thickness_change(tilt, alpha, cos_alpha, r_b, t_c, exact):
-    sin_tilt = elementary.sin(tilt, exact)
-    cosm1_tilt = -2 * elementary.sin(tilt / 2, exact) ** 2
+@_scalar
+def _form_of_thickness_change(tilt, alpha, cos_alpha, r_b, t_c, _exact):
+    sin_tilt = _elementary.sin(tilt, _exact)
+    cosm1_tilt = -2 * _elementary.sin(tilt / 2, _exact) ** 2
     cos_tilt = 1 + cosm1_tilt
 
     return (
@@ -503,93 +510,99 @@ def _thickness_change(tilt, alpha, cos_alpha, r_b, t_c, exact):
         * r_b
         * (
             cos_alpha * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
-            + elementary.sin(alpha, exact) * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
+            + _elementary.sin(alpha, _exact) * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
         )
     )
 
 
-@scalar
-def _thickness_change_at(tilt, m, z, alpha, exact):
+@_scalar
+def _value_of_thickness_change(tilt, m, z, alpha, _exact):
     if not (
         (m > 0)
-        & is_finite(m)
+        & _is_finite(m)
         & (z >= 1)
-        & is_finite(z)
-        & (z == floor(z))
+        & _is_finite(z)
+        & (z == _floor(z))
         & (alpha > 0)
-        & (alpha < np.pi / 4)
+        & (alpha < _np.pi / 4)
     ):
-        return math.nan
-    prepared = _prepare_thickness_change(m, z, alpha, exact)
-    return _thickness_change(tilt, *prepared, exact)
+        return _math.nan
+    _prepared = _prepare_of_thickness_change(m, z, alpha, _exact)
+    return _form_of_thickness_change(tilt, *_prepared, _exact)
 
 
-@scalar
-def _thickness_change_point(tilt, m, z, alpha):
-    return _thickness_change_at(tilt, m, z, alpha, True)
+@_scalar
+def _point_of_thickness_change(tilt, m, z, alpha):
+    return _value_of_thickness_change(tilt, m, z, alpha, True)
 
 
-@loop
-def _row_thickness_change(out, tilt_values, m, z, alpha, exact):
-    widen()
-    for i in range(out.size):
-        tilt = float64(tilt_values[i])
+@_loop
+def _row_of_thickness_change(_out, _values_of_tilt, m, z, alpha, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        tilt = _float64(_values_of_tilt[_i])
 
-        value = _thickness_change_at(tilt, m, z, alpha, exact)
-        out[i] = value
+        _value = _value_of_thickness_change(tilt, m, z, alpha, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_thickness_change(
-    out,
-    tilt_values,
+@_loop
+def _fill_of_thickness_change(
+    _out,
+    _values_of_tilt,
     m,
     z,
     alpha,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        tilt_block = tilt_values[start:stop]
-        _row_thickness_change(out_block, tilt_block, m, z, alpha, None)
-        if has_nan(out_block):
-            _row_thickness_change(out_block, tilt_block, m, z, alpha, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_tilt = _values_of_tilt[_start:_stop]
+        _row_of_thickness_change(_out_block, _block_of_tilt, m, z, alpha, None)
+        if _has_nan(_out_block):
+            _row_of_thickness_change(_out_block, _block_of_tilt, m, z, alpha, True)
 
 
-@loop
-def _row_each_thickness_change(out, tilt_values, m_values, z_values, alpha_values, exact):
-    widen()
-    for i in range(out.size):
-        tilt = float64(tilt_values[i])
-
-        m = float64(m_values[i])
-
-        z = float64(z_values[i])
-
-        alpha = float64(alpha_values[i])
-
-        value = _thickness_change_at(tilt, m, z, alpha, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_thickness_change(
-    out,
-    tilt_values,
-    m_values,
-    z_values,
-    alpha_values,
+@_loop
+def _row_each_of_thickness_change(
+    _out, _values_of_tilt, _values_of_m, _values_of_z, _values_of_alpha, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        tilt_block = tilt_values[start:stop]
-        m_block = m_values[start:stop]
-        z_block = z_values[start:stop]
-        alpha_block = alpha_values[start:stop]
-        _row_each_thickness_change(out_block, tilt_block, m_block, z_block, alpha_block, None)
-        if has_nan(out_block):
-            _row_each_thickness_change(out_block, tilt_block, m_block, z_block, alpha_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        tilt = _float64(_values_of_tilt[_i])
+
+        m = _float64(_values_of_m[_i])
+
+        z = _float64(_values_of_z[_i])
+
+        alpha = _float64(_values_of_alpha[_i])
+
+        _value = _value_of_thickness_change(tilt, m, z, alpha, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_thickness_change(
+    _out,
+    _values_of_tilt,
+    _values_of_m,
+    _values_of_z,
+    _values_of_alpha,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_tilt = _values_of_tilt[_start:_stop]
+        _block_of_m = _values_of_m[_start:_stop]
+        _block_of_z = _values_of_z[_start:_stop]
+        _block_of_alpha = _values_of_alpha[_start:_stop]
+        _row_each_of_thickness_change(
+            _out_block, _block_of_tilt, _block_of_m, _block_of_z, _block_of_alpha, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_thickness_change(
+                _out_block, _block_of_tilt, _block_of_m, _block_of_z, _block_of_alpha, True
+            )
 
 
 def thickness_change(
@@ -604,16 +617,16 @@ def thickness_change(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_change` has all words.
     """
-    if type(m) is type(z) is type(alpha) is float:
-        if type(tilt) is ndarray:
-            row = take_row(tilt, out)
-            if row is not None:
-                _THICKNESS_CHANGE.fill(row, tilt, m, z, alpha)
-                return row
-        elif type(tilt) is float and out is None:
-            return float64(_THICKNESS_CHANGE.point(tilt, m, z, alpha))
-    return run(
-        _THICKNESS_CHANGE,
+    if _type(m) is _type(z) is _type(alpha) is _float:
+        if _type(tilt) is _ndarray:
+            _row = _take_row(tilt, out)
+            if _row is not None:
+                _loops_of_thickness_change.fill(_row, tilt, m, z, alpha)
+                return _row
+        elif _type(tilt) is _float and out is None:
+            return _float64(_loops_of_thickness_change.point(tilt, m, z, alpha))
+    return _run(
+        _loops_of_thickness_change,
         (
             tilt,
             m,
@@ -624,7 +637,7 @@ def thickness_change(
     )
 
 
-_THICKNESS_CHANGE = Loops(
+_loops_of_thickness_change = _Loops(
     names=(
         "tilt",
         "m",
@@ -638,103 +651,103 @@ _THICKNESS_CHANGE = Loops(
         0,
     ),
     shape=(),
-    at=_thickness_change_point,
-    uniform=_fill_thickness_change,
-    each=_fill_each_thickness_change,
+    at=_point_of_thickness_change,
+    uniform=_fill_of_thickness_change,
+    each=_fill_each_of_thickness_change,
 )
 
 
-@overload(thickness_change)
-def _offer_thickness_change(
+@_overload(thickness_change)
+def _offer_of_thickness_change(
     tilt,
     m,
     z,
     alpha,
 ):
-    return lambda tilt, m, z, alpha: _thickness_change_point(
-        float64(tilt),
-        float64(m),
-        float64(z),
-        float64(alpha),
+    return lambda tilt, m, z, alpha: _point_of_thickness_change(
+        _float64(tilt),
+        _float64(m),
+        _float64(z),
+        _float64(alpha),
     )
 
 
-@scalar
-def _prepare_thickness_change_linear(alpha, exact):
+@_scalar
+def _prepare_of_thickness_change_linear(alpha, _exact):
 
     return (alpha,)
 
 
-@scalar
-def _thickness_change_linear(dh, alpha, exact):
+@_scalar
+def _form_of_thickness_change_linear(dh, alpha, _exact):
 
-    return 2 * elementary.tan(alpha, exact) * dh
-
-
-@scalar
-def _thickness_change_linear_at(dh, alpha, exact):
-    if not ((alpha > 0) & (alpha < np.pi / 4)):
-        return math.nan
-    prepared = _prepare_thickness_change_linear(alpha, exact)
-    return _thickness_change_linear(dh, *prepared, exact)
+    return 2 * _elementary.tan(alpha, _exact) * dh
 
 
-@scalar
-def _thickness_change_linear_point(dh, alpha):
-    return _thickness_change_linear_at(dh, alpha, True)
+@_scalar
+def _value_of_thickness_change_linear(dh, alpha, _exact):
+    if not ((alpha > 0) & (alpha < _np.pi / 4)):
+        return _math.nan
+    _prepared = _prepare_of_thickness_change_linear(alpha, _exact)
+    return _form_of_thickness_change_linear(dh, *_prepared, _exact)
 
 
-@loop
-def _row_thickness_change_linear(out, dh_values, alpha, exact):
-    widen()
-    for i in range(out.size):
-        dh = float64(dh_values[i])
-
-        value = _thickness_change_linear_at(dh, alpha, exact)
-        out[i] = value
+@_scalar
+def _point_of_thickness_change_linear(dh, alpha):
+    return _value_of_thickness_change_linear(dh, alpha, True)
 
 
-@loop
-def _fill_thickness_change_linear(
-    out,
-    dh_values,
+@_loop
+def _row_of_thickness_change_linear(_out, _values_of_dh, alpha, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        dh = _float64(_values_of_dh[_i])
+
+        _value = _value_of_thickness_change_linear(dh, alpha, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_of_thickness_change_linear(
+    _out,
+    _values_of_dh,
     alpha,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        dh_block = dh_values[start:stop]
-        _row_thickness_change_linear(out_block, dh_block, alpha, None)
-        if has_nan(out_block):
-            _row_thickness_change_linear(out_block, dh_block, alpha, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_dh = _values_of_dh[_start:_stop]
+        _row_of_thickness_change_linear(_out_block, _block_of_dh, alpha, None)
+        if _has_nan(_out_block):
+            _row_of_thickness_change_linear(_out_block, _block_of_dh, alpha, True)
 
 
-@loop
-def _row_each_thickness_change_linear(out, dh_values, alpha_values, exact):
-    widen()
-    for i in range(out.size):
-        dh = float64(dh_values[i])
+@_loop
+def _row_each_of_thickness_change_linear(_out, _values_of_dh, _values_of_alpha, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        dh = _float64(_values_of_dh[_i])
 
-        alpha = float64(alpha_values[i])
+        alpha = _float64(_values_of_alpha[_i])
 
-        value = _thickness_change_linear_at(dh, alpha, exact)
-        out[i] = value
+        _value = _value_of_thickness_change_linear(dh, alpha, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_thickness_change_linear(
-    out,
-    dh_values,
-    alpha_values,
+@_loop
+def _fill_each_of_thickness_change_linear(
+    _out,
+    _values_of_dh,
+    _values_of_alpha,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        dh_block = dh_values[start:stop]
-        alpha_block = alpha_values[start:stop]
-        _row_each_thickness_change_linear(out_block, dh_block, alpha_block, None)
-        if has_nan(out_block):
-            _row_each_thickness_change_linear(out_block, dh_block, alpha_block, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_dh = _values_of_dh[_start:_stop]
+        _block_of_alpha = _values_of_alpha[_start:_stop]
+        _row_each_of_thickness_change_linear(_out_block, _block_of_dh, _block_of_alpha, None)
+        if _has_nan(_out_block):
+            _row_each_of_thickness_change_linear(_out_block, _block_of_dh, _block_of_alpha, True)
 
 
 def thickness_change_linear(
@@ -744,16 +757,16 @@ def thickness_change_linear(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_change_linear` has all words.
     """
-    if type(alpha) is float:
-        if type(dh) is ndarray:
-            row = take_row(dh, out)
-            if row is not None:
-                _THICKNESS_CHANGE_LINEAR.fill(row, dh, alpha)
-                return row
-        elif type(dh) is float and out is None:
-            return float64(_THICKNESS_CHANGE_LINEAR.point(dh, alpha))
-    return run(
-        _THICKNESS_CHANGE_LINEAR,
+    if _type(alpha) is _float:
+        if _type(dh) is _ndarray:
+            _row = _take_row(dh, out)
+            if _row is not None:
+                _loops_of_thickness_change_linear.fill(_row, dh, alpha)
+                return _row
+        elif _type(dh) is _float and out is None:
+            return _float64(_loops_of_thickness_change_linear.point(dh, alpha))
+    return _run(
+        _loops_of_thickness_change_linear,
         (
             dh,
             alpha,
@@ -762,7 +775,7 @@ def thickness_change_linear(
     )
 
 
-_THICKNESS_CHANGE_LINEAR = Loops(
+_loops_of_thickness_change_linear = _Loops(
     names=(
         "dh",
         "alpha",
@@ -772,126 +785,132 @@ _THICKNESS_CHANGE_LINEAR = Loops(
         0,
     ),
     shape=(),
-    at=_thickness_change_linear_point,
-    uniform=_fill_thickness_change_linear,
-    each=_fill_each_thickness_change_linear,
+    at=_point_of_thickness_change_linear,
+    uniform=_fill_of_thickness_change_linear,
+    each=_fill_each_of_thickness_change_linear,
 )
 
 
-@overload(thickness_change_linear)
-def _offer_thickness_change_linear(
+@_overload(thickness_change_linear)
+def _offer_of_thickness_change_linear(
     dh,
     alpha,
 ):
-    return lambda dh, alpha: _thickness_change_linear_point(
-        float64(dh),
-        float64(alpha),
+    return lambda dh, alpha: _point_of_thickness_change_linear(
+        _float64(dh),
+        _float64(alpha),
     )
 
 
-@scalar
-def _prepare_linearisation_bound(m, z, alpha, exact):
-    r_b = m * z * elementary.cos(alpha, exact) / 2
-    y_c = m * (z / 2 + np.pi * elementary.sin(2 * alpha, exact) / 8)
-    t_c = np.pi / (2 * z) + elementary.tan(alpha, exact)
+@_scalar
+def _prepare_of_linearisation_bound(m, z, alpha, _exact):
+    r_b = m * z * _elementary.cos(alpha, _exact) / 2
+    y_c = m * (z / 2 + _np.pi * _elementary.sin(2 * alpha, _exact) / 8)
+    t_c = _np.pi / (2 * z) + _elementary.tan(alpha, _exact)
 
     return (r_b, y_c, t_c)
 
 
-@scalar
-def _linearisation_bound(dh, r_b, y_c, t_c, exact):
-    abs_Delta_h = abs(dh)
+@_scalar
+def _form_of_linearisation_bound(dh, r_b, y_c, t_c, _exact):
+    abs_Delta_h = _abs(dh)
     abs_Delta_h_plus_y_c = abs_Delta_h + y_c
 
     return (
         dh**2
         * (abs_Delta_h_plus_y_c * abs_Delta_h_plus_y_c**2)
-        / (r_b * r_b**2 * np.sqrt(r_b**2 * t_c**2 - abs_Delta_h * (2 * y_c - abs_Delta_h)))
+        / (r_b * r_b**2 * _np.sqrt(r_b**2 * t_c**2 - abs_Delta_h * (2 * y_c - abs_Delta_h)))
     )
 
 
-@scalar
-def _linearisation_bound_at(dh, m, z, alpha, exact):
+@_scalar
+def _value_of_linearisation_bound(dh, m, z, alpha, _exact):
     if not (
         (m > 0)
-        & is_finite(m)
+        & _is_finite(m)
         & (z >= 1)
-        & is_finite(z)
-        & (z == floor(z))
+        & _is_finite(z)
+        & (z == _floor(z))
         & (alpha > 0)
-        & (alpha < np.pi / 4)
+        & (alpha < _np.pi / 4)
     ):
-        return math.nan
-    prepared = _prepare_linearisation_bound(m, z, alpha, exact)
-    return _linearisation_bound(dh, *prepared, exact)
+        return _math.nan
+    _prepared = _prepare_of_linearisation_bound(m, z, alpha, _exact)
+    return _form_of_linearisation_bound(dh, *_prepared, _exact)
 
 
-@scalar
-def _linearisation_bound_point(dh, m, z, alpha):
-    return _linearisation_bound_at(dh, m, z, alpha, True)
+@_scalar
+def _point_of_linearisation_bound(dh, m, z, alpha):
+    return _value_of_linearisation_bound(dh, m, z, alpha, True)
 
 
-@loop
-def _row_linearisation_bound(out, dh_values, m, z, alpha, exact):
-    widen()
-    for i in range(out.size):
-        dh = float64(dh_values[i])
+@_loop
+def _row_of_linearisation_bound(_out, _values_of_dh, m, z, alpha, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        dh = _float64(_values_of_dh[_i])
 
-        value = _linearisation_bound_at(dh, m, z, alpha, exact)
-        out[i] = value
+        _value = _value_of_linearisation_bound(dh, m, z, alpha, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_linearisation_bound(
-    out,
-    dh_values,
+@_loop
+def _fill_of_linearisation_bound(
+    _out,
+    _values_of_dh,
     m,
     z,
     alpha,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        dh_block = dh_values[start:stop]
-        _row_linearisation_bound(out_block, dh_block, m, z, alpha, None)
-        if has_nan(out_block):
-            _row_linearisation_bound(out_block, dh_block, m, z, alpha, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_dh = _values_of_dh[_start:_stop]
+        _row_of_linearisation_bound(_out_block, _block_of_dh, m, z, alpha, None)
+        if _has_nan(_out_block):
+            _row_of_linearisation_bound(_out_block, _block_of_dh, m, z, alpha, True)
 
 
-@loop
-def _row_each_linearisation_bound(out, dh_values, m_values, z_values, alpha_values, exact):
-    widen()
-    for i in range(out.size):
-        dh = float64(dh_values[i])
-
-        m = float64(m_values[i])
-
-        z = float64(z_values[i])
-
-        alpha = float64(alpha_values[i])
-
-        value = _linearisation_bound_at(dh, m, z, alpha, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_linearisation_bound(
-    out,
-    dh_values,
-    m_values,
-    z_values,
-    alpha_values,
+@_loop
+def _row_each_of_linearisation_bound(
+    _out, _values_of_dh, _values_of_m, _values_of_z, _values_of_alpha, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        dh_block = dh_values[start:stop]
-        m_block = m_values[start:stop]
-        z_block = z_values[start:stop]
-        alpha_block = alpha_values[start:stop]
-        _row_each_linearisation_bound(out_block, dh_block, m_block, z_block, alpha_block, None)
-        if has_nan(out_block):
-            _row_each_linearisation_bound(out_block, dh_block, m_block, z_block, alpha_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        dh = _float64(_values_of_dh[_i])
+
+        m = _float64(_values_of_m[_i])
+
+        z = _float64(_values_of_z[_i])
+
+        alpha = _float64(_values_of_alpha[_i])
+
+        _value = _value_of_linearisation_bound(dh, m, z, alpha, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_linearisation_bound(
+    _out,
+    _values_of_dh,
+    _values_of_m,
+    _values_of_z,
+    _values_of_alpha,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_dh = _values_of_dh[_start:_stop]
+        _block_of_m = _values_of_m[_start:_stop]
+        _block_of_z = _values_of_z[_start:_stop]
+        _block_of_alpha = _values_of_alpha[_start:_stop]
+        _row_each_of_linearisation_bound(
+            _out_block, _block_of_dh, _block_of_m, _block_of_z, _block_of_alpha, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_linearisation_bound(
+                _out_block, _block_of_dh, _block_of_m, _block_of_z, _block_of_alpha, True
+            )
 
 
 def linearisation_bound(
@@ -901,16 +920,16 @@ def linearisation_bound(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.linearisation_bound` has all words.
     """
-    if type(m) is type(z) is type(alpha) is float:
-        if type(dh) is ndarray:
-            row = take_row(dh, out)
-            if row is not None:
-                _LINEARISATION_BOUND.fill(row, dh, m, z, alpha)
-                return row
-        elif type(dh) is float and out is None:
-            return float64(_LINEARISATION_BOUND.point(dh, m, z, alpha))
-    return run(
-        _LINEARISATION_BOUND,
+    if _type(m) is _type(z) is _type(alpha) is _float:
+        if _type(dh) is _ndarray:
+            _row = _take_row(dh, out)
+            if _row is not None:
+                _loops_of_linearisation_bound.fill(_row, dh, m, z, alpha)
+                return _row
+        elif _type(dh) is _float and out is None:
+            return _float64(_loops_of_linearisation_bound.point(dh, m, z, alpha))
+    return _run(
+        _loops_of_linearisation_bound,
         (
             dh,
             m,
@@ -921,7 +940,7 @@ def linearisation_bound(
     )
 
 
-_LINEARISATION_BOUND = Loops(
+_loops_of_linearisation_bound = _Loops(
     names=(
         "dh",
         "m",
@@ -935,108 +954,114 @@ _LINEARISATION_BOUND = Loops(
         0,
     ),
     shape=(),
-    at=_linearisation_bound_point,
-    uniform=_fill_linearisation_bound,
-    each=_fill_each_linearisation_bound,
+    at=_point_of_linearisation_bound,
+    uniform=_fill_of_linearisation_bound,
+    each=_fill_each_of_linearisation_bound,
 )
 
 
-@overload(linearisation_bound)
-def _offer_linearisation_bound(
+@_overload(linearisation_bound)
+def _offer_of_linearisation_bound(
     dh,
     m,
     z,
     alpha,
 ):
-    return lambda dh, m, z, alpha: _linearisation_bound_point(
-        float64(dh),
-        float64(m),
-        float64(z),
-        float64(alpha),
+    return lambda dh, m, z, alpha: _point_of_linearisation_bound(
+        _float64(dh),
+        _float64(m),
+        _float64(z),
+        _float64(alpha),
     )
 
 
-@scalar
-def _prepare_thickness_error(height_error, alpha, exact):
+@_scalar
+def _prepare_of_thickness_error(height_error, alpha, _exact):
 
     return (height_error, alpha)
 
 
-@scalar
-def _thickness_error(e_tip, height_error, alpha, exact):
+@_scalar
+def _form_of_thickness_error(e_tip, height_error, alpha, _exact):
 
-    return 2 * elementary.tan(alpha, exact) * (height_error - e_tip / 2)
-
-
-@scalar
-def _thickness_error_at(e_tip, height_error, alpha, exact):
-    if not ((alpha > 0) & (alpha < np.pi / 4)):
-        return math.nan
-    prepared = _prepare_thickness_error(height_error, alpha, exact)
-    return _thickness_error(e_tip, *prepared, exact)
+    return 2 * _elementary.tan(alpha, _exact) * (height_error - e_tip / 2)
 
 
-@scalar
-def _thickness_error_point(e_tip, height_error, alpha):
-    return _thickness_error_at(e_tip, height_error, alpha, True)
+@_scalar
+def _value_of_thickness_error(e_tip, height_error, alpha, _exact):
+    if not ((alpha > 0) & (alpha < _np.pi / 4)):
+        return _math.nan
+    _prepared = _prepare_of_thickness_error(height_error, alpha, _exact)
+    return _form_of_thickness_error(e_tip, *_prepared, _exact)
 
 
-@loop
-def _row_thickness_error(out, e_tip_values, height_error, alpha, exact):
-    widen()
-    for i in range(out.size):
-        e_tip = float64(e_tip_values[i])
-
-        value = _thickness_error_at(e_tip, height_error, alpha, exact)
-        out[i] = value
+@_scalar
+def _point_of_thickness_error(e_tip, height_error, alpha):
+    return _value_of_thickness_error(e_tip, height_error, alpha, True)
 
 
-@loop
-def _fill_thickness_error(
-    out,
-    e_tip_values,
+@_loop
+def _row_of_thickness_error(_out, _values_of_e_tip, height_error, alpha, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        e_tip = _float64(_values_of_e_tip[_i])
+
+        _value = _value_of_thickness_error(e_tip, height_error, alpha, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_of_thickness_error(
+    _out,
+    _values_of_e_tip,
     height_error,
     alpha,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        e_tip_block = e_tip_values[start:stop]
-        _row_thickness_error(out_block, e_tip_block, height_error, alpha, None)
-        if has_nan(out_block):
-            _row_thickness_error(out_block, e_tip_block, height_error, alpha, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_e_tip = _values_of_e_tip[_start:_stop]
+        _row_of_thickness_error(_out_block, _block_of_e_tip, height_error, alpha, None)
+        if _has_nan(_out_block):
+            _row_of_thickness_error(_out_block, _block_of_e_tip, height_error, alpha, True)
 
 
-@loop
-def _row_each_thickness_error(out, e_tip_values, height_error_values, alpha_values, exact):
-    widen()
-    for i in range(out.size):
-        e_tip = float64(e_tip_values[i])
-
-        height_error = float64(height_error_values[i])
-
-        alpha = float64(alpha_values[i])
-
-        value = _thickness_error_at(e_tip, height_error, alpha, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_thickness_error(
-    out,
-    e_tip_values,
-    height_error_values,
-    alpha_values,
+@_loop
+def _row_each_of_thickness_error(
+    _out, _values_of_e_tip, _values_of_height_error, _values_of_alpha, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        e_tip_block = e_tip_values[start:stop]
-        height_error_block = height_error_values[start:stop]
-        alpha_block = alpha_values[start:stop]
-        _row_each_thickness_error(out_block, e_tip_block, height_error_block, alpha_block, None)
-        if has_nan(out_block):
-            _row_each_thickness_error(out_block, e_tip_block, height_error_block, alpha_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        e_tip = _float64(_values_of_e_tip[_i])
+
+        height_error = _float64(_values_of_height_error[_i])
+
+        alpha = _float64(_values_of_alpha[_i])
+
+        _value = _value_of_thickness_error(e_tip, height_error, alpha, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_thickness_error(
+    _out,
+    _values_of_e_tip,
+    _values_of_height_error,
+    _values_of_alpha,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_e_tip = _values_of_e_tip[_start:_stop]
+        _block_of_height_error = _values_of_height_error[_start:_stop]
+        _block_of_alpha = _values_of_alpha[_start:_stop]
+        _row_each_of_thickness_error(
+            _out_block, _block_of_e_tip, _block_of_height_error, _block_of_alpha, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_thickness_error(
+                _out_block, _block_of_e_tip, _block_of_height_error, _block_of_alpha, True
+            )
 
 
 def thickness_error(
@@ -1046,16 +1071,16 @@ def thickness_error(
 
     Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_error` has all words.
     """
-    if type(height_error) is type(alpha) is float:
-        if type(e_tip) is ndarray:
-            row = take_row(e_tip, out)
-            if row is not None:
-                _THICKNESS_ERROR.fill(row, e_tip, height_error, alpha)
-                return row
-        elif type(e_tip) is float and out is None:
-            return float64(_THICKNESS_ERROR.point(e_tip, height_error, alpha))
-    return run(
-        _THICKNESS_ERROR,
+    if _type(height_error) is _type(alpha) is _float:
+        if _type(e_tip) is _ndarray:
+            _row = _take_row(e_tip, out)
+            if _row is not None:
+                _loops_of_thickness_error.fill(_row, e_tip, height_error, alpha)
+                return _row
+        elif _type(e_tip) is _float and out is None:
+            return _float64(_loops_of_thickness_error.point(e_tip, height_error, alpha))
+    return _run(
+        _loops_of_thickness_error,
         (
             e_tip,
             height_error,
@@ -1065,7 +1090,7 @@ def thickness_error(
     )
 
 
-_THICKNESS_ERROR = Loops(
+_loops_of_thickness_error = _Loops(
     names=(
         "e_tip",
         "height_error",
@@ -1077,20 +1102,20 @@ _THICKNESS_ERROR = Loops(
         0,
     ),
     shape=(),
-    at=_thickness_error_point,
-    uniform=_fill_thickness_error,
-    each=_fill_each_thickness_error,
+    at=_point_of_thickness_error,
+    uniform=_fill_of_thickness_error,
+    each=_fill_each_of_thickness_error,
 )
 
 
-@overload(thickness_error)
-def _offer_thickness_error(
+@_overload(thickness_error)
+def _offer_of_thickness_error(
     e_tip,
     height_error,
     alpha,
 ):
-    return lambda e_tip, height_error, alpha: _thickness_error_point(
-        float64(e_tip),
-        float64(height_error),
-        float64(alpha),
+    return lambda e_tip, height_error, alpha: _point_of_thickness_error(
+        _float64(e_tip),
+        _float64(height_error),
+        _float64(alpha),
     )

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 8db31d8544f3.
+Elementary functions: `elementary` ad67128b931a.
 
 Sums over axes are added in the order of the index, with the rest of every addition. Many
 sets of terms are added beside each other, each to the bits that it has alone. Inside
@@ -16,42 +16,50 @@ functions that numba compiles they take one array of terms for each argument, or
 equal ones.
 
 Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
-import math
+import math as _math
+from builtins import (
+    abs as _abs,
+    float as _float,
+    len as _len,
+    min as _min,
+    range as _range,
+    type as _type,
+)
 from typing import Any
 
-import numpy as np
-from numpy import empty, float64, ndarray
+import numpy as _np
+from numpy import empty as _empty, float64 as _float64, ndarray as _ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
-    BLOCK,
-    Loops,
-    Sums,
-    choose,
-    count_sets,
-    count_terms,
-    floor,
-    fma,
-    has_nan,
-    is_finite,
-    loop,
-    overload,
-    own_row,
-    put_sets,
-    run,
-    run_sums,
-    scalar,
-    take_row,
-    take_square,
-    take_terms,
-    widen,
+    BLOCK as _BLOCK,
+    Loops as _Loops,
+    Sums as _Sums,
+    choose as _choose,
+    count_sets as _count_sets,
+    count_terms as _count_terms,
+    floor as _floor,
+    fma as _fma,
+    has_nan as _has_nan,
+    is_finite as _is_finite,
+    loop as _loop,
+    overload as _overload,
+    own_row as _own_row,
+    put_sets as _put_sets,
+    run as _run,
+    run_sums as _run_sums,
+    scalar as _scalar,
+    take_row as _take_row,
+    take_square as _take_square,
+    take_terms as _take_terms,
+    widen as _widen,
 )
-from mechproof.kernels.compiled import elementary
+from mechproof.kernels.compiled import elementary as _elementary
 
 __all__ = [
     "displacement",
@@ -72,7 +80,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@scalar
+@_scalar
 def _sum_1_term(
     sensitivities_i,
     scatters_i,
@@ -92,365 +100,369 @@ def _sum_1_term(
     )
 
 
-@loop
+@_loop
 def _sum_1(sensitivities, scatters, tolerances, correlation):
-    high, low = 0.0, 0.0
-    for i in range(len(sensitivities)):
-        for j in range(len(sensitivities)):
-            term = _sum_1_term(
-                float64(sensitivities[i]),
-                float64(scatters[i]),
-                float64(tolerances[i]),
-                float64(sensitivities[j]),
-                float64(scatters[j]),
-                float64(tolerances[j]),
-                float64(correlation[i, j]),
+    _high, _low = 0.0, 0.0
+    for _i in _range(_len(sensitivities)):
+        for _j in _range(_len(sensitivities)):
+            _term = _sum_1_term(
+                _float64(sensitivities[_i]),
+                _float64(scatters[_i]),
+                _float64(tolerances[_i]),
+                _float64(sensitivities[_j]),
+                _float64(scatters[_j]),
+                _float64(tolerances[_j]),
+                _float64(correlation[_i, _j]),
             )
-            total = high + term
-            low += elementary.total_rest(high, term, total)
-            high = total
+            _total = _high + _term
+            _low += _elementary.total_rest(_high, _term, _total)
+            _high = _total
     # A sum that leaves the range of doubles has no rest.
-    return choose(is_finite(low), high + low, high)
+    return _choose(_is_finite(_low), _high + _low, _high)
 
 
-@loop
-def _sum_1_sets(out, sensitivities, scatters, tolerances, correlation):
-    widen()
-    high, low = own_row(), own_row()
-    for s in range(len(out)):
-        high[s], low[s] = 0.0, 0.0
-    for i in range(len(sensitivities)):
-        for j in range(len(sensitivities)):
-            for s in range(len(out)):
-                term = _sum_1_term(
-                    sensitivities[i, s],
-                    scatters[i, s],
-                    tolerances[i, s],
-                    sensitivities[j, s],
-                    scatters[j, s],
-                    tolerances[j, s],
-                    correlation[i, j, s],
+@_loop
+def _sum_1_sets(_out, sensitivities, scatters, tolerances, correlation):
+    _widen()
+    _high, _low = _own_row(), _own_row()
+    for _s in _range(_len(_out)):
+        _high[_s], _low[_s] = 0.0, 0.0
+    for _i in _range(_len(sensitivities)):
+        for _j in _range(_len(sensitivities)):
+            for _s in _range(_len(_out)):
+                _term = _sum_1_term(
+                    sensitivities[_i, _s],
+                    scatters[_i, _s],
+                    tolerances[_i, _s],
+                    sensitivities[_j, _s],
+                    scatters[_j, _s],
+                    tolerances[_j, _s],
+                    correlation[_i, _j, _s],
                 )
-                total = high[s] + term
-                low[s] += elementary.total_rest(high[s], term, total)
-                high[s] = total
-    for s in range(len(out)):
-        out[s] = choose(is_finite(low[s]), high[s] + low[s], high[s])
+                _total = _high[_s] + _term
+                _low[_s] += _elementary.total_rest(_high[_s], _term, _total)
+                _high[_s] = _total
+    for _s in _range(_len(_out)):
+        _out[_s] = _choose(_is_finite(_low[_s]), _high[_s] + _low[_s], _high[_s])
 
 
-@scalar
+@_scalar
 def _sum_2_term(sensitivities_i, scatters_i, tolerances_i, correlation_ii):
 
-    return abs(sensitivities_i * scatters_i * tolerances_i) * np.sqrt(abs(correlation_ii))
+    return _abs(sensitivities_i * scatters_i * tolerances_i) * _np.sqrt(_abs(correlation_ii))
 
 
-@loop
+@_loop
 def _sum_2(sensitivities, scatters, tolerances, correlation):
-    high, low = 0.0, 0.0
-    for i in range(len(sensitivities)):
-        term = _sum_2_term(
-            float64(sensitivities[i]),
-            float64(scatters[i]),
-            float64(tolerances[i]),
-            float64(correlation[i, i]),
+    _high, _low = 0.0, 0.0
+    for _i in _range(_len(sensitivities)):
+        _term = _sum_2_term(
+            _float64(sensitivities[_i]),
+            _float64(scatters[_i]),
+            _float64(tolerances[_i]),
+            _float64(correlation[_i, _i]),
         )
-        total = high + term
-        low += elementary.total_rest(high, term, total)
-        high = total
+        _total = _high + _term
+        _low += _elementary.total_rest(_high, _term, _total)
+        _high = _total
     # A sum that leaves the range of doubles has no rest.
-    return choose(is_finite(low), high + low, high)
+    return _choose(_is_finite(_low), _high + _low, _high)
 
 
-@loop
-def _sum_2_sets(out, sensitivities, scatters, tolerances, correlation):
-    widen()
-    high, low = own_row(), own_row()
-    for s in range(len(out)):
-        high[s], low[s] = 0.0, 0.0
-    for i in range(len(sensitivities)):
-        for s in range(len(out)):
-            term = _sum_2_term(
-                sensitivities[i, s], scatters[i, s], tolerances[i, s], correlation[i, i, s]
+@_loop
+def _sum_2_sets(_out, sensitivities, scatters, tolerances, correlation):
+    _widen()
+    _high, _low = _own_row(), _own_row()
+    for _s in _range(_len(_out)):
+        _high[_s], _low[_s] = 0.0, 0.0
+    for _i in _range(_len(sensitivities)):
+        for _s in _range(_len(_out)):
+            _term = _sum_2_term(
+                sensitivities[_i, _s], scatters[_i, _s], tolerances[_i, _s], correlation[_i, _i, _s]
             )
-            total = high[s] + term
-            low[s] += elementary.total_rest(high[s], term, total)
-            high[s] = total
-    for s in range(len(out)):
-        out[s] = choose(is_finite(low[s]), high[s] + low[s], high[s])
+            _total = _high[_s] + _term
+            _low[_s] += _elementary.total_rest(_high[_s], _term, _total)
+            _high[_s] = _total
+    for _s in _range(_len(_out)):
+        _out[_s] = _choose(_is_finite(_low[_s]), _high[_s] + _low[_s], _high[_s])
 
 
-@scalar
+@_scalar
 def _every_3_term(scatters_i):
 
     return scatters_i > 0
 
 
-@loop
+@_loop
 def _every_3(scatters):
-    holds = True
-    for i in range(len(scatters)):
-        holds = holds & _every_3_term(float64(scatters[i]))
-    return holds
+    _holds = True
+    for _i in _range(_len(scatters)):
+        _holds = _holds & _every_3_term(_float64(scatters[_i]))
+    return _holds
 
 
-@loop
-def _every_3_sets(out, scatters):
-    widen()
-    holds = own_row()
-    for s in range(len(out)):
-        holds[s] = 1.0
-    for i in range(len(scatters)):
-        for s in range(len(out)):
-            holds[s] = choose(_every_3_term(scatters[i, s]), holds[s], 0.0)
-    for s in range(len(out)):
-        out[s] = holds[s]
+@_loop
+def _every_3_sets(_out, scatters):
+    _widen()
+    _holds = _own_row()
+    for _s in _range(_len(_out)):
+        _holds[_s] = 1.0
+    for _i in _range(_len(scatters)):
+        for _s in _range(_len(_out)):
+            _holds[_s] = _choose(_every_3_term(scatters[_i, _s]), _holds[_s], 0.0)
+    for _s in _range(_len(_out)):
+        _out[_s] = _holds[_s]
 
 
-@scalar
+@_scalar
 def _every_4_term(scatters_i):
 
-    return is_finite(scatters_i)
+    return _is_finite(scatters_i)
 
 
-@loop
+@_loop
 def _every_4(scatters):
-    holds = True
-    for i in range(len(scatters)):
-        holds = holds & _every_4_term(float64(scatters[i]))
-    return holds
+    _holds = True
+    for _i in _range(_len(scatters)):
+        _holds = _holds & _every_4_term(_float64(scatters[_i]))
+    return _holds
 
 
-@loop
-def _every_4_sets(out, scatters):
-    widen()
-    holds = own_row()
-    for s in range(len(out)):
-        holds[s] = 1.0
-    for i in range(len(scatters)):
-        for s in range(len(out)):
-            holds[s] = choose(_every_4_term(scatters[i, s]), holds[s], 0.0)
-    for s in range(len(out)):
-        out[s] = holds[s]
+@_loop
+def _every_4_sets(_out, scatters):
+    _widen()
+    _holds = _own_row()
+    for _s in _range(_len(_out)):
+        _holds[_s] = 1.0
+    for _i in _range(_len(scatters)):
+        for _s in _range(_len(_out)):
+            _holds[_s] = _choose(_every_4_term(scatters[_i, _s]), _holds[_s], 0.0)
+    for _s in _range(_len(_out)):
+        _out[_s] = _holds[_s]
 
 
-@scalar
+@_scalar
 def _every_5_term(correlation_ij):
 
     return correlation_ij >= -1
 
 
-@loop
+@_loop
 def _every_5(correlation):
-    holds = True
-    for i in range(len(correlation)):
-        for j in range(len(correlation)):
-            holds = holds & _every_5_term(float64(correlation[i, j]))
-    return holds
+    _holds = True
+    for _i in _range(_len(correlation)):
+        for _j in _range(_len(correlation)):
+            _holds = _holds & _every_5_term(_float64(correlation[_i, _j]))
+    return _holds
 
 
-@loop
-def _every_5_sets(out, correlation):
-    widen()
-    holds = own_row()
-    for s in range(len(out)):
-        holds[s] = 1.0
-    for i in range(len(correlation)):
-        for j in range(len(correlation)):
-            for s in range(len(out)):
-                holds[s] = choose(_every_5_term(correlation[i, j, s]), holds[s], 0.0)
-    for s in range(len(out)):
-        out[s] = holds[s]
+@_loop
+def _every_5_sets(_out, correlation):
+    _widen()
+    _holds = _own_row()
+    for _s in _range(_len(_out)):
+        _holds[_s] = 1.0
+    for _i in _range(_len(correlation)):
+        for _j in _range(_len(correlation)):
+            for _s in _range(_len(_out)):
+                _holds[_s] = _choose(_every_5_term(correlation[_i, _j, _s]), _holds[_s], 0.0)
+    for _s in _range(_len(_out)):
+        _out[_s] = _holds[_s]
 
 
-@scalar
+@_scalar
 def _every_6_term(correlation_ij):
 
     return correlation_ij <= 1
 
 
-@loop
+@_loop
 def _every_6(correlation):
-    holds = True
-    for i in range(len(correlation)):
-        for j in range(len(correlation)):
-            holds = holds & _every_6_term(float64(correlation[i, j]))
-    return holds
+    _holds = True
+    for _i in _range(_len(correlation)):
+        for _j in _range(_len(correlation)):
+            _holds = _holds & _every_6_term(_float64(correlation[_i, _j]))
+    return _holds
 
 
-@loop
-def _every_6_sets(out, correlation):
-    widen()
-    holds = own_row()
-    for s in range(len(out)):
-        holds[s] = 1.0
-    for i in range(len(correlation)):
-        for j in range(len(correlation)):
-            for s in range(len(out)):
-                holds[s] = choose(_every_6_term(correlation[i, j, s]), holds[s], 0.0)
-    for s in range(len(out)):
-        out[s] = holds[s]
+@_loop
+def _every_6_sets(_out, correlation):
+    _widen()
+    _holds = _own_row()
+    for _s in _range(_len(_out)):
+        _holds[_s] = 1.0
+    for _i in _range(_len(correlation)):
+        for _j in _range(_len(correlation)):
+            for _s in _range(_len(_out)):
+                _holds[_s] = _choose(_every_6_term(correlation[_i, _j, _s]), _holds[_s], 0.0)
+    for _s in _range(_len(_out)):
+        _out[_s] = _holds[_s]
 
 
-@scalar
+@_scalar
 def _every_7_term(correlation_ii):
 
     return correlation_ii == 1
 
 
-@loop
+@_loop
 def _every_7(correlation):
-    holds = True
-    for i in range(len(correlation)):
-        holds = holds & _every_7_term(float64(correlation[i, i]))
-    return holds
+    _holds = True
+    for _i in _range(_len(correlation)):
+        _holds = _holds & _every_7_term(_float64(correlation[_i, _i]))
+    return _holds
 
 
-@loop
-def _every_7_sets(out, correlation):
-    widen()
-    holds = own_row()
-    for s in range(len(out)):
-        holds[s] = 1.0
-    for i in range(len(correlation)):
-        for s in range(len(out)):
-            holds[s] = choose(_every_7_term(correlation[i, i, s]), holds[s], 0.0)
-    for s in range(len(out)):
-        out[s] = holds[s]
+@_loop
+def _every_7_sets(_out, correlation):
+    _widen()
+    _holds = _own_row()
+    for _s in _range(_len(_out)):
+        _holds[_s] = 1.0
+    for _i in _range(_len(correlation)):
+        for _s in _range(_len(_out)):
+            _holds[_s] = _choose(_every_7_term(correlation[_i, _i, _s]), _holds[_s], 0.0)
+    for _s in _range(_len(_out)):
+        _out[_s] = _holds[_s]
 
 
-@scalar
+@_scalar
 def _every_8_term(correlation_ij, correlation_ji):
 
     return correlation_ij == correlation_ji
 
 
-@loop
+@_loop
 def _every_8(correlation):
-    holds = True
-    for i in range(len(correlation)):
-        for j in range(len(correlation)):
-            holds = holds & _every_8_term(float64(correlation[i, j]), float64(correlation[j, i]))
-    return holds
+    _holds = True
+    for _i in _range(_len(correlation)):
+        for _j in _range(_len(correlation)):
+            _holds = _holds & _every_8_term(
+                _float64(correlation[_i, _j]), _float64(correlation[_j, _i])
+            )
+    return _holds
 
 
-@loop
-def _every_8_sets(out, correlation):
-    widen()
-    holds = own_row()
-    for s in range(len(out)):
-        holds[s] = 1.0
-    for i in range(len(correlation)):
-        for j in range(len(correlation)):
-            for s in range(len(out)):
-                holds[s] = choose(
-                    _every_8_term(correlation[i, j, s], correlation[j, i, s]), holds[s], 0.0
+@_loop
+def _every_8_sets(_out, correlation):
+    _widen()
+    _holds = _own_row()
+    for _s in _range(_len(_out)):
+        _holds[_s] = 1.0
+    for _i in _range(_len(correlation)):
+        for _j in _range(_len(correlation)):
+            for _s in _range(_len(_out)):
+                _holds[_s] = _choose(
+                    _every_8_term(correlation[_i, _j, _s], correlation[_j, _i, _s]), _holds[_s], 0.0
                 )
-    for s in range(len(out)):
-        out[s] = holds[s]
+    for _s in _range(_len(_out)):
+        _out[_s] = _holds[_s]
 
 
-@scalar
+@_scalar
 def _every_9_term(tolerances_i):
 
     return tolerances_i >= 0
 
 
-@loop
+@_loop
 def _every_9(tolerances):
-    holds = True
-    for i in range(len(tolerances)):
-        holds = holds & _every_9_term(float64(tolerances[i]))
-    return holds
+    _holds = True
+    for _i in _range(_len(tolerances)):
+        _holds = _holds & _every_9_term(_float64(tolerances[_i]))
+    return _holds
 
 
-@loop
-def _every_9_sets(out, tolerances):
-    widen()
-    holds = own_row()
-    for s in range(len(out)):
-        holds[s] = 1.0
-    for i in range(len(tolerances)):
-        for s in range(len(out)):
-            holds[s] = choose(_every_9_term(tolerances[i, s]), holds[s], 0.0)
-    for s in range(len(out)):
-        out[s] = holds[s]
+@_loop
+def _every_9_sets(_out, tolerances):
+    _widen()
+    _holds = _own_row()
+    for _s in _range(_len(_out)):
+        _holds[_s] = 1.0
+    for _i in _range(_len(tolerances)):
+        for _s in _range(_len(_out)):
+            _holds[_s] = _choose(_every_9_term(tolerances[_i, _s]), _holds[_s], 0.0)
+    for _s in _range(_len(_out)):
+        _out[_s] = _holds[_s]
 
 
-@scalar
+@_scalar
 def _every_10_term(tolerances_i):
 
-    return is_finite(tolerances_i)
+    return _is_finite(tolerances_i)
 
 
-@loop
+@_loop
 def _every_10(tolerances):
-    holds = True
-    for i in range(len(tolerances)):
-        holds = holds & _every_10_term(float64(tolerances[i]))
-    return holds
+    _holds = True
+    for _i in _range(_len(tolerances)):
+        _holds = _holds & _every_10_term(_float64(tolerances[_i]))
+    return _holds
 
 
-@loop
-def _every_10_sets(out, tolerances):
-    widen()
-    holds = own_row()
-    for s in range(len(out)):
-        holds[s] = 1.0
-    for i in range(len(tolerances)):
-        for s in range(len(out)):
-            holds[s] = choose(_every_10_term(tolerances[i, s]), holds[s], 0.0)
-    for s in range(len(out)):
-        out[s] = holds[s]
+@_loop
+def _every_10_sets(_out, tolerances):
+    _widen()
+    _holds = _own_row()
+    for _s in _range(_len(_out)):
+        _holds[_s] = 1.0
+    for _i in _range(_len(tolerances)):
+        for _s in _range(_len(_out)):
+            _holds[_s] = _choose(_every_10_term(tolerances[_i, _s]), _holds[_s], 0.0)
+    for _s in _range(_len(_out)):
+        _out[_s] = _holds[_s]
 
 
-@scalar
+@_scalar
 def _sum_11_term(sensitivities_i, scatters_i, tolerances_i):
 
     return (sensitivities_i * scatters_i * tolerances_i) ** 2
 
 
-@loop
+@_loop
 def _sum_11(sensitivities, scatters, tolerances):
-    high, low = 0.0, 0.0
-    for i in range(len(sensitivities)):
-        term = _sum_11_term(float64(sensitivities[i]), float64(scatters[i]), float64(tolerances[i]))
-        total = high + term
-        low += elementary.total_rest(high, term, total)
-        high = total
+    _high, _low = 0.0, 0.0
+    for _i in _range(_len(sensitivities)):
+        _term = _sum_11_term(
+            _float64(sensitivities[_i]), _float64(scatters[_i]), _float64(tolerances[_i])
+        )
+        _total = _high + _term
+        _low += _elementary.total_rest(_high, _term, _total)
+        _high = _total
     # A sum that leaves the range of doubles has no rest.
-    return choose(is_finite(low), high + low, high)
+    return _choose(_is_finite(_low), _high + _low, _high)
 
 
-@loop
-def _sum_11_sets(out, sensitivities, scatters, tolerances):
-    widen()
-    high, low = own_row(), own_row()
-    for s in range(len(out)):
-        high[s], low[s] = 0.0, 0.0
-    for i in range(len(sensitivities)):
-        for s in range(len(out)):
-            term = _sum_11_term(sensitivities[i, s], scatters[i, s], tolerances[i, s])
-            total = high[s] + term
-            low[s] += elementary.total_rest(high[s], term, total)
-            high[s] = total
-    for s in range(len(out)):
-        out[s] = choose(is_finite(low[s]), high[s] + low[s], high[s])
+@_loop
+def _sum_11_sets(_out, sensitivities, scatters, tolerances):
+    _widen()
+    _high, _low = _own_row(), _own_row()
+    for _s in _range(_len(_out)):
+        _high[_s], _low[_s] = 0.0, 0.0
+    for _i in _range(_len(sensitivities)):
+        for _s in _range(_len(_out)):
+            _term = _sum_11_term(sensitivities[_i, _s], scatters[_i, _s], tolerances[_i, _s])
+            _total = _high[_s] + _term
+            _low[_s] += _elementary.total_rest(_high[_s], _term, _total)
+            _high[_s] = _total
+    for _s in _range(_len(_out)):
+        _out[_s] = _choose(_is_finite(_low[_s]), _high[_s] + _low[_s], _high[_s])
 
 
-@scalar
-def _prepare_rotation(beta, gamma, exact):
-    cos_beta = elementary.cos(beta, exact)
-    cos_gamma = elementary.cos(gamma, exact)
-    sin_gamma = elementary.sin(gamma, exact)
-    sin_beta = elementary.sin(beta, exact)
+@_scalar
+def _prepare_of_rotation(beta, gamma, _exact):
+    cos_beta = _elementary.cos(beta, _exact)
+    cos_gamma = _elementary.cos(gamma, _exact)
+    sin_gamma = _elementary.sin(gamma, _exact)
+    sin_beta = _elementary.sin(beta, _exact)
 
     return (cos_beta, cos_gamma, sin_gamma, sin_beta)
 
 
-@scalar
-def _rotation(alpha, cos_beta, cos_gamma, sin_gamma, sin_beta, exact):
-    cos_alpha = elementary.cos(alpha, exact)
-    sin_alpha = elementary.sin(alpha, exact)
+@_scalar
+def _form_of_rotation(alpha, cos_beta, cos_gamma, sin_gamma, sin_beta, _exact):
+    cos_alpha = _elementary.cos(alpha, _exact)
+    sin_alpha = _elementary.sin(alpha, _exact)
 
     return (
         cos_beta * cos_gamma,
@@ -465,89 +477,91 @@ def _rotation(alpha, cos_beta, cos_gamma, sin_gamma, sin_beta, exact):
     )
 
 
-@scalar
-def _rotation_at(alpha, beta, gamma, exact):
-    prepared = _prepare_rotation(beta, gamma, exact)
-    return _rotation(alpha, *prepared, exact)
+@_scalar
+def _value_of_rotation(alpha, beta, gamma, _exact):
+    _prepared = _prepare_of_rotation(beta, gamma, _exact)
+    return _form_of_rotation(alpha, *_prepared, _exact)
 
 
-@scalar
-def _rotation_point(alpha, beta, gamma):
-    return _rotation_at(alpha, beta, gamma, True)
+@_scalar
+def _point_of_rotation(alpha, beta, gamma):
+    return _value_of_rotation(alpha, beta, gamma, True)
 
 
-@loop
-def _row_rotation(out, alpha_values, beta, gamma, exact):
-    widen()
-    for i in range(out.size // 9):
-        alpha = float64(alpha_values[i])
+@_loop
+def _row_of_rotation(_out, _values_of_alpha, beta, gamma, _exact):
+    _widen()
+    for _i in _range(_out.size // 9):
+        alpha = _float64(_values_of_alpha[_i])
 
-        value = _rotation_at(alpha, beta, gamma, exact)
-        out[9 * i + 0] = value[0]
-        out[9 * i + 1] = value[1]
-        out[9 * i + 2] = value[2]
-        out[9 * i + 3] = value[3]
-        out[9 * i + 4] = value[4]
-        out[9 * i + 5] = value[5]
-        out[9 * i + 6] = value[6]
-        out[9 * i + 7] = value[7]
-        out[9 * i + 8] = value[8]
+        _value = _value_of_rotation(alpha, beta, gamma, _exact)
+        _out[9 * _i + 0] = _value[0]
+        _out[9 * _i + 1] = _value[1]
+        _out[9 * _i + 2] = _value[2]
+        _out[9 * _i + 3] = _value[3]
+        _out[9 * _i + 4] = _value[4]
+        _out[9 * _i + 5] = _value[5]
+        _out[9 * _i + 6] = _value[6]
+        _out[9 * _i + 7] = _value[7]
+        _out[9 * _i + 8] = _value[8]
 
 
-@loop
-def _fill_rotation(
-    out,
-    alpha_values,
+@_loop
+def _fill_of_rotation(
+    _out,
+    _values_of_alpha,
     beta,
     gamma,
 ):
-    for start in range(0, out.size // 9, BLOCK):
-        stop = start + BLOCK
-        out_block = out[9 * start : 9 * stop]
-        alpha_block = alpha_values[start:stop]
-        _row_rotation(out_block, alpha_block, beta, gamma, None)
-        if has_nan(out_block):
-            _row_rotation(out_block, alpha_block, beta, gamma, True)
+    for _start in _range(0, _out.size // 9, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[9 * _start : 9 * _stop]
+        _block_of_alpha = _values_of_alpha[_start:_stop]
+        _row_of_rotation(_out_block, _block_of_alpha, beta, gamma, None)
+        if _has_nan(_out_block):
+            _row_of_rotation(_out_block, _block_of_alpha, beta, gamma, True)
 
 
-@loop
-def _row_each_rotation(out, alpha_values, beta_values, gamma_values, exact):
-    widen()
-    for i in range(out.size // 9):
-        alpha = float64(alpha_values[i])
+@_loop
+def _row_each_of_rotation(_out, _values_of_alpha, _values_of_beta, _values_of_gamma, _exact):
+    _widen()
+    for _i in _range(_out.size // 9):
+        alpha = _float64(_values_of_alpha[_i])
 
-        beta = float64(beta_values[i])
+        beta = _float64(_values_of_beta[_i])
 
-        gamma = float64(gamma_values[i])
+        gamma = _float64(_values_of_gamma[_i])
 
-        value = _rotation_at(alpha, beta, gamma, exact)
-        out[9 * i + 0] = value[0]
-        out[9 * i + 1] = value[1]
-        out[9 * i + 2] = value[2]
-        out[9 * i + 3] = value[3]
-        out[9 * i + 4] = value[4]
-        out[9 * i + 5] = value[5]
-        out[9 * i + 6] = value[6]
-        out[9 * i + 7] = value[7]
-        out[9 * i + 8] = value[8]
+        _value = _value_of_rotation(alpha, beta, gamma, _exact)
+        _out[9 * _i + 0] = _value[0]
+        _out[9 * _i + 1] = _value[1]
+        _out[9 * _i + 2] = _value[2]
+        _out[9 * _i + 3] = _value[3]
+        _out[9 * _i + 4] = _value[4]
+        _out[9 * _i + 5] = _value[5]
+        _out[9 * _i + 6] = _value[6]
+        _out[9 * _i + 7] = _value[7]
+        _out[9 * _i + 8] = _value[8]
 
 
-@loop
-def _fill_each_rotation(
-    out,
-    alpha_values,
-    beta_values,
-    gamma_values,
+@_loop
+def _fill_each_of_rotation(
+    _out,
+    _values_of_alpha,
+    _values_of_beta,
+    _values_of_gamma,
 ):
-    for start in range(0, out.size // 9, BLOCK):
-        stop = start + BLOCK
-        out_block = out[9 * start : 9 * stop]
-        alpha_block = alpha_values[start:stop]
-        beta_block = beta_values[start:stop]
-        gamma_block = gamma_values[start:stop]
-        _row_each_rotation(out_block, alpha_block, beta_block, gamma_block, None)
-        if has_nan(out_block):
-            _row_each_rotation(out_block, alpha_block, beta_block, gamma_block, True)
+    for _start in _range(0, _out.size // 9, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[9 * _start : 9 * _stop]
+        _block_of_alpha = _values_of_alpha[_start:_stop]
+        _block_of_beta = _values_of_beta[_start:_stop]
+        _block_of_gamma = _values_of_gamma[_start:_stop]
+        _row_each_of_rotation(_out_block, _block_of_alpha, _block_of_beta, _block_of_gamma, None)
+        if _has_nan(_out_block):
+            _row_each_of_rotation(
+                _out_block, _block_of_alpha, _block_of_beta, _block_of_gamma, True
+            )
 
 
 def rotation(
@@ -557,8 +571,8 @@ def rotation(
 
     Compiled. The help of `mechproof.kernels.track_wheel.rotation` has all words.
     """
-    return run(
-        _ROTATION,
+    return _run(
+        _loops_of_rotation,
         (
             alpha,
             beta,
@@ -568,7 +582,7 @@ def rotation(
     )
 
 
-_ROTATION = Loops(
+_loops_of_rotation = _Loops(
     names=(
         "alpha",
         "beta",
@@ -583,36 +597,36 @@ _ROTATION = Loops(
         3,
         3,
     ),
-    at=_rotation_point,
-    uniform=_fill_rotation,
-    each=_fill_each_rotation,
+    at=_point_of_rotation,
+    uniform=_fill_of_rotation,
+    each=_fill_each_of_rotation,
 )
 
 
-@overload(rotation)
-def _offer_rotation(
+@_overload(rotation)
+def _offer_of_rotation(
     alpha,
     beta,
     gamma,
 ):
-    return lambda alpha, beta, gamma: _rotation_point(
-        float64(alpha),
-        float64(beta),
-        float64(gamma),
+    return lambda alpha, beta, gamma: _point_of_rotation(
+        _float64(alpha),
+        _float64(beta),
+        _float64(gamma),
     )
 
 
-@scalar
-def _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact):
+@_scalar
+def _prepare_of_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, _exact):
     t_alpha_angle = angles_0 / 2
-    t_alpha_below = elementary.tangent_below(t_alpha_angle, exact)
-    t_alpha = elementary.tangent_above(t_alpha_angle, exact)
+    t_alpha_below = _elementary.tangent_below(t_alpha_angle, _exact)
+    t_alpha = _elementary.tangent_above(t_alpha_angle, _exact)
     t_beta_angle = angles_1 / 2
-    t_beta_below = elementary.tangent_below(t_beta_angle, exact)
-    t_beta = elementary.tangent_above(t_beta_angle, exact)
+    t_beta_below = _elementary.tangent_below(t_beta_angle, _exact)
+    t_beta = _elementary.tangent_above(t_beta_angle, _exact)
     t_gamma_angle = angles_2 / 2
-    t_gamma_below = elementary.tangent_below(t_gamma_angle, exact)
-    t_gamma = elementary.tangent_above(t_gamma_angle, exact)
+    t_gamma_below = _elementary.tangent_below(t_gamma_angle, _exact)
+    t_gamma = _elementary.tangent_above(t_gamma_angle, _exact)
     scale = 2 / (
         (t_alpha_below * t_alpha_below + t_alpha**2)
         * (t_beta_below * t_beta_below + t_beta**2)
@@ -641,46 +655,48 @@ def _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_
     return (C11, C12, C13, C21, C22, C23, C31, C32, C33, shift_0, shift_1, shift_2)
 
 
-@scalar
-def _displacement(
-    points_0, points_1, points_2, m00, m01, m02, m10, m11, m12, m20, m21, m22, v0, v1, v2, exact
+@_scalar
+def _form_of_displacement(
+    points_0, points_1, points_2, m00, m01, m02, m10, m11, m12, m20, m21, m22, v0, v1, v2, _exact
 ):
 
     return (
-        fma(m00, points_0, fma(m01, points_1, fma(m02, points_2, v0))),
-        fma(m10, points_0, fma(m11, points_1, fma(m12, points_2, v1))),
-        fma(m20, points_0, fma(m21, points_1, fma(m22, points_2, v2))),
+        _fma(m00, points_0, _fma(m01, points_1, _fma(m02, points_2, v0))),
+        _fma(m10, points_0, _fma(m11, points_1, _fma(m12, points_2, v1))),
+        _fma(m20, points_0, _fma(m21, points_1, _fma(m22, points_2, v2))),
     )
 
 
-@scalar
-def _displacement_at(
-    points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact
+@_scalar
+def _value_of_displacement(
+    points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, _exact
 ):
-    prepared = _prepare_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact)
-    return _displacement(points_0, points_1, points_2, *prepared, exact)
+    _prepared = _prepare_of_displacement(
+        angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, _exact
+    )
+    return _form_of_displacement(points_0, points_1, points_2, *_prepared, _exact)
 
 
-@scalar
-def _displacement_point(
+@_scalar
+def _point_of_displacement(
     points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2
 ):
-    return _displacement_at(
+    return _value_of_displacement(
         points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, True
     )
 
 
-@loop
-def _row_displacement(
-    out, points_values, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, exact
+@_loop
+def _row_of_displacement(
+    _out, _values_of_points, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, _exact
 ):
-    widen()
-    for i in range(out.size // 3):
-        points_0 = float64(points_values[3 * i + 0])
-        points_1 = float64(points_values[3 * i + 1])
-        points_2 = float64(points_values[3 * i + 2])
+    _widen()
+    for _i in _range(_out.size // 3):
+        points_0 = _float64(_values_of_points[3 * _i + 0])
+        points_1 = _float64(_values_of_points[3 * _i + 1])
+        points_2 = _float64(_values_of_points[3 * _i + 2])
 
-        value = _displacement_at(
+        _value = _value_of_displacement(
             points_0,
             points_1,
             points_2,
@@ -690,17 +706,17 @@ def _row_displacement(
             shift_0,
             shift_1,
             shift_2,
-            exact,
+            _exact,
         )
-        out[3 * i + 0] = value[0]
-        out[3 * i + 1] = value[1]
-        out[3 * i + 2] = value[2]
+        _out[3 * _i + 0] = _value[0]
+        _out[3 * _i + 1] = _value[1]
+        _out[3 * _i + 2] = _value[2]
 
 
-@loop
-def _fill_displacement(
-    out,
-    points_values,
+@_loop
+def _fill_of_displacement(
+    _out,
+    _values_of_points,
     angles_0,
     angles_1,
     angles_2,
@@ -708,17 +724,25 @@ def _fill_displacement(
     shift_1,
     shift_2,
 ):
-    for start in range(0, out.size // 3, BLOCK):
-        stop = start + BLOCK
-        out_block = out[3 * start : 3 * stop]
-        points_block = points_values[3 * start : 3 * stop]
-        _row_displacement(
-            out_block, points_block, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, None
+    for _start in _range(0, _out.size // 3, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[3 * _start : 3 * _stop]
+        _block_of_points = _values_of_points[3 * _start : 3 * _stop]
+        _row_of_displacement(
+            _out_block,
+            _block_of_points,
+            angles_0,
+            angles_1,
+            angles_2,
+            shift_0,
+            shift_1,
+            shift_2,
+            None,
         )
-        if has_nan(out_block):
-            _row_displacement(
-                out_block,
-                points_block,
+        if _has_nan(_out_block):
+            _row_of_displacement(
+                _out_block,
+                _block_of_points,
                 angles_0,
                 angles_1,
                 angles_2,
@@ -729,23 +753,23 @@ def _fill_displacement(
             )
 
 
-@loop
-def _row_each_displacement(out, points_values, angles_values, shift_values, exact):
-    widen()
-    for i in range(out.size // 3):
-        points_0 = float64(points_values[3 * i + 0])
-        points_1 = float64(points_values[3 * i + 1])
-        points_2 = float64(points_values[3 * i + 2])
+@_loop
+def _row_each_of_displacement(_out, _values_of_points, _values_of_angles, _values_of_shift, _exact):
+    _widen()
+    for _i in _range(_out.size // 3):
+        points_0 = _float64(_values_of_points[3 * _i + 0])
+        points_1 = _float64(_values_of_points[3 * _i + 1])
+        points_2 = _float64(_values_of_points[3 * _i + 2])
 
-        angles_0 = float64(angles_values[3 * i + 0])
-        angles_1 = float64(angles_values[3 * i + 1])
-        angles_2 = float64(angles_values[3 * i + 2])
+        angles_0 = _float64(_values_of_angles[3 * _i + 0])
+        angles_1 = _float64(_values_of_angles[3 * _i + 1])
+        angles_2 = _float64(_values_of_angles[3 * _i + 2])
 
-        shift_0 = float64(shift_values[3 * i + 0])
-        shift_1 = float64(shift_values[3 * i + 1])
-        shift_2 = float64(shift_values[3 * i + 2])
+        shift_0 = _float64(_values_of_shift[3 * _i + 0])
+        shift_1 = _float64(_values_of_shift[3 * _i + 1])
+        shift_2 = _float64(_values_of_shift[3 * _i + 2])
 
-        value = _displacement_at(
+        _value = _value_of_displacement(
             points_0,
             points_1,
             points_2,
@@ -755,29 +779,33 @@ def _row_each_displacement(out, points_values, angles_values, shift_values, exac
             shift_0,
             shift_1,
             shift_2,
-            exact,
+            _exact,
         )
-        out[3 * i + 0] = value[0]
-        out[3 * i + 1] = value[1]
-        out[3 * i + 2] = value[2]
+        _out[3 * _i + 0] = _value[0]
+        _out[3 * _i + 1] = _value[1]
+        _out[3 * _i + 2] = _value[2]
 
 
-@loop
-def _fill_each_displacement(
-    out,
-    points_values,
-    angles_values,
-    shift_values,
+@_loop
+def _fill_each_of_displacement(
+    _out,
+    _values_of_points,
+    _values_of_angles,
+    _values_of_shift,
 ):
-    for start in range(0, out.size // 3, BLOCK):
-        stop = start + BLOCK
-        out_block = out[3 * start : 3 * stop]
-        points_block = points_values[3 * start : 3 * stop]
-        angles_block = angles_values[3 * start : 3 * stop]
-        shift_block = shift_values[3 * start : 3 * stop]
-        _row_each_displacement(out_block, points_block, angles_block, shift_block, None)
-        if has_nan(out_block):
-            _row_each_displacement(out_block, points_block, angles_block, shift_block, True)
+    for _start in _range(0, _out.size // 3, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[3 * _start : 3 * _stop]
+        _block_of_points = _values_of_points[3 * _start : 3 * _stop]
+        _block_of_angles = _values_of_angles[3 * _start : 3 * _stop]
+        _block_of_shift = _values_of_shift[3 * _start : 3 * _stop]
+        _row_each_of_displacement(
+            _out_block, _block_of_points, _block_of_angles, _block_of_shift, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_displacement(
+                _out_block, _block_of_points, _block_of_angles, _block_of_shift, True
+            )
 
 
 def displacement(
@@ -787,8 +815,8 @@ def displacement(
 
     Compiled. The help of `mechproof.kernels.track_wheel.displacement` has all words.
     """
-    return run(
-        _DISPLACEMENT,
+    return _run(
+        _loops_of_displacement,
         (
             points,
             angles,
@@ -798,7 +826,7 @@ def displacement(
     )
 
 
-_DISPLACEMENT = Loops(
+_loops_of_displacement = _Loops(
     names=(
         "points",
         "angles",
@@ -810,94 +838,94 @@ _DISPLACEMENT = Loops(
         3,
     ),
     shape=(3,),
-    at=_displacement_point,
-    uniform=_fill_displacement,
-    each=_fill_each_displacement,
+    at=_point_of_displacement,
+    uniform=_fill_of_displacement,
+    each=_fill_each_of_displacement,
 )
 
 
-@overload(displacement)
-def _offer_displacement(
+@_overload(displacement)
+def _offer_of_displacement(
     points,
     angles,
     shift,
 ):
-    return lambda points, angles, shift: _displacement_point(
-        float64(points[0]),
-        float64(points[1]),
-        float64(points[2]),
-        float64(angles[0]),
-        float64(angles[1]),
-        float64(angles[2]),
-        float64(shift[0]),
-        float64(shift[1]),
-        float64(shift[2]),
+    return lambda points, angles, shift: _point_of_displacement(
+        _float64(points[0]),
+        _float64(points[1]),
+        _float64(points[2]),
+        _float64(angles[0]),
+        _float64(angles[1]),
+        _float64(angles[2]),
+        _float64(shift[0]),
+        _float64(shift[1]),
+        _float64(shift[2]),
     )
 
 
-@scalar
-def _planar_error(displacement_0, displacement_1):
+@_scalar
+def _form_of_planar_error(displacement_0, displacement_1):
 
-    return elementary.hypot(displacement_0, displacement_1)
-
-
-@scalar
-def _planar_error_at(displacement_0, displacement_1):
-    return _planar_error(displacement_0, displacement_1)
+    return _elementary.hypot(displacement_0, displacement_1)
 
 
-@scalar
-def _planar_error_point(displacement_0, displacement_1, displacement_2):
-    return _planar_error_at(displacement_0, displacement_1)
+@_scalar
+def _value_of_planar_error(displacement_0, displacement_1):
+    return _form_of_planar_error(displacement_0, displacement_1)
 
 
-@loop
-def _row_planar_error(
-    out,
-    displacement_values,
+@_scalar
+def _point_of_planar_error(displacement_0, displacement_1, displacement_2):
+    return _value_of_planar_error(displacement_0, displacement_1)
+
+
+@_loop
+def _row_of_planar_error(
+    _out,
+    _values_of_displacement,
 ):
-    widen()
-    for i in range(out.size):
-        displacement_0 = float64(displacement_values[3 * i + 0])
-        displacement_1 = float64(displacement_values[3 * i + 1])
+    _widen()
+    for _i in _range(_out.size):
+        displacement_0 = _float64(_values_of_displacement[3 * _i + 0])
+        displacement_1 = _float64(_values_of_displacement[3 * _i + 1])
 
-        value = _planar_error_at(displacement_0, displacement_1)
-        out[i] = value
+        _value = _value_of_planar_error(displacement_0, displacement_1)
+        _out[_i] = _value
 
 
-@loop
-def _fill_planar_error(
-    out,
-    displacement_values,
+@_loop
+def _fill_of_planar_error(
+    _out,
+    _values_of_displacement,
 ):
-    _row_planar_error(
-        out,
-        displacement_values,
+    _row_of_planar_error(
+        _out,
+        _values_of_displacement,
     )
 
 
-@loop
-def _row_each_planar_error(
-    out,
-    displacement_values,
+@_loop
+def _row_each_of_planar_error(
+    _out,
+    _values_of_displacement,
 ):
-    widen()
-    for i in range(out.size):
-        displacement_0 = float64(displacement_values[3 * i + 0])
-        displacement_1 = float64(displacement_values[3 * i + 1])
+    _widen()
+    for _i in _range(_out.size):
+        displacement_0 = _float64(_values_of_displacement[3 * _i + 0])
+        displacement_1 = _float64(_values_of_displacement[3 * _i + 1])
 
-        value = _planar_error_at(displacement_0, displacement_1)
-        out[i] = value
+        _value = _value_of_planar_error(displacement_0, displacement_1)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_planar_error(
-    out,
-    displacement_values,
+@_loop
+def _fill_each_of_planar_error(
+    _out,
+    _values_of_displacement,
 ):
-    _row_each_planar_error(
-        out,
-        displacement_values,
+    _row_each_of_planar_error(
+        _out,
+        _values_of_displacement,
     )
 
 
@@ -906,95 +934,95 @@ def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) ->
 
     Compiled. The help of `mechproof.kernels.track_wheel.planar_error` has all words.
     """
-    return run(_PLANAR_ERROR, (displacement,), out)
+    return _run(_loops_of_planar_error, (displacement,), out)
 
 
-_PLANAR_ERROR = Loops(
+_loops_of_planar_error = _Loops(
     names=("displacement",),
     widths=(3,),
     shape=(),
-    at=_planar_error_point,
-    uniform=_fill_planar_error,
-    each=_fill_each_planar_error,
+    at=_point_of_planar_error,
+    uniform=_fill_of_planar_error,
+    each=_fill_each_of_planar_error,
 )
 
 
-@overload(planar_error)
-def _offer_planar_error(
+@_overload(planar_error)
+def _offer_of_planar_error(
     displacement,
 ):
-    return lambda displacement: _planar_error_point(
-        float64(displacement[0]),
-        float64(displacement[1]),
-        float64(displacement[2]),
+    return lambda displacement: _point_of_planar_error(
+        _float64(displacement[0]),
+        _float64(displacement[1]),
+        _float64(displacement[2]),
     )
 
 
-@scalar
-def _spatial_error(displacement_0, displacement_1, displacement_2):
+@_scalar
+def _form_of_spatial_error(displacement_0, displacement_1, displacement_2):
 
-    return elementary.hypot(elementary.hypot(displacement_0, displacement_1), displacement_2)
-
-
-@scalar
-def _spatial_error_at(displacement_0, displacement_1, displacement_2):
-    return _spatial_error(displacement_0, displacement_1, displacement_2)
+    return _elementary.hypot(_elementary.hypot(displacement_0, displacement_1), displacement_2)
 
 
-@scalar
-def _spatial_error_point(displacement_0, displacement_1, displacement_2):
-    return _spatial_error_at(displacement_0, displacement_1, displacement_2)
+@_scalar
+def _value_of_spatial_error(displacement_0, displacement_1, displacement_2):
+    return _form_of_spatial_error(displacement_0, displacement_1, displacement_2)
 
 
-@loop
-def _row_spatial_error(
-    out,
-    displacement_values,
+@_scalar
+def _point_of_spatial_error(displacement_0, displacement_1, displacement_2):
+    return _value_of_spatial_error(displacement_0, displacement_1, displacement_2)
+
+
+@_loop
+def _row_of_spatial_error(
+    _out,
+    _values_of_displacement,
 ):
-    widen()
-    for i in range(out.size):
-        displacement_0 = float64(displacement_values[3 * i + 0])
-        displacement_1 = float64(displacement_values[3 * i + 1])
-        displacement_2 = float64(displacement_values[3 * i + 2])
+    _widen()
+    for _i in _range(_out.size):
+        displacement_0 = _float64(_values_of_displacement[3 * _i + 0])
+        displacement_1 = _float64(_values_of_displacement[3 * _i + 1])
+        displacement_2 = _float64(_values_of_displacement[3 * _i + 2])
 
-        value = _spatial_error_at(displacement_0, displacement_1, displacement_2)
-        out[i] = value
+        _value = _value_of_spatial_error(displacement_0, displacement_1, displacement_2)
+        _out[_i] = _value
 
 
-@loop
-def _fill_spatial_error(
-    out,
-    displacement_values,
+@_loop
+def _fill_of_spatial_error(
+    _out,
+    _values_of_displacement,
 ):
-    _row_spatial_error(
-        out,
-        displacement_values,
+    _row_of_spatial_error(
+        _out,
+        _values_of_displacement,
     )
 
 
-@loop
-def _row_each_spatial_error(
-    out,
-    displacement_values,
+@_loop
+def _row_each_of_spatial_error(
+    _out,
+    _values_of_displacement,
 ):
-    widen()
-    for i in range(out.size):
-        displacement_0 = float64(displacement_values[3 * i + 0])
-        displacement_1 = float64(displacement_values[3 * i + 1])
-        displacement_2 = float64(displacement_values[3 * i + 2])
+    _widen()
+    for _i in _range(_out.size):
+        displacement_0 = _float64(_values_of_displacement[3 * _i + 0])
+        displacement_1 = _float64(_values_of_displacement[3 * _i + 1])
+        displacement_2 = _float64(_values_of_displacement[3 * _i + 2])
 
-        value = _spatial_error_at(displacement_0, displacement_1, displacement_2)
-        out[i] = value
+        _value = _value_of_spatial_error(displacement_0, displacement_1, displacement_2)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_spatial_error(
-    out,
-    displacement_values,
+@_loop
+def _fill_each_of_spatial_error(
+    _out,
+    _values_of_displacement,
 ):
-    _row_each_spatial_error(
-        out,
-        displacement_values,
+    _row_each_of_spatial_error(
+        _out,
+        _values_of_displacement,
     )
 
 
@@ -1003,32 +1031,32 @@ def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -
 
     Compiled. The help of `mechproof.kernels.track_wheel.spatial_error` has all words.
     """
-    return run(_SPATIAL_ERROR, (displacement,), out)
+    return _run(_loops_of_spatial_error, (displacement,), out)
 
 
-_SPATIAL_ERROR = Loops(
+_loops_of_spatial_error = _Loops(
     names=("displacement",),
     widths=(3,),
     shape=(),
-    at=_spatial_error_point,
-    uniform=_fill_spatial_error,
-    each=_fill_each_spatial_error,
+    at=_point_of_spatial_error,
+    uniform=_fill_of_spatial_error,
+    each=_fill_each_of_spatial_error,
 )
 
 
-@overload(spatial_error)
-def _offer_spatial_error(
+@_overload(spatial_error)
+def _offer_of_spatial_error(
     displacement,
 ):
-    return lambda displacement: _spatial_error_point(
-        float64(displacement[0]),
-        float64(displacement[1]),
-        float64(displacement[2]),
+    return lambda displacement: _point_of_spatial_error(
+        _float64(displacement[0]),
+        _float64(displacement[1]),
+        _float64(displacement[2]),
     )
 
 
-@scalar
-def _prepare_radius(R, A, z, exact):
+@_scalar
+def _prepare_of_radius(R, A, z, _exact):
     A_plus_R = A + R
     R_minus_A = R - A
     w = A_plus_R * R_minus_A
@@ -1036,88 +1064,90 @@ def _prepare_radius(R, A, z, exact):
     return (A, z, w)
 
 
-@scalar
-def _radius(phi, A, z, w, exact):
-    u = A * elementary.cos(z * phi, exact)
-    q = abs(u) + elementary.hypot(np.sqrt(w), u)
+@_scalar
+def _form_of_radius(phi, A, z, w, _exact):
+    u = A * _elementary.cos(z * phi, _exact)
+    q = _abs(u) + _elementary.hypot(_np.sqrt(w), u)
 
-    return choose(u >= 0, q, w / q)
-
-
-@scalar
-def _radius_at(phi, R, A, z, exact):
-    if not ((R > 0) & is_finite(R) & (z >= 1) & is_finite(z) & (z == floor(z)) & (abs(A) <= R)):
-        return math.nan
-    prepared = _prepare_radius(R, A, z, exact)
-    return _radius(phi, *prepared, exact)
+    return _choose(u >= 0, q, w / q)
 
 
-@scalar
-def _radius_point(phi, R, A, z):
-    return _radius_at(phi, R, A, z, True)
+@_scalar
+def _value_of_radius(phi, R, A, z, _exact):
+    if not ((R > 0) & _is_finite(R) & (z >= 1) & _is_finite(z) & (z == _floor(z)) & (_abs(A) <= R)):
+        return _math.nan
+    _prepared = _prepare_of_radius(R, A, z, _exact)
+    return _form_of_radius(phi, *_prepared, _exact)
 
 
-@loop
-def _row_radius(out, phi_values, R, A, z, exact):
-    widen()
-    for i in range(out.size):
-        phi = float64(phi_values[i])
-
-        value = _radius_at(phi, R, A, z, exact)
-        out[i] = value
+@_scalar
+def _point_of_radius(phi, R, A, z):
+    return _value_of_radius(phi, R, A, z, True)
 
 
-@loop
-def _fill_radius(
-    out,
-    phi_values,
+@_loop
+def _row_of_radius(_out, _values_of_phi, R, A, z, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi = _float64(_values_of_phi[_i])
+
+        _value = _value_of_radius(phi, R, A, z, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_of_radius(
+    _out,
+    _values_of_phi,
     R,
     A,
     z,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi_block = phi_values[start:stop]
-        _row_radius(out_block, phi_block, R, A, z, None)
-        if has_nan(out_block):
-            _row_radius(out_block, phi_block, R, A, z, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi = _values_of_phi[_start:_stop]
+        _row_of_radius(_out_block, _block_of_phi, R, A, z, None)
+        if _has_nan(_out_block):
+            _row_of_radius(_out_block, _block_of_phi, R, A, z, True)
 
 
-@loop
-def _row_each_radius(out, phi_values, R_values, A_values, z_values, exact):
-    widen()
-    for i in range(out.size):
-        phi = float64(phi_values[i])
+@_loop
+def _row_each_of_radius(_out, _values_of_phi, _values_of_R, _values_of_A, _values_of_z, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi = _float64(_values_of_phi[_i])
 
-        R = float64(R_values[i])
+        R = _float64(_values_of_R[_i])
 
-        A = float64(A_values[i])
+        A = _float64(_values_of_A[_i])
 
-        z = float64(z_values[i])
+        z = _float64(_values_of_z[_i])
 
-        value = _radius_at(phi, R, A, z, exact)
-        out[i] = value
+        _value = _value_of_radius(phi, R, A, z, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_radius(
-    out,
-    phi_values,
-    R_values,
-    A_values,
-    z_values,
+@_loop
+def _fill_each_of_radius(
+    _out,
+    _values_of_phi,
+    _values_of_R,
+    _values_of_A,
+    _values_of_z,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi_block = phi_values[start:stop]
-        R_block = R_values[start:stop]
-        A_block = A_values[start:stop]
-        z_block = z_values[start:stop]
-        _row_each_radius(out_block, phi_block, R_block, A_block, z_block, None)
-        if has_nan(out_block):
-            _row_each_radius(out_block, phi_block, R_block, A_block, z_block, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi = _values_of_phi[_start:_stop]
+        _block_of_R = _values_of_R[_start:_stop]
+        _block_of_A = _values_of_A[_start:_stop]
+        _block_of_z = _values_of_z[_start:_stop]
+        _row_each_of_radius(_out_block, _block_of_phi, _block_of_R, _block_of_A, _block_of_z, None)
+        if _has_nan(_out_block):
+            _row_each_of_radius(
+                _out_block, _block_of_phi, _block_of_R, _block_of_A, _block_of_z, True
+            )
 
 
 def radius(
@@ -1127,16 +1157,16 @@ def radius(
 
     Compiled. The help of `mechproof.kernels.track_wheel.radius` has all words.
     """
-    if type(R) is type(A) is type(z) is float:
-        if type(phi) is ndarray:
-            row = take_row(phi, out)
-            if row is not None:
-                _RADIUS.fill(row, phi, R, A, z)
-                return row
-        elif type(phi) is float and out is None:
-            return float64(_RADIUS.point(phi, R, A, z))
-    return run(
-        _RADIUS,
+    if _type(R) is _type(A) is _type(z) is _float:
+        if _type(phi) is _ndarray:
+            _row = _take_row(phi, out)
+            if _row is not None:
+                _loops_of_radius.fill(_row, phi, R, A, z)
+                return _row
+        elif _type(phi) is _float and out is None:
+            return _float64(_loops_of_radius.point(phi, R, A, z))
+    return _run(
+        _loops_of_radius,
         (
             phi,
             R,
@@ -1147,7 +1177,7 @@ def radius(
     )
 
 
-_RADIUS = Loops(
+_loops_of_radius = _Loops(
     names=(
         "phi",
         "R",
@@ -1161,29 +1191,29 @@ _RADIUS = Loops(
         0,
     ),
     shape=(),
-    at=_radius_point,
-    uniform=_fill_radius,
-    each=_fill_each_radius,
+    at=_point_of_radius,
+    uniform=_fill_of_radius,
+    each=_fill_each_of_radius,
 )
 
 
-@overload(radius)
-def _offer_radius(
+@_overload(radius)
+def _offer_of_radius(
     phi,
     R,
     A,
     z,
 ):
-    return lambda phi, R, A, z: _radius_point(
-        float64(phi),
-        float64(R),
-        float64(A),
-        float64(z),
+    return lambda phi, R, A, z: _point_of_radius(
+        _float64(phi),
+        _float64(R),
+        _float64(A),
+        _float64(z),
     )
 
 
-@scalar
-def _prepare_track(R, A, z, H, exact):
+@_scalar
+def _prepare_of_track(R, A, z, H, _exact):
     A_plus_R = A + R
     R_minus_A = R - A
     w = A_plus_R * R_minus_A
@@ -1191,111 +1221,117 @@ def _prepare_track(R, A, z, H, exact):
     return (A, z, H, w)
 
 
-@scalar
-def _track(phi, A, z, H, w, exact):
-    u = A * elementary.cos(z * phi, exact)
-    q = abs(u) + elementary.hypot(np.sqrt(w), u)
-    term = choose(u >= 0, q, w / q)
+@_scalar
+def _form_of_track(phi, A, z, H, w, _exact):
+    u = A * _elementary.cos(z * phi, _exact)
+    q = _abs(u) + _elementary.hypot(_np.sqrt(w), u)
+    term = _choose(u >= 0, q, w / q)
 
     return (
-        term * elementary.cos(phi, exact),
-        term * elementary.sin(phi, exact),
+        term * _elementary.cos(phi, _exact),
+        term * _elementary.sin(phi, _exact),
         H,
     )
 
 
-@scalar
-def _track_at(phi, R, A, z, H, exact):
+@_scalar
+def _value_of_track(phi, R, A, z, H, _exact):
     if not (
         (R > 0)
-        & is_finite(R)
+        & _is_finite(R)
         & (H > 0)
-        & is_finite(H)
+        & _is_finite(H)
         & (z >= 1)
-        & is_finite(z)
-        & (z == floor(z))
-        & (abs(A) <= R)
+        & _is_finite(z)
+        & (z == _floor(z))
+        & (_abs(A) <= R)
     ):
-        return (math.nan, math.nan, math.nan)
-    prepared = _prepare_track(R, A, z, H, exact)
-    return _track(phi, *prepared, exact)
+        return (_math.nan, _math.nan, _math.nan)
+    _prepared = _prepare_of_track(R, A, z, H, _exact)
+    return _form_of_track(phi, *_prepared, _exact)
 
 
-@scalar
-def _track_point(phi, R, A, z, H):
-    return _track_at(phi, R, A, z, H, True)
+@_scalar
+def _point_of_track(phi, R, A, z, H):
+    return _value_of_track(phi, R, A, z, H, True)
 
 
-@loop
-def _row_track(out, phi_values, R, A, z, H, exact):
-    widen()
-    for i in range(out.size // 3):
-        phi = float64(phi_values[i])
+@_loop
+def _row_of_track(_out, _values_of_phi, R, A, z, H, _exact):
+    _widen()
+    for _i in _range(_out.size // 3):
+        phi = _float64(_values_of_phi[_i])
 
-        value = _track_at(phi, R, A, z, H, exact)
-        out[3 * i + 0] = value[0]
-        out[3 * i + 1] = value[1]
-        out[3 * i + 2] = value[2]
+        _value = _value_of_track(phi, R, A, z, H, _exact)
+        _out[3 * _i + 0] = _value[0]
+        _out[3 * _i + 1] = _value[1]
+        _out[3 * _i + 2] = _value[2]
 
 
-@loop
-def _fill_track(
-    out,
-    phi_values,
+@_loop
+def _fill_of_track(
+    _out,
+    _values_of_phi,
     R,
     A,
     z,
     H,
 ):
-    for start in range(0, out.size // 3, BLOCK):
-        stop = start + BLOCK
-        out_block = out[3 * start : 3 * stop]
-        phi_block = phi_values[start:stop]
-        _row_track(out_block, phi_block, R, A, z, H, None)
-        if has_nan(out_block):
-            _row_track(out_block, phi_block, R, A, z, H, True)
+    for _start in _range(0, _out.size // 3, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[3 * _start : 3 * _stop]
+        _block_of_phi = _values_of_phi[_start:_stop]
+        _row_of_track(_out_block, _block_of_phi, R, A, z, H, None)
+        if _has_nan(_out_block):
+            _row_of_track(_out_block, _block_of_phi, R, A, z, H, True)
 
 
-@loop
-def _row_each_track(out, phi_values, R_values, A_values, z_values, H_values, exact):
-    widen()
-    for i in range(out.size // 3):
-        phi = float64(phi_values[i])
-
-        R = float64(R_values[i])
-
-        A = float64(A_values[i])
-
-        z = float64(z_values[i])
-
-        H = float64(H_values[i])
-
-        value = _track_at(phi, R, A, z, H, exact)
-        out[3 * i + 0] = value[0]
-        out[3 * i + 1] = value[1]
-        out[3 * i + 2] = value[2]
-
-
-@loop
-def _fill_each_track(
-    out,
-    phi_values,
-    R_values,
-    A_values,
-    z_values,
-    H_values,
+@_loop
+def _row_each_of_track(
+    _out, _values_of_phi, _values_of_R, _values_of_A, _values_of_z, _values_of_H, _exact
 ):
-    for start in range(0, out.size // 3, BLOCK):
-        stop = start + BLOCK
-        out_block = out[3 * start : 3 * stop]
-        phi_block = phi_values[start:stop]
-        R_block = R_values[start:stop]
-        A_block = A_values[start:stop]
-        z_block = z_values[start:stop]
-        H_block = H_values[start:stop]
-        _row_each_track(out_block, phi_block, R_block, A_block, z_block, H_block, None)
-        if has_nan(out_block):
-            _row_each_track(out_block, phi_block, R_block, A_block, z_block, H_block, True)
+    _widen()
+    for _i in _range(_out.size // 3):
+        phi = _float64(_values_of_phi[_i])
+
+        R = _float64(_values_of_R[_i])
+
+        A = _float64(_values_of_A[_i])
+
+        z = _float64(_values_of_z[_i])
+
+        H = _float64(_values_of_H[_i])
+
+        _value = _value_of_track(phi, R, A, z, H, _exact)
+        _out[3 * _i + 0] = _value[0]
+        _out[3 * _i + 1] = _value[1]
+        _out[3 * _i + 2] = _value[2]
+
+
+@_loop
+def _fill_each_of_track(
+    _out,
+    _values_of_phi,
+    _values_of_R,
+    _values_of_A,
+    _values_of_z,
+    _values_of_H,
+):
+    for _start in _range(0, _out.size // 3, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[3 * _start : 3 * _stop]
+        _block_of_phi = _values_of_phi[_start:_stop]
+        _block_of_R = _values_of_R[_start:_stop]
+        _block_of_A = _values_of_A[_start:_stop]
+        _block_of_z = _values_of_z[_start:_stop]
+        _block_of_H = _values_of_H[_start:_stop]
+        _row_each_of_track(
+            _out_block, _block_of_phi, _block_of_R, _block_of_A, _block_of_z, _block_of_H, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_track(
+                _out_block, _block_of_phi, _block_of_R, _block_of_A, _block_of_z, _block_of_H, True
+            )
 
 
 def track(
@@ -1311,8 +1347,8 @@ def track(
 
     Compiled. The help of `mechproof.kernels.track_wheel.track` has all words.
     """
-    return run(
-        _TRACK,
+    return _run(
+        _loops_of_track,
         (
             phi,
             R,
@@ -1324,7 +1360,7 @@ def track(
     )
 
 
-_TRACK = Loops(
+_loops_of_track = _Loops(
     names=(
         "phi",
         "R",
@@ -1340,107 +1376,107 @@ _TRACK = Loops(
         0,
     ),
     shape=(3,),
-    at=_track_point,
-    uniform=_fill_track,
-    each=_fill_each_track,
+    at=_point_of_track,
+    uniform=_fill_of_track,
+    each=_fill_each_of_track,
 )
 
 
-@overload(track)
-def _offer_track(
+@_overload(track)
+def _offer_of_track(
     phi,
     R,
     A,
     z,
     H,
 ):
-    return lambda phi, R, A, z, H: _track_point(
-        float64(phi),
-        float64(R),
-        float64(A),
-        float64(z),
-        float64(H),
+    return lambda phi, R, A, z, H: _point_of_track(
+        _float64(phi),
+        _float64(R),
+        _float64(A),
+        _float64(z),
+        _float64(H),
     )
 
 
-@scalar
-def _prepare_largest_radius(A):
+@_scalar
+def _prepare_of_largest_radius(A):
 
     return (A,)
 
 
-@scalar
-def _largest_radius(R, A):
+@_scalar
+def _form_of_largest_radius(R, A):
 
-    return R + abs(A)
-
-
-@scalar
-def _largest_radius_at(R, A):
-    if not ((R > 0) & is_finite(R) & (abs(A) <= R)):
-        return math.nan
-    prepared = _prepare_largest_radius(A)
-    return _largest_radius(R, *prepared)
+    return R + _abs(A)
 
 
-@scalar
-def _largest_radius_point(R, A):
-    return _largest_radius_at(R, A)
+@_scalar
+def _value_of_largest_radius(R, A):
+    if not ((R > 0) & _is_finite(R) & (_abs(A) <= R)):
+        return _math.nan
+    _prepared = _prepare_of_largest_radius(A)
+    return _form_of_largest_radius(R, *_prepared)
 
 
-@loop
-def _row_largest_radius(
-    out,
-    R_values,
+@_scalar
+def _point_of_largest_radius(R, A):
+    return _value_of_largest_radius(R, A)
+
+
+@_loop
+def _row_of_largest_radius(
+    _out,
+    _values_of_R,
     A,
 ):
-    widen()
-    for i in range(out.size):
-        R = float64(R_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        R = _float64(_values_of_R[_i])
 
-        value = _largest_radius_at(R, A)
-        out[i] = value
+        _value = _value_of_largest_radius(R, A)
+        _out[_i] = _value
 
 
-@loop
-def _fill_largest_radius(
-    out,
-    R_values,
+@_loop
+def _fill_of_largest_radius(
+    _out,
+    _values_of_R,
     A,
 ):
-    _row_largest_radius(
-        out,
-        R_values,
+    _row_of_largest_radius(
+        _out,
+        _values_of_R,
         A,
     )
 
 
-@loop
-def _row_each_largest_radius(
-    out,
-    R_values,
-    A_values,
+@_loop
+def _row_each_of_largest_radius(
+    _out,
+    _values_of_R,
+    _values_of_A,
 ):
-    widen()
-    for i in range(out.size):
-        R = float64(R_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        R = _float64(_values_of_R[_i])
 
-        A = float64(A_values[i])
+        A = _float64(_values_of_A[_i])
 
-        value = _largest_radius_at(R, A)
-        out[i] = value
+        _value = _value_of_largest_radius(R, A)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_largest_radius(
-    out,
-    R_values,
-    A_values,
+@_loop
+def _fill_each_of_largest_radius(
+    _out,
+    _values_of_R,
+    _values_of_A,
 ):
-    _row_each_largest_radius(
-        out,
-        R_values,
-        A_values,
+    _row_each_of_largest_radius(
+        _out,
+        _values_of_R,
+        _values_of_A,
     )
 
 
@@ -1449,16 +1485,16 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
 
     Compiled. The help of `mechproof.kernels.track_wheel.largest_radius` has all words.
     """
-    if type(A) is float:
-        if type(R) is ndarray:
-            row = take_row(R, out)
-            if row is not None:
-                _LARGEST_RADIUS.fill(row, R, A)
-                return row
-        elif type(R) is float and out is None:
-            return float64(_LARGEST_RADIUS.point(R, A))
-    return run(
-        _LARGEST_RADIUS,
+    if _type(A) is _float:
+        if _type(R) is _ndarray:
+            _row = _take_row(R, out)
+            if _row is not None:
+                _loops_of_largest_radius.fill(_row, R, A)
+                return _row
+        elif _type(R) is _float and out is None:
+            return _float64(_loops_of_largest_radius.point(R, A))
+    return _run(
+        _loops_of_largest_radius,
         (
             R,
             A,
@@ -1467,7 +1503,7 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
     )
 
 
-_LARGEST_RADIUS = Loops(
+_loops_of_largest_radius = _Loops(
     names=(
         "R",
         "A",
@@ -1477,101 +1513,101 @@ _LARGEST_RADIUS = Loops(
         0,
     ),
     shape=(),
-    at=_largest_radius_point,
-    uniform=_fill_largest_radius,
-    each=_fill_each_largest_radius,
+    at=_point_of_largest_radius,
+    uniform=_fill_of_largest_radius,
+    each=_fill_each_of_largest_radius,
 )
 
 
-@overload(largest_radius)
-def _offer_largest_radius(
+@_overload(largest_radius)
+def _offer_of_largest_radius(
     R,
     A,
 ):
-    return lambda R, A: _largest_radius_point(
-        float64(R),
-        float64(A),
+    return lambda R, A: _point_of_largest_radius(
+        _float64(R),
+        _float64(A),
     )
 
 
-@scalar
-def _prepare_smallest_radius(A):
+@_scalar
+def _prepare_of_smallest_radius(A):
 
     return (A,)
 
 
-@scalar
-def _smallest_radius(R, A):
+@_scalar
+def _form_of_smallest_radius(R, A):
 
-    return R - abs(A)
-
-
-@scalar
-def _smallest_radius_at(R, A):
-    if not ((R > 0) & is_finite(R) & (abs(A) <= R)):
-        return math.nan
-    prepared = _prepare_smallest_radius(A)
-    return _smallest_radius(R, *prepared)
+    return R - _abs(A)
 
 
-@scalar
-def _smallest_radius_point(R, A):
-    return _smallest_radius_at(R, A)
+@_scalar
+def _value_of_smallest_radius(R, A):
+    if not ((R > 0) & _is_finite(R) & (_abs(A) <= R)):
+        return _math.nan
+    _prepared = _prepare_of_smallest_radius(A)
+    return _form_of_smallest_radius(R, *_prepared)
 
 
-@loop
-def _row_smallest_radius(
-    out,
-    R_values,
+@_scalar
+def _point_of_smallest_radius(R, A):
+    return _value_of_smallest_radius(R, A)
+
+
+@_loop
+def _row_of_smallest_radius(
+    _out,
+    _values_of_R,
     A,
 ):
-    widen()
-    for i in range(out.size):
-        R = float64(R_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        R = _float64(_values_of_R[_i])
 
-        value = _smallest_radius_at(R, A)
-        out[i] = value
+        _value = _value_of_smallest_radius(R, A)
+        _out[_i] = _value
 
 
-@loop
-def _fill_smallest_radius(
-    out,
-    R_values,
+@_loop
+def _fill_of_smallest_radius(
+    _out,
+    _values_of_R,
     A,
 ):
-    _row_smallest_radius(
-        out,
-        R_values,
+    _row_of_smallest_radius(
+        _out,
+        _values_of_R,
         A,
     )
 
 
-@loop
-def _row_each_smallest_radius(
-    out,
-    R_values,
-    A_values,
+@_loop
+def _row_each_of_smallest_radius(
+    _out,
+    _values_of_R,
+    _values_of_A,
 ):
-    widen()
-    for i in range(out.size):
-        R = float64(R_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        R = _float64(_values_of_R[_i])
 
-        A = float64(A_values[i])
+        A = _float64(_values_of_A[_i])
 
-        value = _smallest_radius_at(R, A)
-        out[i] = value
+        _value = _value_of_smallest_radius(R, A)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_smallest_radius(
-    out,
-    R_values,
-    A_values,
+@_loop
+def _fill_each_of_smallest_radius(
+    _out,
+    _values_of_R,
+    _values_of_A,
 ):
-    _row_each_smallest_radius(
-        out,
-        R_values,
-        A_values,
+    _row_each_of_smallest_radius(
+        _out,
+        _values_of_R,
+        _values_of_A,
     )
 
 
@@ -1580,16 +1616,16 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
 
     Compiled. The help of `mechproof.kernels.track_wheel.smallest_radius` has all words.
     """
-    if type(A) is float:
-        if type(R) is ndarray:
-            row = take_row(R, out)
-            if row is not None:
-                _SMALLEST_RADIUS.fill(row, R, A)
-                return row
-        elif type(R) is float and out is None:
-            return float64(_SMALLEST_RADIUS.point(R, A))
-    return run(
-        _SMALLEST_RADIUS,
+    if _type(A) is _float:
+        if _type(R) is _ndarray:
+            _row = _take_row(R, out)
+            if _row is not None:
+                _loops_of_smallest_radius.fill(_row, R, A)
+                return _row
+        elif _type(R) is _float and out is None:
+            return _float64(_loops_of_smallest_radius.point(R, A))
+    return _run(
+        _loops_of_smallest_radius,
         (
             R,
             A,
@@ -1598,7 +1634,7 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
     )
 
 
-_SMALLEST_RADIUS = Loops(
+_loops_of_smallest_radius = _Loops(
     names=(
         "R",
         "A",
@@ -1608,31 +1644,31 @@ _SMALLEST_RADIUS = Loops(
         0,
     ),
     shape=(),
-    at=_smallest_radius_point,
-    uniform=_fill_smallest_radius,
-    each=_fill_each_smallest_radius,
+    at=_point_of_smallest_radius,
+    uniform=_fill_of_smallest_radius,
+    each=_fill_each_of_smallest_radius,
 )
 
 
-@overload(smallest_radius)
-def _offer_smallest_radius(
+@_overload(smallest_radius)
+def _offer_of_smallest_radius(
     R,
     A,
 ):
-    return lambda R, A: _smallest_radius_point(
-        float64(R),
-        float64(A),
+    return lambda R, A: _point_of_smallest_radius(
+        _float64(R),
+        _float64(A),
     )
 
 
-@scalar
-def _error_sum_correlated(total_scatter, sum_1, sum_2):
+@_scalar
+def _form_of_error_sum_correlated(total_scatter, sum_1, sum_2):
 
-    return np.sqrt(elementary.nonnegative(sum_1, sum_2**2)) / total_scatter
+    return _np.sqrt(_elementary.nonnegative(sum_1, sum_2**2)) / total_scatter
 
 
-@scalar
-def _error_sum_correlated_at(
+@_scalar
+def _value_of_error_sum_correlated(
     total_scatter,
     every_3,
     every_4,
@@ -1647,7 +1683,7 @@ def _error_sum_correlated_at(
 ):
     if not (
         (total_scatter > 0)
-        & is_finite(total_scatter)
+        & _is_finite(total_scatter)
         & every_3
         & every_4
         & every_5
@@ -1657,13 +1693,13 @@ def _error_sum_correlated_at(
         & every_9
         & every_10
     ):
-        return math.nan
-    return _error_sum_correlated(total_scatter, sum_1, sum_2)
+        return _math.nan
+    return _form_of_error_sum_correlated(total_scatter, sum_1, sum_2)
 
 
-@scalar
-def _error_sum_correlated_point(tolerances, sensitivities, scatters, correlation, total_scatter):
-    return _error_sum_correlated_at(
+@_scalar
+def _point_of_error_sum_correlated(tolerances, sensitivities, scatters, correlation, total_scatter):
+    return _value_of_error_sum_correlated(
         total_scatter,
         _every_3(scatters),
         _every_4(scatters),
@@ -1678,89 +1714,97 @@ def _error_sum_correlated_point(tolerances, sensitivities, scatters, correlation
     )
 
 
-@loop
-def _fill_each_error_sum_correlated(
-    out,
-    terms,
-    tolerances_values,
-    sensitivities_values,
-    scatters_values,
-    correlation_values,
-    total_scatter_values,
+@_loop
+def _fill_each_of_error_sum_correlated(
+    _out,
+    _terms,
+    _values_of_tolerances,
+    _values_of_sensitivities,
+    _values_of_scatters,
+    _values_of_correlation,
+    _values_of_total_scatter,
 ):
-    widen()
-    sets = count_sets(out.size, terms * terms)
-    tolerances_sets = empty((terms, sets))
-    sensitivities_sets = empty((terms, sets))
-    scatters_sets = empty((terms, sets))
-    correlation_sets = empty((terms, terms, sets))
-    total_scatter_sets = empty((1, sets))
-    every_3_sets = empty(sets)
-    every_4_sets = empty(sets)
-    every_5_sets = empty(sets)
-    every_6_sets = empty(sets)
-    every_7_sets = empty(sets)
-    every_8_sets = empty(sets)
-    every_9_sets = empty(sets)
-    every_10_sets = empty(sets)
-    sum_1_sets = empty(sets)
-    sum_2_sets = empty(sets)
-    for start in range(0, out.size, sets):
-        stop = min(start + sets, out.size)
-        put_sets(tolerances_sets, tolerances_values, start, stop)
-        put_sets(sensitivities_sets, sensitivities_values, start, stop)
-        put_sets(scatters_sets, scatters_values, start, stop)
-        put_sets(correlation_sets.reshape(-1, sets), correlation_values, start, stop)
-        put_sets(total_scatter_sets, total_scatter_values, start, stop)
-        if start == 0 or len(scatters_values) > 1:
-            _every_3_sets(every_3_sets, scatters_sets)
-        if start == 0 or len(scatters_values) > 1:
-            _every_4_sets(every_4_sets, scatters_sets)
-        if start == 0 or len(correlation_values) > 1:
-            _every_5_sets(every_5_sets, correlation_sets)
-        if start == 0 or len(correlation_values) > 1:
-            _every_6_sets(every_6_sets, correlation_sets)
-        if start == 0 or len(correlation_values) > 1:
-            _every_7_sets(every_7_sets, correlation_sets)
-        if start == 0 or len(correlation_values) > 1:
-            _every_8_sets(every_8_sets, correlation_sets)
-        if start == 0 or len(tolerances_values) > 1:
-            _every_9_sets(every_9_sets, tolerances_sets)
-        if start == 0 or len(tolerances_values) > 1:
-            _every_10_sets(every_10_sets, tolerances_sets)
+    _widen()
+    _sets = _count_sets(_out.size, _terms * _terms)
+    _sets_of_tolerances = _empty((_terms, _sets))
+    _sets_of_sensitivities = _empty((_terms, _sets))
+    _sets_of_scatters = _empty((_terms, _sets))
+    _sets_of_correlation = _empty((_terms, _terms, _sets))
+    _sets_of_total_scatter = _empty((1, _sets))
+    _sets_of_every_3 = _empty(_sets)
+    _sets_of_every_4 = _empty(_sets)
+    _sets_of_every_5 = _empty(_sets)
+    _sets_of_every_6 = _empty(_sets)
+    _sets_of_every_7 = _empty(_sets)
+    _sets_of_every_8 = _empty(_sets)
+    _sets_of_every_9 = _empty(_sets)
+    _sets_of_every_10 = _empty(_sets)
+    _sets_of_sum_1 = _empty(_sets)
+    _sets_of_sum_2 = _empty(_sets)
+    for _start in _range(0, _out.size, _sets):
+        _stop = _min(_start + _sets, _out.size)
+        _put_sets(_sets_of_tolerances, _values_of_tolerances, _start, _stop)
+        _put_sets(_sets_of_sensitivities, _values_of_sensitivities, _start, _stop)
+        _put_sets(_sets_of_scatters, _values_of_scatters, _start, _stop)
+        _put_sets(_sets_of_correlation.reshape(-1, _sets), _values_of_correlation, _start, _stop)
+        _put_sets(_sets_of_total_scatter, _values_of_total_scatter, _start, _stop)
+        if _start == 0 or _len(_values_of_scatters) > 1:
+            _every_3_sets(_sets_of_every_3, _sets_of_scatters)
+        if _start == 0 or _len(_values_of_scatters) > 1:
+            _every_4_sets(_sets_of_every_4, _sets_of_scatters)
+        if _start == 0 or _len(_values_of_correlation) > 1:
+            _every_5_sets(_sets_of_every_5, _sets_of_correlation)
+        if _start == 0 or _len(_values_of_correlation) > 1:
+            _every_6_sets(_sets_of_every_6, _sets_of_correlation)
+        if _start == 0 or _len(_values_of_correlation) > 1:
+            _every_7_sets(_sets_of_every_7, _sets_of_correlation)
+        if _start == 0 or _len(_values_of_correlation) > 1:
+            _every_8_sets(_sets_of_every_8, _sets_of_correlation)
+        if _start == 0 or _len(_values_of_tolerances) > 1:
+            _every_9_sets(_sets_of_every_9, _sets_of_tolerances)
+        if _start == 0 or _len(_values_of_tolerances) > 1:
+            _every_10_sets(_sets_of_every_10, _sets_of_tolerances)
         if (
-            start == 0
-            or len(tolerances_values) > 1
-            or len(sensitivities_values) > 1
-            or len(scatters_values) > 1
-            or len(correlation_values) > 1
+            _start == 0
+            or _len(_values_of_tolerances) > 1
+            or _len(_values_of_sensitivities) > 1
+            or _len(_values_of_scatters) > 1
+            or _len(_values_of_correlation) > 1
         ):
             _sum_1_sets(
-                sum_1_sets, sensitivities_sets, scatters_sets, tolerances_sets, correlation_sets
+                _sets_of_sum_1,
+                _sets_of_sensitivities,
+                _sets_of_scatters,
+                _sets_of_tolerances,
+                _sets_of_correlation,
             )
         if (
-            start == 0
-            or len(tolerances_values) > 1
-            or len(sensitivities_values) > 1
-            or len(scatters_values) > 1
-            or len(correlation_values) > 1
+            _start == 0
+            or _len(_values_of_tolerances) > 1
+            or _len(_values_of_sensitivities) > 1
+            or _len(_values_of_scatters) > 1
+            or _len(_values_of_correlation) > 1
         ):
             _sum_2_sets(
-                sum_2_sets, sensitivities_sets, scatters_sets, tolerances_sets, correlation_sets
+                _sets_of_sum_2,
+                _sets_of_sensitivities,
+                _sets_of_scatters,
+                _sets_of_tolerances,
+                _sets_of_correlation,
             )
-        for s in range(stop - start):
-            out[start + s] = _error_sum_correlated_at(
-                total_scatter_sets[0, s],
-                every_3_sets[s] > 0,
-                every_4_sets[s] > 0,
-                every_5_sets[s] > 0,
-                every_6_sets[s] > 0,
-                every_7_sets[s] > 0,
-                every_8_sets[s] > 0,
-                every_9_sets[s] > 0,
-                every_10_sets[s] > 0,
-                sum_1_sets[s],
-                sum_2_sets[s],
+        for _s in _range(_stop - _start):
+            _out[_start + _s] = _value_of_error_sum_correlated(
+                _sets_of_total_scatter[0, _s],
+                _sets_of_every_3[_s] > 0,
+                _sets_of_every_4[_s] > 0,
+                _sets_of_every_5[_s] > 0,
+                _sets_of_every_6[_s] > 0,
+                _sets_of_every_7[_s] > 0,
+                _sets_of_every_8[_s] > 0,
+                _sets_of_every_9[_s] > 0,
+                _sets_of_every_10[_s] > 0,
+                _sets_of_sum_1[_s],
+                _sets_of_sum_2[_s],
             )
 
 
@@ -1777,8 +1821,8 @@ def error_sum_correlated(
 
     Compiled. The help of `mechproof.kernels.track_wheel.error_sum_correlated` has all words.
     """
-    return run_sums(
-        _ERROR_SUM_CORRELATED,
+    return _run_sums(
+        _loops_of_error_sum_correlated,
         (
             tolerances,
             sensitivities,
@@ -1790,7 +1834,7 @@ def error_sum_correlated(
     )
 
 
-_ERROR_SUM_CORRELATED = Sums(
+_loops_of_error_sum_correlated = _Sums(
     names=(
         "tolerances",
         "sensitivities",
@@ -1812,13 +1856,13 @@ _ERROR_SUM_CORRELATED = Sums(
         2,
         0,
     ),
-    at=_error_sum_correlated_point,
-    each=_fill_each_error_sum_correlated,
+    at=_point_of_error_sum_correlated,
+    each=_fill_each_of_error_sum_correlated,
 )
 
 
-@overload(error_sum_correlated)
-def _offer_error_sum_correlated(
+@_overload(error_sum_correlated)
+def _offer_of_error_sum_correlated(
     tolerances,
     sensitivities,
     scatters,
@@ -1833,39 +1877,39 @@ def _offer_error_sum_correlated(
         total_scatter,
     ):
         _terms = 1
-        _terms = count_terms(_terms, tolerances)
-        _terms = count_terms(_terms, sensitivities)
-        _terms = count_terms(_terms, scatters)
-        _terms = count_terms(_terms, correlation)
-        return _error_sum_correlated_point(
-            take_terms("tolerances", tolerances, _terms),
-            take_terms("sensitivities", sensitivities, _terms),
-            take_terms("scatters", scatters, _terms),
-            take_square("correlation", correlation, _terms),
-            float64(total_scatter),
+        _terms = _count_terms(_terms, tolerances)
+        _terms = _count_terms(_terms, sensitivities)
+        _terms = _count_terms(_terms, scatters)
+        _terms = _count_terms(_terms, correlation)
+        return _point_of_error_sum_correlated(
+            _take_terms("tolerances", tolerances, _terms),
+            _take_terms("sensitivities", sensitivities, _terms),
+            _take_terms("scatters", scatters, _terms),
+            _take_square("correlation", correlation, _terms),
+            _float64(total_scatter),
         )
 
     return _take
 
 
-@scalar
-def _error_sum(total_scatter, sum_11):
+@_scalar
+def _form_of_error_sum(total_scatter, sum_11):
 
-    return np.sqrt(sum_11) / total_scatter
+    return _np.sqrt(sum_11) / total_scatter
 
 
-@scalar
-def _error_sum_at(total_scatter, every_3, every_4, every_9, every_10, sum_11):
+@_scalar
+def _value_of_error_sum(total_scatter, every_3, every_4, every_9, every_10, sum_11):
     if not (
-        (total_scatter > 0) & is_finite(total_scatter) & every_3 & every_4 & every_9 & every_10
+        (total_scatter > 0) & _is_finite(total_scatter) & every_3 & every_4 & every_9 & every_10
     ):
-        return math.nan
-    return _error_sum(total_scatter, sum_11)
+        return _math.nan
+    return _form_of_error_sum(total_scatter, sum_11)
 
 
-@scalar
-def _error_sum_point(tolerances, sensitivities, scatters, total_scatter):
-    return _error_sum_at(
+@_scalar
+def _point_of_error_sum(tolerances, sensitivities, scatters, total_scatter):
+    return _value_of_error_sum(
         total_scatter,
         _every_3(scatters),
         _every_4(scatters),
@@ -1875,55 +1919,57 @@ def _error_sum_point(tolerances, sensitivities, scatters, total_scatter):
     )
 
 
-@loop
-def _fill_each_error_sum(
-    out,
-    terms,
-    tolerances_values,
-    sensitivities_values,
-    scatters_values,
-    total_scatter_values,
+@_loop
+def _fill_each_of_error_sum(
+    _out,
+    _terms,
+    _values_of_tolerances,
+    _values_of_sensitivities,
+    _values_of_scatters,
+    _values_of_total_scatter,
 ):
-    widen()
-    sets = count_sets(out.size, terms)
-    tolerances_sets = empty((terms, sets))
-    sensitivities_sets = empty((terms, sets))
-    scatters_sets = empty((terms, sets))
-    total_scatter_sets = empty((1, sets))
-    every_3_sets = empty(sets)
-    every_4_sets = empty(sets)
-    every_9_sets = empty(sets)
-    every_10_sets = empty(sets)
-    sum_11_sets = empty(sets)
-    for start in range(0, out.size, sets):
-        stop = min(start + sets, out.size)
-        put_sets(tolerances_sets, tolerances_values, start, stop)
-        put_sets(sensitivities_sets, sensitivities_values, start, stop)
-        put_sets(scatters_sets, scatters_values, start, stop)
-        put_sets(total_scatter_sets, total_scatter_values, start, stop)
-        if start == 0 or len(scatters_values) > 1:
-            _every_3_sets(every_3_sets, scatters_sets)
-        if start == 0 or len(scatters_values) > 1:
-            _every_4_sets(every_4_sets, scatters_sets)
-        if start == 0 or len(tolerances_values) > 1:
-            _every_9_sets(every_9_sets, tolerances_sets)
-        if start == 0 or len(tolerances_values) > 1:
-            _every_10_sets(every_10_sets, tolerances_sets)
+    _widen()
+    _sets = _count_sets(_out.size, _terms)
+    _sets_of_tolerances = _empty((_terms, _sets))
+    _sets_of_sensitivities = _empty((_terms, _sets))
+    _sets_of_scatters = _empty((_terms, _sets))
+    _sets_of_total_scatter = _empty((1, _sets))
+    _sets_of_every_3 = _empty(_sets)
+    _sets_of_every_4 = _empty(_sets)
+    _sets_of_every_9 = _empty(_sets)
+    _sets_of_every_10 = _empty(_sets)
+    _sets_of_sum_11 = _empty(_sets)
+    for _start in _range(0, _out.size, _sets):
+        _stop = _min(_start + _sets, _out.size)
+        _put_sets(_sets_of_tolerances, _values_of_tolerances, _start, _stop)
+        _put_sets(_sets_of_sensitivities, _values_of_sensitivities, _start, _stop)
+        _put_sets(_sets_of_scatters, _values_of_scatters, _start, _stop)
+        _put_sets(_sets_of_total_scatter, _values_of_total_scatter, _start, _stop)
+        if _start == 0 or _len(_values_of_scatters) > 1:
+            _every_3_sets(_sets_of_every_3, _sets_of_scatters)
+        if _start == 0 or _len(_values_of_scatters) > 1:
+            _every_4_sets(_sets_of_every_4, _sets_of_scatters)
+        if _start == 0 or _len(_values_of_tolerances) > 1:
+            _every_9_sets(_sets_of_every_9, _sets_of_tolerances)
+        if _start == 0 or _len(_values_of_tolerances) > 1:
+            _every_10_sets(_sets_of_every_10, _sets_of_tolerances)
         if (
-            start == 0
-            or len(tolerances_values) > 1
-            or len(sensitivities_values) > 1
-            or len(scatters_values) > 1
+            _start == 0
+            or _len(_values_of_tolerances) > 1
+            or _len(_values_of_sensitivities) > 1
+            or _len(_values_of_scatters) > 1
         ):
-            _sum_11_sets(sum_11_sets, sensitivities_sets, scatters_sets, tolerances_sets)
-        for s in range(stop - start):
-            out[start + s] = _error_sum_at(
-                total_scatter_sets[0, s],
-                every_3_sets[s] > 0,
-                every_4_sets[s] > 0,
-                every_9_sets[s] > 0,
-                every_10_sets[s] > 0,
-                sum_11_sets[s],
+            _sum_11_sets(
+                _sets_of_sum_11, _sets_of_sensitivities, _sets_of_scatters, _sets_of_tolerances
+            )
+        for _s in _range(_stop - _start):
+            _out[_start + _s] = _value_of_error_sum(
+                _sets_of_total_scatter[0, _s],
+                _sets_of_every_3[_s] > 0,
+                _sets_of_every_4[_s] > 0,
+                _sets_of_every_9[_s] > 0,
+                _sets_of_every_10[_s] > 0,
+                _sets_of_sum_11[_s],
             )
 
 
@@ -1939,8 +1985,8 @@ def error_sum(
 
     Compiled. The help of `mechproof.kernels.track_wheel.error_sum` has all words.
     """
-    return run_sums(
-        _ERROR_SUM,
+    return _run_sums(
+        _loops_of_error_sum,
         (
             tolerances,
             sensitivities,
@@ -1951,7 +1997,7 @@ def error_sum(
     )
 
 
-_ERROR_SUM = Sums(
+_loops_of_error_sum = _Sums(
     names=(
         "tolerances",
         "sensitivities",
@@ -1970,13 +2016,13 @@ _ERROR_SUM = Sums(
         1,
         0,
     ),
-    at=_error_sum_point,
-    each=_fill_each_error_sum,
+    at=_point_of_error_sum,
+    each=_fill_each_of_error_sum,
 )
 
 
-@overload(error_sum)
-def _offer_error_sum(
+@_overload(error_sum)
+def _offer_of_error_sum(
     tolerances,
     sensitivities,
     scatters,
@@ -1989,53 +2035,53 @@ def _offer_error_sum(
         total_scatter,
     ):
         _terms = 1
-        _terms = count_terms(_terms, tolerances)
-        _terms = count_terms(_terms, sensitivities)
-        _terms = count_terms(_terms, scatters)
-        return _error_sum_point(
-            take_terms("tolerances", tolerances, _terms),
-            take_terms("sensitivities", sensitivities, _terms),
-            take_terms("scatters", scatters, _terms),
-            float64(total_scatter),
+        _terms = _count_terms(_terms, tolerances)
+        _terms = _count_terms(_terms, sensitivities)
+        _terms = _count_terms(_terms, scatters)
+        return _point_of_error_sum(
+            _take_terms("tolerances", tolerances, _terms),
+            _take_terms("sensitivities", sensitivities, _terms),
+            _take_terms("scatters", scatters, _terms),
+            _float64(total_scatter),
         )
 
     return _take
 
 
-@scalar
-def _error_sum_thermal(total_scatter, thermal_share, thermal_scatter, sum_11):
+@_scalar
+def _form_of_error_sum_thermal(total_scatter, thermal_share, thermal_scatter, sum_11):
     K_minus_tau_K_T = total_scatter - thermal_share * thermal_scatter
     K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter
 
-    return np.sqrt(sum_11) / np.sqrt(K_minus_tau_K_T * K_plus_tau_K_T)
+    return _np.sqrt(sum_11) / _np.sqrt(K_minus_tau_K_T * K_plus_tau_K_T)
 
 
-@scalar
-def _error_sum_thermal_at(
+@_scalar
+def _value_of_error_sum_thermal(
     total_scatter, thermal_share, thermal_scatter, every_3, every_4, every_9, every_10, sum_11
 ):
     if not (
         (total_scatter > 0)
-        & is_finite(total_scatter)
+        & _is_finite(total_scatter)
         & every_3
         & every_4
         & (thermal_scatter > 0)
-        & is_finite(thermal_scatter)
+        & _is_finite(thermal_scatter)
         & (thermal_share >= 0)
-        & is_finite(thermal_share)
+        & _is_finite(thermal_share)
         & (thermal_share * thermal_scatter < total_scatter)
         & every_9
         & every_10
     ):
-        return math.nan
-    return _error_sum_thermal(total_scatter, thermal_share, thermal_scatter, sum_11)
+        return _math.nan
+    return _form_of_error_sum_thermal(total_scatter, thermal_share, thermal_scatter, sum_11)
 
 
-@scalar
-def _error_sum_thermal_point(
+@_scalar
+def _point_of_error_sum_thermal(
     tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
 ):
-    return _error_sum_thermal_at(
+    return _value_of_error_sum_thermal(
         total_scatter,
         thermal_share,
         thermal_scatter,
@@ -2047,63 +2093,65 @@ def _error_sum_thermal_point(
     )
 
 
-@loop
-def _fill_each_error_sum_thermal(
-    out,
-    terms,
-    tolerances_values,
-    sensitivities_values,
-    scatters_values,
-    total_scatter_values,
-    thermal_share_values,
-    thermal_scatter_values,
+@_loop
+def _fill_each_of_error_sum_thermal(
+    _out,
+    _terms,
+    _values_of_tolerances,
+    _values_of_sensitivities,
+    _values_of_scatters,
+    _values_of_total_scatter,
+    _values_of_thermal_share,
+    _values_of_thermal_scatter,
 ):
-    widen()
-    sets = count_sets(out.size, terms)
-    tolerances_sets = empty((terms, sets))
-    sensitivities_sets = empty((terms, sets))
-    scatters_sets = empty((terms, sets))
-    total_scatter_sets = empty((1, sets))
-    thermal_share_sets = empty((1, sets))
-    thermal_scatter_sets = empty((1, sets))
-    every_3_sets = empty(sets)
-    every_4_sets = empty(sets)
-    every_9_sets = empty(sets)
-    every_10_sets = empty(sets)
-    sum_11_sets = empty(sets)
-    for start in range(0, out.size, sets):
-        stop = min(start + sets, out.size)
-        put_sets(tolerances_sets, tolerances_values, start, stop)
-        put_sets(sensitivities_sets, sensitivities_values, start, stop)
-        put_sets(scatters_sets, scatters_values, start, stop)
-        put_sets(total_scatter_sets, total_scatter_values, start, stop)
-        put_sets(thermal_share_sets, thermal_share_values, start, stop)
-        put_sets(thermal_scatter_sets, thermal_scatter_values, start, stop)
-        if start == 0 or len(scatters_values) > 1:
-            _every_3_sets(every_3_sets, scatters_sets)
-        if start == 0 or len(scatters_values) > 1:
-            _every_4_sets(every_4_sets, scatters_sets)
-        if start == 0 or len(tolerances_values) > 1:
-            _every_9_sets(every_9_sets, tolerances_sets)
-        if start == 0 or len(tolerances_values) > 1:
-            _every_10_sets(every_10_sets, tolerances_sets)
+    _widen()
+    _sets = _count_sets(_out.size, _terms)
+    _sets_of_tolerances = _empty((_terms, _sets))
+    _sets_of_sensitivities = _empty((_terms, _sets))
+    _sets_of_scatters = _empty((_terms, _sets))
+    _sets_of_total_scatter = _empty((1, _sets))
+    _sets_of_thermal_share = _empty((1, _sets))
+    _sets_of_thermal_scatter = _empty((1, _sets))
+    _sets_of_every_3 = _empty(_sets)
+    _sets_of_every_4 = _empty(_sets)
+    _sets_of_every_9 = _empty(_sets)
+    _sets_of_every_10 = _empty(_sets)
+    _sets_of_sum_11 = _empty(_sets)
+    for _start in _range(0, _out.size, _sets):
+        _stop = _min(_start + _sets, _out.size)
+        _put_sets(_sets_of_tolerances, _values_of_tolerances, _start, _stop)
+        _put_sets(_sets_of_sensitivities, _values_of_sensitivities, _start, _stop)
+        _put_sets(_sets_of_scatters, _values_of_scatters, _start, _stop)
+        _put_sets(_sets_of_total_scatter, _values_of_total_scatter, _start, _stop)
+        _put_sets(_sets_of_thermal_share, _values_of_thermal_share, _start, _stop)
+        _put_sets(_sets_of_thermal_scatter, _values_of_thermal_scatter, _start, _stop)
+        if _start == 0 or _len(_values_of_scatters) > 1:
+            _every_3_sets(_sets_of_every_3, _sets_of_scatters)
+        if _start == 0 or _len(_values_of_scatters) > 1:
+            _every_4_sets(_sets_of_every_4, _sets_of_scatters)
+        if _start == 0 or _len(_values_of_tolerances) > 1:
+            _every_9_sets(_sets_of_every_9, _sets_of_tolerances)
+        if _start == 0 or _len(_values_of_tolerances) > 1:
+            _every_10_sets(_sets_of_every_10, _sets_of_tolerances)
         if (
-            start == 0
-            or len(tolerances_values) > 1
-            or len(sensitivities_values) > 1
-            or len(scatters_values) > 1
+            _start == 0
+            or _len(_values_of_tolerances) > 1
+            or _len(_values_of_sensitivities) > 1
+            or _len(_values_of_scatters) > 1
         ):
-            _sum_11_sets(sum_11_sets, sensitivities_sets, scatters_sets, tolerances_sets)
-        for s in range(stop - start):
-            out[start + s] = _error_sum_thermal_at(
-                total_scatter_sets[0, s],
-                thermal_share_sets[0, s],
-                thermal_scatter_sets[0, s],
-                every_3_sets[s] > 0,
-                every_4_sets[s] > 0,
-                every_9_sets[s] > 0,
-                every_10_sets[s] > 0,
-                sum_11_sets[s],
+            _sum_11_sets(
+                _sets_of_sum_11, _sets_of_sensitivities, _sets_of_scatters, _sets_of_tolerances
+            )
+        for _s in _range(_stop - _start):
+            _out[_start + _s] = _value_of_error_sum_thermal(
+                _sets_of_total_scatter[0, _s],
+                _sets_of_thermal_share[0, _s],
+                _sets_of_thermal_scatter[0, _s],
+                _sets_of_every_3[_s] > 0,
+                _sets_of_every_4[_s] > 0,
+                _sets_of_every_9[_s] > 0,
+                _sets_of_every_10[_s] > 0,
+                _sets_of_sum_11[_s],
             )
 
 
@@ -2121,8 +2169,8 @@ def error_sum_thermal(
 
     Compiled. The help of `mechproof.kernels.track_wheel.error_sum_thermal` has all words.
     """
-    return run_sums(
-        _ERROR_SUM_THERMAL,
+    return _run_sums(
+        _loops_of_error_sum_thermal,
         (
             tolerances,
             sensitivities,
@@ -2135,7 +2183,7 @@ def error_sum_thermal(
     )
 
 
-_ERROR_SUM_THERMAL = Sums(
+_loops_of_error_sum_thermal = _Sums(
     names=(
         "tolerances",
         "sensitivities",
@@ -2160,13 +2208,13 @@ _ERROR_SUM_THERMAL = Sums(
         0,
         0,
     ),
-    at=_error_sum_thermal_point,
-    each=_fill_each_error_sum_thermal,
+    at=_point_of_error_sum_thermal,
+    each=_fill_each_of_error_sum_thermal,
 )
 
 
-@overload(error_sum_thermal)
-def _offer_error_sum_thermal(
+@_overload(error_sum_thermal)
+def _offer_of_error_sum_thermal(
     tolerances,
     sensitivities,
     scatters,
@@ -2183,16 +2231,16 @@ def _offer_error_sum_thermal(
         thermal_scatter,
     ):
         _terms = 1
-        _terms = count_terms(_terms, tolerances)
-        _terms = count_terms(_terms, sensitivities)
-        _terms = count_terms(_terms, scatters)
-        return _error_sum_thermal_point(
-            take_terms("tolerances", tolerances, _terms),
-            take_terms("sensitivities", sensitivities, _terms),
-            take_terms("scatters", scatters, _terms),
-            float64(total_scatter),
-            float64(thermal_share),
-            float64(thermal_scatter),
+        _terms = _count_terms(_terms, tolerances)
+        _terms = _count_terms(_terms, sensitivities)
+        _terms = _count_terms(_terms, scatters)
+        return _point_of_error_sum_thermal(
+            _take_terms("tolerances", tolerances, _terms),
+            _take_terms("sensitivities", sensitivities, _terms),
+            _take_terms("scatters", scatters, _terms),
+            _float64(total_scatter),
+            _float64(thermal_share),
+            _float64(thermal_scatter),
         )
 
     return _take

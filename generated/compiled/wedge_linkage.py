@@ -8,36 +8,37 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 8db31d8544f3.
+Elementary functions: `elementary` ad67128b931a.
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
-import math
+import math as _math
+from builtins import float as _float, range as _range, type as _type
 from typing import Any
 
-import numpy as np
-from numpy import float64, ndarray
+import numpy as _np
+from numpy import float64 as _float64, ndarray as _ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
-    BLOCK,
-    Loops,
-    choose,
-    has_nan,
-    is_finite,
-    loop,
-    maximum,
-    overload,
-    run,
-    scalar,
-    take_row,
-    widen,
+    BLOCK as _BLOCK,
+    Loops as _Loops,
+    choose as _choose,
+    has_nan as _has_nan,
+    is_finite as _is_finite,
+    loop as _loop,
+    maximum as _maximum,
+    overload as _overload,
+    run as _run,
+    scalar as _scalar,
+    take_row as _take_row,
+    widen as _widen,
 )
-from mechproof.kernels.compiled import elementary
+from mechproof.kernels.compiled import elementary as _elementary
 
 __all__ = [
     "clearance",
@@ -57,102 +58,107 @@ def __dir__() -> list[str]:
     return __all__
 
 
-@scalar
-def _prepare_guide_radicand(l_AB, l_BC, l_CD):
+@_scalar
+def _prepare_of_guide_radicand(l_AB, l_BC, l_CD):
 
     return (l_AB, l_BC, l_CD)
 
 
-@scalar
-def _guide_radicand(x1, l_AB, l_BC, l_CD):
+@_scalar
+def _form_of_guide_radicand(x1, l_AB, l_BC, l_CD):
 
     return l_BC**2 + x1 * (2 * l_AB + 2 * l_CD + x1)
 
 
-@scalar
-def _guide_radicand_at(x1, l_AB, l_BC, l_CD):
+@_scalar
+def _value_of_guide_radicand(x1, l_AB, l_BC, l_CD):
     if not (
-        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+        (l_AB > 0)
+        & _is_finite(l_AB)
+        & (l_BC > 0)
+        & _is_finite(l_BC)
+        & (l_CD > 0)
+        & _is_finite(l_CD)
     ):
-        return math.nan
-    prepared = _prepare_guide_radicand(l_AB, l_BC, l_CD)
-    return _guide_radicand(x1, *prepared)
+        return _math.nan
+    _prepared = _prepare_of_guide_radicand(l_AB, l_BC, l_CD)
+    return _form_of_guide_radicand(x1, *_prepared)
 
 
-@scalar
-def _guide_radicand_point(x1, l_AB, l_BC, l_CD):
-    return _guide_radicand_at(x1, l_AB, l_BC, l_CD)
+@_scalar
+def _point_of_guide_radicand(x1, l_AB, l_BC, l_CD):
+    return _value_of_guide_radicand(x1, l_AB, l_BC, l_CD)
 
 
-@loop
-def _row_guide_radicand(
-    out,
-    x1_values,
+@_loop
+def _row_of_guide_radicand(
+    _out,
+    _values_of_x1,
     l_AB,
     l_BC,
     l_CD,
 ):
-    widen()
-    for i in range(out.size):
-        x1 = float64(x1_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        x1 = _float64(_values_of_x1[_i])
 
-        value = _guide_radicand_at(x1, l_AB, l_BC, l_CD)
-        out[i] = value
+        _value = _value_of_guide_radicand(x1, l_AB, l_BC, l_CD)
+        _out[_i] = _value
 
 
-@loop
-def _fill_guide_radicand(
-    out,
-    x1_values,
+@_loop
+def _fill_of_guide_radicand(
+    _out,
+    _values_of_x1,
     l_AB,
     l_BC,
     l_CD,
 ):
-    _row_guide_radicand(
-        out,
-        x1_values,
+    _row_of_guide_radicand(
+        _out,
+        _values_of_x1,
         l_AB,
         l_BC,
         l_CD,
     )
 
 
-@loop
-def _row_each_guide_radicand(
-    out,
-    x1_values,
-    l_AB_values,
-    l_BC_values,
-    l_CD_values,
+@_loop
+def _row_each_of_guide_radicand(
+    _out,
+    _values_of_x1,
+    _values_of_l_AB,
+    _values_of_l_BC,
+    _values_of_l_CD,
 ):
-    widen()
-    for i in range(out.size):
-        x1 = float64(x1_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        x1 = _float64(_values_of_x1[_i])
 
-        l_AB = float64(l_AB_values[i])
+        l_AB = _float64(_values_of_l_AB[_i])
 
-        l_BC = float64(l_BC_values[i])
+        l_BC = _float64(_values_of_l_BC[_i])
 
-        l_CD = float64(l_CD_values[i])
+        l_CD = _float64(_values_of_l_CD[_i])
 
-        value = _guide_radicand_at(x1, l_AB, l_BC, l_CD)
-        out[i] = value
+        _value = _value_of_guide_radicand(x1, l_AB, l_BC, l_CD)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_guide_radicand(
-    out,
-    x1_values,
-    l_AB_values,
-    l_BC_values,
-    l_CD_values,
+@_loop
+def _fill_each_of_guide_radicand(
+    _out,
+    _values_of_x1,
+    _values_of_l_AB,
+    _values_of_l_BC,
+    _values_of_l_CD,
 ):
-    _row_each_guide_radicand(
-        out,
-        x1_values,
-        l_AB_values,
-        l_BC_values,
-        l_CD_values,
+    _row_each_of_guide_radicand(
+        _out,
+        _values_of_x1,
+        _values_of_l_AB,
+        _values_of_l_BC,
+        _values_of_l_CD,
     )
 
 
@@ -168,16 +174,16 @@ def guide_radicand(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.guide_radicand` has all words.
     """
-    if type(l_AB) is type(l_BC) is type(l_CD) is float:
-        if type(x1) is ndarray:
-            row = take_row(x1, out)
-            if row is not None:
-                _GUIDE_RADICAND.fill(row, x1, l_AB, l_BC, l_CD)
-                return row
-        elif type(x1) is float and out is None:
-            return float64(_GUIDE_RADICAND.point(x1, l_AB, l_BC, l_CD))
-    return run(
-        _GUIDE_RADICAND,
+    if _type(l_AB) is _type(l_BC) is _type(l_CD) is _float:
+        if _type(x1) is _ndarray:
+            _row = _take_row(x1, out)
+            if _row is not None:
+                _loops_of_guide_radicand.fill(_row, x1, l_AB, l_BC, l_CD)
+                return _row
+        elif _type(x1) is _float and out is None:
+            return _float64(_loops_of_guide_radicand.point(x1, l_AB, l_BC, l_CD))
+    return _run(
+        _loops_of_guide_radicand,
         (
             x1,
             l_AB,
@@ -188,7 +194,7 @@ def guide_radicand(
     )
 
 
-_GUIDE_RADICAND = Loops(
+_loops_of_guide_radicand = _Loops(
     names=(
         "x1",
         "l_AB",
@@ -202,126 +208,131 @@ _GUIDE_RADICAND = Loops(
         0,
     ),
     shape=(),
-    at=_guide_radicand_point,
-    uniform=_fill_guide_radicand,
-    each=_fill_each_guide_radicand,
+    at=_point_of_guide_radicand,
+    uniform=_fill_of_guide_radicand,
+    each=_fill_each_of_guide_radicand,
 )
 
 
-@overload(guide_radicand)
-def _offer_guide_radicand(
+@_overload(guide_radicand)
+def _offer_of_guide_radicand(
     x1,
     l_AB,
     l_BC,
     l_CD,
 ):
-    return lambda x1, l_AB, l_BC, l_CD: _guide_radicand_point(
-        float64(x1),
-        float64(l_AB),
-        float64(l_BC),
-        float64(l_CD),
+    return lambda x1, l_AB, l_BC, l_CD: _point_of_guide_radicand(
+        _float64(x1),
+        _float64(l_AB),
+        _float64(l_BC),
+        _float64(l_CD),
     )
 
 
-@scalar
-def _prepare_lever_angle(l_AB, l_BC, l_CD):
+@_scalar
+def _prepare_of_lever_angle(l_AB, l_BC, l_CD):
     arm = l_AB + l_CD
 
     return (l_BC, arm)
 
 
-@scalar
-def _lever_angle(x1, l_BC, arm):
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+@_scalar
+def _form_of_lever_angle(x1, l_BC, arm):
+    guide_length = _np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
     guide_sum = guide_length + l_BC
 
-    return -2 * elementary.arctan_quotient(x1, guide_sum)
+    return -2 * _elementary.arctan_quotient(x1, guide_sum)
 
 
-@scalar
-def _lever_angle_at(x1, l_AB, l_BC, l_CD):
+@_scalar
+def _value_of_lever_angle(x1, l_AB, l_BC, l_CD):
     if not (
-        (l_AB > 0) & is_finite(l_AB) & (l_BC > 0) & is_finite(l_BC) & (l_CD > 0) & is_finite(l_CD)
+        (l_AB > 0)
+        & _is_finite(l_AB)
+        & (l_BC > 0)
+        & _is_finite(l_BC)
+        & (l_CD > 0)
+        & _is_finite(l_CD)
     ):
-        return math.nan
-    prepared = _prepare_lever_angle(l_AB, l_BC, l_CD)
-    return _lever_angle(x1, *prepared)
+        return _math.nan
+    _prepared = _prepare_of_lever_angle(l_AB, l_BC, l_CD)
+    return _form_of_lever_angle(x1, *_prepared)
 
 
-@scalar
-def _lever_angle_point(x1, l_AB, l_BC, l_CD):
-    return _lever_angle_at(x1, l_AB, l_BC, l_CD)
+@_scalar
+def _point_of_lever_angle(x1, l_AB, l_BC, l_CD):
+    return _value_of_lever_angle(x1, l_AB, l_BC, l_CD)
 
 
-@loop
-def _row_lever_angle(
-    out,
-    x1_values,
+@_loop
+def _row_of_lever_angle(
+    _out,
+    _values_of_x1,
     l_AB,
     l_BC,
     l_CD,
 ):
-    widen()
-    for i in range(out.size):
-        x1 = float64(x1_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        x1 = _float64(_values_of_x1[_i])
 
-        value = _lever_angle_at(x1, l_AB, l_BC, l_CD)
-        out[i] = value
+        _value = _value_of_lever_angle(x1, l_AB, l_BC, l_CD)
+        _out[_i] = _value
 
 
-@loop
-def _fill_lever_angle(
-    out,
-    x1_values,
+@_loop
+def _fill_of_lever_angle(
+    _out,
+    _values_of_x1,
     l_AB,
     l_BC,
     l_CD,
 ):
-    _row_lever_angle(
-        out,
-        x1_values,
+    _row_of_lever_angle(
+        _out,
+        _values_of_x1,
         l_AB,
         l_BC,
         l_CD,
     )
 
 
-@loop
-def _row_each_lever_angle(
-    out,
-    x1_values,
-    l_AB_values,
-    l_BC_values,
-    l_CD_values,
+@_loop
+def _row_each_of_lever_angle(
+    _out,
+    _values_of_x1,
+    _values_of_l_AB,
+    _values_of_l_BC,
+    _values_of_l_CD,
 ):
-    widen()
-    for i in range(out.size):
-        x1 = float64(x1_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        x1 = _float64(_values_of_x1[_i])
 
-        l_AB = float64(l_AB_values[i])
+        l_AB = _float64(_values_of_l_AB[_i])
 
-        l_BC = float64(l_BC_values[i])
+        l_BC = _float64(_values_of_l_BC[_i])
 
-        l_CD = float64(l_CD_values[i])
+        l_CD = _float64(_values_of_l_CD[_i])
 
-        value = _lever_angle_at(x1, l_AB, l_BC, l_CD)
-        out[i] = value
+        _value = _value_of_lever_angle(x1, l_AB, l_BC, l_CD)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_lever_angle(
-    out,
-    x1_values,
-    l_AB_values,
-    l_BC_values,
-    l_CD_values,
+@_loop
+def _fill_each_of_lever_angle(
+    _out,
+    _values_of_x1,
+    _values_of_l_AB,
+    _values_of_l_BC,
+    _values_of_l_CD,
 ):
-    _row_each_lever_angle(
-        out,
-        x1_values,
-        l_AB_values,
-        l_BC_values,
-        l_CD_values,
+    _row_each_of_lever_angle(
+        _out,
+        _values_of_x1,
+        _values_of_l_AB,
+        _values_of_l_BC,
+        _values_of_l_CD,
     )
 
 
@@ -337,16 +348,16 @@ def lever_angle(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.lever_angle` has all words.
     """
-    if type(l_AB) is type(l_BC) is type(l_CD) is float:
-        if type(x1) is ndarray:
-            row = take_row(x1, out)
-            if row is not None:
-                _LEVER_ANGLE.fill(row, x1, l_AB, l_BC, l_CD)
-                return row
-        elif type(x1) is float and out is None:
-            return float64(_LEVER_ANGLE.point(x1, l_AB, l_BC, l_CD))
-    return run(
-        _LEVER_ANGLE,
+    if _type(l_AB) is _type(l_BC) is _type(l_CD) is _float:
+        if _type(x1) is _ndarray:
+            _row = _take_row(x1, out)
+            if _row is not None:
+                _loops_of_lever_angle.fill(_row, x1, l_AB, l_BC, l_CD)
+                return _row
+        elif _type(x1) is _float and out is None:
+            return _float64(_loops_of_lever_angle.point(x1, l_AB, l_BC, l_CD))
+    return _run(
+        _loops_of_lever_angle,
         (
             x1,
             l_AB,
@@ -357,7 +368,7 @@ def lever_angle(
     )
 
 
-_LEVER_ANGLE = Loops(
+_loops_of_lever_angle = _Loops(
     names=(
         "x1",
         "l_AB",
@@ -371,108 +382,116 @@ _LEVER_ANGLE = Loops(
         0,
     ),
     shape=(),
-    at=_lever_angle_point,
-    uniform=_fill_lever_angle,
-    each=_fill_each_lever_angle,
+    at=_point_of_lever_angle,
+    uniform=_fill_of_lever_angle,
+    each=_fill_each_of_lever_angle,
 )
 
 
-@overload(lever_angle)
-def _offer_lever_angle(
+@_overload(lever_angle)
+def _offer_of_lever_angle(
     x1,
     l_AB,
     l_BC,
     l_CD,
 ):
-    return lambda x1, l_AB, l_BC, l_CD: _lever_angle_point(
-        float64(x1),
-        float64(l_AB),
-        float64(l_BC),
-        float64(l_CD),
+    return lambda x1, l_AB, l_BC, l_CD: _point_of_lever_angle(
+        _float64(x1),
+        _float64(l_AB),
+        _float64(l_BC),
+        _float64(l_CD),
     )
 
 
-@scalar
-def _prepare_rod_displacement(l_DE, alpha_DE, exact):
+@_scalar
+def _prepare_of_rod_displacement(l_DE, alpha_DE, _exact):
 
     return (l_DE, alpha_DE)
 
 
-@scalar
-def _rod_displacement(phi3, l_DE, alpha_DE, exact):
+@_scalar
+def _form_of_rod_displacement(phi3, l_DE, alpha_DE, _exact):
 
-    return -2 * l_DE * elementary.sin(phi3 / 2, exact) * elementary.sin(alpha_DE + phi3 / 2, exact)
-
-
-@scalar
-def _rod_displacement_at(phi3, l_DE, alpha_DE, exact):
-    if not ((l_DE > 0) & is_finite(l_DE)):
-        return math.nan
-    prepared = _prepare_rod_displacement(l_DE, alpha_DE, exact)
-    return _rod_displacement(phi3, *prepared, exact)
+    return (
+        -2 * l_DE * _elementary.sin(phi3 / 2, _exact) * _elementary.sin(alpha_DE + phi3 / 2, _exact)
+    )
 
 
-@scalar
-def _rod_displacement_point(phi3, l_DE, alpha_DE):
-    return _rod_displacement_at(phi3, l_DE, alpha_DE, True)
+@_scalar
+def _value_of_rod_displacement(phi3, l_DE, alpha_DE, _exact):
+    if not ((l_DE > 0) & _is_finite(l_DE)):
+        return _math.nan
+    _prepared = _prepare_of_rod_displacement(l_DE, alpha_DE, _exact)
+    return _form_of_rod_displacement(phi3, *_prepared, _exact)
 
 
-@loop
-def _row_rod_displacement(out, phi3_values, l_DE, alpha_DE, exact):
-    widen()
-    for i in range(out.size):
-        phi3 = float64(phi3_values[i])
-
-        value = _rod_displacement_at(phi3, l_DE, alpha_DE, exact)
-        out[i] = value
+@_scalar
+def _point_of_rod_displacement(phi3, l_DE, alpha_DE):
+    return _value_of_rod_displacement(phi3, l_DE, alpha_DE, True)
 
 
-@loop
-def _fill_rod_displacement(
-    out,
-    phi3_values,
+@_loop
+def _row_of_rod_displacement(_out, _values_of_phi3, l_DE, alpha_DE, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi3 = _float64(_values_of_phi3[_i])
+
+        _value = _value_of_rod_displacement(phi3, l_DE, alpha_DE, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_of_rod_displacement(
+    _out,
+    _values_of_phi3,
     l_DE,
     alpha_DE,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi3_block = phi3_values[start:stop]
-        _row_rod_displacement(out_block, phi3_block, l_DE, alpha_DE, None)
-        if has_nan(out_block):
-            _row_rod_displacement(out_block, phi3_block, l_DE, alpha_DE, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi3 = _values_of_phi3[_start:_stop]
+        _row_of_rod_displacement(_out_block, _block_of_phi3, l_DE, alpha_DE, None)
+        if _has_nan(_out_block):
+            _row_of_rod_displacement(_out_block, _block_of_phi3, l_DE, alpha_DE, True)
 
 
-@loop
-def _row_each_rod_displacement(out, phi3_values, l_DE_values, alpha_DE_values, exact):
-    widen()
-    for i in range(out.size):
-        phi3 = float64(phi3_values[i])
-
-        l_DE = float64(l_DE_values[i])
-
-        alpha_DE = float64(alpha_DE_values[i])
-
-        value = _rod_displacement_at(phi3, l_DE, alpha_DE, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_rod_displacement(
-    out,
-    phi3_values,
-    l_DE_values,
-    alpha_DE_values,
+@_loop
+def _row_each_of_rod_displacement(
+    _out, _values_of_phi3, _values_of_l_DE, _values_of_alpha_DE, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi3_block = phi3_values[start:stop]
-        l_DE_block = l_DE_values[start:stop]
-        alpha_DE_block = alpha_DE_values[start:stop]
-        _row_each_rod_displacement(out_block, phi3_block, l_DE_block, alpha_DE_block, None)
-        if has_nan(out_block):
-            _row_each_rod_displacement(out_block, phi3_block, l_DE_block, alpha_DE_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        phi3 = _float64(_values_of_phi3[_i])
+
+        l_DE = _float64(_values_of_l_DE[_i])
+
+        alpha_DE = _float64(_values_of_alpha_DE[_i])
+
+        _value = _value_of_rod_displacement(phi3, l_DE, alpha_DE, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_rod_displacement(
+    _out,
+    _values_of_phi3,
+    _values_of_l_DE,
+    _values_of_alpha_DE,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi3 = _values_of_phi3[_start:_stop]
+        _block_of_l_DE = _values_of_l_DE[_start:_stop]
+        _block_of_alpha_DE = _values_of_alpha_DE[_start:_stop]
+        _row_each_of_rod_displacement(
+            _out_block, _block_of_phi3, _block_of_l_DE, _block_of_alpha_DE, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_rod_displacement(
+                _out_block, _block_of_phi3, _block_of_l_DE, _block_of_alpha_DE, True
+            )
 
 
 def rod_displacement(
@@ -482,16 +501,16 @@ def rod_displacement(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.rod_displacement` has all words.
     """
-    if type(l_DE) is type(alpha_DE) is float:
-        if type(phi3) is ndarray:
-            row = take_row(phi3, out)
-            if row is not None:
-                _ROD_DISPLACEMENT.fill(row, phi3, l_DE, alpha_DE)
-                return row
-        elif type(phi3) is float and out is None:
-            return float64(_ROD_DISPLACEMENT.point(phi3, l_DE, alpha_DE))
-    return run(
-        _ROD_DISPLACEMENT,
+    if _type(l_DE) is _type(alpha_DE) is _float:
+        if _type(phi3) is _ndarray:
+            _row = _take_row(phi3, out)
+            if _row is not None:
+                _loops_of_rod_displacement.fill(_row, phi3, l_DE, alpha_DE)
+                return _row
+        elif _type(phi3) is _float and out is None:
+            return _float64(_loops_of_rod_displacement.point(phi3, l_DE, alpha_DE))
+    return _run(
+        _loops_of_rod_displacement,
         (
             phi3,
             l_DE,
@@ -501,7 +520,7 @@ def rod_displacement(
     )
 
 
-_ROD_DISPLACEMENT = Loops(
+_loops_of_rod_displacement = _Loops(
     names=(
         "phi3",
         "l_DE",
@@ -513,103 +532,103 @@ _ROD_DISPLACEMENT = Loops(
         0,
     ),
     shape=(),
-    at=_rod_displacement_point,
-    uniform=_fill_rod_displacement,
-    each=_fill_each_rod_displacement,
+    at=_point_of_rod_displacement,
+    uniform=_fill_of_rod_displacement,
+    each=_fill_each_of_rod_displacement,
 )
 
 
-@overload(rod_displacement)
-def _offer_rod_displacement(
+@_overload(rod_displacement)
+def _offer_of_rod_displacement(
     phi3,
     l_DE,
     alpha_DE,
 ):
-    return lambda phi3, l_DE, alpha_DE: _rod_displacement_point(
-        float64(phi3),
-        float64(l_DE),
-        float64(alpha_DE),
+    return lambda phi3, l_DE, alpha_DE: _point_of_rod_displacement(
+        _float64(phi3),
+        _float64(l_DE),
+        _float64(alpha_DE),
     )
 
 
-@scalar
-def _prepare_clearance(l_GH):
+@_scalar
+def _prepare_of_clearance(l_GH):
 
     return (l_GH,)
 
 
-@scalar
-def _clearance(x5, l_GH):
+@_scalar
+def _form_of_clearance(x5, l_GH):
 
-    return maximum(0, x5 - l_GH)
-
-
-@scalar
-def _clearance_at(x5, l_GH):
-    if not ((l_GH > 0) & is_finite(l_GH)):
-        return math.nan
-    prepared = _prepare_clearance(l_GH)
-    return _clearance(x5, *prepared)
+    return _maximum(0, x5 - l_GH)
 
 
-@scalar
-def _clearance_point(x5, l_GH):
-    return _clearance_at(x5, l_GH)
+@_scalar
+def _value_of_clearance(x5, l_GH):
+    if not ((l_GH > 0) & _is_finite(l_GH)):
+        return _math.nan
+    _prepared = _prepare_of_clearance(l_GH)
+    return _form_of_clearance(x5, *_prepared)
 
 
-@loop
-def _row_clearance(
-    out,
-    x5_values,
+@_scalar
+def _point_of_clearance(x5, l_GH):
+    return _value_of_clearance(x5, l_GH)
+
+
+@_loop
+def _row_of_clearance(
+    _out,
+    _values_of_x5,
     l_GH,
 ):
-    widen()
-    for i in range(out.size):
-        x5 = float64(x5_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        x5 = _float64(_values_of_x5[_i])
 
-        value = _clearance_at(x5, l_GH)
-        out[i] = value
+        _value = _value_of_clearance(x5, l_GH)
+        _out[_i] = _value
 
 
-@loop
-def _fill_clearance(
-    out,
-    x5_values,
+@_loop
+def _fill_of_clearance(
+    _out,
+    _values_of_x5,
     l_GH,
 ):
-    _row_clearance(
-        out,
-        x5_values,
+    _row_of_clearance(
+        _out,
+        _values_of_x5,
         l_GH,
     )
 
 
-@loop
-def _row_each_clearance(
-    out,
-    x5_values,
-    l_GH_values,
+@_loop
+def _row_each_of_clearance(
+    _out,
+    _values_of_x5,
+    _values_of_l_GH,
 ):
-    widen()
-    for i in range(out.size):
-        x5 = float64(x5_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        x5 = _float64(_values_of_x5[_i])
 
-        l_GH = float64(l_GH_values[i])
+        l_GH = _float64(_values_of_l_GH[_i])
 
-        value = _clearance_at(x5, l_GH)
-        out[i] = value
+        _value = _value_of_clearance(x5, l_GH)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_clearance(
-    out,
-    x5_values,
-    l_GH_values,
+@_loop
+def _fill_each_of_clearance(
+    _out,
+    _values_of_x5,
+    _values_of_l_GH,
 ):
-    _row_each_clearance(
-        out,
-        x5_values,
-        l_GH_values,
+    _row_each_of_clearance(
+        _out,
+        _values_of_x5,
+        _values_of_l_GH,
     )
 
 
@@ -618,16 +637,16 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.clearance` has all words.
     """
-    if type(l_GH) is float:
-        if type(x5) is ndarray:
-            row = take_row(x5, out)
-            if row is not None:
-                _CLEARANCE.fill(row, x5, l_GH)
-                return row
-        elif type(x5) is float and out is None:
-            return float64(_CLEARANCE.point(x5, l_GH))
-    return run(
-        _CLEARANCE,
+    if _type(l_GH) is _float:
+        if _type(x5) is _ndarray:
+            _row = _take_row(x5, out)
+            if _row is not None:
+                _loops_of_clearance.fill(_row, x5, l_GH)
+                return _row
+        elif _type(x5) is _float and out is None:
+            return _float64(_loops_of_clearance.point(x5, l_GH))
+    return _run(
+        _loops_of_clearance,
         (
             x5,
             l_GH,
@@ -636,7 +655,7 @@ def clearance(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | None = None
     )
 
 
-_CLEARANCE = Loops(
+_loops_of_clearance = _Loops(
     names=(
         "x5",
         "l_GH",
@@ -646,104 +665,108 @@ _CLEARANCE = Loops(
         0,
     ),
     shape=(),
-    at=_clearance_point,
-    uniform=_fill_clearance,
-    each=_fill_each_clearance,
+    at=_point_of_clearance,
+    uniform=_fill_of_clearance,
+    each=_fill_each_of_clearance,
 )
 
 
-@overload(clearance)
-def _offer_clearance(
+@_overload(clearance)
+def _offer_of_clearance(
     x5,
     l_GH,
 ):
-    return lambda x5, l_GH: _clearance_point(
-        float64(x5),
-        float64(l_GH),
+    return lambda x5, l_GH: _point_of_clearance(
+        _float64(x5),
+        _float64(l_GH),
     )
 
 
-@scalar
-def _prepare_roller_offset(l_KL, alpha_KL, exact):
+@_scalar
+def _prepare_of_roller_offset(l_KL, alpha_KL, _exact):
 
     return (l_KL, alpha_KL)
 
 
-@scalar
-def _roller_offset(x5, l_KL, alpha_KL, exact):
+@_scalar
+def _form_of_roller_offset(x5, l_KL, alpha_KL, _exact):
 
-    return l_KL * elementary.cos(alpha_KL, exact) - x5
-
-
-@scalar
-def _roller_offset_at(x5, l_KL, alpha_KL, exact):
-    if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
-        return math.nan
-    prepared = _prepare_roller_offset(l_KL, alpha_KL, exact)
-    return _roller_offset(x5, *prepared, exact)
+    return l_KL * _elementary.cos(alpha_KL, _exact) - x5
 
 
-@scalar
-def _roller_offset_point(x5, l_KL, alpha_KL):
-    return _roller_offset_at(x5, l_KL, alpha_KL, True)
+@_scalar
+def _value_of_roller_offset(x5, l_KL, alpha_KL, _exact):
+    if not ((l_KL > 0) & _is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < _np.pi)):
+        return _math.nan
+    _prepared = _prepare_of_roller_offset(l_KL, alpha_KL, _exact)
+    return _form_of_roller_offset(x5, *_prepared, _exact)
 
 
-@loop
-def _row_roller_offset(out, x5_values, l_KL, alpha_KL, exact):
-    widen()
-    for i in range(out.size):
-        x5 = float64(x5_values[i])
-
-        value = _roller_offset_at(x5, l_KL, alpha_KL, exact)
-        out[i] = value
+@_scalar
+def _point_of_roller_offset(x5, l_KL, alpha_KL):
+    return _value_of_roller_offset(x5, l_KL, alpha_KL, True)
 
 
-@loop
-def _fill_roller_offset(
-    out,
-    x5_values,
+@_loop
+def _row_of_roller_offset(_out, _values_of_x5, l_KL, alpha_KL, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        x5 = _float64(_values_of_x5[_i])
+
+        _value = _value_of_roller_offset(x5, l_KL, alpha_KL, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_of_roller_offset(
+    _out,
+    _values_of_x5,
     l_KL,
     alpha_KL,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        x5_block = x5_values[start:stop]
-        _row_roller_offset(out_block, x5_block, l_KL, alpha_KL, None)
-        if has_nan(out_block):
-            _row_roller_offset(out_block, x5_block, l_KL, alpha_KL, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_x5 = _values_of_x5[_start:_stop]
+        _row_of_roller_offset(_out_block, _block_of_x5, l_KL, alpha_KL, None)
+        if _has_nan(_out_block):
+            _row_of_roller_offset(_out_block, _block_of_x5, l_KL, alpha_KL, True)
 
 
-@loop
-def _row_each_roller_offset(out, x5_values, l_KL_values, alpha_KL_values, exact):
-    widen()
-    for i in range(out.size):
-        x5 = float64(x5_values[i])
+@_loop
+def _row_each_of_roller_offset(_out, _values_of_x5, _values_of_l_KL, _values_of_alpha_KL, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        x5 = _float64(_values_of_x5[_i])
 
-        l_KL = float64(l_KL_values[i])
+        l_KL = _float64(_values_of_l_KL[_i])
 
-        alpha_KL = float64(alpha_KL_values[i])
+        alpha_KL = _float64(_values_of_alpha_KL[_i])
 
-        value = _roller_offset_at(x5, l_KL, alpha_KL, exact)
-        out[i] = value
+        _value = _value_of_roller_offset(x5, l_KL, alpha_KL, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_roller_offset(
-    out,
-    x5_values,
-    l_KL_values,
-    alpha_KL_values,
+@_loop
+def _fill_each_of_roller_offset(
+    _out,
+    _values_of_x5,
+    _values_of_l_KL,
+    _values_of_alpha_KL,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        x5_block = x5_values[start:stop]
-        l_KL_block = l_KL_values[start:stop]
-        alpha_KL_block = alpha_KL_values[start:stop]
-        _row_each_roller_offset(out_block, x5_block, l_KL_block, alpha_KL_block, None)
-        if has_nan(out_block):
-            _row_each_roller_offset(out_block, x5_block, l_KL_block, alpha_KL_block, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_x5 = _values_of_x5[_start:_stop]
+        _block_of_l_KL = _values_of_l_KL[_start:_stop]
+        _block_of_alpha_KL = _values_of_alpha_KL[_start:_stop]
+        _row_each_of_roller_offset(
+            _out_block, _block_of_x5, _block_of_l_KL, _block_of_alpha_KL, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_roller_offset(
+                _out_block, _block_of_x5, _block_of_l_KL, _block_of_alpha_KL, True
+            )
 
 
 def roller_offset(
@@ -753,16 +776,16 @@ def roller_offset(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.roller_offset` has all words.
     """
-    if type(l_KL) is type(alpha_KL) is float:
-        if type(x5) is ndarray:
-            row = take_row(x5, out)
-            if row is not None:
-                _ROLLER_OFFSET.fill(row, x5, l_KL, alpha_KL)
-                return row
-        elif type(x5) is float and out is None:
-            return float64(_ROLLER_OFFSET.point(x5, l_KL, alpha_KL))
-    return run(
-        _ROLLER_OFFSET,
+    if _type(l_KL) is _type(alpha_KL) is _float:
+        if _type(x5) is _ndarray:
+            _row = _take_row(x5, out)
+            if _row is not None:
+                _loops_of_roller_offset.fill(_row, x5, l_KL, alpha_KL)
+                return _row
+        elif _type(x5) is _float and out is None:
+            return _float64(_loops_of_roller_offset.point(x5, l_KL, alpha_KL))
+    return _run(
+        _loops_of_roller_offset,
         (
             x5,
             l_KL,
@@ -772,7 +795,7 @@ def roller_offset(
     )
 
 
-_ROLLER_OFFSET = Loops(
+_loops_of_roller_offset = _Loops(
     names=(
         "x5",
         "l_KL",
@@ -784,113 +807,119 @@ _ROLLER_OFFSET = Loops(
         0,
     ),
     shape=(),
-    at=_roller_offset_point,
-    uniform=_fill_roller_offset,
-    each=_fill_each_roller_offset,
+    at=_point_of_roller_offset,
+    uniform=_fill_of_roller_offset,
+    each=_fill_each_of_roller_offset,
 )
 
 
-@overload(roller_offset)
-def _offer_roller_offset(
+@_overload(roller_offset)
+def _offer_of_roller_offset(
     x5,
     l_KL,
     alpha_KL,
 ):
-    return lambda x5, l_KL, alpha_KL: _roller_offset_point(
-        float64(x5),
-        float64(l_KL),
-        float64(alpha_KL),
+    return lambda x5, l_KL, alpha_KL: _point_of_roller_offset(
+        _float64(x5),
+        _float64(l_KL),
+        _float64(alpha_KL),
     )
 
 
-@scalar
-def _prepare_roller_lever_angle(l_KL, alpha_KL, exact):
+@_scalar
+def _prepare_of_roller_lever_angle(l_KL, alpha_KL, _exact):
 
     return (l_KL, alpha_KL)
 
 
-@scalar
-def _roller_lever_angle(x5, l_KL, alpha_KL, exact):
+@_scalar
+def _form_of_roller_lever_angle(x5, l_KL, alpha_KL, _exact):
 
-    return 2 * elementary.arctan_quotient(
+    return 2 * _elementary.arctan_quotient(
         x5,
-        l_KL * elementary.sin(alpha_KL, exact)
-        + np.sqrt(
-            (x5 + 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2)
-            * (2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2 - x5)
+        l_KL * _elementary.sin(alpha_KL, _exact)
+        + _np.sqrt(
+            (x5 + 2 * l_KL * _elementary.sin(alpha_KL / 2, _exact) ** 2)
+            * (2 * l_KL * _elementary.cos(alpha_KL / 2, _exact) ** 2 - x5)
         ),
     )
 
 
-@scalar
-def _roller_lever_angle_at(x5, l_KL, alpha_KL, exact):
-    if not ((l_KL > 0) & is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < np.pi)):
-        return math.nan
-    prepared = _prepare_roller_lever_angle(l_KL, alpha_KL, exact)
-    return _roller_lever_angle(x5, *prepared, exact)
+@_scalar
+def _value_of_roller_lever_angle(x5, l_KL, alpha_KL, _exact):
+    if not ((l_KL > 0) & _is_finite(l_KL) & (alpha_KL > 0) & (alpha_KL < _np.pi)):
+        return _math.nan
+    _prepared = _prepare_of_roller_lever_angle(l_KL, alpha_KL, _exact)
+    return _form_of_roller_lever_angle(x5, *_prepared, _exact)
 
 
-@scalar
-def _roller_lever_angle_point(x5, l_KL, alpha_KL):
-    return _roller_lever_angle_at(x5, l_KL, alpha_KL, True)
+@_scalar
+def _point_of_roller_lever_angle(x5, l_KL, alpha_KL):
+    return _value_of_roller_lever_angle(x5, l_KL, alpha_KL, True)
 
 
-@loop
-def _row_roller_lever_angle(out, x5_values, l_KL, alpha_KL, exact):
-    widen()
-    for i in range(out.size):
-        x5 = float64(x5_values[i])
+@_loop
+def _row_of_roller_lever_angle(_out, _values_of_x5, l_KL, alpha_KL, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        x5 = _float64(_values_of_x5[_i])
 
-        value = _roller_lever_angle_at(x5, l_KL, alpha_KL, exact)
-        out[i] = value
+        _value = _value_of_roller_lever_angle(x5, l_KL, alpha_KL, _exact)
+        _out[_i] = _value
 
 
-@loop
-def _fill_roller_lever_angle(
-    out,
-    x5_values,
+@_loop
+def _fill_of_roller_lever_angle(
+    _out,
+    _values_of_x5,
     l_KL,
     alpha_KL,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        x5_block = x5_values[start:stop]
-        _row_roller_lever_angle(out_block, x5_block, l_KL, alpha_KL, None)
-        if has_nan(out_block):
-            _row_roller_lever_angle(out_block, x5_block, l_KL, alpha_KL, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_x5 = _values_of_x5[_start:_stop]
+        _row_of_roller_lever_angle(_out_block, _block_of_x5, l_KL, alpha_KL, None)
+        if _has_nan(_out_block):
+            _row_of_roller_lever_angle(_out_block, _block_of_x5, l_KL, alpha_KL, True)
 
 
-@loop
-def _row_each_roller_lever_angle(out, x5_values, l_KL_values, alpha_KL_values, exact):
-    widen()
-    for i in range(out.size):
-        x5 = float64(x5_values[i])
-
-        l_KL = float64(l_KL_values[i])
-
-        alpha_KL = float64(alpha_KL_values[i])
-
-        value = _roller_lever_angle_at(x5, l_KL, alpha_KL, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_roller_lever_angle(
-    out,
-    x5_values,
-    l_KL_values,
-    alpha_KL_values,
+@_loop
+def _row_each_of_roller_lever_angle(
+    _out, _values_of_x5, _values_of_l_KL, _values_of_alpha_KL, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        x5_block = x5_values[start:stop]
-        l_KL_block = l_KL_values[start:stop]
-        alpha_KL_block = alpha_KL_values[start:stop]
-        _row_each_roller_lever_angle(out_block, x5_block, l_KL_block, alpha_KL_block, None)
-        if has_nan(out_block):
-            _row_each_roller_lever_angle(out_block, x5_block, l_KL_block, alpha_KL_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        x5 = _float64(_values_of_x5[_i])
+
+        l_KL = _float64(_values_of_l_KL[_i])
+
+        alpha_KL = _float64(_values_of_alpha_KL[_i])
+
+        _value = _value_of_roller_lever_angle(x5, l_KL, alpha_KL, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_roller_lever_angle(
+    _out,
+    _values_of_x5,
+    _values_of_l_KL,
+    _values_of_alpha_KL,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_x5 = _values_of_x5[_start:_stop]
+        _block_of_l_KL = _values_of_l_KL[_start:_stop]
+        _block_of_alpha_KL = _values_of_alpha_KL[_start:_stop]
+        _row_each_of_roller_lever_angle(
+            _out_block, _block_of_x5, _block_of_l_KL, _block_of_alpha_KL, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_roller_lever_angle(
+                _out_block, _block_of_x5, _block_of_l_KL, _block_of_alpha_KL, True
+            )
 
 
 def roller_lever_angle(
@@ -900,16 +929,16 @@ def roller_lever_angle(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.roller_lever_angle` has all words.
     """
-    if type(l_KL) is type(alpha_KL) is float:
-        if type(x5) is ndarray:
-            row = take_row(x5, out)
-            if row is not None:
-                _ROLLER_LEVER_ANGLE.fill(row, x5, l_KL, alpha_KL)
-                return row
-        elif type(x5) is float and out is None:
-            return float64(_ROLLER_LEVER_ANGLE.point(x5, l_KL, alpha_KL))
-    return run(
-        _ROLLER_LEVER_ANGLE,
+    if _type(l_KL) is _type(alpha_KL) is _float:
+        if _type(x5) is _ndarray:
+            _row = _take_row(x5, out)
+            if _row is not None:
+                _loops_of_roller_lever_angle.fill(_row, x5, l_KL, alpha_KL)
+                return _row
+        elif _type(x5) is _float and out is None:
+            return _float64(_loops_of_roller_lever_angle.point(x5, l_KL, alpha_KL))
+    return _run(
+        _loops_of_roller_lever_angle,
         (
             x5,
             l_KL,
@@ -919,7 +948,7 @@ def roller_lever_angle(
     )
 
 
-_ROLLER_LEVER_ANGLE = Loops(
+_loops_of_roller_lever_angle = _Loops(
     names=(
         "x5",
         "l_KL",
@@ -931,106 +960,114 @@ _ROLLER_LEVER_ANGLE = Loops(
         0,
     ),
     shape=(),
-    at=_roller_lever_angle_point,
-    uniform=_fill_roller_lever_angle,
-    each=_fill_each_roller_lever_angle,
+    at=_point_of_roller_lever_angle,
+    uniform=_fill_of_roller_lever_angle,
+    each=_fill_each_of_roller_lever_angle,
 )
 
 
-@overload(roller_lever_angle)
-def _offer_roller_lever_angle(
+@_overload(roller_lever_angle)
+def _offer_of_roller_lever_angle(
     x5,
     l_KL,
     alpha_KL,
 ):
-    return lambda x5, l_KL, alpha_KL: _roller_lever_angle_point(
-        float64(x5),
-        float64(l_KL),
-        float64(alpha_KL),
+    return lambda x5, l_KL, alpha_KL: _point_of_roller_lever_angle(
+        _float64(x5),
+        _float64(l_KL),
+        _float64(alpha_KL),
     )
 
 
-@scalar
-def _prepare_wedge_displacement(l_LM, alpha_LM, exact):
+@_scalar
+def _prepare_of_wedge_displacement(l_LM, alpha_LM, _exact):
 
     return (l_LM, alpha_LM)
 
 
-@scalar
-def _wedge_displacement(phi7, l_LM, alpha_LM, exact):
+@_scalar
+def _form_of_wedge_displacement(phi7, l_LM, alpha_LM, _exact):
 
-    return 2 * l_LM * elementary.cos(alpha_LM + phi7 / 2, exact) * elementary.sin(phi7 / 2, exact)
-
-
-@scalar
-def _wedge_displacement_at(phi7, l_LM, alpha_LM, exact):
-    if not ((l_LM > 0) & is_finite(l_LM)):
-        return math.nan
-    prepared = _prepare_wedge_displacement(l_LM, alpha_LM, exact)
-    return _wedge_displacement(phi7, *prepared, exact)
+    return (
+        2 * l_LM * _elementary.cos(alpha_LM + phi7 / 2, _exact) * _elementary.sin(phi7 / 2, _exact)
+    )
 
 
-@scalar
-def _wedge_displacement_point(phi7, l_LM, alpha_LM):
-    return _wedge_displacement_at(phi7, l_LM, alpha_LM, True)
+@_scalar
+def _value_of_wedge_displacement(phi7, l_LM, alpha_LM, _exact):
+    if not ((l_LM > 0) & _is_finite(l_LM)):
+        return _math.nan
+    _prepared = _prepare_of_wedge_displacement(l_LM, alpha_LM, _exact)
+    return _form_of_wedge_displacement(phi7, *_prepared, _exact)
 
 
-@loop
-def _row_wedge_displacement(out, phi7_values, l_LM, alpha_LM, exact):
-    widen()
-    for i in range(out.size):
-        phi7 = float64(phi7_values[i])
-
-        value = _wedge_displacement_at(phi7, l_LM, alpha_LM, exact)
-        out[i] = value
+@_scalar
+def _point_of_wedge_displacement(phi7, l_LM, alpha_LM):
+    return _value_of_wedge_displacement(phi7, l_LM, alpha_LM, True)
 
 
-@loop
-def _fill_wedge_displacement(
-    out,
-    phi7_values,
+@_loop
+def _row_of_wedge_displacement(_out, _values_of_phi7, l_LM, alpha_LM, _exact):
+    _widen()
+    for _i in _range(_out.size):
+        phi7 = _float64(_values_of_phi7[_i])
+
+        _value = _value_of_wedge_displacement(phi7, l_LM, alpha_LM, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_of_wedge_displacement(
+    _out,
+    _values_of_phi7,
     l_LM,
     alpha_LM,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi7_block = phi7_values[start:stop]
-        _row_wedge_displacement(out_block, phi7_block, l_LM, alpha_LM, None)
-        if has_nan(out_block):
-            _row_wedge_displacement(out_block, phi7_block, l_LM, alpha_LM, True)
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi7 = _values_of_phi7[_start:_stop]
+        _row_of_wedge_displacement(_out_block, _block_of_phi7, l_LM, alpha_LM, None)
+        if _has_nan(_out_block):
+            _row_of_wedge_displacement(_out_block, _block_of_phi7, l_LM, alpha_LM, True)
 
 
-@loop
-def _row_each_wedge_displacement(out, phi7_values, l_LM_values, alpha_LM_values, exact):
-    widen()
-    for i in range(out.size):
-        phi7 = float64(phi7_values[i])
-
-        l_LM = float64(l_LM_values[i])
-
-        alpha_LM = float64(alpha_LM_values[i])
-
-        value = _wedge_displacement_at(phi7, l_LM, alpha_LM, exact)
-        out[i] = value
-
-
-@loop
-def _fill_each_wedge_displacement(
-    out,
-    phi7_values,
-    l_LM_values,
-    alpha_LM_values,
+@_loop
+def _row_each_of_wedge_displacement(
+    _out, _values_of_phi7, _values_of_l_LM, _values_of_alpha_LM, _exact
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        phi7_block = phi7_values[start:stop]
-        l_LM_block = l_LM_values[start:stop]
-        alpha_LM_block = alpha_LM_values[start:stop]
-        _row_each_wedge_displacement(out_block, phi7_block, l_LM_block, alpha_LM_block, None)
-        if has_nan(out_block):
-            _row_each_wedge_displacement(out_block, phi7_block, l_LM_block, alpha_LM_block, True)
+    _widen()
+    for _i in _range(_out.size):
+        phi7 = _float64(_values_of_phi7[_i])
+
+        l_LM = _float64(_values_of_l_LM[_i])
+
+        alpha_LM = _float64(_values_of_alpha_LM[_i])
+
+        _value = _value_of_wedge_displacement(phi7, l_LM, alpha_LM, _exact)
+        _out[_i] = _value
+
+
+@_loop
+def _fill_each_of_wedge_displacement(
+    _out,
+    _values_of_phi7,
+    _values_of_l_LM,
+    _values_of_alpha_LM,
+):
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_phi7 = _values_of_phi7[_start:_stop]
+        _block_of_l_LM = _values_of_l_LM[_start:_stop]
+        _block_of_alpha_LM = _values_of_alpha_LM[_start:_stop]
+        _row_each_of_wedge_displacement(
+            _out_block, _block_of_phi7, _block_of_l_LM, _block_of_alpha_LM, None
+        )
+        if _has_nan(_out_block):
+            _row_each_of_wedge_displacement(
+                _out_block, _block_of_phi7, _block_of_l_LM, _block_of_alpha_LM, True
+            )
 
 
 def wedge_displacement(
@@ -1040,16 +1077,16 @@ def wedge_displacement(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.wedge_displacement` has all words.
     """
-    if type(l_LM) is type(alpha_LM) is float:
-        if type(phi7) is ndarray:
-            row = take_row(phi7, out)
-            if row is not None:
-                _WEDGE_DISPLACEMENT.fill(row, phi7, l_LM, alpha_LM)
-                return row
-        elif type(phi7) is float and out is None:
-            return float64(_WEDGE_DISPLACEMENT.point(phi7, l_LM, alpha_LM))
-    return run(
-        _WEDGE_DISPLACEMENT,
+    if _type(l_LM) is _type(alpha_LM) is _float:
+        if _type(phi7) is _ndarray:
+            _row = _take_row(phi7, out)
+            if _row is not None:
+                _loops_of_wedge_displacement.fill(_row, phi7, l_LM, alpha_LM)
+                return _row
+        elif _type(phi7) is _float and out is None:
+            return _float64(_loops_of_wedge_displacement.point(phi7, l_LM, alpha_LM))
+    return _run(
+        _loops_of_wedge_displacement,
         (
             phi7,
             l_LM,
@@ -1059,7 +1096,7 @@ def wedge_displacement(
     )
 
 
-_WEDGE_DISPLACEMENT = Loops(
+_loops_of_wedge_displacement = _Loops(
     names=(
         "phi7",
         "l_LM",
@@ -1071,37 +1108,37 @@ _WEDGE_DISPLACEMENT = Loops(
         0,
     ),
     shape=(),
-    at=_wedge_displacement_point,
-    uniform=_fill_wedge_displacement,
-    each=_fill_each_wedge_displacement,
+    at=_point_of_wedge_displacement,
+    uniform=_fill_of_wedge_displacement,
+    each=_fill_each_of_wedge_displacement,
 )
 
 
-@overload(wedge_displacement)
-def _offer_wedge_displacement(
+@_overload(wedge_displacement)
+def _offer_of_wedge_displacement(
     phi7,
     l_LM,
     alpha_LM,
 ):
-    return lambda phi7, l_LM, alpha_LM: _wedge_displacement_point(
-        float64(phi7),
-        float64(l_LM),
-        float64(alpha_LM),
+    return lambda phi7, l_LM, alpha_LM: _point_of_wedge_displacement(
+        _float64(phi7),
+        _float64(l_LM),
+        _float64(alpha_LM),
     )
 
 
-@scalar
-def _prepare_position(
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+@_scalar
+def _prepare_of_position(
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
 ):
     arm = l_AB + l_CD
-    sin_DE = elementary.sin(alpha_DE, exact)
-    cos_DE = elementary.cos(alpha_DE, exact)
-    to_right = 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2
-    to_left = 2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2
-    start_height = l_KL * elementary.sin(alpha_KL, exact)
-    cos_LM = elementary.cos(alpha_LM, exact)
-    sin_LM = elementary.sin(alpha_LM, exact)
+    sin_DE = _elementary.sin(alpha_DE, _exact)
+    cos_DE = _elementary.cos(alpha_DE, _exact)
+    to_right = 2 * l_KL * _elementary.sin(alpha_KL / 2, _exact) ** 2
+    to_left = 2 * l_KL * _elementary.cos(alpha_KL / 2, _exact) ** 2
+    start_height = l_KL * _elementary.sin(alpha_KL, _exact)
+    cos_LM = _elementary.cos(alpha_LM, _exact)
+    sin_LM = _elementary.sin(alpha_LM, _exact)
 
     return (
         l_BC,
@@ -1119,8 +1156,8 @@ def _prepare_position(
     )
 
 
-@scalar
-def _position(
+@_scalar
+def _form_of_position(
     x1,
     l_BC,
     l_DE,
@@ -1134,72 +1171,86 @@ def _position(
     start_height,
     cos_LM,
     sin_LM,
-    exact,
+    _exact,
 ):
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = _np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
     guide_sum = guide_length + l_BC
     lever_square = guide_sum**2 + x1**2
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
-    push = maximum(0, run - l_GH)
-    rise = np.sqrt((push + to_right) * (to_left - push))
+    push = _maximum(0, run - l_GH)
+    rise = _np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
     roller_square = push**2 + rise_sum**2
 
     return 2 * l_LM / roller_square * push * (cos_LM * rise_sum - sin_LM * push)
 
 
-@scalar
-def _position_at(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact):
+@_scalar
+def _value_of_position(
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
+):
     if not (
         (l_AB > 0)
-        & is_finite(l_AB)
+        & _is_finite(l_AB)
         & (l_BC > 0)
-        & is_finite(l_BC)
+        & _is_finite(l_BC)
         & (l_CD > 0)
-        & is_finite(l_CD)
+        & _is_finite(l_CD)
         & (l_DE > 0)
-        & is_finite(l_DE)
+        & _is_finite(l_DE)
         & (l_GH > 0)
-        & is_finite(l_GH)
+        & _is_finite(l_GH)
         & (l_KL > 0)
-        & is_finite(l_KL)
+        & _is_finite(l_KL)
         & (l_LM > 0)
-        & is_finite(l_LM)
+        & _is_finite(l_LM)
         & (alpha_KL > 0)
-        & (alpha_KL < np.pi)
+        & (alpha_KL < _np.pi)
     ):
-        return math.nan
-    prepared = _prepare_position(
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        return _math.nan
+    _prepared = _prepare_of_position(
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
     )
-    return _position(x1, *prepared, exact)
+    return _form_of_position(x1, *_prepared, _exact)
 
 
-@scalar
-def _position_point(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM):
-    return _position_at(
+@_scalar
+def _point_of_position(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM):
+    return _value_of_position(
         x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
     )
 
 
-@loop
-def _row_position(
-    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+@_loop
+def _row_of_position(
+    _out,
+    _values_of_x1,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+    _exact,
 ):
-    widen()
-    for i in range(out.size):
-        x1 = float64(x1_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        x1 = _float64(_values_of_x1[_i])
 
-        value = _position_at(
-            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        _value = _value_of_position(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
         )
-        out[i] = value
+        _out[_i] = _value
 
 
-@loop
-def _fill_position(
-    out,
-    x1_values,
+@_loop
+def _fill_of_position(
+    _out,
+    _values_of_x1,
     l_AB,
     l_BC,
     l_CD,
@@ -1211,13 +1262,13 @@ def _fill_position(
     alpha_KL,
     alpha_LM,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        x1_block = x1_values[start:stop]
-        _row_position(
-            out_block,
-            x1_block,
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_x1 = _values_of_x1[_start:_stop]
+        _row_of_position(
+            _out_block,
+            _block_of_x1,
             l_AB,
             l_BC,
             l_CD,
@@ -1230,10 +1281,10 @@ def _fill_position(
             alpha_LM,
             None,
         )
-        if has_nan(out_block):
-            _row_position(
-                out_block,
-                x1_block,
+        if _has_nan(_out_block):
+            _row_of_position(
+                _out_block,
+                _block_of_x1,
                 l_AB,
                 l_BC,
                 l_CD,
@@ -1248,110 +1299,110 @@ def _fill_position(
             )
 
 
-@loop
-def _row_each_position(
-    out,
-    x1_values,
-    l_AB_values,
-    l_BC_values,
-    l_CD_values,
-    l_DE_values,
-    l_GH_values,
-    l_KL_values,
-    l_LM_values,
-    alpha_DE_values,
-    alpha_KL_values,
-    alpha_LM_values,
-    exact,
+@_loop
+def _row_each_of_position(
+    _out,
+    _values_of_x1,
+    _values_of_l_AB,
+    _values_of_l_BC,
+    _values_of_l_CD,
+    _values_of_l_DE,
+    _values_of_l_GH,
+    _values_of_l_KL,
+    _values_of_l_LM,
+    _values_of_alpha_DE,
+    _values_of_alpha_KL,
+    _values_of_alpha_LM,
+    _exact,
 ):
-    widen()
-    for i in range(out.size):
-        x1 = float64(x1_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        x1 = _float64(_values_of_x1[_i])
 
-        l_AB = float64(l_AB_values[i])
+        l_AB = _float64(_values_of_l_AB[_i])
 
-        l_BC = float64(l_BC_values[i])
+        l_BC = _float64(_values_of_l_BC[_i])
 
-        l_CD = float64(l_CD_values[i])
+        l_CD = _float64(_values_of_l_CD[_i])
 
-        l_DE = float64(l_DE_values[i])
+        l_DE = _float64(_values_of_l_DE[_i])
 
-        l_GH = float64(l_GH_values[i])
+        l_GH = _float64(_values_of_l_GH[_i])
 
-        l_KL = float64(l_KL_values[i])
+        l_KL = _float64(_values_of_l_KL[_i])
 
-        l_LM = float64(l_LM_values[i])
+        l_LM = _float64(_values_of_l_LM[_i])
 
-        alpha_DE = float64(alpha_DE_values[i])
+        alpha_DE = _float64(_values_of_alpha_DE[_i])
 
-        alpha_KL = float64(alpha_KL_values[i])
+        alpha_KL = _float64(_values_of_alpha_KL[_i])
 
-        alpha_LM = float64(alpha_LM_values[i])
+        alpha_LM = _float64(_values_of_alpha_LM[_i])
 
-        value = _position_at(
-            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        _value = _value_of_position(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
         )
-        out[i] = value
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_position(
-    out,
-    x1_values,
-    l_AB_values,
-    l_BC_values,
-    l_CD_values,
-    l_DE_values,
-    l_GH_values,
-    l_KL_values,
-    l_LM_values,
-    alpha_DE_values,
-    alpha_KL_values,
-    alpha_LM_values,
+@_loop
+def _fill_each_of_position(
+    _out,
+    _values_of_x1,
+    _values_of_l_AB,
+    _values_of_l_BC,
+    _values_of_l_CD,
+    _values_of_l_DE,
+    _values_of_l_GH,
+    _values_of_l_KL,
+    _values_of_l_LM,
+    _values_of_alpha_DE,
+    _values_of_alpha_KL,
+    _values_of_alpha_LM,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        x1_block = x1_values[start:stop]
-        l_AB_block = l_AB_values[start:stop]
-        l_BC_block = l_BC_values[start:stop]
-        l_CD_block = l_CD_values[start:stop]
-        l_DE_block = l_DE_values[start:stop]
-        l_GH_block = l_GH_values[start:stop]
-        l_KL_block = l_KL_values[start:stop]
-        l_LM_block = l_LM_values[start:stop]
-        alpha_DE_block = alpha_DE_values[start:stop]
-        alpha_KL_block = alpha_KL_values[start:stop]
-        alpha_LM_block = alpha_LM_values[start:stop]
-        _row_each_position(
-            out_block,
-            x1_block,
-            l_AB_block,
-            l_BC_block,
-            l_CD_block,
-            l_DE_block,
-            l_GH_block,
-            l_KL_block,
-            l_LM_block,
-            alpha_DE_block,
-            alpha_KL_block,
-            alpha_LM_block,
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_x1 = _values_of_x1[_start:_stop]
+        _block_of_l_AB = _values_of_l_AB[_start:_stop]
+        _block_of_l_BC = _values_of_l_BC[_start:_stop]
+        _block_of_l_CD = _values_of_l_CD[_start:_stop]
+        _block_of_l_DE = _values_of_l_DE[_start:_stop]
+        _block_of_l_GH = _values_of_l_GH[_start:_stop]
+        _block_of_l_KL = _values_of_l_KL[_start:_stop]
+        _block_of_l_LM = _values_of_l_LM[_start:_stop]
+        _block_of_alpha_DE = _values_of_alpha_DE[_start:_stop]
+        _block_of_alpha_KL = _values_of_alpha_KL[_start:_stop]
+        _block_of_alpha_LM = _values_of_alpha_LM[_start:_stop]
+        _row_each_of_position(
+            _out_block,
+            _block_of_x1,
+            _block_of_l_AB,
+            _block_of_l_BC,
+            _block_of_l_CD,
+            _block_of_l_DE,
+            _block_of_l_GH,
+            _block_of_l_KL,
+            _block_of_l_LM,
+            _block_of_alpha_DE,
+            _block_of_alpha_KL,
+            _block_of_alpha_LM,
             None,
         )
-        if has_nan(out_block):
-            _row_each_position(
-                out_block,
-                x1_block,
-                l_AB_block,
-                l_BC_block,
-                l_CD_block,
-                l_DE_block,
-                l_GH_block,
-                l_KL_block,
-                l_LM_block,
-                alpha_DE_block,
-                alpha_KL_block,
-                alpha_LM_block,
+        if _has_nan(_out_block):
+            _row_each_of_position(
+                _out_block,
+                _block_of_x1,
+                _block_of_l_AB,
+                _block_of_l_BC,
+                _block_of_l_CD,
+                _block_of_l_DE,
+                _block_of_l_GH,
+                _block_of_l_KL,
+                _block_of_l_LM,
+                _block_of_alpha_DE,
+                _block_of_alpha_KL,
+                _block_of_alpha_LM,
                 True,
             )
 
@@ -1376,33 +1427,33 @@ def position(
     Compiled. The help of `mechproof.kernels.wedge_linkage.position` has all words.
     """
     if (
-        type(l_AB)
-        is type(l_BC)
-        is type(l_CD)
-        is type(l_DE)
-        is type(l_GH)
-        is type(l_KL)
-        is type(l_LM)
-        is type(alpha_DE)
-        is type(alpha_KL)
-        is type(alpha_LM)
-        is float
+        _type(l_AB)
+        is _type(l_BC)
+        is _type(l_CD)
+        is _type(l_DE)
+        is _type(l_GH)
+        is _type(l_KL)
+        is _type(l_LM)
+        is _type(alpha_DE)
+        is _type(alpha_KL)
+        is _type(alpha_LM)
+        is _float
     ):
-        if type(x1) is ndarray:
-            row = take_row(x1, out)
-            if row is not None:
-                _POSITION.fill(
-                    row, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+        if _type(x1) is _ndarray:
+            _row = _take_row(x1, out)
+            if _row is not None:
+                _loops_of_position.fill(
+                    _row, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
                 )
-                return row
-        elif type(x1) is float and out is None:
-            return float64(
-                _POSITION.point(
+                return _row
+        elif _type(x1) is _float and out is None:
+            return _float64(
+                _loops_of_position.point(
                     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
                 )
             )
-    return run(
-        _POSITION,
+    return _run(
+        _loops_of_position,
         (
             x1,
             l_AB,
@@ -1420,7 +1471,7 @@ def position(
     )
 
 
-_POSITION = Loops(
+_loops_of_position = _Loops(
     names=(
         "x1",
         "l_AB",
@@ -1448,14 +1499,14 @@ _POSITION = Loops(
         0,
     ),
     shape=(),
-    at=_position_point,
-    uniform=_fill_position,
-    each=_fill_each_position,
+    at=_point_of_position,
+    uniform=_fill_of_position,
+    each=_fill_each_of_position,
 )
 
 
-@overload(position)
-def _offer_position(
+@_overload(position)
+def _offer_of_position(
     x1,
     l_AB,
     l_BC,
@@ -1469,34 +1520,34 @@ def _offer_position(
     alpha_LM,
 ):
     return lambda x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM: (
-        _position_point(
-            float64(x1),
-            float64(l_AB),
-            float64(l_BC),
-            float64(l_CD),
-            float64(l_DE),
-            float64(l_GH),
-            float64(l_KL),
-            float64(l_LM),
-            float64(alpha_DE),
-            float64(alpha_KL),
-            float64(alpha_LM),
+        _point_of_position(
+            _float64(x1),
+            _float64(l_AB),
+            _float64(l_BC),
+            _float64(l_CD),
+            _float64(l_DE),
+            _float64(l_GH),
+            _float64(l_KL),
+            _float64(l_LM),
+            _float64(alpha_DE),
+            _float64(alpha_KL),
+            _float64(alpha_LM),
         )
     )
 
 
-@scalar
-def _prepare_velocity(
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+@_scalar
+def _prepare_of_velocity(
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
 ):
     arm = l_AB + l_CD
-    sin_DE = elementary.sin(alpha_DE, exact)
-    cos_DE = elementary.cos(alpha_DE, exact)
-    to_right = 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2
-    to_left = 2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2
-    start_height = l_KL * elementary.sin(alpha_KL, exact)
-    cos_LM = elementary.cos(alpha_LM, exact)
-    sin_LM = elementary.sin(alpha_LM, exact)
+    sin_DE = _elementary.sin(alpha_DE, _exact)
+    cos_DE = _elementary.cos(alpha_DE, _exact)
+    to_right = 2 * l_KL * _elementary.sin(alpha_KL / 2, _exact) ** 2
+    to_left = 2 * l_KL * _elementary.cos(alpha_KL / 2, _exact) ** 2
+    start_height = l_KL * _elementary.sin(alpha_KL, _exact)
+    cos_LM = _elementary.cos(alpha_LM, _exact)
+    sin_LM = _elementary.sin(alpha_LM, _exact)
 
     return (
         l_BC,
@@ -1514,8 +1565,8 @@ def _prepare_velocity(
     )
 
 
-@scalar
-def _velocity(
+@_scalar
+def _form_of_velocity(
     x1,
     l_BC,
     l_DE,
@@ -1529,78 +1580,92 @@ def _velocity(
     start_height,
     cos_LM,
     sin_LM,
-    exact,
+    _exact,
 ):
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = _np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
     guide_sum = guide_length + l_BC
     lever_square = guide_sum**2 + x1**2
     cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
-    push = maximum(0, run - l_GH)
-    rise = np.sqrt((push + to_right) * (to_left - push))
+    push = _maximum(0, run - l_GH)
+    rise = _np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
     roller_square = push**2 + rise_sum**2
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = cos_wedge * choose(run < l_GH, 0, l_LM) / rise
+    gain = cos_wedge * _choose(run < l_GH, 0, l_LM) / rise
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
 
     return l_DE / guide_length * cos_lever * gain * sin_arm
 
 
-@scalar
-def _velocity_at(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact):
+@_scalar
+def _value_of_velocity(
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
+):
     if not (
         (l_AB > 0)
-        & is_finite(l_AB)
+        & _is_finite(l_AB)
         & (l_BC > 0)
-        & is_finite(l_BC)
+        & _is_finite(l_BC)
         & (l_CD > 0)
-        & is_finite(l_CD)
+        & _is_finite(l_CD)
         & (l_DE > 0)
-        & is_finite(l_DE)
+        & _is_finite(l_DE)
         & (l_GH > 0)
-        & is_finite(l_GH)
+        & _is_finite(l_GH)
         & (l_KL > 0)
-        & is_finite(l_KL)
+        & _is_finite(l_KL)
         & (l_LM > 0)
-        & is_finite(l_LM)
+        & _is_finite(l_LM)
         & (alpha_KL > 0)
-        & (alpha_KL < np.pi)
+        & (alpha_KL < _np.pi)
     ):
-        return math.nan
-    prepared = _prepare_velocity(
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        return _math.nan
+    _prepared = _prepare_of_velocity(
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
     )
-    return _velocity(x1, *prepared, exact)
+    return _form_of_velocity(x1, *_prepared, _exact)
 
 
-@scalar
-def _velocity_point(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM):
-    return _velocity_at(
+@_scalar
+def _point_of_velocity(x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM):
+    return _value_of_velocity(
         x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
     )
 
 
-@loop
-def _row_velocity(
-    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+@_loop
+def _row_of_velocity(
+    _out,
+    _values_of_x1,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+    _exact,
 ):
-    widen()
-    for i in range(out.size):
-        x1 = float64(x1_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        x1 = _float64(_values_of_x1[_i])
 
-        value = _velocity_at(
-            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        _value = _value_of_velocity(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
         )
-        out[i] = value
+        _out[_i] = _value
 
 
-@loop
-def _fill_velocity(
-    out,
-    x1_values,
+@_loop
+def _fill_of_velocity(
+    _out,
+    _values_of_x1,
     l_AB,
     l_BC,
     l_CD,
@@ -1612,13 +1677,13 @@ def _fill_velocity(
     alpha_KL,
     alpha_LM,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        x1_block = x1_values[start:stop]
-        _row_velocity(
-            out_block,
-            x1_block,
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_x1 = _values_of_x1[_start:_stop]
+        _row_of_velocity(
+            _out_block,
+            _block_of_x1,
             l_AB,
             l_BC,
             l_CD,
@@ -1631,10 +1696,10 @@ def _fill_velocity(
             alpha_LM,
             None,
         )
-        if has_nan(out_block):
-            _row_velocity(
-                out_block,
-                x1_block,
+        if _has_nan(_out_block):
+            _row_of_velocity(
+                _out_block,
+                _block_of_x1,
                 l_AB,
                 l_BC,
                 l_CD,
@@ -1649,110 +1714,110 @@ def _fill_velocity(
             )
 
 
-@loop
-def _row_each_velocity(
-    out,
-    x1_values,
-    l_AB_values,
-    l_BC_values,
-    l_CD_values,
-    l_DE_values,
-    l_GH_values,
-    l_KL_values,
-    l_LM_values,
-    alpha_DE_values,
-    alpha_KL_values,
-    alpha_LM_values,
-    exact,
+@_loop
+def _row_each_of_velocity(
+    _out,
+    _values_of_x1,
+    _values_of_l_AB,
+    _values_of_l_BC,
+    _values_of_l_CD,
+    _values_of_l_DE,
+    _values_of_l_GH,
+    _values_of_l_KL,
+    _values_of_l_LM,
+    _values_of_alpha_DE,
+    _values_of_alpha_KL,
+    _values_of_alpha_LM,
+    _exact,
 ):
-    widen()
-    for i in range(out.size):
-        x1 = float64(x1_values[i])
+    _widen()
+    for _i in _range(_out.size):
+        x1 = _float64(_values_of_x1[_i])
 
-        l_AB = float64(l_AB_values[i])
+        l_AB = _float64(_values_of_l_AB[_i])
 
-        l_BC = float64(l_BC_values[i])
+        l_BC = _float64(_values_of_l_BC[_i])
 
-        l_CD = float64(l_CD_values[i])
+        l_CD = _float64(_values_of_l_CD[_i])
 
-        l_DE = float64(l_DE_values[i])
+        l_DE = _float64(_values_of_l_DE[_i])
 
-        l_GH = float64(l_GH_values[i])
+        l_GH = _float64(_values_of_l_GH[_i])
 
-        l_KL = float64(l_KL_values[i])
+        l_KL = _float64(_values_of_l_KL[_i])
 
-        l_LM = float64(l_LM_values[i])
+        l_LM = _float64(_values_of_l_LM[_i])
 
-        alpha_DE = float64(alpha_DE_values[i])
+        alpha_DE = _float64(_values_of_alpha_DE[_i])
 
-        alpha_KL = float64(alpha_KL_values[i])
+        alpha_KL = _float64(_values_of_alpha_KL[_i])
 
-        alpha_LM = float64(alpha_LM_values[i])
+        alpha_LM = _float64(_values_of_alpha_LM[_i])
 
-        value = _velocity_at(
-            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        _value = _value_of_velocity(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
         )
-        out[i] = value
+        _out[_i] = _value
 
 
-@loop
-def _fill_each_velocity(
-    out,
-    x1_values,
-    l_AB_values,
-    l_BC_values,
-    l_CD_values,
-    l_DE_values,
-    l_GH_values,
-    l_KL_values,
-    l_LM_values,
-    alpha_DE_values,
-    alpha_KL_values,
-    alpha_LM_values,
+@_loop
+def _fill_each_of_velocity(
+    _out,
+    _values_of_x1,
+    _values_of_l_AB,
+    _values_of_l_BC,
+    _values_of_l_CD,
+    _values_of_l_DE,
+    _values_of_l_GH,
+    _values_of_l_KL,
+    _values_of_l_LM,
+    _values_of_alpha_DE,
+    _values_of_alpha_KL,
+    _values_of_alpha_LM,
 ):
-    for start in range(0, out.size, BLOCK):
-        stop = start + BLOCK
-        out_block = out[start:stop]
-        x1_block = x1_values[start:stop]
-        l_AB_block = l_AB_values[start:stop]
-        l_BC_block = l_BC_values[start:stop]
-        l_CD_block = l_CD_values[start:stop]
-        l_DE_block = l_DE_values[start:stop]
-        l_GH_block = l_GH_values[start:stop]
-        l_KL_block = l_KL_values[start:stop]
-        l_LM_block = l_LM_values[start:stop]
-        alpha_DE_block = alpha_DE_values[start:stop]
-        alpha_KL_block = alpha_KL_values[start:stop]
-        alpha_LM_block = alpha_LM_values[start:stop]
-        _row_each_velocity(
-            out_block,
-            x1_block,
-            l_AB_block,
-            l_BC_block,
-            l_CD_block,
-            l_DE_block,
-            l_GH_block,
-            l_KL_block,
-            l_LM_block,
-            alpha_DE_block,
-            alpha_KL_block,
-            alpha_LM_block,
+    for _start in _range(0, _out.size, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[_start:_stop]
+        _block_of_x1 = _values_of_x1[_start:_stop]
+        _block_of_l_AB = _values_of_l_AB[_start:_stop]
+        _block_of_l_BC = _values_of_l_BC[_start:_stop]
+        _block_of_l_CD = _values_of_l_CD[_start:_stop]
+        _block_of_l_DE = _values_of_l_DE[_start:_stop]
+        _block_of_l_GH = _values_of_l_GH[_start:_stop]
+        _block_of_l_KL = _values_of_l_KL[_start:_stop]
+        _block_of_l_LM = _values_of_l_LM[_start:_stop]
+        _block_of_alpha_DE = _values_of_alpha_DE[_start:_stop]
+        _block_of_alpha_KL = _values_of_alpha_KL[_start:_stop]
+        _block_of_alpha_LM = _values_of_alpha_LM[_start:_stop]
+        _row_each_of_velocity(
+            _out_block,
+            _block_of_x1,
+            _block_of_l_AB,
+            _block_of_l_BC,
+            _block_of_l_CD,
+            _block_of_l_DE,
+            _block_of_l_GH,
+            _block_of_l_KL,
+            _block_of_l_LM,
+            _block_of_alpha_DE,
+            _block_of_alpha_KL,
+            _block_of_alpha_LM,
             None,
         )
-        if has_nan(out_block):
-            _row_each_velocity(
-                out_block,
-                x1_block,
-                l_AB_block,
-                l_BC_block,
-                l_CD_block,
-                l_DE_block,
-                l_GH_block,
-                l_KL_block,
-                l_LM_block,
-                alpha_DE_block,
-                alpha_KL_block,
-                alpha_LM_block,
+        if _has_nan(_out_block):
+            _row_each_of_velocity(
+                _out_block,
+                _block_of_x1,
+                _block_of_l_AB,
+                _block_of_l_BC,
+                _block_of_l_CD,
+                _block_of_l_DE,
+                _block_of_l_GH,
+                _block_of_l_KL,
+                _block_of_l_LM,
+                _block_of_alpha_DE,
+                _block_of_alpha_KL,
+                _block_of_alpha_LM,
                 True,
             )
 
@@ -1777,33 +1842,33 @@ def velocity(
     Compiled. The help of `mechproof.kernels.wedge_linkage.velocity` has all words.
     """
     if (
-        type(l_AB)
-        is type(l_BC)
-        is type(l_CD)
-        is type(l_DE)
-        is type(l_GH)
-        is type(l_KL)
-        is type(l_LM)
-        is type(alpha_DE)
-        is type(alpha_KL)
-        is type(alpha_LM)
-        is float
+        _type(l_AB)
+        is _type(l_BC)
+        is _type(l_CD)
+        is _type(l_DE)
+        is _type(l_GH)
+        is _type(l_KL)
+        is _type(l_LM)
+        is _type(alpha_DE)
+        is _type(alpha_KL)
+        is _type(alpha_LM)
+        is _float
     ):
-        if type(x1) is ndarray:
-            row = take_row(x1, out)
-            if row is not None:
-                _VELOCITY.fill(
-                    row, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
+        if _type(x1) is _ndarray:
+            _row = _take_row(x1, out)
+            if _row is not None:
+                _loops_of_velocity.fill(
+                    _row, x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
                 )
-                return row
-        elif type(x1) is float and out is None:
-            return float64(
-                _VELOCITY.point(
+                return _row
+        elif _type(x1) is _float and out is None:
+            return _float64(
+                _loops_of_velocity.point(
                     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
                 )
             )
-    return run(
-        _VELOCITY,
+    return _run(
+        _loops_of_velocity,
         (
             x1,
             l_AB,
@@ -1821,7 +1886,7 @@ def velocity(
     )
 
 
-_VELOCITY = Loops(
+_loops_of_velocity = _Loops(
     names=(
         "x1",
         "l_AB",
@@ -1849,14 +1914,14 @@ _VELOCITY = Loops(
         0,
     ),
     shape=(),
-    at=_velocity_point,
-    uniform=_fill_velocity,
-    each=_fill_each_velocity,
+    at=_point_of_velocity,
+    uniform=_fill_of_velocity,
+    each=_fill_each_of_velocity,
 )
 
 
-@overload(velocity)
-def _offer_velocity(
+@_overload(velocity)
+def _offer_of_velocity(
     x1,
     l_AB,
     l_BC,
@@ -1870,34 +1935,34 @@ def _offer_velocity(
     alpha_LM,
 ):
     return lambda x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM: (
-        _velocity_point(
-            float64(x1),
-            float64(l_AB),
-            float64(l_BC),
-            float64(l_CD),
-            float64(l_DE),
-            float64(l_GH),
-            float64(l_KL),
-            float64(l_LM),
-            float64(alpha_DE),
-            float64(alpha_KL),
-            float64(alpha_LM),
+        _point_of_velocity(
+            _float64(x1),
+            _float64(l_AB),
+            _float64(l_BC),
+            _float64(l_CD),
+            _float64(l_DE),
+            _float64(l_GH),
+            _float64(l_KL),
+            _float64(l_LM),
+            _float64(alpha_DE),
+            _float64(alpha_KL),
+            _float64(alpha_LM),
         )
     )
 
 
-@scalar
-def _prepare_sensitivities(
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+@_scalar
+def _prepare_of_sensitivities(
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
 ):
     arm = l_AB + l_CD
-    sin_DE = elementary.sin(alpha_DE, exact)
-    cos_DE = elementary.cos(alpha_DE, exact)
-    to_right = 2 * l_KL * elementary.sin(alpha_KL / 2, exact) ** 2
-    to_left = 2 * l_KL * elementary.cos(alpha_KL / 2, exact) ** 2
-    start_height = l_KL * elementary.sin(alpha_KL, exact)
-    cos_LM = elementary.cos(alpha_LM, exact)
-    sin_LM = elementary.sin(alpha_LM, exact)
+    sin_DE = _elementary.sin(alpha_DE, _exact)
+    cos_DE = _elementary.cos(alpha_DE, _exact)
+    to_right = 2 * l_KL * _elementary.sin(alpha_KL / 2, _exact) ** 2
+    to_left = 2 * l_KL * _elementary.cos(alpha_KL / 2, _exact) ** 2
+    start_height = l_KL * _elementary.sin(alpha_KL, _exact)
+    cos_LM = _elementary.cos(alpha_LM, _exact)
+    sin_LM = _elementary.sin(alpha_LM, _exact)
 
     return (
         l_BC,
@@ -1916,8 +1981,8 @@ def _prepare_sensitivities(
     )
 
 
-@scalar
-def _sensitivities(
+@_scalar
+def _form_of_sensitivities(
     x1,
     l_BC,
     l_DE,
@@ -1932,21 +1997,21 @@ def _sensitivities(
     start_height,
     cos_LM,
     sin_LM,
-    exact,
+    _exact,
 ):
     x1_squared = x1**2
-    guide_length = np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
+    guide_length = _np.sqrt(l_BC**2 + x1 * (2 * arm + x1))
     guide_sum = guide_length + l_BC
     lever_square = guide_sum**2 + x1_squared
     run = 2 * l_DE / lever_square * x1 * (sin_DE * guide_sum - cos_DE * x1)
-    push = maximum(0, run - l_GH)
-    rise = np.sqrt((push + to_right) * (to_left - push))
+    push = _maximum(0, run - l_GH)
+    rise = _np.sqrt((push + to_right) * (to_left - push))
     rise_sum = rise + start_height
     roller_square = push**2 + rise_sum**2
     cos_wedge = (
         cos_LM * (push + rise_sum) * (rise_sum - push) - 2 * sin_LM * push * rise_sum
     ) / roller_square
-    gain = cos_wedge * choose(run < l_GH, 0, l_LM) / rise
+    gain = cos_wedge * _choose(run < l_GH, 0, l_LM) / rise
     cos_lever = (2 * arm * x1 + 2 * l_BC * guide_sum) / lever_square
     sin_arm = sin_DE * cos_lever - 2 * cos_DE / lever_square * guide_sum * x1
     term = -2 * l_DE / (guide_length * lever_square) * gain * sin_arm * x1_squared
@@ -1965,82 +2030,94 @@ def _sensitivities(
     )
 
 
-@scalar
-def _sensitivities_at(
-    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+@_scalar
+def _value_of_sensitivities(
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
 ):
     if not (
         (l_AB > 0)
-        & is_finite(l_AB)
+        & _is_finite(l_AB)
         & (l_BC > 0)
-        & is_finite(l_BC)
+        & _is_finite(l_BC)
         & (l_CD > 0)
-        & is_finite(l_CD)
+        & _is_finite(l_CD)
         & (l_DE > 0)
-        & is_finite(l_DE)
+        & _is_finite(l_DE)
         & (l_GH > 0)
-        & is_finite(l_GH)
+        & _is_finite(l_GH)
         & (l_KL > 0)
-        & is_finite(l_KL)
+        & _is_finite(l_KL)
         & (l_LM > 0)
-        & is_finite(l_LM)
+        & _is_finite(l_LM)
         & (alpha_KL > 0)
-        & (alpha_KL < np.pi)
+        & (alpha_KL < _np.pi)
     ):
         return (
-            math.nan,
-            math.nan,
-            math.nan,
-            math.nan,
-            math.nan,
-            math.nan,
-            math.nan,
-            math.nan,
-            math.nan,
-            math.nan,
+            _math.nan,
+            _math.nan,
+            _math.nan,
+            _math.nan,
+            _math.nan,
+            _math.nan,
+            _math.nan,
+            _math.nan,
+            _math.nan,
+            _math.nan,
         )
-    prepared = _prepare_sensitivities(
-        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+    _prepared = _prepare_of_sensitivities(
+        l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
     )
-    return _sensitivities(x1, *prepared, exact)
+    return _form_of_sensitivities(x1, *_prepared, _exact)
 
 
-@scalar
-def _sensitivities_point(
+@_scalar
+def _point_of_sensitivities(
     x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM
 ):
-    return _sensitivities_at(
+    return _value_of_sensitivities(
         x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, True
     )
 
 
-@loop
-def _row_sensitivities(
-    out, x1_values, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+@_loop
+def _row_of_sensitivities(
+    _out,
+    _values_of_x1,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_DE,
+    l_GH,
+    l_KL,
+    l_LM,
+    alpha_DE,
+    alpha_KL,
+    alpha_LM,
+    _exact,
 ):
-    widen()
-    for i in range(out.size // 10):
-        x1 = float64(x1_values[i])
+    _widen()
+    for _i in _range(_out.size // 10):
+        x1 = _float64(_values_of_x1[_i])
 
-        value = _sensitivities_at(
-            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        _value = _value_of_sensitivities(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
         )
-        out[10 * i + 0] = value[0]
-        out[10 * i + 1] = value[1]
-        out[10 * i + 2] = value[2]
-        out[10 * i + 3] = value[3]
-        out[10 * i + 4] = value[4]
-        out[10 * i + 5] = value[5]
-        out[10 * i + 6] = value[6]
-        out[10 * i + 7] = value[7]
-        out[10 * i + 8] = value[8]
-        out[10 * i + 9] = value[9]
+        _out[10 * _i + 0] = _value[0]
+        _out[10 * _i + 1] = _value[1]
+        _out[10 * _i + 2] = _value[2]
+        _out[10 * _i + 3] = _value[3]
+        _out[10 * _i + 4] = _value[4]
+        _out[10 * _i + 5] = _value[5]
+        _out[10 * _i + 6] = _value[6]
+        _out[10 * _i + 7] = _value[7]
+        _out[10 * _i + 8] = _value[8]
+        _out[10 * _i + 9] = _value[9]
 
 
-@loop
-def _fill_sensitivities(
-    out,
-    x1_values,
+@_loop
+def _fill_of_sensitivities(
+    _out,
+    _values_of_x1,
     l_AB,
     l_BC,
     l_CD,
@@ -2052,13 +2129,13 @@ def _fill_sensitivities(
     alpha_KL,
     alpha_LM,
 ):
-    for start in range(0, out.size // 10, BLOCK):
-        stop = start + BLOCK
-        out_block = out[10 * start : 10 * stop]
-        x1_block = x1_values[start:stop]
-        _row_sensitivities(
-            out_block,
-            x1_block,
+    for _start in _range(0, _out.size // 10, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[10 * _start : 10 * _stop]
+        _block_of_x1 = _values_of_x1[_start:_stop]
+        _row_of_sensitivities(
+            _out_block,
+            _block_of_x1,
             l_AB,
             l_BC,
             l_CD,
@@ -2071,10 +2148,10 @@ def _fill_sensitivities(
             alpha_LM,
             None,
         )
-        if has_nan(out_block):
-            _row_sensitivities(
-                out_block,
-                x1_block,
+        if _has_nan(_out_block):
+            _row_of_sensitivities(
+                _out_block,
+                _block_of_x1,
                 l_AB,
                 l_BC,
                 l_CD,
@@ -2089,119 +2166,119 @@ def _fill_sensitivities(
             )
 
 
-@loop
-def _row_each_sensitivities(
-    out,
-    x1_values,
-    l_AB_values,
-    l_BC_values,
-    l_CD_values,
-    l_DE_values,
-    l_GH_values,
-    l_KL_values,
-    l_LM_values,
-    alpha_DE_values,
-    alpha_KL_values,
-    alpha_LM_values,
-    exact,
+@_loop
+def _row_each_of_sensitivities(
+    _out,
+    _values_of_x1,
+    _values_of_l_AB,
+    _values_of_l_BC,
+    _values_of_l_CD,
+    _values_of_l_DE,
+    _values_of_l_GH,
+    _values_of_l_KL,
+    _values_of_l_LM,
+    _values_of_alpha_DE,
+    _values_of_alpha_KL,
+    _values_of_alpha_LM,
+    _exact,
 ):
-    widen()
-    for i in range(out.size // 10):
-        x1 = float64(x1_values[i])
+    _widen()
+    for _i in _range(_out.size // 10):
+        x1 = _float64(_values_of_x1[_i])
 
-        l_AB = float64(l_AB_values[i])
+        l_AB = _float64(_values_of_l_AB[_i])
 
-        l_BC = float64(l_BC_values[i])
+        l_BC = _float64(_values_of_l_BC[_i])
 
-        l_CD = float64(l_CD_values[i])
+        l_CD = _float64(_values_of_l_CD[_i])
 
-        l_DE = float64(l_DE_values[i])
+        l_DE = _float64(_values_of_l_DE[_i])
 
-        l_GH = float64(l_GH_values[i])
+        l_GH = _float64(_values_of_l_GH[_i])
 
-        l_KL = float64(l_KL_values[i])
+        l_KL = _float64(_values_of_l_KL[_i])
 
-        l_LM = float64(l_LM_values[i])
+        l_LM = _float64(_values_of_l_LM[_i])
 
-        alpha_DE = float64(alpha_DE_values[i])
+        alpha_DE = _float64(_values_of_alpha_DE[_i])
 
-        alpha_KL = float64(alpha_KL_values[i])
+        alpha_KL = _float64(_values_of_alpha_KL[_i])
 
-        alpha_LM = float64(alpha_LM_values[i])
+        alpha_LM = _float64(_values_of_alpha_LM[_i])
 
-        value = _sensitivities_at(
-            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, exact
+        _value = _value_of_sensitivities(
+            x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, _exact
         )
-        out[10 * i + 0] = value[0]
-        out[10 * i + 1] = value[1]
-        out[10 * i + 2] = value[2]
-        out[10 * i + 3] = value[3]
-        out[10 * i + 4] = value[4]
-        out[10 * i + 5] = value[5]
-        out[10 * i + 6] = value[6]
-        out[10 * i + 7] = value[7]
-        out[10 * i + 8] = value[8]
-        out[10 * i + 9] = value[9]
+        _out[10 * _i + 0] = _value[0]
+        _out[10 * _i + 1] = _value[1]
+        _out[10 * _i + 2] = _value[2]
+        _out[10 * _i + 3] = _value[3]
+        _out[10 * _i + 4] = _value[4]
+        _out[10 * _i + 5] = _value[5]
+        _out[10 * _i + 6] = _value[6]
+        _out[10 * _i + 7] = _value[7]
+        _out[10 * _i + 8] = _value[8]
+        _out[10 * _i + 9] = _value[9]
 
 
-@loop
-def _fill_each_sensitivities(
-    out,
-    x1_values,
-    l_AB_values,
-    l_BC_values,
-    l_CD_values,
-    l_DE_values,
-    l_GH_values,
-    l_KL_values,
-    l_LM_values,
-    alpha_DE_values,
-    alpha_KL_values,
-    alpha_LM_values,
+@_loop
+def _fill_each_of_sensitivities(
+    _out,
+    _values_of_x1,
+    _values_of_l_AB,
+    _values_of_l_BC,
+    _values_of_l_CD,
+    _values_of_l_DE,
+    _values_of_l_GH,
+    _values_of_l_KL,
+    _values_of_l_LM,
+    _values_of_alpha_DE,
+    _values_of_alpha_KL,
+    _values_of_alpha_LM,
 ):
-    for start in range(0, out.size // 10, BLOCK):
-        stop = start + BLOCK
-        out_block = out[10 * start : 10 * stop]
-        x1_block = x1_values[start:stop]
-        l_AB_block = l_AB_values[start:stop]
-        l_BC_block = l_BC_values[start:stop]
-        l_CD_block = l_CD_values[start:stop]
-        l_DE_block = l_DE_values[start:stop]
-        l_GH_block = l_GH_values[start:stop]
-        l_KL_block = l_KL_values[start:stop]
-        l_LM_block = l_LM_values[start:stop]
-        alpha_DE_block = alpha_DE_values[start:stop]
-        alpha_KL_block = alpha_KL_values[start:stop]
-        alpha_LM_block = alpha_LM_values[start:stop]
-        _row_each_sensitivities(
-            out_block,
-            x1_block,
-            l_AB_block,
-            l_BC_block,
-            l_CD_block,
-            l_DE_block,
-            l_GH_block,
-            l_KL_block,
-            l_LM_block,
-            alpha_DE_block,
-            alpha_KL_block,
-            alpha_LM_block,
+    for _start in _range(0, _out.size // 10, _BLOCK):
+        _stop = _start + _BLOCK
+        _out_block = _out[10 * _start : 10 * _stop]
+        _block_of_x1 = _values_of_x1[_start:_stop]
+        _block_of_l_AB = _values_of_l_AB[_start:_stop]
+        _block_of_l_BC = _values_of_l_BC[_start:_stop]
+        _block_of_l_CD = _values_of_l_CD[_start:_stop]
+        _block_of_l_DE = _values_of_l_DE[_start:_stop]
+        _block_of_l_GH = _values_of_l_GH[_start:_stop]
+        _block_of_l_KL = _values_of_l_KL[_start:_stop]
+        _block_of_l_LM = _values_of_l_LM[_start:_stop]
+        _block_of_alpha_DE = _values_of_alpha_DE[_start:_stop]
+        _block_of_alpha_KL = _values_of_alpha_KL[_start:_stop]
+        _block_of_alpha_LM = _values_of_alpha_LM[_start:_stop]
+        _row_each_of_sensitivities(
+            _out_block,
+            _block_of_x1,
+            _block_of_l_AB,
+            _block_of_l_BC,
+            _block_of_l_CD,
+            _block_of_l_DE,
+            _block_of_l_GH,
+            _block_of_l_KL,
+            _block_of_l_LM,
+            _block_of_alpha_DE,
+            _block_of_alpha_KL,
+            _block_of_alpha_LM,
             None,
         )
-        if has_nan(out_block):
-            _row_each_sensitivities(
-                out_block,
-                x1_block,
-                l_AB_block,
-                l_BC_block,
-                l_CD_block,
-                l_DE_block,
-                l_GH_block,
-                l_KL_block,
-                l_LM_block,
-                alpha_DE_block,
-                alpha_KL_block,
-                alpha_LM_block,
+        if _has_nan(_out_block):
+            _row_each_of_sensitivities(
+                _out_block,
+                _block_of_x1,
+                _block_of_l_AB,
+                _block_of_l_BC,
+                _block_of_l_CD,
+                _block_of_l_DE,
+                _block_of_l_GH,
+                _block_of_l_KL,
+                _block_of_l_LM,
+                _block_of_alpha_DE,
+                _block_of_alpha_KL,
+                _block_of_alpha_LM,
                 True,
             )
 
@@ -2225,8 +2302,8 @@ def sensitivities(
 
     Compiled. The help of `mechproof.kernels.wedge_linkage.sensitivities` has all words.
     """
-    return run(
-        _SENSITIVITIES,
+    return _run(
+        _loops_of_sensitivities,
         (
             x1,
             l_AB,
@@ -2244,7 +2321,7 @@ def sensitivities(
     )
 
 
-_SENSITIVITIES = Loops(
+_loops_of_sensitivities = _Loops(
     names=(
         "x1",
         "l_AB",
@@ -2272,14 +2349,14 @@ _SENSITIVITIES = Loops(
         0,
     ),
     shape=(10,),
-    at=_sensitivities_point,
-    uniform=_fill_sensitivities,
-    each=_fill_each_sensitivities,
+    at=_point_of_sensitivities,
+    uniform=_fill_of_sensitivities,
+    each=_fill_each_of_sensitivities,
 )
 
 
-@overload(sensitivities)
-def _offer_sensitivities(
+@_overload(sensitivities)
+def _offer_of_sensitivities(
     x1,
     l_AB,
     l_BC,
@@ -2293,17 +2370,17 @@ def _offer_sensitivities(
     alpha_LM,
 ):
     return lambda x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM: (
-        _sensitivities_point(
-            float64(x1),
-            float64(l_AB),
-            float64(l_BC),
-            float64(l_CD),
-            float64(l_DE),
-            float64(l_GH),
-            float64(l_KL),
-            float64(l_LM),
-            float64(alpha_DE),
-            float64(alpha_KL),
-            float64(alpha_LM),
+        _point_of_sensitivities(
+            _float64(x1),
+            _float64(l_AB),
+            _float64(l_BC),
+            _float64(l_CD),
+            _float64(l_DE),
+            _float64(l_GH),
+            _float64(l_KL),
+            _float64(l_LM),
+            _float64(alpha_DE),
+            _float64(alpha_KL),
+            _float64(alpha_LM),
         )
     )

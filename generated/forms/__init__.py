@@ -1,4 +1,4 @@
 """Other forms of the kernels: one module per system.
 
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """

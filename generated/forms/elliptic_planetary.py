@@ -15,21 +15,27 @@ TypeError: an argument is complex or not numeric, or `out` is no array of the re
 ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
+import numpy as _np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats
-from mechproof.kernel_support.blocks import in_blocks
-from mechproof.kernel_support.domains import is_positive, nan_outside
-from mechproof.kernel_support.error_free import single, whole_turns_off
-from mechproof.kernel_support.functions import floor, square
+from mechproof.kernel_support.arrays import as_floats as _as_floats
+from mechproof.kernel_support.blocks import in_blocks as _in_blocks
+from mechproof.kernel_support.domains import (
+    is_positive as _is_positive,
+    nan_outside as _nan_outside,
+)
+from mechproof.kernel_support.error_free import (
+    single as _single,
+    whole_turns_off as _whole_turns_off,
+)
+from mechproof.kernel_support.functions import floor as _floor, square as _square
 
 __all__ = [
     "acceleration_direct",
@@ -74,26 +80,28 @@ def ratio_printed(
     Source: Prikhodko et al. 2024, equation (8).
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_ratio_printed, R1, R2, e)
-    return in_blocks(_ratio_printed, (phi1,), _prepare_ratio_printed, (R1, R2, e), out=out)
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_printed, R1, R2, e)
+    return _in_blocks(
+        _form_of_ratio_printed, (phi1,), _prepare_of_ratio_printed, (R1, R2, e), out=out
+    )
 
 
-def _check_ratio_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_ratio_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_ratio_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    e_squared = square(e)
+def _prepare_of_ratio_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    e_squared = _square(e)
     k = R1 / R2
 
     return (R1, R2, e, e_squared, k)
 
 
-def _ratio_printed(phi1: Any, R1: Any, R2: Any, e: Any, e_squared: Any, k: Any) -> Any:
+def _form_of_ratio_printed(phi1: Any, R1: Any, R2: Any, e: Any, e_squared: Any, k: Any) -> Any:
     x = k * phi1
 
-    return 1.0 + R1 * (1.0 - e_squared) / (R2 * (1.0 + e_squared - 2.0 * e * np.cos(x)))
+    return 1.0 + R1 * (1.0 - e_squared) / (R2 * (1.0 + e_squared - 2.0 * e * _np.cos(x)))
 
 
 # Source: Prikhodko et al. 2024, equation (8)
@@ -112,27 +120,29 @@ def ratio_half_angle(
     Domain as that of `ratio`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_ratio_half_angle, R1, R2, e)
-    return in_blocks(_ratio_half_angle, (phi1,), _prepare_ratio_half_angle, (R1, R2, e), out=out)
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_ratio_half_angle, R1, R2, e)
+    return _in_blocks(
+        _form_of_ratio_half_angle, (phi1,), _prepare_of_ratio_half_angle, (R1, R2, e), out=out
+    )
 
 
-def _check_ratio_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_ratio_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_ratio_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_ratio_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
     one_minus_e = 1.0 - e
 
     return (e, k, one_minus_e)
 
 
-def _ratio_half_angle(phi1: Any, e: Any, k: Any, one_minus_e: Any) -> Any:
+def _form_of_ratio_half_angle(phi1: Any, e: Any, k: Any, one_minus_e: Any) -> Any:
     x = k * phi1
 
     return 1.0 + k * one_minus_e * (1.0 + e) / (
-        square(one_minus_e) + 4.0 * e * square(np.sin(x / 2.0))
+        _square(one_minus_e) + 4.0 * e * _square(_np.sin(x / 2.0))
     )
 
 
@@ -155,26 +165,30 @@ def position_printed(
     Source: Prikhodko et al. 2024, equation (12).
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_printed, R1, R2, e)
-    return in_blocks(_position_printed, (phi1,), _prepare_position_printed, (R1, R2, e), out=out)
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_printed, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_printed, (phi1,), _prepare_of_position_printed, (R1, R2, e), out=out
+    )
 
 
-def _check_position_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_position_printed(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     one_minus_e = 1.0 - e
     one_plus_e = 1.0 + e
 
     return (R1, R2, one_minus_e, one_plus_e)
 
 
-def _position_printed(phi1: Any, R1: Any, R2: Any, one_minus_e: Any, one_plus_e: Any) -> Any:
+def _form_of_position_printed(
+    phi1: Any, R1: Any, R2: Any, one_minus_e: Any, one_plus_e: Any
+) -> Any:
 
-    return phi1 + 2.0 * np.sqrt(one_minus_e / one_plus_e) * np.arctan(
-        np.sqrt(one_plus_e / one_minus_e) * np.tan(R1 / (2.0 * R2) * phi1)
+    return phi1 + 2.0 * _np.sqrt(one_minus_e / one_plus_e) * _np.arctan(
+        _np.sqrt(one_plus_e / one_minus_e) * _np.tan(R1 / (2.0 * R2) * phi1)
     )
 
 
@@ -198,27 +212,27 @@ def position_principal(
     Source: Prikhodko et al. 2024, equation (12) with the factor of (11) corrected.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_principal, R1, R2, e)
-    return in_blocks(
-        _position_principal, (phi1,), _prepare_position_principal, (R1, R2, e), out=out
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_principal, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_principal, (phi1,), _prepare_of_position_principal, (R1, R2, e), out=out
     )
 
 
-def _check_position_principal(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_principal(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_principal(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_position_principal(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
 
     return (e, k)
 
 
-def _position_principal(phi1: Any, e: Any, k: Any) -> Any:
+def _form_of_position_principal(phi1: Any, e: Any, k: Any) -> Any:
     x = k * phi1
 
-    return phi1 + 2.0 * np.arctan((1.0 + e) / (1.0 - e) * np.tan(x / 2.0))
+    return phi1 + 2.0 * _np.arctan((1.0 + e) / (1.0 - e) * _np.tan(x / 2.0))
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -239,28 +253,30 @@ def position_floor(
     Domain as that of `position`, |x| < pi, the first branch of the half-angle.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_floor, R1, R2, e)
-    return in_blocks(_position_floor, (phi1,), _prepare_position_floor, (R1, R2, e), out=out)
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_floor, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_floor, (phi1,), _prepare_of_position_floor, (R1, R2, e), out=out
+    )
 
 
-def _check_position_floor(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_floor(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_floor(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_position_floor(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
 
     return (e, k)
 
 
-def _position_floor(phi1: Any, e: Any, k: Any) -> Any:
+def _form_of_position_floor(phi1: Any, e: Any, k: Any) -> Any:
     x = k * phi1
 
     return (
         phi1
-        + 2.0 * np.pi * floor((np.pi + x) / (2.0 * np.pi))
-        + 2.0 * np.arctan((1.0 + e) / (1.0 - e) * np.tan(x / 2.0))
+        + 2.0 * _np.pi * _floor((_np.pi + x) / (2.0 * _np.pi))
+        + 2.0 * _np.arctan((1.0 + e) / (1.0 - e) * _np.tan(x / 2.0))
     )
 
 
@@ -280,25 +296,27 @@ def position_atan2(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_atan2, R1, R2, e)
-    return in_blocks(_position_atan2, (phi1,), _prepare_position_atan2, (R1, R2, e), out=out)
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_atan2, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_atan2, (phi1,), _prepare_of_position_atan2, (R1, R2, e), out=out
+    )
 
 
-def _check_position_atan2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_atan2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_atan2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_position_atan2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
 
     return (e, k)
 
 
-def _position_atan2(phi1: Any, e: Any, k: Any) -> Any:
+def _form_of_position_atan2(phi1: Any, e: Any, k: Any) -> Any:
     x = k * phi1
 
-    return (1.0 + k) * phi1 + 2.0 * np.arctan2(e * np.sin(x), 1.0 - e * np.cos(x))
+    return (1.0 + k) * phi1 + 2.0 * _np.arctan2(e * _np.sin(x), 1.0 - e * _np.cos(x))
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -318,29 +336,33 @@ def position_atan2_stable(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_atan2_stable, R1, R2, e)
-    return in_blocks(
-        _position_atan2_stable, (phi1,), _prepare_position_atan2_stable, (R1, R2, e), out=out
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_atan2_stable, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_atan2_stable,
+        (phi1,),
+        _prepare_of_position_atan2_stable,
+        (R1, R2, e),
+        out=out,
     )
 
 
-def _check_position_atan2_stable(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_atan2_stable(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_atan2_stable(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_position_atan2_stable(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
     nearest = 1.0 - e
 
     return (e, k, nearest)
 
 
-def _position_atan2_stable(phi1: Any, e: Any, k: Any, nearest: Any) -> Any:
+def _form_of_position_atan2_stable(phi1: Any, e: Any, k: Any, nearest: Any) -> Any:
     x = k * phi1
 
-    return (1.0 + k) * phi1 + 2.0 * np.arctan2(
-        e * np.sin(x), nearest + 2.0 * e * square(np.sin(x / 2.0))
+    return (1.0 + k) * phi1 + 2.0 * _np.arctan2(
+        e * _np.sin(x), nearest + 2.0 * e * _square(_np.sin(x / 2.0))
     )
 
 
@@ -361,28 +383,30 @@ def position_tan_half(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_tan_half, R1, R2, e)
-    return in_blocks(_position_tan_half, (phi1,), _prepare_position_tan_half, (R1, R2, e), out=out)
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_tan_half, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_tan_half, (phi1,), _prepare_of_position_tan_half, (R1, R2, e), out=out
+    )
 
 
-def _check_position_tan_half(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_tan_half(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_tan_half(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_position_tan_half(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
     nearest = 1.0 - e
 
     return (e, k, nearest)
 
 
-def _position_tan_half(phi1: Any, e: Any, k: Any, nearest: Any) -> Any:
+def _form_of_position_tan_half(phi1: Any, e: Any, k: Any, nearest: Any) -> Any:
     x = k * phi1
-    tan__x = np.tan(x / 2.0)
+    tan__x = _np.tan(x / 2.0)
 
-    return (1.0 + k) * phi1 + 2.0 * np.arctan(
-        2.0 * e / (nearest + (1.0 + e) * square(tan__x)) * tan__x
+    return (1.0 + k) * phi1 + 2.0 * _np.arctan(
+        2.0 * e / (nearest + (1.0 + e) * _square(tan__x)) * tan__x
     )
 
 
@@ -406,31 +430,31 @@ def position_fourier_2(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_fourier_2, R1, R2, e)
-    return in_blocks(
-        _position_fourier_2, (phi1,), _prepare_position_fourier_2, (R1, R2, e), out=out
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_fourier_2, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_fourier_2, (phi1,), _prepare_of_position_fourier_2, (R1, R2, e), out=out
     )
 
 
-def _check_position_fourier_2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_fourier_2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_fourier_2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_position_fourier_2(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     c_1 = 2.0 * e
-    c_2 = square(e)
+    c_2 = _square(e)
     k = R1 / R2
 
     return (c_1, c_2, k)
 
 
-def _position_fourier_2(phi1: Any, c_1: Any, c_2: Any, k: Any) -> Any:
+def _form_of_position_fourier_2(phi1: Any, c_1: Any, c_2: Any, k: Any) -> Any:
     x = k * phi1
-    twice_cosine = 2.0 * np.cos(x)
+    twice_cosine = 2.0 * _np.cos(x)
     b_1 = c_1 + c_2 * twice_cosine
 
-    return b_1 * np.sin(x) + (1.0 + k) * phi1
+    return b_1 * _np.sin(x) + (1.0 + k) * phi1
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -454,35 +478,35 @@ def position_fourier_4(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_fourier_4, R1, R2, e)
-    return in_blocks(
-        _position_fourier_4, (phi1,), _prepare_position_fourier_4, (R1, R2, e), out=out
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_fourier_4, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_fourier_4, (phi1,), _prepare_of_position_fourier_4, (R1, R2, e), out=out
     )
 
 
-def _check_position_fourier_4(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_fourier_4(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_fourier_4(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_position_fourier_4(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     c_1 = 2.0 * e
-    c_3 = 2.0 * (e * square(e)) / 3.0
-    c_4 = square(square(e)) / 2.0
+    c_3 = 2.0 * (e * _square(e)) / 3.0
+    c_4 = _square(_square(e)) / 2.0
     k = R1 / R2
-    c_2 = square(e)
+    c_2 = _square(e)
 
     return (c_1, c_3, c_4, k, c_2)
 
 
-def _position_fourier_4(phi1: Any, c_1: Any, c_3: Any, c_4: Any, k: Any, c_2: Any) -> Any:
+def _form_of_position_fourier_4(phi1: Any, c_1: Any, c_3: Any, c_4: Any, k: Any, c_2: Any) -> Any:
     x = k * phi1
-    twice_cosine = 2.0 * np.cos(x)
+    twice_cosine = 2.0 * _np.cos(x)
     b_3 = c_3 + c_4 * twice_cosine
     b_2 = c_2 + b_3 * twice_cosine - c_4
     b_1 = c_1 + b_2 * twice_cosine - b_3
 
-    return b_1 * np.sin(x) + (1.0 + k) * phi1
+    return b_1 * _np.sin(x) + (1.0 + k) * phi1
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -507,32 +531,32 @@ def position_fourier_8(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_fourier_8, R1, R2, e)
-    return in_blocks(
-        _position_fourier_8, (phi1,), _prepare_position_fourier_8, (R1, R2, e), out=out
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_fourier_8, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_fourier_8, (phi1,), _prepare_of_position_fourier_8, (R1, R2, e), out=out
     )
 
 
-def _check_position_fourier_8(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_fourier_8(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_fourier_8(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_position_fourier_8(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     c_1 = 2.0 * e
-    c_3 = 2.0 * (e * square(e)) / 3.0
-    c_5 = 2.0 * (e * square(square(e))) / 5.0
-    c_7 = 2.0 * (e * square(e * square(e))) / 7.0
-    c_8 = square(square(square(e))) / 4.0
+    c_3 = 2.0 * (e * _square(e)) / 3.0
+    c_5 = 2.0 * (e * _square(_square(e))) / 5.0
+    c_7 = 2.0 * (e * _square(e * _square(e))) / 7.0
+    c_8 = _square(_square(_square(e))) / 4.0
     k = R1 / R2
-    c_6 = square(e * square(e)) / 3.0
-    c_4 = square(square(e)) / 2.0
-    c_2 = square(e)
+    c_6 = _square(e * _square(e)) / 3.0
+    c_4 = _square(_square(e)) / 2.0
+    c_2 = _square(e)
 
     return (c_1, c_3, c_5, c_7, c_8, k, c_6, c_4, c_2)
 
 
-def _position_fourier_8(
+def _form_of_position_fourier_8(
     phi1: Any,
     c_1: Any,
     c_3: Any,
@@ -545,7 +569,7 @@ def _position_fourier_8(
     c_2: Any,
 ) -> Any:
     x = k * phi1
-    twice_cosine = 2.0 * np.cos(x)
+    twice_cosine = 2.0 * _np.cos(x)
     b_7 = c_7 + c_8 * twice_cosine
     b_6 = c_6 + b_7 * twice_cosine - c_8
     b_5 = c_5 + b_6 * twice_cosine - b_7
@@ -554,7 +578,7 @@ def _position_fourier_8(
     b_2 = c_2 + b_3 * twice_cosine - b_4
     b_1 = c_1 + b_2 * twice_cosine - b_3
 
-    return b_1 * np.sin(x) + (1.0 + k) * phi1
+    return b_1 * _np.sin(x) + (1.0 + k) * phi1
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -580,36 +604,36 @@ def position_fourier_2_single(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_fourier_2_single, R1, R2, e)
-    return in_blocks(
-        _position_fourier_2_single,
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_fourier_2_single, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_fourier_2_single,
         (phi1,),
-        _prepare_position_fourier_2_single,
+        _prepare_of_position_fourier_2_single,
         (R1, R2, e),
         out=out,
     )
 
 
-def _check_position_fourier_2_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_fourier_2_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_fourier_2_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    c_1 = single(2.0 * e)
-    c_2 = single(square(e))
+def _prepare_of_position_fourier_2_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    c_1 = _single(2.0 * e)
+    c_2 = _single(_square(e))
     k = R1 / R2
 
     return (c_1, c_2, k)
 
 
-def _position_fourier_2_single(phi1: Any, c_1: Any, c_2: Any, k: Any) -> Any:
+def _form_of_position_fourier_2_single(phi1: Any, c_1: Any, c_2: Any, k: Any) -> Any:
     x = k * phi1
-    single_x = single(whole_turns_off(x))
-    twice_cosine = 2.0 * np.cos(single_x)
+    single_x = _single(_whole_turns_off(x))
+    twice_cosine = 2.0 * _np.cos(single_x)
     b_1 = c_1 + c_2 * twice_cosine
 
-    return b_1 * np.sin(single_x) + (1.0 + k) * phi1
+    return b_1 * _np.sin(single_x) + (1.0 + k) * phi1
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -636,40 +660,42 @@ def position_fourier_4_single(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_fourier_4_single, R1, R2, e)
-    return in_blocks(
-        _position_fourier_4_single,
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_fourier_4_single, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_fourier_4_single,
         (phi1,),
-        _prepare_position_fourier_4_single,
+        _prepare_of_position_fourier_4_single,
         (R1, R2, e),
         out=out,
     )
 
 
-def _check_position_fourier_4_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_fourier_4_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_fourier_4_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    c_1 = single(2.0 * e)
-    c_3 = single(2.0 * (e * square(e)) / 3.0)
-    c_4 = single(square(square(e)) / 2.0)
+def _prepare_of_position_fourier_4_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    c_1 = _single(2.0 * e)
+    c_3 = _single(2.0 * (e * _square(e)) / 3.0)
+    c_4 = _single(_square(_square(e)) / 2.0)
     k = R1 / R2
-    c_2 = single(square(e))
+    c_2 = _single(_square(e))
 
     return (c_1, c_3, c_4, k, c_2)
 
 
-def _position_fourier_4_single(phi1: Any, c_1: Any, c_3: Any, c_4: Any, k: Any, c_2: Any) -> Any:
+def _form_of_position_fourier_4_single(
+    phi1: Any, c_1: Any, c_3: Any, c_4: Any, k: Any, c_2: Any
+) -> Any:
     x = k * phi1
-    single_x = single(whole_turns_off(x))
-    twice_cosine = 2.0 * np.cos(single_x)
+    single_x = _single(_whole_turns_off(x))
+    twice_cosine = 2.0 * _np.cos(single_x)
     b_3 = c_3 + c_4 * twice_cosine
     b_2 = c_2 + b_3 * twice_cosine - c_4
     b_1 = c_1 + b_2 * twice_cosine - b_3
 
-    return b_1 * np.sin(single_x) + (1.0 + k) * phi1
+    return b_1 * _np.sin(single_x) + (1.0 + k) * phi1
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -697,36 +723,36 @@ def position_fourier_8_single(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_fourier_8_single, R1, R2, e)
-    return in_blocks(
-        _position_fourier_8_single,
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_fourier_8_single, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_fourier_8_single,
         (phi1,),
-        _prepare_position_fourier_8_single,
+        _prepare_of_position_fourier_8_single,
         (R1, R2, e),
         out=out,
     )
 
 
-def _check_position_fourier_8_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_fourier_8_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_fourier_8_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    c_1 = single(2.0 * e)
-    c_3 = single(2.0 * (e * square(e)) / 3.0)
-    c_5 = single(2.0 * (e * square(square(e))) / 5.0)
-    c_7 = single(2.0 * (e * square(e * square(e))) / 7.0)
-    c_8 = single(square(square(square(e))) / 4.0)
+def _prepare_of_position_fourier_8_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    c_1 = _single(2.0 * e)
+    c_3 = _single(2.0 * (e * _square(e)) / 3.0)
+    c_5 = _single(2.0 * (e * _square(_square(e))) / 5.0)
+    c_7 = _single(2.0 * (e * _square(e * _square(e))) / 7.0)
+    c_8 = _single(_square(_square(_square(e))) / 4.0)
     k = R1 / R2
-    c_6 = single(square(e * square(e)) / 3.0)
-    c_4 = single(square(square(e)) / 2.0)
-    c_2 = single(square(e))
+    c_6 = _single(_square(e * _square(e)) / 3.0)
+    c_4 = _single(_square(_square(e)) / 2.0)
+    c_2 = _single(_square(e))
 
     return (c_1, c_3, c_5, c_7, c_8, k, c_6, c_4, c_2)
 
 
-def _position_fourier_8_single(
+def _form_of_position_fourier_8_single(
     phi1: Any,
     c_1: Any,
     c_3: Any,
@@ -739,8 +765,8 @@ def _position_fourier_8_single(
     c_2: Any,
 ) -> Any:
     x = k * phi1
-    single_x = single(whole_turns_off(x))
-    twice_cosine = 2.0 * np.cos(single_x)
+    single_x = _single(_whole_turns_off(x))
+    twice_cosine = 2.0 * _np.cos(single_x)
     b_7 = c_7 + c_8 * twice_cosine
     b_6 = c_6 + b_7 * twice_cosine - c_8
     b_5 = c_5 + b_6 * twice_cosine - b_7
@@ -749,7 +775,7 @@ def _position_fourier_8_single(
     b_2 = c_2 + b_3 * twice_cosine - b_4
     b_1 = c_1 + b_2 * twice_cosine - b_3
 
-    return b_1 * np.sin(single_x) + (1.0 + k) * phi1
+    return b_1 * _np.sin(single_x) + (1.0 + k) * phi1
 
 
 # Source: Prikhodko et al. 2024, integral (9) of equation (8)
@@ -778,40 +804,40 @@ def position_fourier_12_single(
     Domain as that of `position`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_position_fourier_12_single, R1, R2, e)
-    return in_blocks(
-        _position_fourier_12_single,
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_position_fourier_12_single, R1, R2, e)
+    return _in_blocks(
+        _form_of_position_fourier_12_single,
         (phi1,),
-        _prepare_position_fourier_12_single,
+        _prepare_of_position_fourier_12_single,
         (R1, R2, e),
         out=out,
     )
 
 
-def _check_position_fourier_12_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_position_fourier_12_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_position_fourier_12_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    c_1 = single(2.0 * e)
-    c_3 = single(2.0 * (e * square(e)) / 3.0)
-    c_5 = single(2.0 * (e * square(square(e))) / 5.0)
-    c_7 = single(2.0 * (e * square(e * square(e))) / 7.0)
-    c_9 = single(2.0 * (e * square(square(square(e)))) / 9.0)
-    c_11 = single(2.0 * (e * square(e * square(square(e)))) / 11.0)
-    c_12 = single(square(square(e * square(e))) / 6.0)
+def _prepare_of_position_fourier_12_single(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    c_1 = _single(2.0 * e)
+    c_3 = _single(2.0 * (e * _square(e)) / 3.0)
+    c_5 = _single(2.0 * (e * _square(_square(e))) / 5.0)
+    c_7 = _single(2.0 * (e * _square(e * _square(e))) / 7.0)
+    c_9 = _single(2.0 * (e * _square(_square(_square(e)))) / 9.0)
+    c_11 = _single(2.0 * (e * _square(e * _square(_square(e)))) / 11.0)
+    c_12 = _single(_square(_square(e * _square(e))) / 6.0)
     k = R1 / R2
-    c_10 = single(square(e * square(square(e))) / 5.0)
-    c_8 = single(square(square(square(e))) / 4.0)
-    c_6 = single(square(e * square(e)) / 3.0)
-    c_4 = single(square(square(e)) / 2.0)
-    c_2 = single(square(e))
+    c_10 = _single(_square(e * _square(_square(e))) / 5.0)
+    c_8 = _single(_square(_square(_square(e))) / 4.0)
+    c_6 = _single(_square(e * _square(e)) / 3.0)
+    c_4 = _single(_square(_square(e)) / 2.0)
+    c_2 = _single(_square(e))
 
     return (c_1, c_3, c_5, c_7, c_9, c_11, c_12, k, c_10, c_8, c_6, c_4, c_2)
 
 
-def _position_fourier_12_single(
+def _form_of_position_fourier_12_single(
     phi1: Any,
     c_1: Any,
     c_3: Any,
@@ -828,8 +854,8 @@ def _position_fourier_12_single(
     c_2: Any,
 ) -> Any:
     x = k * phi1
-    single_x = single(whole_turns_off(x))
-    twice_cosine = 2.0 * np.cos(single_x)
+    single_x = _single(_whole_turns_off(x))
+    twice_cosine = 2.0 * _np.cos(single_x)
     b_11 = c_11 + c_12 * twice_cosine
     b_10 = c_10 + b_11 * twice_cosine - c_12
     b_9 = c_9 + b_10 * twice_cosine - b_11
@@ -842,7 +868,7 @@ def _position_fourier_12_single(
     b_2 = c_2 + b_3 * twice_cosine - b_4
     b_1 = c_1 + b_2 * twice_cosine - b_3
 
-    return b_1 * np.sin(single_x) + (1.0 + k) * phi1
+    return b_1 * _np.sin(single_x) + (1.0 + k) * phi1
 
 
 # Source: derivative of Prikhodko et al. 2024, equation (8)
@@ -861,34 +887,34 @@ def acceleration_direct(
     Domain as that of `acceleration`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_acceleration_direct, R1, R2, e)
-    return in_blocks(
-        _acceleration_direct, (phi1,), _prepare_acceleration_direct, (R1, R2, e), out=out
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_acceleration_direct, R1, R2, e)
+    return _in_blocks(
+        _form_of_acceleration_direct, (phi1,), _prepare_of_acceleration_direct, (R1, R2, e), out=out
     )
 
 
-def _check_acceleration_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_acceleration_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_acceleration_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_acceleration_direct(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     k = R1 / R2
-    e_squared = square(e)
+    e_squared = _square(e)
 
     return (e, k, e_squared)
 
 
-def _acceleration_direct(phi1: Any, e: Any, k: Any, e_squared: Any) -> Any:
+def _form_of_acceleration_direct(phi1: Any, e: Any, k: Any, e_squared: Any) -> Any:
     x = k * phi1
 
     return (
         -2.0
         * e
-        * square(k)
+        * _square(k)
         * (1.0 - e_squared)
-        / square(1.0 + e_squared - 2.0 * e * np.cos(x))
-        * np.sin(x)
+        / _square(1.0 + e_squared - 2.0 * e * _np.cos(x))
+        * _np.sin(x)
     )
 
 
@@ -909,33 +935,37 @@ def acceleration_half_angle(
     Domain as that of `acceleration`.
 
     """
-    phi1, R1, R2, e = as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
-    R1, R2, e = nan_outside(_check_acceleration_half_angle, R1, R2, e)
-    return in_blocks(
-        _acceleration_half_angle, (phi1,), _prepare_acceleration_half_angle, (R1, R2, e), out=out
+    phi1, R1, R2, e = _as_floats("phi1 R1 R2 e", phi1, R1, R2, e)
+    R1, R2, e = _nan_outside(_check_of_acceleration_half_angle, R1, R2, e)
+    return _in_blocks(
+        _form_of_acceleration_half_angle,
+        (phi1,),
+        _prepare_of_acceleration_half_angle,
+        (R1, R2, e),
+        out=out,
     )
 
 
-def _check_acceleration_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
-    return (is_positive(R1), is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
+def _check_of_acceleration_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+    return (_is_positive(R1), _is_positive(R2), e >= 0.0, e < 1.0, R2 < R1)
 
 
-def _prepare_acceleration_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
+def _prepare_of_acceleration_half_angle(R1: Any, R2: Any, e: Any) -> tuple[Any, ...]:
     one_minus_e = 1.0 - e
     k = R1 / R2
 
     return (e, one_minus_e, k)
 
 
-def _acceleration_half_angle(phi1: Any, e: Any, one_minus_e: Any, k: Any) -> Any:
+def _form_of_acceleration_half_angle(phi1: Any, e: Any, one_minus_e: Any, k: Any) -> Any:
     x = k * phi1
 
     return (
         -2.0
         * e
         * one_minus_e
-        * square(k)
+        * _square(k)
         * (1.0 + e)
-        / square(square(one_minus_e) + 4.0 * e * square(np.sin(x / 2.0)))
-        * np.sin(x)
+        / _square(_square(one_minus_e) + 4.0 * e * _square(_np.sin(x / 2.0)))
+        * _np.sin(x)
     )

@@ -15,20 +15,23 @@ TypeError: an argument is complex or not numeric, or `out` is no array of the re
 ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
+import numpy as _np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats
-from mechproof.kernel_support.blocks import in_blocks
-from mechproof.kernel_support.domains import is_positive, nan_outside
-from mechproof.kernel_support.functions import floor, square
+from mechproof.kernel_support.arrays import as_floats as _as_floats
+from mechproof.kernel_support.blocks import in_blocks as _in_blocks
+from mechproof.kernel_support.domains import (
+    is_positive as _is_positive,
+    nan_outside as _nan_outside,
+)
+from mechproof.kernel_support.functions import floor as _floor, square as _square
 
 __all__ = [
     "acceleration_cylindrical_direct",
@@ -77,28 +80,30 @@ def ratio_printed(
     Source: Prikhodko et al. 2024 (oval wheels), equations (3)-(6) and (10).
 
     """
-    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = nan_outside(_check_ratio_printed, e1, e2)
-    return in_blocks(_ratio_printed, (phi1,), _prepare_ratio_printed, (e1, e2, mount), out=out)
+    phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
+    e1, e2 = _nan_outside(_check_of_ratio_printed, e1, e2)
+    return _in_blocks(
+        _form_of_ratio_printed, (phi1,), _prepare_of_ratio_printed, (e1, e2, mount), out=out
+    )
 
 
-def _check_ratio_printed(e1: Any, e2: Any) -> tuple[Any, ...]:
+def _check_of_ratio_printed(e1: Any, e2: Any) -> tuple[Any, ...]:
     return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_ratio_printed(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    one_minus_e1_squared = 1.0 - square(e1)
-    one_minus_e2_squared = 1.0 - square(e2)
+def _prepare_of_ratio_printed(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+    one_minus_e1_squared = 1.0 - _square(e1)
+    one_minus_e2_squared = 1.0 - _square(e2)
 
     return (e1, e2, mount, one_minus_e1_squared, one_minus_e2_squared)
 
 
-def _ratio_printed(
+def _form_of_ratio_printed(
     phi1: Any, e1: Any, e2: Any, mount: Any, one_minus_e1_squared: Any, one_minus_e2_squared: Any
 ) -> Any:
-    phi6 = phi1 + np.arctan2(e1 * np.sin(2.0 * phi1), 1.0 - e1 * np.cos(2.0 * phi1))
-    one_plus_e1_cos_two_phi6 = 1.0 + e1 * np.cos(2.0 * phi6)
-    term = 1.0 / (1.0 - e2 * np.cos(2.0 * mount + 2.0 * phi6))
+    phi6 = phi1 + _np.arctan2(e1 * _np.sin(2.0 * phi1), 1.0 - e1 * _np.cos(2.0 * phi1))
+    one_plus_e1_cos_two_phi6 = 1.0 + e1 * _np.cos(2.0 * phi6)
+    term = 1.0 / (1.0 - e2 * _np.cos(2.0 * mount + 2.0 * phi6))
 
     return (
         -2.0
@@ -132,31 +137,33 @@ def ratio_direct(
     Domain as that of `ratio`.
 
     """
-    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = nan_outside(_check_ratio_direct, e1, e2)
-    return in_blocks(_ratio_direct, (phi1,), _prepare_ratio_direct, (e1, e2, mount), out=out)
+    phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
+    e1, e2 = _nan_outside(_check_of_ratio_direct, e1, e2)
+    return _in_blocks(
+        _form_of_ratio_direct, (phi1,), _prepare_of_ratio_direct, (e1, e2, mount), out=out
+    )
 
 
-def _check_ratio_direct(e1: Any, e2: Any) -> tuple[Any, ...]:
+def _check_of_ratio_direct(e1: Any, e2: Any) -> tuple[Any, ...]:
     return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_ratio_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    e2_squared = square(e2)
+def _prepare_of_ratio_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+    e2_squared = _square(e2)
     alpha_double = (1.0 + e1) * (1.0 - e2_squared)
-    beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * np.cos(2.0 * mount))
-    gamma_double = e2 * (2.0 + 2.0 * e1) * np.sin(2.0 * mount)
+    beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * _np.cos(2.0 * mount))
+    gamma_double = e2 * (2.0 + 2.0 * e1) * _np.sin(2.0 * mount)
 
     return (alpha_double, beta_double, gamma_double)
 
 
-def _ratio_direct(phi1: Any, alpha_double: Any, beta_double: Any, gamma_double: Any) -> Any:
-    cos_two_phi1 = np.cos(2.0 * phi1)
+def _form_of_ratio_direct(phi1: Any, alpha_double: Any, beta_double: Any, gamma_double: Any) -> Any:
+    cos_two_phi1 = _np.cos(2.0 * phi1)
 
     return 1.0 - 2.0 * alpha_double * beta_double / (
-        square(beta_double) * (1.0 + cos_two_phi1)
-        + (square(alpha_double) + square(gamma_double)) * (1.0 - cos_two_phi1)
-        + 2.0 * beta_double * gamma_double * np.sin(2.0 * phi1)
+        _square(beta_double) * (1.0 + cos_two_phi1)
+        + (_square(alpha_double) + _square(gamma_double)) * (1.0 - cos_two_phi1)
+        + 2.0 * beta_double * gamma_double * _np.sin(2.0 * phi1)
     )
 
 
@@ -183,30 +190,32 @@ def position_atan2(
     Domain as that of `position`.
 
     """
-    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = nan_outside(_check_position_atan2, e1, e2)
-    return in_blocks(_position_atan2, (phi1,), _prepare_position_atan2, (e1, e2, mount), out=out)
+    phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
+    e1, e2 = _nan_outside(_check_of_position_atan2, e1, e2)
+    return _in_blocks(
+        _form_of_position_atan2, (phi1,), _prepare_of_position_atan2, (e1, e2, mount), out=out
+    )
 
 
-def _check_position_atan2(e1: Any, e2: Any) -> tuple[Any, ...]:
+def _check_of_position_atan2(e1: Any, e2: Any) -> tuple[Any, ...]:
     return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_position_atan2(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+def _prepare_of_position_atan2(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
 
     return (e1, e2, mount)
 
 
-def _position_atan2(phi1: Any, e1: Any, e2: Any, mount: Any) -> Any:
-    phi6 = phi1 + np.arctan2(e1 * np.sin(2.0 * phi1), 1.0 - e1 * np.cos(2.0 * phi1))
+def _form_of_position_atan2(phi1: Any, e1: Any, e2: Any, mount: Any) -> Any:
+    phi6 = phi1 + _np.arctan2(e1 * _np.sin(2.0 * phi1), 1.0 - e1 * _np.cos(2.0 * phi1))
     two_mount_plus_two_phi6 = 2.0 * mount + 2.0 * phi6
 
     return (
         phi1
-        + np.arctan2(e2 * np.sin(2.0 * mount), 1.0 - e2 * np.cos(2.0 * mount))
+        + _np.arctan2(e2 * _np.sin(2.0 * mount), 1.0 - e2 * _np.cos(2.0 * mount))
         - phi6
-        - np.arctan2(
-            e2 * np.sin(two_mount_plus_two_phi6), 1.0 - e2 * np.cos(two_mount_plus_two_phi6)
+        - _np.arctan2(
+            e2 * _np.sin(two_mount_plus_two_phi6), 1.0 - e2 * _np.cos(two_mount_plus_two_phi6)
         )
     )
 
@@ -236,38 +245,40 @@ def position_floor(
     Domain as that of `position`, each angle on its first branch.
 
     """
-    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = nan_outside(_check_position_floor, e1, e2)
-    return in_blocks(_position_floor, (phi1,), _prepare_position_floor, (e1, e2, mount), out=out)
+    phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
+    e1, e2 = _nan_outside(_check_of_position_floor, e1, e2)
+    return _in_blocks(
+        _form_of_position_floor, (phi1,), _prepare_of_position_floor, (e1, e2, mount), out=out
+    )
 
 
-def _check_position_floor(e1: Any, e2: Any) -> tuple[Any, ...]:
+def _check_of_position_floor(e1: Any, e2: Any) -> tuple[Any, ...]:
     return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_position_floor(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+def _prepare_of_position_floor(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
     one_plus_e2 = 1.0 + e2
     term = 1.0 / (1.0 - e2)
-    mount_counted = np.pi * floor(0.5 + mount / np.pi) + np.arctan(
-        one_plus_e2 * term * np.tan(mount)
+    mount_counted = _np.pi * _floor(0.5 + mount / _np.pi) + _np.arctan(
+        one_plus_e2 * term * _np.tan(mount)
     )
 
     return (e1, mount, one_plus_e2, term, mount_counted)
 
 
-def _position_floor(
+def _form_of_position_floor(
     phi1: Any, e1: Any, mount: Any, one_plus_e2: Any, term: Any, mount_counted: Any
 ) -> Any:
-    phi6_counted = np.pi * floor(0.5 + phi1 / np.pi) + np.arctan(
-        (1.0 + e1) / (1.0 - e1) * np.tan(phi1)
+    phi6_counted = _np.pi * _floor(0.5 + phi1 / _np.pi) + _np.arctan(
+        (1.0 + e1) / (1.0 - e1) * _np.tan(phi1)
     )
     mount_plus_phi6_counted = mount + phi6_counted
 
     return (
         mount_counted
         + phi1
-        - np.pi * floor(0.5 + mount_plus_phi6_counted / np.pi)
-        - np.arctan(one_plus_e2 * term * np.tan(mount_plus_phi6_counted))
+        - _np.pi * _floor(0.5 + mount_plus_phi6_counted / _np.pi)
+        - _np.arctan(one_plus_e2 * term * _np.tan(mount_plus_phi6_counted))
     )
 
 
@@ -295,33 +306,35 @@ def position_unsplit(
     Domain as that of `position`.
 
     """
-    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = nan_outside(_check_position_unsplit, e1, e2)
-    return in_blocks(
-        _position_unsplit, (phi1,), _prepare_position_unsplit, (e1, e2, mount), out=out
+    phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
+    e1, e2 = _nan_outside(_check_of_position_unsplit, e1, e2)
+    return _in_blocks(
+        _form_of_position_unsplit, (phi1,), _prepare_of_position_unsplit, (e1, e2, mount), out=out
     )
 
 
-def _check_position_unsplit(e1: Any, e2: Any) -> tuple[Any, ...]:
+def _check_of_position_unsplit(e1: Any, e2: Any) -> tuple[Any, ...]:
     return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_position_unsplit(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    e2_squared = square(e2)
-    beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * np.cos(2.0 * mount))
-    gamma_double = e2 * (2.0 + 2.0 * e1) * np.sin(2.0 * mount)
+def _prepare_of_position_unsplit(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+    e2_squared = _square(e2)
+    beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * _np.cos(2.0 * mount))
+    gamma_double = e2 * (2.0 + 2.0 * e1) * _np.sin(2.0 * mount)
     alpha_double = (1.0 + e1) * (1.0 - e2_squared)
 
     return (beta_double, gamma_double, alpha_double)
 
 
-def _position_unsplit(phi1: Any, beta_double: Any, gamma_double: Any, alpha_double: Any) -> Any:
-    tan_phi1 = np.tan(phi1)
+def _form_of_position_unsplit(
+    phi1: Any, beta_double: Any, gamma_double: Any, alpha_double: Any
+) -> Any:
+    tan_phi1 = _np.tan(phi1)
     gamma_double_tan_phi1 = gamma_double * tan_phi1
 
-    return np.arctan2(
+    return _np.arctan2(
         tan_phi1 * (beta_double + gamma_double_tan_phi1 - alpha_double),
-        beta_double + gamma_double_tan_phi1 + alpha_double * square(tan_phi1),
+        beta_double + gamma_double_tan_phi1 + alpha_double * _square(tan_phi1),
     )
 
 
@@ -351,29 +364,33 @@ def acceleration_direct(
     Domain as that of `acceleration`.
 
     """
-    phi1, e1, e2, mount = as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
-    e1, e2 = nan_outside(_check_acceleration_direct, e1, e2)
-    return in_blocks(
-        _acceleration_direct, (phi1,), _prepare_acceleration_direct, (e1, e2, mount), out=out
+    phi1, e1, e2, mount = _as_floats("phi1 e1 e2 mount", phi1, e1, e2, mount)
+    e1, e2 = _nan_outside(_check_of_acceleration_direct, e1, e2)
+    return _in_blocks(
+        _form_of_acceleration_direct,
+        (phi1,),
+        _prepare_of_acceleration_direct,
+        (e1, e2, mount),
+        out=out,
     )
 
 
-def _check_acceleration_direct(e1: Any, e2: Any) -> tuple[Any, ...]:
+def _check_of_acceleration_direct(e1: Any, e2: Any) -> tuple[Any, ...]:
     return (e1 >= 0.0, e1 < 1.0, e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_acceleration_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
-    e2_squared = square(e2)
+def _prepare_of_acceleration_direct(e1: Any, e2: Any, mount: Any) -> tuple[Any, ...]:
+    e2_squared = _square(e2)
     alpha_double = (1.0 + e1) * (1.0 - e2_squared)
-    beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * np.cos(2.0 * mount))
-    beta_double_squared = square(beta_double)
-    gamma_double = e2 * (2.0 + 2.0 * e1) * np.sin(2.0 * mount)
-    term = square(alpha_double) + square(gamma_double)
+    beta_double = (1.0 - e1) * (1.0 + e2_squared - 2.0 * e2 * _np.cos(2.0 * mount))
+    beta_double_squared = _square(beta_double)
+    gamma_double = e2 * (2.0 + 2.0 * e1) * _np.sin(2.0 * mount)
+    term = _square(alpha_double) + _square(gamma_double)
 
     return (alpha_double, beta_double, beta_double_squared, gamma_double, term)
 
 
-def _acceleration_direct(
+def _form_of_acceleration_direct(
     phi1: Any,
     alpha_double: Any,
     beta_double: Any,
@@ -381,14 +398,14 @@ def _acceleration_direct(
     gamma_double: Any,
     term: Any,
 ) -> Any:
-    cos_two_phi1 = np.cos(2.0 * phi1)
-    sin_two_phi1 = np.sin(2.0 * phi1)
+    cos_two_phi1 = _np.cos(2.0 * phi1)
+    sin_two_phi1 = _np.sin(2.0 * phi1)
 
     return (
         -2.0
         * alpha_double
         * beta_double
-        / square(
+        / _square(
             beta_double_squared * (1.0 + cos_two_phi1)
             + term * (1.0 - cos_two_phi1)
             + 2.0 * beta_double * gamma_double * sin_two_phi1
@@ -422,34 +439,34 @@ def ratio_cylindrical_printed(
     Source: Prikhodko et al. 2024 (oval wheels), equations (4) and (10).
 
     """
-    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = nan_outside(_check_ratio_cylindrical_printed, R4, R5, e2)
-    return in_blocks(
-        _ratio_cylindrical_printed,
+    phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical_printed, R4, R5, e2)
+    return _in_blocks(
+        _form_of_ratio_cylindrical_printed,
         (phi1,),
-        _prepare_ratio_cylindrical_printed,
+        _prepare_of_ratio_cylindrical_printed,
         (R4, R5, e2),
         out=out,
     )
 
 
-def _check_ratio_cylindrical_printed(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
+def _check_of_ratio_cylindrical_printed(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_ratio_cylindrical_printed(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+def _prepare_of_ratio_cylindrical_printed(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     term_2 = R4 / 2.0 + R5 / 2.0
-    one_minus_e2_squared = 1.0 - square(e2)
+    one_minus_e2_squared = 1.0 - _square(e2)
     k = R4 / R5
 
     return (R4, R5, e2, term_2, one_minus_e2_squared, k)
 
 
-def _ratio_cylindrical_printed(
+def _form_of_ratio_cylindrical_printed(
     phi1: Any, R4: Any, R5: Any, e2: Any, term_2: Any, one_minus_e2_squared: Any, k: Any
 ) -> Any:
     x = 2.0 * k * phi1
-    term = 1.0 / (1.0 - e2 * np.cos(x))
+    term = 1.0 / (1.0 - e2 * _np.cos(x))
 
     return (
         -2.0
@@ -475,33 +492,33 @@ def ratio_cylindrical_half_angle(
     Domain as that of `ratio_cylindrical`.
 
     """
-    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = nan_outside(_check_ratio_cylindrical_half_angle, R4, R5, e2)
-    return in_blocks(
-        _ratio_cylindrical_half_angle,
+    phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_ratio_cylindrical_half_angle, R4, R5, e2)
+    return _in_blocks(
+        _form_of_ratio_cylindrical_half_angle,
         (phi1,),
-        _prepare_ratio_cylindrical_half_angle,
+        _prepare_of_ratio_cylindrical_half_angle,
         (R4, R5, e2),
         out=out,
     )
 
 
-def _check_ratio_cylindrical_half_angle(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
+def _check_of_ratio_cylindrical_half_angle(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_ratio_cylindrical_half_angle(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+def _prepare_of_ratio_cylindrical_half_angle(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
     one_minus_e2 = 1.0 - e2
 
     return (e2, k, one_minus_e2)
 
 
-def _ratio_cylindrical_half_angle(phi1: Any, e2: Any, k: Any, one_minus_e2: Any) -> Any:
+def _form_of_ratio_cylindrical_half_angle(phi1: Any, e2: Any, k: Any, one_minus_e2: Any) -> Any:
     x = 2.0 * k * phi1
 
     return 1.0 - k * one_minus_e2 * (1.0 + e2) / (
-        square(one_minus_e2) + 4.0 * e2 * square(np.sin(x / 2.0))
+        _square(one_minus_e2) + 4.0 * e2 * _square(_np.sin(x / 2.0))
     )
 
 
@@ -521,31 +538,31 @@ def position_cylindrical_atan2(
     Domain as that of `position_cylindrical`.
 
     """
-    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = nan_outside(_check_position_cylindrical_atan2, R4, R5, e2)
-    return in_blocks(
-        _position_cylindrical_atan2,
+    phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_position_cylindrical_atan2, R4, R5, e2)
+    return _in_blocks(
+        _form_of_position_cylindrical_atan2,
         (phi1,),
-        _prepare_position_cylindrical_atan2,
+        _prepare_of_position_cylindrical_atan2,
         (R4, R5, e2),
         out=out,
     )
 
 
-def _check_position_cylindrical_atan2(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
+def _check_of_position_cylindrical_atan2(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_position_cylindrical_atan2(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+def _prepare_of_position_cylindrical_atan2(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
 
     return (e2, k)
 
 
-def _position_cylindrical_atan2(phi1: Any, e2: Any, k: Any) -> Any:
+def _form_of_position_cylindrical_atan2(phi1: Any, e2: Any, k: Any) -> Any:
     x = 2.0 * k * phi1
 
-    return (1.0 - k) * phi1 - np.arctan2(e2 * np.sin(x), 1.0 - e2 * np.cos(x))
+    return (1.0 - k) * phi1 - _np.arctan2(e2 * _np.sin(x), 1.0 - e2 * _np.cos(x))
 
 
 # Source: Prikhodko et al. 2024 (oval wheels), integral (11), pair 4-5 cylindrical
@@ -566,33 +583,33 @@ def position_cylindrical_atan2_stable(
     Domain as that of `position_cylindrical`.
 
     """
-    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = nan_outside(_check_position_cylindrical_atan2_stable, R4, R5, e2)
-    return in_blocks(
-        _position_cylindrical_atan2_stable,
+    phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_position_cylindrical_atan2_stable, R4, R5, e2)
+    return _in_blocks(
+        _form_of_position_cylindrical_atan2_stable,
         (phi1,),
-        _prepare_position_cylindrical_atan2_stable,
+        _prepare_of_position_cylindrical_atan2_stable,
         (R4, R5, e2),
         out=out,
     )
 
 
-def _check_position_cylindrical_atan2_stable(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
+def _check_of_position_cylindrical_atan2_stable(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_position_cylindrical_atan2_stable(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+def _prepare_of_position_cylindrical_atan2_stable(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
     nearest = 1.0 - e2
 
     return (e2, k, nearest)
 
 
-def _position_cylindrical_atan2_stable(phi1: Any, e2: Any, k: Any, nearest: Any) -> Any:
+def _form_of_position_cylindrical_atan2_stable(phi1: Any, e2: Any, k: Any, nearest: Any) -> Any:
     x = 2.0 * k * phi1
 
-    return (1.0 - k) * phi1 - np.arctan2(
-        e2 * np.sin(x), nearest + 2.0 * e2 * square(np.sin(x / 2.0))
+    return (1.0 - k) * phi1 - _np.arctan2(
+        e2 * _np.sin(x), nearest + 2.0 * e2 * _square(_np.sin(x / 2.0))
     )
 
 
@@ -615,34 +632,34 @@ def position_cylindrical_floor(
     Domain as that of `position_cylindrical`, |x| < pi, the first branch.
 
     """
-    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = nan_outside(_check_position_cylindrical_floor, R4, R5, e2)
-    return in_blocks(
-        _position_cylindrical_floor,
+    phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_position_cylindrical_floor, R4, R5, e2)
+    return _in_blocks(
+        _form_of_position_cylindrical_floor,
         (phi1,),
-        _prepare_position_cylindrical_floor,
+        _prepare_of_position_cylindrical_floor,
         (R4, R5, e2),
         out=out,
     )
 
 
-def _check_position_cylindrical_floor(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
+def _check_of_position_cylindrical_floor(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_position_cylindrical_floor(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+def _prepare_of_position_cylindrical_floor(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
 
     return (e2, k)
 
 
-def _position_cylindrical_floor(phi1: Any, e2: Any, k: Any) -> Any:
+def _form_of_position_cylindrical_floor(phi1: Any, e2: Any, k: Any) -> Any:
     x = 2.0 * k * phi1
 
     return (
         phi1
-        - np.pi * floor(0.5 + x / (2.0 * np.pi))
-        - np.arctan((1.0 + e2) / (1.0 - e2) * np.tan(x / 2.0))
+        - _np.pi * _floor(0.5 + x / (2.0 * _np.pi))
+        - _np.arctan((1.0 + e2) / (1.0 - e2) * _np.tan(x / 2.0))
     )
 
 
@@ -663,36 +680,36 @@ def acceleration_cylindrical_direct(
     Domain as that of `acceleration_cylindrical`.
 
     """
-    phi1, R4, R5, e2 = as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
-    R4, R5, e2 = nan_outside(_check_acceleration_cylindrical_direct, R4, R5, e2)
-    return in_blocks(
-        _acceleration_cylindrical_direct,
+    phi1, R4, R5, e2 = _as_floats("phi1 R4 R5 e2", phi1, R4, R5, e2)
+    R4, R5, e2 = _nan_outside(_check_of_acceleration_cylindrical_direct, R4, R5, e2)
+    return _in_blocks(
+        _form_of_acceleration_cylindrical_direct,
         (phi1,),
-        _prepare_acceleration_cylindrical_direct,
+        _prepare_of_acceleration_cylindrical_direct,
         (R4, R5, e2),
         out=out,
     )
 
 
-def _check_acceleration_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
-    return (is_positive(R4), is_positive(R5), e2 >= 0.0, e2 < 1.0)
+def _check_of_acceleration_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+    return (_is_positive(R4), _is_positive(R5), e2 >= 0.0, e2 < 1.0)
 
 
-def _prepare_acceleration_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
+def _prepare_of_acceleration_cylindrical_direct(R4: Any, R5: Any, e2: Any) -> tuple[Any, ...]:
     k = R4 / R5
-    e2_squared = square(e2)
+    e2_squared = _square(e2)
 
     return (e2, k, e2_squared)
 
 
-def _acceleration_cylindrical_direct(phi1: Any, e2: Any, k: Any, e2_squared: Any) -> Any:
+def _form_of_acceleration_cylindrical_direct(phi1: Any, e2: Any, k: Any, e2_squared: Any) -> Any:
     x = 2.0 * k * phi1
 
     return (
         4.0
         * e2
-        * square(k)
+        * _square(k)
         * (1.0 - e2_squared)
-        / square(1.0 + e2_squared - 2.0 * e2 * np.cos(x))
-        * np.sin(x)
+        / _square(1.0 + e2_squared - 2.0 * e2 * _np.cos(x))
+        * _np.sin(x)
     )

@@ -14,20 +14,24 @@ TypeError: an argument is complex or not numeric, or `out` is no array of the re
 ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
+import numpy as _np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats
-from mechproof.kernel_support.blocks import in_blocks
-from mechproof.kernel_support.domains import is_finite, is_positive, nan_outside
-from mechproof.kernel_support.functions import floor, square
+from mechproof.kernel_support.arrays import as_floats as _as_floats
+from mechproof.kernel_support.blocks import in_blocks as _in_blocks
+from mechproof.kernel_support.domains import (
+    is_finite as _is_finite,
+    is_positive as _is_positive,
+    nan_outside as _nan_outside,
+)
+from mechproof.kernel_support.functions import floor as _floor, square as _square
 
 __all__ = [
     "chord_height_handbook",
@@ -63,23 +67,27 @@ def constant_chord_handbook(
     Domain as that of `constant_chord`.
 
     """
-    m, alpha = as_floats("m alpha", m, alpha)
-    m, alpha = nan_outside(_check_constant_chord_handbook, m, alpha)
-    return in_blocks(
-        _constant_chord_handbook, (m,), _prepare_constant_chord_handbook, (alpha,), out=out
+    m, alpha = _as_floats("m alpha", m, alpha)
+    m, alpha = _nan_outside(_check_of_constant_chord_handbook, m, alpha)
+    return _in_blocks(
+        _form_of_constant_chord_handbook,
+        (m,),
+        _prepare_of_constant_chord_handbook,
+        (alpha,),
+        out=out,
     )
 
 
-def _check_constant_chord_handbook(m: Any, alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < np.pi / 4.0, is_positive(m))
+def _check_of_constant_chord_handbook(m: Any, alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < _np.pi / 4.0, _is_positive(m))
 
 
-def _prepare_constant_chord_handbook(alpha: Any) -> tuple[Any, ...]:
+def _prepare_of_constant_chord_handbook(alpha: Any) -> tuple[Any, ...]:
 
     return (alpha,)
 
 
-def _constant_chord_handbook(m: Any, alpha: Any) -> Any:
+def _form_of_constant_chord_handbook(m: Any, alpha: Any) -> Any:
 
     return 1387.0 / 1000.0 * m + 0.0 * alpha
 
@@ -100,23 +108,23 @@ def chord_height_handbook(
     Domain as that of `chord_height`.
 
     """
-    m, alpha = as_floats("m alpha", m, alpha)
-    m, alpha = nan_outside(_check_chord_height_handbook, m, alpha)
-    return in_blocks(
-        _chord_height_handbook, (m,), _prepare_chord_height_handbook, (alpha,), out=out
+    m, alpha = _as_floats("m alpha", m, alpha)
+    m, alpha = _nan_outside(_check_of_chord_height_handbook, m, alpha)
+    return _in_blocks(
+        _form_of_chord_height_handbook, (m,), _prepare_of_chord_height_handbook, (alpha,), out=out
     )
 
 
-def _check_chord_height_handbook(m: Any, alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < np.pi / 4.0, is_positive(m))
+def _check_of_chord_height_handbook(m: Any, alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < _np.pi / 4.0, _is_positive(m))
 
 
-def _prepare_chord_height_handbook(alpha: Any) -> tuple[Any, ...]:
+def _prepare_of_chord_height_handbook(alpha: Any) -> tuple[Any, ...]:
 
     return (alpha,)
 
 
-def _chord_height_handbook(m: Any, alpha: Any) -> Any:
+def _form_of_chord_height_handbook(m: Any, alpha: Any) -> Any:
 
     return 1869.0 / 2500.0 * m + 0.0 * alpha
 
@@ -142,36 +150,47 @@ def height_change_distances(
     Domain as that of `height_change`.
 
     """
-    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = nan_outside(_check_height_change_distances, m, z, alpha)
-    return in_blocks(
-        _height_change_distances, (tilt,), _prepare_height_change_distances, (m, z, alpha), out=out
+    tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_height_change_distances, m, z, alpha)
+    return _in_blocks(
+        _form_of_height_change_distances,
+        (tilt,),
+        _prepare_of_height_change_distances,
+        (m, z, alpha),
+        out=out,
     )
 
 
-def _check_height_change_distances(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_height_change_distances(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(m),
+        z >= 1.0,
+        _is_finite(z),
+        z == _floor(z),
+        alpha > 0.0,
+        alpha < _np.pi / 4.0,
+    )
 
 
-def _prepare_height_change_distances(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    cos_alpha = np.cos(alpha)
+def _prepare_of_height_change_distances(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    cos_alpha = _np.cos(alpha)
     r_b = cos_alpha * m * z / 2.0
-    tan_alpha = np.tan(alpha)
-    term = np.pi / (2.0 * z)
+    tan_alpha = _np.tan(alpha)
+    term = _np.pi / (2.0 * z)
 
     return (alpha, cos_alpha, r_b, tan_alpha, term)
 
 
-def _height_change_distances(
+def _form_of_height_change_distances(
     tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, tan_alpha: Any, term: Any
 ) -> Any:
     alpha_plus_tilt = alpha + tilt
 
     return r_b * (
         cos_alpha
-        + (tan_alpha + term) * np.sin(alpha)
-        - (tan_alpha + term + tilt) * np.sin(alpha_plus_tilt)
-        - np.cos(alpha_plus_tilt)
+        + (tan_alpha + term) * _np.sin(alpha)
+        - (tan_alpha + term + tilt) * _np.sin(alpha_plus_tilt)
+        - _np.cos(alpha_plus_tilt)
     )
 
 
@@ -201,30 +220,37 @@ def height_change_first_order(
     Domain as that of `height_change`.
 
     """
-    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = nan_outside(_check_height_change_first_order, m, z, alpha)
-    return in_blocks(
-        _height_change_first_order,
+    tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_height_change_first_order, m, z, alpha)
+    return _in_blocks(
+        _form_of_height_change_first_order,
         (tilt,),
-        _prepare_height_change_first_order,
+        _prepare_of_height_change_first_order,
         (m, z, alpha),
         out=out,
     )
 
 
-def _check_height_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_height_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(m),
+        z >= 1.0,
+        _is_finite(z),
+        z == _floor(z),
+        alpha > 0.0,
+        alpha < _np.pi / 4.0,
+    )
 
 
-def _prepare_height_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    cos_alpha = np.cos(alpha)
+def _prepare_of_height_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    cos_alpha = _np.cos(alpha)
     r_b = cos_alpha * m * z / 2.0
-    t_c = np.pi / (2.0 * z) + np.tan(alpha)
+    t_c = _np.pi / (2.0 * z) + _np.tan(alpha)
 
     return (cos_alpha, r_b, t_c)
 
 
-def _height_change_first_order(tilt: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
+def _form_of_height_change_first_order(tilt: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
 
     return -cos_alpha * r_b * t_c * tilt
 
@@ -250,27 +276,38 @@ def thickness_change_chords(
     Domain as that of `thickness_change`.
 
     """
-    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = nan_outside(_check_thickness_change_chords, m, z, alpha)
-    return in_blocks(
-        _thickness_change_chords, (tilt,), _prepare_thickness_change_chords, (m, z, alpha), out=out
+    tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_thickness_change_chords, m, z, alpha)
+    return _in_blocks(
+        _form_of_thickness_change_chords,
+        (tilt,),
+        _prepare_of_thickness_change_chords,
+        (m, z, alpha),
+        out=out,
     )
 
 
-def _check_thickness_change_chords(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_thickness_change_chords(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(m),
+        z >= 1.0,
+        _is_finite(z),
+        z == _floor(z),
+        alpha > 0.0,
+        alpha < _np.pi / 4.0,
+    )
 
 
-def _prepare_thickness_change_chords(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    cos_alpha = np.cos(alpha)
+def _prepare_of_thickness_change_chords(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    cos_alpha = _np.cos(alpha)
     r_b = cos_alpha * m * z / 2.0
-    tan_alpha = np.tan(alpha)
-    term = np.pi / (2.0 * z)
+    tan_alpha = _np.tan(alpha)
+    term = _np.pi / (2.0 * z)
 
     return (alpha, cos_alpha, r_b, tan_alpha, term)
 
 
-def _thickness_change_chords(
+def _form_of_thickness_change_chords(
     tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, tan_alpha: Any, term: Any
 ) -> Any:
     alpha_plus_tilt = alpha + tilt
@@ -279,10 +316,10 @@ def _thickness_change_chords(
         2.0
         * r_b
         * (
-            (tan_alpha + term + tilt) * np.cos(alpha_plus_tilt)
-            + np.sin(alpha)
+            (tan_alpha + term + tilt) * _np.cos(alpha_plus_tilt)
+            + _np.sin(alpha)
             - cos_alpha * (tan_alpha + term)
-            - np.sin(alpha_plus_tilt)
+            - _np.sin(alpha_plus_tilt)
         )
     )
 
@@ -310,39 +347,48 @@ def thickness_change_half_angle(
     Domain as that of `thickness_change`.
 
     """
-    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = nan_outside(_check_thickness_change_half_angle, m, z, alpha)
-    return in_blocks(
-        _thickness_change_half_angle,
+    tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_thickness_change_half_angle, m, z, alpha)
+    return _in_blocks(
+        _form_of_thickness_change_half_angle,
         (tilt,),
-        _prepare_thickness_change_half_angle,
+        _prepare_of_thickness_change_half_angle,
         (m, z, alpha),
         out=out,
     )
 
 
-def _check_thickness_change_half_angle(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_thickness_change_half_angle(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(m),
+        z >= 1.0,
+        _is_finite(z),
+        z == _floor(z),
+        alpha > 0.0,
+        alpha < _np.pi / 4.0,
+    )
 
 
-def _prepare_thickness_change_half_angle(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    cos_alpha = np.cos(alpha)
+def _prepare_of_thickness_change_half_angle(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    cos_alpha = _np.cos(alpha)
     r_b = cos_alpha * m * z / 2.0
-    t_c = np.pi / (2.0 * z) + np.tan(alpha)
+    t_c = _np.pi / (2.0 * z) + _np.tan(alpha)
 
     return (alpha, cos_alpha, r_b, t_c)
 
 
-def _thickness_change_half_angle(tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any) -> Any:
-    sin_tilt = np.sin(tilt)
-    sin__tilt_squared = square(np.sin(tilt / 2.0))
+def _form_of_thickness_change_half_angle(
+    tilt: Any, alpha: Any, cos_alpha: Any, r_b: Any, t_c: Any
+) -> Any:
+    sin_tilt = _np.sin(tilt)
+    sin__tilt_squared = _square(_np.sin(tilt / 2.0))
 
     return (
         -2.0
         * r_b
         * (
-            cos_alpha * (sin_tilt + 2.0 * t_c * sin__tilt_squared - tilt * np.cos(tilt))
-            + np.sin(alpha) * (sin_tilt * (t_c + tilt) - 2.0 * sin__tilt_squared)
+            cos_alpha * (sin_tilt + 2.0 * t_c * sin__tilt_squared - tilt * _np.cos(tilt))
+            + _np.sin(alpha) * (sin_tilt * (t_c + tilt) - 2.0 * sin__tilt_squared)
         )
     )
 
@@ -373,31 +419,38 @@ def thickness_change_first_order(
     Domain as that of `thickness_change`.
 
     """
-    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = nan_outside(_check_thickness_change_first_order, m, z, alpha)
-    return in_blocks(
-        _thickness_change_first_order,
+    tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_thickness_change_first_order, m, z, alpha)
+    return _in_blocks(
+        _form_of_thickness_change_first_order,
         (tilt,),
-        _prepare_thickness_change_first_order,
+        _prepare_of_thickness_change_first_order,
         (m, z, alpha),
         out=out,
     )
 
 
-def _check_thickness_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_thickness_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(m),
+        z >= 1.0,
+        _is_finite(z),
+        z == _floor(z),
+        alpha > 0.0,
+        alpha < _np.pi / 4.0,
+    )
 
 
-def _prepare_thickness_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    r_b = m * z * np.cos(alpha) / 2.0
-    t_c = np.pi / (2.0 * z) + np.tan(alpha)
+def _prepare_of_thickness_change_first_order(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    r_b = m * z * _np.cos(alpha) / 2.0
+    t_c = _np.pi / (2.0 * z) + _np.tan(alpha)
 
     return (alpha, r_b, t_c)
 
 
-def _thickness_change_first_order(tilt: Any, alpha: Any, r_b: Any, t_c: Any) -> Any:
+def _form_of_thickness_change_first_order(tilt: Any, alpha: Any, r_b: Any, t_c: Any) -> Any:
 
-    return -2.0 * r_b * t_c * np.sin(alpha) * tilt
+    return -2.0 * r_b * t_c * _np.sin(alpha) * tilt
 
 
 # Source: paper on tooth thickness, step 6, on the involute
@@ -431,44 +484,51 @@ def thickness_change_by_height(
     Source: paper on tooth thickness, step 6 with the exact derivative.
 
     """
-    tilt, m, z, alpha = as_floats("tilt m z alpha", tilt, m, z, alpha)
-    m, z, alpha = nan_outside(_check_thickness_change_by_height, m, z, alpha)
-    return in_blocks(
-        _thickness_change_by_height,
+    tilt, m, z, alpha = _as_floats("tilt m z alpha", tilt, m, z, alpha)
+    m, z, alpha = _nan_outside(_check_of_thickness_change_by_height, m, z, alpha)
+    return _in_blocks(
+        _form_of_thickness_change_by_height,
         (tilt,),
-        _prepare_thickness_change_by_height,
+        _prepare_of_thickness_change_by_height,
         (m, z, alpha),
         out=out,
     )
 
 
-def _check_thickness_change_by_height(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    return (is_positive(m), z >= 1.0, is_finite(z), z == floor(z), alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_thickness_change_by_height(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    return (
+        _is_positive(m),
+        z >= 1.0,
+        _is_finite(z),
+        z == _floor(z),
+        alpha > 0.0,
+        alpha < _np.pi / 4.0,
+    )
 
 
-def _prepare_thickness_change_by_height(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
-    tan_alpha = np.tan(alpha)
+def _prepare_of_thickness_change_by_height(m: Any, z: Any, alpha: Any) -> tuple[Any, ...]:
+    tan_alpha = _np.tan(alpha)
     K_m = 2.0 * tan_alpha
-    cosm1_alpha = -2.0 * square(np.sin(alpha / 2.0))
+    cosm1_alpha = -2.0 * _square(_np.sin(alpha / 2.0))
     cos_alpha = 1.0 + cosm1_alpha
     r_b = cos_alpha * m * z / 2.0
-    t_c = tan_alpha + np.pi / (2.0 * z)
+    t_c = tan_alpha + _np.pi / (2.0 * z)
 
     return (alpha, K_m, cos_alpha, r_b, t_c)
 
 
-def _thickness_change_by_height(
+def _form_of_thickness_change_by_height(
     tilt: Any, alpha: Any, K_m: Any, cos_alpha: Any, r_b: Any, t_c: Any
 ) -> Any:
-    sin_tilt = np.sin(tilt)
-    cosm1_tilt = -2.0 * square(np.sin(tilt / 2.0))
+    sin_tilt = _np.sin(tilt)
+    cosm1_tilt = -2.0 * _square(_np.sin(tilt / 2.0))
     cos_tilt = 1.0 + cosm1_tilt
 
     return (
         K_m
         * r_b
         * (
-            np.sin(alpha) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
+            _np.sin(alpha) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
             - cos_alpha * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
         )
     )
@@ -493,27 +553,27 @@ def thickness_change_linear_printed(
     Source: paper on tooth thickness, equation (1).
 
     """
-    dh, alpha = as_floats("dh alpha", dh, alpha)
-    (alpha,) = nan_outside(_check_thickness_change_linear_printed, alpha)
-    return in_blocks(
-        _thickness_change_linear_printed,
+    dh, alpha = _as_floats("dh alpha", dh, alpha)
+    (alpha,) = _nan_outside(_check_of_thickness_change_linear_printed, alpha)
+    return _in_blocks(
+        _form_of_thickness_change_linear_printed,
         (dh,),
-        _prepare_thickness_change_linear_printed,
+        _prepare_of_thickness_change_linear_printed,
         (alpha,),
         out=out,
     )
 
 
-def _check_thickness_change_linear_printed(alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_thickness_change_linear_printed(alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < _np.pi / 4.0)
 
 
-def _prepare_thickness_change_linear_printed(alpha: Any) -> tuple[Any, ...]:
+def _prepare_of_thickness_change_linear_printed(alpha: Any) -> tuple[Any, ...]:
 
     return (alpha,)
 
 
-def _thickness_change_linear_printed(dh: Any, alpha: Any) -> Any:
+def _form_of_thickness_change_linear_printed(dh: Any, alpha: Any) -> Any:
 
     return 1821.0 / 2500.0 * dh + 0.0 * alpha
 
@@ -537,26 +597,26 @@ def thickness_error_printed(
     Source: paper on tooth thickness, equation (1) and step 5.
 
     """
-    e_tip, height_error, alpha = as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
-    (alpha,) = nan_outside(_check_thickness_error_printed, alpha)
-    return in_blocks(
-        _thickness_error_printed,
+    e_tip, height_error, alpha = _as_floats("e_tip height_error alpha", e_tip, height_error, alpha)
+    (alpha,) = _nan_outside(_check_of_thickness_error_printed, alpha)
+    return _in_blocks(
+        _form_of_thickness_error_printed,
         (e_tip,),
-        _prepare_thickness_error_printed,
+        _prepare_of_thickness_error_printed,
         (height_error, alpha),
         out=out,
     )
 
 
-def _check_thickness_error_printed(alpha: Any) -> tuple[Any, ...]:
-    return (alpha > 0.0, alpha < np.pi / 4.0)
+def _check_of_thickness_error_printed(alpha: Any) -> tuple[Any, ...]:
+    return (alpha > 0.0, alpha < _np.pi / 4.0)
 
 
-def _prepare_thickness_error_printed(height_error: Any, alpha: Any) -> tuple[Any, ...]:
+def _prepare_of_thickness_error_printed(height_error: Any, alpha: Any) -> tuple[Any, ...]:
 
     return (height_error, alpha)
 
 
-def _thickness_error_printed(e_tip: Any, height_error: Any, alpha: Any) -> Any:
+def _form_of_thickness_error_printed(e_tip: Any, height_error: Any, alpha: Any) -> Any:
 
     return 1821.0 * height_error / 2500.0 + 1821.0 / 2500.0 * e_tip + 0.0 * alpha

@@ -17,26 +17,36 @@ TypeError: an argument is complex or not numeric, or `out` is no array of the re
 ValueError: shapes do not broadcast or a last axis is wrong, or `out` has another shape.
 
 Generated from mechproof.derivations.track_wheel with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
+from builtins import abs as _abs
 from typing import Any
 
-import numpy as np
+import numpy as _np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats, check_components, split_components, sum_axes
-from mechproof.kernel_support.blocks import in_blocks, store, transform
-from mechproof.kernel_support.domains import (
-    every,
-    is_finite,
-    is_nonnegative,
-    is_positive,
-    nan_outside,
+from mechproof.kernel_support.arrays import (
+    as_floats as _as_floats,
+    check_components as _check_components,
+    split_components as _split_components,
+    sum_axes as _sum_axes,
 )
-from mechproof.kernel_support.functions import add_up, floor, square
+from mechproof.kernel_support.blocks import (
+    in_blocks as _in_blocks,
+    store as _store,
+    transform as _transform,
+)
+from mechproof.kernel_support.domains import (
+    every as _every,
+    is_finite as _is_finite,
+    is_nonnegative as _is_nonnegative,
+    is_positive as _is_positive,
+    nan_outside as _nan_outside,
+)
+from mechproof.kernel_support.functions import add_up as _add_up, floor as _floor, square as _square
 
 __all__ = [
     "displacement_direct",
@@ -77,22 +87,24 @@ def displacement_direct(
     Source: Kapitonov, Yakubovsky 2022, equation (15).
 
     """
-    points, angles, shift = as_floats("points angles shift", points, angles, shift, axes=(1, 1, 1))
-    check_components("points", points, 3)
-    alpha, beta, gamma = split_components("angles", angles, 3)
-    a, b, c = split_components("shift", shift, 3)
-    return transform(points, _displacement_direct, (alpha, beta, gamma, a, b, c), out=out)
+    points, angles, shift = _as_floats("points angles shift", points, angles, shift, axes=(1, 1, 1))
+    _check_components("points", points, 3)
+    alpha, beta, gamma = _split_components("angles", angles, 3)
+    a, b, c = _split_components("shift", shift, 3)
+    return _transform(
+        points, _prepare_of_displacement_direct, (alpha, beta, gamma, a, b, c), out=out
+    )
 
 
-def _displacement_direct(
+def _prepare_of_displacement_direct(
     alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any
 ) -> tuple[Any, ...]:
-    sin_beta = np.sin(beta)
-    cos_beta = np.cos(beta)
-    cos_gamma = np.cos(gamma)
-    sin_gamma = np.sin(gamma)
-    cos_alpha = np.cos(alpha)
-    sin_alpha = np.sin(alpha)
+    sin_beta = _np.sin(beta)
+    cos_beta = _np.cos(beta)
+    cos_gamma = _np.cos(gamma)
+    sin_gamma = _np.sin(gamma)
+    cos_alpha = _np.cos(alpha)
+    sin_alpha = _np.sin(alpha)
 
     return (
         cos_beta * cos_gamma - 1.0,
@@ -131,14 +143,16 @@ def displacement_linear(
     Domain as that of `displacement`.
 
     """
-    points, angles, shift = as_floats("points angles shift", points, angles, shift, axes=(1, 1, 1))
-    check_components("points", points, 3)
-    alpha, beta, gamma = split_components("angles", angles, 3)
-    a, b, c = split_components("shift", shift, 3)
-    return transform(points, _displacement_linear, (alpha, beta, gamma, a, b, c), out=out)
+    points, angles, shift = _as_floats("points angles shift", points, angles, shift, axes=(1, 1, 1))
+    _check_components("points", points, 3)
+    alpha, beta, gamma = _split_components("angles", angles, 3)
+    a, b, c = _split_components("shift", shift, 3)
+    return _transform(
+        points, _prepare_of_displacement_linear, (alpha, beta, gamma, a, b, c), out=out
+    )
 
 
-def _displacement_linear(
+def _prepare_of_displacement_linear(
     alpha: Any, beta: Any, gamma: Any, a: Any, b: Any, c: Any
 ) -> tuple[Any, ...]:
 
@@ -159,14 +173,14 @@ def planar_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None = 
     Source: Kapitonov, Yakubovsky 2022, equation (17).
 
     """
-    (displacement,) = as_floats("displacement", displacement, axes=(1,))
-    Delta_x0, Delta_y0, _ = split_components("displacement", displacement, 3)
-    return in_blocks(_planar_error_printed, (Delta_x0, Delta_y0), out=out)
+    (displacement,) = _as_floats("displacement", displacement, axes=(1,))
+    Delta_x0, Delta_y0, _ = _split_components("displacement", displacement, 3)
+    return _in_blocks(_form_of_planar_error_printed, (Delta_x0, Delta_y0), out=out)
 
 
-def _planar_error_printed(Delta_x0: Any, Delta_y0: Any) -> Any:
+def _form_of_planar_error_printed(Delta_x0: Any, Delta_y0: Any) -> Any:
 
-    return np.sqrt(square(Delta_x0) + square(Delta_y0))
+    return _np.sqrt(_square(Delta_x0) + _square(Delta_y0))
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (18)
@@ -183,14 +197,14 @@ def spatial_error_printed(displacement: ArrayLike, *, out: NDArray[Any] | None =
     Source: Kapitonov, Yakubovsky 2022, equation (18).
 
     """
-    (displacement,) = as_floats("displacement", displacement, axes=(1,))
-    Delta_x0, Delta_y0, Delta_z0 = split_components("displacement", displacement, 3)
-    return in_blocks(_spatial_error_printed, (Delta_x0, Delta_y0, Delta_z0), out=out)
+    (displacement,) = _as_floats("displacement", displacement, axes=(1,))
+    Delta_x0, Delta_y0, Delta_z0 = _split_components("displacement", displacement, 3)
+    return _in_blocks(_form_of_spatial_error_printed, (Delta_x0, Delta_y0, Delta_z0), out=out)
 
 
-def _spatial_error_printed(Delta_x0: Any, Delta_y0: Any, Delta_z0: Any) -> Any:
+def _form_of_spatial_error_printed(Delta_x0: Any, Delta_y0: Any, Delta_z0: Any) -> Any:
 
-    return np.sqrt(square(Delta_x0) + square(Delta_y0) + square(Delta_z0))
+    return _np.sqrt(_square(Delta_x0) + _square(Delta_y0) + _square(Delta_z0))
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (16)
@@ -209,24 +223,26 @@ def radius_printed(
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
     """
-    phi, R, A, z = as_floats("phi R A z", phi, R, A, z)
-    R, A, z = nan_outside(_check_radius_printed, R, A, z)
-    return in_blocks(_radius_printed, (phi,), _prepare_radius_printed, (R, A, z), out=out)
+    phi, R, A, z = _as_floats("phi R A z", phi, R, A, z)
+    R, A, z = _nan_outside(_check_of_radius_printed, R, A, z)
+    return _in_blocks(
+        _form_of_radius_printed, (phi,), _prepare_of_radius_printed, (R, A, z), out=out
+    )
 
 
-def _check_radius_printed(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
-    return (is_positive(R), z >= 1.0, is_finite(z), z == floor(z), abs(A) <= R)
+def _check_of_radius_printed(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
+    return (_is_positive(R), z >= 1.0, _is_finite(z), z == _floor(z), _abs(A) <= R)
 
 
-def _prepare_radius_printed(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
+def _prepare_of_radius_printed(R: Any, A: Any, z: Any) -> tuple[Any, ...]:
 
     return (R, A, z)
 
 
-def _radius_printed(phi: Any, R: Any, A: Any, z: Any) -> Any:
+def _form_of_radius_printed(phi: Any, R: Any, A: Any, z: Any) -> Any:
     phi_z = z * phi
 
-    return A * np.cos(phi_z) + np.sqrt(square(R) - square(A) * square(np.sin(phi_z)))
+    return A * _np.cos(phi_z) + _np.sqrt(_square(R) - _square(A) * _square(_np.sin(phi_z)))
 
 
 # Source: Kapitonov, Yakubovsky 2022, equation (16)
@@ -253,29 +269,29 @@ def track_printed(
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
     """
-    phi, R, A, z, H = as_floats("phi R A z H", phi, R, A, z, H)
-    R, A, z, H = nan_outside(_check_track_printed, R, A, z, H)
-    return in_blocks(
-        _track_printed, (phi,), _prepare_track_printed, (R, A, z, H), out=out, shape=(3,)
+    phi, R, A, z, H = _as_floats("phi R A z H", phi, R, A, z, H)
+    R, A, z, H = _nan_outside(_check_of_track_printed, R, A, z, H)
+    return _in_blocks(
+        _form_of_track_printed, (phi,), _prepare_of_track_printed, (R, A, z, H), out=out, shape=(3,)
     )
 
 
-def _check_track_printed(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
-    return (is_positive(R), is_positive(H), z >= 1.0, is_finite(z), z == floor(z), abs(A) <= R)
+def _check_of_track_printed(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
+    return (_is_positive(R), _is_positive(H), z >= 1.0, _is_finite(z), z == _floor(z), _abs(A) <= R)
 
 
-def _prepare_track_printed(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
+def _prepare_of_track_printed(R: Any, A: Any, z: Any, H: Any) -> tuple[Any, ...]:
 
     return (R, A, z, H)
 
 
-def _track_printed(phi: Any, R: Any, A: Any, z: Any, H: Any) -> Any:
+def _form_of_track_printed(phi: Any, R: Any, A: Any, z: Any, H: Any) -> Any:
     phi_z = z * phi
-    term = A * np.cos(phi_z) + np.sqrt(square(R) - square(A) * square(np.sin(phi_z)))
+    term = A * _np.cos(phi_z) + _np.sqrt(_square(R) - _square(A) * _square(_np.sin(phi_z)))
 
     return (
-        term * np.cos(phi),
-        term * np.sin(phi),
+        term * _np.cos(phi),
+        term * _np.sin(phi),
         H,
     )
 
@@ -302,7 +318,7 @@ def error_sum_thermal_direct(
     Domain as that of `error_sum_thermal`, the temperature error below the total.
 
     """
-    tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter = as_floats(
+    tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter = _as_floats(
         "tolerances sensitivities scatters total_scatter thermal_share thermal_scatter",
         tolerances,
         sensitivities,
@@ -312,32 +328,32 @@ def error_sum_thermal_direct(
         thermal_scatter,
         axes=(1, 1, 1, 0, 0, 0),
     )
-    tolerances, sensitivities, scatters = sum_axes(
+    tolerances, sensitivities, scatters = _sum_axes(
         tolerances=(tolerances, 1), sensitivities=(sensitivities, 1), scatters=(scatters, 1)
     )
-    total_scatter, thermal_share, thermal_scatter = nan_outside(
-        _check_error_sum_thermal_direct,
+    total_scatter, thermal_share, thermal_scatter = _nan_outside(
+        _check_of_error_sum_thermal_direct,
         total_scatter,
         thermal_share,
         thermal_scatter,
         terms=(tolerances, scatters),
     )
 
-    return store(
-        np.sqrt(add_up(square(sensitivities * scatters * tolerances), axis=-1))
-        / np.sqrt(square(total_scatter) - square(thermal_share) * square(thermal_scatter)),
+    return _store(
+        _np.sqrt(_add_up(_square(sensitivities * scatters * tolerances), axis=-1))
+        / _np.sqrt(_square(total_scatter) - _square(thermal_share) * _square(thermal_scatter)),
         out,
     )
 
 
-def _check_error_sum_thermal_direct(
+def _check_of_error_sum_thermal_direct(
     total_scatter: Any, thermal_share: Any, thermal_scatter: Any, tolerances: Any, scatters: Any
 ) -> tuple[Any, ...]:
     return (
-        is_positive(total_scatter),
-        every(is_positive(scatters), axis=-1),
-        is_positive(thermal_scatter),
-        is_nonnegative(thermal_share),
+        _is_positive(total_scatter),
+        _every(_is_positive(scatters), axis=-1),
+        _is_positive(thermal_scatter),
+        _is_nonnegative(thermal_share),
         thermal_share * thermal_scatter < total_scatter,
-        every(is_nonnegative(tolerances), axis=-1),
+        _every(_is_nonnegative(tolerances), axis=-1),
     )

@@ -27,20 +27,27 @@ Symbols of the formulas:
     engaged_atan2 = Piecewise((0, travel_5_atan2 < l_GH), (1, True))
 
 Generated from mechproof.derivations.wedge_linkage with SymPy 1.14.0.
-Regenerate with `mechproof regenerate`; edits are overwritten.
+Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
+import numpy as _np
 from numpy.typing import ArrayLike, NDArray
 
-from mechproof.kernel_support.arrays import as_floats
-from mechproof.kernel_support.blocks import in_blocks
-from mechproof.kernel_support.domains import is_positive, nan_outside
-from mechproof.kernel_support.functions import choose_where, maximum, square
+from mechproof.kernel_support.arrays import as_floats as _as_floats
+from mechproof.kernel_support.blocks import in_blocks as _in_blocks
+from mechproof.kernel_support.domains import (
+    is_positive as _is_positive,
+    nan_outside as _nan_outside,
+)
+from mechproof.kernel_support.functions import (
+    choose_where as _choose_where,
+    maximum as _maximum,
+    square as _square,
+)
 
 __all__ = [
     "clearance_printed",
@@ -88,32 +95,34 @@ def lever_angle_printed(
     Source: Bazuev et al. 2021, equation (1).
 
     """
-    x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    l_AB, l_BC, l_CD = nan_outside(_check_lever_angle_printed, l_AB, l_BC, l_CD)
-    return in_blocks(
-        _lever_angle_printed,
+    x1, l_AB, l_BC, l_CD = _as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
+    l_AB, l_BC, l_CD = _nan_outside(_check_of_lever_angle_printed, l_AB, l_BC, l_CD)
+    return _in_blocks(
+        _form_of_lever_angle_printed,
         (x1,),
-        _prepare_lever_angle_printed,
+        _prepare_of_lever_angle_printed,
         (l_AB, l_BC, l_CD),
         out=out,
         quiet=True,
     )
 
 
-def _check_lever_angle_printed(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-    return (is_positive(l_AB), is_positive(l_BC), is_positive(l_CD))
+def _check_of_lever_angle_printed(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_AB), _is_positive(l_BC), _is_positive(l_CD))
 
 
-def _prepare_lever_angle_printed(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-    l_BC_squared = square(l_BC)
+def _prepare_of_lever_angle_printed(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    l_BC_squared = _square(l_BC)
 
     return (l_AB, l_BC, l_CD, l_BC_squared)
 
 
-def _lever_angle_printed(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared: Any) -> Any:
-    Q = np.sqrt(square(square(l_BC)) + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
+def _form_of_lever_angle_printed(
+    x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared: Any
+) -> Any:
+    Q = _np.sqrt(_square(_square(l_BC)) + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
 
-    return np.arctan(
+    return _np.arctan(
         (l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1))
         / (l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)))
     )
@@ -140,32 +149,32 @@ def lever_angle_atan2(
     Domain as that of `lever_angle`, the radicand of Q is positive.
 
     """
-    x1, l_AB, l_BC, l_CD = as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
-    l_AB, l_BC, l_CD = nan_outside(_check_lever_angle_atan2, l_AB, l_BC, l_CD)
-    return in_blocks(
-        _lever_angle_atan2,
+    x1, l_AB, l_BC, l_CD = _as_floats("x1 l_AB l_BC l_CD", x1, l_AB, l_BC, l_CD)
+    l_AB, l_BC, l_CD = _nan_outside(_check_of_lever_angle_atan2, l_AB, l_BC, l_CD)
+    return _in_blocks(
+        _form_of_lever_angle_atan2,
         (x1,),
-        _prepare_lever_angle_atan2,
+        _prepare_of_lever_angle_atan2,
         (l_AB, l_BC, l_CD),
         out=out,
         quiet=True,
     )
 
 
-def _check_lever_angle_atan2(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-    return (is_positive(l_AB), is_positive(l_BC), is_positive(l_CD))
+def _check_of_lever_angle_atan2(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_AB), _is_positive(l_BC), _is_positive(l_CD))
 
 
-def _prepare_lever_angle_atan2(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
-    l_BC_squared = square(l_BC)
+def _prepare_of_lever_angle_atan2(l_AB: Any, l_BC: Any, l_CD: Any) -> tuple[Any, ...]:
+    l_BC_squared = _square(l_BC)
 
     return (l_AB, l_BC, l_CD, l_BC_squared)
 
 
-def _lever_angle_atan2(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared: Any) -> Any:
-    Q = np.sqrt(square(square(l_BC)) + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
+def _form_of_lever_angle_atan2(x1: Any, l_AB: Any, l_BC: Any, l_CD: Any, l_BC_squared: Any) -> Any:
+    Q = _np.sqrt(_square(_square(l_BC)) + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
 
-    return np.arctan2(
+    return _np.arctan2(
         l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
         l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
     )
@@ -187,29 +196,29 @@ def rod_displacement_printed(
     Source: Bazuev et al. 2021, equation (3).
 
     """
-    phi3, l_DE, alpha_DE = as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
-    (l_DE,) = nan_outside(_check_rod_displacement_printed, l_DE)
-    return in_blocks(
-        _rod_displacement_printed,
+    phi3, l_DE, alpha_DE = _as_floats("phi3 l_DE alpha_DE", phi3, l_DE, alpha_DE)
+    (l_DE,) = _nan_outside(_check_of_rod_displacement_printed, l_DE)
+    return _in_blocks(
+        _form_of_rod_displacement_printed,
         (phi3,),
-        _prepare_rod_displacement_printed,
+        _prepare_of_rod_displacement_printed,
         (l_DE, alpha_DE),
         out=out,
     )
 
 
-def _check_rod_displacement_printed(l_DE: Any) -> tuple[Any, ...]:
-    return (is_positive(l_DE),)
+def _check_of_rod_displacement_printed(l_DE: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_DE),)
 
 
-def _prepare_rod_displacement_printed(l_DE: Any, alpha_DE: Any) -> tuple[Any, ...]:
+def _prepare_of_rod_displacement_printed(l_DE: Any, alpha_DE: Any) -> tuple[Any, ...]:
 
     return (l_DE, alpha_DE)
 
 
-def _rod_displacement_printed(phi3: Any, l_DE: Any, alpha_DE: Any) -> Any:
+def _form_of_rod_displacement_printed(phi3: Any, l_DE: Any, alpha_DE: Any) -> Any:
 
-    return l_DE * (np.cos(alpha_DE + phi3) - np.cos(alpha_DE))
+    return l_DE * (_np.cos(alpha_DE + phi3) - _np.cos(alpha_DE))
 
 
 # Source: Bazuev et al. 2021, equation (4)
@@ -226,23 +235,25 @@ def clearance_printed(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | Non
     Source: Bazuev et al. 2021, equation (4).
 
     """
-    x5, l_GH = as_floats("x5 l_GH", x5, l_GH)
-    (l_GH,) = nan_outside(_check_clearance_printed, l_GH)
-    return in_blocks(_clearance_printed, (x5,), _prepare_clearance_printed, (l_GH,), out=out)
+    x5, l_GH = _as_floats("x5 l_GH", x5, l_GH)
+    (l_GH,) = _nan_outside(_check_of_clearance_printed, l_GH)
+    return _in_blocks(
+        _form_of_clearance_printed, (x5,), _prepare_of_clearance_printed, (l_GH,), out=out
+    )
 
 
-def _check_clearance_printed(l_GH: Any) -> tuple[Any, ...]:
-    return (is_positive(l_GH),)
+def _check_of_clearance_printed(l_GH: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_GH),)
 
 
-def _prepare_clearance_printed(l_GH: Any) -> tuple[Any, ...]:
+def _prepare_of_clearance_printed(l_GH: Any) -> tuple[Any, ...]:
 
     return (l_GH,)
 
 
-def _clearance_printed(x5: Any, l_GH: Any) -> Any:
+def _form_of_clearance_printed(x5: Any, l_GH: Any) -> Any:
 
-    return choose_where(x5 < l_GH, 0.0, x5 - l_GH)
+    return _choose_where(x5 < l_GH, 0.0, x5 - l_GH)
 
 
 # Source: Bazuev et al. 2021, equations (7) and (8)
@@ -266,33 +277,35 @@ def roller_lever_angle_printed(
     Source: Bazuev et al. 2021, equations (7) and (8).
 
     """
-    x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    l_KL, alpha_KL = nan_outside(_check_roller_lever_angle_printed, l_KL, alpha_KL)
-    return in_blocks(
-        _roller_lever_angle_printed,
+    x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
+    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_printed, l_KL, alpha_KL)
+    return _in_blocks(
+        _form_of_roller_lever_angle_printed,
         (x5,),
-        _prepare_roller_lever_angle_printed,
+        _prepare_of_roller_lever_angle_printed,
         (l_KL, alpha_KL),
         out=out,
         quiet=True,
     )
 
 
-def _check_roller_lever_angle_printed(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-    return (is_positive(l_KL), alpha_KL > 0.0, alpha_KL < np.pi)
+def _check_of_roller_lever_angle_printed(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
 
 
-def _prepare_roller_lever_angle_printed(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+def _prepare_of_roller_lever_angle_printed(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
 
     return (l_KL, alpha_KL)
 
 
-def _roller_lever_angle_printed(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
-    term_2 = l_KL * np.cos(alpha_KL) - x5
-    term = np.arctan(np.sqrt(square(l_KL) - square(term_2)) / term_2)
+def _form_of_roller_lever_angle_printed(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
+    term_2 = l_KL * _np.cos(alpha_KL) - x5
+    term = _np.arctan(_np.sqrt(_square(l_KL) - _square(term_2)) / term_2)
 
-    return choose_where(
-        term_2 > 0.0, term - alpha_KL, choose_where(term_2 < 0.0, np.pi + term - alpha_KL, np.nan)
+    return _choose_where(
+        term_2 > 0.0,
+        term - alpha_KL,
+        _choose_where(term_2 < 0.0, _np.pi + term - alpha_KL, _np.nan),
     )
 
 
@@ -315,32 +328,32 @@ def roller_lever_angle_or_else(
     Domain as that of `roller_lever_angle`, R > 0 or R < 0, |R| <= l_KL.
 
     """
-    x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    l_KL, alpha_KL = nan_outside(_check_roller_lever_angle_or_else, l_KL, alpha_KL)
-    return in_blocks(
-        _roller_lever_angle_or_else,
+    x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
+    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_or_else, l_KL, alpha_KL)
+    return _in_blocks(
+        _form_of_roller_lever_angle_or_else,
         (x5,),
-        _prepare_roller_lever_angle_or_else,
+        _prepare_of_roller_lever_angle_or_else,
         (l_KL, alpha_KL),
         out=out,
         quiet=True,
     )
 
 
-def _check_roller_lever_angle_or_else(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-    return (is_positive(l_KL), alpha_KL > 0.0, alpha_KL < np.pi)
+def _check_of_roller_lever_angle_or_else(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
 
 
-def _prepare_roller_lever_angle_or_else(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+def _prepare_of_roller_lever_angle_or_else(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
 
     return (l_KL, alpha_KL)
 
 
-def _roller_lever_angle_or_else(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
-    term_2 = l_KL * np.cos(alpha_KL) - x5
-    term = np.arctan(np.sqrt(square(l_KL) - square(term_2)) / term_2)
+def _form_of_roller_lever_angle_or_else(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
+    term_2 = l_KL * _np.cos(alpha_KL) - x5
+    term = _np.arctan(_np.sqrt(_square(l_KL) - _square(term_2)) / term_2)
 
-    return choose_where(term_2 > 0.0, term - alpha_KL, np.pi + term - alpha_KL)
+    return _choose_where(term_2 > 0.0, term - alpha_KL, _np.pi + term - alpha_KL)
 
 
 # Source: Bazuev et al. 2021, equations (7) and (8)
@@ -358,31 +371,31 @@ def roller_lever_angle_atan2(
     Domain as that of `roller_lever_angle`, the roller lever follows the link 5'.
 
     """
-    x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    l_KL, alpha_KL = nan_outside(_check_roller_lever_angle_atan2, l_KL, alpha_KL)
-    return in_blocks(
-        _roller_lever_angle_atan2,
+    x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
+    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_atan2, l_KL, alpha_KL)
+    return _in_blocks(
+        _form_of_roller_lever_angle_atan2,
         (x5,),
-        _prepare_roller_lever_angle_atan2,
+        _prepare_of_roller_lever_angle_atan2,
         (l_KL, alpha_KL),
         out=out,
         quiet=True,
     )
 
 
-def _check_roller_lever_angle_atan2(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-    return (is_positive(l_KL), alpha_KL > 0.0, alpha_KL < np.pi)
+def _check_of_roller_lever_angle_atan2(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
 
 
-def _prepare_roller_lever_angle_atan2(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+def _prepare_of_roller_lever_angle_atan2(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
 
     return (l_KL, alpha_KL)
 
 
-def _roller_lever_angle_atan2(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
-    term = l_KL * np.cos(alpha_KL) - x5
+def _form_of_roller_lever_angle_atan2(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
+    term = l_KL * _np.cos(alpha_KL) - x5
 
-    return np.arctan2(np.sqrt(square(l_KL) - square(term)), term) - alpha_KL
+    return _np.arctan2(_np.sqrt(_square(l_KL) - _square(term)), term) - alpha_KL
 
 
 # Source: Bazuev et al. 2021, equations (7) and (8)
@@ -399,30 +412,30 @@ def roller_lever_angle_arccosine(
     Domain as that of `roller_lever_angle`, alpha_KL = 2 arctan(kappa) in [0, pi), KL upwards.
 
     """
-    x5, l_KL, alpha_KL = as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
-    l_KL, alpha_KL = nan_outside(_check_roller_lever_angle_arccosine, l_KL, alpha_KL)
-    return in_blocks(
-        _roller_lever_angle_arccosine,
+    x5, l_KL, alpha_KL = _as_floats("x5 l_KL alpha_KL", x5, l_KL, alpha_KL)
+    l_KL, alpha_KL = _nan_outside(_check_of_roller_lever_angle_arccosine, l_KL, alpha_KL)
+    return _in_blocks(
+        _form_of_roller_lever_angle_arccosine,
         (x5,),
-        _prepare_roller_lever_angle_arccosine,
+        _prepare_of_roller_lever_angle_arccosine,
         (l_KL, alpha_KL),
         out=out,
         quiet=True,
     )
 
 
-def _check_roller_lever_angle_arccosine(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
-    return (is_positive(l_KL), alpha_KL > 0.0, alpha_KL < np.pi)
+def _check_of_roller_lever_angle_arccosine(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_KL), alpha_KL > 0.0, alpha_KL < _np.pi)
 
 
-def _prepare_roller_lever_angle_arccosine(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
+def _prepare_of_roller_lever_angle_arccosine(l_KL: Any, alpha_KL: Any) -> tuple[Any, ...]:
 
     return (l_KL, alpha_KL)
 
 
-def _roller_lever_angle_arccosine(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
+def _form_of_roller_lever_angle_arccosine(x5: Any, l_KL: Any, alpha_KL: Any) -> Any:
 
-    return np.arccos(np.cos(alpha_KL) - x5 / l_KL) - alpha_KL
+    return _np.arccos(_np.cos(alpha_KL) - x5 / l_KL) - alpha_KL
 
 
 # Source: Bazuev et al. 2021, equation (10)
@@ -441,29 +454,29 @@ def wedge_displacement_printed(
     Source: Bazuev et al. 2021, equation (10).
 
     """
-    phi7, l_LM, alpha_LM = as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
-    (l_LM,) = nan_outside(_check_wedge_displacement_printed, l_LM)
-    return in_blocks(
-        _wedge_displacement_printed,
+    phi7, l_LM, alpha_LM = _as_floats("phi7 l_LM alpha_LM", phi7, l_LM, alpha_LM)
+    (l_LM,) = _nan_outside(_check_of_wedge_displacement_printed, l_LM)
+    return _in_blocks(
+        _form_of_wedge_displacement_printed,
         (phi7,),
-        _prepare_wedge_displacement_printed,
+        _prepare_of_wedge_displacement_printed,
         (l_LM, alpha_LM),
         out=out,
     )
 
 
-def _check_wedge_displacement_printed(l_LM: Any) -> tuple[Any, ...]:
-    return (is_positive(l_LM),)
+def _check_of_wedge_displacement_printed(l_LM: Any) -> tuple[Any, ...]:
+    return (_is_positive(l_LM),)
 
 
-def _prepare_wedge_displacement_printed(l_LM: Any, alpha_LM: Any) -> tuple[Any, ...]:
+def _prepare_of_wedge_displacement_printed(l_LM: Any, alpha_LM: Any) -> tuple[Any, ...]:
 
     return (l_LM, alpha_LM)
 
 
-def _wedge_displacement_printed(phi7: Any, l_LM: Any, alpha_LM: Any) -> Any:
+def _form_of_wedge_displacement_printed(phi7: Any, l_LM: Any, alpha_LM: Any) -> Any:
 
-    return l_LM * (np.sin(alpha_LM + phi7) - np.sin(alpha_LM))
+    return l_LM * (_np.sin(alpha_LM + phi7) - _np.sin(alpha_LM))
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
@@ -508,7 +521,7 @@ def position_printed(
     Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10).
 
     """
-    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = _as_floats(
         "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
         x1,
         l_AB,
@@ -522,36 +535,36 @@ def position_printed(
         alpha_KL,
         alpha_LM,
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        _check_position_printed, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = _nan_outside(
+        _check_of_position_printed, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    return in_blocks(
-        _position_printed,
+    return _in_blocks(
+        _form_of_position_printed,
         (x1,),
-        _prepare_position_printed,
+        _prepare_of_position_printed,
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
     )
 
 
-def _check_position_printed(
+def _check_of_position_printed(
     l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
 ) -> tuple[Any, ...]:
     return (
-        is_positive(l_AB),
-        is_positive(l_BC),
-        is_positive(l_CD),
-        is_positive(l_DE),
-        is_positive(l_GH),
-        is_positive(l_KL),
-        is_positive(l_LM),
+        _is_positive(l_AB),
+        _is_positive(l_BC),
+        _is_positive(l_CD),
+        _is_positive(l_DE),
+        _is_positive(l_GH),
+        _is_positive(l_KL),
+        _is_positive(l_LM),
         alpha_KL > 0.0,
-        alpha_KL < np.pi,
+        alpha_KL < _np.pi,
     )
 
 
-def _prepare_position_printed(
+def _prepare_of_position_printed(
     l_AB: Any,
     l_BC: Any,
     l_CD: Any,
@@ -563,12 +576,12 @@ def _prepare_position_printed(
     alpha_KL: Any,
     alpha_LM: Any,
 ) -> tuple[Any, ...]:
-    l_BC_squared = square(l_BC)
+    l_BC_squared = _square(l_BC)
 
     return (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, l_BC_squared)
 
 
-def _position_printed(
+def _form_of_position_printed(
     x1: Any,
     l_AB: Any,
     l_BC: Any,
@@ -582,22 +595,22 @@ def _position_printed(
     alpha_LM: Any,
     l_BC_squared: Any,
 ) -> Any:
-    Q = np.sqrt(square(square(l_BC)) + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
-    turn_3_printed = np.arctan(
+    Q = _np.sqrt(_square(_square(l_BC)) + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
+    turn_3_printed = _np.arctan(
         (l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1))
         / (l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)))
     )
-    travel_5_printed = l_DE * (np.cos(alpha_DE + turn_3_printed) - np.cos(alpha_DE))
-    driven_5_printed = choose_where(travel_5_printed < l_GH, 0.0, travel_5_printed - l_GH)
-    KL_x_printed = l_KL * np.cos(alpha_KL) - driven_5_printed
-    term = np.arctan(np.sqrt(square(l_KL) - square(KL_x_printed)) / KL_x_printed)
-    turn_7_printed = choose_where(
+    travel_5_printed = l_DE * (_np.cos(alpha_DE + turn_3_printed) - _np.cos(alpha_DE))
+    driven_5_printed = _choose_where(travel_5_printed < l_GH, 0.0, travel_5_printed - l_GH)
+    KL_x_printed = l_KL * _np.cos(alpha_KL) - driven_5_printed
+    term = _np.arctan(_np.sqrt(_square(l_KL) - _square(KL_x_printed)) / KL_x_printed)
+    turn_7_printed = _choose_where(
         KL_x_printed > 0.0,
         term - alpha_KL,
-        choose_where(KL_x_printed < 0.0, np.pi + term - alpha_KL, np.nan),
+        _choose_where(KL_x_printed < 0.0, _np.pi + term - alpha_KL, _np.nan),
     )
 
-    return l_LM * (np.sin(alpha_LM + turn_7_printed) - np.sin(alpha_LM))
+    return l_LM * (_np.sin(alpha_LM + turn_7_printed) - _np.sin(alpha_LM))
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
@@ -631,7 +644,7 @@ def position_atan2(
     [0, pi), KL upwards.
 
     """
-    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = _as_floats(
         "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
         x1,
         l_AB,
@@ -645,36 +658,36 @@ def position_atan2(
         alpha_KL,
         alpha_LM,
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        _check_position_atan2, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = _nan_outside(
+        _check_of_position_atan2, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    return in_blocks(
-        _position_atan2,
+    return _in_blocks(
+        _form_of_position_atan2,
         (x1,),
-        _prepare_position_atan2,
+        _prepare_of_position_atan2,
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
     )
 
 
-def _check_position_atan2(
+def _check_of_position_atan2(
     l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
 ) -> tuple[Any, ...]:
     return (
-        is_positive(l_AB),
-        is_positive(l_BC),
-        is_positive(l_CD),
-        is_positive(l_DE),
-        is_positive(l_GH),
-        is_positive(l_KL),
-        is_positive(l_LM),
+        _is_positive(l_AB),
+        _is_positive(l_BC),
+        _is_positive(l_CD),
+        _is_positive(l_DE),
+        _is_positive(l_GH),
+        _is_positive(l_KL),
+        _is_positive(l_LM),
         alpha_KL > 0.0,
-        alpha_KL < np.pi,
+        alpha_KL < _np.pi,
     )
 
 
-def _prepare_position_atan2(
+def _prepare_of_position_atan2(
     l_AB: Any,
     l_BC: Any,
     l_CD: Any,
@@ -686,12 +699,12 @@ def _prepare_position_atan2(
     alpha_KL: Any,
     alpha_LM: Any,
 ) -> tuple[Any, ...]:
-    l_BC_squared = square(l_BC)
+    l_BC_squared = _square(l_BC)
 
     return (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, l_BC_squared)
 
 
-def _position_atan2(
+def _form_of_position_atan2(
     x1: Any,
     l_AB: Any,
     l_BC: Any,
@@ -705,17 +718,17 @@ def _position_atan2(
     alpha_LM: Any,
     l_BC_squared: Any,
 ) -> Any:
-    Q = np.sqrt(square(square(l_BC)) + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
-    turn_3_atan2 = np.arctan2(
+    Q = _np.sqrt(_square(_square(l_BC)) + l_BC_squared * x1 * (2.0 * l_AB + 2.0 * l_CD + x1))
+    turn_3_atan2 = _np.arctan2(
         l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
         l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
     )
-    travel_5_atan2 = l_DE * (np.cos(alpha_DE + turn_3_atan2) - np.cos(alpha_DE))
-    driven_5_atan2 = maximum(0.0, travel_5_atan2 - l_GH)
-    KL_x_atan2 = l_KL * np.cos(alpha_KL) - driven_5_atan2
-    turn_7_atan2 = np.arctan2(np.sqrt(square(l_KL) - square(KL_x_atan2)), KL_x_atan2) - alpha_KL
+    travel_5_atan2 = l_DE * (_np.cos(alpha_DE + turn_3_atan2) - _np.cos(alpha_DE))
+    driven_5_atan2 = _maximum(0.0, travel_5_atan2 - l_GH)
+    KL_x_atan2 = l_KL * _np.cos(alpha_KL) - driven_5_atan2
+    turn_7_atan2 = _np.arctan2(_np.sqrt(_square(l_KL) - _square(KL_x_atan2)), KL_x_atan2) - alpha_KL
 
-    return l_LM * (np.sin(alpha_LM + turn_7_atan2) - np.sin(alpha_LM))
+    return l_LM * (_np.sin(alpha_LM + turn_7_atan2) - _np.sin(alpha_LM))
 
 
 # Source: Bazuev et al. 2021, equations (1), (3), (4), (7), (8), (10)
@@ -751,7 +764,7 @@ def velocity_slopes(
     [0, pi), KL upwards.
 
     """
-    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = _as_floats(
         "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
         x1,
         l_AB,
@@ -765,36 +778,36 @@ def velocity_slopes(
         alpha_KL,
         alpha_LM,
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        _check_velocity_slopes, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = _nan_outside(
+        _check_of_velocity_slopes, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    return in_blocks(
-        _velocity_slopes,
+    return _in_blocks(
+        _form_of_velocity_slopes,
         (x1,),
-        _prepare_velocity_slopes,
+        _prepare_of_velocity_slopes,
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         quiet=True,
     )
 
 
-def _check_velocity_slopes(
+def _check_of_velocity_slopes(
     l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
 ) -> tuple[Any, ...]:
     return (
-        is_positive(l_AB),
-        is_positive(l_BC),
-        is_positive(l_CD),
-        is_positive(l_DE),
-        is_positive(l_GH),
-        is_positive(l_KL),
-        is_positive(l_LM),
+        _is_positive(l_AB),
+        _is_positive(l_BC),
+        _is_positive(l_CD),
+        _is_positive(l_DE),
+        _is_positive(l_GH),
+        _is_positive(l_KL),
+        _is_positive(l_LM),
         alpha_KL > 0.0,
-        alpha_KL < np.pi,
+        alpha_KL < _np.pi,
     )
 
 
-def _prepare_velocity_slopes(
+def _prepare_of_velocity_slopes(
     l_AB: Any,
     l_BC: Any,
     l_CD: Any,
@@ -806,12 +819,12 @@ def _prepare_velocity_slopes(
     alpha_KL: Any,
     alpha_LM: Any,
 ) -> tuple[Any, ...]:
-    l_BC_squared = square(l_BC)
+    l_BC_squared = _square(l_BC)
 
     return (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM, l_BC_squared)
 
 
-def _velocity_slopes(
+def _form_of_velocity_slopes(
     x1: Any,
     l_AB: Any,
     l_BC: Any,
@@ -826,27 +839,27 @@ def _velocity_slopes(
     l_BC_squared: Any,
 ) -> Any:
     term = 2.0 * l_AB + 2.0 * l_CD + x1
-    Q = np.sqrt(square(square(l_BC)) + l_BC_squared * term * x1)
-    turn_3_atan2 = np.arctan2(
+    Q = _np.sqrt(_square(_square(l_BC)) + l_BC_squared * term * x1)
+    turn_3_atan2 = _np.arctan2(
         l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
         l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
     )
     term_2 = alpha_DE + turn_3_atan2
-    travel_5_atan2 = l_DE * (np.cos(term_2) - np.cos(alpha_DE))
-    engaged_atan2 = choose_where(travel_5_atan2 < l_GH, 0.0, 1.0)
-    BC_length = np.sqrt(l_BC_squared + term * x1)
-    driven_5_atan2 = maximum(0.0, travel_5_atan2 - l_GH)
-    KL_x_atan2 = l_KL * np.cos(alpha_KL) - driven_5_atan2
-    turn_7_atan2 = np.arctan2(np.sqrt(square(l_KL) - square(KL_x_atan2)), KL_x_atan2) - alpha_KL
+    travel_5_atan2 = l_DE * (_np.cos(term_2) - _np.cos(alpha_DE))
+    engaged_atan2 = _choose_where(travel_5_atan2 < l_GH, 0.0, 1.0)
+    BC_length = _np.sqrt(l_BC_squared + term * x1)
+    driven_5_atan2 = _maximum(0.0, travel_5_atan2 - l_GH)
+    KL_x_atan2 = l_KL * _np.cos(alpha_KL) - driven_5_atan2
+    turn_7_atan2 = _np.arctan2(_np.sqrt(_square(l_KL) - _square(KL_x_atan2)), KL_x_atan2) - alpha_KL
 
     return (
         l_DE
         * l_LM
-        / (l_KL * BC_length * np.sin(alpha_KL + turn_7_atan2))
+        / (l_KL * BC_length * _np.sin(alpha_KL + turn_7_atan2))
         * engaged_atan2
-        * np.cos(turn_3_atan2)
-        * np.cos(alpha_LM + turn_7_atan2)
-        * np.sin(term_2)
+        * _np.cos(turn_3_atan2)
+        * _np.cos(alpha_LM + turn_7_atan2)
+        * _np.sin(term_2)
     )
 
 
@@ -899,7 +912,7 @@ def sensitivities_slopes(
     in [0, pi), KL upwards.
 
     """
-    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = as_floats(
+    x1, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM = _as_floats(
         "x1 l_AB l_BC l_CD l_DE l_GH l_KL l_LM alpha_DE alpha_KL alpha_LM",
         x1,
         l_AB,
@@ -913,13 +926,13 @@ def sensitivities_slopes(
         alpha_KL,
         alpha_LM,
     )
-    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = nan_outside(
-        _check_sensitivities_slopes, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
+    l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL = _nan_outside(
+        _check_of_sensitivities_slopes, l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_KL
     )
-    return in_blocks(
-        _sensitivities_slopes,
+    return _in_blocks(
+        _form_of_sensitivities_slopes,
         (x1,),
-        _prepare_sensitivities_slopes,
+        _prepare_of_sensitivities_slopes,
         (l_AB, l_BC, l_CD, l_DE, l_GH, l_KL, l_LM, alpha_DE, alpha_KL, alpha_LM),
         out=out,
         shape=(10,),
@@ -927,23 +940,23 @@ def sensitivities_slopes(
     )
 
 
-def _check_sensitivities_slopes(
+def _check_of_sensitivities_slopes(
     l_AB: Any, l_BC: Any, l_CD: Any, l_DE: Any, l_GH: Any, l_KL: Any, l_LM: Any, alpha_KL: Any
 ) -> tuple[Any, ...]:
     return (
-        is_positive(l_AB),
-        is_positive(l_BC),
-        is_positive(l_CD),
-        is_positive(l_DE),
-        is_positive(l_GH),
-        is_positive(l_KL),
-        is_positive(l_LM),
+        _is_positive(l_AB),
+        _is_positive(l_BC),
+        _is_positive(l_CD),
+        _is_positive(l_DE),
+        _is_positive(l_GH),
+        _is_positive(l_KL),
+        _is_positive(l_LM),
         alpha_KL > 0.0,
-        alpha_KL < np.pi,
+        alpha_KL < _np.pi,
     )
 
 
-def _prepare_sensitivities_slopes(
+def _prepare_of_sensitivities_slopes(
     l_AB: Any,
     l_BC: Any,
     l_CD: Any,
@@ -955,8 +968,8 @@ def _prepare_sensitivities_slopes(
     alpha_KL: Any,
     alpha_LM: Any,
 ) -> tuple[Any, ...]:
-    l_BC_squared = square(l_BC)
-    cos_alpha_KL = np.cos(alpha_KL)
+    l_BC_squared = _square(l_BC)
+    cos_alpha_KL = _np.cos(alpha_KL)
 
     return (
         l_AB,
@@ -974,7 +987,7 @@ def _prepare_sensitivities_slopes(
     )
 
 
-def _sensitivities_slopes(
+def _form_of_sensitivities_slopes(
     x1: Any,
     l_AB: Any,
     l_BC: Any,
@@ -990,25 +1003,25 @@ def _sensitivities_slopes(
     cos_alpha_KL: Any,
 ) -> Any:
     term = 2.0 * l_AB + 2.0 * l_CD + x1
-    Q = np.sqrt(square(square(l_BC)) + l_BC_squared * term * x1)
-    turn_3_atan2 = np.arctan2(
+    Q = _np.sqrt(_square(_square(l_BC)) + l_BC_squared * term * x1)
+    turn_3_atan2 = _np.arctan2(
         l_BC_squared * l_AB + l_CD * (l_BC_squared - Q) - Q * (l_AB + x1),
         l_BC * (Q + (l_AB + l_CD) * (l_AB + l_CD + x1)),
     )
     term_7 = alpha_DE + turn_3_atan2
-    term_2 = np.cos(term_7) - np.cos(alpha_DE)
+    term_2 = _np.cos(term_7) - _np.cos(alpha_DE)
     travel_5_atan2 = l_DE * term_2
-    engaged_atan2 = choose_where(travel_5_atan2 < l_GH, 0.0, 1.0)
-    driven_5_atan2 = maximum(0.0, travel_5_atan2 - l_GH)
+    engaged_atan2 = _choose_where(travel_5_atan2 < l_GH, 0.0, 1.0)
+    driven_5_atan2 = _maximum(0.0, travel_5_atan2 - l_GH)
     KL_x_atan2 = cos_alpha_KL * l_KL - driven_5_atan2
-    turn_7_atan2 = np.arctan2(np.sqrt(square(l_KL) - square(KL_x_atan2)), KL_x_atan2) - alpha_KL
+    turn_7_atan2 = _np.arctan2(_np.sqrt(_square(l_KL) - _square(KL_x_atan2)), KL_x_atan2) - alpha_KL
     term_8 = alpha_KL + turn_7_atan2
-    term_3 = 1.0 / np.sin(term_8)
-    term_4 = 1.0 - np.cos(turn_3_atan2)
+    term_3 = 1.0 / _np.sin(term_8)
+    term_4 = 1.0 - _np.cos(turn_3_atan2)
     term_9 = alpha_LM + turn_7_atan2
-    term_5 = np.cos(term_9)
-    term_6 = np.sin(term_7)
-    BC_length = np.sqrt(l_BC_squared + term * x1)
+    term_5 = _np.cos(term_9)
+    term_6 = _np.sin(term_7)
+    BC_length = _np.sqrt(l_BC_squared + term * x1)
 
     return (
         -l_DE * l_LM / (l_KL * BC_length) * engaged_atan2 * term_3 * term_4 * term_5 * term_6,
@@ -1019,13 +1032,13 @@ def _sensitivities_slopes(
         * term_3
         * term_5
         * term_6
-        * np.sin(turn_3_atan2),
+        * _np.sin(turn_3_atan2),
         -l_DE * l_LM / (l_KL * BC_length) * engaged_atan2 * term_3 * term_4 * term_5 * term_6,
         l_LM / l_KL * engaged_atan2 * term_2 * term_3 * term_5,
         -l_LM / l_KL * engaged_atan2 * term_3 * term_5,
-        l_LM / l_KL * engaged_atan2 * term_3 * term_5 * (np.cos(term_8) - cos_alpha_KL),
-        engaged_atan2 * (np.sin(term_9) - np.sin(alpha_LM)),
-        l_DE * l_LM / l_KL * engaged_atan2 * term_3 * term_5 * (np.sin(alpha_DE) - term_6),
-        l_LM * engaged_atan2 * term_5 * (np.sin(alpha_KL) * term_3 - 1.0),
-        l_LM * engaged_atan2 * (term_5 - np.cos(alpha_LM)),
+        l_LM / l_KL * engaged_atan2 * term_3 * term_5 * (_np.cos(term_8) - cos_alpha_KL),
+        engaged_atan2 * (_np.sin(term_9) - _np.sin(alpha_LM)),
+        l_DE * l_LM / l_KL * engaged_atan2 * term_3 * term_5 * (_np.sin(alpha_DE) - term_6),
+        l_LM * engaged_atan2 * term_5 * (_np.sin(alpha_KL) * term_3 - 1.0),
+        l_LM * engaged_atan2 * (term_5 - _np.cos(alpha_LM)),
     )
