@@ -12,7 +12,7 @@ from numba import njit
 from numba.core.caching import CompileResultCacheImpl, FunctionCache
 
 
-class _Files(CompileResultCacheImpl):
+class _Files(CompileResultCacheImpl):  # type: ignore[misc]
     """Files of their own for each module: what is in them finds the rest by the module's name."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
@@ -20,7 +20,7 @@ class _Files(CompileResultCacheImpl):
         self._filename_base += f"-{sha256(function.__module__.encode()).hexdigest()[:8]}"
 
 
-class _Kept(FunctionCache):
+class _Kept(FunctionCache):  # type: ignore[misc]
     """What numba keeps of a function; a folder that cannot be written is no error."""
 
     _impl_class = _Files
