@@ -138,6 +138,13 @@ def test_what_both_sides_need_is_said(latex: str, needed: str) -> None:
     assert f"both sides agree where {needed}" in " ".join(done.output.split())
 
 
+@pytest.mark.parametrize(("power", "is_known"), [(2, True), (1, False)])
+def test_a_sum_of_squares_is_known_to_have_a_root(power: int, is_known: bool) -> None:
+    done = run(rf"\sqrt{{\sum_{{k=1}}^na_k^{power}}}=\sqrt{{\sum_{{j=1}}^na_j^{power}}}")
+    told = "both sides agree wherever they are defined"
+    assert (told in " ".join(done.output.split())) == is_known
+
+
 @pytest.mark.parametrize(("latex", "where"), DEFINED)
 def test_what_has_values_where_it_is_meant_is_proved(latex: str, where: tuple[str, ...]) -> None:
     assert judge(latex, where) == "PROVED"
