@@ -63,7 +63,7 @@ def together(*arguments: Array) -> Array:
     columns = np.broadcast_arrays(*map(np.atleast_1d, arguments))
     found = np.empty(columns[0].shape)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(kernels, "tangent_quotient", by_polynomials)
+        patch.setattr(kernels, "_tangent_quotient", by_polynomials)
         for group in (columns[-1] <= 0.5, ~(columns[-1] <= 0.5)):
             if np.any(group):
                 # One angle alone is computed in numbers.

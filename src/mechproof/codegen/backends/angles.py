@@ -13,7 +13,6 @@ from mechproof.codegen.c_names import HELPER
 from mechproof.codegen.code import Stage
 from mechproof.codegen.elementary.functions import BODIES
 from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
-from mechproof.codegen.reading import EXACT
 from mechproof.codegen.syntax import Syntax, Text, write_program
 
 LIMITED = frozenset(kind for kind, (_, _, far) in BODIES.items() if far)
@@ -65,7 +64,7 @@ def ask_first(
     if program is None:
         return written, None
     assert stage.evaluate is not None
-    told = replace(syntax, last={**syntax.last, **dict.fromkeys(LIMITED, f"{HELPER}{EXACT}")})
+    told = replace(syntax, last={**syntax.last, **dict.fromkeys(LIMITED, f"{HELPER}exact")})
     places = {n: i for i, n in enumerate(stage.evaluate.inputs[len(stage.running) :])}
     angles = Angles(
         tuple(syntax.name(name) for name in program.inputs if name not in places),
