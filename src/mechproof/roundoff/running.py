@@ -100,6 +100,6 @@ def run(straight: Straight | Program, given: Mapping[str, Any], table: Table) ->
         return values[operand] if isinstance(operand, str) else table["number"](operand)
 
     for step in steps:
-        given = step.operands if step.kind == CONSTANT else map(look_up, step.operands)
-        values[step.result] = table[step.kind](*given)
+        operands = step.operands if step.kind == CONSTANT else map(look_up, step.operands)
+        values[step.result] = table[step.kind](*operands)
     return tuple(map(look_up, straight.outputs))

@@ -91,7 +91,8 @@ def list_parities(
 
 def find_parities(straight: Straight, given: Mapping[str, Parity]) -> Mapping[Operand, Parity]:
     """Return what becomes of all results where the given ones do; ValueError if that is neither."""
-    parities: dict[Operand, Parity] = {**dict.fromkeys(CONSTANTS, 1), **given}
+    parities: dict[Operand, Parity] = dict.fromkeys(CONSTANTS, 1)
+    parities.update(given.items())
     for step in straight.steps:
         operands = [parities[o] if isinstance(o, str) else 1 for o in step.operands]
         if step.kind not in PARITIES:
