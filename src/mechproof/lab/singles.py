@@ -40,6 +40,8 @@ from mechproof.roundoff.singles import FORMAT, Singles
 SHARE, MOST, ROUNDS = 0.05, 20, 12
 PACE = Pace(300, 6)
 WIDER = float(np.finfo(FORMAT).eps) / EPS
+# Multiples of eps that a distance from an edge is stated in.
+FEW = range(1, 1000)
 # How far angles are reduced without the library.
 FAR, NEAR = sp.Integer(DOUBLE.largest), sp.Integer(SINGLE.largest)
 
@@ -97,13 +99,21 @@ def _state_error(subject: Subject, kernel: Kernel) -> str:
 
 
 def narrow(subject: Subject) -> Subject:
-    """Return a quantity whose bound is stated as far as floats reduce angles."""
+    """Return a quantity whose bound is stated as far as floats reduce angles and tell edges."""
     accuracy = subject.quantity.accuracy
     if accuracy is None:
         return subject
-    within = tuple(relation.xreplace({FAR: NEAR}) for relation in accuracy.within)
+    within = tuple(
+        relation.xreplace({FAR: NEAR}).replace(_is_a_few_eps, lambda few: few * int(WIDER))
+        for relation in accuracy.within
+    )
     quantity = replace(subject.quantity, accuracy=replace(accuracy, within=within))
     return replace(subject, quantity=quantity)
+
+
+def _is_a_few_eps(number: sp.Basic) -> bool:
+    """Say whether a number is a small multiple of the eps of doubles, as distances from edges."""
+    return isinstance(number, sp.Rational) and (number / sp.Rational(EPS)) in FEW
 
 
 def round_singly(points: Arguments) -> Arguments:

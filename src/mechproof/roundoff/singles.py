@@ -26,8 +26,8 @@ from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.kernel import Kernel
 from mechproof.roundoff.climb import Column, Points
 from mechproof.roundoff.fused import add_to_odd
-from mechproof.roundoff.running import IN_DOUBLES, Table, Values, run
-from mechproof.roundoff.steps import flatten_stage
+from mechproof.roundoff.running import IN_DOUBLES, Table, Values, find_number, run
+from mechproof.roundoff.steps import CONSTANT, flatten_stage
 
 FORMAT = np.float32
 SMALLEST = np.finfo(FORMAT).smallest_normal
@@ -59,6 +59,7 @@ _MACHINE: Table = MappingProxyType(
     {
         **IN_DOUBLES,
         "number": FORMAT,
+        CONSTANT: lambda operand: FORMAT(float(find_number(operand))),
         "fma": _fma,
         "maximum": _maximum,
         "power_of_two": _power_of_two,
@@ -143,7 +144,7 @@ class Singles:
 def _watch(kind: str, compute: Callable[..., Any], lost: Column, *operands: Any) -> Any:
     """Compute an operation, and mark where its value leaves the range of floats."""
     result = compute(*operands)
-    if kind != "number" and np.asarray(result).dtype == FORMAT:
+    if kind not in ("number", CONSTANT) and np.asarray(result).dtype == FORMAT:
         divisors = operands[1:] if kind == "divide" else ()
         lost |= _hold(np.isfinite, operands) & _hold(np.sign, divisors) & np.isinf(result)
         if kind in SCALING:
