@@ -134,11 +134,11 @@ def load_part(location: Path, part: Literal["peers", "points", "pictures"]) -> M
     return _import(f"{_modules[place]}.{part}", place)
 
 
-def check_names(places: dict[str, Path], paper: Paper, place: Path) -> None:
+def check_names(places: dict[str, Path], system: str, place: Path) -> None:
     """Enter a paper into name -> place; `DerivationError` if another paper has its name."""
-    other = places.setdefault(paper.system, place)
+    other = places.setdefault(system, place)
     if other != place:
-        raise DerivationError(f"{place}: its paper has the name {paper.system!r}, as {other} has")
+        raise DerivationError(f"{place}: its paper has the name {system!r}, as {other} has")
 
 
 def _to_place(location: Path) -> Path:

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
 from mechproof.codegen.forms import form_rows, number_shipped
 from mechproof.derivation import DerivationError, check_names, load_paper, stop_after
+from mechproof.ledger_cache import LedgerCache
 from mechproof.processes import START, WorkerError, run_batches
 from mechproof.proof.cache import VerdictCache, row_keys
 from mechproof.proof.findings import follower_rows, list_findings
 from mechproof.proof.judge import judge
-from mechproof.proof.ledger import Ledger
+from mechproof.proof.ledger import JudgedPaper, Ledger
 from mechproof.proof.verdict import Judgement, Verdict
+from mechproof.reads import note_reads
 from mechproof.record import Paper, Row
 
 # Seconds for a row; beyond, something hangs.
@@ -65,6 +67,28 @@ def open_paper(location: Path, paper: Paper) -> Opened:
     return Opened(location, paper, rows, domain, number_shipped(paper))
 
 
+def find_ledgers(
+    locations: Sequence[Path],
+    *,
+    use_cache: bool = True,
+    limit: float = LIMIT,
+    report: Callable[[str], None] = lambda text: None,
+) -> list[Ledger]:
+    """Return the ledgers of the papers; one of which no file has changed is not judged again.
+
+    Otherwise as `judge_derivations`.
+    """
+    kept = {place: LedgerCache(place).load() if use_cache else None for place in locations}
+    changed = [place for place, ledger in kept.items() if ledger is None]
+    judged = judge_derivations(changed, use_cache=use_cache, limit=limit, report=report)
+    found = {**kept, **dict(zip(changed, judged, strict=True))}
+    ledgers = {place: ledger for place, ledger in found.items() if ledger is not None}
+    places: dict[str, Path] = {}
+    for place, ledger in ledgers.items():
+        check_names(places, ledger.system, place)
+    return [ledgers[place] for place in locations]
+
+
 def judge_derivations(
     locations: Sequence[Path],
     *,
@@ -74,7 +98,7 @@ def judge_derivations(
     processes: int | None = None,
     start: str = START,
     report: Callable[[str], None] = lambda text: None,
-) -> list[Ledger]:
+) -> list[JudgedPaper]:
     """Judge every row of the papers, then what follows from findings and the rows of their forms.
 
     With `only_kernels` the rows on which shipped kernels rest, and no findings.
@@ -88,10 +112,10 @@ def judge_derivations(
 
     def load(location: Path) -> _Progress:
         report(f"loading {location}")
-        with stop_after(limit, location):
+        with note_reads() as read, stop_after(limit, location):
             _opened[location] = opened = open_derivation(location)
-        check_names(places, opened.paper, location)
-        progress.append(_Progress(opened, use_cache, only_kernels))
+        check_names(places, opened.paper.system, location)
+        progress.append(_Progress(opened, use_cache, only_kernels, read))
         return progress[-1]
 
     try:
@@ -106,9 +130,13 @@ def judge_derivations(
 class _Progress:
     """The judgements of a paper while they come in."""
 
-    def __init__(self, opened: Opened, use_cache: bool, only_kernels: bool) -> None:
+    def __init__(
+        self, opened: Opened, use_cache: bool, only_kernels: bool, read: Mapping[str, str]
+    ) -> None:
         self.opened = opened
+        self.use_cache = use_cache
         self.only_kernels = only_kernels
+        self.read = read
         rows = enumerate(opened.rows)
         self.wanted = [n for n, r in rows if not only_kernels or r.number in opened.kernels]
         self.cache = VerdictCache(opened.location)
@@ -138,17 +166,26 @@ class _Progress:
         if judged != self.kept:
             self.cache.save(judged)
 
-    def finish(self) -> Ledger:
+    def finish(self) -> JudgedPaper:
         """Return the ledger, its rows in their order; `DerivationError` for a wrong finding."""
-        judgements = tuple(self.found[number] for number in sorted(self.found))
-        failures = tuple(self.failed[number] for number in sorted(self.failed))
-        if failures or self.only_kernels:
-            return Ledger(self.opened.paper, judgements, (), failures)
+        paper = self.opened.paper
+        ledger = JudgedPaper(
+            paper.system,
+            paper.citation,
+            tuple(self.found[number] for number in sorted(self.found)),
+            shipped=self.opened.kernels,
+            failures=tuple(self.failed[number] for number in sorted(self.failed)),
+            paper=paper,
+        )
+        if ledger.failures or self.only_kernels:
+            return ledger
         try:
-            findings = list_findings(self.opened.paper, judgements)
+            ledger = replace(ledger, findings=list_findings(paper, ledger.judgements))
         except ValueError as error:
             raise DerivationError(f"{self.opened.location}: {error}") from error
-        return Ledger(self.opened.paper, judgements, findings)
+        if self.use_cache and self.read and all(self.keys):
+            LedgerCache(self.opened.location).save(ledger, self.read)
+        return ledger
 
 
 def _fill(
@@ -185,10 +222,10 @@ def _count(papers: Iterable[_Progress]) -> str:
 def refuse_kernels(ledgers: Iterable[Ledger]) -> list[str]:
     """Say of every kernel that is not proved, exactly or within its bound, what differs where."""
     return [
-        f"{ledger.paper.system}: {_describe_refusal(row)}"
+        f"{ledger.system}: {_describe_refusal(row)}"
         for ledger in ledgers
         for row in ledger.judgements
-        if row.number in number_shipped(ledger.paper) and row.verdict is not Verdict.PROVED
+        if row.number in ledger.shipped and row.verdict is not Verdict.PROVED
     ]
 
 

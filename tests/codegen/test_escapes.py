@@ -131,18 +131,15 @@ def test_a_comment_of_c_is_not_ended_by_a_text(text: str, single: bool, tmp_path
 
 @pytest.mark.parametrize("text", HOSTILE)
 def test_a_page_of_markdown_has_neither_tags_nor_ends_of_formulas_from_a_text(text: str) -> None:
-    paper = hostile_paper(text)
-    judgements = tuple(judge(row, paper) for row in paper.rows)
-    page = to_markdown([Ledger(paper, judgements, ())])
+    page = to_markdown([judge_all(hostile_paper(text))])
     assert "<script" not in page
-    assert len(page.splitlines()) == len(to_markdown([Ledger(*plain_ledger())]).splitlines())
+    assert len(page.splitlines()) == len(to_markdown([judge_all(hostile_paper("a"))]).splitlines())
     for line in page.splitlines():
         assert line.count("$$") == 2 * line.startswith("$$ "), line
 
 
-def plain_ledger() -> tuple[Paper, tuple[Any, ...], tuple[()]]:
-    paper = hostile_paper("a")
-    return paper, tuple(judge(row, paper) for row in paper.rows), ()
+def judge_all(paper: Paper) -> Ledger:
+    return Ledger(paper.system, paper.citation, tuple(judge(row, paper) for row in paper.rows))
 
 
 @pytest.mark.parametrize("letter", ["\x00", "\x1b", "\r", "\x7f", "\x85", "\u202e", "\u2066",

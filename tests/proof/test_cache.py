@@ -180,7 +180,7 @@ def test_a_corrupt_cache_is_ignored_and_rewritten(
     judged: Callable[..., list[str]], folder: Path, text: bytes
 ) -> None:
     judged(*ROWS)
-    (file,) = (folder / "cache").iterdir()
+    (file,) = (folder / "cache").glob("*.json")
     good = json.loads(file.read_text())
     file.write_bytes(text)
     assert len(judged(*ROWS)) == 3
@@ -189,7 +189,7 @@ def test_a_corrupt_cache_is_ignored_and_rewritten(
 
 def test_a_corrupt_entry_is_judged_anew(judged: Callable[..., list[str]], folder: Path) -> None:
     judged(*ROWS)
-    (file,) = (folder / "cache").iterdir()
+    (file,) = (folder / "cache").glob("*.json")
     entries = json.loads(file.read_text())
     spoilt = next(key for key, entry in entries.items() if entry["number"] == "(2)")
     del entries[spoilt]["rung"]
@@ -201,7 +201,7 @@ def test_a_corrupt_entry_is_judged_anew(judged: Callable[..., list[str]], folder
 def test_the_cache_holds_the_last_run_only(judged: Callable[..., list[str]], folder: Path) -> None:
     judged(*ROWS)
     judged(ROWS[0])
-    (file,) = (folder / "cache").iterdir()
+    (file,) = (folder / "cache").glob("*.json")
     assert len(json.loads(file.read_text())) == 1
 
 

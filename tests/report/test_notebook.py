@@ -14,7 +14,7 @@ from pages import read_page
 import mechproof
 from mechproof.derivation import load_paper, packaged_directory
 from mechproof.proof.judge import judge
-from mechproof.proof.ledger import Ledger
+from mechproof.proof.ledger import JudgedPaper
 from mechproof.report.fragments import read_parameters
 
 TOUR = Path(__file__).parents[2] / "docs" / "tour.ipynb"
@@ -53,7 +53,7 @@ def test_a_paper_shows_its_prints_and_its_ledger_the_verdicts() -> None:
     assert "8 rows, not judged" in text
     assert "proved" not in text[text.index("</style>") :]
     row = judge(paper.rows[2], paper)
-    assert "proved" in show(Ledger(paper, (row,), ()))
+    assert "proved" in show(JudgedPaper("measurement", "", (row,), paper=paper))
     assert row.number in show(row)
 
 

@@ -14,7 +14,6 @@ from mechproof.pasted import Checked, Pasted, PastedError, check_pasted
 from mechproof.processes import WorkerError
 from mechproof.proof.ledger import Ledger, to_json
 from mechproof.proof.verdict import Verdict
-from mechproof.record import Paper
 
 LIMIT = 60.0
 Texts = list[str] | None
@@ -79,7 +78,7 @@ def check(
     )
     clear_json(json_file)
     answer = _judge(pasted, limit)
-    write_json(json_file, to_json([Ledger(Paper("pasted", "", (), ()), answer.judgements, ())]))
+    write_json(json_file, to_json([Ledger("pasted", "", answer.judgements)]))
     for row in answer.judgements:
         print_details(row, ("one side", "other side"))
     for verdict, remark in REMARKS.items():

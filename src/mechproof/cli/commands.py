@@ -15,7 +15,13 @@ from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.emit import app as emit_app
 from mechproof.cli.figures import figures
 from mechproof.cli.json_file import clear_json, write_json
-from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
+from mechproof.cli.judging import (
+    LimitOption,
+    NoCacheOption,
+    judge_papers,
+    read_ledgers,
+    refuse_failures,
+)
 from mechproof.cli.ledger import print_ledgers
 from mechproof.cli.places import RULE, DerivationsOption, Places, find_locations, find_places
 from mechproof.cli.report import report
@@ -23,7 +29,7 @@ from mechproof.cli.start import show_start
 from mechproof.codegen.regenerate import LIST, render_package
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
 from mechproof.made import Change, ForeignFileError, Made
-from mechproof.proof.ledger import Ledger, to_json, to_markdown
+from mechproof.proof.ledger import JudgedPaper, to_json, to_markdown
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Paper
 from mechproof.roundoff.certificate import Certificate, tell_proofs
@@ -97,7 +103,7 @@ def verify(
     """
     locations = find_locations(papers or (), find_places(derivations, root))
     clear_json(json_file)
-    ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
+    ledgers = read_ledgers(locations, use_cache=not no_cache, limit=limit)
     if not any(ledger.failures for ledger in ledgers):
         write_json(json_file, to_json(ledgers))
     print_ledgers(ledgers, show_all=show_all)
@@ -224,7 +230,7 @@ def _certify(
 
 
 def _render(
-    ledgers: Sequence[Ledger], certificates: Sequence[Certificate | None], places: Places
+    ledgers: Sequence[JudgedPaper], certificates: Sequence[Certificate | None], places: Places
 ) -> dict[str, str]:
     pairs = list(zip((ledger.paper for ledger in ledgers), certificates, strict=True))
     papers = [tell_proofs(paper, certificate) for paper, certificate in pairs]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
 
@@ -10,8 +11,13 @@ import typer
 
 from mechproof.cli.console import fail, show_progress
 from mechproof.derivation import DerivationError
-from mechproof.proof.ledger import Ledger
-from mechproof.verification import VerificationError, judge_derivations, refuse_kernels
+from mechproof.proof.ledger import JudgedPaper, Ledger
+from mechproof.verification import (
+    VerificationError,
+    find_ledgers,
+    judge_derivations,
+    refuse_kernels,
+)
 
 NoCacheOption = Annotated[
     bool, typer.Option("--no-cache", help="Judge every row anew and keep no verdict.")
@@ -29,19 +35,30 @@ LimitOption = Annotated[
 
 def judge_papers(
     locations: Sequence[Path], *, use_cache: bool, limit: float, only_kernels: bool = False
-) -> list[Ledger]:
+) -> list[JudgedPaper]:
     """Judge the papers; a derivation that fails ends the command with status 1."""
-    what = "the kernels of " if only_kernels else ""
+    with _judging(locations, "the kernels of " if only_kernels else "") as report:
+        return judge_derivations(
+            locations,
+            use_cache=use_cache,
+            only_kernels=only_kernels,
+            limit=limit,
+            report=report,
+        )
+
+
+def read_ledgers(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[Ledger]:
+    """Judge the papers that have changed, and take the ledgers of the others as they are kept."""
+    with _judging(locations) as report:
+        return find_ledgers(locations, use_cache=use_cache, limit=limit, report=report)
+
+
+@contextmanager
+def _judging(locations: Sequence[Path], what: str = "") -> Iterator[Callable[[str], None]]:
     title = f"judging {what}{', '.join(location.stem for location in locations)}"
     try:
         with show_progress(title) as report:
-            return judge_derivations(
-                locations,
-                use_cache=use_cache,
-                only_kernels=only_kernels,
-                limit=limit,
-                report=report,
-            )
+            yield report
     except (DerivationError, VerificationError) as error:
         fail(str(error))
 

@@ -58,7 +58,7 @@ def _count(things: Sequence[object], name: str) -> str:
 
 
 def _print_paper(ledger: Ledger, show_all: bool) -> None:
-    say(Text(f"{ledger.paper.system}: {ledger.paper.citation}", style="bold"))
+    say(Text(f"{ledger.system}: {ledger.citation}", style="bold"))
     rows = [row for row in ledger.judgements if show_all or row.verdict not in PLAIN]
     _print_rows(rows, with_rungs=show_all)
     for row in rows if show_all else ():

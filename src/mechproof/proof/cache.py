@@ -50,6 +50,12 @@ def cache_folder() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or home / ".cache", "mechproof")
 
 
+def name_place(location: Path) -> str:
+    """Return a name for what is kept of a derivation; another place has another."""
+    name = sha256(str(location.resolve()).encode("utf-8", "surrogateescape")).hexdigest()
+    return f"{location.stem}-{name[:16]}"
+
+
 def prover_sources() -> list[Path]:
     """Return the source files that verdicts come from."""
     here = Path(__file__).parent
@@ -85,8 +91,7 @@ class VerdictCache:
     """The judgements of one derivation by the keys of its rows."""
 
     def __init__(self, location: Path) -> None:
-        name = sha256(str(location.resolve()).encode("utf-8", "surrogateescape")).hexdigest()
-        self.file = cache_folder() / f"{location.stem}-{name[:16]}.json"
+        self.file = cache_folder() / f"{name_place(location)}.json"
 
     def load(self) -> dict[str, Judgement]:
         """Return what is kept; entries that cannot be read are as good as absent."""
@@ -95,7 +100,7 @@ class VerdictCache:
         except (OSError, ValueError):
             return {}
         items = entries.items() if isinstance(entries, dict) else ()
-        return {key: found for key, entry in items if (found := _read(entry))}
+        return {key: found for key, entry in items if (found := read_judgement(entry))}
 
     def save(self, judgements: Mapping[str, Judgement]) -> None:
         """Keep these instead, in one step; a folder that cannot be written is a warning."""
@@ -111,7 +116,8 @@ class VerdictCache:
             warnings.warn(f"verdicts are not kept: {error}", RuntimeWarning, stacklevel=2)
 
 
-def _read(entry: Any) -> Judgement | None:
+def read_judgement(entry: Any) -> Judgement | None:
+    """Read what `asdict` wrote of a judgement; None for anything else."""
     try:
         evidence = tuple(Evidence(**item) for item in entry["evidence"])
         changed = {"verdict": Verdict(entry["verdict"]), "marks": tuple(entry["marks"])}

@@ -38,16 +38,26 @@ Marks say what a row rests on; rows marked *ours* are counted apart:
 
 
 @dataclass(frozen=True)
-class Ledger(Displayed):
-    """A paper with the judgements of its rows and the findings among them.
+class Ledger:
+    """The judgements of the rows of a paper and the findings among them.
 
-    `failures` name the rows that could not be judged; with any, findings are not looked for.
+    `shipped` are the numbers of the rows on which kernels rest; `failures` name the rows that
+    could not be judged: with any, findings are not looked for.
     """
 
-    paper: Paper
+    system: str
+    citation: str
     judgements: tuple[Judgement, ...]
-    findings: tuple[Found, ...]
+    findings: tuple[Found, ...] = ()
+    shipped: frozenset[str] = frozenset()
     failures: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class JudgedPaper(Ledger, Displayed):
+    """A ledger with its paper."""
+
+    paper: Paper
 
 
 def classify(judgement: Judgement) -> str:
@@ -119,7 +129,7 @@ def _show_marks(marks: Sequence[str]) -> str:
 
 def _heading(ledger: Ledger) -> str:
     totals = (f"- {name}: {line}" for name, line in show_totals(ledger.judgements).items())
-    lines = [f"\n## {ledger.paper.system}", _escape(ledger.paper.citation), "\n".join(totals)]
+    lines = [f"\n## {ledger.system}", _escape(ledger.citation), "\n".join(totals)]
     return "\n\n".join(lines) + "\n"
 
 

@@ -12,7 +12,7 @@ from typing import Any
 from mechproof.plot.canvas import use_style
 from mechproof.plot.figures import strip_svg
 from mechproof.plot.motion import motion
-from mechproof.proof.ledger import Ledger
+from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper
 from mechproof.report.anchors import name_anchors
@@ -29,7 +29,7 @@ def show(thing: object) -> str:
     """Return a paper, a ledger, a row of it or a mechanism as HTML with its style."""
     if isinstance(thing, Paper):
         return _render("paper", paper=thing, rows=list_prints(thing), totals=(), findings=())
-    if isinstance(thing, Ledger):
+    if isinstance(thing, JudgedPaper):
         return _show_ledger(thing)
     if isinstance(thing, Judgement):
         return _render("row", row=describe_row(thing, "", {}))
@@ -40,7 +40,7 @@ def _render(kind: str, **data: object) -> str:
     return render("fragment", kind=kind, style=read_stylesheet(), **data)
 
 
-def _show_ledger(ledger: Ledger) -> str:
+def _show_ledger(ledger: JudgedPaper) -> str:
     """Show findings and rows; links would lead nowhere."""
     anchors = name_anchors(row.number for row in ledger.judgements)
     symbols = name_symbols(ledger.paper)

@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.findings import Found
-from mechproof.proof.ledger import COUNTED, OURS, Ledger, classify
+from mechproof.proof.ledger import COUNTED, OURS, JudgedPaper, classify
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper, Row, Variable
 from mechproof.report.anchors import find_equation, name_anchors, name_equation
@@ -145,7 +145,7 @@ def describe_paper(source: Source, figures: Mapping[str, str]) -> PaperView:
     )
 
 
-def _name_all(ledger: Ledger) -> dict[str, str]:
+def _name_all(ledger: JudgedPaper) -> dict[str, str]:
     numbers = [row.number for row in ledger.paper.rows]
     numbers += [row.number for row in ledger.judgements]
     return name_anchors(dict.fromkeys(numbers))

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from mechproof.proof.ledger import Ledger
+from mechproof.proof.ledger import JudgedPaper
 from mechproof.report.layout import STYLESHEET, read_stylesheet, render
 from mechproof.report.legend import find_legend
 from mechproof.report.papers import PaperView, count_totals, describe_paper
@@ -35,7 +35,7 @@ class Site:
 
 def build_site(
     locations: Sequence[Path],
-    ledgers: Sequence[Ledger],
+    ledgers: Sequence[JudgedPaper],
     report: Callable[[str], None] = lambda text: None,
 ) -> Site:
     """Return the files of the report; a page shows where its picture could not be drawn.

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from mechproof.derivation import packaged_directory
 from mechproof.measured import FOLDER as MEASURED, KERNELS, Record, find_files, read_record
-from mechproof.proof.ledger import Ledger
+from mechproof.proof.ledger import JudgedPaper
 from mechproof.record import Paper
 from mechproof.roundoff.certificate import tell_proofs
 from mechproof.roundoff.files import find_certificate
@@ -24,7 +24,7 @@ class Source:
     """
 
     location: Path
-    ledger: Ledger
+    ledger: JudgedPaper
     told: Paper
     records: tuple[Record, ...] = ()
     home: str = ""
@@ -32,10 +32,10 @@ class Source:
     @property
     def system(self) -> str:
         """Return the name of the paper."""
-        return self.ledger.paper.system
+        return self.ledger.system
 
 
-def find_source(location: Path, ledger: Ledger) -> Source:
+def find_source(location: Path, ledger: JudgedPaper) -> Source:
     """Find what was generated from a derivation and measured of it, in its folder `generated`.
 
     Raises ValueError, naming the file, for a record or a certificate that cannot be read.

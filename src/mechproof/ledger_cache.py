@@ -1,0 +1,75 @@
+"""Ledgers that are kept whole: a paper whose files have not changed is not even loaded.
+
+A ledger is made anew when a file that the derivation opened, a module that it may have met loaded,
+a file of the package, or the version of anything installed differs. What a derivation takes from
+elsewhere, as the clock or the environment, is not noticed.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from mechproof.files import write_whole
+from mechproof.proof.cache import UNREAD, cache_folder, name_place, read_judgement
+from mechproof.proof.findings import Found
+from mechproof.proof.ledger import Ledger
+from mechproof.proof.verdict import Verdict
+from mechproof.reads import are_unchanged, digest_program
+
+
+class LedgerCache:
+    """The last ledger of one derivation, with the digests of what it was made from."""
+
+    def __init__(self, location: Path) -> None:
+        self.file = cache_folder() / "ledgers" / f"{name_place(location)}.json"
+
+    def load(self) -> Ledger | None:
+        """Return the ledger if nothing has changed; what cannot be read is as good as absent."""
+        with suppress(OSError, ValueError, KeyError, TypeError):
+            kept = json.loads(self.file.read_bytes())
+            if kept["program"] == digest_program() and are_unchanged(kept["read"]):
+                return _read(kept["ledger"])
+        return None
+
+    def save(self, ledger: Ledger, read: Mapping[str, str]) -> None:
+        """Keep a ledger without failures; a row that no rung read may be this machine's fault."""
+        if ledger.failures or any(row.rung == UNREAD for row in ledger.judgements):
+            return
+        kept = {"program": digest_program(), "read": dict(read), "ledger": _write(ledger)}
+        with suppress(OSError):
+            write_whole(self.file, json.dumps(kept))
+
+
+def _write(ledger: Ledger) -> dict[str, Any]:
+    return {
+        "system": ledger.system,
+        "citation": ledger.citation,
+        "judgements": [asdict(row) for row in ledger.judgements],
+        "findings": [found.as_dict() for found in ledger.findings],
+        "shipped": sorted(ledger.shipped),
+    }
+
+
+def _read(kept: dict[str, Any]) -> Ledger:
+    """Read what was written; a ValueError for a row that cannot be read."""
+    judgements = [read_judgement(row) for row in kept["judgements"]]
+    rows = tuple(row for row in judgements if row is not None)
+    if len(rows) < len(judgements):
+        raise ValueError("a row cannot be read")
+    return Ledger(
+        kept["system"],
+        kept["citation"],
+        rows,
+        tuple(_read_finding(found) for found in kept["findings"]),
+        frozenset(kept["shipped"]),
+    )
+
+
+def _read_finding(kept: dict[str, Any]) -> Found:
+    lists = {name: tuple(kept[name]) for name in ("marks", "costs", "follows")}
+    return Found(**{**kept, **lists, "verdict": Verdict(kept["verdict"])})

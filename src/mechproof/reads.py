@@ -1,0 +1,101 @@
+"""Reads: which files a derivation was made from, by their digests."""
+
+from __future__ import annotations
+
+import os
+import sys
+import sysconfig
+import time
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from functools import cache
+from hashlib import sha256
+from importlib.metadata import distributions
+from importlib.util import source_from_cache
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+STANDARD = Path(sysconfig.get_paths()["stdlib"]).resolve()
+INSTALLED = {"site-packages", "dist-packages"}
+# What modules of the package and of derivations are called.
+OWN = ("mechproof", "_mechproof")
+# Papers and what is generated from them: of no paper but their own.
+PAPERS = ("derivations", "kernels")
+_noted: set[str] | None = None
+
+
+def _note(event: str, arguments: tuple[object, ...]) -> None:
+    if event == "open" and _noted is not None and isinstance(arguments[0], str | bytes):
+        _noted.add(os.fsdecode(arguments[0]))
+
+
+# It cannot be taken away again; while nothing is noted it does nothing.
+sys.addaudithook(_note)
+
+
+@contextmanager
+def note_reads() -> Iterator[dict[str, str]]:
+    """Note what is opened until the end, and what is loaded by then: path -> digest, filled there.
+
+    It stays empty where a file was written meanwhile: nobody knows which text was read.
+    """
+    global _noted
+    _noted, read, start = set(), dict[str, str](), time.time_ns()
+    try:
+        yield read
+    finally:
+        opened, _noted = _noted, None
+    files = {path for path in map(_find_source, opened) if _is_own(path)} | _find_helpers()
+    if all(path.stat().st_mtime_ns < start for path in files):
+        read.update(digest_files(files))
+
+
+def _find_source(name: str) -> Path:
+    """Return the source whose bytecode is read, or the file itself."""
+    return Path(source_from_cache(name) if name.endswith(".pyc") else name).resolve()
+
+
+def _find_helpers() -> set[Path]:
+    """Return the files of loaded modules that are neither a library's nor the package's.
+
+    A derivation may use them without opening them, where another one did before.
+    """
+    files = {
+        Path(file).resolve()
+        for name, module in list(sys.modules.items())
+        if not name.startswith(OWN) and (file := getattr(module, "__file__", None))
+    }
+    return {file for file in files if _is_own(file)}
+
+
+def _is_own(file: Path) -> bool:
+    """Say whether a file is no library's, which changes with its version only."""
+    is_library = file.is_relative_to(STANDARD) or not INSTALLED.isdisjoint(file.parts)
+    return file.is_file() and (file.is_relative_to(HERE) or not is_library)
+
+
+def digest_files(paths: Iterable[Path]) -> dict[str, str]:
+    """Return path -> digest of what is there."""
+    return {str(path): sha256(path.read_bytes()).hexdigest() for path in sorted(paths)}
+
+
+def are_unchanged(digests: Mapping[str, str]) -> bool:
+    """Say whether all files are what they were."""
+    try:
+        return digest_files(map(Path, digests)) == digests
+    except OSError:
+        return False
+
+
+def list_program() -> list[Path]:
+    """List the files of the package, without papers and what is generated from them."""
+    files = (path for path in HERE.rglob("*") if path.suffix != ".pyc" and path.is_file())
+    return [path for path in files if path.relative_to(HERE).parts[0] not in PAPERS]
+
+
+@cache
+def digest_program() -> str:
+    """Return the digest of the package, of Python and of all that is installed."""
+    installed = sorted({f"{d.name} {d.version}" for d in distributions()})
+    parts = [sys.version, *installed, *digest_files(list_program()).values()]
+    return sha256("\n".join(parts).encode()).hexdigest()
