@@ -351,7 +351,7 @@ def acceleration(
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
     Accuracy, tested: 16 eps of the value and what eps*x makes of it, where |x| <= 2**26 and
-    (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e150*R2 and (e =
+    (phi1 = 0 or 1e-290 <= |phi1|) and 1e-300 <= R1 and 1e-300 <= R2 and R1 <= 1e130*R2 and (e =
     0 or 1e-200 <= e).
 
     Proved, where |x| <= 22/7 and |pi - |x|| >= 2**-40, as long as no result overflows or falls
@@ -435,7 +435,7 @@ def largest_ratio(
     -----
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
-    Accuracy, tested: 3 eps of the value.
+    Accuracy, tested: 3 eps of the value, where R1 <= 1e300*R2.
 
     Source: extremes of Prikhodko et al. 2024, equation (8).
 
@@ -489,7 +489,7 @@ def smallest_ratio(
     -----
     Domain: 0 < R1, R2 < oo, 0 <= e < 1, R2 < R1.
 
-    Accuracy, tested: 3 eps of the value.
+    Accuracy, tested: 3 eps of the value, where R1 <= 1e300*R2.
 
     Source: extremes of Prikhodko et al. 2024, equation (8).
 

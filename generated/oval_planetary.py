@@ -636,8 +636,9 @@ def acceleration_cylindrical(
     -----
     Domain: 0 < R4, R5 < oo, 0 <= e2 < 1.
 
-    Accuracy, tested: 16 eps of the value and what eps*x makes of it, where |x| <= 2**26 and (e2
-    = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|) and (e2 = 0 or 1/2**660 <= e2).
+    Accuracy, tested: 16 eps of the value and what eps*x makes of it, where |x| <= 2**26 and
+    R5/1e45 <= R4 and R4 <= 1e130*R5 and (e2 = 0 or phi1 = 0 or 1/2**960 <= e2*|phi1|) and (e2 =
+    0 or 1/2**330 <= e2).
 
     Source: Prikhodko et al. 2024 (oval wheels), derivative of (10), pair 4-5 cylindrical.
 

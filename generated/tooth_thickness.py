@@ -248,7 +248,7 @@ def height_change(
     Domain: 0 < m < oo, 1 <= z < oo, z = floor(z), 0 < alpha < pi/4.
 
     Accuracy, tested: 15 eps of the way that the chord's end rolls, where (tilt = 0 or 1e-250 <=
-    |tilt|) and 1e-30 <= m.
+    |tilt|) and 1e-30 <= m and m*z <= 1e300.
 
     Source: paper on tooth thickness, step 6, on the involute.
 
@@ -331,7 +331,7 @@ def thickness_change(
     Domain: 0 < m < oo, 1 <= z < oo, z = floor(z), 0 < alpha < pi/4.
 
     Accuracy, tested: 29 eps of the way that the chord's end rolls, where (tilt = 0 or 1e-250 <=
-    |tilt|) and 1e-30 <= m.
+    |tilt|) and 1e-30 <= m and m*z <= 1e300.
 
     Source: paper on tooth thickness, step 6, on the involute.
 
@@ -470,7 +470,7 @@ def linearisation_bound(
     than the base circle and no higher than the tip).
 
     Accuracy, tested: 32 eps of the value times what its root's difference loses, where (dh = 0
-    or 1e-100 <= |dh|) and 1e-30 <= m and m <= 1e50.
+    or 1e-100 <= |dh|) and 1e-30 <= m and m*z <= 1e50.
 
     Source: paper on tooth thickness, step 6, second derivative on the involute.
 

@@ -451,7 +451,7 @@ def radius(
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
     Accuracy, tested: 6 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R and
-    R <= 1e150.
+    R <= 1e150 and z*|phi| <= 2**26.
 
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 
@@ -524,7 +524,7 @@ def track(
     Singular: |A| = R, the circle passes through the pole and the track has corners there.
 
     Accuracy, tested: 7.5 eps of the radius and what eps*z*phi makes of it, where 1e-140 <= R
-    and R <= 1e150.
+    and R <= 1e150 and z*|phi| <= 2**26.
 
     Source: Kapitonov, Yakubovsky 2022, equation (16).
 

@@ -74,6 +74,8 @@ LOW_WORD = (
     R1 >= LEAST,
     R2 >= LEAST,
 )
+# k**2, and what it is divided by where e is next to 1.
+SQUARE_OF_SPEED = R1 <= 10**130 * R2
 SLOPE = 2 * e * k**2 * (1 - e**2) / (1 + e**2 - 2 * e * cos(x)) ** 2
 EPS_X = Rational(1, 2**52) * Abs(x)
 RATIO_SCALE = Scale("the value and what eps*x makes of it", RATIO + EPS_X * SLOPE / k)
@@ -168,7 +170,7 @@ def fourier(terms: int, single: bool = False) -> Form:
 
 # Roundings of k, 1 + e and 1 - e, of a product, a quotient of positive terms and their sum with
 # 1: 1/2 eps each, 3 eps if all are in one direction.
-EXTREME = Accuracy(3)
+EXTREME = Accuracy(3, within=(R1 <= 10**300 * R2,))
 
 HALF_TANGENT = tan(x / 2)
 SOURCE = "Prikhodko et al. 2024"
@@ -291,7 +293,7 @@ QUANTITIES = (
         accuracy=Accuracy(
             16,
             ACCELERATION_SCALE,
-            (*LOW_WORD, R1 <= 10**150 * R2, Or(Eq(e, 0), Ge(e, Rational(1, 10**200)))),
+            (*LOW_WORD, SQUARE_OF_SPEED, Or(Eq(e, 0), Ge(e, Rational(1, 10**200)))),
         ),
         singular=SINGULAR,
         repeats=Repeats(2 * pi / k),

@@ -82,7 +82,9 @@ NO_UNDERFLOW_OF_LEAD = (
 )
 
 # Beside half turns of x the acceleration divides by a power of the tangent before it multiplies.
-NO_UNDERFLOW_OF_QUOTIENT = (sp.Or(sp.Eq(e2, 0), sp.Ge(e2, sp.Rational(1, 2**660))),)
+NO_UNDERFLOW_OF_QUOTIENT = (sp.Or(sp.Eq(e2, 0), sp.Ge(e2, sp.Rational(1, 2**330))),)
+# k**2, times a tiny e2, and divided by what is tiny where e2 is next to 1.
+SQUARE_OF_SPEED = (R4 >= R5 / 10**45, R4 <= 10**130 * R5)
 EPS_X = EPS * sp.Abs(x)
 OF_X = ((k, GIVEN[k]), (x, GIVEN[x]))
 LEAD = sp.atan2(e2 * sp.sin(x), 1 - e2 * sp.cos(x))

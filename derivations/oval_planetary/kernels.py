@@ -28,6 +28,7 @@ from .accuracy import (
     POSITION_SCALE,
     RATIO_CYLINDRICAL_SCALE,
     RATIO_SCALE,
+    SQUARE_OF_SPEED,
 )
 from .arguments import OF_CYLINDERS, OF_OVALS, SINGULAR_CYLINDERS, SINGULAR_OVALS
 from .forms_of_ovals import (
@@ -284,7 +285,7 @@ QUANTITIES = (
         accuracy=Accuracy(
             16,
             ACCELERATION_CYLINDRICAL_SCALE,
-            (*LOW_WORD, *NO_UNDERFLOW_OF_LEAD, *NO_UNDERFLOW_OF_QUOTIENT),
+            (*LOW_WORD, *SQUARE_OF_SPEED, *NO_UNDERFLOW_OF_LEAD, *NO_UNDERFLOW_OF_QUOTIENT),
         ),
         singular=SINGULAR_CYLINDERS,
         repeats=Repeats(sp.pi / k),

@@ -58,7 +58,11 @@ ERROR_ULP = 6
 HEIGHT_CHANGE_ULP, THICKNESS_CHANGE_ULP = 15, 29
 ROLLING = Scale("the way that the chord's end rolls", r_b * Abs(tilt) * (1 + t_c + Abs(tilt)))
 # Below that, subnormal numbers have fewer digits.
-NORMAL_TILT = (Or(Eq(tilt, 0), Ge(Abs(tilt), Rational(1, 10**250))), Ge(m, Rational(1, 10**30)))
+NORMAL_TILT = (
+    Or(Eq(tilt, 0), Ge(Abs(tilt), Rational(1, 10**250))),
+    Ge(m, Rational(1, 10**30)),
+    Le(m * z, 10**300),
+)
 # linearisation_bound, in units of value * (1 + (r_b t_c)**2/radicand): under the root (r_b t_c)**2
 # with 2 * 8.5 and as much at most of |dh| (2 y_c - |dh|) with 5, halved; cubes 3 * 3 and 3 * 3;
 # squares, products and quotient 4.
@@ -69,11 +73,11 @@ CANCELLING = Scale(
     value * (1 + (r_b * t_c) ** 2 / radicand),
     ((value, linearisation_bound), (radicand, linearisation_root.subs(dh, Abs(dh)))),
 )
-# No square and no cube leaves the range of a double.
+# No square, no cube and no product of them leaves the range of a double.
 SQUARES_IN_RANGE = (
     Or(Eq(dh, 0), Ge(Abs(dh), Rational(1, 10**100))),
     Ge(m, Rational(1, 10**30)),
-    Le(m, 10**50),
+    Le(m * z, 10**50),
 )
 
 # First order in the tilt. Taylor: |change - slope*tilt| <= max |curvature| tilt**2/2, and with

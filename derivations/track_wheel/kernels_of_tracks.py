@@ -56,8 +56,13 @@ CIRCLE = (
     Argument("z", (periods,), "number of periods, a natural number", usual=(1, 6, 20)),
 )
 HEIGHT = Argument("H", (thickness,), "thickness of the part", "mm", usual=(1, 100))
-# Between these sizes (R - A)*(R + A) is a normal double, down to R - A = eps*R.
-SQUARES = (radius >= sp.Rational(1, 10**140), radius <= 10**150)
+# Between these sizes (R - A)*(R + A) is a normal double, down to R - A = eps*R. The scale is of
+# first order in eps*z*phi: up to here its square is no more than eps.
+IN_RANGE = (
+    radius >= sp.Rational(1, 10**140),
+    radius <= 10**150,
+    sp.Abs(THETA) <= 2**26,
+)
 LOADS = (("N angles, one wheel", ("phi",)),)
 SOURCE = "Kapitonov, Yakubovsky 2022, equation (16)"
 
@@ -74,7 +79,7 @@ TRACKS = (
         SOURCE,
         unit="mm",
         on=SHIFTED_INSIDE,
-        accuracy=Accuracy(RADIUS_ULP, RUNNING, SQUARES),
+        accuracy=Accuracy(RADIUS_ULP, RUNNING, IN_RANGE),
         singular=SINGULAR,
         workloads=LOADS,
     ),
@@ -90,7 +95,7 @@ TRACKS = (
         SOURCE,
         unit="mm",
         on=SHIFTED_INSIDE,
-        accuracy=Accuracy(TRACK_ULP, RUNNING, SQUARES),
+        accuracy=Accuracy(TRACK_ULP, RUNNING, IN_RANGE),
         singular=SINGULAR,
         workloads=LOADS,
     ),

@@ -1,0 +1,97 @@
+"""Arguments of every exponent that doubles have: bounds hold wherever they are stated.
+
+A bound that is stated too far breaks where squares, cubes and low words leave the range of doubles.
+Sizes are drawn evenly by exponent. An angle that a ratio of radii turns on is drawn by what it is
+turned to, or hardly any would be where the bound is stated. Seeds are fixed.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from mechproof.lab.draws import draw_published
+from mechproof.lab.region import Columns
+from mechproof.lab.search import scaled_errors
+from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.ways import Arguments, Array
+from mechproof.lab.within import mark_within
+from mechproof.record import LENGTH
+
+# By how many powers of ten a band of sizes reaches to either side of 1.
+BANDS = (3, 20, 160, 308)
+TURNED = (["phi1", "R1", "R2"], ["phi1", "R4", "R5"])
+DRAWN = 2500
+LINKAGE = "wedge_linkage"
+# Of them so many at least are where the bound is stated; of a linkage so many are judged.
+FEW, MOST = 20, 100
+
+
+def is_drawn(subject: Subject) -> bool:
+    """Sums over elements have tests of their own."""
+    quantity = subject.quantity
+    has_elements = any(isinstance(s, sp.IndexedBase) for s in subject.facts.symbols)
+    return bool(quantity.accuracy and quantity.forms and not has_elements)
+
+
+SUBJECTS = {s.name: s for s in filter(is_drawn, find_subjects())}
+
+
+def draw_sizes(rng: np.random.Generator) -> Array:
+    """Draw sizes by exponent, of either sign, some of them just below 1."""
+    sizes = 10.0 ** (rng.uniform(-1, 1, DRAWN) * rng.choice(BANDS, DRAWN))
+    below = 1 - 10.0 ** rng.uniform(-16, -1, DRAWN)
+    drawn = np.where(rng.random(DRAWN) < 0.15, below, sizes)
+    return np.asarray(drawn * rng.choice([1, 1, -1], DRAWN))
+
+
+def draw_turned(rng: np.random.Generator) -> tuple[Array, Array, Array]:
+    """Draw an angle and two radii by the angle that their ratio turns it to."""
+    beside = 10.0 ** rng.uniform(-18, 6, DRAWN) * rng.choice([-1, 1], DRAWN)
+    angles = rng.integers(-4, 5, DRAWN) * np.pi / 2 + beside
+    driven = 10.0 ** rng.uniform(-150, 150, DRAWN)
+    driving = driven * 10.0 ** rng.uniform(-150, 150, DRAWN)
+    return angles * (driven / driving), driving, driven
+
+
+def draw_similar(subject: Subject, rng: np.random.Generator) -> Columns:
+    """Draw published sizes, half of them larger or smaller as a whole: others hardly close."""
+    factor = np.where(rng.random(DRAWN) < 0.5, 10.0 ** rng.uniform(-60, 60, DRAWN), 1)
+    sizes = draw_published(subject.facts, rng, DRAWN)
+    lengths = {v.symbol for v in subject.paper.variables if v.dimension == LENGTH}
+    return {s: c * factor if s in lengths else c for s, c in sizes.items()}
+
+
+def draw_points(subject: Subject) -> Arguments:
+    """Draw points of the domain that are where the bound is stated."""
+    rng, region = np.random.default_rng(20263), subject.facts.region
+    columns = {s: draw_sizes(rng) for s in region.symbols}
+    if subject.paper.system == LINKAGE:
+        columns |= draw_similar(subject, rng)
+    if [a.name for a in subject.quantity.arguments][:3] in TURNED:
+        columns |= dict(zip(region.symbols, draw_turned(rng), strict=False))
+    for symbol in filter(region.is_count, region.symbols):
+        columns[symbol] = np.ceil(np.abs(columns[symbol]))
+    inside = region.mark_inside(columns)
+    parts = [[columns[s][inside] for s in a.symbols] for a in subject.quantity.arguments]
+    points = tuple(np.stack(p, -1) if len(p) > 1 else p[0] for p in parts)
+    within = np.flatnonzero(mark_within(subject, points))
+    kept = within[:MOST] if subject.paper.system == LINKAGE else within
+    return tuple(column[kept] for column in points)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", SUBJECTS)
+def test_a_bound_holds_wherever_it_is_stated(name: str) -> None:
+    subject, (system, _, quantity) = SUBJECTS[name], name.partition(".")
+    points = draw_points(subject)
+    assert len(points[0]) > FEW
+    assert subject.quantity.accuracy is not None
+    kernel: Any = getattr(import_module(f"mechproof.kernels.{system}"), quantity)
+    errors = scaled_errors(subject, kernel, points)
+    worst = int(np.argmax(np.where(np.isnan(errors), np.inf, errors)))
+    assert errors[worst] <= subject.quantity.accuracy.ulp, [c[worst] for c in points]
