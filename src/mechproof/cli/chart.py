@@ -9,6 +9,7 @@ import typer
 
 from mechproof.cli.console import refuse, say
 from mechproof.cli.places import read_out
+from mechproof.derivation import find_systems, packaged_directory
 from mechproof.measured import Record, find_files, goes_by, read_record
 
 
@@ -45,7 +46,9 @@ def chart(
         for file in draw_overview(records, out):
             say(str(file))
         return
-    subjects = {subject.name: subject for subject in find_subjects()}
+    systems = {record.quantity.partition(".")[0] for record in records}
+    own = systems & find_systems(packaged_directory()).keys()
+    subjects = {subject.name: subject for subject in (find_subjects(tuple(own)) if own else ())}
     for record in records:
         for file in draw_charts(record, subjects.get(record.quantity), out):
             say(str(file))

@@ -8,6 +8,7 @@ from importlib.resources import files
 
 from mechproof.lab.marks import write_eps
 from mechproof.measured import KERNELS, Record
+from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.certificate import Certificate, Claim
 from mechproof.roundoff.compiled import WAY
 from mechproof.roundoff.files import find_certificate
@@ -61,4 +62,4 @@ def tell_where(record: Record) -> str:
     """Say for which arguments the bounds are, form by form; nothing without any."""
     places = {claim.form: " or ".join(claim.where) for claim in list_claims(record)}
     told = "; ".join(f"{form}, where {where}" for form, where in places.items())
-    return f"Proved: {told}." if told else ""
+    return f"Proved: {told}; provided {NORMAL}." if told else ""

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 from typing import Any
 
 import numpy as np
 import sympy as sp
+from flint import arb
 
-from mechproof.kernel_support.order import step_ulps
+from mechproof.kernel_support.order import LARGEST, LOWEST
 from mechproof.lab.ways import Array
-from mechproof.proof.balls import evaluate
+from mechproof.proof.ball_evaluation import compile_expression
+from mechproof.proof.balls import take_real_part, to_ball, working_precision
 
 # Symbol -> its values, one to a point.
 Columns = Mapping[sp.Symbol, Array]
@@ -134,36 +136,49 @@ def _polish(
     gap: sp.Expr, symbol: sp.Symbol, given: Mapping[sp.Symbol, float], guess: float
 ) -> float:
     """Return the double nearest to a change of sign; the guess itself if there is none about."""
+    enclose, start = compile_expression(gap), _to_order(guess)
+    with working_precision(BITS):
+        balls = {s: to_ball(value) for s, value in given.items()}
 
-    def sign(at: float | Fraction) -> int:
-        ball = evaluate(gap, {**given, symbol: at}, BITS)
-        return 1 if ball > 0 else -1 if ball < 0 else 0
+        def sign_of(at: arb) -> int:
+            ball = take_real_part(enclose({**balls, symbol: at}))
+            return 1 if ball > 0 else -1 if ball < 0 else 0
 
-    if sign(guess) == 0:
-        return guess
-    reach = 1
-    while sign(_step(guess, -reach)) * sign(_step(guess, reach)) > 0:
-        reach *= 8
-        if reach > FARTHEST:
+        @cache
+        def sign(steps: int) -> int:
+            return sign_of(arb(_from_order(start + steps)))
+
+        if sign(0) == 0:
             return guess
-    low, high = _narrow(sign, guess, reach)
-    middle = (Fraction(low) + Fraction(high)) / 2
-    return high if sign(low) * sign(middle) > 0 else low
+        reach = 1
+        while sign(-reach) * sign(reach) > 0:
+            reach *= 8
+            if reach > FARTHEST:
+                return guess
+        least, most = _narrow(sign, reach)
+        low, high = _from_order(start + least), _from_order(start + most)
+        return high if sign(least) * sign_of((arb(low) + arb(high)) / 2) > 0 else low
 
 
-def _narrow(
-    sign: Callable[[float | Fraction], int], guess: float, reach: int
-) -> tuple[float, float]:
+def _narrow(sign: Callable[[int], int], reach: int) -> tuple[int, int]:
     """Halve the steps around a guess until two neighbours are left, or the root itself."""
-    below, least, most = sign(_step(guess, -reach)), -reach, reach
+    least, most = -reach, reach
     while most - least > 1:
         middle = (least + most) // 2
-        if sign(_step(guess, middle)) * below > 0:
+        if sign(middle) * sign(-reach) > 0:
             least = middle
         else:
             most = middle
-    return _step(guess, least), _step(guess, most)
+    return least, most
 
 
-def _step(value: float, steps: int) -> float:
-    return float(step_ulps(np.array(value), np.array(steps)))
+def _to_order(value: float) -> int:
+    """Return the place of a double in their order, as `kernel_support.order` for many."""
+    bits: int = struct.unpack("<q", struct.pack("<d", value))[0]
+    return bits if bits >= 0 else -(bits & LARGEST)
+
+
+def _from_order(place: int) -> float:
+    bits = place if place >= 0 else LOWEST | -place
+    value: float = struct.unpack("<d", struct.pack("<q", bits))[0]
+    return value

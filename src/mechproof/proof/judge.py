@@ -59,11 +59,11 @@ def judge(row: Row, paper: Paper) -> Judgement:
 
 
 def _explain(error: Exception) -> str:
-    """Say what was too much: our own refusals are sentences, what SymPy raises is named only."""
+    """Say what was too much: our own refusals are sentences, any other error is named only."""
     told = str(error)
     if isinstance(error, NotImplementedError) and told and "\n" not in told:
         return told
-    return f"it cannot be worked out: SymPy gives up on it ({type(error).__name__})"
+    return f"it cannot be worked out: SymPy or the prover fails on it ({type(error).__name__})"
 
 
 def _marks(row: Row) -> tuple[str, ...]:
