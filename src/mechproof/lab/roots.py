@@ -15,7 +15,8 @@ from flint import arb
 from mechproof.kernel_support.order import LARGEST, LOWEST
 from mechproof.lab.ways import Array
 from mechproof.proof.ball_evaluation import compile_expression
-from mechproof.proof.balls import take_real_part, to_ball, working_precision
+from mechproof.proof.ball_functions import take_real_part
+from mechproof.proof.balls import to_ball, working_precision
 
 # Symbol -> its values, one to a point.
 Columns = Mapping[sp.Symbol, Array]

@@ -13,7 +13,7 @@ from mechproof.proof.algebra import decide_equal, explain_unequal
 from mechproof.proof.antiderivative import decide_by_derivative, explain_break
 from mechproof.proof.arguments import decide_by_argument
 from mechproof.proof.bisection import holds_on_interval
-from mechproof.proof.definedness import list_unshown
+from mechproof.proof.definedness import list_unshown, need_the_same, tell
 from mechproof.proof.domain import Domain
 from mechproof.proof.limits import settle_limits
 from mechproof.proof.numbers import decide_number
@@ -38,6 +38,7 @@ from mechproof.record import (
     Distinct,
     Equality,
     Holds,
+    Need,
     PrintedNumber,
     Statement,
 )
@@ -103,10 +104,12 @@ def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Answer:
 def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answer:
     rung = _prove_equal(printed, rebuilt, domain)
     if rung:
-        needed = _list_needed((printed, rebuilt), domain)
+        sides = (printed, rebuilt)
+        needs = [list_unshown(side, domain) for side in sides]
+        needed = _tell_needs(needs)
         undefined = _cross_examine(printed, rebuilt, domain)
-        if not undefined and needed:
-            undefined = find_unlike((printed, rebuilt), domain)
+        if not undefined and needed and not need_the_same(sides, needs, domain):
+            undefined = find_unlike(sides, domain)
         if undefined:
             reason = f"both sides agree where both are defined, which fails at {undefined}"
             return Answer(Verdict.UNDECIDED, rung, reason)
@@ -120,11 +123,9 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
     return _report_unproved(comparison, why)
 
 
-def _list_needed(sides: Sequence[sp.Basic], domain: Domain) -> str:
+def _tell_needs(needs: Sequence[list[Need]]) -> str:
     """Say what roots, logarithms and so on need that is not shown, empty for nothing."""
-    return _clip(
-        " and ".join(dict.fromkeys(n for side in sides for n in list_unshown(side, domain)))
-    )
+    return _clip(" and ".join(dict.fromkeys(tell(need) for listed in needs for need in listed)))
 
 
 def _prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | None:
@@ -180,7 +181,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     if rung:
         if found := find_violation(relation, domain, CROSS_EXAMINATION):
             raise ContradictionError(f"proved, yet {found}")
-        needed = _list_needed(relation.args, domain)
+        needed = _tell_needs([list_unshown(side, domain) for side in relation.args])
         count = POINTS if needed else CROSS_EXAMINATION
         if undefined := find_undefined(relation.args, domain, count):
             reason = f"true wherever it is defined, which fails at {undefined}"

@@ -14,6 +14,10 @@ from mechproof.proof import balls
 from mechproof.proof.coordinates import Coordinates
 from mechproof.proof.normal_form import factorise, split
 
+# Points at which a polynomial is tried, and the sizes of their coordinates.
+TRIED = 12
+SIZES = tuple(map(sp.Rational, ("1/7", "3", "1", "1/3", "11", "2/5", "1/50", "40")))
+
 
 @dataclass(frozen=True)
 class Sign:
@@ -137,11 +141,30 @@ def _sign_by_discriminant(
     if polynomial.degree(symbol) != 2:
         return None
     a, b, c = (polynomial.as_expr().coeff(symbol, power) for power in (2, 1, 0))
+    rest = sp.expand(4 * a * c - b**2)
+    if _is_negative_somewhere(rest, positive | nonnegative):
+        return None
     leading = _sign_of_product(a, positive, nonnegative)
-    gap = _sign_of_product(4 * a * c - b**2, positive, nonnegative)
-    if not (leading and leading.strict and gap and gap.direction > 0):
+    gap = _sign_of_product(rest, positive, nonnegative) if leading and leading.strict else None
+    if not (leading and gap and gap.direction > 0):
         return None
     return Sign(leading.direction, gap.strict)
+
+
+def _is_negative_somewhere(expression: sp.Expr, half_lines: set[sp.Basic]) -> bool:
+    """Tell whether a polynomial is negative at one of a few points, before its factors are found.
+
+    Names that are functions of each other stand for all numbers here as in the proof.
+    """
+    symbols = sorted(expression.free_symbols, key=str)
+    for shift in range(TRIED):
+        signs = [1 if s in half_lines else (-1) ** (k + shift) for k, s in enumerate(symbols)]
+        sizes = [SIZES[(3 * k + shift) % len(SIZES)] for k in range(len(symbols))]
+        point = {s: sign * size for s, sign, size in zip(symbols, signs, sizes, strict=True)}
+        value = balls.evaluate(expression, point)
+        if value.is_finite() and value < 0:
+            return True
+    return False
 
 
 def _sign_by_sturm(polynomial: sp.Poly, half_lines: set[sp.Basic]) -> Sign | None:

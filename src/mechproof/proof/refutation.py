@@ -21,6 +21,8 @@ from mechproof.proof.sums import write_out
 from mechproof.proof.verdict import Evidence
 
 POINTS = 40
+# Where a point takes long.
+FEW = 10
 PRECISIONS = (64, 192, 512)
 # How many choices of counts.
 _CHOICES = 3
@@ -92,8 +94,13 @@ def find_undefined(sides: Sequence[sp.Basic], domain: Domain, count: int = POINT
 
 
 def find_unlike(sides: Sequence[sp.Basic], domain: Domain) -> str:
-    """Return an interior point at which one side only has a value, empty if none is met."""
-    return _find_point(sides, domain, POINTS, lambda have_values: len(set(have_values)) > 1)
+    """Return an interior point at which one side only has a value, empty if none is met.
+
+    Of sums, each of which is written out for every number of terms, few points are tried.
+    """
+    has_sums = any(side.has(sp.Sum, sp.Product) for side in sides)
+    count = FEW if has_sums else POINTS
+    return _find_point(sides, domain, count, lambda have_values: len(set(have_values)) > 1)
 
 
 def _find_point(

@@ -1,0 +1,46 @@
+"""Needs: what is shown of them, and when two sides need the same."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from mechproof.proof.definedness import list_unshown, need_the_same, tell
+from mechproof.proof.domain import Domain
+from mechproof.record import Paper, Variable
+
+x, y = sp.symbols("x y", real=True)
+k = sp.Symbol("k", integer=True, positive=True)
+DOMAIN = Domain.of(Paper("p", "c", (Variable(x, "a number"), Variable(y, "another")), ()))
+EXPANDED = sp.sqrt(x**2 + 2 * x * y + y**2 - 1)
+
+
+def list_needs(sides: tuple[sp.Expr, sp.Expr]) -> list[list[tuple[sp.Expr, bool]]]:
+    return [list_unshown(side, DOMAIN) for side in sides]
+
+
+def test_what_is_shown_is_not_listed() -> None:
+    assert list_unshown(sp.sqrt(x**2 + 1) + sp.log(2 + sp.cos(x)), DOMAIN) == []
+    assert [tell(n) for n in list_unshown(sp.sqrt(x) / sp.log(y), DOMAIN)] == ["x >= 0", "y > 0"]
+
+
+@pytest.mark.parametrize(
+    ("sides", "alike"),
+    [
+        ((EXPANDED, sp.sqrt((x + y) ** 2 - 1)), True),
+        ((sp.sqrt(x - 1) / sp.sqrt(x - 1), 1 / sp.sqrt(x - 1) * sp.sqrt(x - 1)), True),
+        ((sp.sqrt(x) + 1 / sp.sqrt(x), sp.log(x)), True),
+        ((EXPANDED, sp.sqrt((x - y) ** 2 - 1)), False),
+        ((sp.sqrt(x), sp.log(x)), False),
+        ((sp.sqrt(x), sp.sqrt(x) + sp.sqrt(y)), False),
+        ((sp.sqrt(x), sp.S.Zero), False),
+        # Of a sum it is not known, even if it is the same.
+        ((sp.sqrt(x) + sp.Sum(sp.log(x + k), (k, 1, 3)),) * 2, False),
+    ],
+)
+def test_sides_need_the_same_where_needs_are_proved_equal(
+    sides: tuple[sp.Expr, sp.Expr], alike: bool
+) -> None:
+    assert need_the_same(sides, list_needs(sides), DOMAIN) is alike
+    turned = sides[::-1]
+    assert need_the_same(turned, list_needs(turned), DOMAIN) is alike
