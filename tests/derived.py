@@ -8,10 +8,9 @@ from functools import cache
 from mechproof import derivation
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.lab.subject import find_subjects
-from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper
-from mechproof.verification import Opened, open_paper
+from mechproof.verification import Opened, find_ledgers, open_paper
 
 SYSTEMS = find_systems(packaged_directory())
 
@@ -33,8 +32,9 @@ def declared_paper_of(system: str) -> Paper:
 @cache
 def judge_all(system: str) -> dict[str, Judgement]:
     """Return the judgements of all rows of a paper, by their numbers."""
-    paper = opened(system)
-    return {row.number: judge(row, paper.domain) for row in paper.rows}
+    (ledger,) = find_ledgers([SYSTEMS[system]])
+    assert ledger.failures == ()
+    return {judgement.number: judgement for judgement in ledger.judgements}
 
 
 @cache

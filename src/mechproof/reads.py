@@ -15,6 +15,7 @@ from importlib.util import source_from_cache
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+LIBRARY = tuple(sysconfig.get_paths()[name] for name in ("stdlib", "purelib", "platlib"))
 STANDARD = Path(sysconfig.get_paths()["stdlib"]).resolve()
 INSTALLED = {"site-packages", "dist-packages"}
 # What modules of the package and of derivations are called.
@@ -60,11 +61,13 @@ def _find_helpers() -> set[Path]:
 
     A derivation may use them without opening them, where another one did before.
     """
-    files = {
-        Path(file).resolve()
+    named = {
+        file
         for name, module in list(sys.modules.items())
         if not name.startswith(OWN) and (file := getattr(module, "__file__", None))
     }
+    # Finding out where each of some thousand links leads takes longer than most papers.
+    files = (Path(file).resolve() for file in named if not file.startswith(LIBRARY))
     return {file for file in files if _is_own(file)}
 
 

@@ -47,6 +47,7 @@ def list_words_in_c() -> list[str]:
     return sorted(WORDS.union(*(re.findall(r"[A-Za-z]\w*", text) for text in bare)))
 
 
+@pytest.mark.thorough
 @needs_compiler
 def test_no_name_of_a_paper_meets_one_in_c(tmp_path: Path) -> None:
     """Arguments are called like all that sources have, and like all that C keeps for itself."""
@@ -105,6 +106,7 @@ def list_own_words() -> list[str]:
     return sorted(word for word in own if is_free(word))
 
 
+@pytest.mark.thorough
 def test_arguments_are_called_like_all_that_modules_have(tmp_path: Path) -> None:
     words = list_own_words()
     known = {"i", "j", "s", "value", "start", "stop", "row", "prepared", "range", "type", "float64"}

@@ -119,6 +119,7 @@ def test_published_sizes_and_the_domain_are_plain_data() -> None:
     assert not told["R2 < R1"](1.0, 2.0)
 
 
+@pytest.mark.thorough
 def test_rendering_does_not_depend_on_the_hash_seed() -> None:
     script = (
         "import hashlib; from mechproof.codegen.backends.numpy import render_modules;"

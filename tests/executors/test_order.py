@@ -77,6 +77,7 @@ def test_what_is_left_is_cancelled() -> None:
     assert len(cancelled) == 4
 
 
+@pytest.mark.thorough
 def test_progress_is_reported() -> None:
     calls: list[tuple[int, int]] = []
 

@@ -81,6 +81,7 @@ def test_many_parameters_at_once_are_computed_as_one_by_one() -> None:
     assert np.array_equal(together(*points), each)
 
 
+@pytest.mark.thorough
 def test_the_bound_of_the_position_holds() -> None:
     (subject,) = find_subjects(("elliptic_planetary.position",))
     assert subject.quantity.accuracy is not None

@@ -150,6 +150,7 @@ def test_few_long_sums_have_the_bits_of_many(kind: Any) -> None:
     assert np.array_equal(many[[0, 1, 3, 4]], np.concatenate(few))
 
 
+@pytest.mark.thorough
 def test_sums_are_called_inside_compiled_functions() -> None:
     import numba
 

@@ -243,6 +243,7 @@ def test_families_differ_in_shape_and_in_grey() -> None:
     assert min(b - a for a, b in itertools.pairwise(greys)) > 0.15
 
 
+@pytest.mark.thorough
 def test_charts_are_drawn_twice_alike(record: Record, tmp_path: Path) -> None:
     first = draw_charts(record, None, tmp_path / "a")
     second = draw_charts(record, None, tmp_path / "b")
@@ -278,6 +279,7 @@ def test_the_summary_counts(record: Record) -> None:
     )
 
 
+@pytest.mark.thorough
 def test_charts_from_the_command_line(tmp_path: Path, record: Record) -> None:
     # A user's own records, of a quantity that this installation has not.
     write_record(replace(record, quantity="gear.angle"), tmp_path / "own")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from ways import bound_of, find_subject
 
 from mechproof.lab.search import find_worst
@@ -10,6 +11,7 @@ from mechproof.lab.search import find_worst
 FRESH = 4711
 
 
+@pytest.mark.thorough
 def test_the_search_climbs() -> None:
     """More rounds find at least as much; here they find more."""
     subject = find_subject("track_wheel.planar_error")

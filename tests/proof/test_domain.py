@@ -56,6 +56,7 @@ def test_counts_satisfy_relations():
     assert decide(Holds(n**2 > 10), domain).verdict is not Verdict.REFUTED
 
 
+@pytest.mark.thorough
 def test_points_satisfy_relations_of_elements():
     i, j = sp.symbols("i j", integer=True)
     c, d = sp.IndexedBase("c", real=True), sp.IndexedBase("d", real=True)

@@ -11,6 +11,7 @@ from itertools import chain, islice, pairwise
 import pytest
 import sympy as sp
 from derived import paper_of
+from weights import first_of
 
 from mechproof.derivations.track_wheel.errors import i, j
 from mechproof.proof.continuity import find_break
@@ -21,7 +22,7 @@ from mechproof.proof.verdict import Verdict
 from mechproof.record import Conjunction, Equality, IntegralWithoutDifferential
 
 # The first batches are run with every test, all with the thorough ones.
-BATCHES, QUICK = 12, 3
+BATCHES = 12
 ENTRIES, PER_SIDE = 2, 3
 LEAST, LEAST_ROWS = 600, 120
 # Larger statements, and those with integrals in the longer derivations, take seconds each.
@@ -186,7 +187,7 @@ def collect_mutants():
 
 @pytest.mark.parametrize(
     "batch",
-    [*range(QUICK), *(pytest.param(n, marks=pytest.mark.thorough) for n in range(QUICK, BATCHES))],
+    first_of(range(BATCHES)),
 )
 def test_no_wrong_neighbour_is_proved(batch):
     equivalent = []

@@ -67,6 +67,7 @@ def test_an_empty_domain_is_refused() -> None:
         Domain.of(paper(Variable(x, "x"), where=(sp.false,)))
 
 
+@pytest.mark.thorough
 def test_a_break_of_the_integrand_in_another_variable_is_seen() -> None:
     t = sp.Symbol("t", real=True)
     domain = Domain({x: sp.Interval.Ropen(0, sp.Rational(16, 10))}, (), {})

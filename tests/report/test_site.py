@@ -172,6 +172,7 @@ def test_nothing_of_a_paper_is_markup(files: dict[str, str]) -> None:
     assert HURT.split("=")[0] in files["papers/größe.html"]
 
 
+@pytest.mark.thorough
 def test_the_same_papers_give_the_same_bytes(papers: list[Path]) -> None:
     code = (
         "import sys, hashlib; from pathlib import Path; from mechproof.report import build_site;"

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from derived import paper_of
+from weights import first_of
 
 from mechproof.codegen.kernel import input_names, list_functions
 from mechproof.derivations.track_wheel.frame import ANGLES, UNIT_QUATERNION, alpha
@@ -85,7 +86,7 @@ def test_the_scale_is_the_norm_of_the_matrix() -> None:
     assert sp.simplify(sp.expand(halved)) == 0
 
 
-@pytest.mark.parametrize("way", ["NumPy's functions", "compiled"])
+@pytest.mark.parametrize("way", first_of(["NumPy's functions", "compiled"]))
 def test_roundings_of_the_entries_and_of_the_sums_count(way: str) -> None:
     subject = displacement(way)
     assert subject.map is not None

@@ -282,6 +282,7 @@ def test_pickled_it_has_the_same_bits(backend: str, tmp_path: Path) -> None:
         again.parameters["e"] = 0.1  # type: ignore[index]
 
 
+@pytest.mark.thorough
 def test_a_new_process_computes_the_same_bits() -> None:
     backends = (NUMBA, NUMPY) if importlib.util.find_spec("numba") else (NUMPY,)
     with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as executor:

@@ -40,6 +40,7 @@ def toy(expression: sp.Expr, form: sp.Expr | None = None) -> Paper:
 BOX = {"a": Size(0.0, 1.0, -1.0), "b": Size(2.0, 0.5, -0.5)}
 
 
+@pytest.mark.thorough
 def test_the_linkage_is_bounded_and_the_gap_is_closed() -> None:
     result = certified_range("wedge_linkage", "position", X1, SIZES | IDLE)
     assert (result.lower_gap >= 0).all()
