@@ -20,7 +20,7 @@ def paper(*rows):
     return Paper("mine", "my notes", variables, rows)
 """
 PROVED = 'Equation("(1)", "1", Equality(sin(x)**2 + cos(x)**2, S.One))'
-OPEN = 'Equation("(2)", "2", Equality(gamma(x**2 + 1), x**2 * gamma(x**2))%s)'
+OPEN = 'Equation("(2)", "2", Equality(gamma(x**2 + 1), x**2 * gamma(x**2)))'
 
 
 def run(*arguments: str) -> Result:

@@ -88,7 +88,6 @@ def test_only_rows_that_changed_are_judged(judged: Callable[..., list[str]]) -> 
             ("x - y)", "x - y), on=Part('x > 0', within={x: Interval.open(0, 1)})"),
             ("x - y)", "x - y), corrected=Correction('c', Equality(x, x))"),
             ("x - y)", "x - y), readings=(Reading('r', Equality(x, x)),)"),
-            ("x - y)", "x - y), stays_open='why'"),
         ]
     ),
 )

@@ -144,13 +144,11 @@ def test_what_is_rebuilt_from_the_print_is_a_definition_and_proves_no_correction
     assert judge(row(FALSE, readings=(Reading("r", same),)), PAPER).verdict is Verdict.REFUTED
 
 
-def test_marks_note_and_openness_are_handed_on():
-    judgement = judge(
-        Claim("c", "p", OPEN, note="Said why.", marks=("inferred",), stays_open="no rung"), PAPER
-    )
+def test_marks_and_note_are_handed_on():
+    judgement = judge(Claim("c", "p", OPEN, note="Said why.", marks=("inferred",)), PAPER)
     assert judgement.marks == ("inferred", "as typed")
     assert judgement.reason.endswith(". Said why.")
-    assert (judgement.kind, judgement.may_stay_open) == ("claim", True)
+    assert judgement.kind == "claim"
 
 
 def test_unknown_marks_and_double_numbers_are_refused():

@@ -53,7 +53,6 @@ def judge(row: Row, paper: Paper) -> Judgement:
         evidence=answer.evidence,
         corrected_latex=row.corrected.latex if row.corrected else "",
         corrected_by=answer.corrected_by,
-        may_stay_open=bool(row.stays_open),
         compared_with=write_compared(row.statement, paper.variables),
     )
 
@@ -79,8 +78,6 @@ def _decide_row(row: Row, paper: Paper) -> Answer:
     if answer.verdict is Verdict.REFUTED:
         convention = _find_convention(row, paper, domain, answer)
         return convention or _find_part(row, paper, answer)
-    if answer.verdict is Verdict.UNDECIDED and row.stays_open:
-        return replace(answer, reason=f"{answer.reason}; {row.stays_open}")
     return answer
 
 

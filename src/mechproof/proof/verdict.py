@@ -94,7 +94,6 @@ class Judgement(Displayed):
     evidence: tuple[Evidence, ...]
     corrected_latex: str
     corrected_by: str
-    may_stay_open: bool
     compared_with: str
 
     def as_dict(self) -> dict[str, object]:

@@ -71,7 +71,6 @@ class Sign:
     on: Part | None = None
     singular: tuple[str, ...] = ()
     marks: tuple[str, ...] = ()
-    stays_open: str = ""
     derived: Derived = field(default_factory=lambda: MappingProxyType({}))
     residual: sp.Expr | None = None
     substituted: Mapping[sp.Expr, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
@@ -103,7 +102,6 @@ class Row:
     on: Part | None = None
     singular: tuple[str, ...] = ()
     marks: tuple[str, ...] = ()
-    stays_open: str = ""
     derived: Derived = field(default_factory=lambda: MappingProxyType({}))
     residual: sp.Expr | None = None
     substituted: Mapping[sp.Expr, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
