@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.conditions import join_conditions
+from mechproof.codegen.frame import check_frame
 from mechproof.codegen.program import NOTHING, Program
 from mechproof.codegen.reading import ReadingError, list_names, read_program
 
@@ -17,6 +18,7 @@ def read_module(source: str) -> dict[str, KernelCode]:
 
     Raises `ReadingError` with the line for what no kernel has.
     """
+    check_frame(source)
     functions = {
         node.name: node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)
     }

@@ -9,6 +9,7 @@ from hashlib import sha256
 from pathlib import Path
 from types import MappingProxyType
 
+from mechproof.codegen import frame
 from mechproof.codegen.backends.loops import describe_calls, mean_calls, take_out_loops
 from mechproof.codegen.backends.numpy import (
     REGENERATED,
@@ -126,6 +127,7 @@ def render_elementary() -> str:
 
 def check_elementary(source: str) -> None:
     """Read the elementary functions back; `TranslationError` where one is not its program."""
+    frame.check_frame(source, frame.ELEMENTARY)
     _compare({kind: build(kind, DOUBLE).program for kind in BODIES}, read_scalars(source))
 
 
@@ -180,6 +182,7 @@ def _part(
 
 def check_translation(source: str, kernels: Iterable[Kernel]) -> None:
     """Read the functions of a module back; `TranslationError` where one is not its program."""
+    frame.check_frame(source, frame.COMPILED)
     parted, reductions, language = _part(kernels)
     meant = {f"_{found.name}_term": found.term for found in reductions}
     for kernel, _ in parted:
