@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -37,3 +38,8 @@ def in_process(*arguments: str, **variables: str) -> subprocess.CompletedProcess
     command = [sys.executable, "-m", "mechproof", *arguments]
     environment = {**os.environ, **variables}
     return subprocess.run(command, capture_output=True, text=True, env=environment)
+
+
+def hear_hangups() -> None:
+    """Let a new process be ended by SIGHUP, as from a terminal: below `nohup` none is."""
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from command import PROVED, in_process, run, write
+from command import PROVED, hear_hangups, in_process, run, write
 
 from mechproof.__main__ import EXTRA
 
@@ -169,7 +169,9 @@ def test_what_is_asked_to_end_tidies_up(tmp_path: Path, ending: signal.Signals) 
         "m.main()\n"
     )
     command = [sys.executable, "-c", code, str(tmp_path)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, text=True, preexec_fn=hear_hangups
+    ) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "ready\n"
         assert list(tmp_path.iterdir())

@@ -13,6 +13,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
+from command import hear_hangups
 
 from mechproof.processes import WorkerError, run_batches, run_tasks
 
@@ -164,7 +165,8 @@ def test_no_process_outlives_its_parent(
     script, folder = tmp_path / "parent.py", tmp_path / "at_work"
     folder.mkdir()
     script.write_text(PARENT.format(start=start, work=LONG[work]))
-    parent = subprocess.Popen([sys.executable, str(script), str(folder)])
+    command = [sys.executable, str(script), str(folder)]
+    parent = subprocess.Popen(command, preexec_fn=hear_hangups)
     wait_until(lambda: len(list(folder.iterdir())) == 2)
     time.sleep(0.2)
     parent.send_signal(ending)
