@@ -14,6 +14,7 @@ from mechproof.codegen.backends.numba import (
 )
 from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.backends.scalar import list_scalars
+from mechproof.codegen.frame import COMPILED, check_frame
 from mechproof.codegen.kernel_reading import read_module
 from mechproof.codegen.reading import ReadingError
 from mechproof.derivations.elliptic_planetary import PAPER
@@ -70,6 +71,16 @@ def test_a_compiled_module_whose_parts_do_not_meet_is_refused(
     assert right in source
     with pytest.raises(ReadingError, match=told):
         check_translation(source.replace(right, wrong, 1), kernels)
+
+
+@pytest.mark.parametrize("name", ["short_term", "row_of_x", "sum_1", "value"])
+def test_a_kernel_may_be_called_like_parts_of_the_machinery(name: str) -> None:
+    parts = {"_loop": f"_row_of_{name}", "_scalar": f"_point_of_{name}"}
+    parts[f"_overload({name})"] = f"_offer_of_{name}"
+    functions = [
+        f"@{decorator}\ndef {part}(x):\n    return x\n" for decorator, part in parts.items()
+    ]
+    check_frame("\n".join(functions), COMPILED)
 
 
 def test_an_elementary_function_that_numba_does_not_compile_is_refused() -> None:

@@ -19,7 +19,7 @@ Decorators = Sequence[tuple[str, str]]
 SHORT = {"numpy": "_np", "math": "_math"}
 # What stands before a compiled function, by how its name begins; before any other nothing.
 COMPILED = (
-    (r"_(prepare|form|value|point)_|_\w+_term$", "_scalar"),
+    (r"_(prepare|form|value|point)_|_(sum|every)_\d+_term$", "_scalar"),
     (r"_(row|fill)_|_(sum|every)_\d+", "_loop"),
     (r"_offer_of_(\w+)$", r"_overload(\1)"),
 )
