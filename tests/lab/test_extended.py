@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from ways import find_subject
+from weights import first_of
 
 from mechproof.lab import extended, search
 from mechproof.lab.extended import extend
@@ -29,8 +30,6 @@ HARDLY_TURNED = {
     "wedge_linkage.wedge_displacement",
     "wedge_linkage.roller_lever_angle",
 }
-# Chains whose balls take seconds.
-SLOW = {"wedge_linkage.position", "wedge_linkage.sensitivities", "wedge_linkage.velocity"}
 
 
 def draw(subject: Subject) -> list[Arguments]:
@@ -47,10 +46,7 @@ def estimate(subject: Subject, points: Arguments) -> tuple[Truth, Array]:
 
 @pytest.mark.parametrize(
     "name",
-    [
-        pytest.param(name, marks=[pytest.mark.thorough] if name in SLOW else [])
-        for name in sorted(SUBJECTS.keys() - HARDLY_TURNED)
-    ],
+    first_of(sorted(SUBJECTS.keys() - HARDLY_TURNED)),
 )
 def test_long_doubles_tell_what_balls_tell(name: str) -> None:
     """An eleventh bit of the error is lost by 64 bits for 53, and by what a scale cancels."""

@@ -73,6 +73,7 @@ def test_no_path_of_this_machine(record: Record) -> None:
     assert describe_machine().processor
 
 
+@pytest.mark.thorough
 def test_measure_from_the_command_line(tmp_path: Path) -> None:
     (tmp_path / "generated").mkdir()
     # Kernels are those beside the derivations, records go below the root.
