@@ -128,7 +128,7 @@ def test_a_compiled_sum_that_adds_something_else_is_caught(right: str, wrong: st
     check_translation(source, kernels)
     assert right in source
     with pytest.raises(
-        ValueError, match=r"meant|no loop over terms|are put into|of a set|not put|before"
+        ValueError, match=r"meant|calls|no loop over terms|are put into|of a set|not put|before"
     ):
         check_translation(source.replace(right, wrong, 1), kernels)
 
