@@ -23,16 +23,20 @@ from mechproof.reads import are_unchanged, digest_program
 
 
 class LedgerCache:
-    """The last ledger of one derivation, with the digests of what it was made from."""
+    """The last ledger of one derivation, with the digests of what it was made from.
+
+    It is to be made before the derivation is loaded: the program counts as it is then.
+    """
 
     def __init__(self, location: Path) -> None:
+        self.program = digest_program()
         self.file = cache_folder() / "ledgers" / f"{name_place(location)}.json"
 
     def load(self) -> Ledger | None:
         """Return the ledger if nothing has changed; what cannot be read is as good as absent."""
         with suppress(OSError, ValueError, KeyError, TypeError):
             kept = json.loads(self.file.read_bytes())
-            if kept["program"] == digest_program() and are_unchanged(kept["read"]):
+            if kept["program"] == self.program and are_unchanged(kept["read"]):
                 return _read(kept["ledger"])
         return None
 
@@ -40,7 +44,7 @@ class LedgerCache:
         """Keep a ledger without failures; a row that no rung read may be this machine's fault."""
         if ledger.failures or any(row.rung == UNREAD for row in ledger.judgements):
             return
-        kept = {"program": digest_program(), "read": dict(read), "ledger": _write(ledger)}
+        kept = {"program": self.program, "read": dict(read), "ledger": _write(ledger)}
         with suppress(OSError):
             write_whole(self.file, json.dumps(kept))
 

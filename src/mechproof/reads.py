@@ -15,8 +15,7 @@ from importlib.util import source_from_cache
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-LIBRARY = tuple(sysconfig.get_paths()[name] for name in ("stdlib", "purelib", "platlib"))
-STANDARD = Path(sysconfig.get_paths()["stdlib"]).resolve()
+STANDARD = Path(sysconfig.get_paths()["stdlib"])
 INSTALLED = {"site-packages", "dist-packages"}
 # What modules of the package and of derivations are called.
 OWN = ("mechproof", "_mechproof")
@@ -61,20 +60,23 @@ def _find_helpers() -> set[Path]:
 
     A derivation may use them without opening them, where another one did before.
     """
-    named = {
-        file
+    files = {
+        Path(file)
         for name, module in list(sys.modules.items())
         if not name.startswith(OWN) and (file := getattr(module, "__file__", None))
     }
     # Finding out where each of some thousand links leads takes longer than most papers.
-    files = (Path(file).resolve() for file in named if not file.startswith(LIBRARY))
-    return {file for file in files if _is_own(file)}
+    resolved = {file.resolve() for file in files if not _is_library(file)}
+    return {file for file in resolved if _is_own(file)}
 
 
 def _is_own(file: Path) -> bool:
-    """Say whether a file is no library's, which changes with its version only."""
-    is_library = file.is_relative_to(STANDARD) or not INSTALLED.isdisjoint(file.parts)
-    return file.is_file() and (file.is_relative_to(HERE) or not is_library)
+    return file.is_file() and (file.is_relative_to(HERE) or not _is_library(file))
+
+
+def _is_library(file: Path) -> bool:
+    """Say whether a file changes with the version of what is installed only."""
+    return file.is_relative_to(STANDARD) or not INSTALLED.isdisjoint(file.parts)
 
 
 def digest_files(paths: Iterable[Path]) -> dict[str, str]:

@@ -78,15 +78,15 @@ def find_ledgers(
 
     Otherwise as `judge_derivations`.
     """
-    kept = {place: LedgerCache(place).load() if use_cache else None for place in locations}
-    changed = [place for place, ledger in kept.items() if ledger is None]
+    caches = {place: LedgerCache(place) for place in locations} if use_cache else {}
+    found = {place: kept for place, cache in caches.items() if (kept := cache.load())}
+    changed = [place for place in locations if place not in found]
     judged = judge_derivations(changed, use_cache=use_cache, limit=limit, report=report)
-    found = {**kept, **dict(zip(changed, judged, strict=True))}
-    ledgers = {place: ledger for place, ledger in found.items() if ledger is not None}
+    found.update(zip(changed, judged, strict=True))
     places: dict[str, Path] = {}
-    for place, ledger in ledgers.items():
-        check_names(places, ledger.system, place)
-    return [ledgers[place] for place in locations]
+    for place in locations:
+        check_names(places, found[place].system, place)
+    return [found[place] for place in locations]
 
 
 def judge_derivations(
@@ -112,10 +112,11 @@ def judge_derivations(
 
     def load(location: Path) -> _Progress:
         report(f"loading {location}")
+        whole = LedgerCache(location) if use_cache else None
         with note_reads() as read, stop_after(limit, location):
             _opened[location] = opened = open_derivation(location)
         check_names(places, opened.paper.system, location)
-        progress.append(_Progress(opened, use_cache, only_kernels, read))
+        progress.append(_Progress(opened, whole, only_kernels, read))
         return progress[-1]
 
     try:
@@ -131,17 +132,22 @@ class _Progress:
     """The judgements of a paper while they come in."""
 
     def __init__(
-        self, opened: Opened, use_cache: bool, only_kernels: bool, read: Mapping[str, str]
+        self,
+        opened: Opened,
+        whole: LedgerCache | None,
+        only_kernels: bool,
+        read: Mapping[str, str],
     ) -> None:
+        """Take what is kept of its rows, if ledgers are kept (`whole`)."""
         self.opened = opened
-        self.use_cache = use_cache
+        self.whole = whole
         self.only_kernels = only_kernels
         self.read = read
         rows = enumerate(opened.rows)
         self.wanted = [n for n, r in rows if not only_kernels or r.number in opened.kernels]
         self.cache = VerdictCache(opened.location)
-        self.keys = row_keys(opened.domain, opened.rows) if use_cache else [""] * len(opened.rows)
-        self.kept = self.cache.load() if use_cache else {}
+        self.keys = row_keys(opened.domain, opened.rows) if whole else [""] * len(opened.rows)
+        self.kept = self.cache.load() if whole else {}
         self.found = {n: self.kept[k] for n, k in enumerate(self.keys) if k in self.kept}
         self.failed: dict[int, str] = {}
 
@@ -183,8 +189,8 @@ class _Progress:
             ledger = replace(ledger, findings=list_findings(paper, ledger.judgements))
         except ValueError as error:
             raise DerivationError(f"{self.opened.location}: {error}") from error
-        if self.use_cache and self.read and all(self.keys):
-            LedgerCache(self.opened.location).save(ledger, self.read)
+        if self.whole and self.read and all(self.keys):
+            self.whole.save(ledger, self.read)
         return ledger
 
 
