@@ -20,9 +20,9 @@ from typer.testing import CliRunner
 
 import mechproof
 from mechproof import tailoring
+from mechproof.cache import VARIABLE
 from mechproof.cli.commands import app
 from mechproof.kernels import elliptic_planetary
-from mechproof.proof.cache import VARIABLE
 from mechproof.tailoring import kernel as kernels
 from mechproof.tailoring.build import build
 from mechproof.tailoring.kernel import NUMBA, NUMPY, Tailored, make_kernel

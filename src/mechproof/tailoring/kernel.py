@@ -17,6 +17,7 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.scalars import require
+from mechproof.cache import cache_folder
 from mechproof.codegen.backends.c99 import render_c_kernels
 from mechproof.codegen.backends.numba import render_scalars
 from mechproof.codegen.backends.numpy import render_module, write_kernel
@@ -28,7 +29,6 @@ from mechproof.codegen.kernel_reading import read_module
 from mechproof.codegen.program import NOTHING, Program, unfuse
 from mechproof.codegen.reading import TranslationError
 from mechproof.files import write_whole
-from mechproof.proof.cache import cache_folder
 from mechproof.record import Form
 from mechproof.tailoring import receive
 from mechproof.tailoring.build import Built, round_up
