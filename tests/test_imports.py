@@ -68,20 +68,24 @@ LOADED = {
     },
     "record": {"sympy", "mechproof.notebook", "mechproof.record"},
     "latex": {"sympy", "mechproof.latex", "mechproof.record"},
-    "proof": {"sympy", "flint", "mechproof.notebook", "mechproof.proof", "mechproof.record"},
+    "proof": {
+        *("sympy", "flint", "mechproof.cache", "mechproof.notebook"),
+        *("mechproof.proof", "mechproof.record"),
+    },
     "codegen": {
         *("sympy", "jinja2", "mpmath", "flint"),
-        *("mechproof.codegen", "mechproof.proof", "mechproof.record"),
+        *("mechproof.codegen", "mechproof.record"),
     },
     "roundoff": {
         *("numpy", "sympy", "flint"),
         *("mechproof.roundoff", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
-        *("mechproof.kernel_support", "mechproof.files", "mechproof.json_rows"),
+        *("mechproof.kernel_support", "mechproof.cache", "mechproof.json_rows"),
     },
     "tailoring": {
         *("numpy", "sympy", "flint", "mpmath", "mechproof.tailoring", "mechproof.arguments"),
         "mechproof.executors",
-        *("mechproof.codegen", "mechproof.proof", "mechproof.record", "mechproof.files"),
+        *("mechproof.codegen", "mechproof.proof", "mechproof.record"),
+        *("mechproof.cache", "mechproof.files"),
         *("mechproof.derivation", "mechproof.mechanisms"),
     },
     "lab": {

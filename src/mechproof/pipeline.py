@@ -20,13 +20,13 @@ from pathlib import Path
 
 from mechproof.codegen.regenerate import LIST, render_package
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
-from mechproof.executors import start_executor
 from mechproof.lab import measure as measuring
 from mechproof.lab.proofs import select_claims
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.table import PAGE, headline, list_lines
 from mechproof.made import Change, ForeignFileError, Made
 from mechproof.measured import FOLDER, find_known, read_records, write_record
+from mechproof.processes import start_executor
 from mechproof.proof.ledger import JudgedPaper, to_json, to_markdown
 from mechproof.roundoff.certificate import Certificate, tell_proofs
 from mechproof.roundoff.files import certify_papers, write_certificates

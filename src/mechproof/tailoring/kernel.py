@@ -30,9 +30,9 @@ from mechproof.codegen.program import NOTHING, Program, unfuse
 from mechproof.codegen.reading import TranslationError
 from mechproof.files import write_whole
 from mechproof.record import Form
-from mechproof.tailoring import receive
 from mechproof.tailoring.build import Built, round_up
 from mechproof.tailoring.model import Model
+from mechproof.tailoring.receiving import receive
 from mechproof.tailoring.request import Request
 
 NUMBA, NUMPY = "numba", "NumPy"
@@ -74,8 +74,9 @@ class Tailored:
         return self.function(points, out=out)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # Read by a function that names what is missing before this module is imported.
-        return receive, (self.backend, pickle.dumps((self._request, self._built, self.backend)))
+        # Received by a function that names what is missing before this module is imported.
+        made_by = make_kernel, self._request, self._built, self.backend
+        return receive, (self.backend, pickle.dumps(made_by))
 
     def __repr__(self) -> str:
         sizes = ", ".join(f"{name}={value!r}" for name, value in self.parameters.items())
