@@ -83,6 +83,18 @@ def read_graph() -> Mapping[str, Kinds]:
     }
 
 
+def find_reached(graph: Mapping[str, Iterable[str]], *starts: str) -> set[str]:
+    """Return the nodes to which a way leads, and where it starts."""
+    reached: set[str] = set()
+    waiting = list(starts)
+    while waiting:
+        node = waiting.pop()
+        if node not in reached:
+            reached.add(node)
+            waiting += graph[node]
+    return reached
+
+
 def circles(graph: Mapping[str, Iterable[str]]) -> set[str]:
     """Nodes from which a way leads back."""
     reached = {node: set(graph[node]) for node in graph}

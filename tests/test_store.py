@@ -6,9 +6,11 @@ import warnings
 from pathlib import Path
 
 import pytest
+from import_graph import find_reached, read_graph
 
-from mechproof import cache
+from mechproof import cache, validation
 from mechproof.cache import MOST_KEYS, VARIABLE, Store, cache_folder, make_key, name_place
+from mechproof.roundoff import files as certificates
 
 
 @pytest.fixture
@@ -90,6 +92,34 @@ def test_another_place_has_another_name(tmp_path: Path) -> None:
     names = {name_place(tmp_path / name) for name in ("a.py", "b/a.py", "b.py")}
     assert len(names) == 3
     assert name_place(tmp_path / "b" / ".." / "a.py") in names
+
+
+def reached(*starts: str) -> set[str]:
+    """Modules that are imported on the way, without those that find, read and write files."""
+    graph = {module: kinds.run for module, kinds in read_graph().items()}
+    tools = {"derivation", "files", "json_rows", "measured", "notebook"}
+    found = {module.removeprefix("mechproof.") for module in find_reached(graph, *starts)}
+    return found - tools
+
+
+def test_what_passed_rests_on_all_that_validates() -> None:
+    modules = reached("mechproof.lab.validation", "mechproof.lab.subject")
+    assert {module.partition(".")[0] for module in modules} <= set(validation.LAYERS)
+
+
+def test_a_certificate_rests_on_all_that_proves_it() -> None:
+    """What becomes a program counts by the program, which the keys hold."""
+    before = ("record", "codegen.")
+    files = {f"{m.replace('.', '/')}.py" for m in reached("mechproof.roundoff.certificate")}
+    package = Path(cache.__file__).parent
+    covered = {
+        path.relative_to(package).as_posix()
+        for pattern in certificates.SOURCES
+        for path in package.glob(pattern)
+    }
+    missed = {file for file in files - covered if (package / file).is_file()}
+    assert {m for m in missed if not m.replace("/", ".").startswith(before)} == set()
+    assert {"proof/ball_functions.py", "kernel_support/error_free.py"} <= covered
 
 
 @pytest.mark.parametrize(

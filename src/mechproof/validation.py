@@ -16,7 +16,10 @@ from mechproof.processes import START, WorkerError, run_tasks
 from mechproof.record import Paper
 
 # What a validation rests on besides the emitted source and the derivation.
-LAYERS = ("kernel_support", "compiled_support", "codegen", "lab", "proof")
+LAYERS = (
+    *("arguments", "kernel_support", "compiled_support", "record", "latex", "codegen", "proof"),
+    "lab",
+)
 PACKAGES = ("sympy", "numpy", "python-flint")
 PASSED = Store("validated.json")
 

@@ -23,7 +23,7 @@ CERTIFIED = Store("certified.json")
 # and balls are.
 SOURCES = (
     *("roundoff/*.py", "codegen/elementary/*.py", "kernel_support/*.py"),
-    *("codegen/program.py", "proof/balls.py"),
+    *("codegen/program.py", "proof/ball*.py"),
 )
 PACKAGES = ("sympy", "numpy", "python-flint")
 
