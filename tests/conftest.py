@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from mechproof.proof.cache import VARIABLE
+from mechproof.cache import VARIABLE
 
 
 @pytest.fixture(autouse=True, scope="session")

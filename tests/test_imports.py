@@ -1,14 +1,15 @@
-"""What an import costs, and that the layers keep to theirs."""
+"""What an import costs, and which libraries and packages each package may use."""
 
 from __future__ import annotations
 
 import ast
 import subprocess
 import sys
-from collections.abc import Container, Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
+from import_graph import split
 
 import mechproof
 from mechproof import derivations, kernels, mechanisms
@@ -68,20 +69,24 @@ LOADED = {
     },
     "record": {"sympy", "mechproof.notebook", "mechproof.record"},
     "latex": {"sympy", "mechproof.latex", "mechproof.record"},
-    "proof": {"sympy", "flint", "mechproof.notebook", "mechproof.proof", "mechproof.record"},
+    "proof": {
+        *("sympy", "flint", "mechproof.cache", "mechproof.notebook"),
+        *("mechproof.proof", "mechproof.record"),
+    },
     "codegen": {
         *("sympy", "jinja2", "mpmath", "flint"),
-        *("mechproof.codegen", "mechproof.proof", "mechproof.record"),
+        *("mechproof.codegen", "mechproof.record"),
     },
     "roundoff": {
         *("numpy", "sympy", "flint"),
         *("mechproof.roundoff", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
-        *("mechproof.kernel_support", "mechproof.files", "mechproof.json_rows"),
+        *("mechproof.kernel_support", "mechproof.cache", "mechproof.json_rows"),
     },
     "tailoring": {
         *("numpy", "sympy", "flint", "mpmath", "mechproof.tailoring", "mechproof.arguments"),
         "mechproof.executors",
-        *("mechproof.codegen", "mechproof.proof", "mechproof.record", "mechproof.files"),
+        *("mechproof.codegen", "mechproof.proof", "mechproof.record"),
+        *("mechproof.cache", "mechproof.files"),
         *("mechproof.derivation", "mechproof.mechanisms"),
     },
     "lab": {
@@ -155,26 +160,9 @@ def imported(nodes: Iterable[ast.AST]) -> set[str]:
     }
 
 
-def split(tree: ast.Module) -> tuple[list[ast.AST], list[ast.AST]]:
-    """Nodes that run when the file is loaded, and those inside functions."""
-    loaded: list[ast.AST] = []
-    inside: list[ast.AST] = []
-    open_nodes: list[ast.AST] = [tree]
-    while open_nodes:
-        node = open_nodes.pop()
-        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
-            inside += ast.walk(node)
-        elif isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
-            open_nodes += node.orelse
-        else:
-            loaded.append(node)
-            open_nodes += ast.iter_child_nodes(node)
-    return loaded, inside
-
-
 def breaches(source: str, package: str) -> set[str]:
     """Imports of a file that its package's sentence does not allow."""
-    loaded, inside = (imported(nodes) for nodes in split(ast.parse(source)))
+    loaded, inside, _ = (imported(nodes) for nodes in split(ast.parse(source)))
     allowed = LOADED[package]
     return (loaded - allowed) | (inside - allowed - INSIDE.get(package, set()))
 
@@ -234,73 +222,6 @@ def test_kernels_import_numpy_and_their_support_alone() -> None:
             # And the elementary functions, which lie beside them.
             allowed = {"numpy", "mechproof.compiled_support", "mechproof.kernels"}
         assert imported(ast.walk(tree)) <= allowed, path.name
-
-
-def edges(name: str, source: str, is_package: bool, known: Container[str]) -> set[str]:
-    """Modules that a module imports, inside functions too, but not for type checkers alone."""
-    loaded, inside = split(ast.parse(source))
-    above = name.split(".") if is_package else name.split(".")[:-1]
-    found: set[str] = set()
-    for node in (*loaded, *inside):
-        if isinstance(node, ast.Import):
-            found |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom):
-            start = above[: len(above) + 1 - node.level] if node.level else []
-            base = ".".join([*start, *([node.module] if node.module else [])])
-            inner = {f"{base}.{alias.name}" for alias in node.names}
-            found |= {module if module in known else base for module in inner}
-    return {module for module in found if module in known and module != name}
-
-
-def circles(graph: Mapping[str, Iterable[str]]) -> set[str]:
-    """Nodes from which a way leads back."""
-    reached = {node: set(graph[node]) for node in graph}
-    for middle in graph:
-        for node in graph:
-            if middle in reached[node]:
-                reached[node] |= reached[middle]
-    return {node for node in graph if node in reached[node]}
-
-
-def module_graph() -> dict[str, set[str]]:
-    homes = {"mechproof": mechproof, "mechproof.kernels": kernels}
-    homes["mechproof.derivations"] = derivations
-    files = {
-        ".".join((package, *path.relative_to(folder).with_suffix("").parts)).removesuffix(
-            ".__init__"
-        ): path
-        for package, module in homes.items()
-        for folder in [Path(module.__path__[0])]
-        for path in folder.rglob("*.py")
-    }
-    return {
-        name: edges(name, path.read_text(encoding="utf-8"), path.stem == "__init__", files)
-        for name, path in files.items()
-    }
-
-
-def package_of(module: str) -> str:
-    return ".".join(module.split(".")[:2])
-
-
-def test_no_import_leads_back_to_another_package() -> None:
-    """Inside functions too; the modules of one package, a grammar, may need each other."""
-    graph = module_graph()
-    assert len(graph) > 400
-    packages: dict[str, set[str]] = {}
-    for module, imported_ in graph.items():
-        beside = {package_of(one) for one in imported_} - {package_of(module)}
-        packages.setdefault(package_of(module), set()).update(beside)
-    assert circles(packages) == set()
-
-
-def test_the_search_for_circles_sees_one() -> None:
-    known = ("mechproof.a", "mechproof.a.b", "mechproof.c")
-    lazy = edges("mechproof.a.b", "def f():\n    from mechproof.c import g", False, known)
-    relative = edges("mechproof.c", "from .a import b", False, known)
-    typed = edges("mechproof.c", "if TYPE_CHECKING:\n    import mechproof.a", False, known)
-    assert (lazy, relative, typed) == ({"mechproof.c"}, {"mechproof.a.b"}, set())
-    assert circles({"a": ["b"], "b": ["c"], "c": ["b"], "d": ["a"]}) == {"b", "c"}
 
 
 def test_public_names() -> None:

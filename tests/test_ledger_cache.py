@@ -11,9 +11,9 @@ import pytest
 from weights import first_of
 
 from mechproof import ledger_cache, verification
+from mechproof.cache import VARIABLE
 from mechproof.derivation import DerivationError
 from mechproof.ledger_cache import LedgerCache
-from mechproof.proof.cache import VARIABLE
 from mechproof.proof.verdict import Verdict
 from mechproof.reads import HERE, list_program
 from mechproof.verification import find_ledgers
@@ -107,7 +107,7 @@ def test_a_module_that_another_derivation_loaded_counts(folder: Folder) -> None:
     folder.write(text.replace("NAME", "mine"))
     find_ledgers([folder.path / "other.py"])
     assert folder.judge() is Verdict.PROVED
-    kept = json.loads(LedgerCache(folder.file).file.read_bytes())
+    (kept,) = json.loads(LedgerCache(folder.file).store.file.read_bytes()).values()
     assert str(folder.path / "helper_of_two_papers.py") in kept["read"]
     folder.write("FACTOR = 3", "helper_of_two_papers.py")
     folder.judge()
@@ -171,7 +171,7 @@ def test_a_failure_is_not_kept(folder: Folder, monkeypatch: pytest.MonkeyPatch) 
 def test_a_file_that_cannot_be_read_is_as_good_as_absent(folder: Folder, text: bytes) -> None:
     folder.write(f"{HEAD}\nPAPER = paper({TRUE})\n")
     folder.judge()
-    file = LedgerCache(folder.file).file
+    file = LedgerCache(folder.file).store.file
     good = file.read_bytes()
     file.write_bytes(text)
     assert folder.judge() is Verdict.PROVED
@@ -182,9 +182,10 @@ def test_a_file_that_cannot_be_read_is_as_good_as_absent(folder: Folder, text: b
 def test_a_row_that_cannot_be_read_is_judged_anew(folder: Folder) -> None:
     folder.write(f"{HEAD}\nPAPER = paper({TRUE})\n")
     folder.judge()
-    file = LedgerCache(folder.file).file
+    file = LedgerCache(folder.file).store.file
     kept = json.loads(file.read_bytes())
-    kept["ledger"]["judgements"][0]["verdict"] = "TRUE"
+    (entry,) = kept.values()
+    entry["ledger"]["judgements"][0]["verdict"] = "TRUE"
     file.write_text(json.dumps(kept))
     assert folder.judge() is Verdict.PROVED
     assert folder.was_loaded

@@ -28,7 +28,11 @@ MODULES = [block for block in BLOCKS["docs/uses.md"] if ">>>" not in block]
 
 
 @pytest.mark.parametrize("name", [name for name, blocks in BLOCKS.items() if blocks])
-def test_examples_print_what_they_show(name: str) -> None:
+def test_examples_print_what_they_show(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "slider_crank.py").write_text(*MODULES, encoding="utf-8")
     examples = "\n".join(block for block in BLOCKS[name] if ">>>" in block)
     test = doctest.DocTestParser().get_doctest(examples, {}, name, name, 0)
     result = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test)

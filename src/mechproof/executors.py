@@ -1,8 +1,9 @@
-"""Work in chunks, spread over any executor of `concurrent.futures`.
+"""Work in chunks, spread over the executor of `concurrent.futures` that a caller brings.
 
 The chunks are the same whatever does them, and their results come in their order: nothing depends
 on the executor or on the number of its workers. Chunks that draw have generators of their own,
-spawned from the caller's. A bounded number of chunks is under way at a time.
+spawned from the caller's. A bounded number of chunks is under way at a time. No process is started
+here: that, and watching over tasks that may hang or die, is what `processes` is for.
 """
 
 from __future__ import annotations
@@ -11,7 +12,6 @@ import pickle
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor, Future
-from contextlib import contextmanager
 from itertools import islice
 from threading import Lock
 from typing import Any, NamedTuple, TypeVar
@@ -43,22 +43,6 @@ def check_executor(executor: Any) -> None:
     fits = executor is None or isinstance(executor, Executor)
     allowed = "must be None or a concurrent.futures.Executor"
     require(fits, "executor", executor, allowed, TypeError)
-
-
-@contextmanager
-def start_executor(processes: int) -> Iterator[Executor | None]:
-    """Start an executor of so many processes and end it; none for a single one."""
-    import multiprocessing
-    from concurrent.futures import ProcessPoolExecutor
-
-    from mechproof.processes import START, end_with_parent
-
-    if processes == 1:
-        yield None
-        return
-    context = multiprocessing.get_context(START)
-    with ProcessPoolExecutor(processes, context, end_with_parent) as executor:
-        yield executor
 
 
 def slices(total: int, step: int) -> Iterator[slice]:

@@ -7,15 +7,14 @@ elsewhere, as the clock or the environment, is not noticed.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from mechproof.files import write_whole
-from mechproof.proof.cache import UNREAD, cache_folder, name_place, read_judgement
+from mechproof.cache import Store, name_place
+from mechproof.proof.cache import UNREAD, read_judgement
 from mechproof.proof.findings import Found
 from mechproof.proof.ledger import Ledger
 from mechproof.proof.verdict import Verdict
@@ -30,13 +29,13 @@ class LedgerCache:
 
     def __init__(self, location: Path) -> None:
         self.program = digest_program()
-        self.file = cache_folder() / "ledgers" / f"{name_place(location)}.json"
+        self.store = Store(f"ledgers/{name_place(location)}.json")
 
     def load(self) -> Ledger | None:
         """Return the ledger if nothing has changed; what cannot be read is as good as absent."""
-        with suppress(OSError, ValueError, KeyError, TypeError):
-            kept = json.loads(self.file.read_bytes())
-            if kept["program"] == self.program and are_unchanged(kept["read"]):
+        kept = self.store.read().get(self.program, {})
+        with suppress(ValueError, KeyError, TypeError):
+            if are_unchanged(kept["read"]):
                 return _read(kept["ledger"])
         return None
 
@@ -44,9 +43,7 @@ class LedgerCache:
         """Keep a ledger without failures; a row that no rung read may be this machine's fault."""
         if ledger.failures or any(row.rung == UNREAD for row in ledger.judgements):
             return
-        kept = {"program": self.program, "read": dict(read), "ledger": _write(ledger)}
-        with suppress(OSError):
-            write_whole(self.file, json.dumps(kept))
+        self.store.write({self.program: {"read": dict(read), "ledger": _write(ledger)}})
 
 
 def _write(ledger: Ledger) -> dict[str, Any]:

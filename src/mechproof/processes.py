@@ -1,4 +1,8 @@
-"""Tasks spread over processes: what hangs or dies there is an error here, never a result."""
+"""Processes are started here alone, and none outlives its parent.
+
+Tasks are watched over: what hangs or dies is an error here, never a result. Tasks that are trusted
+to end get an executor, and `executors` spreads them.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +14,8 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import contextmanager, suppress
 from ctypes import CDLL
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection, wait
@@ -131,6 +136,17 @@ def run_batches(
             yield from pool.take_ready(None)
     finally:
         pool.end()
+
+
+@contextmanager
+def start_executor(processes: int) -> Iterator[Executor | None]:
+    """Start an executor of so many processes and end it; none for a single one."""
+    if processes == 1:
+        yield None
+        return
+    context = multiprocessing.get_context(START)
+    with ProcessPoolExecutor(processes, context, end_with_parent) as executor:
+        yield executor
 
 
 class _Pool(Generic[Task, Result]):

@@ -2,29 +2,26 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
-from hashlib import sha256
 from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from mechproof.cache import Store, make_key
 from mechproof.derivation import load_paper
-from mechproof.files import write_whole
 from mechproof.lab.subject import Subject, make_subjects
 from mechproof.lab.validation import validate
 from mechproof.processes import START, WorkerError, run_tasks
-from mechproof.proof.cache import cache_folder
 from mechproof.record import Paper
 
 # What a validation rests on besides the emitted source and the derivation.
-LAYERS = ("kernel_support", "compiled_support", "codegen", "lab", "proof")
-VERSIONS = ("sympy", "numpy", "python-flint")
-# What has passed is kept; more than so many entries are of old sources.
-MOST_KEPT = 1000
+LAYERS = (
+    *("arguments", "kernel_support", "compiled_support", "record", "latex", "codegen", "proof"),
+    "lab",
+)
+PACKAGES = ("sympy", "numpy", "python-flint")
+PASSED = Store("validated.json")
 
 
 class ValidationError(RuntimeError):
@@ -47,7 +44,7 @@ def validate_derivations(
 
     Raises `ValidationError` with the kernel, the point and both values.
     """
-    kept = _load() if use_cache else []
+    kept = PASSED.read() if use_cache else {}
     keys = {place: _key(place, paper, files) for place, paper in papers}
     wanted = [(place, paper) for place, paper in papers if keys[place] not in kept]
     with TemporaryDirectory() as folder:
@@ -63,8 +60,8 @@ def validate_derivations(
                 place, name = names[number]
                 raise ValidationError(f"{place}: {name}: {result}") from result
             report(f"{done} of {len(tasks)} kernels run")
-    if use_cache:
-        _save([*kept, *(keys[place] for place, _ in wanted)])
+    if use_cache and wanted:
+        PASSED.add(keys[place] for place, _ in wanted)
 
 
 def _validate(task: tuple[Path, Path, str]) -> None:
@@ -82,20 +79,4 @@ def _key(place: Path, paper: Paper, files: Mapping[str, str]) -> str:
     sources += sorted(place.parent.glob("_*.py"))
     emitted = [text for name, text in sorted(files.items()) if Path(name).stem == paper.system]
     compiler = version("numba") if find_spec("numba") else ""
-    parts = [sys.version, *map(version, VERSIONS), compiler, *emitted]
-    digests = [sha256(path.read_bytes()).hexdigest() for path in sources]
-    return sha256("\n".join([*parts, *digests]).encode()).hexdigest()
-
-
-def _load() -> list[str]:
-    with suppress(OSError, ValueError):
-        found = json.loads((cache_folder() / "validated.json").read_bytes())
-        if isinstance(found, list):
-            return [key for key in found if isinstance(key, str)]
-    return []
-
-
-def _save(keys: list[str]) -> None:
-    with suppress(OSError):
-        text = json.dumps(list(dict.fromkeys(keys))[-MOST_KEPT:])
-        write_whole(cache_folder() / "validated.json", text)
+    return make_key(sources, PACKAGES, compiler, *emitted)

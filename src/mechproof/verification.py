@@ -225,9 +225,19 @@ def _count(papers: Iterable[_Progress]) -> str:
     return ", ".join(at_work) or "all rows judged"
 
 
-def refuse_kernels(ledgers: Iterable[Ledger]) -> list[str]:
-    """Say of every kernel that is not proved, exactly or within its bound, what differs where."""
-    return [
+def name_judging(locations: Iterable[Path], *, only_kernels: bool = False) -> str:
+    """Say what is judged."""
+    names = ", ".join(location.stem for location in locations)
+    return f"judging the kernels of {names}" if only_kernels else f"judging {names}"
+
+
+def list_failures(ledgers: Sequence[Ledger]) -> list[str]:
+    """Name rows that could not be judged, and kernels that are not proved, with what differs where.
+
+    A kernel is proved exactly or within its bound.
+    """
+    failures = [failure for ledger in ledgers for failure in ledger.failures]
+    return failures + [
         f"{ledger.system}: {_describe_refusal(row)}"
         for ledger in ledgers
         for row in ledger.judgements

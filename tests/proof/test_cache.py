@@ -12,8 +12,9 @@ import pytest
 from weights import first_of
 
 from mechproof import verification
+from mechproof.cache import VARIABLE
 from mechproof.proof import cache
-from mechproof.proof.cache import VARIABLE, VerdictCache, cache_folder
+from mechproof.proof.cache import VerdictCache
 from mechproof.proof.verdict import Verdict
 from mechproof.verification import judge_derivations
 
@@ -155,9 +156,13 @@ def test_the_verdict_of_another_prover_replaces_the_old_one(
 def test_the_sources_of_the_prover_are_all_it_imports() -> None:
     """A module that a verdict depends on and that no key covers would go unnoticed.
 
-    How a notebook shows them changes none.
+    How a notebook shows them and where they are kept changes none.
     """
-    other = ("from mechproof import record", "from mechproof.notebook import Displayed")
+    other = (
+        "from mechproof import record",
+        "from mechproof.cache import Store, make_key, name_place",
+        "from mechproof.notebook import Displayed",
+    )
     names = {path.name for path in cache.prover_sources()}
     assert {"judge.py", "ladder.py", "algebra.py", "domain.py", "statements.py"} <= names
     for path in cache.prover_sources():
@@ -214,7 +219,7 @@ def test_a_folder_that_cannot_be_written_is_a_warning(
     judged: Callable[..., list[str]], folder: Path
 ) -> None:
     (folder / "cache").write_text("a file")
-    with pytest.warns(RuntimeWarning, match="verdicts are not kept"):
+    with pytest.warns(RuntimeWarning, match="nothing is kept in .*cache: File exists"):
         assert len(judged(*ROWS)) == 3
 
 
@@ -246,23 +251,3 @@ def test_a_row_that_dies_or_hangs_is_an_error_and_the_others_are_kept(
     (failure,) = ledger.failures
     assert failure.startswith(f"{file}: row (f): {reason}")
     assert len(VerdictCache(file).load()) == len(ROWS) == len(ledger.judgements)
-
-
-@pytest.mark.parametrize(
-    ("platform", "variables", "folder"),
-    [
-        ("linux", {"XDG_CACHE_HOME": "/c"}, "/c/mechproof"),
-        ("linux", {"HOME": "/h"}, "/h/.cache/mechproof"),
-        ("darwin", {"HOME": "/h"}, "/h/Library/Caches/mechproof"),
-        ("linux", {"XDG_CACHE_HOME": "/c", VARIABLE: "/m"}, "/m"),
-    ],
-)
-def test_the_folder_is_that_of_the_platform(
-    monkeypatch: pytest.MonkeyPatch, platform: str, variables: dict[str, str], folder: str
-) -> None:
-    for name in ("XDG_CACHE_HOME", VARIABLE):
-        monkeypatch.delenv(name, raising=False)
-    for name, value in variables.items():
-        monkeypatch.setenv(name, value)
-    monkeypatch.setattr("sys.platform", platform)
-    assert cache_folder() == Path(folder)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
 from typing import Annotated
@@ -18,23 +18,17 @@ from mechproof.cli.json_file import clear_json, write_json
 from mechproof.cli.judging import (
     LimitOption,
     NoCacheOption,
-    judge_papers,
     read_ledgers,
     refuse_failures,
 )
 from mechproof.cli.ledger import print_ledgers
-from mechproof.cli.places import RULE, DerivationsOption, Places, find_locations, find_places
+from mechproof.cli.places import RULE, DerivationsOption, find_locations, find_places
 from mechproof.cli.report import report
 from mechproof.cli.start import show_start
-from mechproof.codegen.regenerate import LIST, render_package
-from mechproof.derivation import DerivationError, find_systems, packaged_directory
-from mechproof.made import Change, ForeignFileError, Made
-from mechproof.proof.ledger import JudgedPaper, to_json, to_markdown
+from mechproof.derivation import DerivationError
+from mechproof.made import Change
+from mechproof.proof.ledger import to_json
 from mechproof.proof.verdict import Verdict
-from mechproof.record import Paper
-from mechproof.roundoff.certificate import Certificate, tell_proofs
-from mechproof.roundoff.files import certify_papers, write_certificates
-from mechproof.validation import ValidationError, validate_derivations
 from mechproof.verification import LIMIT
 
 app = typer.Typer(
@@ -138,18 +132,23 @@ def regenerate(
     places = find_places(derivations, root)
     if not (derivations or root) and not Path("derivations").is_dir():
         refuse("there is no folder derivations: run it where it lies, or give --derivations DIR")
-    locations = find_locations((), places)
-    ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
-    refuse_failures(ledgers)
-    papers = [ledger.paper for ledger in ledgers]
-    certificates = _certify(papers, places, use_cache=not no_cache)
-    files = _render(ledgers, certificates, places)
-    _validate(locations, papers, files, use_cache=not no_cache, limit=limit)
-    changes = _compare_or_update(places.generated, files, check)
-    for change in changes:
+    from mechproof import pipeline
+
+    try:
+        done = pipeline.regenerate(
+            find_locations((), places),
+            places.generated,
+            check=check,
+            use_cache=not no_cache,
+            limit=limit,
+            progress=show_progress,
+        )
+    except pipeline.PipelineError as error:
+        fail(str(error))
+    for change in done.changes:
         say(change.describe() if check else _describe_step(change))
-    say(f"{places.generated}: {len(files)} files, {_count(changes, check)}")
-    if check and changes:
+    say(f"{places.generated}: {len(done.files)} files, {_count(done.changes, check)}")
+    if check and done.changes:
         say(f"run `mechproof regenerate{places.options}`")
         raise typer.Exit(1)
 
@@ -180,109 +179,26 @@ def measure(
     places = find_places(derivations, root)
     if not places.generated.is_dir():
         refuse(f"there is no folder {places.generated}: `mechproof regenerate` writes it")
-    from mechproof.executors import start_executor
-    from mechproof.lab.measure import measure as measure_subject
-    from mechproof.lab.subject import find_subjects
-    from mechproof.lab.table import PAGE, headline, list_lines
-    from mechproof.measured import FOLDER, find_known, read_records, write_record
+    from mechproof import pipeline
 
-    target = places.generated / FOLDER / ("quick" if quick else "")
     directory = None if places.is_packaged else places.derivations
     try:
-        subjects = find_subjects(tuple(quantities or ()), directory)
-        known = {s.name: find_known(target, s.name, len(s.quantity.arguments)) for s in subjects}
+        measured = pipeline.measure(
+            quantities or (),
+            directory,
+            places.generated,
+            quick=quick,
+            processes=processes,
+            progress=show_progress,
+        )
     except DerivationError as error:
         fail(str(error))
     except ValueError as error:
         refuse(str(error))
-    with start_executor(processes) as executor:
-        for number, subject in enumerate(subjects, start=1):
-            title = f"{subject.name} ({number} of {len(subjects)})"
-            with show_progress(f"{title}: measuring") as report:
-                record = measure_subject(
-                    subject,
-                    quick=quick,
-                    report=report,
-                    executor=executor,
-                    known=known[subject.name],
-                )
-            say(f"{write_record(record, target)}: {headline(record)}")
-    # What a quick run writes is kept apart, and so is what lists it.
-    root = target if quick else places.generated
-    page = {
-        (target / PAGE).relative_to(root).as_posix(): "\n".join(list_lines(read_records(target)))
-    }
     try:
-        Made(root, LIST).update(page, and_remove=False)
-    except (ForeignFileError, OSError) as error:
-        fail(str(error))
-    say(str(target / PAGE))
-
-
-def _certify(
-    papers: Sequence[Paper], places: Places, *, use_cache: bool
-) -> list[Certificate | None]:
-    try:
-        with show_progress("bounding the rounding errors"):
-            return certify_papers(papers, places.generated, use_cache=use_cache)
-    except (ValueError, NotImplementedError) as error:
-        fail(str(error))
-
-
-def _render(
-    ledgers: Sequence[JudgedPaper], certificates: Sequence[Certificate | None], places: Places
-) -> dict[str, str]:
-    pairs = list(zip((ledger.paper for ledger in ledgers), certificates, strict=True))
-    papers = [tell_proofs(paper, certificate) for paper, certificate in pairs]
-    # Nobody else has all of our systems.
-    is_own = {paper.system for paper in papers} >= set(find_systems(packaged_directory()))
-    try:
-        files = render_package(papers, is_own=is_own)
-    except (ValueError, NotImplementedError) as error:
-        fail(f"{places.derivations}: {error}")
-    files.update(write_certificates(c for c in certificates if c))
-    files["ledger.json"] = to_json(ledgers)
-    files["LEDGER.md"] = to_markdown(ledgers)
-    files.update(_render_tables(places.generated, certificates))
-    return files
-
-
-def _render_tables(generated: Path, certificates: Sequence[Certificate | None]) -> dict[str, str]:
-    """Write the page of what was measured, with what is now proved beside it."""
-    from mechproof.lab.proofs import select_claims
-    from mechproof.lab.table import PAGE, list_lines
-    from mechproof.measured import FOLDER, read_records
-
-    known = [certificate for certificate in certificates if certificate]
-    try:
-        records = read_records(generated / FOLDER)
-    except ValueError as error:
-        fail(str(error))
-    lines = list_lines(records, lambda record: select_claims(record, known))
-    return {f"{FOLDER}/{PAGE}": "\n".join(lines)} if records else {}
-
-
-def _validate(
-    locations: Sequence[Path],
-    papers: Sequence[Paper],
-    files: Mapping[str, str],
-    *,
-    use_cache: bool,
-    limit: float,
-) -> None:
-    placed = list(zip(locations, papers, strict=True))
-    try:
-        with show_progress("running the emitted kernels") as report:
-            validate_derivations(placed, files, use_cache=use_cache, limit=limit, report=report)
-    except ValidationError as error:
-        fail(str(error))
-
-
-def _compare_or_update(directory: Path, files: Mapping[str, str], check: bool) -> list[Change]:
-    made = Made(directory, LIST)
-    try:
-        return made.compare(files) if check else made.update(files)
-    except (ForeignFileError, OSError) as error:
+        for file, headline in measured:
+            say(f"{file}: {headline}" if headline else str(file))
+    except pipeline.PipelineError as error:
         fail(str(error))
 
 

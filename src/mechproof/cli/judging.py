@@ -16,7 +16,8 @@ from mechproof.verification import (
     VerificationError,
     find_ledgers,
     judge_derivations,
-    refuse_kernels,
+    list_failures,
+    name_judging,
 )
 
 NoCacheOption = Annotated[
@@ -37,7 +38,7 @@ def judge_papers(
     locations: Sequence[Path], *, use_cache: bool, limit: float, only_kernels: bool = False
 ) -> list[JudgedPaper]:
     """Judge the papers; a derivation that fails ends the command with status 1."""
-    with _judging(locations, "the kernels of " if only_kernels else "") as report:
+    with _judging(name_judging(locations, only_kernels=only_kernels)) as report:
         return judge_derivations(
             locations,
             use_cache=use_cache,
@@ -49,13 +50,12 @@ def judge_papers(
 
 def read_ledgers(locations: Sequence[Path], *, use_cache: bool, limit: float) -> list[Ledger]:
     """Judge the papers that have changed, and take the ledgers of the others as they are kept."""
-    with _judging(locations) as report:
+    with _judging(name_judging(locations)) as report:
         return find_ledgers(locations, use_cache=use_cache, limit=limit, report=report)
 
 
 @contextmanager
-def _judging(locations: Sequence[Path], what: str = "") -> Iterator[Callable[[str], None]]:
-    title = f"judging {what}{', '.join(location.stem for location in locations)}"
+def _judging(title: str) -> Iterator[Callable[[str], None]]:
     try:
         with show_progress(title) as report:
             yield report
@@ -65,6 +65,5 @@ def _judging(locations: Sequence[Path], what: str = "") -> Iterator[Callable[[st
 
 def refuse_failures(ledgers: Sequence[Ledger], others: Sequence[str] = ()) -> None:
     """Name rows that could not be judged, kernels not proved, what else failed; end with 1."""
-    rows = [failure for ledger in ledgers for failure in ledger.failures]
-    if failures := [*rows, *refuse_kernels(ledgers), *others]:
+    if failures := [*list_failures(ledgers), *others]:
         fail("\n".join(failures))

@@ -5,8 +5,8 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.codegen.evaluation import input_symbols
-from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Quantity, Variable
+from mechproof.record.substitution import resolve
 
 
 def domain_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
@@ -34,8 +34,9 @@ def checked_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
 def can_be_left(quantity: Quantity, paper: Paper, checked: tuple[sp.Basic, ...]) -> bool:
     """Say whether a relation on the arguments, also by symbols given by them, stays unchecked."""
     inputs = {s for argument in quantity.arguments for s in argument.symbols}
-    whole, extra = Domain.of(paper), quantity.on.where if quantity.on else ()
-    others = (r for r in (*paper.where, *extra) if input_symbols(whole.resolve(r)) <= inputs)
+    given = {v.symbol: v.given for v in paper.variables if v.given is not None}
+    extra = quantity.on.where if quantity.on else ()
+    others = (r for r in (*paper.where, *extra) if input_symbols(resolve(r, given)) <= inputs)
     return any(r not in checked for r in (*domain_relations(quantity, paper), *others))
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from mechproof.latex import calculus, derivatives, letters
 from mechproof.latex.characters import is_digit
+from mechproof.latex.numerals import read_number
 from mechproof.latex.tree import (
     Bracket,
     Call,
@@ -17,7 +17,6 @@ from mechproof.latex.tree import (
     Letter,
     Magnitude,
     Node,
-    Number,
     Quotient,
     Root,
     Table,
@@ -28,8 +27,6 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 MATRICES = ("pmatrix", "bmatrix", "matrix", "vmatrix")
-LONGEST_NUMBER = 300
-_POWER_OF_TEN = re.compile(r"\s*[eE][-+\u2212]?[0-9]")
 _CLOSED_BY = {"(": ")", "[": "]"}
 
 
@@ -63,34 +60,6 @@ def read_atom(parser: Parser) -> Node:
     if text == r"\int":
         return calculus.read_integral(parser)
     return letters.read_letter(parser, None)
-
-
-def read_number(parser: Parser) -> Number:
-    """Read digits that stand close together, and a decimal point."""
-    start = parser.start
-    text = parser.take().text
-    while is_digit(parser.text) or (parser.text == "." and "." not in text):
-        if parser.start != parser.end and "." not in (parser.text, text[-1]):
-            raise parser.refuse("a blank within a number: one number or two?", "Close the gap.")
-        text += parser.take().text
-    if text[-1] == ".":
-        raise parser.refuse("a number ends with a point")
-    if len(text) > LONGEST_NUMBER:
-        raise parser.refuse(f"a number of more than {LONGEST_NUMBER} digits", place=start)
-    follows = parser.tokens[parser.place + 1 : parser.place + 2]
-    if parser.text == "," and follows and is_digit(follows[0].text):
-        close = follows[0].start == parser.end + 1 and parser.start == parser.end
-        if close:
-            raise parser.refuse(
-                "a comma between digits: a decimal comma or a list?",
-                "Print 0.5 or 0{,}5 for the number, a blank after the comma for a list.",
-            )
-    if _POWER_OF_TEN.match(parser.source.latex, parser.end):
-        raise parser.refuse(
-            "a number before an E and digits: a power of ten, or a product?",
-            rf"Print {text}\cdot 10^{{…}}, or \cdot before the letter.",
-        )
-    return Number(text, start=start, end=parser.end)
 
 
 def _read_fraction(parser: Parser, start: int) -> Node:

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from mechproof.latex import atoms
 from mechproof.latex.tree import (
     Approach,
     Bracket,
@@ -107,7 +106,7 @@ def read_limit(parser: Parser) -> Node:
 
 
 def _read_way(parser: Parser) -> tuple[Letter, Node, str]:
-    by = atoms.read_atom(parser)
+    by = parser.read_atom()
     if not isinstance(by, Letter) or by.indices:
         raise parser.refuse("a limit needs one letter that moves", r"Print \lim_{x\to a}.")
     parser.take(r"\to")

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from mechproof.latex import atoms
 from mechproof.latex.characters import advise, is_digit, is_letter, name_character
 from mechproof.latex.functions import AMBIGUOUS, CONSTANTS
 from mechproof.latex.names import INDEX, Match, find_brace
+from mechproof.latex.numerals import read_number
 from mechproof.latex.tokens import ACCENTS
 from mechproof.latex.tree import Constant, Letter, Node, Power
 from mechproof.latex.words import ITALICS
@@ -167,7 +167,7 @@ def _read_indices(parser: Parser, start: int, end: int) -> list[Node]:
         return [_read_index_sum(parser, end)]
     found: list[Node] = []
     while parser.place < end:
-        found.append(atoms.read_number(parser) if is_digit(parser.text) else _read_index(parser))
+        found.append(read_number(parser) if is_digit(parser.text) else _read_index(parser))
     return found
 
 

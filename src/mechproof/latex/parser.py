@@ -217,7 +217,7 @@ class Parser:
         if calls.is_function(self):
             return calls.read_call(self)
         start = self.start
-        atom = atoms.read_atom(self)
+        atom = self.read_atom()
         if self.text == "!":
             return derivatives.read_factorial(self, atom)
         if self.text != "^":
@@ -225,6 +225,10 @@ class Parser:
         if isinstance(atom, Quotient):
             raise self.refuse("a power of a fraction without brackets", r"Print \left(…\right)^n.")
         return self._raise(atom, start)
+
+    def read_atom(self) -> Node:
+        """Read what stands between two operators."""
+        return atoms.read_atom(self)
 
     def _raise(self, base: Node, start: int) -> Node:
         special = atoms.read_special_power(self, base, start)

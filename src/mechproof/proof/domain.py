@@ -15,8 +15,8 @@ from mechproof.proof.dimensions import dimensions_of
 from mechproof.proof.domain_checks import check_given, check_relation, check_set
 from mechproof.proof.narrowing import Values, leaves_values, search
 from mechproof.proof.set_values import list_closed_ends, list_special_values, place, radical_inverse
-from mechproof.proof.substitution import substitute
 from mechproof.record import NUMBER, Dimension, Paper, Part, Published, RecordError, Toleranced
+from mechproof.record.substitution import resolve
 
 Point = dict[sp.Basic, sp.Expr]
 _NO_VALUES: Mapping[sp.Basic, sp.Expr] = MappingProxyType({})
@@ -87,12 +87,7 @@ class Domain:
 
     def resolve(self, expression: sp.Basic) -> sp.Basic:
         """Substitute the given symbols until only free ones are left."""
-        for _ in range(len(self.given) + 1):
-            found = expression.free_symbols & self.given.keys()
-            if not found:
-                return expression
-            expression = substitute(expression, {symbol: self.given[symbol] for symbol in found})
-        raise RecordError(f"symbols are given in a circle: {sorted(map(str, found))}")
+        return resolve(expression, self.given)
 
     def set_of(self, symbol: sp.Basic) -> sp.Set:
         """Return the set of a symbol (of its base, for an indexed one)."""

@@ -28,7 +28,6 @@ from mechproof.proof.refutation import (
 )
 from mechproof.proof.showing import show_plainly
 from mechproof.proof.signs import find_sign
-from mechproof.proof.substitution import substitute
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.record import (
     Completion,
@@ -42,6 +41,7 @@ from mechproof.record import (
     PrintedNumber,
     Statement,
 )
+from mechproof.record.substitution import substitute
 
 IDENTICAL = "identical"
 CROSS_EXAMINATION = 4

@@ -16,9 +16,9 @@ from mechproof.proof import balls
 from mechproof.proof.counts import choose_counts, is_count
 from mechproof.proof.domain import Domain, Point, sizes_of
 from mechproof.proof.showing import describe, show_point
-from mechproof.proof.substitution import substitute
 from mechproof.proof.sums import write_out
 from mechproof.proof.verdict import Evidence
+from mechproof.record.substitution import substitute
 
 POINTS = 40
 # Where a point takes long.

@@ -18,7 +18,7 @@ import sympy as sp
 from mechproof.proof.ball_evaluation import MOST_TERMS
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
-from mechproof.proof.substitution import substitute
+from mechproof.record.substitution import substitute
 
 _MOST_ALIGNED = 8
 _LARGEST_POWER = 8

@@ -9,8 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from mechproof.codegen.backends.numpy import FITS
-from mechproof.codegen.elementary.fits import enclose, fit
+from mechproof.codegen.elementary.fits import FITS, enclose, fit
 from mechproof.codegen.program import Operand, Operation, Program
 from mechproof.roundoff.intervals import EPS
 

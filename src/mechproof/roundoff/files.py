@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
-from hashlib import sha256
-from importlib.metadata import version
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
-from mechproof.files import write_whole
-from mechproof.proof.cache import cache_folder
+from mechproof.cache import Store, make_key
 from mechproof.record import Paper
 from mechproof.roundoff.certificate import (
     Certificate,
@@ -22,14 +18,14 @@ from mechproof.roundoff.certificate import (
 )
 
 FOLDER = "certificates"
-KEPT = "certified.txt"
+CERTIFIED = Store("certified.json")
 # Of the package: what proves, what fits and encloses functions, what is mirrored, what operations
 # and balls are.
 SOURCES = (
     *("roundoff/*.py", "codegen/elementary/*.py", "kernel_support/*.py"),
-    *("codegen/program.py", "proof/balls.py"),
+    *("codegen/program.py", "proof/ball*.py"),
 )
-VERSIONS = ("sympy", "numpy", "python-flint")
+PACKAGES = ("sympy", "numpy", "python-flint")
 
 
 def find_certificate(generated: Traversable, system: str) -> Certificate | None:
@@ -69,14 +65,11 @@ def _certify(paper: Paper, directory: Path, use_cache: bool) -> Certificate | No
     # What cannot be read is written anew, and shown as a difference.
     with suppress(ValueError):
         known = read_certificate(text, str(path))
-    kept = cache_folder() / KEPT
-    if known and use_cache and _key(paper, text) in _read_keys(kept):
+    if known and use_cache and _key(paper, text) in CERTIFIED.read():
         return known
     certificate = certify(paper, known)
     if certificate and use_cache:
-        with suppress(OSError):
-            keys = {*_read_keys(kept), _key(paper, write_certificate(certificate))}
-            write_whole(kept, "\n".join(sorted(keys)))
+        CERTIFIED.add([_key(paper, write_certificate(certificate))])
     return certificate
 
 
@@ -84,12 +77,4 @@ def _key(paper: Paper, text: str) -> str:
     """Return a key of all that a certificate rests on."""
     package = Path(__file__).parents[1]
     sources = [path for pattern in SOURCES for path in sorted(package.glob(pattern))]
-    digests = [sha256(source.read_bytes()).hexdigest() for source in sources]
-    parts = [sys.version, *map(version, VERSIONS), *digests, *list_digests(paper), text]
-    return sha256("\n".join(parts).encode()).hexdigest()
-
-
-def _read_keys(path: Path) -> set[str]:
-    with suppress(OSError, ValueError):
-        return set(path.read_text(encoding="utf-8").split())
-    return set()
+    return make_key(sources, PACKAGES, *list_digests(paper), text)

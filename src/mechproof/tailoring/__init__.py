@@ -1,28 +1,21 @@
 """Tailored kernels: in, a quantity, its parameters and an error; out, the cheapest loop for them.
 
 `request` checks what is asked for, `design` guesses pieces and degrees, `fit` finds coefficients,
-`enclosure` proves the error of the program that `model` writes, `kernel` prints and loads it.
+`enclosure` proves the error of the program that `model` writes, `kernel` prints and loads it,
+`receiving` reads one that was pickled.
 """
 
 from __future__ import annotations
 
-import pickle
-from collections.abc import Iterable
-from functools import lru_cache
-from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 from mechproof.executors import BALLS
+from mechproof.tailoring.receiving import NEEDED, require_modules
 
 if TYPE_CHECKING:
     from mechproof.tailoring.kernel import Tailored
 
 __all__ = ["tailor"]
-
-# What tailoring needs of the extra, as it is imported.
-NEEDED = ("flint", "jinja2", "mpmath", "ruff", "sympy")
-# Backends that are modules of the extra fast.
-FAST = ("numba",)
 
 
 def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
@@ -71,7 +64,7 @@ def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
     255.260270569
 
     """
-    _require("mechproof.tailor", "derive", NEEDED)
+    require_modules("mechproof.tailor", "derive", NEEDED)
     from mechproof.tailoring.build import build
     from mechproof.tailoring.kernel import make_kernel
     from mechproof.tailoring.request import read_request
@@ -80,28 +73,3 @@ def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
     with BALLS:
         request = read_request(name, error, arguments)
         return make_kernel(request, build(request))
-
-
-def receive(backend: str, written: bytes) -> Tailored:
-    """Load a pickled kernel; ImportError naming the extra that its backend needs."""
-    _require("a tailored kernel", "derive", NEEDED)
-    _require(f"a kernel tailored for {backend}", "fast", [m for m in FAST if m == backend])
-    return _load(written)
-
-
-# A process that is sent one kernel with each of its tasks prints and reads it once.
-@lru_cache
-def _load(written: bytes) -> Tailored:
-    from mechproof.tailoring.kernel import make_kernel
-
-    with BALLS:
-        return make_kernel(*pickle.loads(written))
-
-
-def _require(what: str, extra: str, modules: Iterable[str]) -> None:
-    missing = [module for module in modules if find_spec(module) is None]
-    if missing:
-        raise ImportError(
-            f"{what} needs {', '.join(missing)}, the extra {extra}: in the folder of the "
-            f"sources, pip install '.[{extra}]'"
-        )

@@ -17,6 +17,7 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.scalars import require
+from mechproof.cache import cache_folder
 from mechproof.codegen.backends.c99 import render_c_kernels
 from mechproof.codegen.backends.numba import render_scalars
 from mechproof.codegen.backends.numpy import render_module, write_kernel
@@ -28,11 +29,10 @@ from mechproof.codegen.kernel_reading import read_module
 from mechproof.codegen.program import NOTHING, Program, unfuse
 from mechproof.codegen.reading import TranslationError
 from mechproof.files import write_whole
-from mechproof.proof.cache import cache_folder
 from mechproof.record import Form
-from mechproof.tailoring import receive
 from mechproof.tailoring.build import Built, round_up
 from mechproof.tailoring.model import Model
+from mechproof.tailoring.receiving import receive
 from mechproof.tailoring.request import Request
 
 NUMBA, NUMPY = "numba", "NumPy"
@@ -74,8 +74,9 @@ class Tailored:
         return self.function(points, out=out)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # Read by a function that names what is missing before this module is imported.
-        return receive, (self.backend, pickle.dumps((self._request, self._built, self.backend)))
+        # Received by a function that names what is missing before this module is imported.
+        made_by = make_kernel, self._request, self._built, self.backend
+        return receive, (self.backend, pickle.dumps(made_by))
 
     def __repr__(self) -> str:
         sizes = ", ".join(f"{name}={value!r}" for name, value in self.parameters.items())

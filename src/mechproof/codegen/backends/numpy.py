@@ -16,13 +16,7 @@ from jinja2 import meta
 from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.conditions import split_conditions
 from mechproof.codegen.docstrings import describe_kernel, describe_module
-from mechproof.codegen.elementary.fits import (
-    HALF_TANGENT,
-    SMALL_ARCTANGENT,
-    Target,
-    enclose,
-    fit,
-)
+from mechproof.codegen.elementary.fits import FITS, enclose, fit
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.escapes import ESCAPES
 from mechproof.codegen.facts import Condition, Sizes, list_conditions, list_sizes
@@ -59,10 +53,6 @@ def _list_support() -> dict[str, tuple[str, ...]]:
 
 
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(_list_support())
-# Constants that functions of the support package take as their last argument.
-FITS: Mapping[str, tuple[Target, tuple[int, int]]] = MappingProxyType(
-    {"_TANGENT": (HALF_TANGENT, (3, 3)), "_ARCTANGENT": (SMALL_ARCTANGENT, (4, 4))}
-)
 
 
 @dataclass(frozen=True)

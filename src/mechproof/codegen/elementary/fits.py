@@ -9,11 +9,12 @@ certifies the supremum norm of an error in the same way, with intervals for coef
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, partial
 from itertools import pairwise
+from types import MappingProxyType
 
 import mpmath as mp
 from flint import arb, arb_series, ctx
@@ -167,6 +168,11 @@ NORMAL_TAIL = Target(
     lambda: mp.mpf(TAIL_END - TAIL) / (TAIL_END + TAIL),
     _tail_sides,
     first=-1.0,
+)
+
+# Constants that functions of `kernel_support` take as their last argument, by their names there.
+FITS: Mapping[str, tuple[Target, tuple[int, int]]] = MappingProxyType(
+    {"_TANGENT": (HALF_TANGENT, (3, 3)), "_ARCTANGENT": (SMALL_ARCTANGENT, (4, 4))}
 )
 
 

@@ -7,11 +7,23 @@ from collections.abc import Mapping
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
+from mechproof.record.exactness import RecordError
+
 
 def substitute(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
     """Put values for free symbols, all at once."""
     arriving = {s for value in values.values() for s in value.free_symbols} | values.keys()
     return release(expression, arriving).xreplace(dict(values))
+
+
+def resolve(expression: sp.Basic, given: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
+    """Substitute symbols that are given by others until only free ones are left."""
+    for _ in range(len(given) + 1):
+        found = expression.free_symbols & given.keys()
+        if not found:
+            return expression
+        expression = substitute(expression, {symbol: given[symbol] for symbol in found})
+    raise RecordError(f"symbols are given in a circle: {sorted(map(str, found))}")
 
 
 def release(expression: sp.Basic, names: set[sp.Basic]) -> sp.Basic:

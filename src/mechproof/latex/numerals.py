@@ -1,0 +1,43 @@
+"""Numbers as digits: what stands close together, with a decimal point."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from mechproof.latex.characters import is_digit
+from mechproof.latex.tree import Number
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
+
+LONGEST_NUMBER = 300
+_POWER_OF_TEN = re.compile(r"\s*[eE][-+\u2212]?[0-9]")
+
+
+def read_number(parser: Parser) -> Number:
+    """Read digits that stand close together, and a decimal point."""
+    start = parser.start
+    text = parser.take().text
+    while is_digit(parser.text) or (parser.text == "." and "." not in text):
+        if parser.start != parser.end and "." not in (parser.text, text[-1]):
+            raise parser.refuse("a blank within a number: one number or two?", "Close the gap.")
+        text += parser.take().text
+    if text[-1] == ".":
+        raise parser.refuse("a number ends with a point")
+    if len(text) > LONGEST_NUMBER:
+        raise parser.refuse(f"a number of more than {LONGEST_NUMBER} digits", place=start)
+    follows = parser.tokens[parser.place + 1 : parser.place + 2]
+    if parser.text == "," and follows and is_digit(follows[0].text):
+        close = follows[0].start == parser.end + 1 and parser.start == parser.end
+        if close:
+            raise parser.refuse(
+                "a comma between digits: a decimal comma or a list?",
+                "Print 0.5 or 0{,}5 for the number, a blank after the comma for a list.",
+            )
+    if _POWER_OF_TEN.match(parser.source.latex, parser.end):
+        raise parser.refuse(
+            "a number before an E and digits: a power of ten, or a product?",
+            rf"Print {text}\cdot 10^{{…}}, or \cdot before the letter.",
+        )
+    return Number(text, start=start, end=parser.end)

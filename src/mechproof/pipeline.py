@@ -1,0 +1,176 @@
+"""The pipeline: in, the places of derivations; out, the generated package, in five stages.
+
+1. Judge: every row and every form of each paper gets a verdict; what is shipped has to be PROVED.
+2. Bound: the rounding errors of the kernels are proved, as far as a certificate does not hold.
+3. Render: every form becomes a program and source in each language, which is read back; verdicts
+   and bounds become the ledger, the certificates and the tables.
+4. Validate: the emitted kernels are run against the oracle.
+5. Write: what differs is replaced in one step, as far as it was generated and not edited.
+
+A stage that finds a fault ends the run with `PipelineError`, and nothing is written. What is
+generated can then be measured.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from mechproof.codegen.regenerate import LIST, render_package
+from mechproof.derivation import DerivationError, find_systems, packaged_directory
+from mechproof.lab import measure as measuring
+from mechproof.lab.proofs import select_claims
+from mechproof.lab.subject import find_subjects
+from mechproof.lab.table import PAGE, headline, list_lines
+from mechproof.made import Change, ForeignFileError, Made
+from mechproof.measured import FOLDER, find_known, read_records, write_record
+from mechproof.processes import start_executor
+from mechproof.proof.ledger import JudgedPaper, to_json, to_markdown
+from mechproof.roundoff.certificate import Certificate, tell_proofs
+from mechproof.roundoff.files import certify_papers, write_certificates
+from mechproof.validation import ValidationError, validate_derivations
+from mechproof.verification import (
+    LIMIT,
+    VerificationError,
+    judge_derivations,
+    list_failures,
+    name_judging,
+)
+
+# Called with the title of a stage, whose context it is; yields what is told of its progress.
+Progress = Callable[[str], AbstractContextManager[Callable[[str], None]]]
+
+
+class PipelineError(RuntimeError):
+    """A stage found a fault; the text names what and where."""
+
+
+@dataclass(frozen=True)
+class Regenerated:
+    """The text of every file of the package by its name, and which of them are, or were, others."""
+
+    files: Mapping[str, str]
+    changes: tuple[Change, ...]
+
+
+@contextmanager
+def tell_nobody(title: str) -> Iterator[Callable[[str], None]]:
+    """Run a stage without a word."""
+    yield lambda text: None
+
+
+@contextmanager
+def _refuse(*errors: type[Exception], where: str = "") -> Iterator[None]:
+    try:
+        yield
+    except errors as error:
+        raise PipelineError(f"{where}{error}") from error
+
+
+def regenerate(
+    locations: Sequence[Path],
+    generated: Path,
+    *,
+    check: bool = False,
+    use_cache: bool = True,
+    limit: float = LIMIT,
+    progress: Progress = tell_nobody,
+) -> Regenerated:
+    """Generate the package of the derivations at these places into the folder `generated`.
+
+    With `check` nothing is written, and the changes are those that would be made. Without
+    `use_cache` nothing of an earlier run is taken over. A row that takes longer than `limit`
+    seconds is a fault, and so is a derivation that loads. `progress` is called with the title of
+    each stage that takes its time; it returns a context in which the stage runs.
+    """
+    if not locations:
+        raise ValueError("locations: there are none, at least one derivation is needed")
+    with (
+        _refuse(DerivationError, VerificationError),
+        progress(name_judging(locations)) as report,
+    ):
+        ledgers = judge_derivations(locations, use_cache=use_cache, limit=limit, report=report)
+    if failures := list_failures(ledgers):
+        raise PipelineError("\n".join(failures))
+    papers = [ledger.paper for ledger in ledgers]
+    with _refuse(ValueError, NotImplementedError), progress("bounding the rounding errors"):
+        certificates = certify_papers(papers, generated, use_cache=use_cache)
+    with _refuse(ValueError, NotImplementedError, where=f"{locations[0].parent}: "):
+        files = _render(ledgers, certificates)
+    with _refuse(ValueError):
+        files |= _render_tables(generated, certificates)
+    with _refuse(ValidationError), progress("running the emitted kernels") as report:
+        placed = list(zip(locations, papers, strict=True))
+        validate_derivations(placed, files, use_cache=use_cache, limit=limit, report=report)
+    with _refuse(ForeignFileError, OSError):
+        made = Made(generated, LIST)
+        return Regenerated(files, tuple(made.compare(files) if check else made.update(files)))
+
+
+def _render(
+    ledgers: Sequence[JudgedPaper], certificates: Sequence[Certificate | None]
+) -> dict[str, str]:
+    pairs = zip((ledger.paper for ledger in ledgers), certificates, strict=True)
+    papers = [tell_proofs(paper, certificate) for paper, certificate in pairs]
+    # Nobody else has all of our systems.
+    is_own = {paper.system for paper in papers} >= set(find_systems(packaged_directory()))
+    return {
+        **render_package(papers, is_own=is_own),
+        **write_certificates(c for c in certificates if c),
+        "ledger.json": to_json(ledgers),
+        "LEDGER.md": to_markdown(ledgers),
+    }
+
+
+def _render_tables(generated: Path, certificates: Sequence[Certificate | None]) -> dict[str, str]:
+    """Write the page of what was measured, with what is now proved beside it."""
+    known = [certificate for certificate in certificates if certificate]
+    records = read_records(generated / FOLDER)
+    lines = list_lines(records, lambda record: select_claims(record, known))
+    return {f"{FOLDER}/{PAGE}": "\n".join(lines)} if records else {}
+
+
+def measure(
+    names: Sequence[str],
+    derivations: Path | None,
+    generated: Path,
+    *,
+    quick: bool = False,
+    processes: int = 1,
+    progress: Progress = tell_nobody,
+) -> Iterator[tuple[Path, str]]:
+    """Measure what the ways of computing quantities lose and cost, accuracy in so many processes.
+
+    Names are quantities, systems or system.quantity, all if there are none; they are looked for in
+    the folder `derivations`, without one in those of the package. Yields each record's file once
+    it is written, with a headline, and in the end the page of all, without. ValueError for a name
+    that is unknown, `DerivationError` for a derivation that fails; both before anything is run.
+    """
+    target = generated / FOLDER / ("quick" if quick else "")
+    subjects = find_subjects(tuple(names), derivations)
+    known = {s.name: find_known(target, s.name, len(s.quantity.arguments)) for s in subjects}
+
+    def run() -> Iterator[tuple[Path, str]]:
+        with start_executor(processes) as executor:
+            for number, subject in enumerate(subjects, start=1):
+                title = f"{subject.name} ({number} of {len(subjects)}): measuring"
+                with progress(title) as report:
+                    record = measuring.measure(
+                        subject,
+                        quick=quick,
+                        report=report,
+                        executor=executor,
+                        known=known[subject.name],
+                    )
+                yield write_record(record, target), headline(record)
+        # What a quick run writes is kept apart, and so is what lists it.
+        root = target if quick else generated
+        lines = list_lines(read_records(target))
+        with _refuse(ForeignFileError, OSError):
+            page = {(target / PAGE).relative_to(root).as_posix(): "\n".join(lines)}
+            Made(root, LIST).update(page, and_remove=False)
+        yield target / PAGE, ""
+
+    return run()

@@ -1,0 +1,179 @@
+"""Who may import whom, as one sentence: each layer what is below it, and no way leads back.
+
+tools < support < kernels < the runtime of numbers; paper < latex, programs < arithmetic < proof,
+roundoff, emission < loading < the runtime that proves < tailoring < laboratory, figures < report <
+pipeline < command line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import pytest
+from import_graph import Kinds, circles, read_arrows, read_graph
+
+Room = tuple[str, ...]
+
+# From the lowest layer up: its rooms, each with the modules and packages it holds. A module is in
+# the room of its longest name. The rooms of one layer do not know each other.
+LAYERS: tuple[Mapping[str, Room], ...] = (
+    {
+        "tools": ("cache", "files", "json_rows", "made", "notebook", "processes", "reads"),
+        "arguments": ("arguments",),
+    },
+    {
+        "support": ("kernel_support", "compiled_support"),
+        "executors": ("executors",),
+        "laws": ("laws",),
+        "measured": ("measured",),
+    },
+    {"kernels": ("kernels",), "choice": ("choice",), "measurement": ("measurement",)},
+    {"conformity": ("conformity",)},
+    {"paper": ("record",)},
+    {
+        "latex": ("latex",),
+        "programs": (
+            *("codegen.backends.quotients", "codegen.backends.scalar", "codegen.backends.sums"),
+            *("codegen.code", "codegen.degrees", "codegen.domain", "codegen.elementary"),
+            *("codegen.error_free", "codegen.evaluation", "codegen.kernel", "codegen.lowering"),
+            *("codegen.names", "codegen.operations", "codegen.program", "codegen.rewrites"),
+            *("codegen.subexpressions", "codegen.syntax"),
+        ),
+    },
+    {
+        "arithmetic": (
+            *("proof.ball_evaluation", "proof.ball_functions", "proof.balls", "proof.duals"),
+            *("proof.layout", "proof.slopes", "roundoff.intervals"),
+        )
+    },
+    {"proof": ("proof",), "roundoff": ("roundoff",), "emission": ("codegen",)},
+    {"loading": ("derivation",)},
+    {"tolerance": ("tolerance",)},
+    {"mechanisms": ("mechanisms",)},
+    {"tailoring": ("tailoring",)},
+    {"laboratory": ("lab",), "figures": ("plot",)},
+    {"report": ("report",), "derivations": ("derivations",)},
+    {"pipeline": ("ledger_cache", "pasted", "pipeline", "validation", "verification")},
+    {"command line": ("__main__", "cli")},
+    {"the whole": ("__init__",)},
+)
+# Rooms of those who compute and do not prove: loaded, they need nobody but each other.
+RUNTIME = {
+    *("tools", "arguments", "support", "executors", "laws", "measured", "kernels", "choice"),
+    *("measurement", "conformity", "tolerance", "mechanisms", "the whole"),
+}
+HEIGHTS = {room: height for height, layer in enumerate(LAYERS) for room in layer}
+HOMES = {name: room for layer in LAYERS for room in layer for name in layer[room]}
+
+
+def find_room(module: str) -> str:
+    """Return the room of a module; what the table does not hold has none."""
+    name = module.removeprefix("mechproof.") if module != "mechproof" else "__init__"
+    parts = name.split(".")
+    names = (".".join(parts[:length]) for length in range(len(parts), 0, -1))
+    return next((HOMES[name] for name in names if name in HOMES), "")
+
+
+def find_breaches(graph: Mapping[str, Kinds]) -> set[tuple[str, str]]:
+    """Arrows that go up or aside, those of type checkers and those inside functions too."""
+    return {
+        (module, other)
+        for module, kinds in graph.items()
+        for other in kinds.run | kinds.typed
+        if find_room(other) != find_room(module)
+        and HEIGHTS[find_room(other)] >= HEIGHTS[find_room(module)]
+    }
+
+
+def find_loaded_proofs(graph: Mapping[str, Kinds]) -> set[tuple[str, str]]:
+    """Arrows from the runtime to what proves, followed as soon as a file is loaded."""
+    return {
+        (module, other)
+        for module, kinds in graph.items()
+        for other in kinds.loaded
+        if find_room(module) in RUNTIME and find_room(other) not in RUNTIME
+    }
+
+
+def test_every_module_has_a_room_and_every_name_a_module() -> None:
+    graph = read_graph()
+    assert len(graph) > 400
+    assert [module for module in graph if not find_room(module)] == []
+    known = {module.removeprefix("mechproof.") for module in graph} | {"__init__"}
+    assert [name for name in HOMES if name not in known] == []
+
+
+def test_no_import_goes_up_or_aside() -> None:
+    assert find_breaches(read_graph()) == set()
+
+
+def test_no_import_leads_back() -> None:
+    """Neither among modules, nor, what is for type checkers alone left out, among packages."""
+    graph = read_graph()
+    assert circles({module: kinds.run for module, kinds in graph.items()}) == set()
+    packages: dict[str, set[str]] = {}
+    for module, kinds in graph.items():
+        beside = {package_of(other) for other in kinds.run} - {package_of(module)}
+        packages.setdefault(package_of(module), set()).update(beside)
+    assert circles(packages) == set()
+
+
+def package_of(module: str) -> str:
+    return ".".join(module.split(".")[:2])
+
+
+def test_the_runtime_reaches_for_proofs_inside_functions_alone() -> None:
+    assert find_loaded_proofs(read_graph()) == set()
+
+
+def made_up(module: str, source: str) -> Mapping[str, Kinds]:
+    """The graph with a line more in one module."""
+    graph = dict(read_graph())
+    found = read_arrows(module, source, False, graph)
+    kinds = zip(graph[module], found, strict=True)
+    return {**graph, module: Kinds(*(known | new for known, new in kinds))}
+
+
+@pytest.mark.parametrize(
+    ("module", "source", "other"),
+    [
+        ("record.papers", "import mechproof.proof.judge", "proof.judge"),
+        ("record.papers", "from mechproof import latex", "latex"),
+        ("proof.balls", "def f():\n    from mechproof.proof.domain import Domain", "proof.domain"),
+        ("latex.tree", "if TYPE_CHECKING:\n    import mechproof.proof.verdict", "proof.verdict"),
+        ("codegen.domain", "from ..proof.domain import Domain", "proof.domain"),
+        ("roundoff.bound", "from mechproof.codegen import forms", "codegen.forms"),
+        ("verification", "def f():\n    import mechproof.cli.console", "cli.console"),
+        ("lab.ways", "def f():\n    from mechproof import plot", "plot"),
+    ],
+)  # fmt: skip
+def test_an_arrow_up_or_aside_is_seen(module: str, source: str, other: str) -> None:
+    breaches = find_breaches(made_up(f"mechproof.{module}", source))
+    assert breaches == {(f"mechproof.{module}", f"mechproof.{other}")}
+
+
+def test_the_whole_package_is_the_highest() -> None:
+    (breach,) = find_breaches(made_up("mechproof.cli.console", "from mechproof import choose"))
+    assert breach == ("mechproof.cli.console", "mechproof")
+
+
+def test_a_circle_is_seen() -> None:
+    graph = made_up("mechproof.latex.numerals", "def f():\n    from .letters import read_letter")
+    found = circles({module: kinds.run for module, kinds in graph.items()})
+    assert {"mechproof.latex.letters", "mechproof.latex.numerals"} <= found
+    assert find_breaches(graph) == set()
+    typed = made_up("mechproof.latex.numerals", "if TYPE_CHECKING:\n    from . import letters")
+    assert circles({module: kinds.run for module, kinds in typed.items()}) == set()
+    assert circles({"a": ["b"], "b": ["c"], "c": ["b"], "d": ["a"]}) == {"b", "c"}
+
+
+def test_a_proof_that_the_runtime_loads_is_seen() -> None:
+    arrow = ("mechproof.tolerance.corners", "mechproof.proof.balls")
+    assert find_loaded_proofs(made_up(arrow[0], "from mechproof.proof import balls")) == {arrow}
+    lazy = made_up(arrow[0], "def f():\n    from mechproof.proof import balls")
+    assert find_loaded_proofs(lazy) == find_breaches(lazy) == set()
+
+
+def test_a_module_without_a_room_is_seen() -> None:
+    assert (find_room("mechproof.news"), find_room("mechproof.news.paper")) == ("", "")
+    assert find_room("mechproof.proof.new_rung") == "proof"
