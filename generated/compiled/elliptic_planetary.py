@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 4aa7b0fd5d8b.
+Elementary functions: `elementary` be9ec0333aea.
 
 Generated from mechproof.derivations.elliptic_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -17,23 +17,22 @@ Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 from __future__ import annotations
 
 import math as _math
-from builtins import float as _float, range as _range, type as _type
+from builtins import float as _float, type as _type
 from typing import Any
 
 from numpy import float64 as _float64, ndarray as _ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
-    BLOCK as _BLOCK,
     Loops as _Loops,
-    has_nan as _has_nan,
+    fill as _fill,
+    fill_blocks as _fill_blocks,
     is_finite as _is_finite,
     loop as _loop,
-    overload as _overload,
+    point_of as _point_of,
     run as _run,
     scalar as _scalar,
     take_row as _take_row,
-    widen as _widen,
 )
 from mechproof.kernels.compiled import elementary as _elementary
 
@@ -52,17 +51,13 @@ def __dir__() -> list[str]:
 
 
 @_scalar
-def _prepare_of_ratio(R1, R2, e, _exact):
+def _value_of_ratio(phi1, R1, R2, e, _exact):
+    if not ((R1 > 0) & _is_finite(R1) & (R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
+        return _math.nan
     k = R1 / R2
     one_minus_e = 1 - e
     one_plus_e = 1 + e
     k_low = _elementary.quotient_rest(R1, R2, k)
-
-    return (k, one_minus_e, one_plus_e, k_low)
-
-
-@_scalar
-def _form_of_ratio(phi1, k, one_minus_e, one_plus_e, k_low, _exact):
     x = k * phi1
     t_angle = x / 2
     t_below = _elementary.tangent_below(t_angle, _exact)
@@ -73,90 +68,14 @@ def _form_of_ratio(phi1, k, one_minus_e, one_plus_e, k_low, _exact):
     adjacent_squared = adjacent**2
     opposite = t + t_low * t_below
     opposite_squared = opposite**2
-
     return 1 + k * one_minus_e * one_plus_e / (
         one_minus_e**2 * adjacent_squared + one_plus_e**2 * opposite_squared
     ) * (adjacent_squared + opposite_squared)
 
 
-@_scalar
-def _value_of_ratio(phi1, R1, R2, e, _exact):
-    if not ((R1 > 0) & _is_finite(R1) & (R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
-        return _math.nan
-    _prepared = _prepare_of_ratio(R1, R2, e, _exact)
-    return _form_of_ratio(phi1, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_ratio(phi1, R1, R2, e):
-    return _value_of_ratio(phi1, R1, R2, e, True)
-
-
 @_loop
-def _row_of_ratio(_out, _values_of_phi1, R1, R2, e, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        _value = _value_of_ratio(phi1, R1, R2, e, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_ratio(
-    _out,
-    _values_of_phi1,
-    R1,
-    R2,
-    e,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _row_of_ratio(_out_block, _block_of_phi1, R1, R2, e, None)
-        if _has_nan(_out_block):
-            _row_of_ratio(_out_block, _block_of_phi1, R1, R2, e, True)
-
-
-@_loop
-def _row_each_of_ratio(_out, _values_of_phi1, _values_of_R1, _values_of_R2, _values_of_e, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        R1 = _float64(_values_of_R1[_i])
-
-        R2 = _float64(_values_of_R2[_i])
-
-        e = _float64(_values_of_e[_i])
-
-        _value = _value_of_ratio(phi1, R1, R2, e, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_ratio(
-    _out,
-    _values_of_phi1,
-    _values_of_R1,
-    _values_of_R2,
-    _values_of_e,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _block_of_R1 = _values_of_R1[_start:_stop]
-        _block_of_R2 = _values_of_R2[_start:_stop]
-        _block_of_e = _values_of_e[_start:_stop]
-        _row_each_of_ratio(
-            _out_block, _block_of_phi1, _block_of_R1, _block_of_R2, _block_of_e, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_ratio(
-                _out_block, _block_of_phi1, _block_of_R1, _block_of_R2, _block_of_e, True
-            )
+def _fill_of_ratio(_out, phi1, R1, R2, e):
+    _fill_blocks(_value_of_ratio, _out, (phi1, R1, R2, e))
 
 
 def ratio(
@@ -167,101 +86,30 @@ def ratio(
     Compiled. The help of `mechproof.kernels.elliptic_planetary.ratio` has all words.
     """
     if _type(R1) is _type(R2) is _type(e) is _float:
-        if _type(phi1) is _ndarray:
-            _row = _take_row(phi1, out)
-            if _row is not None:
-                _loops_of_ratio.fill(_row, phi1, R1, R2, e)
-                return _row
-        elif _type(phi1) is _float and out is None:
+        if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
+            _loops_of_ratio.fill(_row, phi1, R1, R2, e)
+            return _row
+        if _type(phi1) is _float and out is None:
             return _float64(_loops_of_ratio.point(phi1, R1, R2, e))
-    return _run(
-        _loops_of_ratio,
-        (
-            phi1,
-            R1,
-            R2,
-            e,
-        ),
-        out,
-    )
+    return _run(_loops_of_ratio, (phi1, R1, R2, e), out)
 
 
-_loops_of_ratio = _Loops(
-    names=(
-        "phi1",
-        "R1",
-        "R2",
-        "e",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_ratio,
-    uniform=_fill_of_ratio,
-    each=_fill_each_of_ratio,
-)
+@_point_of(ratio)
+def _point_of_ratio(phi1, R1, R2, e):
+    return _value_of_ratio(_float64(phi1), _float64(R1), _float64(R2), _float64(e), True)
 
 
-@_overload(ratio)
-def _offer_of_ratio(
-    phi1,
-    R1,
-    R2,
-    e,
-):
-    return lambda phi1, R1, R2, e: _point_of_ratio(
-        _float64(phi1),
-        _float64(R1),
-        _float64(R2),
-        _float64(e),
-    )
+_loops_of_ratio = _Loops(("phi1", "R1", "R2", "e"), _point_of_ratio, _fill_of_ratio)
 
 
 @_scalar
-def _prepare_1_of_position(R1, R2, e, _exact):
+def _form_1_of_position(phi1, R1, R2, e, _exact):
     k = R1 / R2
     one_minus_e = 1 - e
     one_plus_e = 1 + e
-
-    return (e, k, one_minus_e, one_plus_e)
-
-
-@_scalar
-def _form_1_of_position(phi1, e, k, one_minus_e, one_plus_e, _exact):
     x = k * phi1
-
     return (1 + k) * phi1 + 2 * _elementary.small_arctan(
         2 * e * _elementary.tangent_quotient(x / 2, one_minus_e, one_plus_e, _exact)
-    )
-
-
-@_scalar
-def _prepare_of_position(R1, R2, e, _exact):
-    k = R1 / R2
-    k_low = _elementary.quotient_rest(R1, R2, k)
-    one_minus_e = 1 - e
-    one_plus_e = 1 + e
-
-    return (e, k, k_low, one_minus_e, one_plus_e)
-
-
-@_scalar
-def _form_of_position(phi1, e, k, k_low, one_minus_e, one_plus_e, _exact):
-    x = k * phi1
-    t_angle = x / 2
-    t_below = _elementary.tangent_below(t_angle, _exact)
-    t = _elementary.tangent_above(t_angle, _exact)
-    x_low = k_low * phi1 + _elementary.product_rest(k, phi1, x)
-    t_low = _elementary.small_tangent(x_low / 2)
-    adjacent = t_below - t * t_low
-    opposite = t + t_low * t_below
-
-    return (1 + k) * phi1 + 2 * _elementary.arctan_quotient(
-        2 * e * adjacent * opposite, one_minus_e * adjacent**2 + one_plus_e * opposite**2
     )
 
 
@@ -270,85 +118,27 @@ def _value_of_position(phi1, R1, R2, e, _exact):
     if not ((R1 > 0) & _is_finite(R1) & (R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
         return _math.nan
     if e <= 0.5:
-        _prepared = _prepare_1_of_position(R1, R2, e, _exact)
-        return _form_1_of_position(phi1, *_prepared, _exact)
-
-    _prepared = _prepare_of_position(R1, R2, e, _exact)
-    return _form_of_position(phi1, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_position(phi1, R1, R2, e):
-    return _value_of_position(phi1, R1, R2, e, True)
-
-
-@_loop
-def _row_of_position(_out, _values_of_phi1, R1, R2, e, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        _value = _value_of_position(phi1, R1, R2, e, _exact)
-        _out[_i] = _value
+        return _form_1_of_position(phi1, R1, R2, e, _exact)
+    k = R1 / R2
+    k_low = _elementary.quotient_rest(R1, R2, k)
+    one_minus_e = 1 - e
+    one_plus_e = 1 + e
+    x = k * phi1
+    t_angle = x / 2
+    t_below = _elementary.tangent_below(t_angle, _exact)
+    t = _elementary.tangent_above(t_angle, _exact)
+    x_low = k_low * phi1 + _elementary.product_rest(k, phi1, x)
+    t_low = _elementary.small_tangent(x_low / 2)
+    adjacent = t_below - t * t_low
+    opposite = t + t_low * t_below
+    return (1 + k) * phi1 + 2 * _elementary.arctan_quotient(
+        2 * e * adjacent * opposite, one_minus_e * adjacent**2 + one_plus_e * opposite**2
+    )
 
 
 @_loop
-def _fill_of_position(
-    _out,
-    _values_of_phi1,
-    R1,
-    R2,
-    e,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _row_of_position(_out_block, _block_of_phi1, R1, R2, e, None)
-        if _has_nan(_out_block):
-            _row_of_position(_out_block, _block_of_phi1, R1, R2, e, True)
-
-
-@_loop
-def _row_each_of_position(
-    _out, _values_of_phi1, _values_of_R1, _values_of_R2, _values_of_e, _exact
-):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        R1 = _float64(_values_of_R1[_i])
-
-        R2 = _float64(_values_of_R2[_i])
-
-        e = _float64(_values_of_e[_i])
-
-        _value = _value_of_position(phi1, R1, R2, e, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_position(
-    _out,
-    _values_of_phi1,
-    _values_of_R1,
-    _values_of_R2,
-    _values_of_e,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _block_of_R1 = _values_of_R1[_start:_stop]
-        _block_of_R2 = _values_of_R2[_start:_stop]
-        _block_of_e = _values_of_e[_start:_stop]
-        _row_each_of_position(
-            _out_block, _block_of_phi1, _block_of_R1, _block_of_R2, _block_of_e, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_position(
-                _out_block, _block_of_phi1, _block_of_R1, _block_of_R2, _block_of_e, True
-            )
+def _fill_of_position(_out, phi1, R1, R2, e):
+    _fill_blocks(_value_of_position, _out, (phi1, R1, R2, e))
 
 
 def position(
@@ -359,72 +149,30 @@ def position(
     Compiled. The help of `mechproof.kernels.elliptic_planetary.position` has all words.
     """
     if _type(R1) is _type(R2) is _type(e) is _float:
-        if _type(phi1) is _ndarray:
-            _row = _take_row(phi1, out)
-            if _row is not None:
-                _loops_of_position.fill(_row, phi1, R1, R2, e)
-                return _row
-        elif _type(phi1) is _float and out is None:
+        if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
+            _loops_of_position.fill(_row, phi1, R1, R2, e)
+            return _row
+        if _type(phi1) is _float and out is None:
             return _float64(_loops_of_position.point(phi1, R1, R2, e))
-    return _run(
-        _loops_of_position,
-        (
-            phi1,
-            R1,
-            R2,
-            e,
-        ),
-        out,
-    )
+    return _run(_loops_of_position, (phi1, R1, R2, e), out)
 
 
-_loops_of_position = _Loops(
-    names=(
-        "phi1",
-        "R1",
-        "R2",
-        "e",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_position,
-    uniform=_fill_of_position,
-    each=_fill_each_of_position,
-)
+@_point_of(position)
+def _point_of_position(phi1, R1, R2, e):
+    return _value_of_position(_float64(phi1), _float64(R1), _float64(R2), _float64(e), True)
 
 
-@_overload(position)
-def _offer_of_position(
-    phi1,
-    R1,
-    R2,
-    e,
-):
-    return lambda phi1, R1, R2, e: _point_of_position(
-        _float64(phi1),
-        _float64(R1),
-        _float64(R2),
-        _float64(e),
-    )
+_loops_of_position = _Loops(("phi1", "R1", "R2", "e"), _point_of_position, _fill_of_position)
 
 
 @_scalar
-def _prepare_of_acceleration(R1, R2, e, _exact):
+def _value_of_acceleration(phi1, R1, R2, e, _exact):
+    if not ((R1 > 0) & _is_finite(R1) & (R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
+        return _math.nan
     k = R1 / R2
     k_low = _elementary.quotient_rest(R1, R2, k)
     one_minus_e = 1 - e
     one_plus_e = 1 + e
-
-    return (e, k, k_low, one_minus_e, one_plus_e)
-
-
-@_scalar
-def _form_of_acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, _exact):
     x = k * phi1
     t_angle = x / 2
     t_below = _elementary.tangent_below(t_angle, _exact)
@@ -435,7 +183,6 @@ def _form_of_acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, _exact):
     opposite = t + t_low * t_below
     adjacent_squared = adjacent**2
     opposite_squared = opposite**2
-
     return (
         -4
         * e
@@ -449,86 +196,9 @@ def _form_of_acceleration(phi1, e, k, k_low, one_minus_e, one_plus_e, _exact):
     )
 
 
-@_scalar
-def _value_of_acceleration(phi1, R1, R2, e, _exact):
-    if not ((R1 > 0) & _is_finite(R1) & (R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R2 < R1)):
-        return _math.nan
-    _prepared = _prepare_of_acceleration(R1, R2, e, _exact)
-    return _form_of_acceleration(phi1, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_acceleration(phi1, R1, R2, e):
-    return _value_of_acceleration(phi1, R1, R2, e, True)
-
-
 @_loop
-def _row_of_acceleration(_out, _values_of_phi1, R1, R2, e, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        _value = _value_of_acceleration(phi1, R1, R2, e, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_acceleration(
-    _out,
-    _values_of_phi1,
-    R1,
-    R2,
-    e,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _row_of_acceleration(_out_block, _block_of_phi1, R1, R2, e, None)
-        if _has_nan(_out_block):
-            _row_of_acceleration(_out_block, _block_of_phi1, R1, R2, e, True)
-
-
-@_loop
-def _row_each_of_acceleration(
-    _out, _values_of_phi1, _values_of_R1, _values_of_R2, _values_of_e, _exact
-):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        R1 = _float64(_values_of_R1[_i])
-
-        R2 = _float64(_values_of_R2[_i])
-
-        e = _float64(_values_of_e[_i])
-
-        _value = _value_of_acceleration(phi1, R1, R2, e, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_acceleration(
-    _out,
-    _values_of_phi1,
-    _values_of_R1,
-    _values_of_R2,
-    _values_of_e,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _block_of_R1 = _values_of_R1[_start:_stop]
-        _block_of_R2 = _values_of_R2[_start:_stop]
-        _block_of_e = _values_of_e[_start:_stop]
-        _row_each_of_acceleration(
-            _out_block, _block_of_phi1, _block_of_R1, _block_of_R2, _block_of_e, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_acceleration(
-                _out_block, _block_of_phi1, _block_of_R1, _block_of_R2, _block_of_e, True
-            )
+def _fill_of_acceleration(_out, phi1, R1, R2, e):
+    _fill_blocks(_value_of_acceleration, _out, (phi1, R1, R2, e))
 
 
 def acceleration(
@@ -539,148 +209,35 @@ def acceleration(
     Compiled. The help of `mechproof.kernels.elliptic_planetary.acceleration` has all words.
     """
     if _type(R1) is _type(R2) is _type(e) is _float:
-        if _type(phi1) is _ndarray:
-            _row = _take_row(phi1, out)
-            if _row is not None:
-                _loops_of_acceleration.fill(_row, phi1, R1, R2, e)
-                return _row
-        elif _type(phi1) is _float and out is None:
+        if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
+            _loops_of_acceleration.fill(_row, phi1, R1, R2, e)
+            return _row
+        if _type(phi1) is _float and out is None:
             return _float64(_loops_of_acceleration.point(phi1, R1, R2, e))
-    return _run(
-        _loops_of_acceleration,
-        (
-            phi1,
-            R1,
-            R2,
-            e,
-        ),
-        out,
-    )
+    return _run(_loops_of_acceleration, (phi1, R1, R2, e), out)
+
+
+@_point_of(acceleration)
+def _point_of_acceleration(phi1, R1, R2, e):
+    return _value_of_acceleration(_float64(phi1), _float64(R1), _float64(R2), _float64(e), True)
 
 
 _loops_of_acceleration = _Loops(
-    names=(
-        "phi1",
-        "R1",
-        "R2",
-        "e",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_acceleration,
-    uniform=_fill_of_acceleration,
-    each=_fill_each_of_acceleration,
+    ("phi1", "R1", "R2", "e"), _point_of_acceleration, _fill_of_acceleration
 )
-
-
-@_overload(acceleration)
-def _offer_of_acceleration(
-    phi1,
-    R1,
-    R2,
-    e,
-):
-    return lambda phi1, R1, R2, e: _point_of_acceleration(
-        _float64(phi1),
-        _float64(R1),
-        _float64(R2),
-        _float64(e),
-    )
-
-
-@_scalar
-def _prepare_of_largest_ratio(R2, e):
-
-    return (R2, e)
-
-
-@_scalar
-def _form_of_largest_ratio(R1, R2, e):
-    k = R1 / R2
-
-    return 1 + (1 + e) / (1 - e) * k
 
 
 @_scalar
 def _value_of_largest_ratio(R1, R2, e):
     if not ((R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & _is_finite(R1) & (R2 < R1)):
         return _math.nan
-    _prepared = _prepare_of_largest_ratio(R2, e)
-    return _form_of_largest_ratio(R1, *_prepared)
-
-
-@_scalar
-def _point_of_largest_ratio(R1, R2, e):
-    return _value_of_largest_ratio(R1, R2, e)
+    k = R1 / R2
+    return 1 + (1 + e) / (1 - e) * k
 
 
 @_loop
-def _row_of_largest_ratio(
-    _out,
-    _values_of_R1,
-    R2,
-    e,
-):
-    _widen()
-    for _i in _range(_out.size):
-        R1 = _float64(_values_of_R1[_i])
-
-        _value = _value_of_largest_ratio(R1, R2, e)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_largest_ratio(
-    _out,
-    _values_of_R1,
-    R2,
-    e,
-):
-    _row_of_largest_ratio(
-        _out,
-        _values_of_R1,
-        R2,
-        e,
-    )
-
-
-@_loop
-def _row_each_of_largest_ratio(
-    _out,
-    _values_of_R1,
-    _values_of_R2,
-    _values_of_e,
-):
-    _widen()
-    for _i in _range(_out.size):
-        R1 = _float64(_values_of_R1[_i])
-
-        R2 = _float64(_values_of_R2[_i])
-
-        e = _float64(_values_of_e[_i])
-
-        _value = _value_of_largest_ratio(R1, R2, e)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_largest_ratio(
-    _out,
-    _values_of_R1,
-    _values_of_R2,
-    _values_of_e,
-):
-    _row_each_of_largest_ratio(
-        _out,
-        _values_of_R1,
-        _values_of_R2,
-        _values_of_e,
-    )
+def _fill_of_largest_ratio(_out, R1, R2, e):
+    _fill(_value_of_largest_ratio, _out, (R1, R2, e))
 
 
 def largest_ratio(
@@ -691,143 +248,33 @@ def largest_ratio(
     Compiled. The help of `mechproof.kernels.elliptic_planetary.largest_ratio` has all words.
     """
     if _type(R2) is _type(e) is _float:
-        if _type(R1) is _ndarray:
-            _row = _take_row(R1, out)
-            if _row is not None:
-                _loops_of_largest_ratio.fill(_row, R1, R2, e)
-                return _row
-        elif _type(R1) is _float and out is None:
+        if _type(R1) is _ndarray and (_row := _take_row(R1, out)) is not None:
+            _loops_of_largest_ratio.fill(_row, R1, R2, e)
+            return _row
+        if _type(R1) is _float and out is None:
             return _float64(_loops_of_largest_ratio.point(R1, R2, e))
-    return _run(
-        _loops_of_largest_ratio,
-        (
-            R1,
-            R2,
-            e,
-        ),
-        out,
-    )
+    return _run(_loops_of_largest_ratio, (R1, R2, e), out)
 
 
-_loops_of_largest_ratio = _Loops(
-    names=(
-        "R1",
-        "R2",
-        "e",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_largest_ratio,
-    uniform=_fill_of_largest_ratio,
-    each=_fill_each_of_largest_ratio,
-)
+@_point_of(largest_ratio)
+def _point_of_largest_ratio(R1, R2, e):
+    return _value_of_largest_ratio(_float64(R1), _float64(R2), _float64(e))
 
 
-@_overload(largest_ratio)
-def _offer_of_largest_ratio(
-    R1,
-    R2,
-    e,
-):
-    return lambda R1, R2, e: _point_of_largest_ratio(
-        _float64(R1),
-        _float64(R2),
-        _float64(e),
-    )
-
-
-@_scalar
-def _prepare_of_smallest_ratio(R2, e):
-
-    return (R2, e)
-
-
-@_scalar
-def _form_of_smallest_ratio(R1, R2, e):
-    k = R1 / R2
-
-    return 1 + (1 - e) / (1 + e) * k
+_loops_of_largest_ratio = _Loops(("R1", "R2", "e"), _point_of_largest_ratio, _fill_of_largest_ratio)
 
 
 @_scalar
 def _value_of_smallest_ratio(R1, R2, e):
     if not ((R2 > 0) & _is_finite(R2) & (e >= 0) & (e < 1) & (R1 > 0) & _is_finite(R1) & (R2 < R1)):
         return _math.nan
-    _prepared = _prepare_of_smallest_ratio(R2, e)
-    return _form_of_smallest_ratio(R1, *_prepared)
-
-
-@_scalar
-def _point_of_smallest_ratio(R1, R2, e):
-    return _value_of_smallest_ratio(R1, R2, e)
+    k = R1 / R2
+    return 1 + (1 - e) / (1 + e) * k
 
 
 @_loop
-def _row_of_smallest_ratio(
-    _out,
-    _values_of_R1,
-    R2,
-    e,
-):
-    _widen()
-    for _i in _range(_out.size):
-        R1 = _float64(_values_of_R1[_i])
-
-        _value = _value_of_smallest_ratio(R1, R2, e)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_smallest_ratio(
-    _out,
-    _values_of_R1,
-    R2,
-    e,
-):
-    _row_of_smallest_ratio(
-        _out,
-        _values_of_R1,
-        R2,
-        e,
-    )
-
-
-@_loop
-def _row_each_of_smallest_ratio(
-    _out,
-    _values_of_R1,
-    _values_of_R2,
-    _values_of_e,
-):
-    _widen()
-    for _i in _range(_out.size):
-        R1 = _float64(_values_of_R1[_i])
-
-        R2 = _float64(_values_of_R2[_i])
-
-        e = _float64(_values_of_e[_i])
-
-        _value = _value_of_smallest_ratio(R1, R2, e)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_smallest_ratio(
-    _out,
-    _values_of_R1,
-    _values_of_R2,
-    _values_of_e,
-):
-    _row_each_of_smallest_ratio(
-        _out,
-        _values_of_R1,
-        _values_of_R2,
-        _values_of_e,
-    )
+def _fill_of_smallest_ratio(_out, R1, R2, e):
+    _fill(_value_of_smallest_ratio, _out, (R1, R2, e))
 
 
 def smallest_ratio(
@@ -838,53 +285,22 @@ def smallest_ratio(
     Compiled. The help of `mechproof.kernels.elliptic_planetary.smallest_ratio` has all words.
     """
     if _type(R2) is _type(e) is _float:
-        if _type(R1) is _ndarray:
-            _row = _take_row(R1, out)
-            if _row is not None:
-                _loops_of_smallest_ratio.fill(_row, R1, R2, e)
-                return _row
-        elif _type(R1) is _float and out is None:
+        if _type(R1) is _ndarray and (_row := _take_row(R1, out)) is not None:
+            _loops_of_smallest_ratio.fill(_row, R1, R2, e)
+            return _row
+        if _type(R1) is _float and out is None:
             return _float64(_loops_of_smallest_ratio.point(R1, R2, e))
-    return _run(
-        _loops_of_smallest_ratio,
-        (
-            R1,
-            R2,
-            e,
-        ),
-        out,
-    )
+    return _run(_loops_of_smallest_ratio, (R1, R2, e), out)
+
+
+@_point_of(smallest_ratio)
+def _point_of_smallest_ratio(R1, R2, e):
+    return _value_of_smallest_ratio(_float64(R1), _float64(R2), _float64(e))
 
 
 _loops_of_smallest_ratio = _Loops(
-    names=(
-        "R1",
-        "R2",
-        "e",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_smallest_ratio,
-    uniform=_fill_of_smallest_ratio,
-    each=_fill_each_of_smallest_ratio,
+    ("R1", "R2", "e"), _point_of_smallest_ratio, _fill_of_smallest_ratio
 )
-
-
-@_overload(smallest_ratio)
-def _offer_of_smallest_ratio(
-    R1,
-    R2,
-    e,
-):
-    return lambda R1, R2, e: _point_of_smallest_ratio(
-        _float64(R1),
-        _float64(R2),
-        _float64(e),
-    )
 
 
 @_scalar
@@ -896,139 +312,11 @@ def _value_of_motion(phi1, R1, R2, e, _exact):
     )
 
 
-@_scalar
-def _point_of_motion(phi1, R1, R2, e):
-    return _value_of_motion(phi1, R1, R2, e, True)
-
-
 @_loop
-def _row_of_motion(
-    _out_of_position, _out_of_ratio, _out_of_acceleration, _values_of_phi1, R1, R2, e, _exact
-):
-    _widen()
-    for _i in _range(_out_of_position.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        _value = _value_of_motion(phi1, R1, R2, e, _exact)
-        _out_of_position[_i] = _value[0]
-        _out_of_ratio[_i] = _value[1]
-        _out_of_acceleration[_i] = _value[2]
-
-
-@_loop
-def _fill_of_motion(
-    _out_of_position,
-    _out_of_ratio,
-    _out_of_acceleration,
-    _values_of_phi1,
-    R1,
-    R2,
-    e,
-):
-    for _start in _range(0, _out_of_position.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block_of_position = _out_of_position[_start:_stop]
-        _out_block_of_ratio = _out_of_ratio[_start:_stop]
-        _out_block_of_acceleration = _out_of_acceleration[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _row_of_motion(
-            _out_block_of_position,
-            _out_block_of_ratio,
-            _out_block_of_acceleration,
-            _block_of_phi1,
-            R1,
-            R2,
-            e,
-            None,
-        )
-        if (
-            _has_nan(_out_block_of_position)
-            or _has_nan(_out_block_of_ratio)
-            or _has_nan(_out_block_of_acceleration)
-        ):
-            _row_of_motion(
-                _out_block_of_position,
-                _out_block_of_ratio,
-                _out_block_of_acceleration,
-                _block_of_phi1,
-                R1,
-                R2,
-                e,
-                True,
-            )
-
-
-@_loop
-def _row_each_of_motion(
-    _out_of_position,
-    _out_of_ratio,
-    _out_of_acceleration,
-    _values_of_phi1,
-    _values_of_R1,
-    _values_of_R2,
-    _values_of_e,
-    _exact,
-):
-    _widen()
-    for _i in _range(_out_of_position.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        R1 = _float64(_values_of_R1[_i])
-
-        R2 = _float64(_values_of_R2[_i])
-
-        e = _float64(_values_of_e[_i])
-
-        _value = _value_of_motion(phi1, R1, R2, e, _exact)
-        _out_of_position[_i] = _value[0]
-        _out_of_ratio[_i] = _value[1]
-        _out_of_acceleration[_i] = _value[2]
-
-
-@_loop
-def _fill_each_of_motion(
-    _out_of_position,
-    _out_of_ratio,
-    _out_of_acceleration,
-    _values_of_phi1,
-    _values_of_R1,
-    _values_of_R2,
-    _values_of_e,
-):
-    for _start in _range(0, _out_of_position.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block_of_position = _out_of_position[_start:_stop]
-        _out_block_of_ratio = _out_of_ratio[_start:_stop]
-        _out_block_of_acceleration = _out_of_acceleration[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _block_of_R1 = _values_of_R1[_start:_stop]
-        _block_of_R2 = _values_of_R2[_start:_stop]
-        _block_of_e = _values_of_e[_start:_stop]
-        _row_each_of_motion(
-            _out_block_of_position,
-            _out_block_of_ratio,
-            _out_block_of_acceleration,
-            _block_of_phi1,
-            _block_of_R1,
-            _block_of_R2,
-            _block_of_e,
-            None,
-        )
-        if (
-            _has_nan(_out_block_of_position)
-            or _has_nan(_out_block_of_ratio)
-            or _has_nan(_out_block_of_acceleration)
-        ):
-            _row_each_of_motion(
-                _out_block_of_position,
-                _out_block_of_ratio,
-                _out_block_of_acceleration,
-                _block_of_phi1,
-                _block_of_R1,
-                _block_of_R2,
-                _block_of_e,
-                True,
-            )
+def _fill_of_motion(_out_of_position, _out_of_ratio, _out_of_acceleration, phi1, R1, R2, e):
+    _fill_blocks(
+        _value_of_motion, (_out_of_position, _out_of_ratio, _out_of_acceleration), (phi1, R1, R2, e)
+    )
 
 
 def motion(
@@ -1038,49 +326,12 @@ def motion(
 
     They lie along the first axis of the result, each with the bits of its own kernel. Compiled.
     """
-    return _run(
-        _loops_of_motion,
-        (
-            phi1,
-            R1,
-            R2,
-            e,
-        ),
-        out,
-    )
+    return _run(_loops_of_motion, (phi1, R1, R2, e), out)
 
 
-_loops_of_motion = _Loops(
-    names=(
-        "phi1",
-        "R1",
-        "R2",
-        "e",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_motion,
-    uniform=_fill_of_motion,
-    results=3,
-    each=_fill_each_of_motion,
-)
+@_point_of(motion)
+def _point_of_motion(phi1, R1, R2, e):
+    return _value_of_motion(_float64(phi1), _float64(R1), _float64(R2), _float64(e), True)
 
 
-@_overload(motion)
-def _offer_of_motion(
-    phi1,
-    R1,
-    R2,
-    e,
-):
-    return lambda phi1, R1, R2, e: _point_of_motion(
-        _float64(phi1),
-        _float64(R1),
-        _float64(R2),
-        _float64(e),
-    )
+_loops_of_motion = _Loops(("phi1", "R1", "R2", "e"), _point_of_motion, _fill_of_motion, results=3)

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 4aa7b0fd5d8b.
+Elementary functions: `elementary` be9ec0333aea.
 
 Generated from mechproof.derivations.oval_planetary with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -17,23 +17,21 @@ Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 from __future__ import annotations
 
 import math as _math
-from builtins import abs as _abs, float as _float, range as _range, type as _type
+from builtins import abs as _abs, float as _float, type as _type
 from typing import Any
 
 from numpy import float64 as _float64, ndarray as _ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
-    BLOCK as _BLOCK,
     Loops as _Loops,
-    has_nan as _has_nan,
+    fill_blocks as _fill_blocks,
     is_finite as _is_finite,
     loop as _loop,
-    overload as _overload,
+    point_of as _point_of,
     run as _run,
     scalar as _scalar,
     take_row as _take_row,
-    widen as _widen,
 )
 from mechproof.kernels.compiled import elementary as _elementary
 
@@ -54,7 +52,9 @@ def __dir__() -> list[str]:
 
 
 @_scalar
-def _prepare_of_ratio(e1, e2, mount, _exact):
+def _value_of_ratio(phi1, e1, e2, mount, _exact):
+    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
+        return _math.nan
     one_plus_e1 = 1 + e1
     both = one_plus_e1 * (1 + e2)
     one_minus_e1 = 1 - e1
@@ -64,102 +64,18 @@ def _prepare_of_ratio(e1, e2, mount, _exact):
     lever = 4 * e2 * sin_mount / one_minus_e2
     shift = lever * one_minus_e1 * sin_mount
     rise = lever * one_plus_e1 * _elementary.cos(mount, _exact)
-
-    return (both, less, shift, rise)
-
-
-@_scalar
-def _form_of_ratio(phi1, both, less, shift, rise, _exact):
     tan_phi1_below = _elementary.tangent_below(phi1, _exact)
     tan_phi1 = _elementary.tangent_above(phi1, _exact)
     y = shift * tan_phi1_below + rise * tan_phi1
     tan_phi1_squared = tan_phi1**2
-
     return 1 - both * (less + shift) / (
         both**2 * tan_phi1_squared + (less * tan_phi1_below + y) ** 2
     ) * (tan_phi1_below * tan_phi1_below + tan_phi1_squared)
 
 
-@_scalar
-def _value_of_ratio(phi1, e1, e2, mount, _exact):
-    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
-        return _math.nan
-    _prepared = _prepare_of_ratio(e1, e2, mount, _exact)
-    return _form_of_ratio(phi1, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_ratio(phi1, e1, e2, mount):
-    return _value_of_ratio(phi1, e1, e2, mount, True)
-
-
 @_loop
-def _row_of_ratio(_out, _values_of_phi1, e1, e2, mount, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        _value = _value_of_ratio(phi1, e1, e2, mount, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_ratio(
-    _out,
-    _values_of_phi1,
-    e1,
-    e2,
-    mount,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _row_of_ratio(_out_block, _block_of_phi1, e1, e2, mount, None)
-        if _has_nan(_out_block):
-            _row_of_ratio(_out_block, _block_of_phi1, e1, e2, mount, True)
-
-
-@_loop
-def _row_each_of_ratio(
-    _out, _values_of_phi1, _values_of_e1, _values_of_e2, _values_of_mount, _exact
-):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        e1 = _float64(_values_of_e1[_i])
-
-        e2 = _float64(_values_of_e2[_i])
-
-        mount = _float64(_values_of_mount[_i])
-
-        _value = _value_of_ratio(phi1, e1, e2, mount, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_ratio(
-    _out,
-    _values_of_phi1,
-    _values_of_e1,
-    _values_of_e2,
-    _values_of_mount,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _block_of_e1 = _values_of_e1[_start:_stop]
-        _block_of_e2 = _values_of_e2[_start:_stop]
-        _block_of_mount = _values_of_mount[_start:_stop]
-        _row_each_of_ratio(
-            _out_block, _block_of_phi1, _block_of_e1, _block_of_e2, _block_of_mount, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_ratio(
-                _out_block, _block_of_phi1, _block_of_e1, _block_of_e2, _block_of_mount, True
-            )
+def _fill_of_ratio(_out, phi1, e1, e2, mount):
+    _fill_blocks(_value_of_ratio, _out, (phi1, e1, e2, mount))
 
 
 def ratio(
@@ -175,62 +91,26 @@ def ratio(
     Compiled. The help of `mechproof.kernels.oval_planetary.ratio` has all words.
     """
     if _type(e1) is _type(e2) is _type(mount) is _float:
-        if _type(phi1) is _ndarray:
-            _row = _take_row(phi1, out)
-            if _row is not None:
-                _loops_of_ratio.fill(_row, phi1, e1, e2, mount)
-                return _row
-        elif _type(phi1) is _float and out is None:
+        if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
+            _loops_of_ratio.fill(_row, phi1, e1, e2, mount)
+            return _row
+        if _type(phi1) is _float and out is None:
             return _float64(_loops_of_ratio.point(phi1, e1, e2, mount))
-    return _run(
-        _loops_of_ratio,
-        (
-            phi1,
-            e1,
-            e2,
-            mount,
-        ),
-        out,
-    )
+    return _run(_loops_of_ratio, (phi1, e1, e2, mount), out)
 
 
-_loops_of_ratio = _Loops(
-    names=(
-        "phi1",
-        "e1",
-        "e2",
-        "mount",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_ratio,
-    uniform=_fill_of_ratio,
-    each=_fill_each_of_ratio,
-)
+@_point_of(ratio)
+def _point_of_ratio(phi1, e1, e2, mount=0.0):
+    return _value_of_ratio(_float64(phi1), _float64(e1), _float64(e2), _float64(mount), True)
 
 
-@_overload(ratio)
-def _offer_of_ratio(
-    phi1,
-    e1,
-    e2,
-    mount=0.0,
-):
-    return lambda phi1, e1, e2, mount=0.0: _point_of_ratio(
-        _float64(phi1),
-        _float64(e1),
-        _float64(e2),
-        _float64(mount),
-    )
+_loops_of_ratio = _Loops(("phi1", "e1", "e2", "mount"), _point_of_ratio, _fill_of_ratio)
 
 
 @_scalar
-def _prepare_of_position(e1, e2, mount, _exact):
+def _value_of_position(phi1, e1, e2, mount, _exact):
+    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
+        return _math.nan
     sin_mount = _elementary.sin(mount, _exact)
     one_minus_e2 = 1 - e2
     lever = 4 * e2 * sin_mount / one_minus_e2
@@ -241,98 +121,14 @@ def _prepare_of_position(e1, e2, mount, _exact):
     swing = 2 * e1 + 2 * e2
     less = one_minus_e1 * one_minus_e2
     both = one_plus_e1 * (1 + e2)
-
-    return (shift, rise, swing, less, both)
-
-
-@_scalar
-def _form_of_position(phi1, shift, rise, swing, less, both, _exact):
     tan_phi1 = _elementary.tan(phi1, _exact)
     y = shift + rise * tan_phi1
-
     return _elementary.arctan2(tan_phi1 * (y - swing), less + y + both * tan_phi1**2)
 
 
-@_scalar
-def _value_of_position(phi1, e1, e2, mount, _exact):
-    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
-        return _math.nan
-    _prepared = _prepare_of_position(e1, e2, mount, _exact)
-    return _form_of_position(phi1, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_position(phi1, e1, e2, mount):
-    return _value_of_position(phi1, e1, e2, mount, True)
-
-
 @_loop
-def _row_of_position(_out, _values_of_phi1, e1, e2, mount, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        _value = _value_of_position(phi1, e1, e2, mount, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_position(
-    _out,
-    _values_of_phi1,
-    e1,
-    e2,
-    mount,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _row_of_position(_out_block, _block_of_phi1, e1, e2, mount, None)
-        if _has_nan(_out_block):
-            _row_of_position(_out_block, _block_of_phi1, e1, e2, mount, True)
-
-
-@_loop
-def _row_each_of_position(
-    _out, _values_of_phi1, _values_of_e1, _values_of_e2, _values_of_mount, _exact
-):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        e1 = _float64(_values_of_e1[_i])
-
-        e2 = _float64(_values_of_e2[_i])
-
-        mount = _float64(_values_of_mount[_i])
-
-        _value = _value_of_position(phi1, e1, e2, mount, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_position(
-    _out,
-    _values_of_phi1,
-    _values_of_e1,
-    _values_of_e2,
-    _values_of_mount,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _block_of_e1 = _values_of_e1[_start:_stop]
-        _block_of_e2 = _values_of_e2[_start:_stop]
-        _block_of_mount = _values_of_mount[_start:_stop]
-        _row_each_of_position(
-            _out_block, _block_of_phi1, _block_of_e1, _block_of_e2, _block_of_mount, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_position(
-                _out_block, _block_of_phi1, _block_of_e1, _block_of_e2, _block_of_mount, True
-            )
+def _fill_of_position(_out, phi1, e1, e2, mount):
+    _fill_blocks(_value_of_position, _out, (phi1, e1, e2, mount))
 
 
 def position(
@@ -348,62 +144,26 @@ def position(
     Compiled. The help of `mechproof.kernels.oval_planetary.position` has all words.
     """
     if _type(e1) is _type(e2) is _type(mount) is _float:
-        if _type(phi1) is _ndarray:
-            _row = _take_row(phi1, out)
-            if _row is not None:
-                _loops_of_position.fill(_row, phi1, e1, e2, mount)
-                return _row
-        elif _type(phi1) is _float and out is None:
+        if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
+            _loops_of_position.fill(_row, phi1, e1, e2, mount)
+            return _row
+        if _type(phi1) is _float and out is None:
             return _float64(_loops_of_position.point(phi1, e1, e2, mount))
-    return _run(
-        _loops_of_position,
-        (
-            phi1,
-            e1,
-            e2,
-            mount,
-        ),
-        out,
-    )
+    return _run(_loops_of_position, (phi1, e1, e2, mount), out)
 
 
-_loops_of_position = _Loops(
-    names=(
-        "phi1",
-        "e1",
-        "e2",
-        "mount",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_position,
-    uniform=_fill_of_position,
-    each=_fill_each_of_position,
-)
+@_point_of(position)
+def _point_of_position(phi1, e1, e2, mount=0.0):
+    return _value_of_position(_float64(phi1), _float64(e1), _float64(e2), _float64(mount), True)
 
 
-@_overload(position)
-def _offer_of_position(
-    phi1,
-    e1,
-    e2,
-    mount=0.0,
-):
-    return lambda phi1, e1, e2, mount=0.0: _point_of_position(
-        _float64(phi1),
-        _float64(e1),
-        _float64(e2),
-        _float64(mount),
-    )
+_loops_of_position = _Loops(("phi1", "e1", "e2", "mount"), _point_of_position, _fill_of_position)
 
 
 @_scalar
-def _prepare_of_acceleration(e1, e2, mount, _exact):
+def _value_of_acceleration(phi1, e1, e2, mount, _exact):
+    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
+        return _math.nan
     one_plus_e1 = 1 + e1
     one_plus_e2 = 1 + e2
     both_high = one_plus_e1 * one_plus_e2
@@ -431,17 +191,10 @@ def _prepare_of_acceleration(e1, e2, mount, _exact):
     shift = lever * one_minus_e1 * sin_mount
     rise = lever * one_plus_e1 * _elementary.cos(mount, _exact)
     swing = 2 * e1 + 2 * e2
-
-    return (both, less, shift, rise, swing)
-
-
-@_scalar
-def _form_of_acceleration(phi1, both, less, shift, rise, swing, _exact):
     tan_phi1_below = _elementary.tangent_below(phi1, _exact)
     tan_phi1 = _elementary.tangent_above(phi1, _exact)
     y = shift * tan_phi1_below + rise * tan_phi1
     tan_phi1_squared = tan_phi1**2
-
     return (
         2
         * both
@@ -456,86 +209,9 @@ def _form_of_acceleration(phi1, both, less, shift, rise, swing, _exact):
     )
 
 
-@_scalar
-def _value_of_acceleration(phi1, e1, e2, mount, _exact):
-    if not ((e1 >= 0) & (e1 < 1) & (e2 >= 0) & (e2 < 1)):
-        return _math.nan
-    _prepared = _prepare_of_acceleration(e1, e2, mount, _exact)
-    return _form_of_acceleration(phi1, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_acceleration(phi1, e1, e2, mount):
-    return _value_of_acceleration(phi1, e1, e2, mount, True)
-
-
 @_loop
-def _row_of_acceleration(_out, _values_of_phi1, e1, e2, mount, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        _value = _value_of_acceleration(phi1, e1, e2, mount, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_acceleration(
-    _out,
-    _values_of_phi1,
-    e1,
-    e2,
-    mount,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _row_of_acceleration(_out_block, _block_of_phi1, e1, e2, mount, None)
-        if _has_nan(_out_block):
-            _row_of_acceleration(_out_block, _block_of_phi1, e1, e2, mount, True)
-
-
-@_loop
-def _row_each_of_acceleration(
-    _out, _values_of_phi1, _values_of_e1, _values_of_e2, _values_of_mount, _exact
-):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        e1 = _float64(_values_of_e1[_i])
-
-        e2 = _float64(_values_of_e2[_i])
-
-        mount = _float64(_values_of_mount[_i])
-
-        _value = _value_of_acceleration(phi1, e1, e2, mount, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_acceleration(
-    _out,
-    _values_of_phi1,
-    _values_of_e1,
-    _values_of_e2,
-    _values_of_mount,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _block_of_e1 = _values_of_e1[_start:_stop]
-        _block_of_e2 = _values_of_e2[_start:_stop]
-        _block_of_mount = _values_of_mount[_start:_stop]
-        _row_each_of_acceleration(
-            _out_block, _block_of_phi1, _block_of_e1, _block_of_e2, _block_of_mount, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_acceleration(
-                _out_block, _block_of_phi1, _block_of_e1, _block_of_e2, _block_of_mount, True
-            )
+def _fill_of_acceleration(_out, phi1, e1, e2, mount):
+    _fill_blocks(_value_of_acceleration, _out, (phi1, e1, e2, mount))
 
 
 def acceleration(
@@ -551,72 +227,32 @@ def acceleration(
     Compiled. The help of `mechproof.kernels.oval_planetary.acceleration` has all words.
     """
     if _type(e1) is _type(e2) is _type(mount) is _float:
-        if _type(phi1) is _ndarray:
-            _row = _take_row(phi1, out)
-            if _row is not None:
-                _loops_of_acceleration.fill(_row, phi1, e1, e2, mount)
-                return _row
-        elif _type(phi1) is _float and out is None:
+        if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
+            _loops_of_acceleration.fill(_row, phi1, e1, e2, mount)
+            return _row
+        if _type(phi1) is _float and out is None:
             return _float64(_loops_of_acceleration.point(phi1, e1, e2, mount))
-    return _run(
-        _loops_of_acceleration,
-        (
-            phi1,
-            e1,
-            e2,
-            mount,
-        ),
-        out,
-    )
+    return _run(_loops_of_acceleration, (phi1, e1, e2, mount), out)
+
+
+@_point_of(acceleration)
+def _point_of_acceleration(phi1, e1, e2, mount=0.0):
+    return _value_of_acceleration(_float64(phi1), _float64(e1), _float64(e2), _float64(mount), True)
 
 
 _loops_of_acceleration = _Loops(
-    names=(
-        "phi1",
-        "e1",
-        "e2",
-        "mount",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_acceleration,
-    uniform=_fill_of_acceleration,
-    each=_fill_each_of_acceleration,
+    ("phi1", "e1", "e2", "mount"), _point_of_acceleration, _fill_of_acceleration
 )
 
 
-@_overload(acceleration)
-def _offer_of_acceleration(
-    phi1,
-    e1,
-    e2,
-    mount=0.0,
-):
-    return lambda phi1, e1, e2, mount=0.0: _point_of_acceleration(
-        _float64(phi1),
-        _float64(e1),
-        _float64(e2),
-        _float64(mount),
-    )
-
-
 @_scalar
-def _prepare_of_ratio_cylindrical(R4, R5, e2, _exact):
+def _value_of_ratio_cylindrical(phi1, R4, R5, e2, _exact):
+    if not ((R4 > 0) & _is_finite(R4) & (R5 > 0) & _is_finite(R5) & (e2 >= 0) & (e2 < 1)):
+        return _math.nan
     k = R4 / R5
     one_minus_e2 = 1 - e2
     one_plus_e2 = 1 + e2
     k_low = _elementary.quotient_rest(R4, R5, k)
-
-    return (k, one_minus_e2, one_plus_e2, k_low)
-
-
-@_scalar
-def _form_of_ratio_cylindrical(phi1, k, one_minus_e2, one_plus_e2, k_low, _exact):
     x = 2 * k * phi1
     t_angle = x / 2
     t_below = _elementary.tangent_below(t_angle, _exact)
@@ -627,92 +263,14 @@ def _form_of_ratio_cylindrical(phi1, k, one_minus_e2, one_plus_e2, k_low, _exact
     adjacent_squared = adjacent**2
     opposite = t + t_low * t_below
     opposite_squared = opposite**2
-
     return 1 - k * one_minus_e2 * one_plus_e2 / (
         one_minus_e2**2 * adjacent_squared + one_plus_e2**2 * opposite_squared
     ) * (adjacent_squared + opposite_squared)
 
 
-@_scalar
-def _value_of_ratio_cylindrical(phi1, R4, R5, e2, _exact):
-    if not ((R4 > 0) & _is_finite(R4) & (R5 > 0) & _is_finite(R5) & (e2 >= 0) & (e2 < 1)):
-        return _math.nan
-    _prepared = _prepare_of_ratio_cylindrical(R4, R5, e2, _exact)
-    return _form_of_ratio_cylindrical(phi1, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_ratio_cylindrical(phi1, R4, R5, e2):
-    return _value_of_ratio_cylindrical(phi1, R4, R5, e2, True)
-
-
 @_loop
-def _row_of_ratio_cylindrical(_out, _values_of_phi1, R4, R5, e2, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        _value = _value_of_ratio_cylindrical(phi1, R4, R5, e2, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_ratio_cylindrical(
-    _out,
-    _values_of_phi1,
-    R4,
-    R5,
-    e2,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _row_of_ratio_cylindrical(_out_block, _block_of_phi1, R4, R5, e2, None)
-        if _has_nan(_out_block):
-            _row_of_ratio_cylindrical(_out_block, _block_of_phi1, R4, R5, e2, True)
-
-
-@_loop
-def _row_each_of_ratio_cylindrical(
-    _out, _values_of_phi1, _values_of_R4, _values_of_R5, _values_of_e2, _exact
-):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        R4 = _float64(_values_of_R4[_i])
-
-        R5 = _float64(_values_of_R5[_i])
-
-        e2 = _float64(_values_of_e2[_i])
-
-        _value = _value_of_ratio_cylindrical(phi1, R4, R5, e2, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_ratio_cylindrical(
-    _out,
-    _values_of_phi1,
-    _values_of_R4,
-    _values_of_R5,
-    _values_of_e2,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _block_of_R4 = _values_of_R4[_start:_stop]
-        _block_of_R5 = _values_of_R5[_start:_stop]
-        _block_of_e2 = _values_of_e2[_start:_stop]
-        _row_each_of_ratio_cylindrical(
-            _out_block, _block_of_phi1, _block_of_R4, _block_of_R5, _block_of_e2, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_ratio_cylindrical(
-                _out_block, _block_of_phi1, _block_of_R4, _block_of_R5, _block_of_e2, True
-            )
+def _fill_of_ratio_cylindrical(_out, phi1, R4, R5, e2):
+    _fill_blocks(_value_of_ratio_cylindrical, _out, (phi1, R4, R5, e2))
 
 
 def ratio_cylindrical(
@@ -723,104 +281,37 @@ def ratio_cylindrical(
     Compiled. The help of `mechproof.kernels.oval_planetary.ratio_cylindrical` has all words.
     """
     if _type(R4) is _type(R5) is _type(e2) is _float:
-        if _type(phi1) is _ndarray:
-            _row = _take_row(phi1, out)
-            if _row is not None:
-                _loops_of_ratio_cylindrical.fill(_row, phi1, R4, R5, e2)
-                return _row
-        elif _type(phi1) is _float and out is None:
+        if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
+            _loops_of_ratio_cylindrical.fill(_row, phi1, R4, R5, e2)
+            return _row
+        if _type(phi1) is _float and out is None:
             return _float64(_loops_of_ratio_cylindrical.point(phi1, R4, R5, e2))
-    return _run(
-        _loops_of_ratio_cylindrical,
-        (
-            phi1,
-            R4,
-            R5,
-            e2,
-        ),
-        out,
+    return _run(_loops_of_ratio_cylindrical, (phi1, R4, R5, e2), out)
+
+
+@_point_of(ratio_cylindrical)
+def _point_of_ratio_cylindrical(phi1, R4, R5, e2):
+    return _value_of_ratio_cylindrical(
+        _float64(phi1), _float64(R4), _float64(R5), _float64(e2), True
     )
 
 
 _loops_of_ratio_cylindrical = _Loops(
-    names=(
-        "phi1",
-        "R4",
-        "R5",
-        "e2",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_ratio_cylindrical,
-    uniform=_fill_of_ratio_cylindrical,
-    each=_fill_each_of_ratio_cylindrical,
+    ("phi1", "R4", "R5", "e2"), _point_of_ratio_cylindrical, _fill_of_ratio_cylindrical
 )
 
 
-@_overload(ratio_cylindrical)
-def _offer_of_ratio_cylindrical(
-    phi1,
-    R4,
-    R5,
-    e2,
-):
-    return lambda phi1, R4, R5, e2: _point_of_ratio_cylindrical(
-        _float64(phi1),
-        _float64(R4),
-        _float64(R5),
-        _float64(e2),
-    )
-
-
 @_scalar
-def _prepare_1_of_position_cylindrical(R4, R5, e2, _exact):
+def _form_1_of_position_cylindrical(phi1, R4, R5, e2, _exact):
     k = R4 / R5
     one_minus_e2 = 1 - e2
     one_plus_e2 = 1 + e2
-
-    return (R4, R5, e2, k, one_minus_e2, one_plus_e2)
-
-
-@_scalar
-def _form_1_of_position_cylindrical(phi1, R4, R5, e2, k, one_minus_e2, one_plus_e2, _exact):
     x = 2 * k * phi1
     t_angle = x / 2
     t_below = _elementary.tangent_below(t_angle, _exact)
     t = _elementary.tangent_above(t_angle, _exact)
-
     return (R5 - R4) / R5 * phi1 - _elementary.arctan_quotient(
         2 * e2 * t * t_below, one_minus_e2 * t_below * t_below + one_plus_e2 * t**2
-    )
-
-
-@_scalar
-def _prepare_of_position_cylindrical(R4, R5, e2, _exact):
-    k = R4 / R5
-    k_low = _elementary.quotient_rest(R4, R5, k)
-    one_minus_e2 = 1 - e2
-    one_plus_e2 = 1 + e2
-
-    return (R4, R5, e2, k, k_low, one_minus_e2, one_plus_e2)
-
-
-@_scalar
-def _form_of_position_cylindrical(phi1, R4, R5, e2, k, k_low, one_minus_e2, one_plus_e2, _exact):
-    x = 2 * k * phi1
-    t_angle = x / 2
-    t_below = _elementary.tangent_below(t_angle, _exact)
-    t = _elementary.tangent_above(t_angle, _exact)
-    x_low = 2 * k_low * phi1 + 2 * _elementary.product_rest(k, phi1, x / 2)
-    t_low = _elementary.small_tangent(x_low / 2)
-    adjacent = t_below - t * t_low
-    opposite = t + t_low * t_below
-
-    return (R5 - R4) / R5 * phi1 - _elementary.arctan_quotient(
-        2 * e2 * adjacent * opposite, one_minus_e2 * adjacent**2 + one_plus_e2 * opposite**2
     )
 
 
@@ -829,85 +320,27 @@ def _value_of_position_cylindrical(phi1, R4, R5, e2, _exact):
     if not ((R4 > 0) & _is_finite(R4) & (R5 > 0) & _is_finite(R5) & (e2 >= 0) & (e2 < 1)):
         return _math.nan
     if e2 * R4 <= (1 - e2) * _abs(R4 - R5):
-        _prepared = _prepare_1_of_position_cylindrical(R4, R5, e2, _exact)
-        return _form_1_of_position_cylindrical(phi1, *_prepared, _exact)
-
-    _prepared = _prepare_of_position_cylindrical(R4, R5, e2, _exact)
-    return _form_of_position_cylindrical(phi1, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_position_cylindrical(phi1, R4, R5, e2):
-    return _value_of_position_cylindrical(phi1, R4, R5, e2, True)
-
-
-@_loop
-def _row_of_position_cylindrical(_out, _values_of_phi1, R4, R5, e2, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        _value = _value_of_position_cylindrical(phi1, R4, R5, e2, _exact)
-        _out[_i] = _value
+        return _form_1_of_position_cylindrical(phi1, R4, R5, e2, _exact)
+    k = R4 / R5
+    k_low = _elementary.quotient_rest(R4, R5, k)
+    one_minus_e2 = 1 - e2
+    one_plus_e2 = 1 + e2
+    x = 2 * k * phi1
+    t_angle = x / 2
+    t_below = _elementary.tangent_below(t_angle, _exact)
+    t = _elementary.tangent_above(t_angle, _exact)
+    x_low = 2 * k_low * phi1 + 2 * _elementary.product_rest(k, phi1, x / 2)
+    t_low = _elementary.small_tangent(x_low / 2)
+    adjacent = t_below - t * t_low
+    opposite = t + t_low * t_below
+    return (R5 - R4) / R5 * phi1 - _elementary.arctan_quotient(
+        2 * e2 * adjacent * opposite, one_minus_e2 * adjacent**2 + one_plus_e2 * opposite**2
+    )
 
 
 @_loop
-def _fill_of_position_cylindrical(
-    _out,
-    _values_of_phi1,
-    R4,
-    R5,
-    e2,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _row_of_position_cylindrical(_out_block, _block_of_phi1, R4, R5, e2, None)
-        if _has_nan(_out_block):
-            _row_of_position_cylindrical(_out_block, _block_of_phi1, R4, R5, e2, True)
-
-
-@_loop
-def _row_each_of_position_cylindrical(
-    _out, _values_of_phi1, _values_of_R4, _values_of_R5, _values_of_e2, _exact
-):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        R4 = _float64(_values_of_R4[_i])
-
-        R5 = _float64(_values_of_R5[_i])
-
-        e2 = _float64(_values_of_e2[_i])
-
-        _value = _value_of_position_cylindrical(phi1, R4, R5, e2, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_position_cylindrical(
-    _out,
-    _values_of_phi1,
-    _values_of_R4,
-    _values_of_R5,
-    _values_of_e2,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _block_of_R4 = _values_of_R4[_start:_stop]
-        _block_of_R5 = _values_of_R5[_start:_stop]
-        _block_of_e2 = _values_of_e2[_start:_stop]
-        _row_each_of_position_cylindrical(
-            _out_block, _block_of_phi1, _block_of_R4, _block_of_R5, _block_of_e2, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_position_cylindrical(
-                _out_block, _block_of_phi1, _block_of_R4, _block_of_R5, _block_of_e2, True
-            )
+def _fill_of_position_cylindrical(_out, phi1, R4, R5, e2):
+    _fill_blocks(_value_of_position_cylindrical, _out, (phi1, R4, R5, e2))
 
 
 def position_cylindrical(
@@ -918,72 +351,34 @@ def position_cylindrical(
     Compiled. The help of `mechproof.kernels.oval_planetary.position_cylindrical` has all words.
     """
     if _type(R4) is _type(R5) is _type(e2) is _float:
-        if _type(phi1) is _ndarray:
-            _row = _take_row(phi1, out)
-            if _row is not None:
-                _loops_of_position_cylindrical.fill(_row, phi1, R4, R5, e2)
-                return _row
-        elif _type(phi1) is _float and out is None:
+        if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
+            _loops_of_position_cylindrical.fill(_row, phi1, R4, R5, e2)
+            return _row
+        if _type(phi1) is _float and out is None:
             return _float64(_loops_of_position_cylindrical.point(phi1, R4, R5, e2))
-    return _run(
-        _loops_of_position_cylindrical,
-        (
-            phi1,
-            R4,
-            R5,
-            e2,
-        ),
-        out,
+    return _run(_loops_of_position_cylindrical, (phi1, R4, R5, e2), out)
+
+
+@_point_of(position_cylindrical)
+def _point_of_position_cylindrical(phi1, R4, R5, e2):
+    return _value_of_position_cylindrical(
+        _float64(phi1), _float64(R4), _float64(R5), _float64(e2), True
     )
 
 
 _loops_of_position_cylindrical = _Loops(
-    names=(
-        "phi1",
-        "R4",
-        "R5",
-        "e2",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_position_cylindrical,
-    uniform=_fill_of_position_cylindrical,
-    each=_fill_each_of_position_cylindrical,
+    ("phi1", "R4", "R5", "e2"), _point_of_position_cylindrical, _fill_of_position_cylindrical
 )
 
 
-@_overload(position_cylindrical)
-def _offer_of_position_cylindrical(
-    phi1,
-    R4,
-    R5,
-    e2,
-):
-    return lambda phi1, R4, R5, e2: _point_of_position_cylindrical(
-        _float64(phi1),
-        _float64(R4),
-        _float64(R5),
-        _float64(e2),
-    )
-
-
 @_scalar
-def _prepare_of_acceleration_cylindrical(R4, R5, e2, _exact):
+def _value_of_acceleration_cylindrical(phi1, R4, R5, e2, _exact):
+    if not ((R4 > 0) & _is_finite(R4) & (R5 > 0) & _is_finite(R5) & (e2 >= 0) & (e2 < 1)):
+        return _math.nan
     k = R4 / R5
     k_low = _elementary.quotient_rest(R4, R5, k)
     one_minus_e2 = 1 - e2
     one_plus_e2 = 1 + e2
-
-    return (e2, k, k_low, one_minus_e2, one_plus_e2)
-
-
-@_scalar
-def _form_of_acceleration_cylindrical(phi1, e2, k, k_low, one_minus_e2, one_plus_e2, _exact):
     x = 2 * k * phi1
     t_angle = x / 2
     t_below = _elementary.tangent_below(t_angle, _exact)
@@ -994,7 +389,6 @@ def _form_of_acceleration_cylindrical(phi1, e2, k, k_low, one_minus_e2, one_plus
     opposite = t + t_low * t_below
     adjacent_squared = adjacent**2
     opposite_squared = opposite**2
-
     return (
         8
         * e2
@@ -1008,86 +402,9 @@ def _form_of_acceleration_cylindrical(phi1, e2, k, k_low, one_minus_e2, one_plus
     )
 
 
-@_scalar
-def _value_of_acceleration_cylindrical(phi1, R4, R5, e2, _exact):
-    if not ((R4 > 0) & _is_finite(R4) & (R5 > 0) & _is_finite(R5) & (e2 >= 0) & (e2 < 1)):
-        return _math.nan
-    _prepared = _prepare_of_acceleration_cylindrical(R4, R5, e2, _exact)
-    return _form_of_acceleration_cylindrical(phi1, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_acceleration_cylindrical(phi1, R4, R5, e2):
-    return _value_of_acceleration_cylindrical(phi1, R4, R5, e2, True)
-
-
 @_loop
-def _row_of_acceleration_cylindrical(_out, _values_of_phi1, R4, R5, e2, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        _value = _value_of_acceleration_cylindrical(phi1, R4, R5, e2, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_acceleration_cylindrical(
-    _out,
-    _values_of_phi1,
-    R4,
-    R5,
-    e2,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _row_of_acceleration_cylindrical(_out_block, _block_of_phi1, R4, R5, e2, None)
-        if _has_nan(_out_block):
-            _row_of_acceleration_cylindrical(_out_block, _block_of_phi1, R4, R5, e2, True)
-
-
-@_loop
-def _row_each_of_acceleration_cylindrical(
-    _out, _values_of_phi1, _values_of_R4, _values_of_R5, _values_of_e2, _exact
-):
-    _widen()
-    for _i in _range(_out.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        R4 = _float64(_values_of_R4[_i])
-
-        R5 = _float64(_values_of_R5[_i])
-
-        e2 = _float64(_values_of_e2[_i])
-
-        _value = _value_of_acceleration_cylindrical(phi1, R4, R5, e2, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_acceleration_cylindrical(
-    _out,
-    _values_of_phi1,
-    _values_of_R4,
-    _values_of_R5,
-    _values_of_e2,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _block_of_R4 = _values_of_R4[_start:_stop]
-        _block_of_R5 = _values_of_R5[_start:_stop]
-        _block_of_e2 = _values_of_e2[_start:_stop]
-        _row_each_of_acceleration_cylindrical(
-            _out_block, _block_of_phi1, _block_of_R4, _block_of_R5, _block_of_e2, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_acceleration_cylindrical(
-                _out_block, _block_of_phi1, _block_of_R4, _block_of_R5, _block_of_e2, True
-            )
+def _fill_of_acceleration_cylindrical(_out, phi1, R4, R5, e2):
+    _fill_blocks(_value_of_acceleration_cylindrical, _out, (phi1, R4, R5, e2))
 
 
 def acceleration_cylindrical(
@@ -1098,58 +415,26 @@ def acceleration_cylindrical(
     Compiled. The help of `mechproof.kernels.oval_planetary.acceleration_cylindrical` has all words.
     """
     if _type(R4) is _type(R5) is _type(e2) is _float:
-        if _type(phi1) is _ndarray:
-            _row = _take_row(phi1, out)
-            if _row is not None:
-                _loops_of_acceleration_cylindrical.fill(_row, phi1, R4, R5, e2)
-                return _row
-        elif _type(phi1) is _float and out is None:
+        if _type(phi1) is _ndarray and (_row := _take_row(phi1, out)) is not None:
+            _loops_of_acceleration_cylindrical.fill(_row, phi1, R4, R5, e2)
+            return _row
+        if _type(phi1) is _float and out is None:
             return _float64(_loops_of_acceleration_cylindrical.point(phi1, R4, R5, e2))
-    return _run(
-        _loops_of_acceleration_cylindrical,
-        (
-            phi1,
-            R4,
-            R5,
-            e2,
-        ),
-        out,
+    return _run(_loops_of_acceleration_cylindrical, (phi1, R4, R5, e2), out)
+
+
+@_point_of(acceleration_cylindrical)
+def _point_of_acceleration_cylindrical(phi1, R4, R5, e2):
+    return _value_of_acceleration_cylindrical(
+        _float64(phi1), _float64(R4), _float64(R5), _float64(e2), True
     )
 
 
 _loops_of_acceleration_cylindrical = _Loops(
-    names=(
-        "phi1",
-        "R4",
-        "R5",
-        "e2",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_acceleration_cylindrical,
-    uniform=_fill_of_acceleration_cylindrical,
-    each=_fill_each_of_acceleration_cylindrical,
+    ("phi1", "R4", "R5", "e2"),
+    _point_of_acceleration_cylindrical,
+    _fill_of_acceleration_cylindrical,
 )
-
-
-@_overload(acceleration_cylindrical)
-def _offer_of_acceleration_cylindrical(
-    phi1,
-    R4,
-    R5,
-    e2,
-):
-    return lambda phi1, R4, R5, e2: _point_of_acceleration_cylindrical(
-        _float64(phi1),
-        _float64(R4),
-        _float64(R5),
-        _float64(e2),
-    )
 
 
 @_scalar
@@ -1161,139 +446,13 @@ def _value_of_motion(phi1, e1, e2, mount, _exact):
     )
 
 
-@_scalar
-def _point_of_motion(phi1, e1, e2, mount):
-    return _value_of_motion(phi1, e1, e2, mount, True)
-
-
 @_loop
-def _row_of_motion(
-    _out_of_position, _out_of_ratio, _out_of_acceleration, _values_of_phi1, e1, e2, mount, _exact
-):
-    _widen()
-    for _i in _range(_out_of_position.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        _value = _value_of_motion(phi1, e1, e2, mount, _exact)
-        _out_of_position[_i] = _value[0]
-        _out_of_ratio[_i] = _value[1]
-        _out_of_acceleration[_i] = _value[2]
-
-
-@_loop
-def _fill_of_motion(
-    _out_of_position,
-    _out_of_ratio,
-    _out_of_acceleration,
-    _values_of_phi1,
-    e1,
-    e2,
-    mount,
-):
-    for _start in _range(0, _out_of_position.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block_of_position = _out_of_position[_start:_stop]
-        _out_block_of_ratio = _out_of_ratio[_start:_stop]
-        _out_block_of_acceleration = _out_of_acceleration[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _row_of_motion(
-            _out_block_of_position,
-            _out_block_of_ratio,
-            _out_block_of_acceleration,
-            _block_of_phi1,
-            e1,
-            e2,
-            mount,
-            None,
-        )
-        if (
-            _has_nan(_out_block_of_position)
-            or _has_nan(_out_block_of_ratio)
-            or _has_nan(_out_block_of_acceleration)
-        ):
-            _row_of_motion(
-                _out_block_of_position,
-                _out_block_of_ratio,
-                _out_block_of_acceleration,
-                _block_of_phi1,
-                e1,
-                e2,
-                mount,
-                True,
-            )
-
-
-@_loop
-def _row_each_of_motion(
-    _out_of_position,
-    _out_of_ratio,
-    _out_of_acceleration,
-    _values_of_phi1,
-    _values_of_e1,
-    _values_of_e2,
-    _values_of_mount,
-    _exact,
-):
-    _widen()
-    for _i in _range(_out_of_position.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        e1 = _float64(_values_of_e1[_i])
-
-        e2 = _float64(_values_of_e2[_i])
-
-        mount = _float64(_values_of_mount[_i])
-
-        _value = _value_of_motion(phi1, e1, e2, mount, _exact)
-        _out_of_position[_i] = _value[0]
-        _out_of_ratio[_i] = _value[1]
-        _out_of_acceleration[_i] = _value[2]
-
-
-@_loop
-def _fill_each_of_motion(
-    _out_of_position,
-    _out_of_ratio,
-    _out_of_acceleration,
-    _values_of_phi1,
-    _values_of_e1,
-    _values_of_e2,
-    _values_of_mount,
-):
-    for _start in _range(0, _out_of_position.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block_of_position = _out_of_position[_start:_stop]
-        _out_block_of_ratio = _out_of_ratio[_start:_stop]
-        _out_block_of_acceleration = _out_of_acceleration[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _block_of_e1 = _values_of_e1[_start:_stop]
-        _block_of_e2 = _values_of_e2[_start:_stop]
-        _block_of_mount = _values_of_mount[_start:_stop]
-        _row_each_of_motion(
-            _out_block_of_position,
-            _out_block_of_ratio,
-            _out_block_of_acceleration,
-            _block_of_phi1,
-            _block_of_e1,
-            _block_of_e2,
-            _block_of_mount,
-            None,
-        )
-        if (
-            _has_nan(_out_block_of_position)
-            or _has_nan(_out_block_of_ratio)
-            or _has_nan(_out_block_of_acceleration)
-        ):
-            _row_each_of_motion(
-                _out_block_of_position,
-                _out_block_of_ratio,
-                _out_block_of_acceleration,
-                _block_of_phi1,
-                _block_of_e1,
-                _block_of_e2,
-                _block_of_mount,
-                True,
-            )
+def _fill_of_motion(_out_of_position, _out_of_ratio, _out_of_acceleration, phi1, e1, e2, mount):
+    _fill_blocks(
+        _value_of_motion,
+        (_out_of_position, _out_of_ratio, _out_of_acceleration),
+        (phi1, e1, e2, mount),
+    )
 
 
 def motion(
@@ -1308,52 +467,17 @@ def motion(
 
     They lie along the first axis of the result, each with the bits of its own kernel. Compiled.
     """
-    return _run(
-        _loops_of_motion,
-        (
-            phi1,
-            e1,
-            e2,
-            mount,
-        ),
-        out,
-    )
+    return _run(_loops_of_motion, (phi1, e1, e2, mount), out)
+
+
+@_point_of(motion)
+def _point_of_motion(phi1, e1, e2, mount=0.0):
+    return _value_of_motion(_float64(phi1), _float64(e1), _float64(e2), _float64(mount), True)
 
 
 _loops_of_motion = _Loops(
-    names=(
-        "phi1",
-        "e1",
-        "e2",
-        "mount",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_motion,
-    uniform=_fill_of_motion,
-    results=3,
-    each=_fill_each_of_motion,
+    ("phi1", "e1", "e2", "mount"), _point_of_motion, _fill_of_motion, results=3
 )
-
-
-@_overload(motion)
-def _offer_of_motion(
-    phi1,
-    e1,
-    e2,
-    mount=0.0,
-):
-    return lambda phi1, e1, e2, mount=0.0: _point_of_motion(
-        _float64(phi1),
-        _float64(e1),
-        _float64(e2),
-        _float64(mount),
-    )
 
 
 @_scalar
@@ -1365,146 +489,21 @@ def _value_of_motion_cylindrical(phi1, R4, R5, e2, _exact):
     )
 
 
-@_scalar
-def _point_of_motion_cylindrical(phi1, R4, R5, e2):
-    return _value_of_motion_cylindrical(phi1, R4, R5, e2, True)
-
-
-@_loop
-def _row_of_motion_cylindrical(
-    _out_of_position_cylindrical,
-    _out_of_ratio_cylindrical,
-    _out_of_acceleration_cylindrical,
-    _values_of_phi1,
-    R4,
-    R5,
-    e2,
-    _exact,
-):
-    _widen()
-    for _i in _range(_out_of_position_cylindrical.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        _value = _value_of_motion_cylindrical(phi1, R4, R5, e2, _exact)
-        _out_of_position_cylindrical[_i] = _value[0]
-        _out_of_ratio_cylindrical[_i] = _value[1]
-        _out_of_acceleration_cylindrical[_i] = _value[2]
-
-
 @_loop
 def _fill_of_motion_cylindrical(
     _out_of_position_cylindrical,
     _out_of_ratio_cylindrical,
     _out_of_acceleration_cylindrical,
-    _values_of_phi1,
+    phi1,
     R4,
     R5,
     e2,
 ):
-    for _start in _range(0, _out_of_position_cylindrical.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block_of_position_cylindrical = _out_of_position_cylindrical[_start:_stop]
-        _out_block_of_ratio_cylindrical = _out_of_ratio_cylindrical[_start:_stop]
-        _out_block_of_acceleration_cylindrical = _out_of_acceleration_cylindrical[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _row_of_motion_cylindrical(
-            _out_block_of_position_cylindrical,
-            _out_block_of_ratio_cylindrical,
-            _out_block_of_acceleration_cylindrical,
-            _block_of_phi1,
-            R4,
-            R5,
-            e2,
-            None,
-        )
-        if (
-            _has_nan(_out_block_of_position_cylindrical)
-            or _has_nan(_out_block_of_ratio_cylindrical)
-            or _has_nan(_out_block_of_acceleration_cylindrical)
-        ):
-            _row_of_motion_cylindrical(
-                _out_block_of_position_cylindrical,
-                _out_block_of_ratio_cylindrical,
-                _out_block_of_acceleration_cylindrical,
-                _block_of_phi1,
-                R4,
-                R5,
-                e2,
-                True,
-            )
-
-
-@_loop
-def _row_each_of_motion_cylindrical(
-    _out_of_position_cylindrical,
-    _out_of_ratio_cylindrical,
-    _out_of_acceleration_cylindrical,
-    _values_of_phi1,
-    _values_of_R4,
-    _values_of_R5,
-    _values_of_e2,
-    _exact,
-):
-    _widen()
-    for _i in _range(_out_of_position_cylindrical.size):
-        phi1 = _float64(_values_of_phi1[_i])
-
-        R4 = _float64(_values_of_R4[_i])
-
-        R5 = _float64(_values_of_R5[_i])
-
-        e2 = _float64(_values_of_e2[_i])
-
-        _value = _value_of_motion_cylindrical(phi1, R4, R5, e2, _exact)
-        _out_of_position_cylindrical[_i] = _value[0]
-        _out_of_ratio_cylindrical[_i] = _value[1]
-        _out_of_acceleration_cylindrical[_i] = _value[2]
-
-
-@_loop
-def _fill_each_of_motion_cylindrical(
-    _out_of_position_cylindrical,
-    _out_of_ratio_cylindrical,
-    _out_of_acceleration_cylindrical,
-    _values_of_phi1,
-    _values_of_R4,
-    _values_of_R5,
-    _values_of_e2,
-):
-    for _start in _range(0, _out_of_position_cylindrical.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block_of_position_cylindrical = _out_of_position_cylindrical[_start:_stop]
-        _out_block_of_ratio_cylindrical = _out_of_ratio_cylindrical[_start:_stop]
-        _out_block_of_acceleration_cylindrical = _out_of_acceleration_cylindrical[_start:_stop]
-        _block_of_phi1 = _values_of_phi1[_start:_stop]
-        _block_of_R4 = _values_of_R4[_start:_stop]
-        _block_of_R5 = _values_of_R5[_start:_stop]
-        _block_of_e2 = _values_of_e2[_start:_stop]
-        _row_each_of_motion_cylindrical(
-            _out_block_of_position_cylindrical,
-            _out_block_of_ratio_cylindrical,
-            _out_block_of_acceleration_cylindrical,
-            _block_of_phi1,
-            _block_of_R4,
-            _block_of_R5,
-            _block_of_e2,
-            None,
-        )
-        if (
-            _has_nan(_out_block_of_position_cylindrical)
-            or _has_nan(_out_block_of_ratio_cylindrical)
-            or _has_nan(_out_block_of_acceleration_cylindrical)
-        ):
-            _row_each_of_motion_cylindrical(
-                _out_block_of_position_cylindrical,
-                _out_block_of_ratio_cylindrical,
-                _out_block_of_acceleration_cylindrical,
-                _block_of_phi1,
-                _block_of_R4,
-                _block_of_R5,
-                _block_of_e2,
-                True,
-            )
+    _fill_blocks(
+        _value_of_motion_cylindrical,
+        (_out_of_position_cylindrical, _out_of_ratio_cylindrical, _out_of_acceleration_cylindrical),
+        (phi1, R4, R5, e2),
+    )
 
 
 def motion_cylindrical(
@@ -1514,49 +513,16 @@ def motion_cylindrical(
 
     They lie along the first axis of the result, each with the bits of its own kernel. Compiled.
     """
-    return _run(
-        _loops_of_motion_cylindrical,
-        (
-            phi1,
-            R4,
-            R5,
-            e2,
-        ),
-        out,
+    return _run(_loops_of_motion_cylindrical, (phi1, R4, R5, e2), out)
+
+
+@_point_of(motion_cylindrical)
+def _point_of_motion_cylindrical(phi1, R4, R5, e2):
+    return _value_of_motion_cylindrical(
+        _float64(phi1), _float64(R4), _float64(R5), _float64(e2), True
     )
 
 
 _loops_of_motion_cylindrical = _Loops(
-    names=(
-        "phi1",
-        "R4",
-        "R5",
-        "e2",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_motion_cylindrical,
-    uniform=_fill_of_motion_cylindrical,
-    results=3,
-    each=_fill_each_of_motion_cylindrical,
+    ("phi1", "R4", "R5", "e2"), _point_of_motion_cylindrical, _fill_of_motion_cylindrical, results=3
 )
-
-
-@_overload(motion_cylindrical)
-def _offer_of_motion_cylindrical(
-    phi1,
-    R4,
-    R5,
-    e2,
-):
-    return lambda phi1, R4, R5, e2: _point_of_motion_cylindrical(
-        _float64(phi1),
-        _float64(R4),
-        _float64(R5),
-        _float64(e2),
-    )

@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 4aa7b0fd5d8b.
+Elementary functions: `elementary` be9ec0333aea.
 
 Generated from mechproof.derivations.tooth_thickness with SymPy 1.14.0.
 Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
@@ -17,7 +17,7 @@ Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 from __future__ import annotations
 
 import math as _math
-from builtins import abs as _abs, float as _float, range as _range, type as _type
+from builtins import abs as _abs, float as _float, type as _type
 from typing import Any
 
 import numpy as _np
@@ -25,17 +25,15 @@ from numpy import float64 as _float64, ndarray as _ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
-    BLOCK as _BLOCK,
     Loops as _Loops,
+    fill_blocks as _fill_blocks,
     floor as _floor,
-    has_nan as _has_nan,
     is_finite as _is_finite,
     loop as _loop,
-    overload as _overload,
+    point_of as _point_of,
     run as _run,
     scalar as _scalar,
     take_row as _take_row,
-    widen as _widen,
 )
 from mechproof.kernels.compiled import elementary as _elementary
 
@@ -55,81 +53,15 @@ def __dir__() -> list[str]:
 
 
 @_scalar
-def _prepare_of_constant_chord(alpha, _exact):
-
-    return (alpha,)
-
-
-@_scalar
-def _form_of_constant_chord(m, alpha, _exact):
-
-    return _np.pi * _elementary.cos(alpha, _exact) ** 2 / 2 * m
-
-
-@_scalar
 def _value_of_constant_chord(m, alpha, _exact):
     if not ((alpha > 0) & (alpha < _np.pi / 4) & (m > 0) & _is_finite(m)):
         return _math.nan
-    _prepared = _prepare_of_constant_chord(alpha, _exact)
-    return _form_of_constant_chord(m, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_constant_chord(m, alpha):
-    return _value_of_constant_chord(m, alpha, True)
+    return _np.pi * _elementary.cos(alpha, _exact) ** 2 / 2 * m
 
 
 @_loop
-def _row_of_constant_chord(_out, _values_of_m, alpha, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        m = _float64(_values_of_m[_i])
-
-        _value = _value_of_constant_chord(m, alpha, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_constant_chord(
-    _out,
-    _values_of_m,
-    alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_m = _values_of_m[_start:_stop]
-        _row_of_constant_chord(_out_block, _block_of_m, alpha, None)
-        if _has_nan(_out_block):
-            _row_of_constant_chord(_out_block, _block_of_m, alpha, True)
-
-
-@_loop
-def _row_each_of_constant_chord(_out, _values_of_m, _values_of_alpha, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        m = _float64(_values_of_m[_i])
-
-        alpha = _float64(_values_of_alpha[_i])
-
-        _value = _value_of_constant_chord(m, alpha, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_constant_chord(
-    _out,
-    _values_of_m,
-    _values_of_alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_m = _values_of_m[_start:_stop]
-        _block_of_alpha = _values_of_alpha[_start:_stop]
-        _row_each_of_constant_chord(_out_block, _block_of_m, _block_of_alpha, None)
-        if _has_nan(_out_block):
-            _row_each_of_constant_chord(_out_block, _block_of_m, _block_of_alpha, True)
+def _fill_of_constant_chord(_out, m, alpha):
+    _fill_blocks(_value_of_constant_chord, _out, (m, alpha))
 
 
 def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -138,126 +70,32 @@ def constant_chord(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None =
     Compiled. The help of `mechproof.kernels.tooth_thickness.constant_chord` has all words.
     """
     if _type(alpha) is _float:
-        if _type(m) is _ndarray:
-            _row = _take_row(m, out)
-            if _row is not None:
-                _loops_of_constant_chord.fill(_row, m, alpha)
-                return _row
-        elif _type(m) is _float and out is None:
+        if _type(m) is _ndarray and (_row := _take_row(m, out)) is not None:
+            _loops_of_constant_chord.fill(_row, m, alpha)
+            return _row
+        if _type(m) is _float and out is None:
             return _float64(_loops_of_constant_chord.point(m, alpha))
-    return _run(
-        _loops_of_constant_chord,
-        (
-            m,
-            alpha,
-        ),
-        out,
-    )
+    return _run(_loops_of_constant_chord, (m, alpha), out)
 
 
-_loops_of_constant_chord = _Loops(
-    names=(
-        "m",
-        "alpha",
-    ),
-    widths=(
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_constant_chord,
-    uniform=_fill_of_constant_chord,
-    each=_fill_each_of_constant_chord,
-)
+@_point_of(constant_chord)
+def _point_of_constant_chord(m, alpha):
+    return _value_of_constant_chord(_float64(m), _float64(alpha), True)
 
 
-@_overload(constant_chord)
-def _offer_of_constant_chord(
-    m,
-    alpha,
-):
-    return lambda m, alpha: _point_of_constant_chord(
-        _float64(m),
-        _float64(alpha),
-    )
-
-
-@_scalar
-def _prepare_of_chord_height(alpha, _exact):
-
-    return (alpha,)
-
-
-@_scalar
-def _form_of_chord_height(m, alpha, _exact):
-
-    return (1 - _np.pi * _elementary.sin(2 * alpha, _exact) / 8) * m
+_loops_of_constant_chord = _Loops(("m", "alpha"), _point_of_constant_chord, _fill_of_constant_chord)
 
 
 @_scalar
 def _value_of_chord_height(m, alpha, _exact):
     if not ((alpha > 0) & (alpha < _np.pi / 4) & (m > 0) & _is_finite(m)):
         return _math.nan
-    _prepared = _prepare_of_chord_height(alpha, _exact)
-    return _form_of_chord_height(m, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_chord_height(m, alpha):
-    return _value_of_chord_height(m, alpha, True)
+    return (1 - _np.pi * _elementary.sin(2 * alpha, _exact) / 8) * m
 
 
 @_loop
-def _row_of_chord_height(_out, _values_of_m, alpha, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        m = _float64(_values_of_m[_i])
-
-        _value = _value_of_chord_height(m, alpha, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_chord_height(
-    _out,
-    _values_of_m,
-    alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_m = _values_of_m[_start:_stop]
-        _row_of_chord_height(_out_block, _block_of_m, alpha, None)
-        if _has_nan(_out_block):
-            _row_of_chord_height(_out_block, _block_of_m, alpha, True)
-
-
-@_loop
-def _row_each_of_chord_height(_out, _values_of_m, _values_of_alpha, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        m = _float64(_values_of_m[_i])
-
-        alpha = _float64(_values_of_alpha[_i])
-
-        _value = _value_of_chord_height(m, alpha, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_chord_height(
-    _out,
-    _values_of_m,
-    _values_of_alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_m = _values_of_m[_start:_stop]
-        _block_of_alpha = _values_of_alpha[_start:_stop]
-        _row_each_of_chord_height(_out_block, _block_of_m, _block_of_alpha, None)
-        if _has_nan(_out_block):
-            _row_each_of_chord_height(_out_block, _block_of_m, _block_of_alpha, True)
+def _fill_of_chord_height(_out, m, alpha):
+    _fill_blocks(_value_of_chord_height, _out, (m, alpha))
 
 
 def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -266,70 +104,20 @@ def chord_height(m: ArrayLike, alpha: ArrayLike, *, out: NDArray[Any] | None = N
     Compiled. The help of `mechproof.kernels.tooth_thickness.chord_height` has all words.
     """
     if _type(alpha) is _float:
-        if _type(m) is _ndarray:
-            _row = _take_row(m, out)
-            if _row is not None:
-                _loops_of_chord_height.fill(_row, m, alpha)
-                return _row
-        elif _type(m) is _float and out is None:
+        if _type(m) is _ndarray and (_row := _take_row(m, out)) is not None:
+            _loops_of_chord_height.fill(_row, m, alpha)
+            return _row
+        if _type(m) is _float and out is None:
             return _float64(_loops_of_chord_height.point(m, alpha))
-    return _run(
-        _loops_of_chord_height,
-        (
-            m,
-            alpha,
-        ),
-        out,
-    )
+    return _run(_loops_of_chord_height, (m, alpha), out)
 
 
-_loops_of_chord_height = _Loops(
-    names=(
-        "m",
-        "alpha",
-    ),
-    widths=(
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_chord_height,
-    uniform=_fill_of_chord_height,
-    each=_fill_each_of_chord_height,
-)
+@_point_of(chord_height)
+def _point_of_chord_height(m, alpha):
+    return _value_of_chord_height(_float64(m), _float64(alpha), True)
 
 
-@_overload(chord_height)
-def _offer_of_chord_height(
-    m,
-    alpha,
-):
-    return lambda m, alpha: _point_of_chord_height(
-        _float64(m),
-        _float64(alpha),
-    )
-
-
-@_scalar
-def _prepare_of_height_change(m, z, alpha, _exact):
-    cosm1_alpha = -2 * _elementary.sin(alpha / 2, _exact) ** 2
-    cos_alpha = 1 + cosm1_alpha
-    r_b = cos_alpha * m * z / 2
-    t_c = _np.pi / (2 * z) + _elementary.tan(alpha, _exact)
-
-    return (alpha, cos_alpha, r_b, t_c)
-
-
-@_scalar
-def _form_of_height_change(tilt, alpha, cos_alpha, r_b, t_c, _exact):
-    sin_tilt = _elementary.sin(tilt, _exact)
-    cosm1_tilt = -2 * _elementary.sin(tilt / 2, _exact) ** 2
-    cos_tilt = 1 + cosm1_tilt
-
-    return r_b * (
-        _elementary.sin(alpha, _exact) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
-        - cos_alpha * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
-    )
+_loops_of_chord_height = _Loops(("m", "alpha"), _point_of_chord_height, _fill_of_chord_height)
 
 
 @_scalar
@@ -344,82 +132,22 @@ def _value_of_height_change(tilt, m, z, alpha, _exact):
         & (alpha < _np.pi / 4)
     ):
         return _math.nan
-    _prepared = _prepare_of_height_change(m, z, alpha, _exact)
-    return _form_of_height_change(tilt, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_height_change(tilt, m, z, alpha):
-    return _value_of_height_change(tilt, m, z, alpha, True)
-
-
-@_loop
-def _row_of_height_change(_out, _values_of_tilt, m, z, alpha, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        tilt = _float64(_values_of_tilt[_i])
-
-        _value = _value_of_height_change(tilt, m, z, alpha, _exact)
-        _out[_i] = _value
+    cosm1_alpha = -2 * _elementary.sin(alpha / 2, _exact) ** 2
+    cos_alpha = 1 + cosm1_alpha
+    r_b = cos_alpha * m * z / 2
+    t_c = _np.pi / (2 * z) + _elementary.tan(alpha, _exact)
+    sin_tilt = _elementary.sin(tilt, _exact)
+    cosm1_tilt = -2 * _elementary.sin(tilt / 2, _exact) ** 2
+    cos_tilt = 1 + cosm1_tilt
+    return r_b * (
+        _elementary.sin(alpha, _exact) * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
+        - cos_alpha * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
+    )
 
 
 @_loop
-def _fill_of_height_change(
-    _out,
-    _values_of_tilt,
-    m,
-    z,
-    alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_tilt = _values_of_tilt[_start:_stop]
-        _row_of_height_change(_out_block, _block_of_tilt, m, z, alpha, None)
-        if _has_nan(_out_block):
-            _row_of_height_change(_out_block, _block_of_tilt, m, z, alpha, True)
-
-
-@_loop
-def _row_each_of_height_change(
-    _out, _values_of_tilt, _values_of_m, _values_of_z, _values_of_alpha, _exact
-):
-    _widen()
-    for _i in _range(_out.size):
-        tilt = _float64(_values_of_tilt[_i])
-
-        m = _float64(_values_of_m[_i])
-
-        z = _float64(_values_of_z[_i])
-
-        alpha = _float64(_values_of_alpha[_i])
-
-        _value = _value_of_height_change(tilt, m, z, alpha, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_height_change(
-    _out,
-    _values_of_tilt,
-    _values_of_m,
-    _values_of_z,
-    _values_of_alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_tilt = _values_of_tilt[_start:_stop]
-        _block_of_m = _values_of_m[_start:_stop]
-        _block_of_z = _values_of_z[_start:_stop]
-        _block_of_alpha = _values_of_alpha[_start:_stop]
-        _row_each_of_height_change(
-            _out_block, _block_of_tilt, _block_of_m, _block_of_z, _block_of_alpha, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_height_change(
-                _out_block, _block_of_tilt, _block_of_m, _block_of_z, _block_of_alpha, True
-            )
+def _fill_of_height_change(_out, tilt, m, z, alpha):
+    _fill_blocks(_value_of_height_change, _out, (tilt, m, z, alpha))
 
 
 def height_change(
@@ -435,84 +163,22 @@ def height_change(
     Compiled. The help of `mechproof.kernels.tooth_thickness.height_change` has all words.
     """
     if _type(m) is _type(z) is _type(alpha) is _float:
-        if _type(tilt) is _ndarray:
-            _row = _take_row(tilt, out)
-            if _row is not None:
-                _loops_of_height_change.fill(_row, tilt, m, z, alpha)
-                return _row
-        elif _type(tilt) is _float and out is None:
+        if _type(tilt) is _ndarray and (_row := _take_row(tilt, out)) is not None:
+            _loops_of_height_change.fill(_row, tilt, m, z, alpha)
+            return _row
+        if _type(tilt) is _float and out is None:
             return _float64(_loops_of_height_change.point(tilt, m, z, alpha))
-    return _run(
-        _loops_of_height_change,
-        (
-            tilt,
-            m,
-            z,
-            alpha,
-        ),
-        out,
-    )
+    return _run(_loops_of_height_change, (tilt, m, z, alpha), out)
+
+
+@_point_of(height_change)
+def _point_of_height_change(tilt, m, z, alpha):
+    return _value_of_height_change(_float64(tilt), _float64(m), _float64(z), _float64(alpha), True)
 
 
 _loops_of_height_change = _Loops(
-    names=(
-        "tilt",
-        "m",
-        "z",
-        "alpha",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_height_change,
-    uniform=_fill_of_height_change,
-    each=_fill_each_of_height_change,
+    ("tilt", "m", "z", "alpha"), _point_of_height_change, _fill_of_height_change
 )
-
-
-@_overload(height_change)
-def _offer_of_height_change(
-    tilt,
-    m,
-    z,
-    alpha,
-):
-    return lambda tilt, m, z, alpha: _point_of_height_change(
-        _float64(tilt),
-        _float64(m),
-        _float64(z),
-        _float64(alpha),
-    )
-
-
-@_scalar
-def _prepare_of_thickness_change(m, z, alpha, _exact):
-    cosm1_alpha = -2 * _elementary.sin(alpha / 2, _exact) ** 2
-    cos_alpha = 1 + cosm1_alpha
-    r_b = cos_alpha * m * z / 2
-    t_c = _np.pi / (2 * z) + _elementary.tan(alpha, _exact)
-
-    return (alpha, cos_alpha, r_b, t_c)
-
-
-@_scalar
-def _form_of_thickness_change(tilt, alpha, cos_alpha, r_b, t_c, _exact):
-    sin_tilt = _elementary.sin(tilt, _exact)
-    cosm1_tilt = -2 * _elementary.sin(tilt / 2, _exact) ** 2
-    cos_tilt = 1 + cosm1_tilt
-
-    return (
-        -2
-        * r_b
-        * (
-            cos_alpha * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
-            + _elementary.sin(alpha, _exact) * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
-        )
-    )
 
 
 @_scalar
@@ -527,82 +193,26 @@ def _value_of_thickness_change(tilt, m, z, alpha, _exact):
         & (alpha < _np.pi / 4)
     ):
         return _math.nan
-    _prepared = _prepare_of_thickness_change(m, z, alpha, _exact)
-    return _form_of_thickness_change(tilt, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_thickness_change(tilt, m, z, alpha):
-    return _value_of_thickness_change(tilt, m, z, alpha, True)
-
-
-@_loop
-def _row_of_thickness_change(_out, _values_of_tilt, m, z, alpha, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        tilt = _float64(_values_of_tilt[_i])
-
-        _value = _value_of_thickness_change(tilt, m, z, alpha, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_thickness_change(
-    _out,
-    _values_of_tilt,
-    m,
-    z,
-    alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_tilt = _values_of_tilt[_start:_stop]
-        _row_of_thickness_change(_out_block, _block_of_tilt, m, z, alpha, None)
-        if _has_nan(_out_block):
-            _row_of_thickness_change(_out_block, _block_of_tilt, m, z, alpha, True)
-
-
-@_loop
-def _row_each_of_thickness_change(
-    _out, _values_of_tilt, _values_of_m, _values_of_z, _values_of_alpha, _exact
-):
-    _widen()
-    for _i in _range(_out.size):
-        tilt = _float64(_values_of_tilt[_i])
-
-        m = _float64(_values_of_m[_i])
-
-        z = _float64(_values_of_z[_i])
-
-        alpha = _float64(_values_of_alpha[_i])
-
-        _value = _value_of_thickness_change(tilt, m, z, alpha, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_thickness_change(
-    _out,
-    _values_of_tilt,
-    _values_of_m,
-    _values_of_z,
-    _values_of_alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_tilt = _values_of_tilt[_start:_stop]
-        _block_of_m = _values_of_m[_start:_stop]
-        _block_of_z = _values_of_z[_start:_stop]
-        _block_of_alpha = _values_of_alpha[_start:_stop]
-        _row_each_of_thickness_change(
-            _out_block, _block_of_tilt, _block_of_m, _block_of_z, _block_of_alpha, None
+    cosm1_alpha = -2 * _elementary.sin(alpha / 2, _exact) ** 2
+    cos_alpha = 1 + cosm1_alpha
+    r_b = cos_alpha * m * z / 2
+    t_c = _np.pi / (2 * z) + _elementary.tan(alpha, _exact)
+    sin_tilt = _elementary.sin(tilt, _exact)
+    cosm1_tilt = -2 * _elementary.sin(tilt / 2, _exact) ** 2
+    cos_tilt = 1 + cosm1_tilt
+    return (
+        -2
+        * r_b
+        * (
+            cos_alpha * (sin_tilt - cos_tilt * tilt - t_c * cosm1_tilt)
+            + _elementary.sin(alpha, _exact) * (cosm1_tilt + t_c * sin_tilt + sin_tilt * tilt)
         )
-        if _has_nan(_out_block):
-            _row_each_of_thickness_change(
-                _out_block, _block_of_tilt, _block_of_m, _block_of_z, _block_of_alpha, True
-            )
+    )
+
+
+@_loop
+def _fill_of_thickness_change(_out, tilt, m, z, alpha):
+    _fill_blocks(_value_of_thickness_change, _out, (tilt, m, z, alpha))
 
 
 def thickness_change(
@@ -618,136 +228,36 @@ def thickness_change(
     Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_change` has all words.
     """
     if _type(m) is _type(z) is _type(alpha) is _float:
-        if _type(tilt) is _ndarray:
-            _row = _take_row(tilt, out)
-            if _row is not None:
-                _loops_of_thickness_change.fill(_row, tilt, m, z, alpha)
-                return _row
-        elif _type(tilt) is _float and out is None:
+        if _type(tilt) is _ndarray and (_row := _take_row(tilt, out)) is not None:
+            _loops_of_thickness_change.fill(_row, tilt, m, z, alpha)
+            return _row
+        if _type(tilt) is _float and out is None:
             return _float64(_loops_of_thickness_change.point(tilt, m, z, alpha))
-    return _run(
-        _loops_of_thickness_change,
-        (
-            tilt,
-            m,
-            z,
-            alpha,
-        ),
-        out,
+    return _run(_loops_of_thickness_change, (tilt, m, z, alpha), out)
+
+
+@_point_of(thickness_change)
+def _point_of_thickness_change(tilt, m, z, alpha):
+    return _value_of_thickness_change(
+        _float64(tilt), _float64(m), _float64(z), _float64(alpha), True
     )
 
 
 _loops_of_thickness_change = _Loops(
-    names=(
-        "tilt",
-        "m",
-        "z",
-        "alpha",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_thickness_change,
-    uniform=_fill_of_thickness_change,
-    each=_fill_each_of_thickness_change,
+    ("tilt", "m", "z", "alpha"), _point_of_thickness_change, _fill_of_thickness_change
 )
-
-
-@_overload(thickness_change)
-def _offer_of_thickness_change(
-    tilt,
-    m,
-    z,
-    alpha,
-):
-    return lambda tilt, m, z, alpha: _point_of_thickness_change(
-        _float64(tilt),
-        _float64(m),
-        _float64(z),
-        _float64(alpha),
-    )
-
-
-@_scalar
-def _prepare_of_thickness_change_linear(alpha, _exact):
-
-    return (alpha,)
-
-
-@_scalar
-def _form_of_thickness_change_linear(dh, alpha, _exact):
-
-    return 2 * _elementary.tan(alpha, _exact) * dh
 
 
 @_scalar
 def _value_of_thickness_change_linear(dh, alpha, _exact):
     if not ((alpha > 0) & (alpha < _np.pi / 4)):
         return _math.nan
-    _prepared = _prepare_of_thickness_change_linear(alpha, _exact)
-    return _form_of_thickness_change_linear(dh, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_thickness_change_linear(dh, alpha):
-    return _value_of_thickness_change_linear(dh, alpha, True)
+    return 2 * _elementary.tan(alpha, _exact) * dh
 
 
 @_loop
-def _row_of_thickness_change_linear(_out, _values_of_dh, alpha, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        dh = _float64(_values_of_dh[_i])
-
-        _value = _value_of_thickness_change_linear(dh, alpha, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_thickness_change_linear(
-    _out,
-    _values_of_dh,
-    alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_dh = _values_of_dh[_start:_stop]
-        _row_of_thickness_change_linear(_out_block, _block_of_dh, alpha, None)
-        if _has_nan(_out_block):
-            _row_of_thickness_change_linear(_out_block, _block_of_dh, alpha, True)
-
-
-@_loop
-def _row_each_of_thickness_change_linear(_out, _values_of_dh, _values_of_alpha, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        dh = _float64(_values_of_dh[_i])
-
-        alpha = _float64(_values_of_alpha[_i])
-
-        _value = _value_of_thickness_change_linear(dh, alpha, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_thickness_change_linear(
-    _out,
-    _values_of_dh,
-    _values_of_alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_dh = _values_of_dh[_start:_stop]
-        _block_of_alpha = _values_of_alpha[_start:_stop]
-        _row_each_of_thickness_change_linear(_out_block, _block_of_dh, _block_of_alpha, None)
-        if _has_nan(_out_block):
-            _row_each_of_thickness_change_linear(_out_block, _block_of_dh, _block_of_alpha, True)
+def _fill_of_thickness_change_linear(_out, dh, alpha):
+    _fill_blocks(_value_of_thickness_change_linear, _out, (dh, alpha))
 
 
 def thickness_change_linear(
@@ -758,69 +268,22 @@ def thickness_change_linear(
     Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_change_linear` has all words.
     """
     if _type(alpha) is _float:
-        if _type(dh) is _ndarray:
-            _row = _take_row(dh, out)
-            if _row is not None:
-                _loops_of_thickness_change_linear.fill(_row, dh, alpha)
-                return _row
-        elif _type(dh) is _float and out is None:
+        if _type(dh) is _ndarray and (_row := _take_row(dh, out)) is not None:
+            _loops_of_thickness_change_linear.fill(_row, dh, alpha)
+            return _row
+        if _type(dh) is _float and out is None:
             return _float64(_loops_of_thickness_change_linear.point(dh, alpha))
-    return _run(
-        _loops_of_thickness_change_linear,
-        (
-            dh,
-            alpha,
-        ),
-        out,
-    )
+    return _run(_loops_of_thickness_change_linear, (dh, alpha), out)
+
+
+@_point_of(thickness_change_linear)
+def _point_of_thickness_change_linear(dh, alpha):
+    return _value_of_thickness_change_linear(_float64(dh), _float64(alpha), True)
 
 
 _loops_of_thickness_change_linear = _Loops(
-    names=(
-        "dh",
-        "alpha",
-    ),
-    widths=(
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_thickness_change_linear,
-    uniform=_fill_of_thickness_change_linear,
-    each=_fill_each_of_thickness_change_linear,
+    ("dh", "alpha"), _point_of_thickness_change_linear, _fill_of_thickness_change_linear
 )
-
-
-@_overload(thickness_change_linear)
-def _offer_of_thickness_change_linear(
-    dh,
-    alpha,
-):
-    return lambda dh, alpha: _point_of_thickness_change_linear(
-        _float64(dh),
-        _float64(alpha),
-    )
-
-
-@_scalar
-def _prepare_of_linearisation_bound(m, z, alpha, _exact):
-    r_b = m * z * _elementary.cos(alpha, _exact) / 2
-    y_c = m * (z / 2 + _np.pi * _elementary.sin(2 * alpha, _exact) / 8)
-    t_c = _np.pi / (2 * z) + _elementary.tan(alpha, _exact)
-
-    return (r_b, y_c, t_c)
-
-
-@_scalar
-def _form_of_linearisation_bound(dh, r_b, y_c, t_c, _exact):
-    abs_Delta_h = _abs(dh)
-    abs_Delta_h_plus_y_c = abs_Delta_h + y_c
-
-    return (
-        dh**2
-        * (abs_Delta_h_plus_y_c * abs_Delta_h_plus_y_c**2)
-        / (r_b * r_b**2 * _np.sqrt(r_b**2 * t_c**2 - abs_Delta_h * (2 * y_c - abs_Delta_h)))
-    )
 
 
 @_scalar
@@ -835,82 +298,21 @@ def _value_of_linearisation_bound(dh, m, z, alpha, _exact):
         & (alpha < _np.pi / 4)
     ):
         return _math.nan
-    _prepared = _prepare_of_linearisation_bound(m, z, alpha, _exact)
-    return _form_of_linearisation_bound(dh, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_linearisation_bound(dh, m, z, alpha):
-    return _value_of_linearisation_bound(dh, m, z, alpha, True)
-
-
-@_loop
-def _row_of_linearisation_bound(_out, _values_of_dh, m, z, alpha, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        dh = _float64(_values_of_dh[_i])
-
-        _value = _value_of_linearisation_bound(dh, m, z, alpha, _exact)
-        _out[_i] = _value
+    r_b = m * z * _elementary.cos(alpha, _exact) / 2
+    y_c = m * (z / 2 + _np.pi * _elementary.sin(2 * alpha, _exact) / 8)
+    t_c = _np.pi / (2 * z) + _elementary.tan(alpha, _exact)
+    abs_Delta_h = _abs(dh)
+    abs_Delta_h_plus_y_c = abs_Delta_h + y_c
+    return (
+        dh**2
+        * (abs_Delta_h_plus_y_c * abs_Delta_h_plus_y_c**2)
+        / (r_b * r_b**2 * _np.sqrt(r_b**2 * t_c**2 - abs_Delta_h * (2 * y_c - abs_Delta_h)))
+    )
 
 
 @_loop
-def _fill_of_linearisation_bound(
-    _out,
-    _values_of_dh,
-    m,
-    z,
-    alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_dh = _values_of_dh[_start:_stop]
-        _row_of_linearisation_bound(_out_block, _block_of_dh, m, z, alpha, None)
-        if _has_nan(_out_block):
-            _row_of_linearisation_bound(_out_block, _block_of_dh, m, z, alpha, True)
-
-
-@_loop
-def _row_each_of_linearisation_bound(
-    _out, _values_of_dh, _values_of_m, _values_of_z, _values_of_alpha, _exact
-):
-    _widen()
-    for _i in _range(_out.size):
-        dh = _float64(_values_of_dh[_i])
-
-        m = _float64(_values_of_m[_i])
-
-        z = _float64(_values_of_z[_i])
-
-        alpha = _float64(_values_of_alpha[_i])
-
-        _value = _value_of_linearisation_bound(dh, m, z, alpha, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_linearisation_bound(
-    _out,
-    _values_of_dh,
-    _values_of_m,
-    _values_of_z,
-    _values_of_alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_dh = _values_of_dh[_start:_stop]
-        _block_of_m = _values_of_m[_start:_stop]
-        _block_of_z = _values_of_z[_start:_stop]
-        _block_of_alpha = _values_of_alpha[_start:_stop]
-        _row_each_of_linearisation_bound(
-            _out_block, _block_of_dh, _block_of_m, _block_of_z, _block_of_alpha, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_linearisation_bound(
-                _out_block, _block_of_dh, _block_of_m, _block_of_z, _block_of_alpha, True
-            )
+def _fill_of_linearisation_bound(_out, dh, m, z, alpha):
+    _fill_blocks(_value_of_linearisation_bound, _out, (dh, m, z, alpha))
 
 
 def linearisation_bound(
@@ -921,147 +323,36 @@ def linearisation_bound(
     Compiled. The help of `mechproof.kernels.tooth_thickness.linearisation_bound` has all words.
     """
     if _type(m) is _type(z) is _type(alpha) is _float:
-        if _type(dh) is _ndarray:
-            _row = _take_row(dh, out)
-            if _row is not None:
-                _loops_of_linearisation_bound.fill(_row, dh, m, z, alpha)
-                return _row
-        elif _type(dh) is _float and out is None:
+        if _type(dh) is _ndarray and (_row := _take_row(dh, out)) is not None:
+            _loops_of_linearisation_bound.fill(_row, dh, m, z, alpha)
+            return _row
+        if _type(dh) is _float and out is None:
             return _float64(_loops_of_linearisation_bound.point(dh, m, z, alpha))
-    return _run(
-        _loops_of_linearisation_bound,
-        (
-            dh,
-            m,
-            z,
-            alpha,
-        ),
-        out,
+    return _run(_loops_of_linearisation_bound, (dh, m, z, alpha), out)
+
+
+@_point_of(linearisation_bound)
+def _point_of_linearisation_bound(dh, m, z, alpha):
+    return _value_of_linearisation_bound(
+        _float64(dh), _float64(m), _float64(z), _float64(alpha), True
     )
 
 
 _loops_of_linearisation_bound = _Loops(
-    names=(
-        "dh",
-        "m",
-        "z",
-        "alpha",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_linearisation_bound,
-    uniform=_fill_of_linearisation_bound,
-    each=_fill_each_of_linearisation_bound,
+    ("dh", "m", "z", "alpha"), _point_of_linearisation_bound, _fill_of_linearisation_bound
 )
-
-
-@_overload(linearisation_bound)
-def _offer_of_linearisation_bound(
-    dh,
-    m,
-    z,
-    alpha,
-):
-    return lambda dh, m, z, alpha: _point_of_linearisation_bound(
-        _float64(dh),
-        _float64(m),
-        _float64(z),
-        _float64(alpha),
-    )
-
-
-@_scalar
-def _prepare_of_thickness_error(height_error, alpha, _exact):
-
-    return (height_error, alpha)
-
-
-@_scalar
-def _form_of_thickness_error(e_tip, height_error, alpha, _exact):
-
-    return 2 * _elementary.tan(alpha, _exact) * (height_error - e_tip / 2)
 
 
 @_scalar
 def _value_of_thickness_error(e_tip, height_error, alpha, _exact):
     if not ((alpha > 0) & (alpha < _np.pi / 4)):
         return _math.nan
-    _prepared = _prepare_of_thickness_error(height_error, alpha, _exact)
-    return _form_of_thickness_error(e_tip, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_thickness_error(e_tip, height_error, alpha):
-    return _value_of_thickness_error(e_tip, height_error, alpha, True)
+    return 2 * _elementary.tan(alpha, _exact) * (height_error - e_tip / 2)
 
 
 @_loop
-def _row_of_thickness_error(_out, _values_of_e_tip, height_error, alpha, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        e_tip = _float64(_values_of_e_tip[_i])
-
-        _value = _value_of_thickness_error(e_tip, height_error, alpha, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_thickness_error(
-    _out,
-    _values_of_e_tip,
-    height_error,
-    alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_e_tip = _values_of_e_tip[_start:_stop]
-        _row_of_thickness_error(_out_block, _block_of_e_tip, height_error, alpha, None)
-        if _has_nan(_out_block):
-            _row_of_thickness_error(_out_block, _block_of_e_tip, height_error, alpha, True)
-
-
-@_loop
-def _row_each_of_thickness_error(
-    _out, _values_of_e_tip, _values_of_height_error, _values_of_alpha, _exact
-):
-    _widen()
-    for _i in _range(_out.size):
-        e_tip = _float64(_values_of_e_tip[_i])
-
-        height_error = _float64(_values_of_height_error[_i])
-
-        alpha = _float64(_values_of_alpha[_i])
-
-        _value = _value_of_thickness_error(e_tip, height_error, alpha, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_thickness_error(
-    _out,
-    _values_of_e_tip,
-    _values_of_height_error,
-    _values_of_alpha,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_e_tip = _values_of_e_tip[_start:_stop]
-        _block_of_height_error = _values_of_height_error[_start:_stop]
-        _block_of_alpha = _values_of_alpha[_start:_stop]
-        _row_each_of_thickness_error(
-            _out_block, _block_of_e_tip, _block_of_height_error, _block_of_alpha, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_thickness_error(
-                _out_block, _block_of_e_tip, _block_of_height_error, _block_of_alpha, True
-            )
+def _fill_of_thickness_error(_out, e_tip, height_error, alpha):
+    _fill_blocks(_value_of_thickness_error, _out, (e_tip, height_error, alpha))
 
 
 def thickness_error(
@@ -1072,50 +363,19 @@ def thickness_error(
     Compiled. The help of `mechproof.kernels.tooth_thickness.thickness_error` has all words.
     """
     if _type(height_error) is _type(alpha) is _float:
-        if _type(e_tip) is _ndarray:
-            _row = _take_row(e_tip, out)
-            if _row is not None:
-                _loops_of_thickness_error.fill(_row, e_tip, height_error, alpha)
-                return _row
-        elif _type(e_tip) is _float and out is None:
+        if _type(e_tip) is _ndarray and (_row := _take_row(e_tip, out)) is not None:
+            _loops_of_thickness_error.fill(_row, e_tip, height_error, alpha)
+            return _row
+        if _type(e_tip) is _float and out is None:
             return _float64(_loops_of_thickness_error.point(e_tip, height_error, alpha))
-    return _run(
-        _loops_of_thickness_error,
-        (
-            e_tip,
-            height_error,
-            alpha,
-        ),
-        out,
-    )
+    return _run(_loops_of_thickness_error, (e_tip, height_error, alpha), out)
+
+
+@_point_of(thickness_error)
+def _point_of_thickness_error(e_tip, height_error, alpha):
+    return _value_of_thickness_error(_float64(e_tip), _float64(height_error), _float64(alpha), True)
 
 
 _loops_of_thickness_error = _Loops(
-    names=(
-        "e_tip",
-        "height_error",
-        "alpha",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_thickness_error,
-    uniform=_fill_of_thickness_error,
-    each=_fill_each_of_thickness_error,
+    ("e_tip", "height_error", "alpha"), _point_of_thickness_error, _fill_of_thickness_error
 )
-
-
-@_overload(thickness_error)
-def _offer_of_thickness_error(
-    e_tip,
-    height_error,
-    alpha,
-):
-    return lambda e_tip, height_error, alpha: _point_of_thickness_error(
-        _float64(e_tip),
-        _float64(height_error),
-        _float64(alpha),
-    )

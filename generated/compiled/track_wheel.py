@@ -8,7 +8,7 @@ indexed, and so are results.
 Tests hold them to the same accuracy bounds. What help says is proved of rounding errors
 is proved of these kernels where it says `compiled`, and of the NumPy kernels elsewhere.
 
-Elementary functions: `elementary` 4aa7b0fd5d8b.
+Elementary functions: `elementary` be9ec0333aea.
 
 Sums over axes are added in the order of the index, with the rest of every addition. Many
 sets of terms are added beside each other, each to the bits that it has alone. Inside
@@ -22,42 +22,36 @@ Regenerate with `mechproof regenerate`, which refuses to overwrite edits.
 from __future__ import annotations
 
 import math as _math
-from builtins import (
-    abs as _abs,
-    float as _float,
-    len as _len,
-    min as _min,
-    range as _range,
-    type as _type,
-)
+from builtins import abs as _abs, float as _float, type as _type
 from typing import Any
 
 import numpy as _np
-from numpy import empty as _empty, float64 as _float64, ndarray as _ndarray
+from numpy import float64 as _float64, ndarray as _ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.compiled_support import (
-    BLOCK as _BLOCK,
     Loops as _Loops,
     Sums as _Sums,
+    add_up as _add_up,
     choose as _choose,
-    count_sets as _count_sets,
     count_terms as _count_terms,
+    element as _element,
+    every as _every,
+    fill as _fill,
+    fill_blocks as _fill_blocks,
+    fill_sets as _fill_sets,
     floor as _floor,
     fma as _fma,
-    has_nan as _has_nan,
     is_finite as _is_finite,
     loop as _loop,
-    overload as _overload,
-    own_row as _own_row,
-    put_sets as _put_sets,
+    point_of as _point_of,
     run as _run,
     run_sums as _run_sums,
     scalar as _scalar,
     take_row as _take_row,
     take_square as _take_square,
     take_terms as _take_terms,
-    widen as _widen,
+    vector as _vector,
 )
 from mechproof.kernels.compiled import elementary as _elementary
 
@@ -81,16 +75,14 @@ def __dir__() -> list[str]:
 
 
 @_scalar
-def _sum_1_term(
-    sensitivities_i,
-    scatters_i,
-    tolerances_i,
-    sensitivities_j,
-    scatters_j,
-    tolerances_j,
-    correlation_ij,
-):
-
+def _sum_1_term(_at, _i, _j, sensitivities, scatters, tolerances, correlation):
+    sensitivities_i = _element(sensitivities, _at, _i)
+    scatters_i = _element(scatters, _at, _i)
+    tolerances_i = _element(tolerances, _at, _i)
+    sensitivities_j = _element(sensitivities, _at, _j)
+    scatters_j = _element(scatters, _at, _j)
+    tolerances_j = _element(tolerances, _at, _j)
+    correlation_ij = _element(correlation, _at, _i, _j)
     return (
         sensitivities_i
         * scatters_i
@@ -100,370 +92,80 @@ def _sum_1_term(
     )
 
 
-@_loop
-def _sum_1(sensitivities, scatters, tolerances, correlation):
-    _high, _low = 0.0, 0.0
-    for _i in _range(_len(sensitivities)):
-        for _j in _range(_len(sensitivities)):
-            _term = _sum_1_term(
-                _float64(sensitivities[_i]),
-                _float64(scatters[_i]),
-                _float64(tolerances[_i]),
-                _float64(sensitivities[_j]),
-                _float64(scatters[_j]),
-                _float64(tolerances[_j]),
-                _float64(correlation[_i, _j]),
-            )
-            _total = _high + _term
-            _low += _elementary.total_rest(_high, _term, _total)
-            _high = _total
-    # A sum that leaves the range of doubles has no rest.
-    return _choose(_is_finite(_low), _high + _low, _high)
-
-
-@_loop
-def _sum_1_sets(_out, sensitivities, scatters, tolerances, correlation):
-    _widen()
-    _high, _low = _own_row(), _own_row()
-    for _s in _range(_len(_out)):
-        _high[_s], _low[_s] = 0.0, 0.0
-    for _i in _range(_len(sensitivities)):
-        for _j in _range(_len(sensitivities)):
-            for _s in _range(_len(_out)):
-                _term = _sum_1_term(
-                    sensitivities[_i, _s],
-                    scatters[_i, _s],
-                    tolerances[_i, _s],
-                    sensitivities[_j, _s],
-                    scatters[_j, _s],
-                    tolerances[_j, _s],
-                    correlation[_i, _j, _s],
-                )
-                _total = _high[_s] + _term
-                _low[_s] += _elementary.total_rest(_high[_s], _term, _total)
-                _high[_s] = _total
-    for _s in _range(_len(_out)):
-        _out[_s] = _choose(_is_finite(_low[_s]), _high[_s] + _low[_s], _high[_s])
-
-
 @_scalar
-def _sum_2_term(sensitivities_i, scatters_i, tolerances_i, correlation_ii):
-
+def _sum_2_term(_at, _i, _j, sensitivities, scatters, tolerances, correlation):
+    sensitivities_i = _element(sensitivities, _at, _i)
+    scatters_i = _element(scatters, _at, _i)
+    tolerances_i = _element(tolerances, _at, _i)
+    correlation_ii = _element(correlation, _at, _i, _i)
     return _abs(sensitivities_i * scatters_i * tolerances_i) * _np.sqrt(_abs(correlation_ii))
 
 
-@_loop
-def _sum_2(sensitivities, scatters, tolerances, correlation):
-    _high, _low = 0.0, 0.0
-    for _i in _range(_len(sensitivities)):
-        _term = _sum_2_term(
-            _float64(sensitivities[_i]),
-            _float64(scatters[_i]),
-            _float64(tolerances[_i]),
-            _float64(correlation[_i, _i]),
-        )
-        _total = _high + _term
-        _low += _elementary.total_rest(_high, _term, _total)
-        _high = _total
-    # A sum that leaves the range of doubles has no rest.
-    return _choose(_is_finite(_low), _high + _low, _high)
-
-
-@_loop
-def _sum_2_sets(_out, sensitivities, scatters, tolerances, correlation):
-    _widen()
-    _high, _low = _own_row(), _own_row()
-    for _s in _range(_len(_out)):
-        _high[_s], _low[_s] = 0.0, 0.0
-    for _i in _range(_len(sensitivities)):
-        for _s in _range(_len(_out)):
-            _term = _sum_2_term(
-                sensitivities[_i, _s], scatters[_i, _s], tolerances[_i, _s], correlation[_i, _i, _s]
-            )
-            _total = _high[_s] + _term
-            _low[_s] += _elementary.total_rest(_high[_s], _term, _total)
-            _high[_s] = _total
-    for _s in _range(_len(_out)):
-        _out[_s] = _choose(_is_finite(_low[_s]), _high[_s] + _low[_s], _high[_s])
-
-
 @_scalar
-def _every_3_term(scatters_i):
-
+def _every_3_term(_at, _i, _j, scatters):
+    scatters_i = _element(scatters, _at, _i)
     return scatters_i > 0
 
 
-@_loop
-def _every_3(scatters):
-    _holds = True
-    for _i in _range(_len(scatters)):
-        _holds = _holds & _every_3_term(_float64(scatters[_i]))
-    return _holds
-
-
-@_loop
-def _every_3_sets(_out, scatters):
-    _widen()
-    _holds = _own_row()
-    for _s in _range(_len(_out)):
-        _holds[_s] = 1.0
-    for _i in _range(_len(scatters)):
-        for _s in _range(_len(_out)):
-            _holds[_s] = _choose(_every_3_term(scatters[_i, _s]), _holds[_s], 0.0)
-    for _s in _range(_len(_out)):
-        _out[_s] = _holds[_s]
-
-
 @_scalar
-def _every_4_term(scatters_i):
-
+def _every_4_term(_at, _i, _j, scatters):
+    scatters_i = _element(scatters, _at, _i)
     return _is_finite(scatters_i)
 
 
-@_loop
-def _every_4(scatters):
-    _holds = True
-    for _i in _range(_len(scatters)):
-        _holds = _holds & _every_4_term(_float64(scatters[_i]))
-    return _holds
-
-
-@_loop
-def _every_4_sets(_out, scatters):
-    _widen()
-    _holds = _own_row()
-    for _s in _range(_len(_out)):
-        _holds[_s] = 1.0
-    for _i in _range(_len(scatters)):
-        for _s in _range(_len(_out)):
-            _holds[_s] = _choose(_every_4_term(scatters[_i, _s]), _holds[_s], 0.0)
-    for _s in _range(_len(_out)):
-        _out[_s] = _holds[_s]
-
-
 @_scalar
-def _every_5_term(correlation_ij):
-
+def _every_5_term(_at, _i, _j, correlation):
+    correlation_ij = _element(correlation, _at, _i, _j)
     return correlation_ij >= -1
 
 
-@_loop
-def _every_5(correlation):
-    _holds = True
-    for _i in _range(_len(correlation)):
-        for _j in _range(_len(correlation)):
-            _holds = _holds & _every_5_term(_float64(correlation[_i, _j]))
-    return _holds
-
-
-@_loop
-def _every_5_sets(_out, correlation):
-    _widen()
-    _holds = _own_row()
-    for _s in _range(_len(_out)):
-        _holds[_s] = 1.0
-    for _i in _range(_len(correlation)):
-        for _j in _range(_len(correlation)):
-            for _s in _range(_len(_out)):
-                _holds[_s] = _choose(_every_5_term(correlation[_i, _j, _s]), _holds[_s], 0.0)
-    for _s in _range(_len(_out)):
-        _out[_s] = _holds[_s]
-
-
 @_scalar
-def _every_6_term(correlation_ij):
-
+def _every_6_term(_at, _i, _j, correlation):
+    correlation_ij = _element(correlation, _at, _i, _j)
     return correlation_ij <= 1
 
 
-@_loop
-def _every_6(correlation):
-    _holds = True
-    for _i in _range(_len(correlation)):
-        for _j in _range(_len(correlation)):
-            _holds = _holds & _every_6_term(_float64(correlation[_i, _j]))
-    return _holds
-
-
-@_loop
-def _every_6_sets(_out, correlation):
-    _widen()
-    _holds = _own_row()
-    for _s in _range(_len(_out)):
-        _holds[_s] = 1.0
-    for _i in _range(_len(correlation)):
-        for _j in _range(_len(correlation)):
-            for _s in _range(_len(_out)):
-                _holds[_s] = _choose(_every_6_term(correlation[_i, _j, _s]), _holds[_s], 0.0)
-    for _s in _range(_len(_out)):
-        _out[_s] = _holds[_s]
-
-
 @_scalar
-def _every_7_term(correlation_ii):
-
+def _every_7_term(_at, _i, _j, correlation):
+    correlation_ii = _element(correlation, _at, _i, _i)
     return correlation_ii == 1
 
 
-@_loop
-def _every_7(correlation):
-    _holds = True
-    for _i in _range(_len(correlation)):
-        _holds = _holds & _every_7_term(_float64(correlation[_i, _i]))
-    return _holds
-
-
-@_loop
-def _every_7_sets(_out, correlation):
-    _widen()
-    _holds = _own_row()
-    for _s in _range(_len(_out)):
-        _holds[_s] = 1.0
-    for _i in _range(_len(correlation)):
-        for _s in _range(_len(_out)):
-            _holds[_s] = _choose(_every_7_term(correlation[_i, _i, _s]), _holds[_s], 0.0)
-    for _s in _range(_len(_out)):
-        _out[_s] = _holds[_s]
-
-
 @_scalar
-def _every_8_term(correlation_ij, correlation_ji):
-
+def _every_8_term(_at, _i, _j, correlation):
+    correlation_ij = _element(correlation, _at, _i, _j)
+    correlation_ji = _element(correlation, _at, _j, _i)
     return correlation_ij == correlation_ji
 
 
-@_loop
-def _every_8(correlation):
-    _holds = True
-    for _i in _range(_len(correlation)):
-        for _j in _range(_len(correlation)):
-            _holds = _holds & _every_8_term(
-                _float64(correlation[_i, _j]), _float64(correlation[_j, _i])
-            )
-    return _holds
-
-
-@_loop
-def _every_8_sets(_out, correlation):
-    _widen()
-    _holds = _own_row()
-    for _s in _range(_len(_out)):
-        _holds[_s] = 1.0
-    for _i in _range(_len(correlation)):
-        for _j in _range(_len(correlation)):
-            for _s in _range(_len(_out)):
-                _holds[_s] = _choose(
-                    _every_8_term(correlation[_i, _j, _s], correlation[_j, _i, _s]), _holds[_s], 0.0
-                )
-    for _s in _range(_len(_out)):
-        _out[_s] = _holds[_s]
-
-
 @_scalar
-def _every_9_term(tolerances_i):
-
+def _every_9_term(_at, _i, _j, tolerances):
+    tolerances_i = _element(tolerances, _at, _i)
     return tolerances_i >= 0
 
 
-@_loop
-def _every_9(tolerances):
-    _holds = True
-    for _i in _range(_len(tolerances)):
-        _holds = _holds & _every_9_term(_float64(tolerances[_i]))
-    return _holds
-
-
-@_loop
-def _every_9_sets(_out, tolerances):
-    _widen()
-    _holds = _own_row()
-    for _s in _range(_len(_out)):
-        _holds[_s] = 1.0
-    for _i in _range(_len(tolerances)):
-        for _s in _range(_len(_out)):
-            _holds[_s] = _choose(_every_9_term(tolerances[_i, _s]), _holds[_s], 0.0)
-    for _s in _range(_len(_out)):
-        _out[_s] = _holds[_s]
-
-
 @_scalar
-def _every_10_term(tolerances_i):
-
+def _every_10_term(_at, _i, _j, tolerances):
+    tolerances_i = _element(tolerances, _at, _i)
     return _is_finite(tolerances_i)
 
 
-@_loop
-def _every_10(tolerances):
-    _holds = True
-    for _i in _range(_len(tolerances)):
-        _holds = _holds & _every_10_term(_float64(tolerances[_i]))
-    return _holds
-
-
-@_loop
-def _every_10_sets(_out, tolerances):
-    _widen()
-    _holds = _own_row()
-    for _s in _range(_len(_out)):
-        _holds[_s] = 1.0
-    for _i in _range(_len(tolerances)):
-        for _s in _range(_len(_out)):
-            _holds[_s] = _choose(_every_10_term(tolerances[_i, _s]), _holds[_s], 0.0)
-    for _s in _range(_len(_out)):
-        _out[_s] = _holds[_s]
-
-
 @_scalar
-def _sum_11_term(sensitivities_i, scatters_i, tolerances_i):
-
+def _sum_11_term(_at, _i, _j, sensitivities, scatters, tolerances):
+    sensitivities_i = _element(sensitivities, _at, _i)
+    scatters_i = _element(scatters, _at, _i)
+    tolerances_i = _element(tolerances, _at, _i)
     return (sensitivities_i * scatters_i * tolerances_i) ** 2
 
 
-@_loop
-def _sum_11(sensitivities, scatters, tolerances):
-    _high, _low = 0.0, 0.0
-    for _i in _range(_len(sensitivities)):
-        _term = _sum_11_term(
-            _float64(sensitivities[_i]), _float64(scatters[_i]), _float64(tolerances[_i])
-        )
-        _total = _high + _term
-        _low += _elementary.total_rest(_high, _term, _total)
-        _high = _total
-    # A sum that leaves the range of doubles has no rest.
-    return _choose(_is_finite(_low), _high + _low, _high)
-
-
-@_loop
-def _sum_11_sets(_out, sensitivities, scatters, tolerances):
-    _widen()
-    _high, _low = _own_row(), _own_row()
-    for _s in _range(_len(_out)):
-        _high[_s], _low[_s] = 0.0, 0.0
-    for _i in _range(_len(sensitivities)):
-        for _s in _range(_len(_out)):
-            _term = _sum_11_term(sensitivities[_i, _s], scatters[_i, _s], tolerances[_i, _s])
-            _total = _high[_s] + _term
-            _low[_s] += _elementary.total_rest(_high[_s], _term, _total)
-            _high[_s] = _total
-    for _s in _range(_len(_out)):
-        _out[_s] = _choose(_is_finite(_low[_s]), _high[_s] + _low[_s], _high[_s])
-
-
 @_scalar
-def _prepare_of_rotation(beta, gamma, _exact):
+def _value_of_rotation(alpha, beta, gamma, _exact):
     cos_beta = _elementary.cos(beta, _exact)
     cos_gamma = _elementary.cos(gamma, _exact)
     sin_gamma = _elementary.sin(gamma, _exact)
     sin_beta = _elementary.sin(beta, _exact)
-
-    return (cos_beta, cos_gamma, sin_gamma, sin_beta)
-
-
-@_scalar
-def _form_of_rotation(alpha, cos_beta, cos_gamma, sin_gamma, sin_beta, _exact):
     cos_alpha = _elementary.cos(alpha, _exact)
     sin_alpha = _elementary.sin(alpha, _exact)
-
     return (
         cos_beta * cos_gamma,
         sin_gamma * cos_alpha + cos_gamma * sin_beta * sin_alpha,
@@ -477,91 +179,9 @@ def _form_of_rotation(alpha, cos_beta, cos_gamma, sin_gamma, sin_beta, _exact):
     )
 
 
-@_scalar
-def _value_of_rotation(alpha, beta, gamma, _exact):
-    _prepared = _prepare_of_rotation(beta, gamma, _exact)
-    return _form_of_rotation(alpha, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_rotation(alpha, beta, gamma):
-    return _value_of_rotation(alpha, beta, gamma, True)
-
-
 @_loop
-def _row_of_rotation(_out, _values_of_alpha, beta, gamma, _exact):
-    _widen()
-    for _i in _range(_out.size // 9):
-        alpha = _float64(_values_of_alpha[_i])
-
-        _value = _value_of_rotation(alpha, beta, gamma, _exact)
-        _out[9 * _i + 0] = _value[0]
-        _out[9 * _i + 1] = _value[1]
-        _out[9 * _i + 2] = _value[2]
-        _out[9 * _i + 3] = _value[3]
-        _out[9 * _i + 4] = _value[4]
-        _out[9 * _i + 5] = _value[5]
-        _out[9 * _i + 6] = _value[6]
-        _out[9 * _i + 7] = _value[7]
-        _out[9 * _i + 8] = _value[8]
-
-
-@_loop
-def _fill_of_rotation(
-    _out,
-    _values_of_alpha,
-    beta,
-    gamma,
-):
-    for _start in _range(0, _out.size // 9, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[9 * _start : 9 * _stop]
-        _block_of_alpha = _values_of_alpha[_start:_stop]
-        _row_of_rotation(_out_block, _block_of_alpha, beta, gamma, None)
-        if _has_nan(_out_block):
-            _row_of_rotation(_out_block, _block_of_alpha, beta, gamma, True)
-
-
-@_loop
-def _row_each_of_rotation(_out, _values_of_alpha, _values_of_beta, _values_of_gamma, _exact):
-    _widen()
-    for _i in _range(_out.size // 9):
-        alpha = _float64(_values_of_alpha[_i])
-
-        beta = _float64(_values_of_beta[_i])
-
-        gamma = _float64(_values_of_gamma[_i])
-
-        _value = _value_of_rotation(alpha, beta, gamma, _exact)
-        _out[9 * _i + 0] = _value[0]
-        _out[9 * _i + 1] = _value[1]
-        _out[9 * _i + 2] = _value[2]
-        _out[9 * _i + 3] = _value[3]
-        _out[9 * _i + 4] = _value[4]
-        _out[9 * _i + 5] = _value[5]
-        _out[9 * _i + 6] = _value[6]
-        _out[9 * _i + 7] = _value[7]
-        _out[9 * _i + 8] = _value[8]
-
-
-@_loop
-def _fill_each_of_rotation(
-    _out,
-    _values_of_alpha,
-    _values_of_beta,
-    _values_of_gamma,
-):
-    for _start in _range(0, _out.size // 9, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[9 * _start : 9 * _stop]
-        _block_of_alpha = _values_of_alpha[_start:_stop]
-        _block_of_beta = _values_of_beta[_start:_stop]
-        _block_of_gamma = _values_of_gamma[_start:_stop]
-        _row_each_of_rotation(_out_block, _block_of_alpha, _block_of_beta, _block_of_gamma, None)
-        if _has_nan(_out_block):
-            _row_each_of_rotation(
-                _out_block, _block_of_alpha, _block_of_beta, _block_of_gamma, True
-            )
+def _fill_of_rotation(_out, alpha, beta, gamma):
+    _fill_blocks(_value_of_rotation, _vector(_out, 9), (alpha, beta, gamma))
 
 
 def rotation(
@@ -571,53 +191,23 @@ def rotation(
 
     Compiled. The help of `mechproof.kernels.track_wheel.rotation` has all words.
     """
-    return _run(
-        _loops_of_rotation,
-        (
-            alpha,
-            beta,
-            gamma,
-        ),
-        out,
-    )
+    return _run(_loops_of_rotation, (alpha, beta, gamma), out)
+
+
+@_point_of(rotation)
+def _point_of_rotation(alpha, beta, gamma):
+    return _value_of_rotation(_float64(alpha), _float64(beta), _float64(gamma), True)
 
 
 _loops_of_rotation = _Loops(
-    names=(
-        "alpha",
-        "beta",
-        "gamma",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-    ),
-    shape=(
-        3,
-        3,
-    ),
-    at=_point_of_rotation,
-    uniform=_fill_of_rotation,
-    each=_fill_each_of_rotation,
+    ("alpha", "beta", "gamma"), _point_of_rotation, _fill_of_rotation, shape=(3, 3)
 )
 
 
-@_overload(rotation)
-def _offer_of_rotation(
-    alpha,
-    beta,
-    gamma,
-):
-    return lambda alpha, beta, gamma: _point_of_rotation(
-        _float64(alpha),
-        _float64(beta),
-        _float64(gamma),
-    )
-
-
 @_scalar
-def _prepare_of_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, _exact):
+def _value_of_displacement(
+    points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, _exact
+):
     t_alpha_angle = angles_0 / 2
     t_alpha_below = _elementary.tangent_below(t_alpha_angle, _exact)
     t_alpha = _elementary.tangent_above(t_alpha_angle, _exact)
@@ -651,161 +241,20 @@ def _prepare_of_displacement(angles_0, angles_1, angles_2, shift_0, shift_1, shi
     C31 = scale * (v_x_v_z - v_y * w)
     C32 = scale * (v_y_v_z + v_x * w)
     C33 = scale * (-v_x_squared - v_y_squared)
-
-    return (C11, C12, C13, C21, C22, C23, C31, C32, C33, shift_0, shift_1, shift_2)
-
-
-@_scalar
-def _form_of_displacement(
-    points_0, points_1, points_2, m00, m01, m02, m10, m11, m12, m20, m21, m22, v0, v1, v2, _exact
-):
-
     return (
-        _fma(m00, points_0, _fma(m01, points_1, _fma(m02, points_2, v0))),
-        _fma(m10, points_0, _fma(m11, points_1, _fma(m12, points_2, v1))),
-        _fma(m20, points_0, _fma(m21, points_1, _fma(m22, points_2, v2))),
-    )
-
-
-@_scalar
-def _value_of_displacement(
-    points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, _exact
-):
-    _prepared = _prepare_of_displacement(
-        angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, _exact
-    )
-    return _form_of_displacement(points_0, points_1, points_2, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_displacement(
-    points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2
-):
-    return _value_of_displacement(
-        points_0, points_1, points_2, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, True
+        _fma(C11, points_0, _fma(C12, points_1, _fma(C13, points_2, shift_0))),
+        _fma(C21, points_0, _fma(C22, points_1, _fma(C23, points_2, shift_1))),
+        _fma(C31, points_0, _fma(C32, points_1, _fma(C33, points_2, shift_2))),
     )
 
 
 @_loop
-def _row_of_displacement(
-    _out, _values_of_points, angles_0, angles_1, angles_2, shift_0, shift_1, shift_2, _exact
-):
-    _widen()
-    for _i in _range(_out.size // 3):
-        points_0 = _float64(_values_of_points[3 * _i + 0])
-        points_1 = _float64(_values_of_points[3 * _i + 1])
-        points_2 = _float64(_values_of_points[3 * _i + 2])
-
-        _value = _value_of_displacement(
-            points_0,
-            points_1,
-            points_2,
-            angles_0,
-            angles_1,
-            angles_2,
-            shift_0,
-            shift_1,
-            shift_2,
-            _exact,
-        )
-        _out[3 * _i + 0] = _value[0]
-        _out[3 * _i + 1] = _value[1]
-        _out[3 * _i + 2] = _value[2]
-
-
-@_loop
-def _fill_of_displacement(
-    _out,
-    _values_of_points,
-    angles_0,
-    angles_1,
-    angles_2,
-    shift_0,
-    shift_1,
-    shift_2,
-):
-    for _start in _range(0, _out.size // 3, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[3 * _start : 3 * _stop]
-        _block_of_points = _values_of_points[3 * _start : 3 * _stop]
-        _row_of_displacement(
-            _out_block,
-            _block_of_points,
-            angles_0,
-            angles_1,
-            angles_2,
-            shift_0,
-            shift_1,
-            shift_2,
-            None,
-        )
-        if _has_nan(_out_block):
-            _row_of_displacement(
-                _out_block,
-                _block_of_points,
-                angles_0,
-                angles_1,
-                angles_2,
-                shift_0,
-                shift_1,
-                shift_2,
-                True,
-            )
-
-
-@_loop
-def _row_each_of_displacement(_out, _values_of_points, _values_of_angles, _values_of_shift, _exact):
-    _widen()
-    for _i in _range(_out.size // 3):
-        points_0 = _float64(_values_of_points[3 * _i + 0])
-        points_1 = _float64(_values_of_points[3 * _i + 1])
-        points_2 = _float64(_values_of_points[3 * _i + 2])
-
-        angles_0 = _float64(_values_of_angles[3 * _i + 0])
-        angles_1 = _float64(_values_of_angles[3 * _i + 1])
-        angles_2 = _float64(_values_of_angles[3 * _i + 2])
-
-        shift_0 = _float64(_values_of_shift[3 * _i + 0])
-        shift_1 = _float64(_values_of_shift[3 * _i + 1])
-        shift_2 = _float64(_values_of_shift[3 * _i + 2])
-
-        _value = _value_of_displacement(
-            points_0,
-            points_1,
-            points_2,
-            angles_0,
-            angles_1,
-            angles_2,
-            shift_0,
-            shift_1,
-            shift_2,
-            _exact,
-        )
-        _out[3 * _i + 0] = _value[0]
-        _out[3 * _i + 1] = _value[1]
-        _out[3 * _i + 2] = _value[2]
-
-
-@_loop
-def _fill_each_of_displacement(
-    _out,
-    _values_of_points,
-    _values_of_angles,
-    _values_of_shift,
-):
-    for _start in _range(0, _out.size // 3, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[3 * _start : 3 * _stop]
-        _block_of_points = _values_of_points[3 * _start : 3 * _stop]
-        _block_of_angles = _values_of_angles[3 * _start : 3 * _stop]
-        _block_of_shift = _values_of_shift[3 * _start : 3 * _stop]
-        _row_each_of_displacement(
-            _out_block, _block_of_points, _block_of_angles, _block_of_shift, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_displacement(
-                _out_block, _block_of_points, _block_of_angles, _block_of_shift, True
-            )
+def _fill_of_displacement(_out, points, angles, shift):
+    _fill_blocks(
+        _value_of_displacement,
+        _vector(_out, 3),
+        (_vector(points, 3), _vector(angles, 3), _vector(shift, 3)),
+    )
 
 
 def displacement(
@@ -815,42 +264,12 @@ def displacement(
 
     Compiled. The help of `mechproof.kernels.track_wheel.displacement` has all words.
     """
-    return _run(
-        _loops_of_displacement,
-        (
-            points,
-            angles,
-            shift,
-        ),
-        out,
-    )
+    return _run(_loops_of_displacement, (points, angles, shift), out)
 
 
-_loops_of_displacement = _Loops(
-    names=(
-        "points",
-        "angles",
-        "shift",
-    ),
-    widths=(
-        3,
-        3,
-        3,
-    ),
-    shape=(3,),
-    at=_point_of_displacement,
-    uniform=_fill_of_displacement,
-    each=_fill_each_of_displacement,
-)
-
-
-@_overload(displacement)
-def _offer_of_displacement(
-    points,
-    angles,
-    shift,
-):
-    return lambda points, angles, shift: _point_of_displacement(
+@_point_of(displacement)
+def _point_of_displacement(points, angles, shift):
+    return _value_of_displacement(
         _float64(points[0]),
         _float64(points[1]),
         _float64(points[2]),
@@ -860,73 +279,27 @@ def _offer_of_displacement(
         _float64(shift[0]),
         _float64(shift[1]),
         _float64(shift[2]),
+        True,
     )
 
 
-@_scalar
-def _form_of_planar_error(displacement_0, displacement_1):
+_loops_of_displacement = _Loops(
+    ("points", "angles", "shift"),
+    _point_of_displacement,
+    _fill_of_displacement,
+    widths=(3, 3, 3),
+    shape=(3,),
+)
 
+
+@_scalar
+def _value_of_planar_error(displacement_0, displacement_1, displacement_2):
     return _elementary.hypot(displacement_0, displacement_1)
 
 
-@_scalar
-def _value_of_planar_error(displacement_0, displacement_1):
-    return _form_of_planar_error(displacement_0, displacement_1)
-
-
-@_scalar
-def _point_of_planar_error(displacement_0, displacement_1, displacement_2):
-    return _value_of_planar_error(displacement_0, displacement_1)
-
-
 @_loop
-def _row_of_planar_error(
-    _out,
-    _values_of_displacement,
-):
-    _widen()
-    for _i in _range(_out.size):
-        displacement_0 = _float64(_values_of_displacement[3 * _i + 0])
-        displacement_1 = _float64(_values_of_displacement[3 * _i + 1])
-
-        _value = _value_of_planar_error(displacement_0, displacement_1)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_planar_error(
-    _out,
-    _values_of_displacement,
-):
-    _row_of_planar_error(
-        _out,
-        _values_of_displacement,
-    )
-
-
-@_loop
-def _row_each_of_planar_error(
-    _out,
-    _values_of_displacement,
-):
-    _widen()
-    for _i in _range(_out.size):
-        displacement_0 = _float64(_values_of_displacement[3 * _i + 0])
-        displacement_1 = _float64(_values_of_displacement[3 * _i + 1])
-
-        _value = _value_of_planar_error(displacement_0, displacement_1)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_planar_error(
-    _out,
-    _values_of_displacement,
-):
-    _row_each_of_planar_error(
-        _out,
-        _values_of_displacement,
-    )
+def _fill_of_planar_error(_out, displacement):
+    _fill(_value_of_planar_error, _out, (_vector(displacement, 3),))
 
 
 def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -937,93 +310,26 @@ def planar_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) ->
     return _run(_loops_of_planar_error, (displacement,), out)
 
 
-_loops_of_planar_error = _Loops(
-    names=("displacement",),
-    widths=(3,),
-    shape=(),
-    at=_point_of_planar_error,
-    uniform=_fill_of_planar_error,
-    each=_fill_each_of_planar_error,
-)
-
-
-@_overload(planar_error)
-def _offer_of_planar_error(
-    displacement,
-):
-    return lambda displacement: _point_of_planar_error(
-        _float64(displacement[0]),
-        _float64(displacement[1]),
-        _float64(displacement[2]),
+@_point_of(planar_error)
+def _point_of_planar_error(displacement):
+    return _value_of_planar_error(
+        _float64(displacement[0]), _float64(displacement[1]), _float64(displacement[2])
     )
 
 
-@_scalar
-def _form_of_spatial_error(displacement_0, displacement_1, displacement_2):
-
-    return _elementary.hypot(_elementary.hypot(displacement_0, displacement_1), displacement_2)
+_loops_of_planar_error = _Loops(
+    ("displacement",), _point_of_planar_error, _fill_of_planar_error, widths=(3,)
+)
 
 
 @_scalar
 def _value_of_spatial_error(displacement_0, displacement_1, displacement_2):
-    return _form_of_spatial_error(displacement_0, displacement_1, displacement_2)
-
-
-@_scalar
-def _point_of_spatial_error(displacement_0, displacement_1, displacement_2):
-    return _value_of_spatial_error(displacement_0, displacement_1, displacement_2)
+    return _elementary.hypot(_elementary.hypot(displacement_0, displacement_1), displacement_2)
 
 
 @_loop
-def _row_of_spatial_error(
-    _out,
-    _values_of_displacement,
-):
-    _widen()
-    for _i in _range(_out.size):
-        displacement_0 = _float64(_values_of_displacement[3 * _i + 0])
-        displacement_1 = _float64(_values_of_displacement[3 * _i + 1])
-        displacement_2 = _float64(_values_of_displacement[3 * _i + 2])
-
-        _value = _value_of_spatial_error(displacement_0, displacement_1, displacement_2)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_spatial_error(
-    _out,
-    _values_of_displacement,
-):
-    _row_of_spatial_error(
-        _out,
-        _values_of_displacement,
-    )
-
-
-@_loop
-def _row_each_of_spatial_error(
-    _out,
-    _values_of_displacement,
-):
-    _widen()
-    for _i in _range(_out.size):
-        displacement_0 = _float64(_values_of_displacement[3 * _i + 0])
-        displacement_1 = _float64(_values_of_displacement[3 * _i + 1])
-        displacement_2 = _float64(_values_of_displacement[3 * _i + 2])
-
-        _value = _value_of_spatial_error(displacement_0, displacement_1, displacement_2)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_spatial_error(
-    _out,
-    _values_of_displacement,
-):
-    _row_each_of_spatial_error(
-        _out,
-        _values_of_displacement,
-    )
+def _fill_of_spatial_error(_out, displacement):
+    _fill(_value_of_spatial_error, _out, (_vector(displacement, 3),))
 
 
 def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -1034,120 +340,33 @@ def spatial_error(displacement: ArrayLike, *, out: NDArray[Any] | None = None) -
     return _run(_loops_of_spatial_error, (displacement,), out)
 
 
-_loops_of_spatial_error = _Loops(
-    names=("displacement",),
-    widths=(3,),
-    shape=(),
-    at=_point_of_spatial_error,
-    uniform=_fill_of_spatial_error,
-    each=_fill_each_of_spatial_error,
-)
-
-
-@_overload(spatial_error)
-def _offer_of_spatial_error(
-    displacement,
-):
-    return lambda displacement: _point_of_spatial_error(
-        _float64(displacement[0]),
-        _float64(displacement[1]),
-        _float64(displacement[2]),
+@_point_of(spatial_error)
+def _point_of_spatial_error(displacement):
+    return _value_of_spatial_error(
+        _float64(displacement[0]), _float64(displacement[1]), _float64(displacement[2])
     )
 
 
-@_scalar
-def _prepare_of_radius(R, A, z, _exact):
-    A_plus_R = A + R
-    R_minus_A = R - A
-    w = A_plus_R * R_minus_A
-
-    return (A, z, w)
-
-
-@_scalar
-def _form_of_radius(phi, A, z, w, _exact):
-    u = A * _elementary.cos(z * phi, _exact)
-    q = _abs(u) + _elementary.hypot(_np.sqrt(w), u)
-
-    return _choose(u >= 0, q, w / q)
+_loops_of_spatial_error = _Loops(
+    ("displacement",), _point_of_spatial_error, _fill_of_spatial_error, widths=(3,)
+)
 
 
 @_scalar
 def _value_of_radius(phi, R, A, z, _exact):
     if not ((R > 0) & _is_finite(R) & (z >= 1) & _is_finite(z) & (z == _floor(z)) & (_abs(A) <= R)):
         return _math.nan
-    _prepared = _prepare_of_radius(R, A, z, _exact)
-    return _form_of_radius(phi, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_radius(phi, R, A, z):
-    return _value_of_radius(phi, R, A, z, True)
-
-
-@_loop
-def _row_of_radius(_out, _values_of_phi, R, A, z, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        phi = _float64(_values_of_phi[_i])
-
-        _value = _value_of_radius(phi, R, A, z, _exact)
-        _out[_i] = _value
+    A_plus_R = A + R
+    R_minus_A = R - A
+    w = A_plus_R * R_minus_A
+    u = A * _elementary.cos(z * phi, _exact)
+    q = _abs(u) + _elementary.hypot(_np.sqrt(w), u)
+    return _choose(u >= 0, q, w / q)
 
 
 @_loop
-def _fill_of_radius(
-    _out,
-    _values_of_phi,
-    R,
-    A,
-    z,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi = _values_of_phi[_start:_stop]
-        _row_of_radius(_out_block, _block_of_phi, R, A, z, None)
-        if _has_nan(_out_block):
-            _row_of_radius(_out_block, _block_of_phi, R, A, z, True)
-
-
-@_loop
-def _row_each_of_radius(_out, _values_of_phi, _values_of_R, _values_of_A, _values_of_z, _exact):
-    _widen()
-    for _i in _range(_out.size):
-        phi = _float64(_values_of_phi[_i])
-
-        R = _float64(_values_of_R[_i])
-
-        A = _float64(_values_of_A[_i])
-
-        z = _float64(_values_of_z[_i])
-
-        _value = _value_of_radius(phi, R, A, z, _exact)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_radius(
-    _out,
-    _values_of_phi,
-    _values_of_R,
-    _values_of_A,
-    _values_of_z,
-):
-    for _start in _range(0, _out.size, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[_start:_stop]
-        _block_of_phi = _values_of_phi[_start:_stop]
-        _block_of_R = _values_of_R[_start:_stop]
-        _block_of_A = _values_of_A[_start:_stop]
-        _block_of_z = _values_of_z[_start:_stop]
-        _row_each_of_radius(_out_block, _block_of_phi, _block_of_R, _block_of_A, _block_of_z, None)
-        if _has_nan(_out_block):
-            _row_each_of_radius(
-                _out_block, _block_of_phi, _block_of_R, _block_of_A, _block_of_z, True
-            )
+def _fill_of_radius(_out, phi, R, A, z):
+    _fill_blocks(_value_of_radius, _out, (phi, R, A, z))
 
 
 def radius(
@@ -1158,80 +377,20 @@ def radius(
     Compiled. The help of `mechproof.kernels.track_wheel.radius` has all words.
     """
     if _type(R) is _type(A) is _type(z) is _float:
-        if _type(phi) is _ndarray:
-            _row = _take_row(phi, out)
-            if _row is not None:
-                _loops_of_radius.fill(_row, phi, R, A, z)
-                return _row
-        elif _type(phi) is _float and out is None:
+        if _type(phi) is _ndarray and (_row := _take_row(phi, out)) is not None:
+            _loops_of_radius.fill(_row, phi, R, A, z)
+            return _row
+        if _type(phi) is _float and out is None:
             return _float64(_loops_of_radius.point(phi, R, A, z))
-    return _run(
-        _loops_of_radius,
-        (
-            phi,
-            R,
-            A,
-            z,
-        ),
-        out,
-    )
+    return _run(_loops_of_radius, (phi, R, A, z), out)
 
 
-_loops_of_radius = _Loops(
-    names=(
-        "phi",
-        "R",
-        "A",
-        "z",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_radius,
-    uniform=_fill_of_radius,
-    each=_fill_each_of_radius,
-)
+@_point_of(radius)
+def _point_of_radius(phi, R, A, z):
+    return _value_of_radius(_float64(phi), _float64(R), _float64(A), _float64(z), True)
 
 
-@_overload(radius)
-def _offer_of_radius(
-    phi,
-    R,
-    A,
-    z,
-):
-    return lambda phi, R, A, z: _point_of_radius(
-        _float64(phi),
-        _float64(R),
-        _float64(A),
-        _float64(z),
-    )
-
-
-@_scalar
-def _prepare_of_track(R, A, z, H, _exact):
-    A_plus_R = A + R
-    R_minus_A = R - A
-    w = A_plus_R * R_minus_A
-
-    return (A, z, H, w)
-
-
-@_scalar
-def _form_of_track(phi, A, z, H, w, _exact):
-    u = A * _elementary.cos(z * phi, _exact)
-    q = _abs(u) + _elementary.hypot(_np.sqrt(w), u)
-    term = _choose(u >= 0, q, w / q)
-
-    return (
-        term * _elementary.cos(phi, _exact),
-        term * _elementary.sin(phi, _exact),
-        H,
-    )
+_loops_of_radius = _Loops(("phi", "R", "A", "z"), _point_of_radius, _fill_of_radius)
 
 
 @_scalar
@@ -1247,91 +406,18 @@ def _value_of_track(phi, R, A, z, H, _exact):
         & (_abs(A) <= R)
     ):
         return (_math.nan, _math.nan, _math.nan)
-    _prepared = _prepare_of_track(R, A, z, H, _exact)
-    return _form_of_track(phi, *_prepared, _exact)
-
-
-@_scalar
-def _point_of_track(phi, R, A, z, H):
-    return _value_of_track(phi, R, A, z, H, True)
-
-
-@_loop
-def _row_of_track(_out, _values_of_phi, R, A, z, H, _exact):
-    _widen()
-    for _i in _range(_out.size // 3):
-        phi = _float64(_values_of_phi[_i])
-
-        _value = _value_of_track(phi, R, A, z, H, _exact)
-        _out[3 * _i + 0] = _value[0]
-        _out[3 * _i + 1] = _value[1]
-        _out[3 * _i + 2] = _value[2]
+    A_plus_R = A + R
+    R_minus_A = R - A
+    w = A_plus_R * R_minus_A
+    u = A * _elementary.cos(z * phi, _exact)
+    q = _abs(u) + _elementary.hypot(_np.sqrt(w), u)
+    term = _choose(u >= 0, q, w / q)
+    return (term * _elementary.cos(phi, _exact), term * _elementary.sin(phi, _exact), H)
 
 
 @_loop
-def _fill_of_track(
-    _out,
-    _values_of_phi,
-    R,
-    A,
-    z,
-    H,
-):
-    for _start in _range(0, _out.size // 3, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[3 * _start : 3 * _stop]
-        _block_of_phi = _values_of_phi[_start:_stop]
-        _row_of_track(_out_block, _block_of_phi, R, A, z, H, None)
-        if _has_nan(_out_block):
-            _row_of_track(_out_block, _block_of_phi, R, A, z, H, True)
-
-
-@_loop
-def _row_each_of_track(
-    _out, _values_of_phi, _values_of_R, _values_of_A, _values_of_z, _values_of_H, _exact
-):
-    _widen()
-    for _i in _range(_out.size // 3):
-        phi = _float64(_values_of_phi[_i])
-
-        R = _float64(_values_of_R[_i])
-
-        A = _float64(_values_of_A[_i])
-
-        z = _float64(_values_of_z[_i])
-
-        H = _float64(_values_of_H[_i])
-
-        _value = _value_of_track(phi, R, A, z, H, _exact)
-        _out[3 * _i + 0] = _value[0]
-        _out[3 * _i + 1] = _value[1]
-        _out[3 * _i + 2] = _value[2]
-
-
-@_loop
-def _fill_each_of_track(
-    _out,
-    _values_of_phi,
-    _values_of_R,
-    _values_of_A,
-    _values_of_z,
-    _values_of_H,
-):
-    for _start in _range(0, _out.size // 3, _BLOCK):
-        _stop = _start + _BLOCK
-        _out_block = _out[3 * _start : 3 * _stop]
-        _block_of_phi = _values_of_phi[_start:_stop]
-        _block_of_R = _values_of_R[_start:_stop]
-        _block_of_A = _values_of_A[_start:_stop]
-        _block_of_z = _values_of_z[_start:_stop]
-        _block_of_H = _values_of_H[_start:_stop]
-        _row_each_of_track(
-            _out_block, _block_of_phi, _block_of_R, _block_of_A, _block_of_z, _block_of_H, None
-        )
-        if _has_nan(_out_block):
-            _row_each_of_track(
-                _out_block, _block_of_phi, _block_of_R, _block_of_A, _block_of_z, _block_of_H, True
-            )
+def _fill_of_track(_out, phi, R, A, z, H):
+    _fill_blocks(_value_of_track, _vector(_out, 3), (phi, R, A, z, H))
 
 
 def track(
@@ -1347,137 +433,27 @@ def track(
 
     Compiled. The help of `mechproof.kernels.track_wheel.track` has all words.
     """
-    return _run(
-        _loops_of_track,
-        (
-            phi,
-            R,
-            A,
-            z,
-            H,
-        ),
-        out,
-    )
+    return _run(_loops_of_track, (phi, R, A, z, H), out)
 
 
-_loops_of_track = _Loops(
-    names=(
-        "phi",
-        "R",
-        "A",
-        "z",
-        "H",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-        0,
-    ),
-    shape=(3,),
-    at=_point_of_track,
-    uniform=_fill_of_track,
-    each=_fill_each_of_track,
-)
+@_point_of(track)
+def _point_of_track(phi, R, A, z, H):
+    return _value_of_track(_float64(phi), _float64(R), _float64(A), _float64(z), _float64(H), True)
 
 
-@_overload(track)
-def _offer_of_track(
-    phi,
-    R,
-    A,
-    z,
-    H,
-):
-    return lambda phi, R, A, z, H: _point_of_track(
-        _float64(phi),
-        _float64(R),
-        _float64(A),
-        _float64(z),
-        _float64(H),
-    )
-
-
-@_scalar
-def _prepare_of_largest_radius(A):
-
-    return (A,)
-
-
-@_scalar
-def _form_of_largest_radius(R, A):
-
-    return R + _abs(A)
+_loops_of_track = _Loops(("phi", "R", "A", "z", "H"), _point_of_track, _fill_of_track, shape=(3,))
 
 
 @_scalar
 def _value_of_largest_radius(R, A):
     if not ((R > 0) & _is_finite(R) & (_abs(A) <= R)):
         return _math.nan
-    _prepared = _prepare_of_largest_radius(A)
-    return _form_of_largest_radius(R, *_prepared)
-
-
-@_scalar
-def _point_of_largest_radius(R, A):
-    return _value_of_largest_radius(R, A)
+    return R + _abs(A)
 
 
 @_loop
-def _row_of_largest_radius(
-    _out,
-    _values_of_R,
-    A,
-):
-    _widen()
-    for _i in _range(_out.size):
-        R = _float64(_values_of_R[_i])
-
-        _value = _value_of_largest_radius(R, A)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_largest_radius(
-    _out,
-    _values_of_R,
-    A,
-):
-    _row_of_largest_radius(
-        _out,
-        _values_of_R,
-        A,
-    )
-
-
-@_loop
-def _row_each_of_largest_radius(
-    _out,
-    _values_of_R,
-    _values_of_A,
-):
-    _widen()
-    for _i in _range(_out.size):
-        R = _float64(_values_of_R[_i])
-
-        A = _float64(_values_of_A[_i])
-
-        _value = _value_of_largest_radius(R, A)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_largest_radius(
-    _out,
-    _values_of_R,
-    _values_of_A,
-):
-    _row_each_of_largest_radius(
-        _out,
-        _values_of_R,
-        _values_of_A,
-    )
+def _fill_of_largest_radius(_out, R, A):
+    _fill(_value_of_largest_radius, _out, (R, A))
 
 
 def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -1486,129 +462,32 @@ def largest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = Non
     Compiled. The help of `mechproof.kernels.track_wheel.largest_radius` has all words.
     """
     if _type(A) is _float:
-        if _type(R) is _ndarray:
-            _row = _take_row(R, out)
-            if _row is not None:
-                _loops_of_largest_radius.fill(_row, R, A)
-                return _row
-        elif _type(R) is _float and out is None:
+        if _type(R) is _ndarray and (_row := _take_row(R, out)) is not None:
+            _loops_of_largest_radius.fill(_row, R, A)
+            return _row
+        if _type(R) is _float and out is None:
             return _float64(_loops_of_largest_radius.point(R, A))
-    return _run(
-        _loops_of_largest_radius,
-        (
-            R,
-            A,
-        ),
-        out,
-    )
+    return _run(_loops_of_largest_radius, (R, A), out)
 
 
-_loops_of_largest_radius = _Loops(
-    names=(
-        "R",
-        "A",
-    ),
-    widths=(
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_largest_radius,
-    uniform=_fill_of_largest_radius,
-    each=_fill_each_of_largest_radius,
-)
+@_point_of(largest_radius)
+def _point_of_largest_radius(R, A):
+    return _value_of_largest_radius(_float64(R), _float64(A))
 
 
-@_overload(largest_radius)
-def _offer_of_largest_radius(
-    R,
-    A,
-):
-    return lambda R, A: _point_of_largest_radius(
-        _float64(R),
-        _float64(A),
-    )
-
-
-@_scalar
-def _prepare_of_smallest_radius(A):
-
-    return (A,)
-
-
-@_scalar
-def _form_of_smallest_radius(R, A):
-
-    return R - _abs(A)
+_loops_of_largest_radius = _Loops(("R", "A"), _point_of_largest_radius, _fill_of_largest_radius)
 
 
 @_scalar
 def _value_of_smallest_radius(R, A):
     if not ((R > 0) & _is_finite(R) & (_abs(A) <= R)):
         return _math.nan
-    _prepared = _prepare_of_smallest_radius(A)
-    return _form_of_smallest_radius(R, *_prepared)
-
-
-@_scalar
-def _point_of_smallest_radius(R, A):
-    return _value_of_smallest_radius(R, A)
+    return R - _abs(A)
 
 
 @_loop
-def _row_of_smallest_radius(
-    _out,
-    _values_of_R,
-    A,
-):
-    _widen()
-    for _i in _range(_out.size):
-        R = _float64(_values_of_R[_i])
-
-        _value = _value_of_smallest_radius(R, A)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_of_smallest_radius(
-    _out,
-    _values_of_R,
-    A,
-):
-    _row_of_smallest_radius(
-        _out,
-        _values_of_R,
-        A,
-    )
-
-
-@_loop
-def _row_each_of_smallest_radius(
-    _out,
-    _values_of_R,
-    _values_of_A,
-):
-    _widen()
-    for _i in _range(_out.size):
-        R = _float64(_values_of_R[_i])
-
-        A = _float64(_values_of_A[_i])
-
-        _value = _value_of_smallest_radius(R, A)
-        _out[_i] = _value
-
-
-@_loop
-def _fill_each_of_smallest_radius(
-    _out,
-    _values_of_R,
-    _values_of_A,
-):
-    _row_each_of_smallest_radius(
-        _out,
-        _values_of_R,
-        _values_of_A,
-    )
+def _fill_of_smallest_radius(_out, R, A):
+    _fill(_value_of_smallest_radius, _out, (R, A))
 
 
 def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
@@ -1617,54 +496,20 @@ def smallest_radius(R: ArrayLike, A: ArrayLike, *, out: NDArray[Any] | None = No
     Compiled. The help of `mechproof.kernels.track_wheel.smallest_radius` has all words.
     """
     if _type(A) is _float:
-        if _type(R) is _ndarray:
-            _row = _take_row(R, out)
-            if _row is not None:
-                _loops_of_smallest_radius.fill(_row, R, A)
-                return _row
-        elif _type(R) is _float and out is None:
+        if _type(R) is _ndarray and (_row := _take_row(R, out)) is not None:
+            _loops_of_smallest_radius.fill(_row, R, A)
+            return _row
+        if _type(R) is _float and out is None:
             return _float64(_loops_of_smallest_radius.point(R, A))
-    return _run(
-        _loops_of_smallest_radius,
-        (
-            R,
-            A,
-        ),
-        out,
-    )
+    return _run(_loops_of_smallest_radius, (R, A), out)
 
 
-_loops_of_smallest_radius = _Loops(
-    names=(
-        "R",
-        "A",
-    ),
-    widths=(
-        0,
-        0,
-    ),
-    shape=(),
-    at=_point_of_smallest_radius,
-    uniform=_fill_of_smallest_radius,
-    each=_fill_each_of_smallest_radius,
-)
+@_point_of(smallest_radius)
+def _point_of_smallest_radius(R, A):
+    return _value_of_smallest_radius(_float64(R), _float64(A))
 
 
-@_overload(smallest_radius)
-def _offer_of_smallest_radius(
-    R,
-    A,
-):
-    return lambda R, A: _point_of_smallest_radius(
-        _float64(R),
-        _float64(A),
-    )
-
-
-@_scalar
-def _form_of_error_sum_correlated(total_scatter, sum_1, sum_2):
-
-    return _np.sqrt(_elementary.nonnegative(sum_1, sum_2**2)) / total_scatter
+_loops_of_smallest_radius = _Loops(("R", "A"), _point_of_smallest_radius, _fill_of_smallest_radius)
 
 
 @_scalar
@@ -1694,118 +539,56 @@ def _value_of_error_sum_correlated(
         & every_10
     ):
         return _math.nan
-    return _form_of_error_sum_correlated(total_scatter, sum_1, sum_2)
+    return _np.sqrt(_elementary.nonnegative(sum_1, sum_2**2)) / total_scatter
 
 
 @_scalar
-def _point_of_error_sum_correlated(tolerances, sensitivities, scatters, correlation, total_scatter):
-    return _value_of_error_sum_correlated(
-        total_scatter,
-        _every_3(scatters),
-        _every_4(scatters),
-        _every_5(correlation),
-        _every_6(correlation),
-        _every_7(correlation),
-        _every_8(correlation),
-        _every_9(tolerances),
-        _every_10(tolerances),
-        _sum_1(sensitivities, scatters, tolerances, correlation),
-        _sum_2(sensitivities, scatters, tolerances, correlation),
+def _sums_of_error_sum_correlated(
+    _at, _terms, tolerances, sensitivities, scatters, correlation, total_scatter
+):
+    return (
+        _element(total_scatter, _at),
+        _every(_every_3_term, _at, 0, (_terms,), (scatters,)),
+        _every(_every_4_term, _at, 1, (_terms,), (scatters,)),
+        _every(_every_5_term, _at, 2, (_terms, _terms), (correlation,)),
+        _every(_every_6_term, _at, 3, (_terms, _terms), (correlation,)),
+        _every(_every_7_term, _at, 4, (_terms,), (correlation,)),
+        _every(_every_8_term, _at, 5, (_terms, _terms), (correlation,)),
+        _every(_every_9_term, _at, 6, (_terms,), (tolerances,)),
+        _every(_every_10_term, _at, 7, (_terms,), (tolerances,)),
+        _add_up(
+            _sum_1_term,
+            _elementary.total_rest,
+            _at,
+            8,
+            (_terms, _terms),
+            (sensitivities, scatters, tolerances, correlation),
+        ),
+        _add_up(
+            _sum_2_term,
+            _elementary.total_rest,
+            _at,
+            9,
+            (_terms,),
+            (sensitivities, scatters, tolerances, correlation),
+        ),
     )
 
 
 @_loop
-def _fill_each_of_error_sum_correlated(
-    _out,
-    _terms,
-    _values_of_tolerances,
-    _values_of_sensitivities,
-    _values_of_scatters,
-    _values_of_correlation,
-    _values_of_total_scatter,
+def _fill_of_error_sum_correlated(
+    _out, _terms, tolerances, sensitivities, scatters, correlation, total_scatter
 ):
-    _widen()
-    _sets = _count_sets(_out.size, _terms * _terms)
-    _sets_of_tolerances = _empty((_terms, _sets))
-    _sets_of_sensitivities = _empty((_terms, _sets))
-    _sets_of_scatters = _empty((_terms, _sets))
-    _sets_of_correlation = _empty((_terms, _terms, _sets))
-    _sets_of_total_scatter = _empty((1, _sets))
-    _sets_of_every_3 = _empty(_sets)
-    _sets_of_every_4 = _empty(_sets)
-    _sets_of_every_5 = _empty(_sets)
-    _sets_of_every_6 = _empty(_sets)
-    _sets_of_every_7 = _empty(_sets)
-    _sets_of_every_8 = _empty(_sets)
-    _sets_of_every_9 = _empty(_sets)
-    _sets_of_every_10 = _empty(_sets)
-    _sets_of_sum_1 = _empty(_sets)
-    _sets_of_sum_2 = _empty(_sets)
-    for _start in _range(0, _out.size, _sets):
-        _stop = _min(_start + _sets, _out.size)
-        _put_sets(_sets_of_tolerances, _values_of_tolerances, _start, _stop)
-        _put_sets(_sets_of_sensitivities, _values_of_sensitivities, _start, _stop)
-        _put_sets(_sets_of_scatters, _values_of_scatters, _start, _stop)
-        _put_sets(_sets_of_correlation.reshape(-1, _sets), _values_of_correlation, _start, _stop)
-        _put_sets(_sets_of_total_scatter, _values_of_total_scatter, _start, _stop)
-        if _start == 0 or _len(_values_of_scatters) > 1:
-            _every_3_sets(_sets_of_every_3, _sets_of_scatters)
-        if _start == 0 or _len(_values_of_scatters) > 1:
-            _every_4_sets(_sets_of_every_4, _sets_of_scatters)
-        if _start == 0 or _len(_values_of_correlation) > 1:
-            _every_5_sets(_sets_of_every_5, _sets_of_correlation)
-        if _start == 0 or _len(_values_of_correlation) > 1:
-            _every_6_sets(_sets_of_every_6, _sets_of_correlation)
-        if _start == 0 or _len(_values_of_correlation) > 1:
-            _every_7_sets(_sets_of_every_7, _sets_of_correlation)
-        if _start == 0 or _len(_values_of_correlation) > 1:
-            _every_8_sets(_sets_of_every_8, _sets_of_correlation)
-        if _start == 0 or _len(_values_of_tolerances) > 1:
-            _every_9_sets(_sets_of_every_9, _sets_of_tolerances)
-        if _start == 0 or _len(_values_of_tolerances) > 1:
-            _every_10_sets(_sets_of_every_10, _sets_of_tolerances)
-        if (
-            _start == 0
-            or _len(_values_of_tolerances) > 1
-            or _len(_values_of_sensitivities) > 1
-            or _len(_values_of_scatters) > 1
-            or _len(_values_of_correlation) > 1
-        ):
-            _sum_1_sets(
-                _sets_of_sum_1,
-                _sets_of_sensitivities,
-                _sets_of_scatters,
-                _sets_of_tolerances,
-                _sets_of_correlation,
-            )
-        if (
-            _start == 0
-            or _len(_values_of_tolerances) > 1
-            or _len(_values_of_sensitivities) > 1
-            or _len(_values_of_scatters) > 1
-            or _len(_values_of_correlation) > 1
-        ):
-            _sum_2_sets(
-                _sets_of_sum_2,
-                _sets_of_sensitivities,
-                _sets_of_scatters,
-                _sets_of_tolerances,
-                _sets_of_correlation,
-            )
-        for _s in _range(_stop - _start):
-            _out[_start + _s] = _value_of_error_sum_correlated(
-                _sets_of_total_scatter[0, _s],
-                _sets_of_every_3[_s] > 0,
-                _sets_of_every_4[_s] > 0,
-                _sets_of_every_5[_s] > 0,
-                _sets_of_every_6[_s] > 0,
-                _sets_of_every_7[_s] > 0,
-                _sets_of_every_8[_s] > 0,
-                _sets_of_every_9[_s] > 0,
-                _sets_of_every_10[_s] > 0,
-                _sets_of_sum_1[_s],
-                _sets_of_sum_2[_s],
-            )
+    _fill_sets(
+        _value_of_error_sum_correlated,
+        _sums_of_error_sum_correlated,
+        10,
+        _out,
+        _terms,
+        (tolerances, sensitivities, scatters, correlation, total_scatter),
+        (_terms, _terms, _terms, _terms * _terms, 1),
+        (),
+    )
 
 
 def error_sum_correlated(
@@ -1823,79 +606,31 @@ def error_sum_correlated(
     """
     return _run_sums(
         _loops_of_error_sum_correlated,
-        (
-            tolerances,
-            sensitivities,
-            scatters,
-            correlation,
-            total_scatter,
-        ),
+        (tolerances, sensitivities, scatters, correlation, total_scatter),
         out,
     )
 
 
-_loops_of_error_sum_correlated = _Sums(
-    names=(
-        "tolerances",
-        "sensitivities",
-        "scatters",
-        "correlation",
-        "total_scatter",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-        0,
-    ),
-    axes=(
-        1,
-        1,
-        1,
-        2,
-        0,
-    ),
-    at=_point_of_error_sum_correlated,
-    each=_fill_each_of_error_sum_correlated,
-)
-
-
-@_overload(error_sum_correlated)
-def _offer_of_error_sum_correlated(
-    tolerances,
-    sensitivities,
-    scatters,
-    correlation,
-    total_scatter,
-):
-    def _take(
-        tolerances,
-        sensitivities,
-        scatters,
-        correlation,
-        total_scatter,
-    ):
-        _terms = 1
-        _terms = _count_terms(_terms, tolerances)
-        _terms = _count_terms(_terms, sensitivities)
-        _terms = _count_terms(_terms, scatters)
-        _terms = _count_terms(_terms, correlation)
-        return _point_of_error_sum_correlated(
-            _take_terms("tolerances", tolerances, _terms),
-            _take_terms("sensitivities", sensitivities, _terms),
-            _take_terms("scatters", scatters, _terms),
-            _take_square("correlation", correlation, _terms),
-            _float64(total_scatter),
+@_point_of(error_sum_correlated)
+def _point_of_error_sum_correlated(tolerances, sensitivities, scatters, correlation, total_scatter):
+    _terms = _count_terms(tolerances, sensitivities, scatters, correlation)
+    tolerances = _take_terms("tolerances", tolerances, _terms)
+    sensitivities = _take_terms("sensitivities", sensitivities, _terms)
+    scatters = _take_terms("scatters", scatters, _terms)
+    correlation = _take_square("correlation", correlation, _terms)
+    return _value_of_error_sum_correlated(
+        *_sums_of_error_sum_correlated(
+            None, _terms, tolerances, sensitivities, scatters, correlation, total_scatter
         )
+    )
 
-    return _take
 
-
-@_scalar
-def _form_of_error_sum(total_scatter, sum_11):
-
-    return _np.sqrt(sum_11) / total_scatter
+_loops_of_error_sum_correlated = _Sums(
+    ("tolerances", "sensitivities", "scatters", "correlation", "total_scatter"),
+    (1, 1, 1, 2, 0),
+    _point_of_error_sum_correlated,
+    _fill_of_error_sum_correlated,
+)
 
 
 @_scalar
@@ -1904,73 +639,40 @@ def _value_of_error_sum(total_scatter, every_3, every_4, every_9, every_10, sum_
         (total_scatter > 0) & _is_finite(total_scatter) & every_3 & every_4 & every_9 & every_10
     ):
         return _math.nan
-    return _form_of_error_sum(total_scatter, sum_11)
+    return _np.sqrt(sum_11) / total_scatter
 
 
 @_scalar
-def _point_of_error_sum(tolerances, sensitivities, scatters, total_scatter):
-    return _value_of_error_sum(
-        total_scatter,
-        _every_3(scatters),
-        _every_4(scatters),
-        _every_9(tolerances),
-        _every_10(tolerances),
-        _sum_11(sensitivities, scatters, tolerances),
+def _sums_of_error_sum(_at, _terms, tolerances, sensitivities, scatters, total_scatter):
+    return (
+        _element(total_scatter, _at),
+        _every(_every_3_term, _at, 0, (_terms,), (scatters,)),
+        _every(_every_4_term, _at, 1, (_terms,), (scatters,)),
+        _every(_every_9_term, _at, 2, (_terms,), (tolerances,)),
+        _every(_every_10_term, _at, 3, (_terms,), (tolerances,)),
+        _add_up(
+            _sum_11_term,
+            _elementary.total_rest,
+            _at,
+            4,
+            (_terms,),
+            (sensitivities, scatters, tolerances),
+        ),
     )
 
 
 @_loop
-def _fill_each_of_error_sum(
-    _out,
-    _terms,
-    _values_of_tolerances,
-    _values_of_sensitivities,
-    _values_of_scatters,
-    _values_of_total_scatter,
-):
-    _widen()
-    _sets = _count_sets(_out.size, _terms)
-    _sets_of_tolerances = _empty((_terms, _sets))
-    _sets_of_sensitivities = _empty((_terms, _sets))
-    _sets_of_scatters = _empty((_terms, _sets))
-    _sets_of_total_scatter = _empty((1, _sets))
-    _sets_of_every_3 = _empty(_sets)
-    _sets_of_every_4 = _empty(_sets)
-    _sets_of_every_9 = _empty(_sets)
-    _sets_of_every_10 = _empty(_sets)
-    _sets_of_sum_11 = _empty(_sets)
-    for _start in _range(0, _out.size, _sets):
-        _stop = _min(_start + _sets, _out.size)
-        _put_sets(_sets_of_tolerances, _values_of_tolerances, _start, _stop)
-        _put_sets(_sets_of_sensitivities, _values_of_sensitivities, _start, _stop)
-        _put_sets(_sets_of_scatters, _values_of_scatters, _start, _stop)
-        _put_sets(_sets_of_total_scatter, _values_of_total_scatter, _start, _stop)
-        if _start == 0 or _len(_values_of_scatters) > 1:
-            _every_3_sets(_sets_of_every_3, _sets_of_scatters)
-        if _start == 0 or _len(_values_of_scatters) > 1:
-            _every_4_sets(_sets_of_every_4, _sets_of_scatters)
-        if _start == 0 or _len(_values_of_tolerances) > 1:
-            _every_9_sets(_sets_of_every_9, _sets_of_tolerances)
-        if _start == 0 or _len(_values_of_tolerances) > 1:
-            _every_10_sets(_sets_of_every_10, _sets_of_tolerances)
-        if (
-            _start == 0
-            or _len(_values_of_tolerances) > 1
-            or _len(_values_of_sensitivities) > 1
-            or _len(_values_of_scatters) > 1
-        ):
-            _sum_11_sets(
-                _sets_of_sum_11, _sets_of_sensitivities, _sets_of_scatters, _sets_of_tolerances
-            )
-        for _s in _range(_stop - _start):
-            _out[_start + _s] = _value_of_error_sum(
-                _sets_of_total_scatter[0, _s],
-                _sets_of_every_3[_s] > 0,
-                _sets_of_every_4[_s] > 0,
-                _sets_of_every_9[_s] > 0,
-                _sets_of_every_10[_s] > 0,
-                _sets_of_sum_11[_s],
-            )
+def _fill_of_error_sum(_out, _terms, tolerances, sensitivities, scatters, total_scatter):
+    _fill_sets(
+        _value_of_error_sum,
+        _sums_of_error_sum,
+        5,
+        _out,
+        _terms,
+        (tolerances, sensitivities, scatters, total_scatter),
+        (_terms, _terms, _terms, 1),
+        (),
+    )
 
 
 def error_sum(
@@ -1985,75 +687,26 @@ def error_sum(
 
     Compiled. The help of `mechproof.kernels.track_wheel.error_sum` has all words.
     """
-    return _run_sums(
-        _loops_of_error_sum,
-        (
-            tolerances,
-            sensitivities,
-            scatters,
-            total_scatter,
-        ),
-        out,
+    return _run_sums(_loops_of_error_sum, (tolerances, sensitivities, scatters, total_scatter), out)
+
+
+@_point_of(error_sum)
+def _point_of_error_sum(tolerances, sensitivities, scatters, total_scatter):
+    _terms = _count_terms(tolerances, sensitivities, scatters)
+    tolerances = _take_terms("tolerances", tolerances, _terms)
+    sensitivities = _take_terms("sensitivities", sensitivities, _terms)
+    scatters = _take_terms("scatters", scatters, _terms)
+    return _value_of_error_sum(
+        *_sums_of_error_sum(None, _terms, tolerances, sensitivities, scatters, total_scatter)
     )
 
 
 _loops_of_error_sum = _Sums(
-    names=(
-        "tolerances",
-        "sensitivities",
-        "scatters",
-        "total_scatter",
-    ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-    ),
-    axes=(
-        1,
-        1,
-        1,
-        0,
-    ),
-    at=_point_of_error_sum,
-    each=_fill_each_of_error_sum,
+    ("tolerances", "sensitivities", "scatters", "total_scatter"),
+    (1, 1, 1, 0),
+    _point_of_error_sum,
+    _fill_of_error_sum,
 )
-
-
-@_overload(error_sum)
-def _offer_of_error_sum(
-    tolerances,
-    sensitivities,
-    scatters,
-    total_scatter,
-):
-    def _take(
-        tolerances,
-        sensitivities,
-        scatters,
-        total_scatter,
-    ):
-        _terms = 1
-        _terms = _count_terms(_terms, tolerances)
-        _terms = _count_terms(_terms, sensitivities)
-        _terms = _count_terms(_terms, scatters)
-        return _point_of_error_sum(
-            _take_terms("tolerances", tolerances, _terms),
-            _take_terms("sensitivities", sensitivities, _terms),
-            _take_terms("scatters", scatters, _terms),
-            _float64(total_scatter),
-        )
-
-    return _take
-
-
-@_scalar
-def _form_of_error_sum_thermal(total_scatter, thermal_share, thermal_scatter, sum_11):
-    K_minus_tau_K_T = total_scatter - thermal_share * thermal_scatter
-    K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter
-
-    return _np.sqrt(sum_11) / _np.sqrt(K_minus_tau_K_T * K_plus_tau_K_T)
 
 
 @_scalar
@@ -2074,85 +727,48 @@ def _value_of_error_sum_thermal(
         & every_10
     ):
         return _math.nan
-    return _form_of_error_sum_thermal(total_scatter, thermal_share, thermal_scatter, sum_11)
+    K_minus_tau_K_T = total_scatter - thermal_share * thermal_scatter
+    K_plus_tau_K_T = total_scatter + thermal_share * thermal_scatter
+    return _np.sqrt(sum_11) / _np.sqrt(K_minus_tau_K_T * K_plus_tau_K_T)
 
 
 @_scalar
-def _point_of_error_sum_thermal(
-    tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
+def _sums_of_error_sum_thermal(
+    _at, _terms, tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
 ):
-    return _value_of_error_sum_thermal(
-        total_scatter,
-        thermal_share,
-        thermal_scatter,
-        _every_3(scatters),
-        _every_4(scatters),
-        _every_9(tolerances),
-        _every_10(tolerances),
-        _sum_11(sensitivities, scatters, tolerances),
+    return (
+        _element(total_scatter, _at),
+        _element(thermal_share, _at),
+        _element(thermal_scatter, _at),
+        _every(_every_3_term, _at, 0, (_terms,), (scatters,)),
+        _every(_every_4_term, _at, 1, (_terms,), (scatters,)),
+        _every(_every_9_term, _at, 2, (_terms,), (tolerances,)),
+        _every(_every_10_term, _at, 3, (_terms,), (tolerances,)),
+        _add_up(
+            _sum_11_term,
+            _elementary.total_rest,
+            _at,
+            4,
+            (_terms,),
+            (sensitivities, scatters, tolerances),
+        ),
     )
 
 
 @_loop
-def _fill_each_of_error_sum_thermal(
-    _out,
-    _terms,
-    _values_of_tolerances,
-    _values_of_sensitivities,
-    _values_of_scatters,
-    _values_of_total_scatter,
-    _values_of_thermal_share,
-    _values_of_thermal_scatter,
+def _fill_of_error_sum_thermal(
+    _out, _terms, tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
 ):
-    _widen()
-    _sets = _count_sets(_out.size, _terms)
-    _sets_of_tolerances = _empty((_terms, _sets))
-    _sets_of_sensitivities = _empty((_terms, _sets))
-    _sets_of_scatters = _empty((_terms, _sets))
-    _sets_of_total_scatter = _empty((1, _sets))
-    _sets_of_thermal_share = _empty((1, _sets))
-    _sets_of_thermal_scatter = _empty((1, _sets))
-    _sets_of_every_3 = _empty(_sets)
-    _sets_of_every_4 = _empty(_sets)
-    _sets_of_every_9 = _empty(_sets)
-    _sets_of_every_10 = _empty(_sets)
-    _sets_of_sum_11 = _empty(_sets)
-    for _start in _range(0, _out.size, _sets):
-        _stop = _min(_start + _sets, _out.size)
-        _put_sets(_sets_of_tolerances, _values_of_tolerances, _start, _stop)
-        _put_sets(_sets_of_sensitivities, _values_of_sensitivities, _start, _stop)
-        _put_sets(_sets_of_scatters, _values_of_scatters, _start, _stop)
-        _put_sets(_sets_of_total_scatter, _values_of_total_scatter, _start, _stop)
-        _put_sets(_sets_of_thermal_share, _values_of_thermal_share, _start, _stop)
-        _put_sets(_sets_of_thermal_scatter, _values_of_thermal_scatter, _start, _stop)
-        if _start == 0 or _len(_values_of_scatters) > 1:
-            _every_3_sets(_sets_of_every_3, _sets_of_scatters)
-        if _start == 0 or _len(_values_of_scatters) > 1:
-            _every_4_sets(_sets_of_every_4, _sets_of_scatters)
-        if _start == 0 or _len(_values_of_tolerances) > 1:
-            _every_9_sets(_sets_of_every_9, _sets_of_tolerances)
-        if _start == 0 or _len(_values_of_tolerances) > 1:
-            _every_10_sets(_sets_of_every_10, _sets_of_tolerances)
-        if (
-            _start == 0
-            or _len(_values_of_tolerances) > 1
-            or _len(_values_of_sensitivities) > 1
-            or _len(_values_of_scatters) > 1
-        ):
-            _sum_11_sets(
-                _sets_of_sum_11, _sets_of_sensitivities, _sets_of_scatters, _sets_of_tolerances
-            )
-        for _s in _range(_stop - _start):
-            _out[_start + _s] = _value_of_error_sum_thermal(
-                _sets_of_total_scatter[0, _s],
-                _sets_of_thermal_share[0, _s],
-                _sets_of_thermal_scatter[0, _s],
-                _sets_of_every_3[_s] > 0,
-                _sets_of_every_4[_s] > 0,
-                _sets_of_every_9[_s] > 0,
-                _sets_of_every_10[_s] > 0,
-                _sets_of_sum_11[_s],
-            )
+    _fill_sets(
+        _value_of_error_sum_thermal,
+        _sums_of_error_sum_thermal,
+        5,
+        _out,
+        _terms,
+        (tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter),
+        (_terms, _terms, _terms, 1, 1, 1),
+        (),
+    )
 
 
 def error_sum_thermal(
@@ -2171,20 +787,35 @@ def error_sum_thermal(
     """
     return _run_sums(
         _loops_of_error_sum_thermal,
-        (
+        (tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter),
+        out,
+    )
+
+
+@_point_of(error_sum_thermal)
+def _point_of_error_sum_thermal(
+    tolerances, sensitivities, scatters, total_scatter, thermal_share, thermal_scatter
+):
+    _terms = _count_terms(tolerances, sensitivities, scatters)
+    tolerances = _take_terms("tolerances", tolerances, _terms)
+    sensitivities = _take_terms("sensitivities", sensitivities, _terms)
+    scatters = _take_terms("scatters", scatters, _terms)
+    return _value_of_error_sum_thermal(
+        *_sums_of_error_sum_thermal(
+            None,
+            _terms,
             tolerances,
             sensitivities,
             scatters,
             total_scatter,
             thermal_share,
             thermal_scatter,
-        ),
-        out,
+        )
     )
 
 
 _loops_of_error_sum_thermal = _Sums(
-    names=(
+    (
         "tolerances",
         "sensitivities",
         "scatters",
@@ -2192,55 +823,7 @@ _loops_of_error_sum_thermal = _Sums(
         "thermal_share",
         "thermal_scatter",
     ),
-    widths=(
-        0,
-        0,
-        0,
-        0,
-        0,
-        0,
-    ),
-    axes=(
-        1,
-        1,
-        1,
-        0,
-        0,
-        0,
-    ),
-    at=_point_of_error_sum_thermal,
-    each=_fill_each_of_error_sum_thermal,
+    (1, 1, 1, 0, 0, 0),
+    _point_of_error_sum_thermal,
+    _fill_of_error_sum_thermal,
 )
-
-
-@_overload(error_sum_thermal)
-def _offer_of_error_sum_thermal(
-    tolerances,
-    sensitivities,
-    scatters,
-    total_scatter,
-    thermal_share,
-    thermal_scatter,
-):
-    def _take(
-        tolerances,
-        sensitivities,
-        scatters,
-        total_scatter,
-        thermal_share,
-        thermal_scatter,
-    ):
-        _terms = 1
-        _terms = _count_terms(_terms, tolerances)
-        _terms = _count_terms(_terms, sensitivities)
-        _terms = _count_terms(_terms, scatters)
-        return _point_of_error_sum_thermal(
-            _take_terms("tolerances", tolerances, _terms),
-            _take_terms("sensitivities", sensitivities, _terms),
-            _take_terms("scatters", scatters, _terms),
-            _float64(total_scatter),
-            _float64(thermal_share),
-            _float64(thermal_scatter),
-        )
-
-    return _take

@@ -36,10 +36,10 @@ def test_a_compiled_source_that_computes_something_else_is_caught(right: str, wr
 
     (source,) = render_compiled(PAPER).values()
     kernels = list_scalars(PAPER)
-    check_translation(source, kernels)
+    check_translation(source, kernels, PAPER.together)
     assert right in source
     with pytest.raises(TranslationError, match="meant"):
-        check_translation(source.replace(right, wrong, 1), kernels)
+        check_translation(source.replace(right, wrong, 1), kernels, PAPER.together)
 
 
 @pytest.mark.parametrize(
@@ -74,14 +74,12 @@ def test_modules_change_with_what_is_compiled_into_them(
     ("right", "wrong"),
     first_of(
         [
-            ("_low += _elementary.total_rest", "_low -= _elementary.total_rest"),
-            ("_total = _high + _term", "_total = _high - _term"),
-            ("_choose(_is_finite(_low), _high + _low, _high)", "_high"),
-            ("_float64(correlation[_j, _i])", "_float64(correlation[_i, _j])"),
-            ("_float64(tolerances[_j])", "_float64(tolerances[_i])"),
-            ("_holds = _holds & ", "_holds = "),
-            ("for _j in _range(_len(", "for _j in _range(1, _len("),
-            ("_every_3(scatters)", "_every_4(scatters)"),
+            ("_elementary.total_rest", "_elementary.product_rest"),
+            ("_element(correlation, _at, _j, _i)", "_element(correlation, _at, _i, _j)"),
+            ("_element(correlation, _at, _i, _i)", "_element(correlation, _at, _i, _j)"),
+            ("_element(tolerances, _at, _j)", "_element(tolerances, _at, _i)"),
+            ("_element(tolerances, _at, _j)", "_element(scatters, _at, _j)"),
+            ("_element(tolerances, _at, _j)", "tolerances[_j]"),
             ("scatters_i > 0", "scatters_i >= 0"),
             (
                 "(sensitivities_i * scatters_i * tolerances_i) ** 2",
@@ -89,34 +87,26 @@ def test_modules_change_with_what_is_compiled_into_them(
             ),
             ("scatters_i * tolerances_i) ** 2", "scatters_i * tolerances_i)"),
             ("* (sensitivities_j * scatters_j", "* (sensitivities_j * scatters_i"),
-            ("_low[_s] += _elementary.total_rest", "_low[_s] -= _elementary.total_rest"),
-            ("_total = _high[_s] + _term", "_total = _high[_s] - _term"),
-            ("_high[_s] + _low[_s], _high[_s])", "_high[_s], _high[_s])"),
-            ("correlation[_j, _i, _s]", "correlation[_i, _j, _s]"),
-            ("tolerances[_j, _s]", "tolerances[_i, _s]"),
-            ("correlation[_i, _i, _s]", "correlation[_i, _i, 0]"),
+            ("_every(_every_3_term, ", "_every(_every_4_term, "),
+            ("_add_up(\n            _sum_11_term", "_add_up(\n            _sum_2_term"),
+            ("_every_4_term, _at, 1, ", "_every_4_term, _at, 0, "),
+            ("(_terms, _terms), (correlation,)", "(_terms,), (correlation,)"),
+            ("(_terms,), (scatters,)", "(_terms,), (tolerances,)"),
+            ("(sensitivities, scatters, tolerances),", "(scatters, sensitivities, tolerances),"),
             (
-                "_holds[_s] = _choose(_every_3_term(scatters[_i, _s]), _holds[_s]",
-                "_holds[_s] = _choose(_every_3_term(scatters[_i, _s]), 1.0",
+                "(tolerances, sensitivities, scatters, total_scatter),",
+                "(sensitivities, tolerances, scatters, total_scatter),",
             ),
+            ("(_terms, _terms, _terms, 1)", "(_terms, _terms, 1, 1)"),
+            ("_element(total_scatter, _at)", "total_scatter"),
+            ('_take_terms("scatters", scatters', '_take_terms("scatters", tolerances'),
+            ("_take_square(", "_take_terms("),
+            ("    5,\n        _out,", "    4,\n        _out,"),
             (
-                "_sum_11(sensitivities, scatters, tolerances),",
-                "_sum_11(scatters, sensitivities, tolerances),",
+                "*_sums_of_error_sum(None, _terms, tolerances",
+                "*_sums_of_error_sum(None, 1, tolerances",
             ),
-            (
-                "_put_sets(_sets_of_scatters, _values_of_scatters",
-                "_put_sets(_sets_of_scatters, _values_of_tolerances",
-            ),
-            (
-                "_every_3_sets(_sets_of_every_3, _sets_of_scatters)",
-                "_every_3_sets(_sets_of_every_4, _sets_of_scatters)",
-            ),
-            (
-                "_every_3_sets(_sets_of_every_3, _sets_of_scatters)",
-                "_every_4_sets(_sets_of_every_4, _sets_of_scatters)",
-            ),
-            ("_sets_of_every_4[_s] > 0", "_sets_of_every_3[_s] > 0"),
-            ("_sets_of_total_scatter[0, _s]", "_sets_of_total_scatter[0, 0]"),
+            ("(1, 1, 1, 0)", "(1, 1, 0, 0)"),
         ]
     ),
 )
@@ -125,12 +115,12 @@ def test_a_compiled_sum_that_adds_something_else_is_caught(right: str, wrong: st
 
     (source,) = render_compiled(PAPER).values()
     kernels = list_scalars(PAPER)
-    check_translation(source, kernels)
+    check_translation(source, kernels, PAPER.together)
     assert right in source
     with pytest.raises(
-        ValueError, match=r"meant|calls|no loop over terms|are put into|of a set|not put|before"
+        ValueError, match=r"meant|(sums|fill|point|loops)_of_error_sum\w* is not|no view"
     ):
-        check_translation(source.replace(right, wrong, 1), kernels)
+        check_translation(source.replace(right, wrong, 1), kernels, PAPER.together)
 
 
 def test_any_sum_is_compiled(tmp_path: Path) -> None:

@@ -53,30 +53,40 @@ def test_a_numpy_module_whose_names_are_others_is_refused(
 @pytest.mark.parametrize(
     ("right", "wrong", "told"),
     [
-        ("    widen as _widen,", "    has_nan as _widen,", "has_nan is called _widen"),
+        ("    fill as _fill,", "    fill_blocks as _fill,", "fill_blocks is called _fill"),
         ("@_loop\n", "", "is decorated by nothing"),
         ("@_scalar\ndef _value_of", "@_loop\ndef _value_of", "is decorated by _loop"),
-        ("@_overload(ratio)", "@_overload(position)", r"by _overload\(position\)"),
-        ("_form_of_ratio(phi1, *_prepared", "_form_of_ratio(e, *_prepared", "calls _form_of_ratio"),
-        ("return _value_of_ratio(phi1, R1, ", "return _value_of_ratio(R1, phi1, ", "calls _value_"),
-        ("return _value_of_ratio(phi1, ", "return _value_of_ratio(-phi1, ", "calls _value_"),
+        ("@_point_of(ratio)", "@_point_of(position)", r"by _point_of\(position\)"),
+        ("_form_1_of_position(phi1, R1, ", "_form_1_of_position(phi1, e, ", "takes|calls _form_1"),
+        ("return _form_1_of_position(", "return _value_of_ratio(", "for form 1"),
         ("return _math.nan", "return 0.0", "outside its domain"),
+        ("_float64(phi1), _float64(R1), ", "_float64(R1), _float64(phi1), ", "_point_of_ratio is"),
+        ("_value_of_ratio(_float64(phi1)", "_value_of_ratio(-_float64(phi1)", "_point_of_ratio is"),
+        ("_value_of_ratio(_float64(phi1)", "_value_of_ratio(phi1", "_point_of_ratio is not"),
+        ("_fill_blocks(_value_of_ratio, ", "_fill(_value_of_ratio, ", "_fill_of_ratio is not"),
+        ("ratio, _out, (phi1, R1", "ratio, _out, (R1, phi1", "_fill_of_ratio is not"),
+        ("    _fill_blocks(", "    R1 = R2\n    _fill_blocks(", "_fill_of_ratio is not"),
+        ("_fill_of_ratio)\n", "_fill_of_position)\n", "_loops_of_ratio is not"),
+        ("_loops_of_ratio = ", "ratio = position\n_loops_of_ratio = ", "nothing is called|ratio"),
+        ("fill(_row, phi1, R1, R2", "fill(_row, phi1, R2, R1", "ratio is not"),
+        ("(_loops_of_ratio, (phi1, R1, R2", "(_loops_of_ratio, (phi1, R2, R1", "ratio is not"),
+        ("  _value_of_position(phi1, ", "  _value_of_ratio(phi1, ", "_value_of_motion is not"),
     ],
 )  # fmt: skip
 def test_a_compiled_module_whose_parts_do_not_meet_is_refused(
     right: str, wrong: str, told: str
 ) -> None:
     source, kernels = compiled_source(), list_scalars(PAPER)
-    check_translation(source, kernels)
+    check_translation(source, kernels, PAPER.together)
     assert right in source
     with pytest.raises(ReadingError, match=told):
-        check_translation(source.replace(right, wrong, 1), kernels)
+        check_translation(source.replace(right, wrong, 1), kernels, PAPER.together)
 
 
 @pytest.mark.parametrize("name", ["short_term", "row_of_x", "sum_1", "value"])
 def test_a_kernel_may_be_called_like_parts_of_the_machinery(name: str) -> None:
-    parts = {"_loop": f"_row_of_{name}", "_scalar": f"_point_of_{name}"}
-    parts[f"_overload({name})"] = f"_offer_of_{name}"
+    parts = {"_loop": f"_fill_of_{name}", "_scalar": f"_sums_of_{name}"}
+    parts[f"_point_of({name})"] = f"_point_of_{name}"
     functions = [
         f"@{decorator}\ndef {part}(x):\n    return x\n" for decorator, part in parts.items()
     ]

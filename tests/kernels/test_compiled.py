@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from importlib import import_module
 from typing import Any
 
@@ -16,7 +17,7 @@ from mechproof.kernels.compiled import elliptic_planetary, oval_planetary, track
 from mechproof.lab.search import find_worst
 from mechproof.lab.subject import Subject, find_subjects
 
-FIELDS = ("names", "widths", "shape", "at", "uniform", "each")
+FIELDS = ("names", "at", "rows", "widths", "shape")
 EPS = float(np.finfo(float).eps)
 SUBJECTS = {s.name: s for s in find_subjects(()) if s.quantity.forms}
 BOUNDED = [name for name, s in SUBJECTS.items() if s.quantity.accuracy is not None]
@@ -264,3 +265,18 @@ def test_parameters_are_numbers_of_any_kind() -> None:
     assert np.array_equal(elliptic_planetary.position(PHI, 66, 16, 0.5), wanted)
     with pytest.raises(TypeError, match="R1: expected real numbers"):
         elliptic_planetary.position(PHI, 2**70, 16, 0.5)
+
+
+def test_loops_over_points_ask_for_the_widest_vectors() -> None:
+    """What asks stands in the loop itself, which becomes a part of no other function."""
+    import numba
+
+    filled = numba.njit(error_model="numpy")(elliptic_planetary._fill_of_ratio.py_func)
+    filled(np.empty(3), np.ones(3), *SIZES)
+    (text,) = filled.inspect_llvm().values()
+    loops_of_points = re.findall(r"(?m)^define .*_fill_part.* (#\d+) \{$", text)
+    assert len(loops_of_points) == 2
+    for number in loops_of_points:
+        (asked,) = re.findall(rf"(?m)^attributes {number} = (.*)$", text)
+        assert '"prefer-vector-width"="512"' in asked
+        assert "noinline" in asked

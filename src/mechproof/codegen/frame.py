@@ -10,7 +10,7 @@ import ast
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from mechproof.codegen.reading import EXACT, ReadingError
+from mechproof.codegen.reading import ReadingError
 
 Fault = tuple[ast.stmt | ast.expr, str]
 # A pattern of names, and the decorator of what has such a name.
@@ -19,21 +19,12 @@ Decorators = Sequence[tuple[str, str]]
 SHORT = {"numpy": "_np", "math": "_math"}
 # What stands before a compiled function, by how its name begins; before any other nothing.
 COMPILED = (
-    (r"_(prepare|form|value|point)_|_(sum|every)_\d+_term$", "_scalar"),
-    (r"_(row|fill)_|_(sum|every)_\d+", "_loop"),
-    (r"_offer_of_(\w+)$", r"_overload(\1)"),
+    (r"_(form|value|sums)_|_(sum|every)_\d+_term$", "_scalar"),
+    (r"_fill_", "_loop"),
+    (r"_point_of_(\w+)$", r"_point_of(\1)"),
 )
 # The elementary functions.
 ELEMENTARY = ((r"\w", "_scalar"),)
-# An element of a column, of a block of it, a block of a result: of what they are.
-PARTS = (
-    (r"_float64\((\w+)\)$", r"\1"),
-    (r"_block_of_(\w+)$", r"_values_of_\1"),
-    (r"_out_block(\w*)$", r"_out\1"),
-    (r"(True|None)$", EXACT),
-)
-# Components of points go by their places; loops over elements are read with their sums.
-READ_ELSEWHERE = r"\w+[\[(]|_sets_of_"
 VALUE = "_value_of_"
 NOT_A_NUMBER = r"return \(?_math\.nan(, _math\.nan)*\)?"
 
@@ -50,7 +41,7 @@ def check_frame(source: str, decorators: Decorators = ()) -> None:
     for function in functions.values():
         faults += _list_decorators(function, decorators)
         faults += _list_crossed_calls(function, functions)
-        faults += _list_values_outside(function)
+        faults += _list_other_values(function)
     for node, told in faults:
         raise ReadingError(f"line {node.lineno}: {told}")
 
@@ -73,39 +64,24 @@ def _list_decorators(function: ast.FunctionDef, known: Decorators) -> Iterator[F
 def _list_crossed_calls(
     function: ast.FunctionDef, functions: Mapping[str, ast.FunctionDef]
 ) -> Iterator[Fault]:
-    """List calls of functions of the module that pass something to a parameter of another name."""
-    for call in ast.walk(function):
+    """List calls in functions of points that pass something to a parameter of another name."""
+    for call in ast.walk(function) if function.name.startswith(VALUE) else ():
         if isinstance(call, ast.Call) and isinstance(call.func, ast.Name):
             called = functions.get(call.func.id)
-            if called is not None and called.name.startswith("_") and not _fits(call, called):
+            if called and [*map(ast.unparse, call.args)] != [a.arg for a in called.args.args]:
                 yield call, f"{function.name} calls {ast.unparse(call)}"
 
 
-def _fits(call: ast.Call, called: ast.FunctionDef) -> bool:
-    names = [argument.arg for argument in called.args.args]
-    given = [_name_whole(ast.unparse(argument)) for argument in call.args]
-    if any(re.match(READ_ELSEWHERE, name) for name in given):
-        return True
-    starred = [k for k, argument in enumerate(call.args) if isinstance(argument, ast.Starred)]
-    if not starred:
-        return given == names
-    first, after = starred[0], len(given) - starred[-1] - 1
-    tail = names[len(names) - after :]
-    return given[:first] == names[:first] and given[len(given) - after :] == tail
-
-
-def _name_whole(given: str) -> str:
-    """Return the name of what an argument is a part of."""
-    for pattern, whole in PARTS:
-        if re.match(pattern, given):
-            return re.sub(pattern, whole, given)
-    return given
-
-
-def _list_values_outside(function: ast.FunctionDef) -> Iterator[Fault]:
-    """List what is returned where a condition of the domain does not hold and is no NaN."""
-    for node in function.body if function.name.startswith(VALUE) else ():
-        if isinstance(node, ast.If) and ast.unparse(node.test).startswith("not "):
-            told = [ast.unparse(s) for s in node.body if isinstance(s, ast.Return)]
-            if not all(re.fullmatch(NOT_A_NUMBER, text) for text in told):
-                yield node, f"{function.name}: {told[0]} outside its domain"
+def _list_other_values(function: ast.FunctionDef) -> Iterator[Fault]:
+    """List what is returned under a condition and is no NaN outside the domain, or no form's."""
+    conditions = [s for s in function.body if isinstance(s, ast.If)]
+    number, name = 0, function.name.removeprefix(VALUE)
+    for node in conditions if function.name.startswith(VALUE) else ():
+        told = "; ".join(map(ast.unparse, (*node.body, *node.orelse)))
+        if ast.unparse(node.test).startswith("not "):
+            pattern, place = NOT_A_NUMBER, "outside its domain"
+        else:
+            number += 1
+            pattern, place = rf"return _form_{number}_of_{name}\(.*\)", f"for form {number}"
+        if not re.fullmatch(pattern, told):
+            yield node, f"{function.name}: {told} {place}"

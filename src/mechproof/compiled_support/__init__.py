@@ -3,58 +3,59 @@
 Needs numba; only the generated package `kernels.compiled` and `conformity.compiled` import it.
 """
 
+from mechproof.compiled_support.filling import fill, fill_blocks, vector
 from mechproof.compiled_support.loops import Loops, run, run_parts, take_row
 from mechproof.compiled_support.machine import (
-    BLOCK,
     choose,
     copysign,
     floor,
     fma,
-    has_nan,
     inner,
     is_finite,
     loop,
     maximum,
-    overload,
+    point_of,
     power_of_two,
     rint,
     scalar,
     stand_in,
     widen,
 )
-from mechproof.compiled_support.points import POINTS, count_numbers, own_row, put, take
-from mechproof.compiled_support.sums import (
-    Sums,
-    count_sets,
+from mechproof.compiled_support.points import POINTS, count_numbers, put, take
+from mechproof.compiled_support.sets import (
+    add_up,
     count_terms,
-    put_sets,
-    run_sums,
+    element,
+    every,
+    fill_sets,
     take_square,
     take_terms,
 )
+from mechproof.compiled_support.sums import Sums, run_sums
 
 __all__ = [
-    "BLOCK",
     "POINTS",
     "Loops",
     "Sums",
+    "add_up",
     "choose",
     "copysign",
     "count_numbers",
-    "count_sets",
     "count_terms",
+    "element",
+    "every",
+    "fill",
+    "fill_blocks",
+    "fill_sets",
     "floor",
     "fma",
-    "has_nan",
     "inner",
     "is_finite",
     "loop",
     "maximum",
-    "overload",
-    "own_row",
+    "point_of",
     "power_of_two",
     "put",
-    "put_sets",
     "rint",
     "run",
     "run_parts",
@@ -65,5 +66,6 @@ __all__ = [
     "take_row",
     "take_square",
     "take_terms",
+    "vector",
     "widen",
 ]

@@ -30,25 +30,25 @@ NUMBERS = (float, np.float64)
 
 @dataclass(slots=True)
 class Loops:
-    """A compiled kernel: its arguments, the shape of a result, and three ways to call it.
+    """A compiled kernel: its arguments, the shape of a result, and two ways to call it.
 
-    `widths` are the lengths of last axes, 0 where there is none. `at` takes one point, `uniform`
-    a flat array of points and parameters that are numbers, `each` flat arrays of all arguments;
-    both take flat targets first, one for each of several `results`. `point` and `fill` are `at`
-    and `uniform` for Python's numbers and rows that `take_row` took, entered at once.
+    `widths` are the lengths of last axes, 0 where there is none. `at` takes one point; `rows` takes
+    flat targets, one for each of several `results`, a flat array of points, and for each parameter
+    a flat array, too, or what is the same for all points. `point` and `fill` are `at` and `rows`
+    for Python's numbers and rows that `take_row` took, entered at once.
     """
 
     names: tuple[str, ...]
-    widths: tuple[int, ...]
-    shape: tuple[int, ...]
     at: Callable[..., Any]
-    uniform: Callable[..., None]
-    each: Callable[..., None]
+    rows: Callable[..., None]
+    widths: tuple[int, ...] = ()
+    shape: tuple[int, ...] = ()
     results: int = 1
     point: Callable[..., Any] = field(init=False)
     fill: Callable[..., None] = field(init=False)
 
     def __post_init__(self) -> None:
+        self.widths = self.widths or (0,) * len(self.names)
         self.point, self.fill = self._compute_first, self._fill_first
 
     def _compute_first(self, *numbers: float) -> Any:
@@ -57,8 +57,8 @@ class Loops:
         return value
 
     def _fill_first(self, row: NDArray[Any], *arguments: Any) -> None:
-        self.uniform(row, *arguments)
-        self.fill = find_entry(self.uniform, (row, *arguments))
+        self.rows(row, *arguments)
+        self.fill = find_entry(self.rows, (row, *arguments))
 
 
 def find_entry(function: Any, arguments: tuple[Any, ...]) -> Callable[..., Any]:
@@ -208,9 +208,9 @@ def _fill(
     """Fill targets whose last axes are a result's: rows of equal parameters if they are long."""
     depth = len(points) - _count_common_axes(outer[1:], len(points))
     if not depth and outer[0] == points:
-        first, *parameters = arrays
-        numbers = [number for array in parameters for number in array.reshape(-1).tolist()]
-        _fill_uniformly(loops, [t.reshape(-1) for t in targets], first.reshape(-1), numbers)
+        first, *parameters = (array.reshape(-1) for array in arrays)
+        known = [*map(_take_parameter, parameters, loops.widths[1:])]
+        _fill_uniformly(loops, [t.reshape(-1) for t in targets], first, known)
         return
     wide = [
         _spread(a, (*points, width) if width else points)
@@ -219,11 +219,10 @@ def _fill(
     if depth and math.prod(points[depth:]) < LONG_ROW:
         for index in cut(points, PIECE):
             flat = [np.ascontiguousarray(a[index]).reshape(-1) for a in wide]
-            loops.each(*(t[index].reshape(-1) for t in targets), *flat)
+            loops.rows(*(t[index].reshape(-1) for t in targets), *flat)
         return
     rows = [target.reshape((*points[:depth], -1)) for target in targets]
-    table = _list_parameters(wide[1:], loops.widths[1:], points, depth)
-    for index, numbers in zip(np.ndindex(points[:depth]), table, strict=True):
+    for index, *numbers in _list_parameters(wide[1:], loops.widths[1:], points, depth):
         row = np.ascontiguousarray(wide[0][index]).reshape(-1)
         _fill_uniformly(loops, [r[index] for r in rows], row, numbers)
 
@@ -233,16 +232,21 @@ def _spread(array: Any, shape: tuple[int, ...]) -> NDArray[Any]:
     return array if array.shape == shape else np.broadcast_to(array, shape)
 
 
+def _take_parameter(values: NDArray[Any], width: int) -> Any:
+    """Return what is the same for all points: Python's number, or a tuple of several."""
+    return tuple(values.tolist()) if width else values.item()
+
+
 def _list_parameters(
     wide: list[NDArray[Any]], widths: tuple[int, ...], points: tuple[int, ...], depth: int
-) -> list[list[float]]:
-    """List the parameters of each row as Python's numbers; along a row they are equal."""
+) -> Iterator[tuple[Any, ...]]:
+    """Return the index of each row and its parameters; along a row they are equal."""
     first = (slice(None),) * depth + (0,) * (len(points) - depth)
-    columns = [a[first].reshape(-1, width or 1) for a, width in zip(wide, widths, strict=True)]
-    numbers: list[list[float]] = np.hstack(
-        [np.empty((math.prod(points[:depth]), 0)), *columns]
-    ).tolist()
-    return numbers
+    columns = [
+        map(tuple, column.reshape(-1, width).tolist()) if width else column.reshape(-1).tolist()
+        for column, width in zip((a[first] for a in wide), widths, strict=True)
+    ]
+    return zip(np.ndindex(points[:depth]), *columns, strict=True)
 
 
 def _count_common_axes(shapes: list[tuple[int, ...]], rank: int) -> int:
@@ -275,12 +279,12 @@ def _fill_uniformly(
     points = row.size // width
     workers = _count_processors() if points >= THREADED else 1
     if workers == 1:
-        loops.uniform(*targets, row, *parameters)
+        loops.rows(*targets, row, *parameters)
         return
     ends = [points * i // workers for i in range(workers + 1)]
     tasks = [
         _pool().submit(
-            loops.uniform,
+            loops.rows,
             *(target[a * count : b * count] for target in targets),
             row[a * width : b * width],
             *parameters,

@@ -21,18 +21,20 @@ except ImportError as error:
 
 from mechproof.compiled_support.keeping import compile_kept
 
-# What a fast loop leaves as NaN is looked at again after so many points.
-BLOCK = 1024
 _REAL = types.float64
 __all__ = [
-    "BLOCK", "choose", "copysign", "floor", "fma", "has_nan", "inner", "is_finite", "loop",
-    "maximum", "overload", "power_of_two", "rint", "scalar", "stand_in", "typeof", "widen",
+    "apart", "bare", "choose", "copysign", "floor", "fma", "inner", "is_finite", "loop", "maximum",
+    "overload", "point_of", "power_of_two", "rint", "scalar", "stand_in", "typeof", "widen",
+    "within",
 ]  # fmt: skip
 
 scalar = compile_kept(forceinline=True)
 loop = compile_kept()
 # A loop that is kept with the one that calls it, not on its own.
 inner = njit(error_model="numpy", nogil=True)
+# What becomes a part of the function that calls it, and what never does.
+within = njit(error_model="numpy", nogil=True, forceinline=True)
+apart = njit(error_model="numpy", nogil=True, forceinline=False)
 
 
 def stand_in(function: Callable[..., Any], **options: Any) -> Callable[..., Any]:
@@ -43,10 +45,25 @@ def stand_in(function: Callable[..., Any], **options: Any) -> Callable[..., Any]
 
     def register(implementation: Callable[..., Any]) -> Callable[..., Any]:
         kept = {"error_model": "numpy", **options}
-        overload(function, jit_options=kept, strict=False)(lambda *values: implementation)
+        taken = overload(function, jit_options=kept, strict=False)
+        taken(lambda *values, **named: implementation)
         return implementation
 
     return register
+
+
+def point_of(kernel: Callable[..., Any]) -> Callable[[Callable[..., Any]], Any]:
+    """Return a decorator for what computes one point of a kernel, also where compiled code does."""
+    return lambda function: scalar(stand_in(kernel)(function))
+
+
+@intrinsic
+def bare(typingctx: Any, function: Any) -> Any:
+    """Return a compiled function without its address, with which nothing could be kept in a file.
+
+    Its type tells what is called.
+    """
+    return function(function), lambda context, builder, signature, given: context.get_dummy_value()
 
 
 def _machine(name: str, count: int) -> Any:
@@ -120,8 +137,10 @@ def widen(typingctx: Any) -> Any:
     """
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        # llvmlite knows attributes without values alone.
         attributes = builder.function.attributes
+        # As a part of another function it would be compiled as that one asks.
+        attributes.add("noinline")
+        # llvmlite knows attributes without values alone.
         set.add(attributes, '"prefer-vector-width"="512"')
         features = context.codegen()._tm_features
         if "+avx512f" in features:
@@ -141,12 +160,3 @@ def is_finite(a: float) -> bool:
 def maximum(a: float, b: float) -> float:
     """Return the larger number, NaN if one is."""
     return a if a >= b or a != a else b
-
-
-@loop
-def has_nan(values: Any) -> bool:
-    """Say whether there is a NaN among the numbers of a flat array."""
-    count = 0
-    for i in range(values.size):
-        count += values[i] != values[i]
-    return count > 0

@@ -9,14 +9,9 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numba import types
-from numba.core.errors import TypingError
-from numba.extending import overload
 from numpy.typing import NDArray
 
 from mechproof.compiled_support.loops import DOUBLE, PIECE, check_arrays, cut, fill_target
-from mechproof.compiled_support.machine import inner
-from mechproof.compiled_support.points import POINTS, prefetch_row
 from mechproof.kernel_support.arrays import as_floats, as_numpy, sum_axes
 
 # Fewer sets are computed one after the other if their sums are long.
@@ -28,15 +23,18 @@ class Sums:
     """A compiled kernel that sums over axes: its arguments, and the loop over points.
 
     `axes` are the numbers of axes that are summed over, `widths` the lengths of other last axes.
-    `each` takes a flat target, the number of terms, and of every argument a table: a row for each
+    `rows` takes a flat target, the number of terms, and of every argument a table: a row for each
     point or one for all, a column for each element or one for all; `at` takes one point.
     """
 
     names: tuple[str, ...]
-    widths: tuple[int, ...]
     axes: tuple[int, ...]
     at: Callable[..., Any]
-    each: Callable[..., None]
+    rows: Callable[..., None]
+    widths: tuple[int, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "widths", self.widths or (0,) * len(self.names))
 
     @cached_property
     def ranks(self) -> tuple[int, ...]:
@@ -120,7 +118,7 @@ def _table(array: NDArray[Any], outer: tuple[int, ...]) -> NDArray[Any]:
 def _fill_part(sums: Sums, part: NDArray[Any], terms: int, tables: list[NDArray[Any]]) -> None:
     """Fill a flat part; few long sums gain nothing from lying beside each other."""
     if len(part) >= FEW or max([table.shape[1] for table in tables]) < LONG:
-        sums.each(part, terms, *tables)
+        sums.rows(part, terms, *tables)
         return
     for i in range(len(part)):
         rows = zip((table[min(i, len(table) - 1)] for table in tables), sums.axes, strict=True)
@@ -132,98 +130,3 @@ def _unpack(row: NDArray[Any], axes: int, terms: int) -> Any:
     if not axes:
         return row.tolist()
     return [row.reshape(terms, terms) if axes == 2 else np.broadcast_to(row, (terms,))]
-
-
-# Numbers of an argument in a block of sets: a few arguments stay in the fastest cache.
-LARGEST_BLOCK = 4096
-# Numbers in the widest vector.
-LANES = 8
-
-
-@inner
-def count_sets(sets: int, elements: int) -> int:
-    """Return how many sets of so many elements are computed beside each other."""
-    fitting = LARGEST_BLOCK // max(elements, 1) // LANES * LANES
-    return max(min(sets, POINTS, max(fitting, LANES)), 1)
-
-
-@inner
-def put_sets(block: Any, table: Any, start: int, stop: int) -> None:
-    """Put the rows of some sets beside each other; one row for all sets is put once.
-
-    A single column stands for equal elements.
-    """
-    step = 1 if table.shape[1] == len(block) else 0
-    if len(table) > 1:
-        for s in range(stop - start):
-            prefetch_row(table, start + s + POINTS)
-            for i in range(len(block)):
-                block[i, s] = table[start + s, i * step]
-    elif start == 0:
-        for i in range(len(block)):
-            value = table[0, i * step]
-            for s in range(block.shape[1]):
-                block[i, s] = value
-
-
-def count_terms(known: int, values: Any) -> int:
-    """Return the number of terms: the known one unless it is 1, else that of the values."""
-    raise NotImplementedError("called in compiled functions only")
-
-
-@overload(count_terms, strict=False)
-def _count(known: Any, values: Any) -> Any:
-    if isinstance(values, types.Array):
-        return lambda known, values: len(values) if known == 1 else known
-    return lambda known, values: known
-
-
-def take_terms(name: str, values: Any, terms: int) -> NDArray[Any]:
-    """Return one value for each term; a number or an array of one stands for equal ones.
-
-    Raises ValueError that names an array of another length.
-    """
-    raise NotImplementedError("called in compiled functions only")
-
-
-@overload(take_terms, strict=False)
-def _take_row(name: Any, values: Any, terms: Any) -> Any:
-    if not isinstance(values, types.Array):
-        return lambda name, values, terms: np.broadcast_to(float(values), (terms,))
-    _check_axes(values, 1)
-
-    def take(name: Any, values: Any, terms: Any) -> Any:
-        if values.size != terms and values.size != 1:
-            raise ValueError(
-                f"{name}: last axis must have shape ({terms},), got shape ({values.size},)"
-            )
-        return np.broadcast_to(values, (terms,))
-
-    return take
-
-
-def take_square(name: str, values: Any, terms: int) -> NDArray[Any]:
-    """Return one value for each pair of terms; ValueError that names an array of another shape."""
-    raise NotImplementedError("called in compiled functions only")
-
-
-@overload(take_square, strict=False)
-def _take_square(name: Any, values: Any, terms: Any) -> Any:
-    _check_axes(values, 2)
-
-    def take(name: Any, values: Any, terms: Any) -> Any:
-        rows, columns = values.shape
-        if rows != terms or columns != terms:
-            raise ValueError(
-                f"{name}: last 2 axes must have shape ({terms}, {terms}), "
-                f"got shape ({rows}, {columns})"
-            )
-        return values
-
-    return take
-
-
-def _check_axes(values: Any, axes: int) -> None:
-    """Refuse what has other axes: compiled functions compute one point."""
-    if not isinstance(values, types.Array) or values.ndim != axes:
-        raise TypingError(f"a compiled function takes an array of {axes} axes here, got {values}")

@@ -9,13 +9,17 @@ from collections.abc import Collection, Iterable
 from dataclasses import replace
 
 from mechproof.codegen.backends.scalar import list_arguments, rename, rename_components
-from mechproof.codegen.backends.scalar_texts import LoopCall, ScalarKernel
-from mechproof.codegen.backends.sums import Reduction
+from mechproof.codegen.backends.scalar_texts import LoopCall
+from mechproof.codegen.backends.sums import LOOPS, Reduction
 from mechproof.codegen.code import Stage
+from mechproof.codegen.evaluation import unused_name
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.program import Operand, Operation, Program
 from mechproof.codegen.reading import EXACT
 from mechproof.codegen.syntax import Syntax
+
+# Where the term of a loop is found, besides the indices.
+AT = "_at"
 
 
 def take_out_loops(kernel: Kernel, names: Collection[str]) -> tuple[Kernel, tuple[Operation, ...]]:
@@ -56,25 +60,34 @@ def describe_calls(
     calls: Iterable[Operation], reductions: Iterable[Reduction], syntax: Syntax
 ) -> tuple[LoopCall, ...]:
     """Describe calls of loops for what is printed of them."""
-    kinds = {found.name: found.kind for found in reductions}
+    named = {found.name: found for found in reductions}
     return tuple(
         LoopCall(
             call.kind,
             tuple(map(str, call.operands)),
-            kinds[call.kind] == "every",
+            named[call.kind].axes,
+            named[call.kind].kind == "every",
             syntax.last.get(call.kind) == EXACT,
         )
         for call in calls
     )
 
 
-def mean_calls(kernel: ScalarKernel) -> Program:
-    """Return what computes one point: loops over its terms, then the kernel of numbers."""
-    operations = [
-        Operation(f"_{c.name}", c.name, (*c.arguments, *([True] if c.limited else [])))
-        for c in kernel.loops
-    ]
-    found = tuple(step.result for step in operations)
-    exact = (True,) if kernel.limited else ()
-    last = Operation("_value", f"value_of_{kernel.name}", (*kernel.numbers, *found, *exact))
-    return Program(kernel.names, (*operations, last), (last.result,)).normal_form()
+def name_elements(found: Reduction) -> Reduction:
+    """Return a loop whose term calls nothing that it takes like an argument of the loop."""
+    used = {step.result for step in found.term.operations}.union(found.term.inputs)
+    given: dict[Operand, str] = {
+        name: unused_name(f"{name}_term", used) for name in found.parameters
+    }
+    return replace(found, term=rename(found.term, given))
+
+
+def mean_term(found: Reduction) -> Program:
+    """Return what a compiled function computes of the place of a term: elements, then the term."""
+    taken = tuple(
+        Operation(name, "element", (given, AT, *(f"{AT[0]}{LOOPS[i]}" for i in indices)))
+        for name, (given, indices) in zip(found.term.inputs, found.elements, strict=True)
+    )
+    places = (AT, *(f"{AT[0]}{letter}" for letter in LOOPS))
+    term = replace(found.term, operations=(*taken, *found.term.operations))
+    return replace(term, inputs=(*places, *found.parameters)).normal_form()

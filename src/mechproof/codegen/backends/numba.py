@@ -10,16 +10,23 @@ from pathlib import Path
 from types import MappingProxyType
 
 from mechproof.codegen import frame
-from mechproof.codegen.backends.loops import describe_calls, mean_calls, take_out_loops
+from mechproof.codegen.backends.loops import (
+    describe_calls,
+    mean_term,
+    name_elements,
+    take_out_loops,
+)
+from mechproof.codegen.backends.machinery_reading import check_machinery
 from mechproof.codegen.backends.numpy import (
     REGENERATED,
     format_source,
     render_template,
     tell_origin,
 )
-from mechproof.codegen.backends.scalar import list_conditions, list_scalars, list_stages
+from mechproof.codegen.backends.scalar import join_stage, list_conditions, list_scalars, list_stages
 from mechproof.codegen.backends.scalar_texts import (
     LoopCall,
+    ScalarKernel,
     extend_syntax,
     join_scalars,
     write_elementary,
@@ -27,19 +34,12 @@ from mechproof.codegen.backends.scalar_texts import (
     write_scalar,
 )
 from mechproof.codegen.backends.sums import LOOPS, Reduction, fold_sums
-from mechproof.codegen.compiled_reading import (
-    OF_SETS,
-    read_guards,
-    read_reductions,
-    read_scalars,
-)
+from mechproof.codegen.compiled_reading import VALUE, read_guards, read_scalars
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import BODIES, build
-from mechproof.codegen.fill_reading import read_fills
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import NUMBA, NUMBA_FAR
 from mechproof.codegen.names import list_imports
-from mechproof.codegen.program import NOTHING, Program
 from mechproof.codegen.reading import ELEMENTARY, TranslationError
 from mechproof.codegen.syntax import Syntax
 from mechproof.record import Paper, Together
@@ -47,13 +47,13 @@ from mechproof.record import Paper, Together
 # To numba float() of a float32 is that float32, float64() is not.
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
-        "builtins": ("abs", "float", "len", "min", "range", "type"),
-        "numpy": ("empty", "float64", "ndarray"),
+        "builtins": ("abs", "float", "type"),
+        "numpy": ("float64", "ndarray"),
         "mechproof.compiled_support": (
-            "BLOCK", "Loops", "Sums", "choose", "copysign", "count_sets", "count_terms", "floor",
-            "fma", "has_nan", "is_finite", "loop", "maximum", "overload", "own_row",
-            "power_of_two", "put_sets", "rint", "run", "run_sums", "scalar", "take_row",
-            "take_square", "take_terms", "widen",
+            "Loops", "Sums", "add_up", "choose", "copysign", "count_terms", "element", "every",
+            "fill", "fill_blocks", "fill_sets", "floor", "fma", "is_finite", "loop", "maximum",
+            "point_of", "power_of_two", "rint", "run", "run_sums", "scalar", "take_row",
+            "take_square", "take_terms", "vector",
         ),
         "mechproof.kernels.compiled": ("elementary",),
     }
@@ -151,9 +151,7 @@ def render_scalars(
     together: Iterable[Together] = (),
 ) -> str:
     """Render a module of kernels and read it back."""
-    parted, reductions, language = _part(kernels)
-    written = [write_scalar(kernel, language, loops) for kernel, loops in parted]
-    written += [join_scalars(several, written) for several in together]
+    written, reductions, language = _write(kernels, together)
     data: dict[str, object] = {
         "system": system,
         "docstring": docstring,
@@ -164,15 +162,26 @@ def render_scalars(
     }
     data["imports"] = list_imports(render_template("numba_module.py.jinja", data), SUPPORT)
     source = format_source(render_template("numba_module.py.jinja", data))
-    check_translation(source, kernels)
+    check_translation(source, kernels, together)
     return source
+
+
+def _write(
+    kernels: Iterable[Kernel], together: Iterable[Together]
+) -> tuple[list[ScalarKernel], tuple[Reduction, ...], Syntax]:
+    """Return the texts of kernels, the loops that they call, and the language."""
+    parted, reductions, language = _part(kernels)
+    written = [write_scalar(kernel, language, loops) for kernel, loops in parted]
+    written += [join_scalars(several, written) for several in together]
+    return written, reductions, language
 
 
 def _part(
     kernels: Iterable[Kernel],
 ) -> tuple[list[tuple[Kernel, tuple[LoopCall, ...]]], tuple[Reduction, ...], Syntax]:
     """Return kernels apart from the loops that they call, these loops, and the language."""
-    folded, reductions = fold_sums(kernels)
+    folded, found = fold_sums(kernels)
+    reductions = tuple(map(name_elements, found))
     language = extend_syntax(NUMBA, reductions, "_")
     names = frozenset(found.name for found in reductions)
     parted = [take_out_loops(kernel, names) for kernel in folded]
@@ -180,29 +189,24 @@ def _part(
     return described, reductions, language
 
 
-def check_translation(source: str, kernels: Iterable[Kernel]) -> None:
+def check_translation(source: str, kernels: Iterable[Kernel], together: Iterable[Together]) -> None:
     """Read the functions of a module back; `TranslationError` where one is not its program."""
     frame.check_frame(source, frame.COMPILED)
-    parted, reductions, language = _part(kernels)
-    meant = {f"_{found.name}_term": found.term for found in reductions}
-    for kernel, _ in parted:
-        for name, stage in list_stages(kernel):
-            meant[f"_prepare{name}"] = stage.prepare
-            meant[f"_form{name}"] = stage.evaluate or NOTHING
-    _compare({n: p for n, p in meant.items() if p != NOTHING}, read_scalars(source))
-    loops = {f"_{f.name}": (f.kind, f.axes, f.parameters, f.elements) for f in reductions}
-    beside = {f"{name}{OF_SETS}": loop for name, loop in loops.items()}
-    _compare(loops | beside, read_reductions(source))
-    written = [(kernel, write_scalar(kernel, language, loops)) for kernel, loops in parted]
-    guards = {f"_value_of_{k.name}": _mean_guards(k, text.taken_names) for k, text in written}
+    kernels = tuple(kernels)
+    (parted, reductions, _), (written, _, _) = _part(kernels), _write(kernels, together)
+    meant = {f"_{found.name}_term": mean_term(found) for found in reductions}
+    guards = {}
+    for (kernel, _), text in zip(parted, written, strict=False):
+        *forms, (_, last) = list_stages(kernel)
+        taken = text.taken_names
+        meant |= {f"_form{name}": join_stage(stage) for name, stage in forms}
+        meant[f"{VALUE}{kernel.name}"] = replace(join_stage(last), inputs=taken)
+        guards[f"{VALUE}{kernel.name}"] = tuple(
+            replace(condition, inputs=taken) for condition in list_conditions(kernel)
+        )
+    _compare(meant, read_scalars(source))
     _compare(guards, read_guards(source))
-    sums = [text for _, text in written if text.sums]
-    _compare({f"_point_of_{text.name}": mean_calls(text) for text in sums}, read_scalars(source))
-    _compare({f"_fill_each_of_{text.name}": mean_calls(text) for text in sums}, read_fills(source))
-
-
-def _mean_guards(kernel: Kernel, taken: tuple[str, ...]) -> tuple[Program, ...]:
-    return tuple(replace(c, inputs=taken) for c in list_conditions(kernel))
+    check_machinery(source, written)
 
 
 def _compare(meant: Mapping[str, object], read: Mapping[str, object]) -> None:

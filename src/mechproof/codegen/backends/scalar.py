@@ -13,7 +13,14 @@ from mechproof.codegen.backends.quotients import put_off_divisions
 from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.evaluation import unused_name
 from mechproof.codegen.kernel import Kernel, list_functions
-from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program
+from mechproof.codegen.program import (
+    NOTHING,
+    TEMPORARY,
+    Operand,
+    Operation,
+    Program,
+    is_unnamed,
+)
 from mechproof.record import Paper
 
 
@@ -152,6 +159,39 @@ def _scalar_stage(kernel: Kernel, number: int, names: Mapping[Operand, str]) -> 
         rename(stage.evaluate, names) if stage.evaluate else map_affinely(running),
     )
     return name, scalar
+
+
+def join_stage(stage: Stage) -> Program:
+    """Return one program of what a stage prepares and then evaluates."""
+    assert stage.evaluate is not None
+    inputs = (*stage.running, *stage.parameters)
+    before, after = stage.prepare, stage.evaluate
+    taken = {*inputs, *(str(step.result) for step in before.operations)}
+    names: dict[Operand, Operand] = {}
+    given: dict[Operand, Operand] = {}
+    for name, value in zip(after.inputs[len(stage.running) :], before.outputs, strict=True):
+        # What has no name is used once; what is prepared may be used often.
+        if is_unnamed(value) and value not in names:
+            names[value] = unused_name(name, taken)
+            taken.add(str(names[value]))
+        given[name] = names.get(value, value)
+    for step in after.operations:
+        given[step.result] = unused_name(step.result, taken)
+    steps = [*_rename_all(before, names), *_rename_all(after, given)]
+    outputs = tuple(given.get(output, output) for output in after.outputs)
+    return Program(inputs, tuple(steps), outputs).normal_form()
+
+
+def _rename_all(program: Program, names: Mapping[Operand, Operand]) -> list[Operation]:
+    """List operations with other names for what they take and what they make."""
+    return [
+        Operation(
+            str(names.get(step.result, step.result)),
+            step.kind,
+            tuple(names.get(operand, operand) for operand in step.operands),
+        )
+        for step in program.operations
+    ]
 
 
 def map_affinely(point: tuple[str, ...]) -> Program:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from mechproof.codegen.backends.scalar import (
     ScalarArgument,
+    join_stage,
     list_arguments,
     list_stages,
     rename,
@@ -30,7 +31,10 @@ BOOLEAN = frozenset({*COMPARISONS, "both", "either", "is_finite"})
 
 @dataclass(frozen=True)
 class ScalarStage:
-    """A form: when it is taken, what is prepared once and what is evaluated for each point."""
+    """A form: when it is taken, what is prepared once and what is evaluated for each point.
+
+    `whole` is both at once, of all that is `needed`.
+    """
 
     name: str
     when: str
@@ -40,20 +44,19 @@ class ScalarStage:
     inputs: tuple[str, ...]
     running: tuple[str, ...]
     booleans: frozenset[str]
+    needed: tuple[str, ...]
+    whole: Text
 
 
 @dataclass(frozen=True)
 class LoopCall:
-    """The call of a loop over terms whose value a kernel takes."""
+    """The call of a loop over terms, of one axis or two, whose value a kernel takes."""
 
     name: str
     arguments: tuple[str, ...]
+    axes: int
     boolean: bool
     limited: bool
-
-    def takes(self, argument: ScalarArgument) -> bool:
-        """Say whether an argument is handed over."""
-        return not set(self.arguments).isdisjoint(argument.components)
 
 
 @dataclass(frozen=True)
@@ -95,6 +98,17 @@ class ScalarKernel:
         return count
 
     @property
+    def width(self) -> int:
+        """Return how many numbers a result has, 0 where it is a number and no array."""
+        return self.count if self.shape else 0
+
+    @property
+    def is_plain(self) -> bool:
+        """Say whether it makes one number of numbers."""
+        vectors = any(argument.width for argument in self.arguments)
+        return not (self.sums or self.shape or self.members or vectors)
+
+    @property
     def sums(self) -> bool:
         """Say whether arguments have axes that are summed over."""
         return any(a.axes for a in self.arguments)
@@ -113,18 +127,38 @@ class ScalarKernel:
 
     @property
     def numbers(self) -> tuple[str, ...]:
-        """Return the components that a value or the domain depends on, in their order."""
-        return tuple(name for name in self.names if name in self.taken)
+        """Return the components of arguments without axes that are summed over."""
+        return tuple(n for a in self.arguments if not a.axes for n in a.components)
 
     @property
     def taken_names(self) -> tuple[str, ...]:
-        """Return the components that a value or the domain depends on, then the loops."""
+        """Return the numbers that a value is computed of, then the loops."""
         return (*self.numbers, *(called.name for called in self.loops))
 
     @property
     def names(self) -> tuple[str, ...]:
         """Return the components of all arguments."""
         return tuple(n for a in self.arguments for n in a.components)
+
+    @property
+    def targets(self) -> tuple[str, ...]:
+        """Return the names of the arrays that the loop of a compiled module fills."""
+        return tuple(f"_out_of_{m.name}" for m in self.members) or ("_out",)
+
+    def index(self, pattern: str) -> tuple[str, ...]:
+        """Return numbers as they are given, those of vectors by a pattern with their places."""
+        return tuple(
+            argument.name + (pattern.format(place) if argument.width else "")
+            for argument in self.arguments
+            for place in range(len(argument.components))
+        )
+
+    @property
+    def sizes(self) -> tuple[str, ...]:
+        """Return how many elements a set has of each component: one, or one for each index."""
+        return tuple(
+            " * ".join(["_terms"] * a.axes) or "1" for a in self.arguments for _ in a.components
+        )
 
 
 @dataclass(frozen=True)
@@ -207,6 +241,8 @@ def _write_stage(name: str, stage: Stage, syntax: Syntax) -> ScalarStage:
         _spell(stage.evaluate.inputs, syntax),
         _spell(stage.running, syntax),
         list_booleans(stage.prepare, syntax) | list_booleans(stage.evaluate, syntax),
+        _spell((*stage.running, *stage.parameters), syntax),
+        write_program(join_stage(stage), syntax),
     )
 
 

@@ -1,0 +1,199 @@
+"""The loops of compiled kernels: over all points of flat arrays, or block by block.
+
+A kernel hands over the function that computes one point, from a function of its own, which is what
+is kept in a file: numba compiles each loop anew as a part of it. Arguments are flat arrays with one
+number for each point, `vector`s with more, and numbers or tuples of them for all points alike.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from numba import types
+from numba.core import cgutils
+from numba.extending import intrinsic
+from numba.np.arrayobj import load_item, store_item
+
+from mechproof.compiled_support.machine import apart, bare, widen, within
+
+# What a fast loop leaves as NaN is looked at again after so many points.
+BLOCK = 1024
+_REAL = types.float64
+
+
+@intrinsic(prefer_literal=True)
+def vector(typingctx: Any, values: Any, width: Any) -> Any:
+    """Return a flat array as one of `width` numbers for each point, and anything else as it is."""
+    if not isinstance(values, types.Array):
+        return values(values, width), lambda context, builder, signature, given: given[0]
+    # With the width in its type, elements lie at distances that LLVM knows.
+    kind = types.Tuple((values, types.UniTuple(types.none, width.literal_value)))
+
+    def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        # Numba counts what is returned as held once more.
+        context.nrt.incref(builder, values, given[0])
+        return context.make_tuple(builder, kind, (given[0], context.get_constant_undef(kind[1])))
+
+    return kind(values, width), generate
+
+
+def _is_array(kind: Any) -> bool:
+    return isinstance(kind, types.Array) or _is_vector(kind)
+
+
+def _is_vector(kind: Any) -> bool:
+    return isinstance(kind, types.Tuple) and isinstance(kind[-1], types.UniTuple)
+
+
+def _split(kind: Any) -> tuple[Any, int]:
+    """Return the type of an array, and how many of its numbers a point has."""
+    return (kind[0], len(kind[1])) if _is_vector(kind) else (kind, 1)
+
+
+def _make(context: Any, builder: Any, kind: Any, value: Any) -> Any:
+    """Return the array that a value is, or that a vector has."""
+    held = builder.extract_value(value, 0) if _is_vector(kind) else value
+    return context.make_array(_split(kind)[0])(context, builder, held)
+
+
+def _list_places(
+    context: Any, builder: Any, kind: Any, value: Any, point: Any
+) -> list[tuple[Any, Any]]:
+    """List where the numbers of a point lie in an array or several, with the types of these."""
+    if not _is_array(kind):
+        parts = zip(kind, cgutils.unpack_tuple(builder, value), strict=True)
+        return [place for part in parts for place in _list_places(context, builder, *part, point)]
+    (array, width), made = _split(kind), _make(context, builder, kind, value)
+    first = builder.mul(point, context.get_constant(types.intp, width), flags=["nsw"])
+    steps = [context.get_constant(types.intp, k) for k in range(width)]
+    indices = [builder.add(first, step, flags=["nsw"]) for step in steps]
+    return [
+        (array, cgutils.get_item_pointer(context, builder, array, made, [index]))
+        for index in indices
+    ]
+
+
+@intrinsic
+def count_points(typingctx: Any, values: Any) -> Any:
+    """Return how many points an array has numbers of."""
+
+    def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        size = _make(context, builder, values, given[0]).nitems
+        return builder.udiv(size, context.get_constant(types.intp, _split(values)[1]))
+
+    return types.intp(values), generate
+
+
+@intrinsic
+def take_point(typingctx: Any, arguments: Any, point: Any) -> Any:
+    """Return the numbers of a point as doubles, and what is true or false."""
+    found = types.Tuple([part for kind in arguments for part in _list_taken(kind)])
+
+    def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        parts = zip(arguments, cgutils.unpack_tuple(builder, given[0]), strict=True)
+        taken = [n for part in parts for n in _take(context, builder, *part, given[1])]
+        numbers = [
+            context.cast(builder, number, kind, result)
+            for (kind, number), result in zip(taken, found, strict=True)
+        ]
+        return context.make_tuple(builder, found, numbers)
+
+    return found(arguments, point), generate
+
+
+def _list_taken(kind: Any) -> list[Any]:
+    """List the types of what is taken of an argument."""
+    if isinstance(kind, types.BaseTuple) and not _is_vector(kind):
+        return [_REAL] * len(kind)
+    array, width = _split(kind)
+    return [types.boolean if getattr(array, "dtype", array) == types.boolean else _REAL] * width
+
+
+def _take(
+    context: Any, builder: Any, kind: Any, value: Any, point: Any
+) -> Iterator[tuple[Any, Any]]:
+    if _is_array(kind):
+        for array, place in _list_places(context, builder, kind, value, point):
+            yield array.dtype, load_item(context, builder, array, place)
+    elif isinstance(kind, types.BaseTuple):
+        yield from zip(kind, cgutils.unpack_tuple(builder, value), strict=True)
+    else:
+        yield kind, value
+
+
+@intrinsic
+def put_point(typingctx: Any, target: Any, point: Any, values: Any) -> Any:
+    """Put what was computed of a point into an array, or into a tuple of them."""
+
+    def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        goal, number, value = given
+        places = _list_places(context, builder, target, goal, number)
+        results = cgutils.unpack_tuple(builder, value) if len(places) > 1 else [value]
+        for (array, place), result in zip(places, results, strict=True):
+            stored = context.cast(builder, result, _REAL, array.dtype)
+            store_item(context, builder, array, stored, place)
+        return context.get_dummy_value()
+
+    return types.void(target, point, values), generate
+
+
+@intrinsic
+def get_width(typingctx: Any, target: Any) -> Any:
+    """Return how many numbers of a point lie beside each other."""
+
+    def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        return context.get_constant(types.intp, _split(target)[1])
+
+    return types.intp(target), generate
+
+
+@intrinsic
+def count_nans(typingctx: Any, target: Any, index: Any) -> Any:
+    """Count the elements of arrays that are NaN at an index, whatever points they belong to."""
+
+    def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        value, number = given
+        count = context.get_constant(types.intp, 0)
+        flat, held = target, value
+        if _is_vector(target):
+            flat, held = target[0], builder.extract_value(value, 0)
+        for array, place in _list_places(context, builder, flat, held, number):
+            element = load_item(context, builder, array, place)
+            is_nan = builder.fcmp_unordered("uno", element, element)
+            count = builder.add(count, builder.zext(is_nan, count.type))
+        return count
+
+    return types.intp(target, index), generate
+
+
+@within
+def fill(value: Any, target: Any, arguments: Any) -> None:
+    """Fill a target with what `value` makes of each point."""
+    _fill_part(bare(value), target, arguments, 0, count_points(arguments[0]), ())
+
+
+@within
+def fill_blocks(value: Any, target: Any, arguments: Any) -> None:
+    """Fill a target by the fast way, and again by the exact one each block that has a NaN then."""
+    size = count_points(arguments[0])
+    for start in range(0, size, BLOCK):
+        stop = min(start + BLOCK, size)
+        _fill_part(bare(value), target, arguments, start, stop, (None,))
+        if _has_nan(target, start, stop):
+            _fill_part(bare(value), target, arguments, start, stop, (True,))
+
+
+@apart
+def _fill_part(value: Any, target: Any, arguments: Any, start: int, stop: int, exact: Any) -> None:
+    widen()
+    for i in range(start, stop):
+        put_point(target, i, value(*(take_point(arguments, i) + exact)))
+
+
+@apart
+def _has_nan(target: Any, start: int, stop: int) -> bool:
+    count, width = 0, get_width(target)
+    for i in range(start * width, stop * width):
+        count += count_nans(target, i)
+    return count > 0

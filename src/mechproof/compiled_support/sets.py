@@ -1,0 +1,365 @@
+"""What compiled kernels add up: the terms of one set, or of many sets beside each other.
+
+Kernels hand over functions that compute one term, as they do for one point. What says where a term
+is found (`at`) is None for one set, else the number of the set and that of terms in a set.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numba import types
+from numba.core import cgutils
+from numba.core.errors import TypingError
+from numba.extending import intrinsic, overload
+from numba.np.arrayobj import load_item
+from numpy.typing import NDArray
+
+from mechproof.compiled_support.filling import put_point, take_point
+from mechproof.compiled_support.machine import apart, bare, choose, is_finite, widen, within
+from mechproof.compiled_support.points import POINTS, own_row, prefetch_row
+
+# Numbers of an argument in a block of sets: a few arguments stay in the fastest cache.
+LARGEST_BLOCK = 4096
+# Numbers in the widest vector.
+LANES = 8
+TAKEN = {"jit_options": {"error_model": "numpy", "forceinline": True}, "strict": False}
+
+
+@intrinsic
+def lend(typingctx: Any, values: Any) -> Any:
+    """Return arrays, in tuples or not, that nobody counts the holders of."""
+
+    def strip(context: Any, builder: Any, kind: Any, value: Any) -> Any:
+        if isinstance(kind, types.BaseTuple):
+            parts = zip(kind, cgutils.unpack_tuple(builder, value), strict=True)
+            return context.make_tuple(
+                builder, kind, [strip(context, builder, *part) for part in parts]
+            )
+        if not isinstance(kind, types.Array):
+            return value
+        array = context.make_array(kind)(context, builder, value)
+        for name in ("meminfo", "parent"):
+            setattr(array, name, cgutils.get_null_value(getattr(array, name).type))
+        return array._getvalue()
+
+    def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        return strip(context, builder, values, given[0])
+
+    return values(values), generate
+
+
+@intrinsic
+def hold(typingctx: Any, values: Any) -> Any:
+    """Keep arrays until here."""
+    return types.void(values), lambda context, builder, signature, given: context.get_dummy_value()
+
+
+@intrinsic
+def take_element(typingctx: Any, block: Any, index: Any, number: Any) -> Any:
+    """Return an element of a set in a block; numba would count who holds the array."""
+    array = block[0]
+
+    def generate(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        held = builder.extract_value(given[0], 0)
+        made = context.make_array(array)(context, builder, held)
+        place = cgutils.get_item_pointer(context, builder, array, made, given[1:])
+        return load_item(context, builder, array, place)
+
+    return array.dtype(block, types.intp, types.intp), generate
+
+
+def element(values: Any, at: Any, *indices: int) -> float:
+    """Return the element of a set that has these indices, or what is the same for all terms.
+
+    Before a loop over sets, where no set is told, that is a row: a number for each set.
+    """
+    raise NotImplementedError("called in compiled functions only")
+
+
+@overload(element, **TAKEN)
+def _find_element(values: Any, at: Any, *indices: Any) -> Any:
+    if isinstance(values, types.Array):
+        return lambda values, at, *indices: np.float64(values[indices])
+    if not isinstance(values, types.BaseTuple):
+        return lambda values, at, *indices: np.float64(values)
+    if len(at) > 2:
+        return lambda values, at, *indices: values[0][0]
+    if not indices:
+        return lambda values, at, *indices: take_element(values, 0, at[0])
+    if len(indices) == 1:
+        return lambda values, at, *indices: take_element(values, indices[0], at[0])
+    return lambda values, at, *indices: take_element(values, indices[0] * at[1] + indices[1], at[0])
+
+
+def count_inner(counts: Any) -> int:
+    """Return how often the inner index changes: once where there is none."""
+    raise NotImplementedError("called in compiled functions only")
+
+
+@overload(count_inner, **TAKEN)
+def _count_inner(counts: Any) -> Any:
+    return (lambda counts: counts[1]) if len(counts) > 1 else lambda counts: 1
+
+
+def add_up(term: Any, rest: Any, at: Any, row: int, counts: Any, arrays: Any, *exact: bool) -> Any:
+    """Return the sum of terms of one index or two, with the rest of every addition.
+
+    For many sets it is put into a row, and not again where all sets have the same terms.
+    """
+    raise NotImplementedError("called in compiled functions only")
+
+
+@overload(add_up, **TAKEN)
+def _add_up(term: Any, rest: Any, at: Any, row: Any, counts: Any, arrays: Any, *exact: Any) -> Any:
+    def add_one(
+        term: Any, rest: Any, at: Any, row: Any, counts: Any, arrays: Any, *exact: Any
+    ) -> Any:
+        return _add_set(bare(term), bare(rest), counts, arrays + exact)
+
+    def add_many(
+        term: Any, rest: Any, at: Any, row: Any, counts: Any, arrays: Any, *exact: Any
+    ) -> Any:
+        if _vary(arrays, at[2]):
+            _add_sets(bare(term), bare(rest), at[0][row], counts, arrays + exact)
+        return at[0][row]
+
+    return add_one if isinstance(at, types.NoneType) else add_many
+
+
+@apart
+def _add_set(term: Any, rest: Any, counts: Any, terms: Any) -> Any:
+    high, low = 0.0, 0.0
+    for i in range(counts[0]):
+        for j in range(count_inner(counts)):
+            value = term(None, i, j, *terms)
+            total = high + value
+            low += rest(high, value, total)
+            high = total
+    # A sum that leaves the range of doubles has no rest.
+    return choose(is_finite(low), high + low, high)
+
+
+@apart
+def _add_sets(term: Any, rest: Any, out: Any, counts: Any, terms: Any) -> None:
+    widen()
+    high, low = own_row(), own_row()
+    for s in range(len(out)):
+        high[s], low[s] = 0.0, 0.0
+    for i in range(counts[0]):
+        for j in range(count_inner(counts)):
+            for s in range(len(out)):
+                value = term((s, counts[0]), i, j, *terms)
+                total = high[s] + value
+                low[s] += rest(high[s], value, total)
+                high[s] = total
+    for s in range(len(out)):
+        out[s] = choose(is_finite(low[s]), high[s] + low[s], high[s])
+
+
+def every(term: Any, at: Any, row: int, counts: Any, arrays: Any, *exact: bool) -> Any:
+    """Say whether all terms of one index or two are true; for many sets as `add_up`."""
+    raise NotImplementedError("called in compiled functions only")
+
+
+@overload(every, **TAKEN)
+def _every(term: Any, at: Any, row: Any, counts: Any, arrays: Any, *exact: Any) -> Any:
+    def ask_one(term: Any, at: Any, row: Any, counts: Any, arrays: Any, *exact: Any) -> Any:
+        return _ask_set(bare(term), counts, arrays + exact)
+
+    def ask_many(term: Any, at: Any, row: Any, counts: Any, arrays: Any, *exact: Any) -> Any:
+        if _vary(arrays, at[2]):
+            _ask_sets(bare(term), at[1][row], counts, arrays + exact)
+        return at[1][row]
+
+    return ask_one if isinstance(at, types.NoneType) else ask_many
+
+
+@apart
+def _ask_set(term: Any, counts: Any, terms: Any) -> bool:
+    holds = True
+    for i in range(counts[0]):
+        for j in range(count_inner(counts)):
+            holds = holds & term(None, i, j, *terms)
+    return holds
+
+
+@apart
+def _ask_sets(term: Any, out: Any, counts: Any, terms: Any) -> None:
+    widen()
+    holds = own_row()
+    for s in range(len(out)):
+        holds[s] = 1.0
+    for i in range(counts[0]):
+        for j in range(count_inner(counts)):
+            for s in range(len(out)):
+                found = term((s, counts[0]), i, j, *terms)
+                holds[s] = choose(found, holds[s], 0.0)
+    for s in range(len(out)):
+        out[s] = holds[s] > 0
+
+
+@apart
+def _vary(blocks: Any, start: int) -> bool:
+    """Say whether sets of a block have other elements than those of the block before."""
+    for _, varies in blocks:
+        if varies:
+            return True
+    return start == 0
+
+
+@within
+def fill_sets(
+    value: Any, sums: Any, count: int, target: Any, terms: int, tables: Any, sizes: Any, exact: Any
+) -> None:
+    """Fill a target with what `value` makes of numbers and sums, for blocks of sets.
+
+    `sums` returns what `value` takes, with at most `count` loops over terms; `sizes` are the
+    numbers of elements that a set has of each table.
+    """
+    sets = _count_sets(len(target), max(sizes))
+    owned = make_blocks(tables, sizes, sets)
+    totals, answers = np.empty((count, sets)), np.empty((count, sets), np.bool_)
+    blocks, lent, rows = lend(owned), lend(tables), lend((totals, answers))
+    for start in range(0, len(target), sets):
+        stop = min(start + sets, len(target))
+        put_blocks(blocks, lent, start, stop)
+        found = sums((rows[0], rows[1], start), terms, *blocks)
+        _fill_sets(bare(value), target, start, stop, found, exact)
+    hold((owned, totals, answers))
+
+
+@apart
+def _fill_sets(value: Any, target: Any, start: int, stop: int, found: Any, exact: Any) -> None:
+    widen()
+    for s in range(stop - start):
+        put_point(target, start + s, value(*(take_point(found, s) + exact)))
+
+
+@apart
+def _count_sets(sets: int, elements: int) -> int:
+    """Return how many sets of so many elements are computed beside each other."""
+    fitting = LARGEST_BLOCK // max(elements, 1) // LANES * LANES
+    return max(min(sets, POINTS, max(fitting, LANES)), 1)
+
+
+def make_blocks(tables: Any, sizes: Any, sets: int) -> Any:
+    """Return a place for some sets of each table, and whether the table has several."""
+    raise NotImplementedError("called in compiled functions only")
+
+
+@overload(make_blocks, **TAKEN)
+def _make_blocks(tables: Any, sizes: Any, sets: Any) -> Any:
+    if not len(tables):
+        return lambda tables, sizes, sets: ()
+
+    def make(tables: Any, sizes: Any, sets: Any) -> Any:
+        first = (np.empty((sizes[0], sets)), len(tables[0]) > 1)
+        return (first, *make_blocks(tables[1:], sizes[1:], sets))
+
+    return make
+
+
+def put_blocks(blocks: Any, tables: Any, start: int, stop: int) -> None:
+    """Put the rows of some sets beside each other, for each table."""
+    raise NotImplementedError("called in compiled functions only")
+
+
+@overload(put_blocks, **TAKEN)
+def _put_blocks(blocks: Any, tables: Any, start: Any, stop: Any) -> Any:
+    if not len(tables):
+        return lambda blocks, tables, start, stop: None
+
+    def put_all(blocks: Any, tables: Any, start: Any, stop: Any) -> None:
+        _put_sets(blocks[0][0], tables[0], start, stop)
+        put_blocks(blocks[1:], tables[1:], start, stop)
+
+    return put_all
+
+
+@apart
+def _put_sets(block: Any, table: Any, start: int, stop: int) -> None:
+    """Put the rows of some sets beside each other; one row for all sets is put once.
+
+    A single column stands for equal elements.
+    """
+    step = 1 if table.shape[1] == len(block) else 0
+    if len(table) > 1:
+        for s in range(stop - start):
+            prefetch_row(table, start + s + POINTS)
+            for i in range(len(block)):
+                block[i, s] = table[start + s, i * step]
+    elif start == 0:
+        for i in range(len(block)):
+            value = table[0, i * step]
+            for s in range(block.shape[1]):
+                block[i, s] = value
+
+
+def count_terms(*values: Any) -> int:
+    """Return the number of terms: that of the first array with another length than 1."""
+    raise NotImplementedError("called in compiled functions only")
+
+
+@overload(count_terms, **TAKEN)
+def _count_terms(*values: Any) -> Any:
+    if not values:
+        return lambda *values: 1
+    if not isinstance(values[0], types.Array):
+        return lambda *values: count_terms(*values[1:])
+    return lambda *values: len(values[0]) if len(values[0]) != 1 else count_terms(*values[1:])
+
+
+def take_terms(name: str, values: Any, terms: int) -> NDArray[Any]:
+    """Return one value for each term; a number or an array of one stands for equal ones.
+
+    Raises ValueError that names an array of another length.
+    """
+    raise NotImplementedError("called in compiled functions only")
+
+
+@overload(take_terms, strict=False)
+def _take_row(name: Any, values: Any, terms: Any) -> Any:
+    if not isinstance(values, types.Array):
+        return lambda name, values, terms: np.broadcast_to(float(values), (terms,))
+    _check_axes(values, 1)
+
+    def take(name: Any, values: Any, terms: Any) -> Any:
+        if values.size == terms:
+            return values
+        if values.size == 1:
+            # Contiguous like the array: loops have no strides to look at.
+            return np.full(terms, values[0])
+        raise ValueError(
+            f"{name}: last axis must have shape ({terms},), got shape ({values.size},)"
+        )
+
+    return take
+
+
+def take_square(name: str, values: Any, terms: int) -> NDArray[Any]:
+    """Return one value for each pair of terms; ValueError that names an array of another shape."""
+    raise NotImplementedError("called in compiled functions only")
+
+
+@overload(take_square, strict=False)
+def _take_square(name: Any, values: Any, terms: Any) -> Any:
+    _check_axes(values, 2)
+
+    def take(name: Any, values: Any, terms: Any) -> Any:
+        rows, columns = values.shape
+        if rows != terms or columns != terms:
+            raise ValueError(
+                f"{name}: last 2 axes must have shape ({terms}, {terms}), "
+                f"got shape ({rows}, {columns})"
+            )
+        return values
+
+    return take
+
+
+def _check_axes(values: Any, axes: int) -> None:
+    """Refuse what has other axes: compiled functions compute one point."""
+    if not isinstance(values, types.Array) or values.ndim != axes:
+        raise TypingError(f"a compiled function takes an array of {axes} axes here, got {values}")
