@@ -85,7 +85,7 @@ LOADED = {
     "tailoring": {
         *("numpy", "sympy", "flint", "mpmath", "mechproof.tailoring", "mechproof.arguments"),
         "mechproof.executors",
-        *("mechproof.codegen", "mechproof.proof", "mechproof.record"),
+        *("mechproof.codegen", "mechproof.proof", "mechproof.record", "mechproof.roundoff"),
         *("mechproof.cache", "mechproof.files"),
         *("mechproof.derivation", "mechproof.mechanisms"),
     },

@@ -17,11 +17,11 @@ import pytest
 
 from mechproof.codegen.backends.numpy import render_template
 from mechproof.codegen.backends.scalar_texts import write_elementary
-from mechproof.codegen.c_names import HELPER
 from mechproof.codegen.elementary.fits import Rational, enclose
 from mechproof.codegen.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.languages import C99, C99_SINGLE
+from mechproof.codegen.operations import HELPER
 from mechproof.codegen.program import Operand, Program
 from mechproof.roundoff.running import run as run_steps
 from mechproof.roundoff.singles import IN_SINGLES

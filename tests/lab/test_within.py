@@ -1,15 +1,22 @@
-"""The relations of an accuracy bound mark points whatever the shapes of the arguments are."""
+"""Where bounds are stated: points are marked whatever their shapes, and records keep to them."""
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
+import pytest
 import sympy as sp
 
-from mechproof.lab.subject import Subject
+from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.ways import Array
 from mechproof.lab.within import mark_within
+from mechproof.measured import read_record
 from mechproof.record import Accuracy, Argument, Form, Paper, Quantity, Variable
 
 a, b = sp.symbols("a b", real=True)
+MEASURED = Path(__file__).parents[2] / "generated" / "measured"
+SUBJECTS = {s.name: s for s in find_subjects() if s.quantity.accuracy}
 
 
 def test_alternatives_of_arguments_of_several_shapes() -> None:
@@ -24,3 +31,22 @@ def test_alternatives_of_arguments_of_several_shapes() -> None:
     points = np.array([0.0, 1.0, 5.0])
     assert mark_within(subject, (points, np.float64(2.0))).tolist() == [True, False, True]
     assert mark_within(subject, (points, np.float64(0.0))).tolist() == [True, True, True]
+
+
+def mark_point(subject: Subject, point: tuple[object, ...]) -> Array:
+    return mark_within(subject, tuple(np.array([value]) for value in point))
+
+
+@pytest.mark.parametrize("name", SUBJECTS)
+def test_worst_points_of_records_lie_where_the_bound_is_stated(name: str) -> None:
+    record = read_record(MEASURED / f"{name}.json")
+    assert all(mark_point(SUBJECTS[name], found.at).all() for found in record.searched)
+
+
+def test_a_worst_point_beyond_the_statement_is_seen() -> None:
+    """The radius of a track is judged up to 2**26 turned waves."""
+    subject = SUBJECTS["track_wheel.radius"]
+    (found, *_) = read_record(MEASURED / "track_wheel.radius.json").searched
+    _, *others, z = found.at
+    assert isinstance(z, float)
+    assert not mark_point(subject, (2.0**27 / z, *others, z)).any()

@@ -13,13 +13,13 @@ from mechproof.roundoff.germs import Frame
 from mechproof.roundoff.intervals import Interval, careful
 from mechproof.roundoff.scales import find_scaled
 from mechproof.roundoff.steps import Step, Straight
-from mechproof.roundoff.symmetry import find_parities
+from mechproof.roundoff.symmetry import ODD, find_parities
 
 
 def test_what_is_negated_is_not_compared() -> None:
     for step in (Step("q", "greater", ("y", 1), 0.0), Step("q", "choose", (1, "y", 1), 0.0)):
         with pytest.raises(ValueError, match="negated"):
-            find_parities(Straight(("y",), (step,), ("q",)), {"y": -1})
+            find_parities(Straight(("y",), (step,), ("q",)), {"y": ODD})
 
 
 def test_a_scale_that_stays_is_refused() -> None:

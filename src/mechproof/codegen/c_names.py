@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import re
 
-# What helpers and their variables begin with in a source of C.
-HELPER = "mp_"
+from mechproof.codegen.operations import HELPER, KINDS
+
+# Of <math.h>, for doubles and for floats.
+_FUNCTIONS = [row.c for row in KINDS.values() if isinstance(row.c, str) and row.c.isidentifier()]
 # What headers say of kernels beside the names of the paper.
 DECLARED = ("count", "terms", "out")
 # Arrays of the results of several kernels begin with this.
@@ -31,9 +33,8 @@ WORDS = frozenset({
     "protected", "public", "reinterpret_cast", "requires", "static_cast", "template", "this",
     "throw", "try", "typeid", "typename", "using", "virtual", "wchar_t", "xor", "xor_eq",
     # Types, functions and macros that sources use.
-    "size_t", "uint32_t", "uint64_t", "sqrt", "floor", "rint", "fma", "copysign", "fabs", "sin",
-    "cos", "tan", "sqrtf", "floorf", "rintf", "fmaf", "copysignf", "fabsf", "sinf", "cosf", "tanf",
-    "isfinite", "isnan", "NAN",
+    "size_t", "uint32_t", "uint64_t", "isnan", "NAN", *_FUNCTIONS, *(f"{n}f" for n in _FUNCTIONS),
+    "sin", "cos", "tan", "sinf", "cosf", "tanf",
     # Macros of the headers that may stand before, of systems and of processors.
     "DOMAIN", "EDOM", "EOF", "ERANGE", "I", "INFINITY", "NDEBUG", "NULL", "OVERFLOW", "PLOSS",
     "SING", "TLOSS", "UNDERFLOW", "complex", "errno", "far", "huge", "i386", "imaginary",

@@ -3,62 +3,46 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
-from mechproof.codegen.c_names import HELPER, spell_in_c
+from mechproof.codegen.c_names import spell_in_c
 from mechproof.codegen.elementary.functions import BODIES
-from mechproof.codegen.syntax import (
-    ATOM,
-    BOTH,
-    CHOICE,
-    EITHER,
-    INFIX,
-    POWER,
-    SIGN,
-    Syntax,
+from mechproof.codegen.operations import (
+    HELPER,
+    KINDS,
+    Infix,
+    Pattern,
+    Reduction,
+    Spelling,
+    Support,
 )
+from mechproof.codegen.syntax import Syntax
 
-NUMPY = Syntax(
-    infix=INFIX,
-    calls=MappingProxyType(
-        {
-            **{
-                name: f"_np.{name}"
-                for name in (
-                    "sqrt", "sin", "cos", "tan", "arcsin", "arccos", "arctan", "arctan2", "exp",
-                    "log", "copysign", "sign",
-                )
-            },
-            "absolute": "_abs",
-            "choose": "_choose_where",
-            **{
-                name: f"_{name}"
-                for name in (
-                    "is_finite", "is_positive", "is_nonnegative", "product_rest", "sum_rest",
-                    "quotient_rest", "small_tangent", "tangent_quotient", "small_arctan", "single",
-                    "whole_turns_off", "maximum", "floor", "nonnegative_form", "quadratic_form",
-                    "square", "hypot",
-                )
-            },
-        }
-    ),
-    # The constants of the module that a function takes.
-    last=MappingProxyType({"small_arctan": "_ARCTANGENT", "tangent_quotient": "_TANGENT"}),
-    patterns=MappingProxyType(
-        {
-            "negate": ("-{}", SIGN, SIGN),
-            "power": ("{} ** {}", ATOM, POWER),
-            "along_first": ("{}[..., :, _np.newaxis]", ATOM, ATOM),
-            "along_last": ("{}[..., _np.newaxis, :]", ATOM, ATOM),
-            "transpose": ("_np.swapaxes({}, -1, -2)", CHOICE, ATOM),
-            "diagonal": ("_np.diagonal({}, axis1=-2, axis2=-1)", CHOICE, ATOM),
-        }
-    ),
-    constants=MappingProxyType(
-        {"#pi": "_np.pi", "#e": "_np.e", "#inf": "_np.inf", "#nan": "_np.nan"}
-    ),
-)  # fmt: skip
+CONSTANTS = MappingProxyType({"#pi": "_np.pi", "#e": "_np.e", "#inf": "_np.inf", "#nan": "_np.nan"})
+
+
+def _spell(spellings: Mapping[str, Spelling | None], bodies: str = "") -> Syntax:
+    """Return the syntax of a language, its own functions in place of those it does not spell."""
+    spelled = {k: s for k, s in spellings.items() if s is not None}
+    calls = {k: _name_function(s) for k, s in spelled.items() if not isinstance(s, Infix | Pattern)}
+    if bodies:
+        calls |= {kind: f"{bodies}{kind}" for kind in BODIES}
+    return Syntax(
+        infix={k: s for k, s in spelled.items() if isinstance(s, Infix)},
+        calls=calls,
+        last={k: s.last for k, s in spelled.items() if isinstance(s, Support) and s.last},
+        patterns={k: s for k, s in spelled.items() if isinstance(s, Pattern)},
+        constants=CONSTANTS,
+    )
+
+
+def _name_function(spelling: Spelling) -> str:
+    return f"_{spelling.name}" if isinstance(spelling, Support | Reduction) else str(spelling)
+
+
+NUMPY = _spell({k: row.numpy for k, row in KINDS.items()})
 # In kernels whole numbers are floats, which NumPy converts faster beside an array; in the facts of
 # a module, which the runtime asks of fractions, they are not.
 NUMPY_BODY = replace(NUMPY, number=lambda number: repr(float(number)))
@@ -66,55 +50,19 @@ NUMPY_BODY = replace(NUMPY, number=lambda number: repr(float(number)))
 _LIBRARY = ("tan", "sin", "cos")
 # One number at a time; `exact` says whether what angles far out give is wanted, however long it
 # takes, or NaN.
-NUMBA = Syntax(
-    infix=INFIX,
-    calls=MappingProxyType(
-        {
-            **{kind: f"_elementary.{kind}" for kind in BODIES},
-            **{
-                n: f"_{n}"
-                for n in (
-                    "floor", "rint", "fma", "copysign", "is_finite", "maximum", "choose",
-                    "power_of_two",
-                )
-            },
-            "sqrt": "_np.sqrt",
-            "absolute": "_abs",
-        }
-    ),
+NUMBA = replace(
+    _spell({k: row.numba for k, row in KINDS.items()}, "_elementary."),
     last=MappingProxyType({kind: "_exact" for kind, (_, _, far) in BODIES.items() if far}),
-    patterns=MappingProxyType(
-        {
-            "negate": ("-{}", SIGN, SIGN),
-            "square": ("{} ** 2", ATOM, POWER),
-        }
-    ),
-    constants=NUMPY.constants,
-)  # fmt: skip
+)
 NUMBA_FAR = replace(
     NUMBA,
     calls=MappingProxyType({**NUMBA.calls, **{name: f"_math.{name}" for name in _LIBRARY}}),
     last=MappingProxyType({}),
 )
-C99 = Syntax(
-    infix=MappingProxyType({**INFIX, "both": ("&&", BOTH), "either": ("||", EITHER)}),
-    calls=MappingProxyType(
-        {
-            **{kind: f"{HELPER}{kind}" for kind in (*BODIES, "square", "maximum", "power_of_two")},
-            "sqrt": "sqrt",
-            "floor": "floor",
-            "rint": "rint",
-            "fma": "fma",
-            "copysign": "copysign",
-            "absolute": "fabs",
-            "is_finite": "isfinite",
-        }
-    ),
+C99 = replace(
+    _spell({k: row.c for k, row in KINDS.items()}, HELPER),
     # Wherever an angle lies: loops over points alone know that all are near.
     last=MappingProxyType(dict.fromkeys(NUMBA.last, "1")),
-    patterns=MappingProxyType(
-        {"negate": ("-{}", SIGN, SIGN), "choose": ("{} ? {} : {}", EITHER, CHOICE)}
-    ),
     constants=MappingProxyType(
         {
             "#pi": repr(math.pi),
@@ -125,7 +73,7 @@ C99 = Syntax(
     ),
     number=lambda number: repr(float(number)),
     name=spell_in_c,
-)  # fmt: skip
+)
 C99_FAR = replace(
     C99,
     calls=MappingProxyType({**C99.calls, **{n: n for n in _LIBRARY}}),
@@ -138,8 +86,11 @@ def _write_single(number: float) -> str:
     return f"{digits}f" if "." in digits or "e" in digits else f"{digits}.0f"
 
 
+# What <math.h> has for doubles and, with an f, for floats; isfinite is a macro for both.
 _SINGLE = {
-    kind: f"{C99.calls[kind]}f" for kind in ("sqrt", "floor", "rint", "fma", "copysign", "absolute")
+    kind: f"{name}f"
+    for kind, name in C99.calls.items()
+    if not name.startswith(HELPER) and name != "isfinite"
 }
 C99_SINGLE = replace(
     C99,

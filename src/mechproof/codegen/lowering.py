@@ -19,32 +19,19 @@ import sympy as sp
 from mechproof.codegen import program
 from mechproof.codegen.evaluation import Alongside, unused_name
 from mechproof.codegen.names import sort_positive_first, suggest_name
+from mechproof.codegen.operations import KINDS, Kind
 from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
 
+
+def _name_head(row: Kind) -> str:
+    """Return how expressions call a kind of function; "" of operators."""
+    if isinstance(row.sympy, type) and issubclass(row.sympy, sp.Function):
+        return str(row.sympy.__name__)
+    return row.head
+
+
 FUNCTIONS: Mapping[str, str] = MappingProxyType(
-    {
-        "sin": "sin",
-        "cos": "cos",
-        "tan": "tan",
-        "asin": "arcsin",
-        "acos": "arccos",
-        "atan": "arctan",
-        "atan2": "arctan2",
-        "exp": "exp",
-        "log": "log",
-        "hypot": "hypot",
-        "Abs": "absolute",
-        "floor": "floor",
-        "sign": "sign",
-        "SumRest": "sum_rest",
-        "ProductRest": "product_rest",
-        "QuotientRest": "quotient_rest",
-        "SmallTangent": "small_tangent",
-        "SmallArctan": "small_arctan",
-        "TangentQuotient": "tangent_quotient",
-        "Single": "single",
-        "WholeTurnsOff": "whole_turns_off",
-    }
+    {head: kind for kind, row in KINDS.items() if (head := _name_head(row))}
 )
 CONSTANTS: Mapping[sp.Basic, str] = MappingProxyType({v: n for n, v in program.CONSTANTS.items()})
 

@@ -6,7 +6,7 @@ counts and every backend read programs; a printer only spells them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
@@ -20,7 +20,7 @@ TEMPORARY = "_"
 
 @dataclass(frozen=True)
 class Operation:
-    """One operation: the name of its result, its kind in `MEANINGS`, its operands."""
+    """One operation: the name of its result, its kind in `KINDS`, its operands."""
 
     result: str
     kind: str
@@ -121,58 +121,6 @@ def spell_out_forms(program: Program) -> Program:
     return replace(program, operations=tuple(operations)).normal_form()
 
 
-# What each kind of operation is exactly.
-MEANINGS: Mapping[str, Callable[..., sp.Basic]] = MappingProxyType(
-    {
-        "add": lambda a, b: a + b,
-        "subtract": lambda a, b: a - b,
-        "multiply": lambda a, b: a * b,
-        "divide": lambda a, b: a / b,
-        "fma": lambda a, b, c: a * b + c,
-        "negate": lambda a: -a,
-        "square": lambda a: a**2,
-        "power": lambda a, b: a**b,
-        "sqrt": sp.sqrt,
-        "sin": sp.sin,
-        "cos": sp.cos,
-        "tan": sp.tan,
-        "arcsin": sp.asin,
-        "arccos": sp.acos,
-        "arctan": sp.atan,
-        "arctan2": sp.atan2,
-        "exp": sp.exp,
-        "log": sp.log,
-        "hypot": lambda a, b: sp.sqrt(a**2 + b**2),
-        "absolute": sp.Abs,
-        "floor": sp.floor,
-        "rint": lambda a: sp.floor(a + sp.S.Half),
-        "copysign": lambda a, b: sp.Abs(a) * sp.sign(b),
-        "sign": sp.sign,
-        "maximum": sp.Max,
-        "choose": lambda condition, a, b: sp.Piecewise((a, condition), (b, True)),
-        "less": sp.Lt,
-        "less_equal": sp.Le,
-        "greater": sp.Gt,
-        "greater_equal": sp.Ge,
-        "equal": sp.Eq,
-        "both": sp.And,
-        "either": sp.Or,
-        "product_rest": lambda a, b, p: a * b - p,
-        "sum_rest": lambda a, b, s: a + b - s,
-        "quotient_rest": lambda a, b, q: a / b - q,
-        "small_tangent": sp.tan,
-        # A tangent by two values, whose scale does not count.
-        "tangent_above": sp.sin,
-        "tangent_below": sp.cos,
-        "arctan_quotient": lambda a, b: sp.atan(a / b),
-        "tangent_quotient": lambda y, a, b: sp.tan(y) / (a + b * sp.tan(y) ** 2),
-        "small_arctan": sp.atan,
-        # A sum that is not negative, and the size of its terms.
-        "nonnegative": lambda total, size: total,
-        "single": lambda a: a,
-        "whole_turns_off": lambda a: a,
-    }
-)
 # Constants by names that no input can have.
 CONSTANTS: Mapping[str, sp.Basic] = MappingProxyType(
     {"#pi": sp.pi, "#e": sp.E, "#inf": sp.oo, "#nan": sp.nan}

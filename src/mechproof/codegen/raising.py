@@ -7,9 +7,9 @@ from collections.abc import Mapping
 import sympy as sp
 
 from mechproof.codegen.code import KernelCode, Stage
+from mechproof.codegen.operations import SYMBOLIC
 from mechproof.codegen.program import (
     CONSTANTS,
-    MEANINGS,
     VIEWS,
     Operand,
     Program,
@@ -78,10 +78,8 @@ class WrittenForm:
         for operation in spelled.operations:
             if operation.kind in axes.kinds:
                 value = axes.apply(operation.kind, find(operation.operands[0]), operation.operands)
-            elif operation.kind == "copy":
-                value = find(operation.operands[0])
             else:
-                value = MEANINGS[operation.kind](*map(find, operation.operands))
+                value = SYMBOLIC[operation.kind](*map(find, operation.operands))
             if operation.result.startswith("_"):
                 values[operation.result] = value
             else:

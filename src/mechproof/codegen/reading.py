@@ -11,6 +11,7 @@ import ast
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
+from mechproof.codegen.operations import KINDS
 from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
 
 BINARY: Mapping[type[ast.operator], str] = MappingProxyType(
@@ -33,7 +34,13 @@ COMPARED: Mapping[type[ast.cmpop], str] = MappingProxyType(
     }
 )
 # Functions whose operation has another name; the others are called like it.
-RENAMED: Mapping[str, str] = MappingProxyType({"abs": "absolute", "choose_where": "choose"})
+RENAMED: Mapping[str, str] = MappingProxyType(
+    {
+        "abs": "absolute",
+        "choose_where": "choose",
+        **{f"math.{row.c}": kind for kind, row in KINDS.items() if row.numba == f"_math.{row.c}"},
+    }
+)
 REDUCED: Mapping[str, str] = MappingProxyType({"add_up": "sum", "every": "every"})
 LAST_CONSTANT: Mapping[str, str] = MappingProxyType(
     {"small_arctan": "_ARCTANGENT", "tangent_quotient": "_TANGENT"}

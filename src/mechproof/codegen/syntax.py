@@ -4,29 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 
+from mechproof.codegen.operations import ATOM, COMPARISON, REDUCTIONS, SIGN, Infix, Level, Pattern
 from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
-
-ATOM, POWER, SIGN, PRODUCT, SUM, BOTH, EITHER, COMPARISON, CHOICE = range(9, 0, -1)
-Level = int
-# Sign and level of operations between two operands, the left one taken first.
-INFIX: Mapping[str, tuple[str, Level]] = MappingProxyType(
-    {
-        "add": ("+", SUM),
-        "subtract": ("-", SUM),
-        "multiply": ("*", PRODUCT),
-        "divide": ("/", PRODUCT),
-        "both": ("&", BOTH),
-        "either": ("|", EITHER),
-        "less": ("<", COMPARISON),
-        "less_equal": ("<=", COMPARISON),
-        "greater": (">", COMPARISON),
-        "greater_equal": (">=", COMPARISON),
-        "equal": ("==", COMPARISON),
-    }
-)
-COMPARISONS = tuple(kind for kind, (_, level) in INFIX.items() if level == COMPARISON)
 
 
 @dataclass(frozen=True)
@@ -34,15 +14,13 @@ class Syntax:
     """How a language spells operations.
 
     `calls` are functions by the kind of operation, `last` what is put after their arguments.
-    `patterns` spell the other kinds: a text for the operands, as they stand or in brackets if
-    they bind less than the level, and the level of the whole. `name` spells a name of the paper
-    so that it is none of the language's or the machinery's.
+    `name` spells a name of the paper so that it is none of the language's or the machinery's.
     """
 
-    infix: Mapping[str, tuple[str, Level]]
+    infix: Mapping[str, Infix]
     calls: Mapping[str, str]
     last: Mapping[str, str]
-    patterns: Mapping[str, tuple[str, Level, Level]]
+    patterns: Mapping[str, Pattern]
     constants: Mapping[str, str]
     number: Callable[[float], str] = repr
     name: Callable[[str], str] = str
@@ -93,8 +71,10 @@ class _Writer:
         if kind == "copy":
             return self.show(operands[0])
         if kind in syntax.patterns:
-            pattern, inner, outer = syntax.patterns[kind]
-            return pattern.format(*(self.enclose(o, inner) for o in operands)), outer
+            pattern = syntax.patterns[kind]
+            return pattern.text.format(*(self.enclose(o, pattern.inner) for o in operands)), (
+                pattern.outer
+            )
         if kind in REDUCTIONS:
             return self._write_reduction(kind, *operands), ATOM
         arguments = [self.show(operand)[0] for operand in operands]
@@ -102,15 +82,13 @@ class _Writer:
         return f"{syntax.calls[kind]}({', '.join(arguments)})", ATOM
 
     def _write_infix(self, kind: str, one: Operand, other: Operand) -> tuple[str, Level]:
-        sign, level = self._syntax.infix[kind]
+        infix = self._syntax.infix[kind]
+        level = infix.level
         # Comparisons do not chain: both sides bind more.
         left = level + 1 if level == COMPARISON else level
-        return f"{self.enclose(one, left)} {sign} {self.enclose(other, level + 1)}", level
+        return f"{self.enclose(one, left)} {infix.sign} {self.enclose(other, level + 1)}", level
 
     def _write_reduction(self, kind: str, value: Operand, axes: Operand) -> str:
         assert isinstance(axes, int)
         where = "-1" if axes == 1 else str(tuple(range(-axes, 0)))
-        return f"{REDUCTIONS[kind]}({self.show(value)[0]}, axis={where})"
-
-
-REDUCTIONS: Mapping[str, str] = MappingProxyType({"sum": "_add_up", "every": "_every"})
+        return f"{self._syntax.calls[kind]}({self.show(value)[0]}, axis={where})"

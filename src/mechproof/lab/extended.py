@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -18,6 +17,7 @@ from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.evaluation import arrange, entries
 from mechproof.codegen.kernel import input_names, list_functions
 from mechproof.codegen.lowering import lower_conditions, lower_steps
+from mechproof.codegen.operations import Arithmetic
 from mechproof.codegen.program import Program
 from mechproof.codegen.rewrites import apply_rewrites
 from mechproof.codegen.subexpressions import share_subexpressions
@@ -26,10 +26,10 @@ from mechproof.lab.region import MARGIN
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
 from mechproof.roundoff.extended import DIGITS_OF, FORMAT, IN_EXTENDED, IS_LONGER
-from mechproof.roundoff.running import Table, Values, run
+from mechproof.roundoff.running import Values, run
 from mechproof.roundoff.steps import Straight, flatten_stage
 
-IN_PLACE: Table = MappingProxyType({**IN_EXTENDED, "number": np.float64})
+IN_PLACE = IN_EXTENDED.but(number=np.float64)
 
 
 @dataclass(frozen=True)
@@ -99,8 +99,8 @@ class Extended:
         return given
 
 
-def _holds(condition: Program | None, given: Values, table: Table) -> Any:
-    return True if condition is None else run(condition, given, table)[0]
+def _holds(condition: Program | None, given: Values, arithmetic: Arithmetic) -> Any:
+    return True if condition is None else run(condition, given, arithmetic)[0]
 
 
 def _flatten(stage: Stage) -> Straight:

@@ -1,7 +1,8 @@
 """The oracle: a quantity's definition at exact doubles, decided far below half an ulp.
 
-The same SymPy expression that the proofs are about is enclosed in a ball, at rising precision
-until the ball is small enough. What stays undecided is marked, never dropped.
+The same SymPy expression that the proofs are about is enclosed in a ball, at rising precision until
+the ball is small enough. What stays undecided is marked, never dropped. Raising the precision until
+a result is decided is Ziv's strategy (1991), which Herbie's oracle follows with intervals.
 """
 
 from __future__ import annotations

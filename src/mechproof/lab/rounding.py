@@ -15,90 +15,32 @@ import numpy as np
 from flint import arb
 
 from mechproof.codegen.code import Stage
+from mechproof.codegen.operations import KINDS, Rounding
 from mechproof.codegen.program import VIEWS, Operand, Operation, Program, spell_out_forms
 from mechproof.lab.ways import Array
 from mechproof.proof.balls import working_precision
+from mechproof.roundoff.running import IN_BALLS, ON_ARRAYS
 
 BITS = 192
 # Half an ulp of a double and of a float32, relative.
 UNIT, SINGLE_UNIT = 2.0**-53, 2.0**-24
 SMALLEST = 2.0**-1074
 LOOPS = 4
-ROUNDED = (
-    "add", "subtract", "multiply", "divide", "fma", "square", "sqrt", "quotient_rest", "single",
-)  # fmt: skip
-EXACT = (
-    "negate", "absolute", "copysign", "maximum", "floor", "rint", "sign", "copy", "product_rest",
-    "sum_rest", "nonnegative",
-)  # fmt: skip
+LOSSES: Mapping[Rounding, float] = {
+    Rounding.EXACT: 0.0,
+    Rounding.NEAREST: 1.0,
+    Rounding.LIBRARY: 2.0 * LOOPS,
+}
 # As the doubles that a kernel takes them for.
 CONSTANTS: Mapping[str, arb] = MappingProxyType(
     {"#pi": arb(np.pi), "#e": arb(np.e), "#inf": arb("inf"), "#nan": arb("nan")}
 )
-COMPARISONS: Mapping[str, Callable[[arb, arb], bool]] = MappingProxyType(
-    {
-        "less": lambda a, b: a < b,
-        "less_equal": lambda a, b: a <= b,
-        "greater": lambda a, b: a > b,
-        "greater_equal": lambda a, b: a >= b,
-        "equal": lambda a, b: a == b,
-    }
-)
-OPPOSITE = MappingProxyType(
-    {
-        "less": "greater_equal",
-        "less_equal": "greater",
-        "greater": "less_equal",
-        "greater_equal": "less",
-    }
-)
-
-
-def _tangent_quotient(y: arb, a: arb, b: arb) -> arb:
-    t = y.tan()
-    return t / (a + b * t * t) if t.is_finite() else arb("nan")
-
-
-FUNCTIONS: Mapping[str, Callable[..., arb]] = MappingProxyType(
-    {
-        "add": lambda a, b: a + b,
-        "subtract": lambda a, b: a - b,
-        "multiply": lambda a, b: a * b,
-        "divide": lambda a, b: a / b,
-        "fma": lambda a, b, c: a * b + c,
-        "negate": lambda a: -a,
-        "square": lambda a: a * a,
-        "power": lambda a, b: a**b,
-        "sqrt": lambda a: a.sqrt(),
-        "sin": lambda a: a.sin(),
-        "cos": lambda a: a.cos(),
-        "tan": lambda a: a.tan(),
-        "arcsin": lambda a: a.asin(),
-        "arccos": lambda a: a.acos(),
-        "arctan": lambda a: a.atan(),
-        "arctan2": lambda a, b: arb.atan2(a, b),
-        "exp": lambda a: a.exp(),
-        "log": lambda a: a.log(),
-        "hypot": lambda a, b: (a * a + b * b).sqrt(),
-        "absolute": abs,
-        "maximum": lambda a, b: a.max(b),
-        "floor": lambda a: a.floor(),
-        "rint": lambda a: (a + arb(0.5)).floor(),
-        "copysign": lambda a, b: abs(a) * b.sgn(),
-        "sign": lambda a: a.sgn(),
-        "copy": lambda a: a,
-        "single": lambda a: a,
-        "product_rest": lambda a, b, p: a * b - p,
-        "sum_rest": lambda a, b, s: a + b - s,
-        "quotient_rest": lambda a, b, q: a / b - q,
-        "small_tangent": lambda a: a.tan(),
-        "tangent_quotient": _tangent_quotient,
-        "small_arctan": lambda a: a.atan(),
-        "nonnegative": lambda total, size: total.union(arb(0)) if total < 0 else total,
-        "tangent_above": lambda y: y.sin(),
-        "tangent_below": lambda y: y.cos(),
-        "arctan_quotient": lambda a, b: (a / b).atan(),
-    }
+# An undecided choice encloses both; doubles give an angle to the vector that is zero; a sum that is
+# never negative may be rounded to it.
+ENCLOSING = IN_BALLS.but(
+    arctan2=arb.atan2,
+    choose=lambda holds, a, b: a.union(b) if holds is None else a if holds else b,
+    nonnegative=lambda total, size: total.union(arb(0)) if total < 0 else total,
 )
 
 
@@ -147,23 +89,16 @@ def _run(program: Program, known: Mapping[str, Any]) -> list[Any]:
 def _operate(step: Operation, find: Callable[[Operand], Any], single: bool) -> Any:
     kind, operands = step.kind, step.operands
     if kind in VIEWS:
-        return _view(kind, find(operands[0]))
+        return ON_ARRAYS[kind](find(operands[0]))
     if kind == "sum":
         return _sum(find(operands[0]))
     if kind == "whole_turns_off":
         return np.frompyfunc(_take_turns_off, 1, 1)(find(operands[0]))
     values = tuple(map(find, operands))
-    if kind in COMPARISONS:
-        return np.frompyfunc(lambda a, b: _compare(kind, a, b), 2, 1)(*values)
-    if kind == "both":
-        return np.frompyfunc(lambda a, b: a and b, 2, 1)(*values)
-    if kind == "either":
-        return np.frompyfunc(lambda a, b: a or b, 2, 1)(*values)
-    if kind == "choose":
-        return np.frompyfunc(_choose, 3, 1)(*values)
-    exact = np.frompyfunc(FUNCTIONS[kind], len(values), 1)(*values)
-    unit = SINGLE_UNIT if single else UNIT
-    loss = 0.0 if kind in EXACT else unit if kind in ROUNDED else 2 * LOOPS * unit
+    exact = np.frompyfunc(ENCLOSING[kind], len(values), 1)(*values)
+    loss = LOSSES[KINDS[kind].rounding] * (SINGLE_UNIT if single else UNIT)
+    if not loss:
+        return exact
     if kind == "tangent_quotient":
         return np.frompyfunc(lambda q, y, a, b: _spread_quotient(q, a, b, loss), 4, 1)(
             exact, *values
@@ -173,8 +108,6 @@ def _operate(step: Operation, find: Callable[[Operand], Any], single: bool) -> A
 
 def _spread(ball: arb, relative: float) -> arb:
     """Return the ball with room for a relative error, and for one below the least double."""
-    if not relative:
-        return ball
     return (
         ball + arb(0, float(abs(ball).upper()) * relative + SMALLEST) if ball.is_finite() else ball
     )
@@ -188,33 +121,12 @@ def _spread_quotient(quotient: arb, a: arb, b: arb, relative: float) -> arb:
     return quotient + arb(0, largest * relative) if quotient.is_finite() else arb(0, largest)
 
 
-def _compare(kind: str, a: arb, b: arb) -> bool | None:
-    if COMPARISONS[kind](a, b):
-        return True
-    opposite = OPPOSITE.get(kind)
-    return False if opposite is None or COMPARISONS[opposite](a, b) else None
-
-
-def _choose(condition: bool | None, one: arb, other: arb) -> arb:
-    return one.union(other) if condition is None else one if condition else other
-
-
 def _take_turns_off(x: arb) -> arb:
     """Return x less the turns that the double next to it loses, with the rounding of both."""
     if not x.is_finite():
         return x
     turns = round(float(x.mid()) / (2 * np.pi))
     return x - 2 * arb.pi() * turns + arb(0, 4 * UNIT * float(abs(x).upper()))
-
-
-def _view(kind: str, array: Any) -> Any:
-    views: dict[str, Callable[[Any], Any]] = {
-        "along_first": lambda a: a[:, np.newaxis],
-        "along_last": lambda a: a[np.newaxis, :],
-        "transpose": np.transpose,
-        "diagonal": np.diagonal,
-    }
-    return views[kind](array)
 
 
 def _sum(array: Any) -> Any:

@@ -1,10 +1,11 @@
 """Rung: equality in a field of rational functions, circle points and square roots.
 
-Angles are reduced to one (cos, sin) pair per base angle with c^2 + s^2 = 1, square roots to
-roots of irreducible factors of proved sign with r^2 = f. The numerator of the difference then
-has a unique normal form; it is zero exactly if the two sides agree wherever both are defined.
-Exponentials are powers of one generator for each monomial of their arguments, if need be.
-Other functions (arctan, ...) stay opaque: equal arguments, equal values.
+Angles are reduced to one (cos, sin) pair per base angle with c^2 + s^2 = 1, square roots to roots
+of irreducible factors of proved sign with r^2 = f. The numerator of the difference then has a
+unique normal form; it is zero exactly if the two sides agree wherever both are defined.
+Exponentials are powers of one generator for each monomial of their arguments, if need be. Other
+functions (arctan, ...) stay opaque: equal arguments, equal values. Trigonometric polynomials as a
+quotient ring are those of Mulholland and Monagan (2001).
 """
 
 from __future__ import annotations

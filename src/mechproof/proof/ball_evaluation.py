@@ -6,9 +6,8 @@ Equal parts are evaluated once. What is undefined or undecided gives a ball that
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import lru_cache
-from typing import Any
 
 import sympy as sp
 from flint import acb, arb, fmpq
@@ -26,11 +25,9 @@ from mechproof.proof.ball_functions import (
     are_equal,
     take_real_part,
 )
+from mechproof.proof.layout import Layout, Operation, Plan, Values
 
-Values = Mapping[sp.Basic, Any]
 Evaluator = Callable[[Values], Ball]
-Operation = Callable[..., Ball]
-Plan = tuple[Operation, tuple[sp.Basic, ...]]
 # A sum of more terms, or a product of more factors, is not written out.
 MOST_TERMS = 1000
 _ANALYTIC = sp.Dummy("analytic")
@@ -38,30 +35,12 @@ _ANALYTIC = sp.Dummy("analytic")
 
 @lru_cache(maxsize=512)
 def compile_expression(expression: sp.Basic) -> Evaluator:
-    """Lay an expression out as a list of operations on slots, equal parts sharing one slot."""
-    slots: dict[sp.Basic, int] = {}
-    steps: list[tuple[Operation, tuple[int, ...]]] = []
-
-    def place(node: sp.Basic) -> int:
-        if node not in slots:
-            operation, arguments = _operation(node)
-            indices = tuple(place(argument) for argument in arguments)
-            slots[node] = len(steps)
-            steps.append((operation, indices))
-        return slots[node]
-
-    place(expression)
-
-    def run(values: Values) -> Ball:
-        results: list[Ball] = []
-        for operation, indices in steps:
-            results.append(operation(values, *[results[k] for k in indices]))
-        return results[-1]
-
-    return run
+    """Return what encloses the expression for balls of its symbols."""
+    layout = Layout(expression, plan)
+    return lambda values: layout.run(values)[-1]
 
 
-def _operation(node: sp.Basic) -> Plan:
+def plan(node: sp.Basic) -> Plan:
     """Return what to do at a node and the nodes it needs first."""
     if isinstance(node, sp.Rational):
         number = fmpq(int(node.p), int(node.q))

@@ -16,8 +16,9 @@ import flint
 import sympy as sp
 from flint import acb, arb, fmpq
 
-from mechproof.proof.ball_evaluation import Values, compile_expression, decide
+from mechproof.proof.ball_evaluation import compile_expression, decide
 from mechproof.proof.ball_functions import NOT_FINITE, Ball, take_real_part
+from mechproof.proof.layout import Values
 
 __all__ = [
     "NOT_FINITE",

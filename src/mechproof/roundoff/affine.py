@@ -14,10 +14,11 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from mechproof.codegen.operations import Arithmetic
 from mechproof.codegen.program import Operand
 from mechproof.roundoff.bound import Bar, Evaluation
 from mechproof.roundoff.intervals import EPS, UNIT, Ends
-from mechproof.roundoff.running import Table, Values
+from mechproof.roundoff.running import Values
 from mechproof.roundoff.steps import HALF, Step, Straight
 
 # So near does the power method come to the norm; any vector gives a bound.
@@ -70,10 +71,11 @@ class AffineMap:
         norm = bound_norm(cells)
         return np.where(np.isfinite(norm), np.maximum(norm, _add_roundings(count) / EPS), np.inf)
 
-    def compute_scale(self, size: Any, given: Values, table: Table) -> Any:
+    def compute_scale(self, size: Any, given: Values, arithmetic: Arithmetic) -> Any:
         """Return D*|p| + |v|."""
         point, shift = (
-            measure_norm([given[n] for n in names], table) for names in (self.points, self.shift)
+            measure_norm([given[n] for n in names], arithmetic)
+            for names in (self.points, self.shift)
         )
         return size * point + shift
 
@@ -88,9 +90,9 @@ def find_size(scale: sp.Expr, points: Sequence[sp.Basic], shift: Sequence[sp.Bas
     return size
 
 
-def measure_norm(components: Sequence[Any], table: Table) -> Any:
+def measure_norm(components: Sequence[Any], arithmetic: Arithmetic) -> Any:
     """Return the norm of a vector."""
-    return table["sqrt"](sum(c * c for c in components))
+    return arithmetic.sqrt(sum(c * c for c in components))
 
 
 def bound_norm(cells: Sequence[Sequence[Ends]]) -> Ends:

@@ -6,6 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
+import numpy as np
+
+from mechproof.codegen.operations import KINDS, Rounding
+
 
 @dataclass(frozen=True)
 class Assumed:
@@ -20,7 +24,11 @@ def _of_numpy(name: str) -> Assumed:
 
 
 FUNCTIONS: Mapping[str, Assumed] = MappingProxyType(
-    {n: _of_numpy(n) for n in ("tan", "arctan", "sin", "cos", "exp", "log", "hypot", "arctan2")}
+    {
+        name: _of_numpy(name)
+        for name, row in KINDS.items()
+        if row.rounding is Rounding.LIBRARY and hasattr(np, name)
+    }
 )
 # Of every program: the relative error of an operation is bounded in the normal range alone.
 NORMAL = "no result overflows or falls below the normal range"

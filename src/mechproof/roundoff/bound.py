@@ -1,8 +1,10 @@
 """Bound: in, steps and a frame of boxes; out, the most by which all roundings move the result.
 
 Each step is its operation times 1 + d with a d of its own. By the mean value theorem the error is
-at most the sum over the steps of |dF/dd| at some d within the bounds: the derivatives are taken
-in reverse over intervals that hold every such d, so no term of second order is left out.
+at most the sum over the steps of |dF/dd| at some d within the bounds: the derivatives are taken in
+reverse over intervals that hold every such d, so no term of second order is left out. Rounding is
+Higham's standard model (2002, chapter 2). FPTaylor (Solovyev et al. 2018) bounds the same sum at d
+= 0 and adds a bound of the second order; here nothing is to be added.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """Climb: from the worst of some points uphill to worse ones.
 
 A population of points; in each round every one is moved (some ulps, a factor, or across to
-another's value), and the worst survive. The points are on the first axis.
+another's value), and the worst survive. The points are on the first axis. It is an evolution
+strategy (Beyer and Schwefel 2002) whose steps are those of doubles.
 """
 
 from __future__ import annotations

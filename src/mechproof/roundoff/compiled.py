@@ -15,7 +15,7 @@ from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.program import Operand, Operation, Program
 from mechproof.roundoff.expansions import Expansion
-from mechproof.roundoff.running import IN_DOUBLES, Table, run
+from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import EXACT
 
 WAY = "compiled"
@@ -111,4 +111,4 @@ def _compute(kind: str) -> Callable[..., Any]:
 
 
 # Operations of compiled kernels in doubles.
-COMPILED: Table = MappingProxyType({**IN_DOUBLES, **{kind: _compute(kind) for kind in BODIES}})
+COMPILED = IN_DOUBLES.but(**{kind: _compute(kind) for kind in BODIES})

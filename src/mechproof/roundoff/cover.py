@@ -1,4 +1,7 @@
-"""Cover: in, a box and an aim; out, its parts with bounds below the aim, many at once."""
+"""Cover: in, a box and an aim; out, its parts with bounds below the aim, many at once.
+
+Branch and bound (Hansen and Walster 2004) without a value to beat: a proof needs every part.
+"""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ from mechproof.roundoff.reduction import NEAR, bound_reduction
 from mechproof.roundoff.running import IN_BALLS, run
 from mechproof.roundoff.scales import find_scaled
 from mechproof.roundoff.steps import EXACT, HALF, Step, Straight, keep_needed, make_step
-from mechproof.roundoff.symmetry import find_parities
+from mechproof.roundoff.symmetry import EVEN, ODD, find_parities
 
 # So many pieces has a quarter turn, or an interval of the other functions.
 PIECES = 64
@@ -80,7 +80,7 @@ def _prove_angle(kind: str) -> Profile:
         number = Whole(Fraction(QUARTERS), Fraction(quarters))
         found = resolve(build(kind, DOUBLE).program, Case(number))
         # Of the other sign it is off as much, or this is an error.
-        find_parities(found.straight, {REST: -1})
+        find_parities(found.straight, {REST: ODD})
         places, low, high = _list_rests(edges, quarters)
         straight = _leave_quotient(found.straight)
         off = _enclose_angle(kind, found, quarters, low, high)
@@ -191,8 +191,8 @@ def _check_signs(program: Program) -> None:
     """Require that the sign turns with that of each argument; ValueError if not."""
     whole = Straight(program.inputs, tuple(map(make_step, program.operations)), program.outputs)
     for turned in program.inputs:
-        parities = find_parities(whole, {n: -1 if n == turned else 1 for n in program.inputs})
-        if any(parities[output] > 0 for output in program.outputs):
+        parities = find_parities(whole, {n: ODD if n == turned else EVEN for n in program.inputs})
+        if any(parities[output] == EVEN for output in program.outputs):
             raise ValueError(f"the sign is not that of {turned}")
 
 
@@ -218,7 +218,7 @@ def _prove_small(kind: str) -> Profile:
     """Bound the arctangent of what is meant to be at most 1/sqrt(3)."""
     (name,) = build(kind, DOUBLE).program.inputs
     found = resolve(build(kind, DOUBLE).program, Case())
-    find_parities(found.straight, {name: -1})
+    find_parities(found.straight, {name: ODD})
     legal = float(np.nextafter((ONE / exactly(3.0)).sqrt().high, 1.0))
     end = legal * BEYOND
 

@@ -6,7 +6,6 @@ the last axis, what is summed over on those before.
 
 from __future__ import annotations
 
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -14,8 +13,7 @@ import sympy as sp
 
 from mechproof.codegen.program import CONSTANTS, Operand
 from mechproof.kernel_support import error_free
-from mechproof.roundoff.running import IN_DOUBLES, Table
-from mechproof.roundoff.steps import CONSTANT
+from mechproof.roundoff.running import ON_ARRAYS
 
 FORMAT = np.longdouble
 BITS = int(np.finfo(FORMAT).nmant) + 1
@@ -51,31 +49,15 @@ def _first_axes(count: Operand) -> tuple[int, ...]:
 
 # Of the constants; infinity is known to all that run.
 DIGITS_OF = {n: str(sp.N(v, DIGITS)) for n, v in CONSTANTS.items() if v != sp.oo}
-IN_EXTENDED: Table = MappingProxyType(
-    {
-        **IN_DOUBLES,
-        **{name: getattr(np, name) for name in ("arcsin", "arccos", "arctan2", "exp", "log")},
-        **{name: getattr(np, name) for name in ("tan", "arctan", "sign", "power")},
-        "number": FORMAT,
-        # By its digits: a whole number of Python's may become a double on the way.
-        CONSTANT: lambda operand: FORMAT(DIGITS_OF.get(operand, str(operand))),
-        "fma": lambda a, b, c: a * b + c,
-        "product_rest": _product_rest,
-        "quotient_rest": _quotient_rest,
-        "sum_rest": error_free.sum_rest,
-        "small_tangent": np.tan,
-        "small_arctan": np.arctan,
-        "tangent_quotient": lambda y, a, b: np.tan(y) / (a + b * np.tan(y) ** 2),
-        "single": lambda a: a,
-        "whole_turns_off": lambda a: a,
-        "along_first": lambda a: a[:, np.newaxis],
-        "along_last": lambda a: a[np.newaxis],
-        "transpose": lambda a: np.swapaxes(a, 0, 1),
-        "diagonal": lambda a: np.moveaxis(np.diagonal(a), -1, 0),
-        "quadratic_form": _quadratic_form,
-        "nonnegative_form": _quadratic_form,
-        "nonnegative": lambda total, size: total,
-        "sum": lambda a, count: np.sum(a, axis=_first_axes(count)),
-        "every": lambda a, count: np.all(a, axis=_first_axes(count)),
-    }
+IN_EXTENDED = ON_ARRAYS.but(
+    number=FORMAT,
+    # By its digits: a whole number of Python's may become a double on the way.
+    constant=lambda operand: FORMAT(DIGITS_OF.get(operand, str(operand))),
+    product_rest=_product_rest,
+    quotient_rest=_quotient_rest,
+    sum_rest=error_free.sum_rest,
+    quadratic_form=_quadratic_form,
+    nonnegative_form=_quadratic_form,
+    sum=lambda a, count: np.sum(a, axis=_first_axes(count)),
+    every=lambda a, count: np.all(a, axis=_first_axes(count)),
 )

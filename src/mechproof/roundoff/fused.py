@@ -1,4 +1,7 @@
-"""Fused products: a*b + c with one rounding, for arrays of doubles on every machine."""
+"""Fused products: a*b + c with one rounding, for arrays of doubles on every machine.
+
+An fma is emulated by sums rounded to odd (Boldo and Melquiond 2008).
+"""
 
 from __future__ import annotations
 

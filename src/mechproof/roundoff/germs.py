@@ -2,7 +2,8 @@
 
 What vanishes with a variable keeps it as a factor: quotients of what vanishes alike stay finite on
 boxes that hold zero, and an error is compared with a value that vanishes as it does. A pole is a
-germ too: the reciprocal of a variable that is its value's reciprocal.
+germ too: the reciprocal of a variable that is its value's reciprocal. Gappa (Daumas and Melquiond
+2010) rewrites quotients until what cancels is gone; here the common factor is never put in.
 """
 
 from __future__ import annotations

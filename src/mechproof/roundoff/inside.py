@@ -15,10 +15,11 @@ from typing import Any
 import sympy as sp
 
 from mechproof.codegen.lowering import CONSTANTS, lower_steps
+from mechproof.codegen.operations import Arithmetic
 from mechproof.codegen.program import Program
 from mechproof.record import Chart, Form
-from mechproof.roundoff.running import Table, Values, run
-from mechproof.roundoff.symmetry import list_parities
+from mechproof.roundoff.running import Values, run
+from mechproof.roundoff.symmetry import ODD, list_parities
 
 TURNS, PI = sp.Symbol("turns"), CONSTANTS[sp.pi]
 Signs = frozenset[str]
@@ -31,15 +32,15 @@ class Inside:
     gaps: tuple[Program, ...]
     signs: tuple[Signs, ...]
 
-    def holds(self, given: Mapping[str, Any], table: Table) -> Any:
+    def holds(self, given: Mapping[str, Any], arithmetic: Arithmetic) -> Any:
         """Say where arguments are for certain inside."""
-        given = {PI: table["arctan"](table["number"](1)) * 4, **given}
+        given = {PI: arithmetic["arctan"](arithmetic["number"](1)) * 4, **given}
         turned = ({n: -v if n in names else v for n, v in given.items()} for names in self.signs)
-        return reduce(or_, (_hold(gaps, some, table) for some in turned for gaps in self.gaps))
+        return reduce(or_, (_hold(gaps, some, arithmetic) for some in turned for gaps in self.gaps))
 
 
-def _hold(gaps: Program, given: Values, table: Table) -> Any:
-    return reduce(and_, (gap >= 0 for gap in run(gaps, given, table)))
+def _hold(gaps: Program, given: Values, arithmetic: Arithmetic) -> Any:
+    return reduce(and_, (gap >= 0 for gap in run(gaps, given, arithmetic)))
 
 
 def find_inside(form: Form, names: Mapping[sp.Basic, str]) -> Inside:
@@ -55,7 +56,7 @@ def _list_signs(form: Form, names: Mapping[sp.Basic, str]) -> Iterator[Signs]:
     for chart in form.charts:
         if chart.angle is not None:
             parities = list_parities(chart, chart.angle, names)
-            yield frozenset(name for name, parity in parities if parity < 0)
+            yield frozenset(name for name, parity in parities if parity == ODD)
 
 
 def _write_gaps(chart: Chart, names: Mapping[sp.Basic, str]) -> Program:

@@ -1,7 +1,8 @@
 """Intervals: two arrays of doubles, the ends over many boxes at once, rounded outward.
 
 A product that would fall below the normal range is an error of floating point: NumPy raises it
-under `careful`, and only those boxes for which it does pay for ends moved away from there.
+under `careful`, and only those boxes for which it does pay for ends moved away from there. Interval
+arithmetic is that of Moore (1966), one operation for many boxes.
 """
 
 from __future__ import annotations

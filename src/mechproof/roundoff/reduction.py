@@ -3,6 +3,8 @@
 The number times the first word and the angle are multiples of one unit, and their difference is
 small: the first fma is exact. The second rounds once. The last word is no more than the rounding of
 a third, unless the angle is nearer to a multiple than `NEAR`, and what the words leave is nothing.
+The words are those of Cody and Waite (1980), with an fma in place of trailing zeros (Boldo, Daumas
+and Li 2009).
 """
 
 from __future__ import annotations

@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
+import sympy as sp
 from flint import arb
 
+from mechproof.codegen.operations import COMPARISONS, KINDS, Arithmetic, Infix
 from mechproof.codegen.program import CONSTANTS, Operand, Program
 from mechproof.kernel_support import error_free
 from mechproof.kernel_support.polynomials import PI, PI_LOW
+from mechproof.proof.ball_functions import COMPARISONS as COMPARED, FUNCTIONS
 from mechproof.proof.balls import to_ball
 from mechproof.roundoff.fused import fma
 from mechproof.roundoff.steps import CONSTANT, Straight
 
 Values = dict[str, Any]
-Table = Mapping[str, Callable[..., Any]]
 ENDLESS = MappingProxyType({"#inf": np.inf})
 
 
@@ -31,75 +34,72 @@ def _take_half_turns_off(y: Any) -> Any:
     return (y - turns * PI) - turns * PI_LOW
 
 
-ARITHMETIC: Table = MappingProxyType(
+# What NumPy has functions of, in any format.
+UFUNCS: Mapping[str, Callable[..., Any]] = MappingProxyType(
     {
-        "add": lambda a, b: a + b,
-        "subtract": lambda a, b: a - b,
-        "multiply": lambda a, b: a * b,
-        "divide": lambda a, b: a / b,
-        "negate": lambda a: -a,
-        "square": lambda a: a * a,
-        "absolute": abs,
-        "copy": lambda a: a,
-        "approximate": lambda a: a,
+        kind: getattr(np, kind)
+        for kind, row in KINDS.items()
+        if isinstance(getattr(np, kind, None), np.ufunc) and not isinstance(row.numpy, Infix)
     }
 )
-IN_DOUBLES: Table = MappingProxyType(
+ON_ARRAYS = Arithmetic(
     {
-        **ARITHMETIC,
-        "number": np.float64,
-        CONSTANT: lambda operand: np.float64(float(find_number(operand))),
-        "fma": fma,
-        "pi_off": _take_half_turns_off,
-        "product_rest": error_free.product_rest,
-        "quotient_rest": error_free.quotient_rest,
-        "small_tangent": error_free.small_tangent,
-        **{
-            kind: getattr(np, kind)
-            for kind in (
-                *("rint", "copysign"),
-                *("sqrt", "hypot", "tan", "arctan", "sin", "cos", "maximum", "minimum", "floor"),
-                *("less", "less_equal", "greater", "greater_equal", "equal"),
-            )
-        },
+        **UFUNCS,
+        **{kind: getattr(np, kind) for kind in COMPARISONS},
         "is_finite": np.isfinite,
         "choose": np.where,
         "both": np.logical_and,
         "either": np.logical_or,
+        "along_first": lambda a: a[:, np.newaxis],
+        "along_last": lambda a: a[np.newaxis],
+        "transpose": lambda a: np.swapaxes(a, 0, 1),
+        "diagonal": lambda a: np.moveaxis(np.diagonal(a), -1, 0),
     }
 )
-IN_BALLS: Table = MappingProxyType(
+IN_DOUBLES = ON_ARRAYS.but(
+    number=np.float64,
+    constant=lambda operand: np.float64(float(find_number(operand))),
+    fma=fma,
+    pi_off=_take_half_turns_off,
+    product_rest=error_free.product_rest,
+    quotient_rest=error_free.quotient_rest,
+    small_tangent=error_free.small_tangent,
+)
+# Of balls, and of series of balls, what functions of SymPy are; None is what is not decided.
+_OF_BALLS: Mapping[Any, Callable[..., Any]] = MappingProxyType(
     {
-        **ARITHMETIC,
+        **FUNCTIONS,
+        **COMPARED,
+        sp.sqrt: lambda a: a.sqrt(),
+        sp.Pow: operator.pow,
+        sp.And: lambda a, b: False if False in (a, b) else None if None in (a, b) else True,
+        sp.Or: lambda a, b: True if True in (a, b) else None if None in (a, b) else False,
+    }
+)
+IN_BALLS = Arithmetic(
+    {
+        **{k: _OF_BALLS[row.sympy] for k, row in KINDS.items() if row.sympy in _OF_BALLS},
         "number": arb,
+        "is_finite": lambda a: a.is_finite(),
+        # In which nothing cancels.
+        "expm1": arb.expm1,
+        "log1p": arb.log1p,
         CONSTANT: lambda operand: to_ball(find_number(operand)),
-        "fma": lambda a, b, c: a * b + c,
-        "pi_off": lambda a: a,
-        "product_rest": lambda a, b, p: a * b - p,
-        "quotient_rest": lambda a, b, q: a / b - q,
-        "small_tangent": arb.tan,
-        "sqrt": arb.sqrt,
-        "hypot": lambda a, b: (a**2 + b**2).sqrt(),
-        "tan": arb.tan,
-        "arctan": arb.atan,
-        "sin": arb.sin,
-        "cos": arb.cos,
-        "maximum": arb.max,
-        "minimum": arb.min,
-        "floor": arb.floor,
     }
 )
 
 
-def run(straight: Straight | Program, given: Mapping[str, Any], table: Table) -> tuple[Any, ...]:
-    """Return the outputs at the values of the inputs; `table` computes each kind, and numbers."""
+def run(
+    straight: Straight | Program, given: Mapping[str, Any], arithmetic: Arithmetic
+) -> tuple[Any, ...]:
+    """Return the outputs at the values of the inputs, in an arithmetic."""
     values: Values = {**ENDLESS, **given}
     steps = straight.operations if isinstance(straight, Program) else straight.steps
 
     def look_up(operand: Operand) -> Any:
-        return values[operand] if isinstance(operand, str) else table["number"](operand)
+        return values[operand] if isinstance(operand, str) else arithmetic.number(operand)
 
     for step in steps:
         operands = step.operands if step.kind == CONSTANT else map(look_up, step.operands)
-        values[step.result] = table[step.kind](*operands)
+        values[step.result] = arithmetic[step.kind](*operands)
     return tuple(map(look_up, straight.outputs))

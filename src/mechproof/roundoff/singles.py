@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from functools import partial, reduce
 from itertools import product
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -24,9 +23,10 @@ from mechproof.codegen.code import Stage
 from mechproof.codegen.elementary.formats import SINGLE
 from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.kernel import Kernel
+from mechproof.codegen.operations import KINDS, Arithmetic
 from mechproof.roundoff.climb import Column, Points
 from mechproof.roundoff.fused import add_to_odd
-from mechproof.roundoff.running import IN_DOUBLES, Table, Values, find_number, run
+from mechproof.roundoff.running import IN_DOUBLES, Values, find_number, run
 from mechproof.roundoff.steps import CONSTANT, flatten_stage
 
 FORMAT = np.float32
@@ -55,16 +55,13 @@ def _in_doubles(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
 
 
 # What the machine and the library compute, an elementary function beyond its largest angle too.
-_MACHINE: Table = MappingProxyType(
-    {
-        **IN_DOUBLES,
-        "number": FORMAT,
-        CONSTANT: lambda operand: FORMAT(float(find_number(operand))),
-        "fma": _fma,
-        "maximum": _maximum,
-        "power_of_two": _power_of_two,
-        **{kind: _in_doubles(getattr(np, kind)) for kind in ("sin", "cos", "tan")},
-    }
+_MACHINE = IN_DOUBLES.but(
+    number=FORMAT,
+    constant=lambda operand: FORMAT(float(find_number(operand))),
+    fma=_fma,
+    maximum=_maximum,
+    power_of_two=_power_of_two,
+    **{kind: _in_doubles(getattr(np, kind)) for kind in ("sin", "cos", "tan")},
 )
 
 
@@ -78,9 +75,8 @@ def _compute(kind: str, *operands: Any) -> Any:
     return np.where(np.abs(operands[0]) <= FORMAT(SINGLE.largest), value, beyond)
 
 
-IN_SINGLES: Table = MappingProxyType(
-    {**_MACHINE, **{kind: partial(_compute, kind) for kind in BODIES}}
-)
+IN_SINGLES = _MACHINE.but(**{kind: partial(_compute, kind) for kind in BODIES})
+COMPUTED = ("number", CONSTANT, *filter(IN_SINGLES.__contains__, KINDS))
 
 
 class Singles:
@@ -114,22 +110,24 @@ class Singles:
         return value.reshape(count, *self._code.shape), lost
 
     def mark_inside(
-        self, arguments: Points, table: Table = IN_SINGLES, kind: type[Any] = FORMAT
+        self, arguments: Points, arithmetic: Arithmetic = IN_SINGLES, kind: type[Any] = FORMAT
     ) -> Column:
         """Mark the points of the domain, as numbers of some kind decide it."""
         given, count = self._name_values(arguments, kind), len(arguments[0])
         with np.errstate(all="ignore"):
-            held = run(self._inside, given, self._add_loops(table))[0] if self._inside else True
+            held = (
+                run(self._inside, given, self._add_loops(arithmetic))[0] if self._inside else True
+            )
         return np.broadcast_to(held, count)
 
     def _run_stage(self, stage: Stage, given: Values, count: int) -> tuple[Column, Column]:
         lost = np.zeros(count, bool)
-        watched = {kind: partial(_watch, kind, f, lost) for kind, f in IN_SINGLES.items()}
-        found = run(flatten_stage(stage, {}), given, self._add_loops(watched))
+        watched = {kind: partial(_watch, kind, IN_SINGLES[kind], lost) for kind in COMPUTED}
+        found = run(flatten_stage(stage, {}), given, self._add_loops(IN_SINGLES.but(**watched)))
         return np.stack([np.broadcast_to(v, count) for v in found], -1), lost
 
-    def _add_loops(self, table: Table) -> Table:
-        return {**table, **{loop.name: partial(_run_loop, loop, table) for loop in self._loops}}
+    def _add_loops(self, arithmetic: Arithmetic) -> Arithmetic:
+        return arithmetic.but(**{r.name: partial(_run_loop, r, arithmetic) for r in self._loops})
 
     def _name_values(self, arguments: Points, kind: type[Any]) -> Values:
         """Give every component its values; the elements of what is summed lie before the points."""
@@ -158,18 +156,18 @@ def _hold(mark: Callable[[Any], Any], operands: Iterable[Any]) -> Any:
     return reduce(lambda one, other: one & other, marks, np.asarray(True))
 
 
-def _run_loop(loop: Reduction, table: Table, *arrays: Any) -> Any:
+def _run_loop(loop: Reduction, arithmetic: Arithmetic, *arrays: Any) -> Any:
     """Return the sum over the terms, or whether all are true, as the printed loop does."""
     known = dict(zip(loop.parameters, arrays, strict=True))
-    terms, zero = len(known[loop.arrays[0]]), table["number"](0)
+    terms, zero = len(known[loop.arrays[0]]), arithmetic.number(0)
     high, low, holds = zero, zero, True
     for indices in product(range(terms), repeat=loop.axes):
         elements = (known[name][tuple(indices[i] for i in at)] for name, at in loop.elements)
-        (term,) = run(loop.term, dict(zip(loop.term.inputs, elements, strict=True)), table)
+        (term,) = run(loop.term, dict(zip(loop.term.inputs, elements, strict=True)), arithmetic)
         if loop.kind == "every":
             holds = holds & term
             continue
-        total = table["add"](high, term)
+        total = arithmetic.add(high, term)
         low = low + IN_SINGLES[ADDED](high, term, total)
         high = total
     return np.where(np.isfinite(low), high + low, high) if loop.kind == "sum" else holds

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from mechproof.codegen.code import Stage
+from mechproof.codegen.operations import KINDS, Rounding
 from mechproof.codegen.program import CONSTANTS, Operand, Operation, Program
 from mechproof.roundoff.assumptions import FUNCTIONS
 from mechproof.roundoff.expansions import Expansion
@@ -17,9 +18,12 @@ EXACT = 0.0
 RESTS = PRODUCT_REST, QUOTIENT_REST = "product_rest", "quotient_rest"
 # A number that is no double, which is rounded where it is written; its operand is the number.
 CONSTANT = "constant"
-ALWAYS_EXACT = frozenset(
-    {"negate", "absolute", "maximum", "minimum", "copy", "approximate", PRODUCT_REST}
-)
+# Functions of our own are written out, or have a proved bound, before their steps are bounded.
+ULPS: Mapping[Rounding, float] = {
+    Rounding.EXACT: EXACT,
+    Rounding.NEAREST: HALF,
+    Rounding.LIBRARY: HALF,
+}
 
 
 @dataclass(frozen=True)
@@ -155,8 +159,9 @@ def _expand(operation: Operation, expansions: Mapping[str, Expansion]) -> Iterat
 def make_step(operation: Operation) -> Step:
     """Return an operation with what its rounding is off by."""
     kind, operands = operation.kind, operation.operands
-    exact = kind in ALWAYS_EXACT or _scales_by_power(kind, operands)
-    ulps = EXACT if exact else FUNCTIONS[kind].ulps if kind in FUNCTIONS else HALF
+    if _scales_by_power(kind, operands):
+        return Step(operation.result, kind, operands, EXACT)
+    ulps = FUNCTIONS[kind].ulps if kind in FUNCTIONS else ULPS[KINDS[kind].rounding]
     return Step(operation.result, kind, operands, ulps)
 
 

@@ -16,7 +16,8 @@ from mechproof.codegen.code import Stage
 from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.kernel import Kernel, build_kernel, input_names
-from mechproof.codegen.program import MEANINGS, Operand, Program
+from mechproof.codegen.operations import SYMBOLIC, Arithmetic
+from mechproof.codegen.program import Operand, Program
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, find_size, measure_norm
 from mechproof.roundoff.apart import Rows, bound_apart
@@ -29,7 +30,7 @@ from mechproof.roundoff.expansions import WAYS
 from mechproof.roundoff.inside import Inside, find_inside
 from mechproof.roundoff.intervals import EPS, Array, careful
 from mechproof.roundoff.regions import Boxes, Region, express
-from mechproof.roundoff.running import IN_DOUBLES, Table, Values, run
+from mechproof.roundoff.running import IN_DOUBLES, Values, run
 from mechproof.roundoff.scales import find_scaled
 from mechproof.roundoff.steps import EXACT, Step, Straight, flatten_stage, keep_needed
 from mechproof.roundoff.symmetry import check_mirror, check_symmetry
@@ -164,14 +165,16 @@ class Subject:
             return np.array(run(self.computed, points, COMPILED))
         return np.array(run(self.straight, points, IN_DOUBLES))
 
-    def weigh(self, found: Sequence[Any], given: Values, table: Table) -> list[Any]:
+    def weigh(self, found: Sequence[Any], given: Values, arithmetic: Arithmetic) -> list[Any]:
         """Return the errors of the outputs in eps of the scale, of a map that of their norm."""
-        exact = run(self.exact, given, table)
-        apart = [table["number"](value) - true for value, true in zip(found, exact, strict=True)]
-        scales = [run(self.scale, given, table)[0]] * len(exact) if self.scale else exact
+        exact = run(self.exact, given, arithmetic)
+        apart = [
+            arithmetic["number"](value) - true for value, true in zip(found, exact, strict=True)
+        ]
+        scales = [run(self.scale, given, arithmetic)[0]] * len(exact) if self.scale else exact
         if self.map:
-            whole = self.map.compute_scale(scales[0], given, table)
-            return [measure_norm(apart, table) / whole / EPS]
+            whole = self.map.compute_scale(scales[0], given, arithmetic)
+            return [measure_norm(apart, arithmetic) / whole / EPS]
         return [abs(off / scale) / EPS for off, scale in zip(apart, scales, strict=True)]
 
     @cached_property
@@ -198,7 +201,7 @@ def add_up(
     for step in straight.steps:
         given = [values.get(o) if isinstance(o, str) else sp.Rational(o) for o in step.operands]
         if step.kind in POLYNOMIAL and all(value is not None for value in given):
-            value = sp.factor(MEANINGS[step.kind](*given))
+            value = sp.factor(SYMBOLIC[step.kind](*given))
             if step.kind in ("add", "subtract"):
                 sums[step.result] = value
             if step.ulps == EXACT:

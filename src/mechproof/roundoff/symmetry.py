@@ -3,64 +3,68 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from types import MappingProxyType
+from dataclasses import dataclass
+from functools import cache, partial
 
 import sympy as sp
 
+from mechproof.codegen.operations import KINDS, Arithmetic
 from mechproof.codegen.program import CONSTANTS, Operand
 from mechproof.record import Chart
 from mechproof.roundoff.steps import CONSTANT, Straight
 
-# 1 for what stays, -1 for what is negated.
-Parity = int
+
+@dataclass(frozen=True)
+class Parity:
+    """What becomes of a value: 1 for what stays, -1 for what is negated."""
+
+    sign: int
+
+    def __add__(self, other: Parity) -> Parity:
+        if self != other:
+            raise ValueError("a sum of what is negated and what is not")
+        return self
+
+    __sub__ = __add__
+
+    def __mul__(self, other: Parity) -> Parity:
+        return Parity(self.sign * other.sign)
+
+    __truediv__ = __mul__
+
+    def __neg__(self) -> Parity:
+        return self
 
 
-def _same(*parities: Parity) -> Parity:
-    if len(set(parities)) > 1:
-        raise ValueError("a sum of what is negated and what is not")
-    return parities[0]
+EVEN, ODD = Parity(1), Parity(-1)
 
 
-def _product(a: Parity, b: Parity) -> Parity:
-    return a * b
-
-
-def _even(*parities: Parity) -> Parity:
-    return 1
-
-
-def _keep(parity: Parity) -> Parity:
-    return parity
-
-
-def _compare(a: Parity, b: Parity) -> Parity:
-    if a < 0 or b < 0:
-        raise ValueError("what is negated is compared")
-    return 1
+@cache
+def _find_parity(function: Callable[..., sp.Basic], *parities: Parity) -> Parity:
+    """Return the parity of a function, as SymPy knows it; ValueError where there is none."""
+    dummies = [sp.Dummy(real=True) for _ in parities]
+    value = function(*dummies)
+    turned = function(*(p.sign * d for p, d in zip(parities, dummies, strict=True)))
+    if turned == value:
+        return EVEN
+    if isinstance(value, sp.Expr) and turned == -value:
+        return ODD
+    raise ValueError(f"{value} of what is negated")
 
 
 def _choose(condition: Parity, a: Parity, b: Parity) -> Parity:
-    return _same(a, b)
-
-
-def _take_sign(size: Parity, sign: Parity) -> Parity:
-    return sign
+    if condition == ODD:
+        raise ValueError("a choice by what is negated")
+    return a + b
 
 
 # To round to nearest is odd, and so are NumPy's odd functions.
-PARITIES: Mapping[str, Callable[..., Parity]] = MappingProxyType(
+PARITIES = Arithmetic(
     {
-        **dict.fromkeys(("add", "subtract"), _same),
-        **dict.fromkeys(("multiply", "divide"), _product),
-        **dict.fromkeys(("square", "cos", "absolute", CONSTANT), _even),
-        **dict.fromkeys(("negate", "copy", "approximate", "pi_off"), _keep),
-        **dict.fromkeys(("tan", "sin", "arctan", "small_tangent"), _keep),
-        "greater": _compare,
+        **{k: partial(_find_parity, row.sympy) for k, row in KINDS.items() if row.sympy},
+        "number": lambda number: EVEN,
+        CONSTANT: lambda operand: EVEN,
         "choose": _choose,
-        "copysign": _take_sign,
-        "fma": lambda a, b, c: _same(a * b, c),
-        "product_rest": lambda a, b, p: _same(a * b, p),
-        "quotient_rest": lambda a, b, q: _same(a * b, q),
     }
 )
 
@@ -75,7 +79,7 @@ def check_mirror(
     straight: Straight, mirror: Sequence[sp.Basic], names: Mapping[sp.Basic, str]
 ) -> None:
     """Require that arguments, all negated, turn no more than signs; ValueError if not."""
-    find_parities(straight, {name: -1 if s in mirror else 1 for s, name in names.items()})
+    find_parities(straight, {n: ODD if s in mirror else EVEN for s, n in names.items()})
 
 
 def list_parities(
@@ -86,16 +90,16 @@ def list_parities(
         turned = value.subs(angle, -angle)
         if turned not in (value, -value):
             raise ValueError(f"chart: {value} is neither odd nor even in {angle}")
-        yield names[symbol], 1 if turned == value else -1
+        yield names[symbol], EVEN if turned == value else ODD
 
 
 def find_parities(straight: Straight, given: Mapping[str, Parity]) -> Mapping[Operand, Parity]:
     """Return what becomes of all results where the given ones do; ValueError if that is neither."""
-    parities: dict[Operand, Parity] = dict.fromkeys(CONSTANTS, 1)
+    parities: dict[Operand, Parity] = dict.fromkeys(CONSTANTS, EVEN)
     parities.update(given.items())
     for step in straight.steps:
-        operands = [parities[o] if isinstance(o, str) else 1 for o in step.operands]
         if step.kind not in PARITIES:
             raise ValueError(f"{step.kind} has no parity")
+        operands = (parities[o] if isinstance(o, str) else EVEN for o in step.operands)
         parities[step.result] = PARITIES[step.kind](*operands)
     return parities

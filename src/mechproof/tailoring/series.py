@@ -16,7 +16,9 @@ from typing import Any
 import sympy as sp
 from flint import arb, arb_series, ctx
 
+from mechproof.proof.ball_functions import COMPARISONS
 from mechproof.proof.balls import Ball, to_ball
+from mechproof.proof.layout import Given, Layout, Operation, Plan, Values
 
 Series = Any
 BITS = 128
@@ -51,92 +53,72 @@ def list_terms(series: Series) -> list[Ball]:
 class Definition:
     """An expression of one variable, all other symbols numbers or given by others.
 
-    It is laid out once as steps on slots; what no variable is in is computed once.
+    What no variable is in is computed once.
     """
 
     def __init__(
-        self,
-        expression: sp.Basic,
-        variable: sp.Symbol,
-        given: Mapping[sp.Basic, sp.Basic],
-        values: Mapping[sp.Basic, Any],
+        self, expression: sp.Basic, variable: sp.Symbol, given: Given, values: Mapping[Any, Any]
     ) -> None:
-        self._given = given
-        self._slots: dict[sp.Basic, int] = {variable: 0}
-        self._values: list[Any] = [None]
-        self._steps: list[tuple[int, Callable[..., Any], tuple[int, ...]]] = []
-        self._moving = {0}
-        for symbol, value in values.items():
-            self._slots[symbol] = self._store(arb_series([to_ball(value)]))
+        self._variable = variable
+        known = {symbol: value for symbol, value in values.items() if symbol != variable}
         with working(1, CONSTANT_BITS):
-            self._place(expression)
-        self._last = self._slots[expression]
+            inner = {s: e for s, e in given.items() if s not in (variable, *values)}
+            self._layout = Layout(expression, plan, inner, whole=())
+            balls = {symbol: arb_series([to_ball(value)]) for symbol, value in known.items()}
+            self._layout.settle(balls, _lengthen)
+        if unknown := self._layout.needs[-1] - {variable, *known}:
+            raise KeyError(f"no value given for {', '.join(sorted(map(str, unknown)))}")
 
     @property
     def is_moving(self) -> bool:
         """Say whether the variable is in the expression."""
-        return self._last in self._moving
+        return self._variable in self._layout.needs[-1]
 
     def expand(self, place: Series) -> Series:
         """Return the series where the variable is a series itself."""
-        found = [place, *self._values[1:]]
-        for slot, method, operands in self._steps:
-            found[slot] = method(*[found[i] for i in operands])
-        return found[self._last]
+        return self._layout.run({self._variable: place})[-1]
 
     def value(self, place: Any = 0) -> Ball:
         """Return the value at a number."""
         with working(1, ctx.prec):
             return list_terms(self.expand(arb_series([place])))[0]
 
-    def _store(self, value: Any) -> int:
-        if isinstance(value, arb_series):
-            with working(1):
-                constant = list_terms(value)
-            with working(LONGEST):
-                value = arb_series(constant)
-        self._values.append(value)
-        return len(self._values) - 1
 
-    def _place(self, node: sp.Basic) -> int:
-        if node not in self._slots:
-            self._slots[node] = self._add(node)
-        return self._slots[node]
-
-    def _add(self, node: sp.Basic) -> int:
-        if node in self._given:
-            return self._place(self._given[node])
-        method, parts = _plan(node)
-        operands = tuple(map(self._place, parts))
-        if self._moving.isdisjoint(operands):
-            return self._store(method(*[self._values[i] for i in operands]))
-        slot = self._store(None)
-        self._moving.add(slot)
-        self._steps.append((slot, method, operands))
-        return slot
+def _lengthen(value: Any) -> Any:
+    """Return a number as a series of any length; what is decided as it is."""
+    if not isinstance(value, arb_series):
+        return value
+    with working(1):
+        constant = list_terms(value)
+    with working(LONGEST):
+        return arb_series(constant)
 
 
-def _plan(node: sp.Basic) -> tuple[Callable[..., Any], tuple[sp.Basic, ...]]:
+def plan(node: sp.Basic) -> Plan:
     """Return what to do at a node and the nodes it needs first."""
     if isinstance(node, sp.Symbol):
-        raise KeyError(f"no value given for the symbol {node}")
+        return (lambda values: values[node]), ()
     if isinstance(node, sp.Number | sp.NumberSymbol):
-        return (lambda: arb_series([to_ball(node)])), ()
+        return (lambda values: arb_series([to_ball(node)])), ()
     if node in (sp.true, sp.false):
-        return (lambda: bool(node)), ()
+        return (lambda values: bool(node)), ()
     if isinstance(node, sp.Piecewise):
         return _choose, tuple(part for pair in node.args for part in pair.args)
     if isinstance(node, sp.Pow):
-        return (lambda base: _raise(base, node.exp)), (node.base,)
-    if type(node) in _SIDES:
-        return (lambda left, right: _compare(type(node), left, right)), node.args
+        return (lambda values, base: _raise(base, node.exp)), (node.base,)
+    if type(node) in COMPARISONS:
+        return (lambda values, a, b: _compare(type(node), a, b)), node.args
     for kind, method in _RULES.items():
         if isinstance(node, kind):
-            return method, node.args
+            return _apply(method), node.args
     raise NotImplementedError(f"no series of {type(node).__name__}")
 
 
-def _choose(*parts: Any) -> Series:
+def _apply(method: Callable[..., Series]) -> Operation:
+    return lambda values, *operands: method(*operands)
+
+
+def _choose(values: Values, *parts: Any) -> Series:
     for value, holds in zip(parts[::2], parts[1::2], strict=True):
         if holds is None:
             break
@@ -146,8 +128,7 @@ def _choose(*parts: Any) -> Series:
 
 
 def _compare(kind: type[sp.Basic], left: Series, right: Series) -> bool | None:
-    yes, no = _SIDES[kind](list_terms(left)[0], list_terms(right)[0])
-    return True if yes else False if no else None
+    return COMPARISONS[kind](list_terms(left)[0], list_terms(right)[0])
 
 
 def _raise(base: Series, exponent: sp.Basic) -> Series:
@@ -205,14 +186,6 @@ _RULES: Mapping[type[sp.Basic], Callable[..., Series]] = MappingProxyType(
         sp.atan2: _direction,
         sp.Max: _largest,
         sp.Abs: _size,
-    }
-)
-_SIDES: Mapping[type[sp.Basic], Callable[[Ball, Ball], tuple[bool, bool]]] = MappingProxyType(
-    {
-        sp.StrictLessThan: lambda a, b: (a < b, a >= b),
-        sp.LessThan: lambda a, b: (a <= b, a > b),
-        sp.StrictGreaterThan: lambda a, b: (a > b, a <= b),
-        sp.GreaterThan: lambda a, b: (a >= b, a < b),
     }
 )
 

@@ -1,22 +1,21 @@
 """Tracking: in, a program and a ball its input is in; out, its value there and its roundings.
 
 A value is what exact arithmetic would give, as a Taylor series about the middle of the ball and as
-one whose coefficients hold over all of it, and how far the computed one may be off. A product and
-the sum after it are both rounded, although backends with an fma round once: the bound holds for
-all of them.
+one whose coefficients hold over all of it, and how far the computed one may be off: a Taylor model
+(Makino and Berz 1996) whose remainder is the rounding. A product and the sum after it are both
+rounded, although backends with an fma round once: the bound holds for all of them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
-from typing import Any
 
 from flint import arb, arb_series
 
-from mechproof.codegen.program import Operand, Program
+from mechproof.codegen.operations import Arithmetic
+from mechproof.codegen.program import Program
 from mechproof.proof.balls import Ball
+from mechproof.roundoff.running import run
 from mechproof.tailoring.series import Series, list_terms
 
 UNIT = arb(2) ** -53
@@ -42,6 +41,20 @@ class Tracked:
         """Return the largest size that the computed value has."""
         return abs(list_terms(self.whole)[0]).upper() + self.off
 
+    def __add__(self, other: Tracked) -> Tracked:
+        return _round(self.middle + other.middle, self.whole + other.whole, self.off + other.off)
+
+    def __neg__(self) -> Tracked:
+        ends = (-self.ends[1], -self.ends[0]) if self.ends else None
+        return Tracked(-self.middle, -self.whole, self.off, ends)
+
+    def __sub__(self, other: Tracked) -> Tracked:
+        return self + -other
+
+    def __mul__(self, other: Tracked) -> Tracked:
+        off = self.largest * other.off + other.largest * self.off
+        return _round(self.middle * other.middle, self.whole * other.whole, off, LEAST)
+
 
 def track(program: Program, low: float, high: float) -> Tracked:
     """Run a program of one input on an interval, in the working precision and order.
@@ -49,12 +62,8 @@ def track(program: Program, low: float, high: float) -> Tracked:
     Series are in shares of half the interval, from its middle. Raises `UndecidedError`.
     """
     (name,) = program.inputs
-    values: dict[Operand, Any] = {name: start(low, high)}
-    for step in program.operations:
-        given = [values[o] if isinstance(o, str) else _number(o) for o in step.operands]
-        values[step.result] = _RULES[step.kind](*given)
-    (output,) = program.outputs
-    found: Tracked = values[output]
+    (found,) = run(program, {name: start(low, high)}, TRACKED)
+    assert isinstance(found, Tracked)
     return found
 
 
@@ -77,20 +86,6 @@ def _round(middle: Series, whole: Series, off: Ball, least: Ball | int = 0) -> T
     return Tracked(middle, whole, (off + UNIT * size + least).upper())
 
 
-def _add(a: Tracked, b: Tracked) -> Tracked:
-    return _round(a.middle + b.middle, a.whole + b.whole, a.off + b.off)
-
-
-def _negate(a: Tracked) -> Tracked:
-    ends = (-a.ends[1], -a.ends[0]) if a.ends else None
-    return Tracked(-a.middle, -a.whole, a.off, ends)
-
-
-def _multiply(a: Tracked, b: Tracked) -> Tracked:
-    off = a.largest * b.off + b.largest * a.off
-    return _round(a.middle * b.middle, a.whole * b.whole, off, LEAST)
-
-
 def _compare(a: Tracked, b: Tracked) -> bool:
     """Say whether a <= b, equality apart: at an edge both answers are enclosed."""
     if a.ends is None or b.ends is None:
@@ -103,21 +98,17 @@ def _compare(a: Tracked, b: Tracked) -> bool:
 
 
 def _take_size(a: Tracked) -> Tracked:
-    return _negate(a) if _compare(a, _number(0.0)) else a
+    return -a if _compare(a, _number(0.0)) else a
 
 
 def _take_sign(a: Tracked, b: Tracked) -> Tracked:
     size = _take_size(a)
-    return _negate(size) if _compare(b, _number(0.0)) else size
+    return -size if _compare(b, _number(0.0)) else size
 
 
-_RULES: Mapping[str, Callable[..., Any]] = MappingProxyType(
+TRACKED = Arithmetic(
     {
-        "add": _add,
-        "subtract": lambda a, b: _add(a, _negate(b)),
-        "multiply": _multiply,
-        "fma": lambda a, b, c: _add(_multiply(a, b), c),
-        "negate": _negate,
+        "number": _number,
         "absolute": _take_size,
         "copysign": _take_sign,
         "greater_equal": lambda a, b: _compare(b, a),

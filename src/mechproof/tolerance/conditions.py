@@ -19,7 +19,6 @@ from mechproof.tolerance.boxes import (
     put_to_limit,
     to_values,
 )
-from mechproof.tolerance.programs import Program
 from mechproof.tolerance.sizes import Size
 
 # Boxes to examine for a relation between sizes before it is left to every input.
@@ -32,10 +31,12 @@ class Condition:
     def __init__(self, relation: Any) -> None:
         import sympy as sp
 
+        from mechproof.proof.slopes import Tape
+
         self.relation = relation
         self.strict = isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan)
         has_room = hasattr(relation, "gts")
-        self.room = Program(relation.gts - relation.lts, {}) if has_room else None
+        self.room = Tape(relation.gts - relation.lts, {}) if has_room else None
 
     def decide(self, known: Known, box: Box) -> bool | None:
         """Return whether it holds all over the box; False: at some point not; None: unknown."""

@@ -17,7 +17,6 @@ from mechproof.tolerance.conditions import (
     is_inside,
     split,
 )
-from mechproof.tolerance.programs import Program
 from mechproof.tolerance.search import Search
 from mechproof.tolerance.sizes import Size, check_sizes
 
@@ -46,6 +45,7 @@ class Problem:
 
     def __init__(self, paper: Paper, name: str, sizes: Mapping[str, Size]) -> None:
         from mechproof.proof.domain import Domain
+        from mechproof.proof.slopes import Tape
 
         quantity = _find_quantity(paper, name)
         self.running = quantity.arguments[0].symbols[0]
@@ -61,7 +61,7 @@ class Problem:
         # narrower counts. The form spares cancellations, the definition has shorter derivatives.
         exact = [quantity.definition]
         exact += [form.expression for form in quantity.shipped[-1:] if form.bound is None]
-        self.programs = [Program(e, given) for e in exact]
+        self.tapes = [Tape(e, given) for e in exact]
         relations = [*paper.where, *(quantity.on.where if quantity.on else ())]
         self.conditions = self._collect([free.resolve(r) for r in relations])
         self._sort_sizes(domain, lambda: free.resolve(exact[-1]))
@@ -73,7 +73,7 @@ class Problem:
         """
         varying = {n: self.sized[n] for n in check_sizes(self.sizes)}
         tied = set().union(*(c.relation.free_symbols for c in self.conditions))
-        if varying and not all(program.is_continuous for program in self.programs):
+        if varying and not all(tape.is_continuous for tape in self.tapes):
             raise ValueError("the quantity has branches that need not meet; use Max, Min or Abs")
         moving = self._find_moving(list(varying.values()))
         free = {n: s for n, s in varying.items() if s not in tied | moving}
@@ -91,7 +91,7 @@ class Problem:
         for x in filter(partial(is_inside, self.inputs), PROBES):
             known = {**nominal, self.running: x}
             if all(condition.decide(known, {}) for condition in self.conditions):
-                _, slopes = self.programs[-1].differentiate(to_values(known, {}), symbols)
+                _, slopes = self.tapes[-1].differentiate(to_values(known, {}), symbols)
                 moving |= {s for s in symbols if all(b > 0 or b < 0 for b in slopes[s])}
         return moving
 

@@ -1,4 +1,4 @@
-"""The range of a function for sizes that scatter by stated laws (Monte Carlo)."""
+"""The range of a function for sizes that scatter by stated laws: Monte Carlo, as in JCGM 101."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Branch and bound over a box of sizes."""
+"""Branch and bound over a box of sizes, with slopes that send sizes to their limits.
+
+The method is that of Moore and Skelboe with the monotonicity test of Hansen and Walster (2004).
+"""
 
 from __future__ import annotations
 
@@ -117,7 +120,7 @@ class Search:
         for symbol in open_symbols(box):
             bends = [
                 self.direction * p.bend(to_values(self.known, box), symbol)
-                for p in self.problem.programs
+                for p in self.problem.tapes
             ]
             bend = min(bends, key=width)
             if not bend < 0:
@@ -134,7 +137,7 @@ class Search:
     def _differentiate(self, box: Box, *more: Any) -> tuple[list[Any], dict[Any, list[Any]]]:
         """Enclose the quantity by every program, and its slopes by the one that says more."""
         values, symbols = to_values(self.known, box), [*open_symbols(box), *more]
-        found = [p.differentiate(values, symbols) for p in self.problem.programs]
+        found = [p.differentiate(values, symbols) for p in self.problem.tapes]
         natural = [self.direction * value for value, _ in found]
         return natural, {s: self._choose_way([slopes[s] for _, slopes in found]) for s in symbols}
 
@@ -147,7 +150,7 @@ class Search:
     def _bend(self, box: Box, symbol: Any) -> Any:
         """Enclose the second derivative by a size."""
         values = to_values(self.known, box)
-        bends = [self.direction * p.bend(values, symbol) for p in self.problem.programs]
+        bends = [self.direction * p.bend(values, symbol) for p in self.problem.tapes]
         return min(bends, key=width)
 
     def _climb(self, box: Box, slopes: dict[Any, list[Any]]) -> Box:
@@ -158,7 +161,7 @@ class Search:
 
     def _attain(self, point: Box, inside: bool) -> Any:
         """Return the value at a point and note it, unless it may lie outside the domain."""
-        value = self.direction * self.problem.programs[-1].evaluate(to_values(self.known, point))
+        value = self.direction * self.problem.tapes[-1].evaluate(to_values(self.known, point))
         if inside or self._holds(point):
             self.attained = max(self.attained, round_down(value))
         return value

@@ -9,9 +9,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from mechproof.codegen.backends.scalar_texts import ScalarStage, list_booleans
-from mechproof.codegen.c_names import HELPER
 from mechproof.codegen.code import Stage
 from mechproof.codegen.elementary.functions import BODIES
+from mechproof.codegen.operations import HELPER
 from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
 from mechproof.codegen.syntax import Syntax, Text, write_program
 

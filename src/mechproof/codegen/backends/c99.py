@@ -21,12 +21,13 @@ from mechproof.codegen.backends.scalar_texts import (
     write_scalar,
 )
 from mechproof.codegen.backends.sums import LOOPS, fold_sums
-from mechproof.codegen.c_names import HELPER, spell_in_c
+from mechproof.codegen.c_names import spell_in_c
 from mechproof.codegen.docstrings import describe_domain, show_formula, tell_bound, tell_unit
 from mechproof.codegen.elementary.formats import DOUBLE, SINGLE, Format
 from mechproof.codegen.elementary.functions import BODIES
 from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
+from mechproof.codegen.operations import HELPER, KINDS
 from mechproof.codegen.syntax import Syntax
 from mechproof.record import Paper, Together
 
@@ -42,7 +43,7 @@ COMMAND = "cc -std=c99 -O3 -march=native -ffp-contract=off -fno-math-errno -fno-
 # Points whose angles are asked for together: of a block numbers stay in the first cache.
 BLOCK = 512
 # What is written out beside the elementary functions.
-MACHINE = ("square", "maximum", "power_of_two")
+MACHINE = tuple(kind for kind, row in KINDS.items() if row.c == f"{HELPER}{kind}")
 # With a file of the same name beside it, <math.h>, or what it includes, may be that one.
 HEADERS = frozenset({
     "assert", "complex", "ctype", "errno", "features", "fenv", "float", "inttypes", "iso646",

@@ -23,6 +23,7 @@ from mechproof.codegen.facts import Condition, Sizes, list_conditions, list_size
 from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.languages import NUMPY_BODY
 from mechproof.codegen.names import list_imports
+from mechproof.codegen.operations import KINDS, Reduction, Support
 from mechproof.codegen.program import Program
 from mechproof.codegen.syntax import Text, write_program
 from mechproof.record import Form, Paper
@@ -30,46 +31,28 @@ from mechproof.record import Form, Paper
 TEMPLATES = Path(__file__).parents[1] / "templates"
 LINE_LENGTH = 100
 REGENERATED = "Regenerate with `mechproof regenerate`, which refuses to overwrite edits."
-SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
+# What modules need beside operations.
+_FRAME: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
-        "builtins": ("abs",),
-        "mechproof.kernel_support.arrays": (
-            "as_floats",
-            "check_components",
-            "split_components",
-            "sum_axes",
-        ),
-        "mechproof.kernel_support.blocks": ("in_blocks", "quietly", "store", "transform"),
-        "mechproof.kernel_support.domains": (
-            "every",
-            "holds",
-            "is_finite",
-            "is_nonnegative",
-            "is_positive",
-            "nan_outside",
-        ),
-        "mechproof.kernel_support.error_free": (
-            "product_rest",
-            "quotient_rest",
-            "single",
-            "small_tangent",
-            "sum_rest",
-            "whole_turns_off",
-        ),
-        "mechproof.kernel_support.facts": ("Condition", "Sizes"),
-        "mechproof.kernel_support.functions": (
-            "add_up",
-            "choose_where",
-            "floor",
-            "hypot",
-            "maximum",
-            "nonnegative_form",
-            "quadratic_form",
-            "square",
-        ),
-        "mechproof.kernel_support.polynomials": ("small_arctan", "tangent_quotient"),
+        "arrays": ("as_floats", "check_components", "split_components", "sum_axes"),
+        "blocks": ("in_blocks", "quietly", "store", "transform"),
+        "domains": ("holds", "nan_outside"),
+        "facts": ("Condition", "Sizes"),
     }
 )
+
+
+def _list_support() -> dict[str, tuple[str, ...]]:
+    """Return what modules import: names of modules of the support package, and of Python."""
+    offered = {module: {*names} for module, names in _FRAME.items()}
+    for row in KINDS.values():
+        if isinstance(row.numpy, Support | Reduction):
+            offered.setdefault(row.numpy.module, set()).add(row.numpy.name)
+    found = {f"mechproof.kernel_support.{m}": tuple(sorted(names)) for m, names in offered.items()}
+    return {"builtins": ("abs",), **dict(sorted(found.items()))}
+
+
+SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(_list_support())
 
 
 @dataclass(frozen=True)

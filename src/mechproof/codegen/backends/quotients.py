@@ -7,13 +7,11 @@ computed with, their denominators counted, until these cancel.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
+from mechproof.codegen.degrees import DEGREES, NONE, Degree
 from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program, is_unnamed
-
-Powers = Counter[str]
 
 
 @dataclass(frozen=True)
@@ -21,7 +19,7 @@ class Fraction:
     """What an operand stands for: itself over powers of denominators."""
 
     above: Operand
-    below: Powers
+    below: Degree
 
 
 def put_off_divisions(program: Program) -> Program:
@@ -49,15 +47,15 @@ class _Fractions:
             if not self._take(step):
                 return None
         results = [self._find(output) for output in self._program.outputs]
-        if any(_join([result.below]) for result in results):
+        if any(_join([result.below]).powers for result in results):
             return None
-        outputs = tuple(self._scale(result, Counter()) for result in results)
+        outputs = tuple(self._scale(result, NONE) for result in results)
         return replace(
             self._program, operations=tuple(self._operations), outputs=outputs
         ).normal_form()
 
     def _find(self, operand: Operand) -> Fraction:
-        return self._fractions.get(operand, Fraction(operand, Counter()))
+        return self._fractions.get(operand, Fraction(operand, NONE))
 
     def _add(self, kind: str, *operands: Operand, result: str = "") -> str:
         result = result or f"{TEMPORARY}part{len(self._operations)}"
@@ -74,66 +72,47 @@ class _Fractions:
     def _take(self, step: Operation) -> bool:
         """Add the operations of a step; false where it needs a value with a denominator."""
         given = [self._find(operand) for operand in step.operands]
-        if step.kind == "tan" and not given[0].below:
+        if step.kind == "tan" and not given[0].below.powers:
             angle = self._name(given[0].above, f"{step.result}_angle")
             below = self._add("tangent_below", angle, result=f"{step.result}_below")
             self._add("tangent_above", angle, result=step.result)
-            self._fractions[step.result] = Fraction(step.result, Counter({below: 1}))
+            self._fractions[step.result] = Fraction(step.result, Degree({below: 1}))
             return True
-        if step.kind in _POWERS:
-            common = _POWERS[step.kind](*(fraction.below for fraction in given))
-            operands = [fraction.above for fraction in given]
-        else:
+        common = _combine(step.kind, [fraction.below for fraction in given])
+        if common is None:
             common = _join(fraction.below for fraction in given)
-            if common and step.kind not in ("add", "subtract"):
+            if common.powers and step.kind not in ("add", "subtract"):
                 return False
             operands = [self._scale(fraction, common) for fraction in given]
+        else:
+            operands = [fraction.above for fraction in given]
         self._add(step.kind, *operands, result=step.result)
         self._fractions[step.result] = Fraction(step.result, common)
         return True
 
-    def _scale(self, fraction: Fraction, common: Powers) -> Operand:
+    def _scale(self, fraction: Fraction, common: Degree) -> Operand:
         """Return the numerator over a denominator that is a multiple of its own."""
         value = fraction.above
-        for name in {**common, **fraction.below}:
-            for _ in range(common[name] - fraction.below[name]):
+        missing = common / fraction.below
+        for name in {**common.powers, **fraction.below.powers}:
+            for _ in range(missing.powers.get(name, 0)):
                 value = name if value == 1 else self._add("multiply", value, name)
         return value
 
 
-def _keep(powers: Powers) -> Powers:
-    return powers
+def _combine(kind: str, degrees: Iterable[Degree]) -> Degree | None:
+    """Return the denominators of a result; None where those of its operands have to be one."""
+    try:
+        return None if kind in ("add", "subtract") else DEGREES[kind](*degrees)
+    except (KeyError, ValueError):
+        return None
 
 
-def _multiply(one: Powers, other: Powers) -> Powers:
-    return _clean({n: one[n] + other[n] for n in {**one, **other}})
-
-
-def _divide(one: Powers, other: Powers) -> Powers:
-    return _clean({n: one[n] - other[n] for n in {**one, **other}})
-
-
-def _square(powers: Powers) -> Powers:
-    return _multiply(powers, powers)
-
-
-def _clean(powers: dict[str, int]) -> Powers:
-    return Counter({name: power for name, power in powers.items() if power})
-
-
-def _join(all_powers: Iterable[Powers]) -> Powers:
+def _join(degrees: Iterable[Degree]) -> Degree:
     """Return the least common denominator, 1 among them."""
-    listed = [*all_powers, Counter[str]()]
-    return _clean({n: max(p[n] for p in listed) for powers in listed for n in powers})
-
-
-_POWERS: Mapping[str, Callable[..., Powers]] = {
-    "multiply": _multiply,
-    "divide": _divide,
-    "square": _square,
-    "negate": _keep,
-    "copy": _keep,
-}
+    listed = [degree.powers for degree in (*degrees, NONE)]
+    highest = {name: max(p.get(name, 0) for p in listed) for p in listed for name in p}
+    return Degree({name: power for name, power in highest.items() if power})
 
 
 def _join_quotients(program: Program) -> Program:

@@ -19,9 +19,10 @@ from mechproof.codegen.elementary.fits import enclose
 from mechproof.codegen.elementary.formats import Format
 from mechproof.codegen.elementary.functions import Function, build
 from mechproof.codegen.kernel import Kernel
+from mechproof.codegen.operations import COMPARISONS
 from mechproof.codegen.program import NOTHING, Program
 from mechproof.codegen.reading import EXACT
-from mechproof.codegen.syntax import COMPARISONS, Syntax, Text, write_program
+from mechproof.codegen.syntax import Syntax, Text, write_program
 from mechproof.record import Together
 
 BOOLEAN = frozenset({*COMPARISONS, "both", "either", "is_finite"})

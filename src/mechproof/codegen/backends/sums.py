@@ -12,6 +12,7 @@ from types import MappingProxyType
 from mechproof.codegen.code import KernelCode
 from mechproof.codegen.evaluation import unused_name
 from mechproof.codegen.kernel import Kernel
+from mechproof.codegen.operations import REDUCTIONS
 from mechproof.codegen.program import (
     TEMPORARY,
     VIEWS,
@@ -20,7 +21,6 @@ from mechproof.codegen.program import (
     Program,
     spell_out_forms,
 )
-from mechproof.codegen.syntax import REDUCTIONS
 
 # The indices of an element in a view, counted from the outermost loop.
 INDICES: Mapping[str, tuple[int, ...]] = MappingProxyType(

@@ -2,7 +2,8 @@
 
 Interpolation at Chebyshev nodes in 60 digits: within a small factor of the best approximation of
 its degrees, and the same numbers on every machine. What they are off by is enclosed over the whole
-interval by Taylor polynomials in balls.
+interval by Taylor polynomials in balls. Sollya (Chevillard, Harrison, Joldes and Lauter 2011)
+certifies the supremum norm of an error in the same way, with intervals for coefficients.
 """
 
 from __future__ import annotations

@@ -14,6 +14,7 @@ from mechproof.codegen.evaluation import Evaluation
 from mechproof.codegen.rewrites.arctangent import positive_atan2
 from mechproof.codegen.rewrites.clenshaw import clenshaw, in_single
 from mechproof.codegen.rewrites.coefficients import name_coefficients
+from mechproof.codegen.rewrites.exponentials import expm1_log1p
 from mechproof.codegen.rewrites.half_angle import (
     cosine_minus_one,
     half_angle_tangent,
@@ -40,6 +41,7 @@ REWRITES: Mapping[str, Rewrite] = MappingProxyType(
             hypotenuse,
             conjugate_root,
             difference_of_squares,
+            expm1_log1p,
             name_coefficients,
             clenshaw,
             in_single,

@@ -12,7 +12,7 @@ from flint import arb
 
 from mechproof.derivations.wedge_linkage import PAPER
 from mechproof.proof.balls import evaluate
-from mechproof.tolerance.programs import BITS, Program
+from mechproof.proof.slopes import BITS, Tape
 
 x, y, g, h = sp.symbols("x y g h", real=True)
 n = sp.Symbol("n", integer=True)
@@ -44,51 +44,51 @@ def differentiate(expression: sp.Expr, symbol: sp.Symbol) -> Any:
 @pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
 def test_at_points_all_is_that_of_sympy(expression: sp.Expr) -> None:
     given = {} if expression.has(sp.Integral) else GIVEN
-    program, whole = Program(expression, given), resolve(expression)
+    tape, whole = Tape(expression, given), resolve(expression)
     for point in np.random.default_rng(5).uniform(0.2, 1.2, (10, 2)).tolist():
         values = dict(zip((x, y), map(arb, point), strict=True))
-        value, slopes = program.differentiate(values, [x, y])
+        value, slopes = tape.differentiate(values, [x, y])
         assert value.overlaps(evaluate(whole, values, BITS))
-        assert value.overlaps(program.evaluate(values))
+        assert value.overlaps(tape.evaluate(values))
         for symbol in (x, y):
             (slope,) = slopes[symbol]
             derivative = differentiate(whole.replace(sp.Abs, lambda a: sp.Max(a, -a)), symbol)
             bend = differentiate(derivative, symbol)
             assert slope.overlaps(evaluate(derivative, values, BITS))
             assert slope.rad() < 1e-20
-            assert program.bend(values, symbol).overlaps(evaluate(bend, values, BITS))
+            assert tape.bend(values, symbol).overlaps(evaluate(bend, values, BITS))
 
 
 @pytest.mark.parametrize("expression", EXPRESSIONS[:5], ids=str)
 def test_over_a_box_all_points_are_enclosed(expression: sp.Expr) -> None:
-    program = Program(expression, {})
+    tape = Tape(expression, {})
     box = {x: arb(0.2).union(arb(0.9)), y: arb(0.3).union(arb(0.8))}
-    value, slopes = program.differentiate(box, [x, y])
-    bends = {s: program.bend(box, s) for s in (x, y)}
+    value, slopes = tape.differentiate(box, [x, y])
+    bends = {s: tape.bend(box, s) for s in (x, y)}
     for point in np.random.default_rng(6).uniform((0.2, 0.3), (0.9, 0.8), (50, 2)).tolist():
         values = dict(zip((x, y), map(arb, point), strict=True))
-        one, slopes_there = program.differentiate(values, [x, y])
+        one, slopes_there = tape.differentiate(values, [x, y])
         assert value.contains(one)
         for s in (x, y):
             hull = slopes[s][0]
             for branch in slopes[s]:
                 hull = hull.union(branch)
             assert all(hull.contains(slope) for slope in slopes_there[s])
-            assert not bends[s].is_finite() or bends[s].contains(program.bend(values, s))
+            assert not bends[s].is_finite() or bends[s].contains(tape.bend(values, s))
 
 
 def test_at_a_kink_the_slopes_of_both_sides_are_given_and_no_bend() -> None:
-    program = Program(sp.Max(0, x) + x**2, {})
+    tape = Tape(sp.Max(0, x) + x**2, {})
     box = {x: arb(-1).union(arb(1))}
-    _, slopes = program.differentiate(box, [x])
+    _, slopes = tape.differentiate(box, [x])
     assert len(slopes[x]) == 2
-    assert not program.bend(box, x).is_finite()
-    assert program.bend({x: arb(2)}, x) == 2
+    assert not tape.bend(box, x).is_finite()
+    assert tape.bend({x: arb(2)}, x) == 2
 
 
 def test_beyond_a_kink_nothing_counts() -> None:
-    program = Program(sp.Max(1, x * sp.sqrt(x)) + y, {})
-    _, slopes = program.differentiate({x: arb(0), y: arb(1)}, [x, y])
+    tape = Tape(sp.Max(1, x * sp.sqrt(x)) + y, {})
+    _, slopes = tape.differentiate({x: arb(0), y: arb(1)}, [x, y])
     # The root has no slope at 0, but lies below the 1.
     assert slopes[x] == [0]
     assert slopes[y] == [1]
@@ -98,22 +98,22 @@ def test_beyond_a_kink_nothing_counts() -> None:
     "expression", [sp.floor(x), sp.sign(x), sp.Piecewise((x, x < 1), (2, True))]
 )
 def test_branches_that_need_not_meet_are_seen(expression: sp.Expr) -> None:
-    assert not Program(y + expression, {}).is_continuous
-    assert Program(y + sp.Abs(x), {}).is_continuous
+    assert not Tape(y + expression, {}).is_continuous
+    assert Tape(y + sp.Abs(x), {}).is_continuous
 
 
 def test_what_is_given_is_a_symbol_no_more() -> None:
-    program = Program(g * h, GIVEN)
-    assert program.symbols == {x, y}
-    assert Program(h, {}).symbols == {h}
+    tape = Tape(g * h, GIVEN)
+    assert tape.symbols == {x, y}
+    assert Tape(h, {}).symbols == {h}
 
 
 def test_what_was_sent_is_the_same_operations() -> None:
     given = {v.symbol: v.given for v in PAPER.variables if v.given is not None}
     (position,) = (q for q in PAPER.quantities if q.name == "position")
     for expression in (position.definition, position.shipped[-1].expression):
-        program = Program(expression, given)
-        again = pickle.loads(pickle.dumps(program))
-        values = {s: arb(k + 1) / 7 for k, s in enumerate(sorted(program.symbols, key=str))}
-        ours, theirs = (p.differentiate(values, [*values]) for p in (program, again))
+        tape = Tape(expression, given)
+        again = pickle.loads(pickle.dumps(tape))
+        values = {s: arb(k + 1) / 7 for k, s in enumerate(sorted(tape.symbols, key=str))}
+        ours, theirs = (p.differentiate(values, [*values]) for p in (tape, again))
         assert str(ours) == str(theirs)

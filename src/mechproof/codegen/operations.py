@@ -1,0 +1,272 @@
+"""Operations: one row for each kind, with what it means, how it is rounded, how it is spelled.
+
+What follows from a row is not said again. A kind means a function of SymPy, or is put together of
+other kinds by arithmetic that every number has; so it has a value in whatever `Arithmetic` knows
+the functions: SymPy's expressions, doubles, long doubles, balls, series, parities, degrees. The
+platforms of Herbie (Panchekha et al. 2015) list operations so, with a cost in place of a rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from functools import partial
+from types import MappingProxyType
+from typing import Any
+
+import sympy as sp
+
+# What helpers and their variables begin with in a source of C.
+HELPER = "mp_"
+ATOM, POWER, SIGN, PRODUCT, SUM, BOTH, EITHER, COMPARISON, CHOICE = range(9, 0, -1)
+Level = int
+
+
+class Rounding(Enum):
+    """By how much a result may be off: not at all, by half an ulp, by what a library leaves."""
+
+    EXACT = "exact"
+    NEAREST = "to nearest"
+    LIBRARY = "of a library"
+
+
+@dataclass(frozen=True)
+class Infix:
+    """A sign between two operands, the left one taken first."""
+
+    sign: str
+    level: Level
+
+
+@dataclass(frozen=True)
+class Pattern:
+    """A text for operands, in brackets if they bind less than `inner`, that binds as `outer`."""
+
+    text: str
+    inner: Level
+    outer: Level
+
+
+@dataclass(frozen=True)
+class Support:
+    """A function of a module of the support package; `last` is put after its arguments."""
+
+    module: str
+    name: str
+    last: str = ""
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """A function of the support package that takes the last axes of an array together."""
+
+    module: str
+    name: str
+
+
+# A text is the name of a function.
+Spelling = Infix | Pattern | Support | Reduction | str
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What is known of a kind of operation.
+
+    It means `sympy`, or what `meaning` puts together in an arithmetic; what acts on axes of arrays
+    has neither. `head` is its name in expressions, if that is no function of SymPy's own.
+    Languages that have no spelling take the function of `elementary`.
+    """
+
+    name: str
+    rounding: Rounding
+    sympy: Callable[..., sp.Basic] | None = None
+    meaning: Callable[..., Any] | None = None
+    numpy: Spelling | None = None
+    numba: Spelling | None = None
+    c: Spelling | None = None
+    head: str = ""
+
+
+class Arithmetic:
+    """What runs operations: by functions of its own, and all others by what they mean."""
+
+    def __init__(self, own: Mapping[str, Callable[..., Any]]) -> None:
+        self._own = MappingProxyType(dict(own))
+        self._derived: dict[str, Callable[..., Any]] = {}
+
+    def but(self, **own: Callable[..., Any]) -> Arithmetic:
+        """Return the arithmetic with other functions of its own."""
+        return Arithmetic({**self._own, **own})
+
+    def __contains__(self, kind: str) -> bool:
+        return kind in self._own or (kind in KINDS and KINDS[kind].meaning is not None)
+
+    def __getitem__(self, kind: str) -> Callable[..., Any]:
+        if kind in self._own:
+            return self._own[kind]
+        if kind not in self._derived:
+            meaning = KINDS[kind].meaning if kind in KINDS else None
+            if meaning is None:
+                raise KeyError(f"{kind}: no operation of this arithmetic")
+            self._derived[kind] = partial(meaning, self)
+        return self._derived[kind]
+
+    def __getattr__(self, kind: str) -> Callable[..., Any]:
+        if kind.startswith("_"):
+            raise AttributeError(kind)
+        return self[kind]
+
+
+EXACT, NEAREST, LIBRARY = Rounding
+
+
+def _keep(on: Arithmetic, a: Any) -> Any:
+    return a
+
+
+def _tangent_quotient(on: Arithmetic, y: Any, a: Any, b: Any) -> Any:
+    t = on.tan(y)
+    return t / (a + b * (t * t))
+
+
+def _function(name: str, sympy: Callable[..., sp.Basic]) -> Kind:
+    """Return a function that NumPy has and that is compiled from arithmetic."""
+    return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}")
+
+
+def _library(name: str, sympy: Callable[..., sp.Basic], c: str) -> Kind:
+    """Return a function of the libraries of all languages."""
+    return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}", numba=f"_math.{c}", c=c)
+
+
+def _near_one(name: str, meaning: Callable[..., Any]) -> Kind:
+    """Return a function of the libraries that keeps what cancels in its meaning."""
+    return Kind(name, LIBRARY, None, meaning, f"_np.{name}", f"_math.{name}", name, head=name)
+
+
+def _sign(name: str, sign: str, level: Level, meaning: Callable[..., Any]) -> Kind:
+    """Return an operation of arithmetic that all languages spell alike."""
+    infix = Infix(sign, level)
+    return Kind(name, NEAREST, None, meaning, infix, infix, infix)
+
+
+def _compare(name: str, sign: str, sympy: Callable[..., sp.Basic]) -> Kind:
+    infix = Infix(sign, COMPARISON)
+    return Kind(name, EXACT, sympy, None, infix, infix, infix)
+
+
+def _join(name: str, signs: tuple[str, str], level: Level, sympy: Callable[..., sp.Basic]) -> Kind:
+    python, c = (Infix(sign, level) for sign in signs)
+    return Kind(name, EXACT, sympy, None, python, python, c)
+
+
+def _view(name: str, pattern: str, level: Level) -> Kind:
+    """Return what shows an array otherwise: its axes are the indices of a sum."""
+    return Kind(name, EXACT, numpy=Pattern(pattern, level, ATOM))
+
+
+_NEGATIVE = Pattern("-{}", SIGN, SIGN)
+_ROWS = (
+    # What a machine computes.
+    _sign("add", "+", SUM, lambda on, a, b: a + b),
+    _sign("subtract", "-", SUM, lambda on, a, b: a - b),
+    _sign("multiply", "*", PRODUCT, lambda on, a, b: a * b),
+    _sign("divide", "/", PRODUCT, lambda on, a, b: a / b),
+    Kind("negate", EXACT, None, lambda on, a: -a, _NEGATIVE, _NEGATIVE, _NEGATIVE),
+    Kind("fma", NEAREST, None, lambda on, a, b, c: a * b + c, None, "_fma", "fma"),
+    Kind("square", NEAREST, None, lambda on, a: a * a,
+         Support("functions", "square"), Pattern("{} ** 2", ATOM, POWER), f"{HELPER}square"),
+    Kind("sqrt", NEAREST, sp.sqrt, None, "_np.sqrt", "_np.sqrt", "sqrt"),
+    Kind("absolute", EXACT, sp.Abs, None, "_abs", "_abs", "fabs"),
+    Kind("sign", EXACT, sp.sign, None, "_np.sign"),
+    Kind("copysign", EXACT, None, lambda on, a, b: on.absolute(a) * on.sign(b),
+         "_np.copysign", "_copysign", "copysign"),
+    Kind("floor", EXACT, sp.floor, None, Support("functions", "floor"), "_floor", "floor"),
+    Kind("rint", EXACT, None, lambda on, a: on.floor(a + on.number(0.5)), None, "_rint", "rint"),
+    Kind("power_of_two", EXACT, lambda n: 2**n, None,
+         None, "_power_of_two", f"{HELPER}power_of_two"),
+    Kind("maximum", EXACT, sp.Max, None,
+         Support("functions", "maximum"), "_maximum", f"{HELPER}maximum"),
+    Kind("minimum", EXACT, sp.Min),
+    Kind("copy", EXACT, None, _keep),
+    # What is off by an approximation, and an angle less half turns.
+    Kind("approximate", EXACT, None, _keep),
+    Kind("pi_off", NEAREST, None, _keep),
+    # What is decided.
+    _compare("less", "<", sp.Lt),
+    _compare("less_equal", "<=", sp.Le),
+    _compare("greater", ">", sp.Gt),
+    _compare("greater_equal", ">=", sp.Ge),
+    _compare("equal", "==", sp.Eq),
+    _join("both", ("&", "&&"), BOTH, sp.And),
+    _join("either", ("|", "||"), EITHER, sp.Or),
+    Kind("choose", EXACT, lambda condition, a, b: sp.Piecewise((a, condition), (b, True)), None,
+         Support("functions", "choose_where"), "_choose", Pattern("{} ? {} : {}", EITHER, CHOICE)),
+    Kind("is_finite", EXACT, lambda a: sp.And(a > -sp.oo, a < sp.oo), None,
+         Support("domains", "is_finite"), "_is_finite", "isfinite"),
+    Kind("is_positive", EXACT, None,
+         lambda on, a: on.both(on.greater(a, on.number(0)), on.is_finite(a)),
+         Support("domains", "is_positive")),
+    Kind("is_nonnegative", EXACT, None,
+         lambda on, a: on.both(on.greater_equal(a, on.number(0)), on.is_finite(a)),
+         Support("domains", "is_nonnegative")),
+    # Functions.
+    _function("sin", sp.sin),
+    _function("cos", sp.cos),
+    _function("tan", sp.tan),
+    _function("arctan", sp.atan),
+    _function("arctan2", sp.atan2),
+    _function("exp", sp.exp),
+    _library("arcsin", sp.asin, "asin"),
+    _library("arccos", sp.acos, "acos"),
+    _library("log", sp.log, "log"),
+    _near_one("expm1", lambda on, a: on.exp(a) - on.number(1)),
+    _near_one("log1p", lambda on, a: on.log(on.number(1) + a)),
+    Kind("power", LIBRARY, sp.Pow, None, Pattern("{} ** {}", ATOM, POWER)),
+    Kind("hypot", LIBRARY, None, lambda on, a, b: on.sqrt(a * a + b * b),
+         Support("functions", "hypot"), head="hypot"),
+    Kind("normal_tail", LIBRARY, lambda a: sp.erfc(sp.Abs(a) / sp.sqrt(2)) / 2),
+    # What a rounding left, and functions of small or reduced arguments.
+    Kind("product_rest", EXACT, None, lambda on, a, b, p: a * b - p,
+         Support("error_free", "product_rest"), head="ProductRest"),
+    Kind("quotient_rest", NEAREST, None, lambda on, a, b, q: a / b - q,
+         Support("error_free", "quotient_rest"), head="QuotientRest"),
+    Kind("sum_rest", EXACT, None, lambda on, a, b, s: a + b - s,
+         Support("error_free", "sum_rest"), head="SumRest"),
+    Kind("total_rest", EXACT, None, lambda on, a, b, s: a + b - s),
+    Kind("small_tangent", NEAREST, None, lambda on, y: on.tan(y),
+         Support("error_free", "small_tangent"), head="SmallTangent"),
+    Kind("small_arctan", LIBRARY, None, lambda on, y: on.arctan(y),
+         Support("polynomials", "small_arctan", last="_ARCTANGENT"), head="SmallArctan"),
+    Kind("tangent_quotient", LIBRARY, None, _tangent_quotient,
+         Support("polynomials", "tangent_quotient", last="_TANGENT"), head="TangentQuotient"),
+    # A tangent by two values, whose common factor does not count.
+    Kind("tangent_above", LIBRARY, None, lambda on, y: on.sin(y)),
+    Kind("tangent_below", LIBRARY, None, lambda on, y: on.cos(y)),
+    Kind("arctan_quotient", LIBRARY, None, lambda on, a, b: on.arctan(a / b)),
+    Kind("single", NEAREST, None, _keep, Support("error_free", "single"), head="Single"),
+    Kind("whole_turns_off", LIBRARY, None, _keep,
+         Support("error_free", "whole_turns_off"), head="WholeTurnsOff"),
+    # A sum that is not negative, and the size of its terms.
+    Kind("nonnegative", EXACT, None, lambda on, total, size: total),
+    # What has axes that are summed over: a vector along the first or the last of two, a matrix
+    # transposed, its diagonal; what takes them together.
+    _view("along_first", "{}[..., :, _np.newaxis]", ATOM),
+    _view("along_last", "{}[..., _np.newaxis, :]", ATOM),
+    _view("transpose", "_np.swapaxes({}, -1, -2)", CHOICE),
+    _view("diagonal", "_np.diagonal({}, axis1=-2, axis2=-1)", CHOICE),
+    Kind("sum", NEAREST, numpy=Reduction("functions", "add_up")),
+    Kind("every", EXACT, numpy=Reduction("domains", "every")),
+    Kind("quadratic_form", NEAREST, numpy=Support("functions", "quadratic_form")),
+    Kind("nonnegative_form", NEAREST, numpy=Support("functions", "nonnegative_form")),
+)  # fmt: skip
+KINDS: Mapping[str, Kind] = MappingProxyType({row.name: row for row in _ROWS})
+# The exact meaning of every kind, as expressions of SymPy.
+SYMBOLIC = Arithmetic(
+    {"number": sp.Rational, **{k: row.sympy for k, row in KINDS.items() if row.sympy is not None}}
+)
+COMPARISONS = tuple(
+    k for k, row in KINDS.items() if isinstance(row.numpy, Infix) and row.numpy.level == COMPARISON
+)
+REDUCTIONS = tuple(k for k, row in KINDS.items() if isinstance(row.numpy, Reduction))

@@ -1,0 +1,92 @@
+"""Layouts: in, an expression of SymPy; out, its steps on slots, to be run in an arithmetic.
+
+Equal parts share a slot, and a symbol that others give is its definition: nothing is written out.
+Such lists are the tapes of automatic differentiation (Griewank and Walther 2008), here of balls,
+series and slopes alike: what a step does, a plan of the arithmetic says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any
+
+import sympy as sp
+
+Values = Mapping[sp.Basic, Any]
+# Of the values of symbols, then of the operands.
+Operation = Callable[..., Any]
+Plan = tuple[Operation, tuple[sp.Basic, ...]]
+Given = Mapping[sp.Basic, sp.Basic]
+NOTHING: Given = MappingProxyType({})
+# What has symbols of its own, or branches.
+WHOLE = (sp.Sum, sp.Product, sp.Integral, sp.Piecewise)
+
+
+class Layout:
+    """The steps of an expression, each after those that it needs; the last one is its value.
+
+    Of the kinds of `whole` a step runs what is inside, with the symbols of its own.
+    """
+
+    def __init__(
+        self,
+        expression: sp.Basic,
+        plan: Callable[[sp.Basic], Plan],
+        given: Given = NOTHING,
+        whole: tuple[type[sp.Basic], ...] = WHOLE,
+    ) -> None:
+        self.nodes: list[sp.Basic] = []
+        self.operands: list[tuple[int, ...]] = []
+        # The symbols whose values each step needs.
+        self.needs: list[frozenset[sp.Basic]] = []
+        self._steps: list[tuple[int, Operation, tuple[int, ...]]] = []
+        self._settled: list[Any] = []
+        self._slots: dict[sp.Basic, int] = {}
+        self._plan, self._given, self._whole = plan, given, whole
+        self._place(expression)
+
+    def run(self, values: Values) -> list[Any]:
+        """Return the results of all steps."""
+        results = self._settled.copy()
+        for slot, operation, operands in self._steps:
+            results[slot] = operation(values, *[results[k] for k in operands])
+        return results
+
+    def settle(self, values: Values, keep: Callable[[Any], Any] = lambda value: value) -> None:
+        """Compute once what needs no other symbols than these; `keep` is what is kept of it."""
+        left = []
+        for slot, operation, operands in self._steps:
+            if self.needs[slot] <= values.keys():
+                given = [self._settled[k] for k in operands]
+                self._settled[slot], self.operands[slot] = keep(operation(values, *given)), ()
+            else:
+                left.append((slot, operation, operands))
+        self._steps = left
+
+    def _place(self, node: sp.Basic) -> int:
+        if node not in self._slots:
+            inner = self._given.get(node)
+            self._slots[node] = self._append(node) if inner is None else self._place(inner)
+        return self._slots[node]
+
+    def _append(self, node: sp.Basic) -> int:
+        is_whole = isinstance(node, self._whole)
+        if is_whole:
+            node = _insert(node, self._given)
+        operation, arguments = self._plan(node)
+        operands = tuple(map(self._place, arguments))
+        is_symbol = isinstance(node, sp.Symbol | sp.Indexed)
+        own = {node} if is_symbol else node.free_symbols if is_whole else ()
+        self.nodes.append(node)
+        self.operands.append(operands)
+        self.needs.append(frozenset(own).union(*(self.needs[k] for k in operands)))
+        self._steps.append((len(self._settled), operation, operands))
+        self._settled.append(None)
+        return len(self.nodes) - 1
+
+
+def _insert(node: sp.Basic, given: Given) -> sp.Basic:
+    while (inner := node.xreplace(given)) != node:
+        node = inner
+    return node

@@ -1,0 +1,153 @@
+"""The table of operations: what follows from a row is what the row means, in every arithmetic."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import mpmath as mp
+import pytest
+import sympy as sp
+from c_libraries import COMPILER, STRICT, compile_files
+from flint import arb
+from trial import load_paper, load_source, paper_of, quantity_of, x
+
+from mechproof.codegen import operations
+from mechproof.codegen.backends.c99 import render_c
+from mechproof.codegen.backends.numba import render_compiled
+from mechproof.codegen.degrees import DEGREES, NONE, Degree
+from mechproof.codegen.lowering import FUNCTIONS
+from mechproof.codegen.operations import KINDS, SYMBOLIC, Arithmetic
+from mechproof.proof.balls import working_precision
+from mechproof.roundoff.extended import IN_EXTENDED
+from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES
+from mechproof.roundoff.symmetry import EVEN, ODD, PARITIES
+
+EPS = 2.0**-52
+EPS = 2.0**-52
+POINT = (0.40625, 0.71875, 0.28125)
+DECIDES = {"choose": (True, 0.25, 0.5), "both": (True, False), "either": (True, False)}
+OTHERS = {"maximum": POINT[:2], "minimum": POINT[:2], "small_tangent": (2.0**-54,)}
+# What rounding left, of operands that are no result: rests are those of results alone.
+RESTS = {k: tuple(map(float, values)) for k, values in {
+    "product_rest": (1 / 3, 1 / 7, 1 / 3 * (1 / 7)),
+    "quotient_rest": (1 / 3, 1 / 7, 1 / 3 / (1 / 7)),
+    "sum_rest": (1 / 3, 1 / 7, 1 / 3 + 1 / 7),
+    "total_rest": (1 / 3, 1 / 7, 1 / 3 + 1 / 7),
+}.items()}  # fmt: skip
+MEANT = [k for k, row in KINDS.items() if row.sympy or row.meaning]
+
+
+def count_operands(kind: str) -> int:
+    row, one = KINDS[kind], sp.Symbol("a", real=True)
+    for count in (1, 2, 3):
+        try:
+            PARITIES[kind](*[EVEN] * count) if row.meaning else SYMBOLIC[kind](*[one] * count)
+        except TypeError:
+            continue
+        return count
+    raise AssertionError(kind)
+
+
+def operands_of(kind: str) -> tuple[Any, ...]:
+    known = {**DECIDES, **OTHERS, **RESTS}
+    return known.get(kind) or POINT[: count_operands(kind)]
+
+
+def evaluate(kind: str, operands: tuple[Any, ...], row: Callable[..., Any] | None = None) -> Any:
+    exact = [sp.sympify(o) if isinstance(o, bool) else sp.Rational(o) for o in operands]
+    value = (row or SYMBOLIC[kind])(*exact)
+    return bool(value) if value in (sp.true, sp.false) else sp.N(value, 40)
+
+
+@pytest.mark.parametrize("arithmetic", [IN_DOUBLES, IN_EXTENDED, IN_BALLS])
+def test_a_kind_is_in_every_arithmetic_what_it_means(arithmetic: Arithmetic) -> None:
+    told = [k for k in MEANT if k in arithmetic]
+    assert len(told) > len(MEANT) - 6
+    for kind in told:
+        operands = operands_of(kind)
+        meant = evaluate(kind, operands)
+        with working_precision(256):
+            given = [o if isinstance(o, bool) else arithmetic.number(o) for o in operands]
+            found = arithmetic[kind](*given)
+            if isinstance(meant, bool):
+                assert bool(found) == meant, kind
+            elif isinstance(found, arb):
+                assert abs(found - arb(str(meant))) <= abs(arb(str(meant))) * 1e-35, kind
+            else:
+                assert float(found) == pytest.approx(float(meant), rel=1e-15, abs=0), kind
+
+
+def test_a_wrong_meaning_is_seen() -> None:
+    row = replace(KINDS["hypot"], meaning=lambda on, a, b: on.sqrt(a * a - b * b))
+    wrong = evaluate("hypot", POINT[1::-1], lambda *given: row.meaning(SYMBOLIC, *given))  # type: ignore[misc]
+    assert abs(float(wrong) - float(IN_DOUBLES.hypot(*POINT[1::-1]))) > 0.1
+
+
+@pytest.mark.parametrize(
+    ("kind", "given", "parity"),
+    [
+        ("add", (ODD, ODD), ODD),
+        ("fma", (ODD, EVEN, ODD), ODD),
+        ("hypot", (ODD, ODD), EVEN),
+        ("copysign", (ODD, ODD), ODD),
+        ("tangent_quotient", (ODD, EVEN, EVEN), ODD),
+        ("product_rest", (ODD, EVEN, ODD), ODD),
+        ("normal_tail", (ODD,), EVEN),
+    ],
+)
+def test_parities_follow(kind: str, given: tuple[Any, ...], parity: Any) -> None:
+    assert PARITIES[kind](*given) == parity
+
+
+@pytest.mark.parametrize(
+    ("kind", "given"), [("add", (ODD, EVEN)), ("exp", (ODD,)), ("rint", (ODD,))]
+)
+def test_what_has_no_parity_is_refused(kind: str, given: tuple[Any, ...]) -> None:
+    with pytest.raises(ValueError, match="negated"):
+        PARITIES[kind](*given)
+
+
+def test_degrees_follow() -> None:
+    scaled = Degree({"t": 1})
+    assert DEGREES.square(scaled) == DEGREES.fma(scaled, scaled, Degree({"t": 2}))
+    assert DEGREES.divide(scaled, scaled) == NONE == DEGREES.tan(NONE)
+    for kind, given in (
+        ("add", (scaled, NONE)),
+        ("tan", (scaled,)),
+        ("product_rest", (scaled,) * 3),
+    ):
+        with pytest.raises(ValueError, match="scaled"):
+            DEGREES[kind](*given)
+
+
+def test_what_no_arithmetic_has_is_named() -> None:
+    with pytest.raises(KeyError, match="along_first: no operation"):
+        IN_BALLS["along_first"]
+    with pytest.raises(KeyError, match="cosm1"):
+        operations.SYMBOLIC.cosm1(1)
+
+
+def test_heads_are_kinds() -> None:
+    assert len(FUNCTIONS) == len({*FUNCTIONS.values()})
+    assert {"sin": "sin", "atan2": "arctan2", "hypot": "hypot"}.items() <= FUNCTIONS.items()
+
+
+@pytest.mark.parametrize("value", [1e-300, -1e-17, 0.3])
+def test_functions_of_libraries_in_all_languages(value: float, tmp_path: Path) -> None:
+    """What cancels in exp(x) - 1 and log(1 + x) does not in expm1 and log1p."""
+    terms = sp.exp(x) - 1 + sp.log(1 + x) / 2 + sp.asin(x / 3), sp.acos(x) * sp.log(x + 2)
+    paper = paper_of(quantity_of(sp.Matrix(terms), x, rewrites=("expm1_log1p",)))
+    with mp.workdps(700):
+        exact = [float(e) for e in sp.lambdify(x, sp.Matrix(terms), "mpmath")(mp.mpf(value))]
+    (compiled,) = render_compiled(paper).values()
+    assert load_paper(paper, tmp_path).f(value) == pytest.approx(exact, rel=4 * EPS, abs=0)
+    assert load_source(compiled, tmp_path).f(value) == pytest.approx(exact, rel=4 * EPS, abs=0)
+    if COMPILER:
+        library = compile_files(tmp_path, render_c(paper), STRICT)
+        out = (ctypes.c_double * 2)()
+        library.system_f(ctypes.c_double(value), out)
+        assert [*out] == pytest.approx(exact, rel=4 * EPS, abs=0)
