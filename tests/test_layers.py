@@ -35,15 +35,16 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
         "programs": (
             *("codegen.backends.quotients", "codegen.backends.scalar", "codegen.backends.sums"),
             *("codegen.code", "codegen.degrees", "codegen.domain", "codegen.elementary"),
-            *("codegen.error_free", "codegen.evaluation", "codegen.kernel", "codegen.lowering"),
-            *("codegen.names", "codegen.operations", "codegen.program", "codegen.rewrites"),
-            *("codegen.subexpressions", "codegen.syntax"),
+            "codegen.error_free",
+            *("codegen.evaluation", "codegen.kernel", "codegen.lowering", "codegen.names"),
+            "codegen.operations",
+            *("codegen.program", "codegen.rewrites", "codegen.subexpressions", "codegen.syntax"),
         ),
     },
     {
         "arithmetic": (
-            *("proof.ball_evaluation", "proof.ball_functions", "proof.balls", "proof.duals"),
-            *("proof.layout", "proof.slopes", "roundoff.intervals"),
+            *("proof.ball_evaluation", "proof.ball_functions", "proof.balls"),
+            *("proof.duals", "proof.layout", "proof.slopes", "roundoff.intervals"),
         )
     },
     {"proof": ("proof",), "roundoff": ("roundoff",), "emission": ("codegen",)},

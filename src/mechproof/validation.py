@@ -18,7 +18,7 @@ from mechproof.record import Paper
 # What a validation rests on besides the emitted source and the derivation.
 LAYERS = (
     *("arguments", "kernel_support", "compiled_support", "record", "latex", "codegen", "proof"),
-    "lab",
+    *("roundoff", "lab"),
 )
 PACKAGES = ("sympy", "numpy", "python-flint")
 PASSED = Store("validated.json")

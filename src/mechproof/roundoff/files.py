@@ -19,11 +19,11 @@ from mechproof.roundoff.certificate import (
 
 FOLDER = "certificates"
 CERTIFIED = Store("certified.json")
-# Of the package: what proves, what fits and encloses functions, what is mirrored, what operations
-# and balls are.
+# Of the package: what proves, what fits and encloses functions, what is mirrored, what programs,
+# operations and balls are.
 SOURCES = (
     *("roundoff/*.py", "codegen/elementary/*.py", "kernel_support/*.py"),
-    *("codegen/program.py", "proof/ball*.py"),
+    *("codegen/program.py", "codegen/operations.py", "proof/ball*.py", "proof/layout.py"),
 )
 PACKAGES = ("sympy", "numpy", "python-flint")
 
