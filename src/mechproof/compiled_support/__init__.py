@@ -3,7 +3,6 @@
 Needs numba; only the generated package `kernels.compiled` and `conformity.compiled` import it.
 """
 
-from mechproof.compiled_support.filling import fill, fill_blocks, vector
 from mechproof.compiled_support.loops import Loops, run, run_parts, take_row
 from mechproof.compiled_support.machine import (
     choose,
@@ -22,6 +21,7 @@ from mechproof.compiled_support.machine import (
     widen,
 )
 from mechproof.compiled_support.points import POINTS, count_numbers, put, take
+from mechproof.compiled_support.rows import fill, fill_blocks, vector
 from mechproof.compiled_support.sets import (
     add_up,
     count_terms,
