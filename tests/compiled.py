@@ -15,6 +15,14 @@ SHOWN = (".position", ".thickness_error")
 # Angles, and the sizes of an elliptic planetary mechanism.
 PHI = np.linspace(-40, 40, 4000)
 SIZES = (66.0, 16.0, 0.475)
+# What is computed in one pass.
+TOGETHER = {
+    "elliptic_planetary.motion": ("position", "ratio", "acceleration"),
+    "oval_planetary.motion": ("position", "ratio", "acceleration"),
+    "oval_planetary.motion_cylindrical": tuple(
+        f"{name}_cylindrical" for name in ("position", "ratio", "acceleration")
+    ),
+}
 
 
 def grouped(names: Iterable[str]) -> list[Any]:
