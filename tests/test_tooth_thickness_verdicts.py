@@ -7,6 +7,7 @@ import dataclasses
 import pytest
 from derived import paper_of
 from sympy import Interval, Rational, oo
+from weights import make_thorough
 
 from mechproof.derivations.tooth_thickness import geometry, influence, shares, symbols
 from mechproof.proof.domain import Domain
@@ -34,10 +35,7 @@ TOO_WIDE = {
 SLOW = ("(1), influence 0.7284", "step 6, influence of the involute")
 
 
-@pytest.mark.parametrize(
-    "number",
-    [pytest.param(n, marks=[pytest.mark.thorough] if n in SLOW else []) for n in TOO_WIDE],
-)
+@pytest.mark.parametrize("number", [make_thorough(n) if n in SLOW else n for n in TOO_WIDE])
 def test_a_claim_does_not_hold_on_more(number: str) -> None:
     wider = dataclasses.replace(row(number), holds_on=Part("more", TOO_WIDE[number]))
     assert judge(row(number), paper_of("tooth_thickness")).verdict is Verdict.CONDITIONAL

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from distributed import Client, LocalCluster
 from jobs import JOBS, make_executor
+from weights import make_thorough
 
 from mechproof.tolerance import Size, corner_range
 
@@ -21,14 +22,10 @@ pytestmark = pytest.mark.xdist_group("cluster")
 KINDS = ("threads", "one process", "processes", "cluster")
 # Every job in processes, the first in executors of every kind; the others with the thorough tests.
 CASES = [
-    pytest.param(
-        kind,
-        job,
-        id=f"{kind}-{job.__name__}",
-        marks=[pytest.mark.thorough] if kind != "processes" and job is not JOBS[0] else [],
-    )
+    case if kind == "processes" or job is JOBS[0] else make_thorough(case)
     for kind in KINDS
     for job in JOBS
+    for case in (pytest.param(kind, job, id=f"{kind}-{job.__name__}"),)
 ]
 
 

@@ -40,7 +40,7 @@ def search(name: str, rounds: int, off: float = 0.0) -> tuple[float, float]:
     return found.scaled, subject.quantity.accuracy.ulp
 
 
-@pytest.mark.parametrize("rounds", [0, pytest.param(2, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("rounds", first_of([0, 2]))
 @pytest.mark.parametrize("name", first_of(grouped(KERNELS)))
 def test_the_bound_of_the_kernel_holds(name: str, rounds: int) -> None:
     """The same points and bounds as the NumPy kernel's; a search with a fixed seed."""

@@ -15,7 +15,7 @@ from derived import SYSTEMS, paper_of
 from flint import arb, arb_series
 from numpy.typing import NDArray
 from quantities import find_subject
-from weights import first_of
+from weights import first_of, make_thorough
 
 from mechproof.proof.balls import evaluate, working_precision
 from mechproof.proof.domain import Domain
@@ -101,7 +101,7 @@ def find_worst(request: Request, kernel: Tailored, more: Array | None = None) ->
 
 @pytest.mark.parametrize(
     "error",
-    [pytest.param(e, marks=[pytest.mark.thorough] if e in BETWEEN else []) for e in ERRORS],
+    [make_thorough(error) if error in BETWEEN else error for error in ERRORS],
 )
 @pytest.mark.parametrize("name", CASES)
 def test_no_point_is_off_by_more_than_the_bound(name: str, error: float) -> None:
