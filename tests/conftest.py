@@ -11,7 +11,7 @@ from mechproof.proof.cache import VARIABLE
 
 # What takes longest begins first: no worker waits for another at the end.
 LONGEST = (
-    *("test_own_paper.py", "report", "cluster", "verdicts wedge_linkage"),
+    *("workshop", "report", "cluster", "verdicts wedge_linkage"),
     *("tailoring/test_tailored_bounds.py", "verdicts elliptic_planetary"),
 )
 
