@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from weights import make_thorough
 
 # Of the systems with the longest kernels one is compiled with every test, the rest with the
 # thorough ones.
@@ -15,17 +16,25 @@ SHOWN = (".position", ".thickness_error")
 # Angles, and the sizes of an elliptic planetary mechanism.
 PHI = np.linspace(-40, 40, 4000)
 SIZES = (66.0, 16.0, 0.475)
+# What is computed in one pass.
+TOGETHER = {
+    "elliptic_planetary.motion": ("position", "ratio", "acceleration"),
+    "oval_planetary.motion": ("position", "ratio", "acceleration"),
+    "oval_planetary.motion_cylindrical": tuple(
+        f"{name}_cylindrical" for name in ("position", "ratio", "acceleration")
+    ),
+}
 
 
 def grouped(names: Iterable[str]) -> list[Any]:
     """Return the parameters of a test that calls the compiled kernels named system.quantity."""
-    systems = {name: name.removeprefix("compiled.").partition(".")[0] for name in names}
-    return [
-        pytest.param(name, marks=[pytest.mark.xdist_group(f"compiled {system}"), *_weigh(name)])
-        for name, system in systems.items()
-    ]
+    return [_group(name) if _is_shown(name) else make_thorough(_group(name)) for name in names]
 
 
-def _weigh(name: str) -> list[pytest.MarkDecorator]:
-    is_long = name.removeprefix("compiled.").startswith(LONG) and not name.endswith(SHOWN)
-    return [pytest.mark.thorough] if is_long else []
+def _group(name: str) -> Any:
+    system = name.removeprefix("compiled.").partition(".")[0]
+    return pytest.param(name, marks=[pytest.mark.xdist_group(f"compiled {system}")])
+
+
+def _is_shown(name: str) -> bool:
+    return name.endswith(SHOWN) or not name.removeprefix("compiled.").startswith(LONG)

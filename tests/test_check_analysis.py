@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from test_check import run
+from weights import make_thorough
 
 PAIRS = [
     (r"(a\pm b)^2=a^2\pm 2ab+b^2", r"(a\pm b)^2=a^2\mp 2ab+b^2", ()),
@@ -54,7 +55,7 @@ NOT_PROVED = [
     r"0\int_0^1\frac{dt}t=0",
     r"\left(\int_0^1\frac{dt}t\right)^0=1",
     r"\frac{\int_{-1}^1\frac{dt}t}{\int_{-1}^1\frac{dt}t}=1",
-    pytest.param(r"\int_{-1}^1\mathrm{e}^{\ln t}dt=0", marks=pytest.mark.thorough),
+    make_thorough(r"\int_{-1}^1\mathrm{e}^{\ln t}dt=0"),
     r"\sum_{k=1}^\infty k-\sum_{k=1}^\infty k=0",
     r"\sum_{k=1}^n\sqrt{a_k}\sqrt{a_k}=\sum_{k=1}^na_k",
     r"\frac{d}{dx}(\ln x-\ln x)=0",

@@ -37,7 +37,7 @@ def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with the derivation, its kernels and a quick measurement."""
     folder = tmp_path_factory.mktemp("workshop")
     shutil.copytree(OWN, folder / "derivations")
-    for command in (["regenerate"], ["measure", "--quick", "ratio", "position"]):
+    for command in (["regenerate"], ["measure", "--quick", "ratio"]):
         done = run(folder, *command)
         assert done.returncode == 0, done.stderr
     return folder
@@ -96,8 +96,8 @@ def test_measured_quantities_are_offered_and_charted(workshop: Path) -> None:
     choice = choose("universal_joint.ratio", error=1e-6, beta=(0, 0.5), measured=measured)
     assert choice.error <= 1e-6
     assert "misprinted" not in {choice.way, *(other.way for other in choice.others)}
-    position = choose("position", error=1e-9, beta=(0, 0.5), measured=measured)
-    assert position.quantity == "universal_joint.position"
+    assert choose("ratio", error=1e-6, beta=(0, 0.5), measured=measured) == choice
+    assert choice.quantity == "universal_joint.ratio"
     done = run(workshop, "chart", "--measured", str(measured), "--out", "charts")
     assert done.returncode == 0, done.stderr
     assert list((workshop / "charts").glob("universal_joint.ratio*.svg"))
@@ -107,13 +107,13 @@ def test_measured_quantities_are_offered_and_charted(workshop: Path) -> None:
 def test_the_report_shows_what_was_measured_and_how_the_kernel_is_called(workshop: Path) -> None:
     done = run(workshop, "report")
     assert done.returncode == 0, done.stderr
-    page = workshop / "report" / "quantities" / "universal_joint.position.html"
+    page = workshop / "report" / "quantities" / "universal_joint.ratio.html"
     text = page.read_text(encoding="utf-8")
     assert "A quick measurement" in text
     assert "<svg" in text
-    (call,) = re.findall(r"<code>(import numpy.*?position\(.*?\))</code>", text, re.DOTALL)[:1]
-    code = f"theta = 1.0\n{call.replace('position(', 'print(position(', 1)})"
+    (call,) = re.findall(r"<code>(import numpy.*?ratio\(.*?\))</code>", text, re.DOTALL)[:1]
+    code = f"theta = 1.0\n{call.replace('ratio(', 'print(ratio(', 1)})"
     done = subprocess.run(
         [sys.executable, "-c", code], cwd=workshop, capture_output=True, text=True
     )
-    assert float(done.stdout) > 1.0, done.stderr
+    assert 0.0 < float(done.stdout) != 1.0, done.stderr

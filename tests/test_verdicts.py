@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from derived import judge_all, paper_of
+from quantities import KERNELS
 
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.proof.verdict import Judgement, Verdict
@@ -50,7 +51,7 @@ def of_forms(system: str) -> list[Judgement]:
 
 @for_each_system
 def test_every_kernel_and_every_rewrite_is_proved(system: str) -> None:
-    shipped = {q.name for q in paper_of(system).quantities}
+    shipped = {name.removeprefix(f"{system}.") for name in KERNELS}
     for j in of_forms(system):
         name = j.number.removeprefix("kernel ").split(",")[0]
         if name in shipped or j.number.endswith(", legal"):

@@ -26,7 +26,6 @@ from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import Equality, Form, Paper, Toleranced
 
-PAPER = paper_of("wedge_linkage")
 # The paper is judged in one process, once.
 pytestmark = pytest.mark.xdist_group("verdicts wedge_linkage")
 
@@ -44,7 +43,11 @@ def judgement(number: str) -> Judgement:
 
 def test_no_error_rests_on_a_rebuilt_or_reconstructed_reading() -> None:
     charged = (Verdict.REFUTED, Verdict.ILL_FORMED)
-    assert not [row.number for row in PAPER.rows if judgement(row.number).verdict in charged]
+    assert not [
+        row.number
+        for row in paper_of("wedge_linkage").rows
+        if judgement(row.number).verdict in charged
+    ]
 
 
 SUBSTITUTED = "(1), (3), (4), (7), (8), (10), substituted"
@@ -64,10 +67,10 @@ def test_the_one_uncertain_letter_is_one_convention() -> None:
 
 
 def test_no_angle_of_an_arctangent_hides_a_turn_of_the_lever() -> None:
-    for table in PAPER.published:
+    for table in paper_of("wedge_linkage").published:
         far = dataclasses.replace(table, sizes={**table.sizes, **FAR_TURN})
         says = boundaries.angles_in_range(far).parts[0]
-        assert decide(says, Domain.of(PAPER)).verdict is Verdict.REFUTED
+        assert decide(says, Domain.of(paper_of("wedge_linkage"))).verdict is Verdict.REFUTED
 
 
 def test_what_rests_on_the_reconstructions_is_marked() -> None:
@@ -75,7 +78,10 @@ def test_what_rests_on_the_reconstructions_is_marked() -> None:
     assert all("calibrated" in judgement(number).marks for number in numbers)
     for number in ("crossing", FITTED, "deviation at -40"):
         assert "fitted" in judgement(number).marks
-    assert all({"calibrated", "fitted"} <= set(table.marks) for table in PAPER.published)
+    assert all(
+        {"calibrated", "fitted"} <= set(table.marks)
+        for table in paper_of("wedge_linkage").published
+    )
 
 
 WRONG = {
@@ -89,17 +95,17 @@ WRONG = {
 
 @pytest.mark.parametrize("number", WRONG)
 def test_a_slightly_wrong_formula_is_refuted(number: str) -> None:
-    row = next(row for row in PAPER.rows if row.number == number)
+    row = next(row for row in paper_of("wedge_linkage").rows if row.number == number)
     assert isinstance(row.says, Equality)
     wrong = dataclasses.replace(row.says, printed=WRONG[number])
-    assert decide(wrong, Domain.of(PAPER, row.on)).verdict is Verdict.REFUTED
+    assert decide(wrong, Domain.of(paper_of("wedge_linkage"), row.on)).verdict is Verdict.REFUTED
 
 
 def test_the_other_signs_of_iv_are_not_lowest() -> None:
     wrong = {**boundaries.BOUNDARY_IV, symbols.alpha_DE: 1}
-    for table in PAPER.published:
+    for table in paper_of("wedge_linkage").published:
         says = boundaries.above(table, boundaries.BOUNDARY_IV, wrong, -40)
-        assert decide(says, Domain.of(PAPER)).verdict is Verdict.REFUTED
+        assert decide(says, Domain.of(paper_of("wedge_linkage"))).verdict is Verdict.REFUTED
 
 
 OTHER_CURVES = {
@@ -112,13 +118,13 @@ OTHER_CURVES = {
 @pytest.mark.parametrize("curve", OTHER_CURVES)
 def test_another_curve_is_no_boundary(curve: str) -> None:
     signs, place = OTHER_CURVES[curve]
-    for table in PAPER.published:
+    for table in paper_of("wedge_linkage").published:
         says = boundaries.extreme(table, signs, place, (-29,))
-        assert decide(says, Domain.of(PAPER)).verdict is Verdict.REFUTED
+        assert decide(says, Domain.of(paper_of("wedge_linkage"))).verdict is Verdict.REFUTED
 
 
 def test_reconstructed_sizes_differ_in_three_and_are_exact() -> None:
-    first, second = (table.sizes for table in PAPER.published)
+    first, second = (table.sizes for table in paper_of("wedge_linkage").published)
     assert first.keys() == second.keys()
     changed = {s for s in first if first[s] != second[s]}
     assert changed == {symbols.l_BC, symbols.l_CD, symbols.l_DE}
@@ -137,21 +143,23 @@ def test_balls_of_an_undefined_arctangent_are_not_finite() -> None:
 
 def test_evidence_of_exact_numbers_shows_both_sides() -> None:
     says = boundaries.above(sizes.FIRST_SET, boundaries.BOUNDARY_II, boundaries.BOUNDARY_IV, -40)
-    (evidence,) = decide(says, Domain.of(PAPER)).evidence
+    (evidence,) = decide(says, Domain.of(paper_of("wedge_linkage"))).evidence
     assert "-110.1" in evidence.what
     assert "-134.9" in evidence.what
 
 
 def with_form(name: str, form: Form) -> Paper:
     """Keep one quantity, computed by another form."""
-    quantity = next(q for q in PAPER.quantities if q.name == name)
+    quantity = next(q for q in paper_of("wedge_linkage").quantities if q.name == name)
     return dataclasses.replace(
-        PAPER, quantities=(dataclasses.replace(quantity, forms=(form,)),), rows=()
+        paper_of("wedge_linkage"),
+        quantities=(dataclasses.replace(quantity, forms=(form,)),),
+        rows=(),
     )
 
 
 def shipped(name: str) -> Form:
-    return next(q for q in PAPER.quantities if q.name == name).forms[0]
+    return next(q for q in paper_of("wedge_linkage").quantities if q.name == name).forms[0]
 
 
 def judge_form(paper: Paper) -> Verdict:
@@ -213,7 +221,9 @@ OTHER_CASES = {
 
 @pytest.mark.parametrize("cases", OTHER_CASES)
 def test_a_wrong_case_is_refuted(cases: str) -> None:
-    quantity = next(q for q in PAPER.quantities if q.name == "roller_lever_angle")
+    quantity = next(
+        q for q in paper_of("wedge_linkage").quantities if q.name == "roller_lever_angle"
+    )
     form = next(f for f in quantity.forms if f.key == "printed")
     expression = sp.Piecewise(*OTHER_CASES[cases], (sp.nan, True)).subs(R, prints.PRINTED_R)
     wrong = dataclasses.replace(form, expression=expression)

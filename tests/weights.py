@@ -10,13 +10,11 @@ import pytest
 
 def first_of(cases: Iterable[Any], count: int = 1) -> list[Any]:
     """Return the cases of a test, all but the first ones thorough."""
-    listed = list(cases)
-    return [*listed[:count], *map(_weigh, listed[count:])]
+    return [case if n < count else make_thorough(case) for n, case in enumerate(cases)]
 
 
-def _weigh(case: Any) -> Any:
-    given = case if hasattr(case, "marks") else None
-    if given is None:
-        values = case if isinstance(case, tuple) else (case,)
-        return pytest.param(*values, marks=pytest.mark.thorough)
-    return pytest.param(*given.values, marks=[*given.marks, pytest.mark.thorough], id=given.id)
+def make_thorough(case: Any) -> Any:
+    """Return a case of a test that runs with the thorough ones only."""
+    if hasattr(case, "marks"):
+        return pytest.param(*case.values, marks=[*case.marks, pytest.mark.thorough], id=case.id)
+    return pytest.param(*(case if isinstance(case, tuple) else (case,)), marks=pytest.mark.thorough)

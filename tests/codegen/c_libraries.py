@@ -5,24 +5,35 @@ from __future__ import annotations
 import ctypes
 import shutil
 import subprocess
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from derived import SYSTEMS, paper_of
+from derived import paper_of
 
 from mechproof.codegen.backends.c99 import render_c
 from mechproof.codegen.backends.scalar import list_scalars
+from mechproof.codegen.kernel import Kernel
 
 COMPILER = shutil.which("cc")
 needs_compiler = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
 WARNED = ("-O2", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-pedantic")
 STRICT = ("-std=c99", *WARNED, "-ffp-contract=off")
-PAPERS = {system: paper_of(system) for system in SYSTEMS}
-KERNELS = {f"{s}.{k.name}": k for s, p in PAPERS.items() for k in list_scalars(p)}
 ELLIPTIC = ("position", "ratio", "acceleration")
 POINTER = np.ctypeslib.ndpointer(float)
+
+
+@cache
+def kernels_of(system: str) -> dict[str, Kernel]:
+    return {kernel.name: kernel for kernel in list_scalars(paper_of(system))}
+
+
+def find_kernel(name: str) -> Kernel:
+    """Find a kernel by system.quantity."""
+    system, _, quantity = name.partition(".")
+    return kernels_of(system)[quantity]
 
 
 def build(folder: Path, system: str, single: bool, flags: tuple[str, ...]) -> ctypes.CDLL:
@@ -32,9 +43,8 @@ def build(folder: Path, system: str, single: bool, flags: tuple[str, ...]) -> ct
 
 def render(system: str, single: bool) -> dict[str, str]:
     """Render the kernels of a system, in float without a search for their errors."""
-    names = [name.partition(".") for name in KERNELS]
-    errors = {name: "not searched for" for of, _, name in names if of == system}
-    return render_c(PAPERS[system], errors=errors if single else None)
+    errors = dict.fromkeys(kernels_of(system), "not searched for")
+    return render_c(paper_of(system), errors=errors if single else None)
 
 
 def compile_files(folder: Path, files: dict[str, str], flags: tuple[str, ...]) -> ctypes.CDLL:

@@ -14,15 +14,16 @@ import numpy as np
 import pytest
 from c_libraries import (
     COMPILER,
-    KERNELS,
     POINTER,
     STRICT,
     WARNED,
     assert_same_bits,
+    find_kernel,
     needs_compiler,
     render,
 )
 from compiled import grouped
+from quantities import KERNELS, find_subject
 from typer.testing import CliRunner
 from weights import first_of
 
@@ -33,14 +34,12 @@ from mechproof.derivations.elliptic_planetary import PAPER
 from mechproof.lab.points import choose_evenly, join
 from mechproof.lab.search import draw_sets, find_worst, scaled_errors
 from mechproof.lab.singles import WIDER, mark_judged, narrow, round_singly
-from mechproof.lab.subject import find_subjects
 from mechproof.lab.within import mark_within
 from mechproof.roundoff.singles import Singles
 
 pytestmark = needs_compiler
 # What compilers make of products and sums where nothing forbids it, on processors that have fma.
 CONTRACTED = ("-std=c99", *WARNED, "-march=native", "-ffp-contract=fast")
-SUBJECTS = {s.name: s for s in find_subjects(()) if s.name in KERNELS}
 
 
 def point_function(library: ctypes.CDLL, system: str, kernel: Kernel, single: bool) -> Any:
@@ -84,13 +83,11 @@ def point_function(library: ctypes.CDLL, system: str, kernel: Kernel, single: bo
     return call
 
 
-@pytest.mark.parametrize(
-    "name", first_of(grouped(n for n, s in SUBJECTS.items() if s.quantity.accuracy))
-)
+@pytest.mark.parametrize("name", first_of(grouped(KERNELS)))
 def test_bounds_and_the_bits_of_numba(name: str, libraries: Callable[..., ctypes.CDLL]) -> None:
     """Both compute the same operations, each rounded once: no bit may differ."""
     system, _, quantity = name.partition(".")
-    call = point_function(libraries(system, False), system, KERNELS[name], False)
+    call = point_function(libraries(system, False), system, find_kernel(name), False)
     compiled = getattr(import_module(f"mechproof.kernels.compiled.{system}"), quantity)
     met: list[tuple[Any, ...]] = []
 
@@ -98,7 +95,7 @@ def test_bounds_and_the_bits_of_numba(name: str, libraries: Callable[..., ctypes
         met.append(arguments)
         return call(*arguments)
 
-    subject = SUBJECTS[name]
+    subject = find_subject(name)
     assert subject.quantity.accuracy is not None
     found = find_worst(subject, both, rounds=0, seed=20262, share=0.05, most=20)
     assert found.tried > 10
@@ -118,8 +115,10 @@ def test_bounds_hold_where_a_compiler_contracts(
 ) -> None:
     """A product that is not rounded is no worse; the rests of products are taken by fma anyway."""
     system, _, _ = name.partition(".")
-    contracted = point_function(libraries(system, False, CONTRACTED), system, KERNELS[name], False)
-    strict = point_function(libraries(system, False), system, KERNELS[name], False)
+    contracted, strict = (
+        point_function(libraries(system, False, *flags), system, find_kernel(name), False)
+        for flags in ((CONTRACTED,), ())
+    )
     differ: list[bool] = []
 
     def call(*arguments: Any) -> Any:
@@ -127,7 +126,7 @@ def test_bounds_hold_where_a_compiler_contracts(
         differ.append(not np.array_equal(found, strict(*arguments), equal_nan=True))
         return found
 
-    subject = SUBJECTS[name]
+    subject = find_subject(name)
     assert subject.quantity.accuracy is not None
     found = find_worst(subject, call, rounds=0, seed=20262, share=0.2, most=5)
     assert found.scaled <= subject.quantity.accuracy.ulp
@@ -136,14 +135,12 @@ def test_bounds_hold_where_a_compiler_contracts(
         assert any(differ)
 
 
-@pytest.mark.parametrize(
-    "name", first_of(grouped(n for n, s in SUBJECTS.items() if s.quantity.accuracy))
-)
+@pytest.mark.parametrize("name", first_of(grouped(KERNELS)))
 def test_floats_keep_the_bounds_and_are_what_is_searched(
     name: str, libraries: Callable[..., ctypes.CDLL]
 ) -> None:
     """In eps of floats the bounds of doubles hold; headers tell of the programs run in floats."""
-    system, subject, kernel = name.partition(".")[0], narrow(SUBJECTS[name]), KERNELS[name]
+    system, subject, kernel = name.partition(".")[0], narrow(find_subject(name)), find_kernel(name)
     call = point_function(libraries(system, True), f"{system}_single", kernel, True)
     singles = Singles(kernel)
     drawn = draw_sets(subject, 20262, 0.05)
@@ -275,7 +272,7 @@ def test_blocks_with_angles_far_out_have_the_bits_of_points(
     function.restype = None
     found = np.empty_like(points)
     function(points.size, points, *sizes, found)
-    each = point_function(library, system, KERNELS[name], False)(points, *sizes)
+    each = point_function(library, system, find_kernel(name), False)(points, *sizes)
     compiled = getattr(import_module(f"mechproof.kernels.compiled.{system}"), quantity)
     assert_same_bits(found, each)
     assert_same_bits(found, compiled(points, *sizes))

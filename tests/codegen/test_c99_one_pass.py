@@ -13,14 +13,14 @@ import numpy as np
 import pytest
 from c_libraries import (
     ELLIPTIC,
-    KERNELS,
-    PAPERS,
     STRICT,
     assert_same_bits,
     compile_files,
+    find_kernel,
     needs_compiler,
 )
-from compiled import grouped
+from compiled import TOGETHER, grouped
+from derived import paper_of
 
 from mechproof.codegen.backends.c99 import render_c_kernels
 from mechproof.codegen.backends.one_pass import join_kernels
@@ -29,7 +29,6 @@ from mechproof.codegen.program import NOTHING, Operation, Program
 from mechproof.record import Together
 
 pytestmark = needs_compiler
-TOGETHER = {f"{s}.{t.name}": t for s, p in PAPERS.items() for t in p.together}
 # On both sides of where another form is taken, beyond the domain, and a size that is NaN.
 SIZES = {
     "R1": (66.0, 66.0, 16.0, np.nan),
@@ -59,13 +58,14 @@ def call_all(function: Any, points: Any, sizes: list[float], results: int) -> An
 def test_one_pass_has_the_bits_of_each_function_and_of_numba(
     name: str, single: bool, libraries: Callable[..., ctypes.CDLL]
 ) -> None:
-    together, system = TOGETHER[name], name.partition(".")[0]
+    system, _, of = name.partition(".")
+    (together,) = (t for t in paper_of(system).together if t.name == of)
     library = libraries(system, single)
     compiled = import_module(f"mechproof.kernels.compiled.{system}")
     prefix = f"{system}_single" if single else system
     points = np.concatenate([np.linspace(-9, 9, 2001), [0, -0.0, np.nan, np.inf, 1e9, 1e-300]])
     points = points.astype(np.float32 if single else float)
-    names = KERNELS[f"{system}.{together.quantities[0]}"].code.arguments[1:]
+    names = find_kernel(f"{system}.{together.quantities[0]}").code.arguments[1:]
     for sizes in map(list, zip(*(SIZES[name] for name in names), strict=True)):
         function = getattr(library, f"{prefix}_{together.name}_array")
         found = call_all(function, points, sizes, len(together.quantities))
@@ -77,7 +77,7 @@ def test_one_pass_has_the_bits_of_each_function_and_of_numba(
 
 
 def test_one_pass_computes_what_is_common_once() -> None:
-    kernels = [KERNELS[f"elliptic_planetary.{name}"] for name in ELLIPTIC]
+    kernels = [find_kernel(f"elliptic_planetary.{name}") for name in ELLIPTIC]
     joined = join_kernels("motion", kernels).code
     apart = [kernel.code.count_operations() for kernel in kernels]
     # The position has a form of its own where eccentricities are small.
@@ -104,7 +104,7 @@ def test_one_point_in_one_pass_is_stored_by_pointers(
 
 def test_members_of_unlike_domains_are_called_one_by_one(tmp_path: Path) -> None:
     names = ("position", "ratio")
-    position, ratio = (KERNELS[f"elliptic_planetary.{name}"] for name in names)
+    position, ratio = (find_kernel(f"elliptic_planetary.{name}") for name in names)
     everywhere = replace(ratio, code=replace(ratio.code, inside=None))
     with pytest.raises(
         NotImplementedError, match=r"both: \['ratio'\] have another domain than 'pos"
@@ -134,7 +134,7 @@ def test_members_of_unlike_domains_are_called_one_by_one(tmp_path: Path) -> None
     ],
 )
 def test_unlike_values_are_not_taken_for_one(kind: str, first: Any, second: Any) -> None:
-    position, ratio = (KERNELS[f"elliptic_planetary.{name}"] for name in ELLIPTIC[:2])
+    position, ratio = (find_kernel(f"elliptic_planetary.{name}") for name in ELLIPTIC[:2])
 
     def compute(kernel: Kernel, operands: Any) -> Kernel:
         (*_, last) = kernel.code.stages

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
+from derived import paper_of
 
 from mechproof.codegen.docstrings import WIDTH, describe_kernel
 from mechproof.codegen.formula_text import join_equal_limits, write_formula
 from mechproof.codegen.kernel import list_functions
-from mechproof.derivations.track_wheel import PAPER
 
 a, b = sp.symbols("a b", real=True)
 i, j = sp.symbols("i j", integer=True, positive=True)
@@ -36,8 +36,10 @@ def test_equal_limits_are_joined_and_no_others() -> None:
 
 
 def test_products_longer_than_a_line_are_broken() -> None:
-    (kernel,) = (k for k in list_functions(PAPER) if k.name == "error_sum_correlated")
-    lines = describe_kernel(kernel, PAPER)
+    (kernel,) = (
+        k for k in list_functions(paper_of("track_wheel")) if k.name == "error_sum_correlated"
+    )
+    lines = describe_kernel(kernel, paper_of("track_wheel"))
     assert max(map(len, lines)) <= WIDTH
     whole = "".join(line.strip() for line in lines)
     assert "sensitivities[i]*sensitivities[j]*tolerances[i]*tolerances[j]" in whole

@@ -7,6 +7,7 @@ import ctypes
 import re
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 
 import numba
@@ -28,9 +29,7 @@ from mechproof.codegen.names import PUBLIC, PUBLIC_IN_MODULES, is_free
 from mechproof.record import Paper
 
 # Papers whose sources have loops, sums, matrices, several forms and results in one pass.
-PAPERS = tuple(map(derived_paper, ("track_wheel", "elliptic_planetary")))
-
-
+SYSTEMS = ("track_wheel", "elliptic_planetary")
 A_NUMBER = sp.Symbol("a", real=True)
 
 
@@ -42,7 +41,7 @@ def weigh(names: list[str]) -> Paper:
 
 
 def list_words_in_c() -> list[str]:
-    texts = [text for paper in PAPERS for text in render_c(paper).values()]
+    texts = [text for paper in map(derived_paper, SYSTEMS) for text in render_c(paper).values()]
     bare = [re.sub(r"/\*.*?\*/|#\w+|\.0\b|\d[\w.]*", " ", text, flags=re.DOTALL) for text in texts]
     return sorted(WORDS.union(*(re.findall(r"[A-Za-z]\w*", text) for text in bare)))
 
@@ -80,8 +79,9 @@ def list_names(source: str) -> Iterator[str]:
             yield node.asname or node.name
 
 
-@pytest.mark.parametrize("paper", PAPERS, ids=[paper.system for paper in PAPERS])
-def test_what_is_no_name_of_the_paper_has_an_underscore(paper: Paper) -> None:
+@pytest.mark.parametrize("system", SYSTEMS)
+def test_what_is_no_name_of_the_paper_has_an_underscore(system: str) -> None:
+    paper = derived_paper(system)
     scalars = list_scalars(paper)
     kernels = (*list_functions(paper), *scalars)
     own = {name for kernel in kernels for name in (*kernel.code.names, kernel.name)}
@@ -101,7 +101,8 @@ def test_what_is_no_name_of_the_paper_has_an_underscore(paper: Paper) -> None:
 
 def list_own_words() -> list[str]:
     """List what modules are made of, without the underscore that sets it apart."""
-    names = {name for p in PAPERS for source in list_sources(p) for name in list_names(source)}
+    sources = chain.from_iterable(map(list_sources, map(derived_paper, SYSTEMS)))
+    names = {name for source in sources for name in list_names(source)}
     own = {name.removeprefix("_") for name in names if name[0] == "_" and "_of_" not in name}
     return sorted(word for word in own if is_free(word))
 

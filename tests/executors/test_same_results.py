@@ -13,12 +13,20 @@ import numpy as np
 import pytest
 from distributed import Client, LocalCluster
 from jobs import JOBS, make_executor
+from weights import make_thorough
 
 from mechproof.tolerance import Size, corner_range
 
 # One worker of pytest: it has the one cluster.
 pytestmark = pytest.mark.xdist_group("cluster")
 KINDS = ("threads", "one process", "processes", "cluster")
+# Every job in processes, the first in executors of every kind; the others with the thorough tests.
+CASES = [
+    case if kind == "processes" or job is JOBS[0] else make_thorough(case)
+    for kind in KINDS
+    for job in JOBS
+    for case in (pytest.param(kind, job, id=f"{kind}-{job.__name__}"),)
+]
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +38,7 @@ def client() -> Iterator[Client]:
         yield client
 
 
-@pytest.fixture(scope="module", params=KINDS)
+@pytest.fixture(scope="module")
 def executor(request: pytest.FixtureRequest) -> Iterator[Executor]:
     if request.param == "cluster":
         yield request.getfixturevalue("client").get_executor()
@@ -50,7 +58,7 @@ def to_bytes(result: Any) -> Any:
     return result.tobytes() if isinstance(result, np.ndarray | np.generic) else repr(result)
 
 
-@pytest.mark.parametrize("job", JOBS, ids=lambda job: job.__name__)
+@pytest.mark.parametrize(("executor", "job"), CASES, indirect=["executor"])
 def test_results_are_the_same_to_the_last_bit(
     executor: Executor, job: Callable[[Executor | None], Any]
 ) -> None:

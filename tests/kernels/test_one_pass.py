@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from compiled import PHI, SIZES, grouped
+from compiled import PHI, SIZES, TOGETHER, grouped
 from derived import SYSTEMS, paper_of
 
 from mechproof.codegen.backends.numba import render_compiled
@@ -16,13 +16,6 @@ from mechproof.compiled_support import loops
 from mechproof.kernels.compiled import elliptic_planetary
 from mechproof.record import Together
 
-TOGETHER = {
-    "elliptic_planetary.motion": ("position", "ratio", "acceleration"),
-    "oval_planetary.motion": ("position", "ratio", "acceleration"),
-    "oval_planetary.motion_cylindrical": tuple(
-        f"{name}_cylindrical" for name in ("position", "ratio", "acceleration")
-    ),
-}
 OF_SYSTEM = {
     "elliptic_planetary": [(66.0, 16.0, 0.475), (66.0, 16.0, np.array([[0.1], [0.9]])), (1, 2, 3)],
     "oval_planetary": [(0.2, 0.3), (0.2, np.array([[0.1], [0.3]])), (2.0, 0.1)],

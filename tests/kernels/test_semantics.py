@@ -4,46 +4,51 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator
+from functools import cache
 from importlib import import_module
 from typing import Any
 
 import numpy as np
 import pytest
 from compiled import grouped
+from quantities import KERNELS, find_subject
 from units import list_with_units
 
 from mechproof.kernel_support import arrays
 from mechproof.kernels import elliptic_planetary, track_wheel
 from mechproof.kernels.forms.elliptic_planetary import position_principal
 from mechproof.lab.sets import list_workloads
-from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.subject import Subject
 
 OF_ANGLES = ("ratio", "position", "acceleration")
 POINT, ANGLES, SHIFT = [1.0, 2.0, 3.0], [0.1, -0.2, 0.3], [0.01, 0.02, 0.03]
 SUM = ([0.016, 0.05], [1.0, -1.0], [1.0, 1.2], 1.1)
 COUNT = 7
-SUBJECTS = {s.name: s for s in find_subjects() if s.quantity.forms}
+COMPILED = "compiled."
+for_each_kernel = pytest.mark.parametrize(
+    "name", [*KERNELS, *grouped(f"{COMPILED}{name}" for name in KERNELS)]
+)
 
 
-def take_point(subject: Subject) -> tuple[Any, ...]:
+def subject_of(name: str) -> Subject:
+    return find_subject(name.removeprefix(COMPILED))
+
+
+def usual_call(name: str) -> tuple[Any, ...]:
+    return take_point(name.removeprefix(COMPILED))
+
+
+@cache
+def take_point(name: str) -> tuple[Any, ...]:
     """Take a point of the first timed call where the kernel has a value, as Python's numbers."""
+    subject = subject_of(name)
     _, workload = list_workloads(subject)[0]
     arguments = workload(COUNT)
     for number in range(1, COUNT):
         point = tuple(a[number] if np.shape(a)[:1] == (COUNT,) else a for a in arguments)
         if np.isfinite(subject.kernel(*point)).all():
             return tuple(np.asarray(a).tolist() for a in point)
-    raise AssertionError(f"{subject.name}: no point with a value")
-
-
-CALLS = {name: take_point(subject) for name, subject in SUBJECTS.items()}
-COMPILED = list(SUBJECTS)
-SUBJECTS |= {f"compiled.{name}": SUBJECTS[name] for name in COMPILED}
-CALLS |= {f"compiled.{name}": CALLS[name] for name in COMPILED}
-PLAIN = [name for name in CALLS if not name.startswith("compiled.")]
-for_each_kernel = pytest.mark.parametrize(
-    "name", [*PLAIN, *grouped(f"compiled.{name}" for name in COMPILED)]
-)
+    raise AssertionError(f"{name}: no point with a value")
 
 
 @pytest.fixture(autouse=True)
@@ -60,13 +65,13 @@ def call(name: str, arguments: tuple[Any, ...], **options: Any) -> Any:
 
 def shape_of(name: str) -> tuple[int, ...]:
     """Columns have one axis."""
-    rows, *columns = getattr(SUBJECTS[name].quantity.definition, "shape", ()) or (None,)
+    rows, *columns = getattr(subject_of(name).quantity.definition, "shape", ()) or (None,)
     return () if rows is None else (rows,) if columns == [1] else (rows, *columns)
 
 
 @for_each_kernel
 def test_scalars_and_types(name: str) -> None:
-    arguments, shape = CALLS[name], shape_of(name)
+    arguments, shape = usual_call(name), shape_of(name)
     result = call(name, arguments)
     assert np.shape(result) == shape
     assert result.dtype == np.float64
@@ -83,7 +88,7 @@ def test_scalars_and_types(name: str) -> None:
 
 @for_each_kernel
 def test_broadcasting_equals_separate_calls(name: str) -> None:
-    arguments, shape = CALLS[name], shape_of(name)
+    arguments, shape = usual_call(name), shape_of(name)
     first = np.stack([np.asarray(arguments[0]), 0.5 * np.asarray(arguments[0])])
     together = call(name, (first, *arguments[1:]))
     assert together.shape == (2, *shape)
@@ -96,7 +101,7 @@ def test_broadcasting_equals_separate_calls(name: str) -> None:
 
 @for_each_kernel
 def test_nan_in_gives_nan_out(name: str) -> None:
-    arguments = CALLS[name]
+    arguments = usual_call(name)
     for i, argument in enumerate(arguments):
         poisoned = np.full_like(np.asarray(argument, float), np.nan)
         result = call(name, (*arguments[:i], poisoned, *arguments[i + 1 :]))
@@ -105,15 +110,15 @@ def test_nan_in_gives_nan_out(name: str) -> None:
 
 @for_each_kernel
 def test_out_without_axes_is_returned(name: str) -> None:
-    found = call(name, CALLS[name])
+    found = call(name, usual_call(name))
     out = np.empty(np.shape(found))
-    assert call(name, CALLS[name], out=out) is out
+    assert call(name, usual_call(name), out=out) is out
     assert np.array_equal(out, found, equal_nan=True)
 
 
 @for_each_kernel
 def test_a_masked_number_is_nan(name: str) -> None:
-    arguments = CALLS[name]
+    arguments = usual_call(name)
     for i, argument in enumerate(arguments):
         if np.shape(argument) == ():
             found = call(name, (*arguments[:i], np.ma.masked, *arguments[i + 1 :]))
@@ -122,17 +127,17 @@ def test_a_masked_number_is_nan(name: str) -> None:
 
 @for_each_kernel
 def test_shapes_that_do_not_broadcast_are_named(name: str) -> None:
-    first, *others = CALLS[name]
+    first, *others = usual_call(name)
     for i, argument in enumerate(others):
         wrong = [np.stack([np.asarray(a)] * n) for a, n in ((first, 3), (argument, 2))]
-        named = SUBJECTS[name].quantity.arguments[i + 1].name
+        named = subject_of(name).quantity.arguments[i + 1].name
         with pytest.raises(ValueError, match=rf"^{named}: .*must broadcast with \(3,\)"):
             call(name, (wrong[0], *others[:i], wrong[1], *others[i + 1 :]))
 
 
 @for_each_kernel
 def test_bad_types_are_named(name: str) -> None:
-    arguments = CALLS[name]
+    arguments = usual_call(name)
     for bad in (1j, "1", None, np.longdouble(1)):
         with pytest.raises(TypeError, match="expected real numbers"):
             call(name, (*arguments[:-1], bad))
@@ -140,9 +145,9 @@ def test_bad_types_are_named(name: str) -> None:
 
 @for_each_kernel
 def test_units_are_refused_by_name(name: str) -> None:
-    arguments = CALLS[name]
+    arguments = usual_call(name)
     for i, argument in enumerate(arguments):
-        named = SUBJECTS[name].quantity.arguments[i].name
+        named = subject_of(name).quantity.arguments[i].name
         for given in list_with_units(argument):
             with pytest.raises(TypeError, match=rf"^{named} = .*: carries a unit; give plain"):
                 call(name, (*arguments[:i], given, *arguments[i + 1 :]))
@@ -189,7 +194,7 @@ def test_outside_the_domain_is_nan(system: str, name: str, arguments: tuple[Any,
     # Infinite or specimens' arguments may warn on the way; arguments inside the domain must not.
     with np.errstate(divide="ignore", invalid="ignore"):
         assert np.isnan(call(f"{system}.{name}", arguments)).all()
-        if f"{system}.{name}" in COMPILED:
+        if f"{system}.{name}" in KERNELS:
             assert np.isnan(call(f"compiled.{system}.{name}", arguments)).all()
 
 

@@ -12,6 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
+from compiled import grouped
+from quantities import BOUNDED, GENERATED, KERNELS, find_subject
 
 from mechproof.kernel_support import polynomials
 from mechproof.lab.search import find_worst, scaled_errors
@@ -19,13 +21,8 @@ from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Arguments, Array, Compute
 from mechproof.measured import read_record
 
-SUBJECTS = {subject.name: subject for subject in find_subjects()}
-BOUNDED = sorted(name for name, subject in SUBJECTS.items() if subject.quantity.accuracy)
-# Kernels, compiled ones too, are made of forms.
-COMPILED = [name for name in BOUNDED if SUBJECTS[name].quantity.forms]
 # The worst inputs that searches met: arguments as numbers that read back to the same doubles.
 TABLE = json.loads(Path(__file__).with_name("worst_inputs.json").read_text(encoding="utf-8"))
-MEASURED = Path(__file__).parents[2] / "generated" / "measured"
 COMPILED_WAY = "kernel, compiled"
 # A seed of its own, so that the search is not the one that the table comes from.
 FRESH = 4711
@@ -54,13 +51,19 @@ def as_points(row: dict[str, object]) -> Arguments:
 @pytest.mark.usefixtures("polynomial")
 @pytest.mark.parametrize("name", BOUNDED)
 def test_worst_inputs_stay_within_the_bound(name: str) -> None:
+    subject = find_subject(name)
     rows = [row for row in TABLE if row["quantity"] == name]
     assert rows
     for row in rows:
-        compute = one_mechanism(SUBJECTS[name])
-        (error,) = scaled_errors(SUBJECTS[name], compute, as_points(row))
+        (error,) = scaled_errors(subject, one_mechanism(subject), as_points(row))
         # -1 would be a point that is undecided or where no bound is stated: no row of this table.
-        assert 0 <= error <= bound_of(SUBJECTS[name]), row
+        assert 0 <= error <= bound_of(subject), row
+
+
+def test_quantities_are_listed_as_the_papers_have_them() -> None:
+    subjects = find_subjects()
+    assert sorted(s.name for s in subjects if s.quantity.accuracy) == sorted(BOUNDED)
+    assert sorted(s.name for s in subjects if s.quantity.forms) == sorted(KERNELS)
 
 
 def test_rows_are_of_quantities_with_a_bound() -> None:
@@ -69,7 +72,7 @@ def test_rows_are_of_quantities_with_a_bound() -> None:
 
 def test_polynomials_need_more_than_four_eps(monkeypatch: pytest.MonkeyPatch) -> None:
     """The bound of the position is what the polynomials need, not what tan and arctan do."""
-    subject = SUBJECTS["elliptic_planetary.position"]
+    subject = find_subject("elliptic_planetary.position")
     worst = []
     for polynomial in (False, True):
         monkeypatch.setattr(polynomials, "LONG", 1)
@@ -90,28 +93,33 @@ def one_mechanism(subject: Subject) -> Compute:
     return compute
 
 
-@pytest.mark.parametrize("name", COMPILED)
+@pytest.mark.parametrize("name", grouped(n for n in BOUNDED if n in KERNELS))
 def test_worst_inputs_stay_within_the_bound_compiled(name: str) -> None:
-    compute = getattr(SUBJECTS[name].load_compiled(), SUBJECTS[name].quantity.name)
+    subject = find_subject(name)
+    compute = getattr(subject.load_compiled(), subject.quantity.name)
     rows = [row for row in TABLE if row["quantity"] == name]
     assert rows
     # The record knows them: bits of compiled kernels are those of every host.
-    (found,) = (f for f in read_record(MEASURED / f"{name}.json").searched if f.way == COMPILED_WAY)
-    assert found.scaled <= bound_of(SUBJECTS[name])
+    (found,) = (
+        f
+        for f in read_record(GENERATED / "measured" / f"{name}.json").searched
+        if f.way == COMPILED_WAY
+    )
+    assert found.scaled <= bound_of(subject)
 
     def alone(*points: Array) -> Array:
         # A point needs no loops, which take twice as long to compile, and has the same bits.
         return np.array([compute(*(column[0] for column in points))])
 
     for row in rows:
-        (error,) = scaled_errors(SUBJECTS[name], alone, as_points(row))
+        (error,) = scaled_errors(subject, alone, as_points(row))
         assert 0 <= error <= found.scaled, row
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", BOUNDED)
 def test_a_fresh_search_stays_within_the_bound(name: str) -> None:
-    subject = SUBJECTS[name]
+    subject = find_subject(name)
     rounds, most = (1, MOST_INTEGRALS) if subject.exact.has(sp.Integral) else (1, MOST)
     found = find_worst(subject, subject.kernel, rounds, FRESH, SHARE, most)
     assert found.tried > 50

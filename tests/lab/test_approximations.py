@@ -78,7 +78,6 @@ def list_bounded() -> Iterator[Bounded]:
             yield Bounded(quantity, way, box, tilts, 100)
 
 
-SUBJECTS = find_subjects()
 BOUNDED = tuple(list_bounded())
 
 
@@ -97,7 +96,9 @@ def test_approximations_stay_within_their_proved_bounds(row: Bounded) -> None:
 
 
 def test_every_approximation_is_in_the_table() -> None:
-    bounded = {(s.name, f.name) for s in SUBJECTS for f in s.quantity.rivals if f.bound is not None}
+    bounded = {
+        (s.name, f.name) for s in find_subjects() for f in s.quantity.rivals if f.bound is not None
+    }
     assert {(row.quantity, row.way) for row in BOUNDED} == bounded
 
 

@@ -6,11 +6,11 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from quantities import find_subject
 
 from mechproof import CylindricalPair as Pair, EllipticPlanetary, OvalPlanetary
 from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.oracle import Truth, find_truth
-from mechproof.lab.subject import find_subjects
 from mechproof.lab.ways import Array
 
 EPS = float(np.finfo(float).eps)
@@ -42,16 +42,13 @@ def sizes_of(mechanism: Mechanism) -> tuple[float, float, float]:
     return float(pair.R4), float(pair.R5), float(mechanism.e2)
 
 
-ELLIPTIC, OVAL = (
-    find_subjects((name,))[0]
-    for name in ("elliptic_planetary.position", "oval_planetary.position_cylindrical")
-)
 BAR = 4
 
 
 def truth_of(mechanism: Mechanism, phi1: Array) -> Truth:
-    subject = ELLIPTIC if isinstance(mechanism, EllipticPlanetary) else OVAL
-    return find_truth(subject, (phi1, *map(np.array, sizes_of(mechanism))))
+    is_elliptic = isinstance(mechanism, EllipticPlanetary)
+    name = "elliptic_planetary.position" if is_elliptic else "oval_planetary.position_cylindrical"
+    return find_truth(find_subject(name), (phi1, *map(np.array, sizes_of(mechanism))))
 
 
 def draw_targets(name: str, seed: int) -> Array:

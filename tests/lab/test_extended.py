@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from ways import find_subject
+from quantities import KERNELS, find_subject
 from weights import first_of
 
 from mechproof.lab import extended, search
@@ -12,14 +12,9 @@ from mechproof.lab.extended import extend
 from mechproof.lab.oracle import Truth
 from mechproof.lab.points import choose_evenly
 from mechproof.lab.search import find_worst, scaled_errors
-from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
 
-SUBJECTS = {
-    subject.name: subject
-    for subject in find_subjects()
-    if subject.quantity.accuracy and extend(subject)
-}
 SEED, SHARE, POINTS = 4711, 0.1, 3
 pytestmark = pytest.mark.skipif(
     not extended.IS_LONGER, reason="long doubles have the digits of doubles here"
@@ -44,16 +39,13 @@ def estimate(subject: Subject, points: Arguments) -> tuple[Truth, Array]:
     return truth, search.compare(subject.kernel, points, truth)
 
 
-@pytest.mark.parametrize(
-    "name",
-    first_of(sorted(SUBJECTS.keys() - HARDLY_TURNED)),
-)
+@pytest.mark.parametrize("name", first_of(sorted({*KERNELS} - HARDLY_TURNED)))
 def test_long_doubles_tell_what_balls_tell(name: str) -> None:
     """An eleventh bit of the error is lost by 64 bits for 53, and by what a scale cancels."""
-    compared = 0
-    for points in draw(SUBJECTS[name]):
-        _, roughly = estimate(SUBJECTS[name], points)
-        exactly = scaled_errors(SUBJECTS[name], SUBJECTS[name].kernel, points)
+    subject, compared = find_subject(name), 0
+    for points in draw(subject):
+        _, roughly = estimate(subject, points)
+        exactly = scaled_errors(subject, subject.kernel, points)
         both = (roughly >= 0) & (exactly >= 0)
         compared += int(both.sum())
         np.testing.assert_allclose(roughly[both], exactly[both], rtol=0.02, atol=0.02)
@@ -61,7 +53,7 @@ def test_long_doubles_tell_what_balls_tell(name: str) -> None:
 
 
 def test_a_search_led_by_long_doubles_finds_more(monkeypatch: pytest.MonkeyPatch) -> None:
-    subject = SUBJECTS["elliptic_planetary.acceleration"]
+    subject = find_subject("elliptic_planetary.acceleration")
     more = find_worst(subject, subject.kernel, rounds=1, seed=SEED, share=SHARE)
     monkeypatch.setattr(search, "extend", lambda subject: None)
     less = find_worst(subject, subject.kernel, rounds=1, seed=SEED, share=SHARE)
@@ -71,7 +63,7 @@ def test_a_search_led_by_long_doubles_finds_more(monkeypatch: pytest.MonkeyPatch
 
 def test_without_long_doubles_balls_are_all_there_is(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(extended, "IS_LONGER", False)
-    assert extend(SUBJECTS["track_wheel.radius"]) is None
+    assert extend(find_subject("track_wheel.radius")) is None
 
 
 def test_a_point_beyond_the_domain_is_not_decided() -> None:

@@ -11,7 +11,7 @@ from mechproof.lab.ways import Arguments
 DEVIATION = "measurement.standard_deviation"
 
 
-def scattered(offset: float, rows: int = 30) -> Arguments:
+def scattered(offset: float, rows: int = 8) -> Arguments:
     return (np.random.default_rng(4).normal(size=(rows, 12)) + offset,)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from mechproof.derivations.elliptic_planetary import PAPER
 from mechproof.derivations.elliptic_planetary.symbols import R1, R2, e, phi1, x
 from mechproof.kernel_support.order import step_ulps
 from mechproof.lab.draws import draw_mixed
@@ -25,7 +26,7 @@ from mechproof.proof.domain import Domain
 from mechproof.record import Argument, Published, Singular, Toleranced
 
 turns = sp.Symbol("m_turns", integer=True)
-DOMAIN = Domain.of(find_subjects(("elliptic_planetary.ratio",))[0].paper)
+DOMAIN = Domain.of(PAPER)
 PEAK = Singular(sp.Eq(x, 2 * sp.pi * turns), "the ratio is steep")
 FLAT = Singular(sp.Eq(e, 1), "the ellipse is flat")
 PUBLISHED = Published(

@@ -6,12 +6,12 @@ from functools import cache
 from typing import Any
 
 import numpy as np
+from quantities import find_subject
 
 from mechproof.lab.error import Errors, Summary, find_errors, summarise
 from mechproof.lab.oracle import Truth, find_truth
 from mechproof.lab.points import REPORT, draw_points
 from mechproof.lab.sets import list_sets
-from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Arguments, Way
 
 EPS = float(np.finfo(float).eps)
@@ -29,12 +29,6 @@ def at(running: Any, *sizes: float) -> Arguments:
 
 def sweep(turns: float, count: int, *sizes: float) -> Arguments:
     return at(np.linspace(0, turns * 2 * np.pi, count), *sizes)
-
-
-@cache
-def find_subject(name: str) -> Subject:
-    (found,) = find_subjects((name,))
-    return found
 
 
 def find_way(quantity: str, name: str) -> Way:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
+from weights import make_thorough
 
 from mechproof.pasted import Pasted, judge_pasted
 from mechproof.proof.verdict import Verdict
@@ -109,7 +112,15 @@ EMPTY = [
 ]
 
 
-@pytest.mark.parametrize(("latex", "where", "natural"), TRUE + MEANT)
+# Of like domains some are judged with the thorough tests.
+LONG = ("|n-9|=n-9", "n^2>1000", "n>30", "2x=2z")
+
+
+def spared(cases: list[Any]) -> list[Any]:
+    return [make_thorough(case) if case[0] in LONG else case for case in cases]
+
+
+@pytest.mark.parametrize(("latex", "where", "natural"), spared(TRUE + MEANT))
 def test_a_true_statement_is_not_refuted_outside_its_domain(
     latex: str, where: tuple[str, ...], natural: tuple[str, ...]
 ) -> None:

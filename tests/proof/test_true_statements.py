@@ -23,6 +23,7 @@ from sympy import (
     sqrt,
     tan,
 )
+from weights import make_thorough
 
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
@@ -206,9 +207,6 @@ def test_it_is_proved(name: str) -> None:
 SLOW = ("integral of a root", "integral of the absolute value")
 
 
-@pytest.mark.parametrize(
-    "name",
-    [pytest.param(n, marks=[pytest.mark.thorough] if n in SLOW else []) for n in NOT_CONVICTED],
-)
+@pytest.mark.parametrize("name", [make_thorough(n) if n in SLOW else n for n in NOT_CONVICTED])
 def test_it_is_not_convicted(name: str) -> None:
     assert verdict_of(NOT_CONVICTED[name]) not in CONVICTED

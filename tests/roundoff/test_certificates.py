@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy as sp
-from certified import SYSTEMS, certificate, claims, name_claim, subject_of, subjects
+from certified import GROUP, SYSTEMS, certificate, claims, name_claim, subject_of, subjects
 from derived import paper_of
 from weights import first_of
 
@@ -32,6 +32,7 @@ from mechproof.roundoff.subject import Subject
 from mechproof.roundoff.symmetry import check_symmetry
 from mechproof.roundoff.worst import draw, measure
 
+pytestmark = pytest.mark.xdist_group(GROUP)
 # Found by a search along the boxes with the largest bounds, all roundings nearly aligned.
 WORST = {
     "phi1": "0x1.062538db1ff9cp-20",

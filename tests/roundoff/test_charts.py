@@ -9,7 +9,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import sympy as sp
-from certified import claims, name_claim, subjects
+from certified import GROUP, claims, name_claim, subjects
 
 from mechproof.codegen.kernel import input_names
 from mechproof.record import Chart
@@ -18,6 +18,8 @@ from mechproof.roundoff.certificate import (
 )
 from mechproof.roundoff.intervals import Array
 from mechproof.roundoff.subject import Subject
+
+pytestmark = pytest.mark.xdist_group(GROUP)
 
 
 def find_covered(subject: Subject, charts: Sequence[Chart], given: Mapping[str, Array]) -> Array:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy as sp
-from certified import claims, name_claim, subject_of, subjects
+from certified import GROUP, claims, name_claim, subject_of, subjects
 from weights import first_of
 
 from mechproof.record import Chart, Form
@@ -21,6 +21,7 @@ from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.subject import Subject
 from mechproof.roundoff.worst import Found, draw, estimate, find_worst, judge, measure
 
+pytestmark = pytest.mark.xdist_group(GROUP)
 needs_long_doubles = pytest.mark.skipif(
     not extended.IS_LONGER, reason="long doubles have the digits of doubles here"
 )

@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
+from derived import SYSTEMS, paper_of
 from flint import arb, arb_series
 from numpy.typing import NDArray
-from weights import first_of
+from quantities import find_subject
+from weights import first_of, make_thorough
 
-from mechproof.derivation import find_systems, load_paper, packaged_directory
-from mechproof.lab.subject import Subject, find_subjects
 from mechproof.proof.balls import evaluate, working_precision
 from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Quantity
@@ -65,12 +65,6 @@ def prepare(name: str, error: float, case: str = "") -> tuple[Request, Built]:
     return request, build(request)
 
 
-@cache
-def subject_of(name: str) -> Subject:
-    (subject,) = find_subjects((name,))
-    return subject
-
-
 def list_points(request: Request, kernel: Tailored) -> Array:
     """Points chosen to hurt: ends, where pieces meet, in far periods, too, and neighbours."""
     rng = np.random.default_rng(RNG)
@@ -91,7 +85,7 @@ def list_points(request: Request, kernel: Tailored) -> Array:
 
 def find_worst(request: Request, kernel: Tailored, more: Array | None = None) -> float:
     """Return the largest error found, in balls."""
-    subject = subject_of(request.name)
+    subject = find_subject(request.name)
     first, *others = subject.quantity.arguments
     sizes = {a.symbols[0]: request.values[a.name] for a in others}
     points = np.concatenate([list_points(request, kernel), [] if more is None else more])
@@ -107,7 +101,7 @@ def find_worst(request: Request, kernel: Tailored, more: Array | None = None) ->
 
 @pytest.mark.parametrize(
     "error",
-    [pytest.param(e, marks=[pytest.mark.thorough] if e in BETWEEN else []) for e in ERRORS],
+    [make_thorough(error) if error in BETWEEN else error for error in ERRORS],
 )
 @pytest.mark.parametrize("name", CASES)
 def test_no_point_is_off_by_more_than_the_bound(name: str, error: float) -> None:
@@ -274,17 +268,16 @@ def test_tracked_roundings_hold_what_doubles_do() -> None:
     assert allowed / 20 < worst <= allowed
 
 
-def list_repeating() -> list[tuple[Paper, Quantity]]:
-    papers = [load_paper(place) for place in find_systems(packaged_directory()).values()]
-    return [(p, q) for p in papers for q in p.quantities if q.repeats is not None]
-
-
-@pytest.mark.parametrize(
-    ("paper", "quantity"),
-    [pytest.param(p, q, id=f"{p.system}.{q.name}") for p, q in list_repeating()],
-)
-def test_what_is_said_to_repeat_does(paper: Paper, quantity: Quantity) -> None:
+@pytest.mark.parametrize("system", SYSTEMS)
+def test_what_is_said_to_repeat_does(system: str) -> None:
     """Sines and cosines of the angle a period on, and the gain, cancel symbol by symbol."""
+    paper = paper_of(system)
+    for quantity in paper.quantities:
+        if quantity.repeats is not None:
+            assert_repeats(paper, quantity)
+
+
+def assert_repeats(paper: Paper, quantity: Quantity) -> None:
     resolve = Domain.of(paper).resolve
     assert quantity.repeats is not None
     variable = quantity.arguments[0].symbols[0]
