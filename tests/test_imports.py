@@ -69,29 +69,32 @@ LOADED = {
     },
     "record": {"sympy", "mechproof.notebook", "mechproof.record"},
     "latex": {"sympy", "mechproof.latex", "mechproof.record"},
+    "programs": {"sympy", "mpmath", "flint", "mechproof.programs", "mechproof.record"},
+    "arithmetic": {"numpy", "sympy", "flint", "mechproof.arithmetic", "mechproof.record"},
     "proof": {
-        *("sympy", "flint", "mechproof.cache", "mechproof.notebook"),
+        *("sympy", "flint", "mechproof.cache", "mechproof.notebook", "mechproof.arithmetic"),
         *("mechproof.proof", "mechproof.record"),
     },
     "codegen": {
-        *("sympy", "jinja2", "mpmath", "flint"),
-        *("mechproof.codegen", "mechproof.record"),
+        *("sympy", "jinja2", "mechproof.codegen", "mechproof.programs", "mechproof.record"),
     },
     "roundoff": {
         *("numpy", "sympy", "flint"),
-        *("mechproof.roundoff", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
+        *("mechproof.roundoff", "mechproof.programs", "mechproof.arithmetic", "mechproof.record"),
         *("mechproof.kernel_support", "mechproof.cache", "mechproof.json_rows"),
     },
     "tailoring": {
         *("numpy", "sympy", "flint", "mpmath", "mechproof.tailoring", "mechproof.arguments"),
         "mechproof.executors",
-        *("mechproof.codegen", "mechproof.proof", "mechproof.record", "mechproof.roundoff"),
+        *("mechproof.codegen", "mechproof.programs", "mechproof.arithmetic", "mechproof.proof"),
+        *("mechproof.record", "mechproof.roundoff"),
         *("mechproof.cache", "mechproof.files"),
         *("mechproof.derivation", "mechproof.mechanisms"),
     },
     "lab": {
         *("numpy", "sympy", "flint", "matplotlib", "PIL"),
-        *("mechproof.lab", "mechproof.codegen", "mechproof.proof", "mechproof.record"),
+        *("mechproof.lab", "mechproof.codegen", "mechproof.programs", "mechproof.arithmetic"),
+        *("mechproof.proof", "mechproof.record"),
         *("mechproof.kernel_support", "mechproof.derivation", "mechproof.measured"),
         *("mechproof.executors", "mechproof.tailoring", "mechproof.roundoff"),
     },
@@ -101,7 +104,8 @@ INSIDE = {
     "conformity": {"scipy"},
     "measurement": {"scipy"},
     "tolerance": {
-        *("sympy", "flint", "mechproof.derivation", "mechproof.proof", "mechproof.record"),
+        *("sympy", "flint", "mechproof.derivation", "mechproof.arithmetic", "mechproof.proof"),
+        "mechproof.record",
     },
     "mechanisms": {"scipy", "mechproof.tolerance"},
 }

@@ -32,21 +32,9 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     {"paper": ("record",)},
     {
         "latex": ("latex",),
-        "programs": (
-            *("codegen.backends.quotients", "codegen.backends.scalar", "codegen.backends.sums"),
-            *("codegen.code", "codegen.degrees", "codegen.domain", "codegen.elementary"),
-            "codegen.error_free",
-            *("codegen.evaluation", "codegen.kernel", "codegen.lowering", "codegen.names"),
-            "codegen.operations",
-            *("codegen.program", "codegen.rewrites", "codegen.subexpressions", "codegen.syntax"),
-        ),
+        "programs": ("programs",),
     },
-    {
-        "arithmetic": (
-            *("proof.ball_evaluation", "proof.ball_functions", "proof.balls"),
-            *("proof.duals", "proof.layout", "proof.slopes", "roundoff.intervals"),
-        )
-    },
+    {"arithmetic": ("arithmetic",)},
     {"proof": ("proof",), "roundoff": ("roundoff",), "emission": ("codegen",)},
     {"loading": ("derivation",)},
     {"tolerance": ("tolerance",)},
@@ -140,9 +128,9 @@ def made_up(module: str, source: str) -> Mapping[str, Kinds]:
     [
         ("record.papers", "import mechproof.proof.judge", "proof.judge"),
         ("record.papers", "from mechproof import latex", "latex"),
-        ("proof.balls", "def f():\n    from mechproof.proof.domain import Domain", "proof.domain"),
+        ("arithmetic.balls", "def f():\n    from ..proof.domain import Domain", "proof.domain"),
         ("latex.tree", "if TYPE_CHECKING:\n    import mechproof.proof.verdict", "proof.verdict"),
-        ("codegen.domain", "from ..proof.domain import Domain", "proof.domain"),
+        ("programs.domain", "from ..proof.domain import Domain", "proof.domain"),
         ("roundoff.bound", "from mechproof.codegen import forms", "codegen.forms"),
         ("verification", "def f():\n    import mechproof.cli.console", "cli.console"),
         ("lab.ways", "def f():\n    from mechproof import plot", "plot"),
@@ -169,9 +157,11 @@ def test_a_circle_is_seen() -> None:
 
 
 def test_a_proof_that_the_runtime_loads_is_seen() -> None:
-    arrow = ("mechproof.tolerance.corners", "mechproof.proof.balls")
-    assert find_loaded_proofs(made_up(arrow[0], "from mechproof.proof import balls")) == {arrow}
-    lazy = made_up(arrow[0], "def f():\n    from mechproof.proof import balls")
+    arrow = ("mechproof.tolerance.corners", "mechproof.arithmetic.balls")
+    assert find_loaded_proofs(made_up(arrow[0], "from mechproof.arithmetic import balls")) == {
+        arrow
+    }
+    lazy = made_up(arrow[0], "def f():\n    from mechproof.arithmetic import balls")
     assert find_loaded_proofs(lazy) == find_breaches(lazy) == set()
 
 

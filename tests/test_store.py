@@ -10,6 +10,7 @@ from import_graph import find_reached, read_graph
 
 from mechproof import cache, validation
 from mechproof.cache import MOST_KEYS, VARIABLE, Store, cache_folder, make_key, name_place
+from mechproof.proof import cache as verdicts
 from mechproof.roundoff import files as certificates
 
 
@@ -107,9 +108,15 @@ def test_what_passed_rests_on_all_that_validates() -> None:
     assert {module.partition(".")[0] for module in modules} <= set(validation.LAYERS)
 
 
+def test_a_verdict_rests_on_all_that_judges() -> None:
+    modules = reached("mechproof.proof.judge", "mechproof.proof.ladder")
+    layers = {module.partition(".")[0] for module in modules}
+    assert layers == {*verdicts.LAYERS}
+
+
 def test_a_certificate_rests_on_all_that_proves_it() -> None:
     """What becomes a program counts by the program, which the keys hold."""
-    before = ("record", "codegen.")
+    before = ("record", "codegen.", "programs.")
     files = {f"{m.replace('.', '/')}.py" for m in reached("mechproof.roundoff.certificate")}
     package = Path(cache.__file__).parent
     covered = {
@@ -119,7 +126,7 @@ def test_a_certificate_rests_on_all_that_proves_it() -> None:
     }
     missed = {file for file in files - covered if (package / file).is_file()}
     assert {m for m in missed if not m.replace("/", ".").startswith(before)} == set()
-    assert {"proof/ball_functions.py", "kernel_support/error_free.py"} <= covered
+    assert {"arithmetic/ball_functions.py", "kernel_support/error_free.py"} <= covered
 
 
 @pytest.mark.parametrize(

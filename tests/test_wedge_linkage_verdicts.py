@@ -9,6 +9,7 @@ import sympy as sp
 from derived import judge_all, paper_of
 from weights import first_of
 
+from mechproof.arithmetic import balls
 from mechproof.codegen.forms import form_rows
 from mechproof.derivations.wedge_linkage import (
     boundaries,
@@ -19,7 +20,6 @@ from mechproof.derivations.wedge_linkage import (
     steps,
     symbols,
 )
-from mechproof.proof import balls
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide

@@ -17,8 +17,8 @@ from mechproof.record import Paper
 
 # What a validation rests on besides the emitted source and the derivation.
 LAYERS = (
-    *("arguments", "kernel_support", "compiled_support", "record", "latex", "codegen", "proof"),
-    *("roundoff", "lab"),
+    *("arguments", "kernel_support", "compiled_support", "record", "latex", "programs"),
+    *("arithmetic", "codegen", "proof", "roundoff", "lab"),
 )
 PACKAGES = ("sympy", "numpy", "python-flint")
 PASSED = Store("validated.json")

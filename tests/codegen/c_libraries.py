@@ -14,8 +14,8 @@ import pytest
 from derived import paper_of
 
 from mechproof.codegen.backends.c99 import render_c
-from mechproof.codegen.backends.scalar import list_scalars
-from mechproof.codegen.kernel import Kernel
+from mechproof.programs.kernel import Kernel
+from mechproof.programs.scalar import list_scalars
 
 COMPILER = shutil.which("cc")
 needs_compiler = pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")

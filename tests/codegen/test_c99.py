@@ -29,12 +29,12 @@ from weights import first_of
 
 from mechproof.cli.commands import app
 from mechproof.codegen.backends.c99 import BLOCK, render_c
-from mechproof.codegen.kernel import Kernel
 from mechproof.derivations.elliptic_planetary import PAPER
 from mechproof.lab.points import choose_evenly, join
 from mechproof.lab.search import draw_sets, find_worst, scaled_errors
 from mechproof.lab.singles import WIDER, mark_judged, narrow, round_singly
 from mechproof.lab.within import mark_within
+from mechproof.programs.kernel import Kernel
 from mechproof.roundoff.singles import Singles
 
 pytestmark = needs_compiler

@@ -24,8 +24,8 @@ from derived import paper_of
 
 from mechproof.codegen.backends.c99 import render_c_kernels
 from mechproof.codegen.backends.one_pass import join_kernels
-from mechproof.codegen.kernel import Kernel
-from mechproof.codegen.program import NOTHING, Operation, Program
+from mechproof.programs.kernel import Kernel
+from mechproof.programs.program import NOTHING, Operation, Program
 from mechproof.record import Together
 
 pytestmark = needs_compiler

@@ -16,8 +16,8 @@ from mechproof.codegen.backends.numba import (
     render_compiled,
     render_elementary,
 )
-from mechproof.codegen.backends.scalar import list_scalars
 from mechproof.codegen.reading import TranslationError
+from mechproof.programs.scalar import list_scalars
 
 
 @pytest.mark.parametrize(

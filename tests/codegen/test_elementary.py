@@ -17,12 +17,12 @@ import pytest
 
 from mechproof.codegen.backends.numpy import render_template
 from mechproof.codegen.backends.scalar_texts import write_elementary
-from mechproof.codegen.elementary.fits import Rational, enclose
-from mechproof.codegen.elementary.formats import DOUBLE, SINGLE, Format
-from mechproof.codegen.elementary.functions import BODIES, build
 from mechproof.codegen.languages import C99, C99_SINGLE
-from mechproof.codegen.operations import HELPER
-from mechproof.codegen.program import Operand, Program
+from mechproof.programs.elementary.fits import Rational, enclose
+from mechproof.programs.elementary.formats import DOUBLE, SINGLE, Format
+from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.operations import HELPER
+from mechproof.programs.program import Operand, Program
 from mechproof.roundoff.running import run as run_steps
 from mechproof.roundoff.singles import IN_SINGLES
 

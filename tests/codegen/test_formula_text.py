@@ -8,7 +8,7 @@ from derived import paper_of
 
 from mechproof.codegen.docstrings import WIDTH, describe_kernel
 from mechproof.codegen.formula_text import join_equal_limits, write_formula
-from mechproof.codegen.kernel import list_functions
+from mechproof.programs.kernel import list_functions
 
 a, b = sp.symbols("a b", real=True)
 i, j = sp.symbols("i j", integer=True, positive=True)

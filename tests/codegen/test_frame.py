@@ -13,11 +13,11 @@ from mechproof.codegen.backends.numba import (
     render_elementary,
 )
 from mechproof.codegen.backends.numpy import render_modules
-from mechproof.codegen.backends.scalar import list_scalars
 from mechproof.codegen.frame import COMPILED, check_frame
 from mechproof.codegen.kernel_reading import read_module
 from mechproof.codegen.reading import ReadingError
 from mechproof.derivations.elliptic_planetary import PAPER
+from mechproof.programs.scalar import list_scalars
 
 
 @cache

@@ -21,11 +21,11 @@ from trial import load_paper, load_source, paper_of, quantity_of
 from mechproof.codegen.backends.c99 import render_c
 from mechproof.codegen.backends.numba import render_compiled
 from mechproof.codegen.backends.numpy import render_modules
-from mechproof.codegen.backends.scalar import list_arguments, list_scalars, list_stages
-from mechproof.codegen.backends.sums import fold_sums
 from mechproof.codegen.c_names import WORDS
-from mechproof.codegen.kernel import list_functions
-from mechproof.codegen.names import PUBLIC, PUBLIC_IN_MODULES, is_free
+from mechproof.programs.kernel import list_functions
+from mechproof.programs.names import PUBLIC, PUBLIC_IN_MODULES, is_free
+from mechproof.programs.scalar import list_arguments, list_scalars, list_stages
+from mechproof.programs.sums import fold_sums
 from mechproof.record import Paper
 
 # Papers whose sources have loops, sums, matrices, several forms and results in one pass.

@@ -22,11 +22,11 @@ from mechproof.codegen.backends.numpy import (
     render_modules,
     render_template,
 )
-from mechproof.codegen.domain import set_relations
-from mechproof.codegen.kernel import list_functions
 from mechproof.codegen.kernel_reading import read_module
 from mechproof.derivations import elliptic_planetary
 from mechproof.derivations.elliptic_planetary.symbols import k
+from mechproof.programs.domain import set_relations
+from mechproof.programs.kernel import list_functions
 from mechproof.record import Accuracy, Form, Part, Quantity, Scale, Variable
 
 

@@ -15,13 +15,13 @@ from c_libraries import COMPILER, STRICT, compile_files
 from flint import arb
 from trial import load_paper, load_source, paper_of, quantity_of, x
 
-from mechproof.codegen import operations
+from mechproof.arithmetic.balls import working_precision
 from mechproof.codegen.backends.c99 import render_c
 from mechproof.codegen.backends.numba import render_compiled
-from mechproof.codegen.degrees import DEGREES, NONE, Degree
-from mechproof.codegen.lowering import FUNCTIONS
-from mechproof.codegen.operations import KINDS, SYMBOLIC, Arithmetic
-from mechproof.proof.balls import working_precision
+from mechproof.programs import operations
+from mechproof.programs.degrees import DEGREES, NONE, Degree
+from mechproof.programs.lowering import FUNCTIONS
+from mechproof.programs.operations import KINDS, SYMBOLIC, Arithmetic
 from mechproof.roundoff.extended import IN_EXTENDED
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES
 from mechproof.roundoff.symmetry import EVEN, ODD, PARITIES

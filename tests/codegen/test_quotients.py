@@ -10,9 +10,9 @@ import mpmath as mp
 import pytest
 from derived import SYSTEMS, paper_of
 
-from mechproof.codegen.backends.quotients import put_off_divisions
-from mechproof.codegen.kernel import list_functions
-from mechproof.codegen.program import Operand, Operation, Program
+from mechproof.programs.kernel import list_functions
+from mechproof.programs.program import Operand, Operation, Program
+from mechproof.programs.quotients import put_off_divisions
 
 DIGITS = 60
 

@@ -8,13 +8,13 @@ import pytest
 import sympy as sp
 from sympy.codegen.cfunctions import expm1, hypot, log1p
 
-from mechproof.codegen import error_free
-from mechproof.codegen.evaluation import Evaluation, arrange, entries, map_entries, unused_name
-from mechproof.codegen.lowering import FUNCTIONS
-from mechproof.codegen.names import suggest_name
-from mechproof.codegen.operations import SYMBOLIC
-from mechproof.codegen.rewrites import REWRITES, apply_rewrites
-from mechproof.codegen.subexpressions import share_subexpressions
+from mechproof.programs import error_free
+from mechproof.programs.evaluation import Evaluation, arrange, entries, map_entries, unused_name
+from mechproof.programs.lowering import FUNCTIONS
+from mechproof.programs.names import suggest_name
+from mechproof.programs.operations import SYMBOLIC
+from mechproof.programs.rewrites import REWRITES, apply_rewrites
+from mechproof.programs.subexpressions import share_subexpressions
 
 # Functions that exist for their rounding, and what the operations are that they become.
 ROUNDED = [hypot, expm1, log1p, *(f for f in vars(error_free).values() if isinstance(f, type))]

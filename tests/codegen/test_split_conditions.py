@@ -6,8 +6,8 @@ import pytest
 
 from mechproof.codegen.conditions import join_conditions, split_conditions
 from mechproof.codegen.languages import NUMPY_BODY
-from mechproof.codegen.program import Operation, Program
 from mechproof.codegen.syntax import write_program
+from mechproof.programs.program import Operation, Program
 
 POSITIVE = (("greater", "a", 0.0), ("is_finite", "a"))
 CASES = [

@@ -12,14 +12,14 @@ from derived import paper_of
 
 from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.forms import compare_code
-from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.kernel_reading import read_module
 from mechproof.codegen.languages import NUMPY
-from mechproof.codegen.lowering import lower_steps
-from mechproof.codegen.program import Program, spell_out_forms
-from mechproof.codegen.raising import WrittenForm
 from mechproof.codegen.reading import TranslationError
 from mechproof.codegen.syntax import write_program
+from mechproof.programs.kernel import Kernel, list_functions
+from mechproof.programs.lowering import lower_steps
+from mechproof.programs.program import Program, spell_out_forms
+from mechproof.programs.raising import WrittenForm
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Claim

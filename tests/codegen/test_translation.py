@@ -12,10 +12,10 @@ from trial import a, b, load_source, paper_of, quantity_of, x
 from mechproof.codegen import syntax
 from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.forms import form_rows, read_back
-from mechproof.codegen.kernel import list_functions
 from mechproof.codegen.kernel_reading import read_module
-from mechproof.codegen.program import Operation, Program
 from mechproof.codegen.reading import ReadingError, TranslationError
+from mechproof.programs.kernel import list_functions
+from mechproof.programs.program import Operation, Program
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Form, Paper, Variable

@@ -8,7 +8,6 @@ import pytest
 import sympy as sp
 from calls import RADII
 
-from mechproof.codegen.elementary.fits import HALF_TANGENT, SMALL_ARCTANGENT, fit
 from mechproof.derivations.elliptic_planetary.kernels import PLAIN_PRODUCT
 from mechproof.derivations.elliptic_planetary.symbols import e
 from mechproof.kernel_support import polynomials
@@ -18,6 +17,7 @@ from mechproof.lab.points import join
 from mechproof.lab.search import draw_sets, find_worst
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.ways import Array
+from mechproof.programs.elementary.fits import HALF_TANGENT, SMALL_ARCTANGENT, fit
 
 EPS = float(np.finfo(float).eps)
 

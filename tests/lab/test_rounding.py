@@ -9,11 +9,11 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from mechproof.codegen.code import Stage
-from mechproof.codegen.lowering import lower_conditions, lower_steps
-from mechproof.codegen.operations import KINDS
-from mechproof.codegen.program import NOTHING, VIEWS
 from mechproof.lab.rounding import ENCLOSING, decide, enclose_stage
+from mechproof.programs.code import Stage
+from mechproof.programs.lowering import lower_conditions, lower_steps
+from mechproof.programs.operations import KINDS
+from mechproof.programs.program import NOTHING, VIEWS
 
 a, b, x = sp.symbols("a b x", real=True)
 NAMES = ("a", "b", "x")
@@ -81,7 +81,7 @@ def test_conditions_are_true_only_if_certain() -> None:
 
 
 def test_float32_has_room_for_its_own_roundings() -> None:
-    from mechproof.codegen.error_free import Single
+    from mechproof.programs.error_free import Single
 
     wide, narrow = enclose(Single(x) * 3, 0, 0, 0.1), enclose(x * 3, 0, 0, 0.1)
     single = float(np.float32(0.1) * np.float32(3))

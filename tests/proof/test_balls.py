@@ -5,7 +5,7 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from mechproof.proof import balls
+from mechproof.arithmetic import balls
 
 x, y, u = sp.symbols("x y u", real=True)
 i, j, n = sp.symbols("i j n", integer=True, positive=True)

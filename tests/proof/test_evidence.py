@@ -10,8 +10,9 @@ import pytest
 import sympy as sp
 from derived import opened
 
+from mechproof.arithmetic import balls
 from mechproof.derivation import find_systems, packaged_directory
-from mechproof.proof import balls, refutation
+from mechproof.proof import refutation
 from mechproof.proof.dimensions import infer, is_angle
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge

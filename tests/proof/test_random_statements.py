@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 from weights import first_of
 
-from mechproof.proof.balls import evaluate, truth
+from mechproof.arithmetic.balls import evaluate, truth
 from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Claim, Equality, Holds, Paper, Variable

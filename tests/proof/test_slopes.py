@@ -10,9 +10,9 @@ import pytest
 import sympy as sp
 from flint import arb
 
+from mechproof.arithmetic.balls import evaluate
+from mechproof.arithmetic.slopes import BITS, Tape
 from mechproof.derivations.wedge_linkage import PAPER
-from mechproof.proof.balls import evaluate
-from mechproof.proof.slopes import BITS, Tape
 
 x, y, g, h = sp.symbols("x y g h", real=True)
 n = sp.Symbol("n", integer=True)

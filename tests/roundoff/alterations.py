@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import pytest
 
-from mechproof.codegen.elementary.formats import DOUBLE
-from mechproof.codegen.elementary.functions import Function, build
-from mechproof.codegen.program import Operation, Program
+from mechproof.programs.elementary.formats import DOUBLE
+from mechproof.programs.elementary.functions import Function, build
+from mechproof.programs.program import Operation, Program
 from mechproof.roundoff import elementary
 from mechproof.roundoff.elementary import prove
 

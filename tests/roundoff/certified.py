@@ -9,7 +9,7 @@ from pathlib import Path
 from derived import paper_of
 
 import mechproof.kernels
-from mechproof.codegen.kernel import list_functions
+from mechproof.programs.kernel import list_functions
 from mechproof.roundoff.certificate import Certificate, Claim
 from mechproof.roundoff.files import FOLDER, find_certificate
 from mechproof.roundoff.subject import Subject, list_subjects

@@ -12,9 +12,10 @@ from certified import GROUP, SYSTEMS, certificate, claims, name_claim, subject_o
 from derived import paper_of
 from weights import first_of
 
-from mechproof.codegen.kernel import input_names
+from mechproof.arithmetic.intervals import careful
 from mechproof.kernel_support import polynomials
 from mechproof.kernels import elliptic_planetary as kernels
+from mechproof.programs.kernel import input_names
 from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.certificate import (
     Claim,
@@ -24,7 +25,6 @@ from mechproof.roundoff.certificate import (
 )
 from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.expansions import ARCTANGENT, QUOTIENT
-from mechproof.roundoff.intervals import careful
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import Step

@@ -11,12 +11,12 @@ import pytest
 import sympy as sp
 from certified import GROUP, claims, name_claim, subjects
 
-from mechproof.codegen.kernel import input_names
+from mechproof.arithmetic.intervals import Array
+from mechproof.programs.kernel import input_names
 from mechproof.record import Chart
 from mechproof.roundoff.certificate import (
     Claim,
 )
-from mechproof.roundoff.intervals import Array
 from mechproof.roundoff.subject import Subject
 
 pytestmark = pytest.mark.xdist_group(GROUP)

@@ -17,15 +17,15 @@ from derived import paper_of
 from flint import arb
 from weights import first_of
 
-from mechproof.codegen.kernel import input_names, list_functions
+from mechproof.arithmetic.balls import working_precision
+from mechproof.arithmetic.intervals import EPS
 from mechproof.measured import KERNELS
-from mechproof.proof.balls import working_precision
+from mechproof.programs.kernel import input_names, list_functions
 from mechproof.roundoff import subject as subject_module
 from mechproof.roundoff.certificate import Claim, holds
 from mechproof.roundoff.compiled import WAY
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.files import find_certificate
-from mechproof.roundoff.intervals import EPS
 from mechproof.roundoff.profiles import Profile
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from mechproof.codegen.kernel import list_functions
+from mechproof.programs.kernel import list_functions
 from mechproof.record import Argument, Chart, Form, Paper, Quantity, Variable
 from mechproof.roundoff import certificate, worst
 from mechproof.roundoff.certificate import certify, cover_all, make_claim

@@ -10,13 +10,13 @@ import pytest
 from alterations import change, prove_changed
 from flint import arb
 
-from mechproof.codegen.elementary.formats import DOUBLE
-from mechproof.codegen.elementary.functions import build
-from mechproof.codegen.program import Operation
-from mechproof.proof.balls import working_precision
+from mechproof.arithmetic.balls import working_precision
+from mechproof.arithmetic.intervals import EPS, Interval
+from mechproof.programs.elementary.formats import DOUBLE
+from mechproof.programs.elementary.functions import build
+from mechproof.programs.program import Operation
 from mechproof.roundoff.compiled import COMPILED, find_part
 from mechproof.roundoff.elementary import prove
-from mechproof.roundoff.intervals import EPS, Interval
 
 TRUTH: dict[str, Callable[..., arb]] = {
     "tan": arb.tan,

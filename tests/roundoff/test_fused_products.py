@@ -6,11 +6,11 @@ from fractions import Fraction
 
 import numpy as np
 
+from mechproof.arithmetic.intervals import EPS, ONE, Interval, careful
 from mechproof.roundoff.bound import Bar, Evaluation
 from mechproof.roundoff.ends import AT_ENDS
 from mechproof.roundoff.fused import fma
 from mechproof.roundoff.germs import Frame
-from mechproof.roundoff.intervals import EPS, ONE, Interval, careful
 from mechproof.roundoff.steps import Step, Straight
 
 

@@ -7,10 +7,10 @@ import math
 import numpy as np
 import pytest
 
+from mechproof.arithmetic.intervals import ONE, PI, Interval, between, exactly
 from mechproof.roundoff.angles import Turn
 from mechproof.roundoff.cover import cover_below
 from mechproof.roundoff.germs import Frame, Germ, UndecidedError
-from mechproof.roundoff.intervals import ONE, PI, Interval, between, exactly
 from mechproof.roundoff.regions import Boxes
 from mechproof.roundoff.rules import RULES
 

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 from flint import arb
 
-from mechproof.proof.balls import working_precision
-from mechproof.roundoff import intervals
+from mechproof.arithmetic import intervals
+from mechproof.arithmetic.balls import working_precision
+from mechproof.arithmetic.intervals import Interval, careful, exactly
 from mechproof.roundoff.ends import AT_ENDS, limit_by_spacing, round_at_ends
-from mechproof.roundoff.intervals import Interval, careful, exactly
 
 COUNT = 400
 OPERATIONS: dict[str, Callable[[Any, Any], Any]] = {

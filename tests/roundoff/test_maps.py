@@ -12,9 +12,9 @@ import sympy as sp
 from derived import paper_of
 from weights import first_of
 
-from mechproof.codegen.kernel import input_names, list_functions
 from mechproof.derivations.track_wheel.frame import ANGLES, UNIT_QUATERNION, alpha
 from mechproof.derivations.track_wheel.kernels_of_poses import ROTATION
+from mechproof.programs.kernel import input_names, list_functions
 from mechproof.roundoff.affine import bound_norm, find_size
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.steps import EXACT

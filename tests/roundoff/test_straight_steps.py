@@ -7,10 +7,10 @@ from contextlib import nullcontext
 import numpy as np
 import pytest
 
+from mechproof.arithmetic.intervals import Interval, careful
 from mechproof.roundoff.bound import Bar, Evaluation
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.germs import Frame
-from mechproof.roundoff.intervals import Interval, careful
 from mechproof.roundoff.scales import find_scaled
 from mechproof.roundoff.steps import Step, Straight
 from mechproof.roundoff.symmetry import ODD, find_parities

@@ -10,14 +10,14 @@ import sympy as sp
 from alterations import change, prove_changed
 from flint import arb
 
-from mechproof.codegen.elementary.formats import DOUBLE
-from mechproof.codegen.program import Operation
-from mechproof.proof.balls import working_precision
+from mechproof.arithmetic.balls import working_precision
+from mechproof.arithmetic.intervals import EPS, Interval, careful
+from mechproof.programs.elementary.formats import DOUBLE
+from mechproof.programs.program import Operation
 from mechproof.record import Chart
 from mechproof.roundoff.bound import OVERLAPPED, UNREDUCED, Bar, Evaluation
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.germs import Frame
-from mechproof.roundoff.intervals import EPS, Interval, careful
 from mechproof.roundoff.reduction import bound_reduction, find_nearest
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_DOUBLES, run

@@ -11,11 +11,11 @@ import sympy as sp
 from certified import GROUP, claims, name_claim, subject_of, subjects
 from weights import first_of
 
+from mechproof.arithmetic.intervals import Array
 from mechproof.record import Chart, Form
 from mechproof.roundoff import certificate, extended, worst
 from mechproof.roundoff.certificate import Claim
 from mechproof.roundoff.inside import find_inside
-from mechproof.roundoff.intervals import Array
 from mechproof.roundoff.regions import Box, Region, list_regions
 from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.subject import Subject

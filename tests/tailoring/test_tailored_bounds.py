@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 from quantities import find_subject
 from weights import first_of, make_thorough
 
-from mechproof.proof.balls import evaluate, working_precision
+from mechproof.arithmetic.balls import evaluate, working_precision
+from mechproof.arithmetic.series import BITS, Definition, list_terms, working
 from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Quantity
 from mechproof.tailoring import tailor
@@ -26,7 +27,6 @@ from mechproof.tailoring.enclosure import BreakError, ExceededError, enclose
 from mechproof.tailoring.kernel import NUMPY, Tailored, make_kernel
 from mechproof.tailoring.model import Model, Piece
 from mechproof.tailoring.request import Request, read_request
-from mechproof.tailoring.series import BITS, Definition, list_terms, working
 from mechproof.tailoring.tracking import track
 
 Array = NDArray[np.float64]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from mechproof.codegen.operations import HELPER, KINDS
+from mechproof.programs.operations import HELPER, KINDS
 
 # Of <math.h>, for doubles and for floats.
 _FUNCTIONS = [row.c for row in KINDS.values() if isinstance(row.c, str) and row.c.isidentifier()]

@@ -8,8 +8,8 @@ from __future__ import annotations
 import ast
 import re
 
-from mechproof.codegen.program import Program
 from mechproof.codegen.reading import EXACT, ReadingError, read_program
+from mechproof.programs.program import Program
 
 VALUE = "_value_of_"
 # Functions that call others and compute nothing themselves.

@@ -10,7 +10,7 @@ from dataclasses import replace
 from itertools import count
 from types import MappingProxyType
 
-from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
+from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
 
 # A value above 0, or not below, that is finite.
 SIGNS: Mapping[str, str] = MappingProxyType(

@@ -10,10 +10,10 @@ from types import MappingProxyType
 
 import sympy as sp
 
-from mechproof.codegen.domain import domain_relations
 from mechproof.codegen.escapes import fold
 from mechproof.codegen.formula_text import chain_relations, join_equal_limits, write_formula
-from mechproof.codegen.kernel import Kernel, input_names, list_functions, shape_of
+from mechproof.programs.domain import domain_relations
+from mechproof.programs.kernel import Kernel, input_names, list_functions, shape_of
 from mechproof.record import Accuracy, Argument, Paper, Quantity, Scale
 
 WIDTH = 92

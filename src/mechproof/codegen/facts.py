@@ -6,13 +6,13 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from mechproof.codegen.domain import checked_relations
-from mechproof.codegen.evaluation import input_symbols
 from mechproof.codegen.formula_text import chain_relations, write_formula
-from mechproof.codegen.kernel import input_names
 from mechproof.codegen.languages import NUMPY
-from mechproof.codegen.lowering import lower_conditions
 from mechproof.codegen.syntax import write_program
+from mechproof.programs.domain import checked_relations
+from mechproof.programs.evaluation import input_symbols
+from mechproof.programs.kernel import input_names
+from mechproof.programs.lowering import lower_conditions
 from mechproof.record import Paper, Toleranced
 
 ORDERS = (sp.LessThan, sp.StrictLessThan, sp.GreaterThan, sp.StrictGreaterThan)

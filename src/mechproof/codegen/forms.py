@@ -8,11 +8,11 @@ from dataclasses import fields
 import sympy as sp
 
 from mechproof.codegen.backends.numpy import render_modules
-from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.kernel import Kernel, list_functions, name_rival
 from mechproof.codegen.kernel_reading import read_module
-from mechproof.codegen.raising import WrittenForm
 from mechproof.codegen.reading import TranslationError
+from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.kernel import Kernel, list_functions, name_rival
+from mechproof.programs.raising import WrittenForm
 from mechproof.record import (
     Claim,
     Conjunction,

@@ -6,11 +6,11 @@ import ast
 from collections.abc import Mapping
 from dataclasses import replace
 
-from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.conditions import join_conditions
 from mechproof.codegen.frame import check_frame
-from mechproof.codegen.program import NOTHING, Program
 from mechproof.codegen.reading import ReadingError, list_names, read_program
+from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.program import NOTHING, Program
 
 
 def read_module(source: str) -> dict[str, KernelCode]:

@@ -8,8 +8,9 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from mechproof.codegen.c_names import spell_in_c
-from mechproof.codegen.elementary.functions import BODIES
-from mechproof.codegen.operations import (
+from mechproof.codegen.syntax import Syntax
+from mechproof.programs.elementary.functions import BODIES
+from mechproof.programs.operations import (
     HELPER,
     KINDS,
     Infix,
@@ -18,7 +19,6 @@ from mechproof.codegen.operations import (
     Spelling,
     Support,
 )
-from mechproof.codegen.syntax import Syntax
 
 CONSTANTS = MappingProxyType({"#pi": "_np.pi", "#e": "_np.e", "#inf": "_np.inf", "#nan": "_np.nan"})
 

@@ -11,8 +11,8 @@ import ast
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
-from mechproof.codegen.operations import KINDS
-from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
+from mechproof.programs.operations import KINDS
+from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
 
 BINARY: Mapping[type[ast.operator], str] = MappingProxyType(
     {

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from mechproof.codegen.operations import ATOM, COMPARISON, REDUCTIONS, SIGN, Infix, Level, Pattern
-from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
+from mechproof.programs.operations import ATOM, COMPARISON, REDUCTIONS, SIGN, Infix, Level, Pattern
+from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
 
 
 @dataclass(frozen=True)

@@ -7,10 +7,10 @@ from functools import lru_cache
 import numpy as np
 import sympy as sp
 
+from mechproof.arithmetic.balls import evaluate
 from mechproof.lab.sizes import Sides
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Way
-from mechproof.proof.balls import evaluate
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
 

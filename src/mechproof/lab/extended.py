@@ -12,19 +12,19 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.codegen.backends.scalar import map_affinely
-from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.evaluation import arrange, entries
-from mechproof.codegen.kernel import input_names, list_functions
-from mechproof.codegen.lowering import lower_conditions, lower_steps
-from mechproof.codegen.operations import Arithmetic
-from mechproof.codegen.program import Program
-from mechproof.codegen.rewrites import apply_rewrites
-from mechproof.codegen.subexpressions import share_subexpressions
 from mechproof.lab.oracle import Truth
 from mechproof.lab.region import MARGIN
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
+from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.evaluation import arrange, entries
+from mechproof.programs.kernel import input_names, list_functions
+from mechproof.programs.lowering import lower_conditions, lower_steps
+from mechproof.programs.operations import Arithmetic
+from mechproof.programs.program import Program
+from mechproof.programs.rewrites import apply_rewrites
+from mechproof.programs.scalar import map_affinely
+from mechproof.programs.subexpressions import share_subexpressions
 from mechproof.roundoff.extended import DIGITS_OF, FORMAT, IN_EXTENDED, IS_LONGER
 from mechproof.roundoff.running import Values, run
 from mechproof.roundoff.steps import Straight, flatten_stage

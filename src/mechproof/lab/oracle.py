@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.codegen.evaluation import count_axes, entries, result_shape
+from mechproof.arithmetic.balls import evaluate, evaluate_until, working_precision
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
-from mechproof.proof.balls import evaluate, evaluate_until, working_precision
+from mechproof.programs.evaluation import count_axes, entries, result_shape
 
 # 2**-12 ulp of a double: what the ball leaves open cannot be seen in an error of 1e-3 ulp.
 DECIDED_BITS = 65

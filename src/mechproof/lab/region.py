@@ -8,10 +8,10 @@ from functools import cached_property, lru_cache
 import numpy as np
 import sympy as sp
 
-from mechproof.codegen.domain import set_relations
+from mechproof.arithmetic import balls
 from mechproof.lab.roots import Columns, call
 from mechproof.lab.ways import Array
-from mechproof.proof import balls
+from mechproof.programs.domain import set_relations
 from mechproof.proof.domain import Domain
 
 COUNTS = (sp.S.Naturals, sp.S.Naturals0)

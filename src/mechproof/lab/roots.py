@@ -12,11 +12,11 @@ import numpy as np
 import sympy as sp
 from flint import arb
 
+from mechproof.arithmetic.ball_evaluation import compile_expression
+from mechproof.arithmetic.ball_functions import take_real_part
+from mechproof.arithmetic.balls import to_ball, working_precision
 from mechproof.kernel_support.order import LARGEST, LOWEST
 from mechproof.lab.ways import Array
-from mechproof.proof.ball_evaluation import compile_expression
-from mechproof.proof.ball_functions import take_real_part
-from mechproof.proof.balls import to_ball, working_precision
 
 # Symbol -> its values, one to a point.
 Columns = Mapping[sp.Symbol, Array]

@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from mechproof.codegen.code import Stage
-from mechproof.codegen.operations import KINDS, Rounding
-from mechproof.codegen.program import VIEWS, Operand, Operation, Program, spell_out_forms
+from mechproof.arithmetic.balls import working_precision
 from mechproof.lab.ways import Array
-from mechproof.proof.balls import working_precision
+from mechproof.programs.code import Stage
+from mechproof.programs.operations import KINDS, Rounding
+from mechproof.programs.program import VIEWS, Operand, Operation, Program, spell_out_forms
 from mechproof.roundoff.running import IN_BALLS, ON_ARRAYS
 
 BITS = 192

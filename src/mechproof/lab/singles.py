@@ -10,10 +10,7 @@ from pathlib import Path
 import numpy as np
 import sympy as sp
 
-from mechproof.codegen.backends.scalar import list_scalars
 from mechproof.codegen.docstrings import tell_bound
-from mechproof.codegen.elementary.formats import DOUBLE, SINGLE
-from mechproof.codegen.kernel import Kernel
 from mechproof.lab.error import EPS
 from mechproof.lab.extended import extend
 from mechproof.lab.points import TUNE, choose_evenly, join
@@ -22,6 +19,9 @@ from mechproof.lab.search import Found, compare, draw_sets, scaled_errors
 from mechproof.lab.subject import Subject, make_subjects
 from mechproof.lab.ways import Arguments, Array
 from mechproof.measured import round_up
+from mechproof.programs.elementary.formats import DOUBLE, SINGLE
+from mechproof.programs.kernel import Kernel
+from mechproof.programs.scalar import list_scalars
 from mechproof.record import Paper
 from mechproof.roundoff.climb import (
     JUDGED,

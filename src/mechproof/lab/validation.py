@@ -18,8 +18,7 @@ import numpy as np
 import sympy as sp
 from flint import arb
 
-from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.kernel import Kernel, list_functions
+from mechproof.arithmetic.balls import evaluate
 from mechproof.codegen.reading import TranslationError
 from mechproof.kernel_support import blocks, polynomials
 from mechproof.lab.error import find_errors
@@ -30,7 +29,8 @@ from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Compute
 from mechproof.lab.within import mark_within
-from mechproof.proof.balls import evaluate
+from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.record import Form
 
 # Of the first set so many points are enclosed, of every set so many go to the oracle.

@@ -12,9 +12,9 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from mechproof.codegen.evaluation import entries, result_shape
-from mechproof.codegen.kernel import name_rival
 from mechproof.measured import Kind
+from mechproof.programs.evaluation import entries, result_shape
+from mechproof.programs.kernel import name_rival
 from mechproof.proof.domain import Domain
 from mechproof.record import Peer, Quantity, Row
 

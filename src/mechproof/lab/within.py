@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from mechproof.arithmetic import balls
 from mechproof.lab.oracle import PRECISIONS, count_points, give_balls, list_values
 from mechproof.lab.region import is_plain
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
-from mechproof.proof import balls
 
 
 def mark_within(subject: Subject, arguments: Arguments) -> Array:

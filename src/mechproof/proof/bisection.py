@@ -12,7 +12,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from mechproof.proof import balls
+from mechproof.arithmetic import balls
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
 

@@ -13,7 +13,6 @@ from typing import Any
 
 from sympy.external.gmpy import GROUND_TYPES
 
-from mechproof import record
 from mechproof.cache import Store, make_key, name_place
 from mechproof.proof.fingerprint import Fingerprint, NoFingerprintError
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
@@ -22,12 +21,13 @@ from mechproof.record import Paper, Row
 # Of a row that no rung could read: the reason may be this machine's (memory, depth of recursion).
 UNREAD = "none"
 PACKAGES = ("sympy", "python-flint")
+LAYERS = ("record", "arithmetic", "proof")
 
 
 def prover_sources() -> list[Path]:
     """Return the source files that verdicts come from."""
-    here = Path(__file__).parent
-    return [*sorted(here.rglob("*.py")), *sorted(Path(record.__file__).parent.glob("*.py"))]
+    package = Path(__file__).parents[1]
+    return [path for name in LAYERS for path in sorted((package / name).rglob("*.py"))]
 
 
 def row_keys(paper: Paper, rows: Sequence[Row]) -> list[str]:

@@ -12,7 +12,7 @@ import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.function import AppliedUndef
 
-from mechproof.proof import balls
+from mechproof.arithmetic import balls
 from mechproof.proof.assumptions import Facts, describe_excess, facts_of, find_excess
 from mechproof.proof.dimensions import DimensionError, Dimensions, infer_common
 from mechproof.proof.domain import Domain

@@ -10,7 +10,7 @@ from types import MappingProxyType
 
 import sympy as sp
 
-from mechproof.proof import balls
+from mechproof.arithmetic import balls
 from mechproof.proof.dimensions import dimensions_of
 from mechproof.proof.domain_checks import check_given, check_relation, check_set
 from mechproof.proof.narrowing import Values, leaves_values, search

@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.proof import balls
+from mechproof.arithmetic import balls
 from mechproof.proof.domain import Domain
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import (

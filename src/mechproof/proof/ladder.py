@@ -8,7 +8,8 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.proof import balls, bisection
+from mechproof.arithmetic import balls
+from mechproof.proof import bisection
 from mechproof.proof.algebra import decide_equal, explain_unequal
 from mechproof.proof.antiderivative import decide_by_derivative, explain_break
 from mechproof.proof.arguments import decide_by_argument

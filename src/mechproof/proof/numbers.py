@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.proof import balls
+from mechproof.arithmetic import balls
 from mechproof.proof.showing import show_plainly
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.record import PrintedNumber

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from mechproof.proof import balls
+from mechproof.arithmetic import balls
 from mechproof.proof.coordinates import Coordinates
 from mechproof.proof.normal_form import factorise, split
 

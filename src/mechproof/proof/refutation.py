@@ -12,7 +12,7 @@ from flint import arb
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
-from mechproof.proof import balls
+from mechproof.arithmetic import balls
 from mechproof.proof.counts import choose_counts, is_count
 from mechproof.proof.domain import Domain, Point, sizes_of
 from mechproof.proof.showing import describe, show_point

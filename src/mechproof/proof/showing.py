@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.proof import balls
+from mechproof.arithmetic import balls
 from mechproof.proof.dimensions import is_angle
 from mechproof.proof.domain import Domain, Point, sizes_of
 from mechproof.proof.verdict import Evidence

@@ -15,7 +15,7 @@ from itertools import permutations
 
 import sympy as sp
 
-from mechproof.proof.ball_evaluation import MOST_TERMS
+from mechproof.arithmetic.ball_evaluation import MOST_TERMS
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
 from mechproof.record.substitution import substitute

@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
-from mechproof.proof import balls
+from mechproof.arithmetic import balls
 from mechproof.proof.dimensions import (
     DimensionError,
     Dimensions,

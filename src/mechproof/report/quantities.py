@@ -19,9 +19,9 @@ from mechproof.codegen.docstrings import (
     tell_unit,
 )
 from mechproof.codegen.forms import number_form
-from mechproof.codegen.kernel import Kernel, input_names, list_functions, shape_of
 from mechproof.lab.marks import list_workloads
 from mechproof.measured import Record, Searched, Timing
+from mechproof.programs.kernel import Kernel, input_names, list_functions, shape_of
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Argument, Form, Paper, Quantity, Toleranced, Variable

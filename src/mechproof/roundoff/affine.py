@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.codegen.operations import Arithmetic
-from mechproof.codegen.program import Operand
+from mechproof.arithmetic.intervals import EPS, UNIT, Ends
+from mechproof.programs.operations import Arithmetic
+from mechproof.programs.program import Operand
 from mechproof.roundoff.bound import Bar, Evaluation
-from mechproof.roundoff.intervals import EPS, UNIT, Ends
 from mechproof.roundoff.running import Values
 from mechproof.roundoff.steps import HALF, Step, Straight
 

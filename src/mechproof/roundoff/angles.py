@@ -12,8 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechproof.roundoff.germs import Germ, Powers
-from mechproof.roundoff.intervals import (
+from mechproof.arithmetic.intervals import (
     ONE,
     PI,
     Ends,
@@ -27,6 +26,7 @@ from mechproof.roundoff.intervals import (
     sine,
     tangent,
 )
+from mechproof.roundoff.germs import Germ, Powers
 
 # A tangent is taken through its reciprocal, which vanishes at the pole, from here on.
 STEEP = 0.9

@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from mechproof.arithmetic.intervals import Array
 from mechproof.roundoff.germs import UndecidedError
-from mechproof.roundoff.intervals import Array
 
 Rows = NDArray[np.intp]
 

@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from mechproof.codegen.operations import KINDS, Rounding
+from mechproof.programs.operations import KINDS, Rounding
 
 
 @dataclass(frozen=True)

@@ -15,13 +15,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechproof.codegen.program import Operand
-from mechproof.kernel_support.polynomials import PI_LOW
-from mechproof.proof.balls import to_ball
-from mechproof.roundoff.angles import Turn, reduce
-from mechproof.roundoff.ends import Rounded, limit_by_spacing, round_at_ends, widen_by_ulps
-from mechproof.roundoff.germs import Frame, Germ
-from mechproof.roundoff.intervals import (
+from mechproof.arithmetic.balls import to_ball
+from mechproof.arithmetic.intervals import (
     EPS,
     ONE,
     UNIT,
@@ -32,6 +27,11 @@ from mechproof.roundoff.intervals import (
     enclose_ball,
     exactly,
 )
+from mechproof.kernel_support.polynomials import PI_LOW
+from mechproof.programs.program import Operand
+from mechproof.roundoff.angles import Turn, reduce
+from mechproof.roundoff.ends import Rounded, limit_by_spacing, round_at_ends, widen_by_ulps
+from mechproof.roundoff.germs import Frame, Germ
 from mechproof.roundoff.profiles import Profile
 from mechproof.roundoff.regions import HALF_TURN
 from mechproof.roundoff.rules import RULES, Slopes

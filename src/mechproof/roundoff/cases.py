@@ -13,7 +13,7 @@ from fractions import Fraction
 from math import floor
 from types import MappingProxyType
 
-from mechproof.codegen.program import Operand, Operation, Program
+from mechproof.programs.program import Operand, Operation, Program
 from mechproof.roundoff.steps import Step, Straight, keep_needed, make_step
 
 # An angle less its quarter turns.

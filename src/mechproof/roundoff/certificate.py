@@ -14,8 +14,8 @@ from functools import partial
 
 import numpy as np
 
-from mechproof.codegen.kernel import list_functions
 from mechproof.json_rows import read_fields, write_lines
+from mechproof.programs.kernel import list_functions
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.cover import WORST, Cover, cover_below

@@ -14,8 +14,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from mechproof.codegen.operations import SYMBOLIC
-from mechproof.codegen.program import CONSTANTS, Operand
+from mechproof.programs.operations import SYMBOLIC
+from mechproof.programs.program import CONSTANTS, Operand
 from mechproof.roundoff.steps import CONSTANT, PRODUCT_REST, QUOTIENT_REST, RESTS, Step, Straight
 
 Pair = tuple[sp.Expr, sp.Expr]

@@ -11,9 +11,9 @@ from functools import cache
 from types import MappingProxyType
 from typing import Any
 
-from mechproof.codegen.elementary.formats import DOUBLE
-from mechproof.codegen.elementary.functions import BODIES, build
-from mechproof.codegen.program import Operand, Operation, Program
+from mechproof.programs.elementary.formats import DOUBLE
+from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.program import Operand, Operation, Program
 from mechproof.roundoff.expansions import Expansion
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import EXACT

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mechproof.roundoff.intervals import Array
+from mechproof.arithmetic.intervals import Array
 from mechproof.roundoff.regions import Box, Boxes
 
 Bound = Callable[[Boxes], Array]

@@ -16,15 +16,15 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from mechproof.codegen.elementary.fits import MARGIN, Sides, enclose_pieces
-from mechproof.codegen.elementary.formats import DOUBLE
-from mechproof.codegen.elementary.functions import build
-from mechproof.codegen.program import Program
+from mechproof.arithmetic.intervals import EPS, ONE, PI, Array, Interval, careful, exactly
+from mechproof.programs.elementary.fits import MARGIN, Sides, enclose_pieces
+from mechproof.programs.elementary.formats import DOUBLE
+from mechproof.programs.elementary.functions import build
+from mechproof.programs.program import Program
 from mechproof.roundoff.apart import Rows, bound_apart
 from mechproof.roundoff.bound import Bar, Evaluation
 from mechproof.roundoff.cases import REST, Case, Resolved, Whole, name_size, resolve
 from mechproof.roundoff.germs import Frame
-from mechproof.roundoff.intervals import EPS, ONE, PI, Array, Interval, careful, exactly
 from mechproof.roundoff.profiles import Profile, find_highest
 from mechproof.roundoff.reduction import NEAR, bound_reduction
 from mechproof.roundoff.running import IN_BALLS, run

@@ -12,9 +12,9 @@ from types import MappingProxyType
 
 import numpy as np
 
+from mechproof.arithmetic.intervals import EPS, UNIT, Ends, Interval, list_corners
 from mechproof.kernel_support.error_free import product_rest
 from mechproof.roundoff.fused import add_exactly, fma
-from mechproof.roundoff.intervals import EPS, UNIT, Ends, Interval, list_corners
 
 # Of a power of two: less than a quarter of the spacing below it.
 HARDLY = 2.0**-56

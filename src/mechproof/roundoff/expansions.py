@@ -9,9 +9,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from mechproof.codegen.elementary.fits import FITS, enclose, fit
-from mechproof.codegen.program import Operand, Operation, Program
-from mechproof.roundoff.intervals import EPS
+from mechproof.arithmetic.intervals import EPS
+from mechproof.programs.elementary.fits import FITS, enclose, fit
+from mechproof.programs.program import Operand, Operation, Program
 
 
 @dataclass(frozen=True)

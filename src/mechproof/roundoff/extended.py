@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.codegen.program import CONSTANTS, Operand
 from mechproof.kernel_support import error_free
+from mechproof.programs.program import CONSTANTS, Operand
 from mechproof.roundoff.running import ON_ARRAYS
 
 FORMAT = np.longdouble

@@ -22,8 +22,8 @@ CERTIFIED = Store("certified.json")
 # Of the package: what proves, what fits and encloses functions, what is mirrored, what programs,
 # operations and balls are.
 SOURCES = (
-    *("roundoff/*.py", "codegen/elementary/*.py", "kernel_support/*.py"),
-    *("codegen/program.py", "codegen/operations.py", "proof/ball*.py", "proof/layout.py"),
+    *("roundoff/*.py", "programs/elementary/*.py", "kernel_support/*.py"),
+    *("programs/program.py", "programs/operations.py", "arithmetic/*.py"),
 )
 PACKAGES = ("sympy", "numpy", "python-flint")
 

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from mechproof.roundoff.intervals import ONE, Interval, Mask
+from mechproof.arithmetic.intervals import ONE, Interval, Mask
 
 Powers = tuple[int, ...]
 

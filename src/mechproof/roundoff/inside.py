@@ -14,9 +14,9 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.codegen.lowering import CONSTANTS, lower_steps
-from mechproof.codegen.operations import Arithmetic
-from mechproof.codegen.program import Program
+from mechproof.programs.lowering import CONSTANTS, lower_steps
+from mechproof.programs.operations import Arithmetic
+from mechproof.programs.program import Program
 from mechproof.record import Chart, Form
 from mechproof.roundoff.running import Values, run
 from mechproof.roundoff.symmetry import ODD, list_parities

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from mechproof.roundoff.intervals import PI, Array, Ends, Interval, exactly
+from mechproof.arithmetic.intervals import PI, Array, Ends, Interval, exactly
 
 # More than what is rounded where a place is computed.
 SLACK = 2.0**-40

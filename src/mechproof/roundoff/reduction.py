@@ -17,10 +17,10 @@ from math import floor
 
 from flint import arb
 
-from mechproof.codegen.elementary.fits import MARGIN
-from mechproof.codegen.elementary.formats import DOUBLE
-from mechproof.proof.balls import working_precision
-from mechproof.roundoff.intervals import EPS, UNIT
+from mechproof.arithmetic.balls import working_precision
+from mechproof.arithmetic.intervals import EPS, UNIT
+from mechproof.programs.elementary.fits import MARGIN
+from mechproof.programs.elementary.formats import DOUBLE
 
 BITS = 300
 # From here on the last word is next to nothing.

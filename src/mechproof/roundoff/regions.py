@@ -14,11 +14,11 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from mechproof.proof.balls import to_ball
+from mechproof.arithmetic.balls import to_ball
+from mechproof.arithmetic.intervals import ONE, PI, between, enclose_ball, exactly
 from mechproof.record import Chart
 from mechproof.roundoff.angles import Turn
 from mechproof.roundoff.germs import Frame, Germ
-from mechproof.roundoff.intervals import ONE, PI, between, enclose_ball, exactly
 
 Side = tuple[float, float]
 Box = tuple[Side, ...]

@@ -7,9 +7,9 @@ from types import MappingProxyType
 
 import numpy as np
 
+from mechproof.arithmetic.intervals import ONE, Interval, exactly
 from mechproof.roundoff.angles import Turn, take_arctangent, take_cosine, take_sine, take_tangent
 from mechproof.roundoff.germs import Germ
-from mechproof.roundoff.intervals import ONE, Interval, exactly
 
 EITHER = Interval(np.float64(-1.0), np.float64(1.0))
 SOME = Interval(np.float64(0.0), np.float64(1.0))

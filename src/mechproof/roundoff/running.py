@@ -11,12 +11,12 @@ import numpy as np
 import sympy as sp
 from flint import arb
 
-from mechproof.codegen.operations import COMPARISONS, KINDS, Arithmetic, Infix
-from mechproof.codegen.program import CONSTANTS, Operand, Program
+from mechproof.arithmetic.ball_functions import COMPARISONS as COMPARED, FUNCTIONS
+from mechproof.arithmetic.balls import to_ball
 from mechproof.kernel_support import error_free
 from mechproof.kernel_support.polynomials import PI, PI_LOW
-from mechproof.proof.ball_functions import COMPARISONS as COMPARED, FUNCTIONS
-from mechproof.proof.balls import to_ball
+from mechproof.programs.operations import COMPARISONS, KINDS, Arithmetic, Infix
+from mechproof.programs.program import CONSTANTS, Operand, Program
 from mechproof.roundoff.fused import fma
 from mechproof.roundoff.steps import CONSTANT, Straight
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from mechproof.codegen.degrees import DEGREES, NONE, Degree
-from mechproof.codegen.program import Operand
+from mechproof.programs.degrees import DEGREES, NONE, Degree
+from mechproof.programs.program import Operand
 from mechproof.roundoff.steps import Straight
 
 

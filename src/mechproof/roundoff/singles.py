@@ -12,18 +12,18 @@ from typing import Any
 
 import numpy as np
 
-from mechproof.codegen.backends.scalar import (
+from mechproof.programs.code import Stage
+from mechproof.programs.elementary.formats import SINGLE
+from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.kernel import Kernel
+from mechproof.programs.operations import KINDS, Arithmetic
+from mechproof.programs.scalar import (
     list_arguments,
     list_stages,
     rename,
     rename_components,
 )
-from mechproof.codegen.backends.sums import ADDED, Reduction, fold_sums
-from mechproof.codegen.code import Stage
-from mechproof.codegen.elementary.formats import SINGLE
-from mechproof.codegen.elementary.functions import BODIES, build
-from mechproof.codegen.kernel import Kernel
-from mechproof.codegen.operations import KINDS, Arithmetic
+from mechproof.programs.sums import ADDED, Reduction, fold_sums
 from mechproof.roundoff.climb import Column, Points
 from mechproof.roundoff.fused import add_to_odd
 from mechproof.roundoff.running import IN_DOUBLES, Values, find_number, run

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from mechproof.codegen.code import Stage
-from mechproof.codegen.operations import KINDS, Rounding
-from mechproof.codegen.program import CONSTANTS, Operand, Operation, Program
+from mechproof.programs.code import Stage
+from mechproof.programs.operations import KINDS, Rounding
+from mechproof.programs.program import CONSTANTS, Operand, Operation, Program
 from mechproof.roundoff.assumptions import FUNCTIONS
 from mechproof.roundoff.expansions import Expansion
 

@@ -11,13 +11,14 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.codegen.backends.scalar import map_affinely, put_off_stage
-from mechproof.codegen.code import Stage
-from mechproof.codegen.elementary.formats import DOUBLE
-from mechproof.codegen.elementary.functions import BODIES, build
-from mechproof.codegen.kernel import Kernel, build_kernel, input_names
-from mechproof.codegen.operations import SYMBOLIC, Arithmetic
-from mechproof.codegen.program import Operand, Program
+from mechproof.arithmetic.intervals import EPS, Array, careful
+from mechproof.programs.code import Stage
+from mechproof.programs.elementary.formats import DOUBLE
+from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.kernel import Kernel, build_kernel, input_names
+from mechproof.programs.operations import SYMBOLIC, Arithmetic
+from mechproof.programs.program import Operand, Program
+from mechproof.programs.scalar import map_affinely, put_off_stage
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, find_size, measure_norm
 from mechproof.roundoff.apart import Rows, bound_apart
@@ -28,7 +29,6 @@ from mechproof.roundoff.compiled import COMPILED, WAY, list_expansions
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.expansions import WAYS
 from mechproof.roundoff.inside import Inside, find_inside
-from mechproof.roundoff.intervals import EPS, Array, careful
 from mechproof.roundoff.regions import Boxes, Region, express
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
 from mechproof.roundoff.scales import find_scaled

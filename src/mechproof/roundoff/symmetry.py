@@ -8,8 +8,8 @@ from functools import cache, partial
 
 import sympy as sp
 
-from mechproof.codegen.operations import KINDS, Arithmetic
-from mechproof.codegen.program import CONSTANTS, Operand
+from mechproof.programs.operations import KINDS, Arithmetic
+from mechproof.programs.program import CONSTANTS, Operand
 from mechproof.record import Chart
 from mechproof.roundoff.steps import CONSTANT, Straight
 

@@ -14,11 +14,11 @@ import numpy as np
 import sympy as sp
 from flint import arb
 
-from mechproof.codegen.kernel import input_names
-from mechproof.proof.balls import working_precision
+from mechproof.arithmetic.balls import working_precision
+from mechproof.arithmetic.intervals import Array
+from mechproof.programs.kernel import input_names
 from mechproof.roundoff import climb
 from mechproof.roundoff.extended import FORMAT, IN_EXTENDED, IS_LONGER
-from mechproof.roundoff.intervals import Array
 from mechproof.roundoff.regions import Box, Region
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values
 from mechproof.roundoff.subject import Subject

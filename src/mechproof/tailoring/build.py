@@ -12,8 +12,9 @@ import numpy as np
 from flint import arb, arb_series
 
 from mechproof.arguments.scalars import refuse
-from mechproof.codegen.elementary.formats import DOUBLE
-from mechproof.proof.balls import Ball
+from mechproof.arithmetic.balls import Ball
+from mechproof.arithmetic.series import Series, list_terms, working
+from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.tailoring.design import Array, Plan, Stretch, list_plans, plan_odd, plan_pieces
 from mechproof.tailoring.enclosure import (
     Bound,
@@ -26,7 +27,6 @@ from mechproof.tailoring.enclosure import (
 from mechproof.tailoring.fit import fit
 from mechproof.tailoring.model import Model, Reduction
 from mechproof.tailoring.request import Request
-from mechproof.tailoring.series import Series, list_terms, working
 
 BITS = 53
 # So many periods can be taken off: a word of the period still has enough bits.

@@ -14,10 +14,10 @@ from itertools import pairwise
 
 from flint import arb, arb_series
 
-from mechproof.codegen.program import Program
-from mechproof.proof.balls import Ball
+from mechproof.arithmetic.balls import Ball
+from mechproof.arithmetic.series import Series, is_finite, list_terms, working
+from mechproof.programs.program import Program
 from mechproof.tailoring.model import Model, Reduction
-from mechproof.tailoring.series import Series, is_finite, list_terms, working
 from mechproof.tailoring.tracking import LEAST, UNIT, Tracked, UndecidedError, start, track
 
 Exact = Callable[[Series], Series]

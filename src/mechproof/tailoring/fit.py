@@ -12,11 +12,11 @@ from itertools import pairwise
 import mpmath as mp
 from flint import arb, arb_mat
 
-from mechproof.codegen.elementary.formats import DOUBLE
-from mechproof.proof.balls import Ball
+from mechproof.arithmetic.balls import Ball
+from mechproof.arithmetic.series import working
+from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.tailoring.design import Plan
 from mechproof.tailoring.model import Piece, Pieces
-from mechproof.tailoring.series import working
 
 # Of numbers near each other, in powers up to a hundred: what is lost is far less.
 BITS = 600

@@ -22,13 +22,13 @@ from mechproof.codegen.backends.c99 import render_c_kernels
 from mechproof.codegen.backends.numba import render_scalars
 from mechproof.codegen.backends.numpy import render_module, write_kernel
 from mechproof.codegen.c_names import WORDS
-from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.docstrings import show_formula
-from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.kernel_reading import read_module
-from mechproof.codegen.program import NOTHING, Program, unfuse
 from mechproof.codegen.reading import TranslationError
 from mechproof.files import write_whole
+from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.kernel import Kernel
+from mechproof.programs.program import NOTHING, Program, unfuse
 from mechproof.record import Form
 from mechproof.tailoring.build import Built, round_up
 from mechproof.tailoring.model import Model

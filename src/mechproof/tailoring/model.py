@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechproof.codegen.elementary.trace import Value, choose, copysign, fma, trace
-from mechproof.codegen.program import Program
+from mechproof.programs.elementary.trace import Value, choose, copysign, fma, trace
+from mechproof.programs.program import Program
 
 # A double so large that a sum with it is a whole number: cheaper than rounding to one.
 WHOLE = 1.5 * 2.0**52

@@ -13,13 +13,13 @@ import sympy as sp
 from flint import arb
 
 from mechproof.arguments.scalars import check_items, check_real, refuse, require
+from mechproof.arithmetic.balls import Ball
+from mechproof.arithmetic.series import Definition, working
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.mechanisms.facts import check_domain
-from mechproof.proof.balls import Ball
 from mechproof.record import Paper, Quantity
 from mechproof.tailoring.design import Array
 from mechproof.tailoring.enclosure import Repetition
-from mechproof.tailoring.series import Definition, working
 
 # Of a period.
 BITS = 512

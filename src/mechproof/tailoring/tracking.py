@@ -12,11 +12,11 @@ from dataclasses import dataclass
 
 from flint import arb, arb_series
 
-from mechproof.codegen.operations import Arithmetic
-from mechproof.codegen.program import Program
-from mechproof.proof.balls import Ball
+from mechproof.arithmetic.balls import Ball
+from mechproof.arithmetic.series import Series, list_terms
+from mechproof.programs.operations import Arithmetic
+from mechproof.programs.program import Program
 from mechproof.roundoff.running import run
-from mechproof.tailoring.series import Series, list_terms
 
 UNIT = arb(2) ** -53
 # What a product loses that is too small for a double.

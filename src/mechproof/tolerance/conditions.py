@@ -31,7 +31,7 @@ class Condition:
     def __init__(self, relation: Any) -> None:
         import sympy as sp
 
-        from mechproof.proof.slopes import Tape
+        from mechproof.arithmetic.slopes import Tape
 
         self.relation = relation
         self.strict = isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan)
@@ -58,7 +58,7 @@ class Condition:
         return bool(room > 0 if self.strict else room >= 0)
 
     def _decide_at_point(self, known: Known, box: Box) -> bool | None:
-        from mechproof.proof import balls
+        from mechproof.arithmetic import balls
 
         if open_symbols(box):
             return None

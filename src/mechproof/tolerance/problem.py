@@ -44,8 +44,8 @@ class Problem:
     """A quantity, its derivatives and its domain, ready to be enclosed over boxes of sizes."""
 
     def __init__(self, paper: Paper, name: str, sizes: Mapping[str, Size]) -> None:
+        from mechproof.arithmetic.slopes import Tape
         from mechproof.proof.domain import Domain
-        from mechproof.proof.slopes import Tape
 
         quantity = _find_quantity(paper, name)
         self.running = quantity.arguments[0].symbols[0]

@@ -9,11 +9,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from mechproof.codegen.backends.scalar_texts import ScalarStage, list_booleans
-from mechproof.codegen.code import Stage
-from mechproof.codegen.elementary.functions import BODIES
-from mechproof.codegen.operations import HELPER
-from mechproof.codegen.program import TEMPORARY, Operand, Operation, Program
 from mechproof.codegen.syntax import Syntax, Text, write_program
+from mechproof.programs.code import Stage
+from mechproof.programs.elementary.functions import BODIES
+from mechproof.programs.operations import HELPER
+from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
 
 LIMITED = frozenset(kind for kind, (_, _, far) in BODIES.items() if far)
 

@@ -11,7 +11,6 @@ from typing import Any
 from mechproof.codegen.backends.angles import Angles, ask_first
 from mechproof.codegen.backends.numpy import render_template
 from mechproof.codegen.backends.one_pass import join_kernels, list_unlike_domains
-from mechproof.codegen.backends.scalar import list_scalars, list_stages
 from mechproof.codegen.backends.scalar_texts import (
     ScalarKernel,
     extend_syntax,
@@ -20,15 +19,16 @@ from mechproof.codegen.backends.scalar_texts import (
     write_reduction,
     write_scalar,
 )
-from mechproof.codegen.backends.sums import LOOPS, fold_sums
 from mechproof.codegen.c_names import spell_in_c
 from mechproof.codegen.docstrings import describe_domain, show_formula, tell_bound, tell_unit
-from mechproof.codegen.elementary.formats import DOUBLE, SINGLE, Format
-from mechproof.codegen.elementary.functions import BODIES
-from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import C99, C99_FAR, C99_SINGLE, C99_SINGLE_FAR
-from mechproof.codegen.operations import HELPER, KINDS
 from mechproof.codegen.syntax import Syntax
+from mechproof.programs.elementary.formats import DOUBLE, SINGLE, Format
+from mechproof.programs.elementary.functions import BODIES
+from mechproof.programs.kernel import Kernel
+from mechproof.programs.operations import HELPER, KINDS
+from mechproof.programs.scalar import list_scalars, list_stages
+from mechproof.programs.sums import LOOPS, fold_sums
 from mechproof.record import Paper, Together
 
 WIDTH = 90

@@ -8,15 +8,15 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from dataclasses import replace
 
-from mechproof.codegen.backends.scalar import list_arguments, rename, rename_components
 from mechproof.codegen.backends.scalar_texts import LoopCall
-from mechproof.codegen.backends.sums import LOOPS, Reduction
-from mechproof.codegen.code import Stage
-from mechproof.codegen.evaluation import unused_name
-from mechproof.codegen.kernel import Kernel
-from mechproof.codegen.program import Operand, Operation, Program
 from mechproof.codegen.reading import EXACT
 from mechproof.codegen.syntax import Syntax
+from mechproof.programs.code import Stage
+from mechproof.programs.evaluation import unused_name
+from mechproof.programs.kernel import Kernel
+from mechproof.programs.program import Operand, Operation, Program
+from mechproof.programs.scalar import list_arguments, rename, rename_components
+from mechproof.programs.sums import LOOPS, Reduction
 
 # Where the term of a loop is found, besides the indices.
 AT = "_at"

@@ -23,7 +23,6 @@ from mechproof.codegen.backends.numpy import (
     render_template,
     tell_origin,
 )
-from mechproof.codegen.backends.scalar import join_stage, list_conditions, list_scalars, list_stages
 from mechproof.codegen.backends.scalar_texts import (
     LoopCall,
     ScalarKernel,
@@ -33,15 +32,16 @@ from mechproof.codegen.backends.scalar_texts import (
     write_reduction,
     write_scalar,
 )
-from mechproof.codegen.backends.sums import LOOPS, Reduction, fold_sums
 from mechproof.codegen.compiled_reading import VALUE, read_guards, read_scalars
-from mechproof.codegen.elementary.formats import DOUBLE
-from mechproof.codegen.elementary.functions import BODIES, build
-from mechproof.codegen.kernel import Kernel
 from mechproof.codegen.languages import NUMBA, NUMBA_FAR
-from mechproof.codegen.names import list_imports
 from mechproof.codegen.reading import ELEMENTARY, TranslationError
 from mechproof.codegen.syntax import Syntax
+from mechproof.programs.elementary.formats import DOUBLE
+from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.kernel import Kernel
+from mechproof.programs.names import list_imports
+from mechproof.programs.scalar import join_stage, list_conditions, list_scalars, list_stages
+from mechproof.programs.sums import LOOPS, Reduction, fold_sums
 from mechproof.record import Paper, Together
 
 # To numba float() of a float32 is that float32, float64() is not.

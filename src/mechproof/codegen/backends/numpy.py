@@ -13,19 +13,19 @@ import jinja2
 import sympy as sp
 from jinja2 import meta
 
-from mechproof.codegen.code import KernelCode, Stage
 from mechproof.codegen.conditions import split_conditions
 from mechproof.codegen.docstrings import describe_kernel, describe_module
-from mechproof.codegen.elementary.fits import FITS, enclose, fit
-from mechproof.codegen.elementary.formats import DOUBLE
 from mechproof.codegen.escapes import ESCAPES
 from mechproof.codegen.facts import Condition, Sizes, list_conditions, list_sizes
-from mechproof.codegen.kernel import Kernel, list_functions
 from mechproof.codegen.languages import NUMPY_BODY
-from mechproof.codegen.names import list_imports
-from mechproof.codegen.operations import KINDS, Reduction, Support
-from mechproof.codegen.program import Program
 from mechproof.codegen.syntax import Text, write_program
+from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.elementary.fits import FITS, enclose, fit
+from mechproof.programs.elementary.formats import DOUBLE
+from mechproof.programs.kernel import Kernel, list_functions
+from mechproof.programs.names import list_imports
+from mechproof.programs.operations import KINDS, Reduction, Support
+from mechproof.programs.program import Program
 from mechproof.record import Form, Paper
 
 TEMPLATES = Path(__file__).parents[1] / "templates"

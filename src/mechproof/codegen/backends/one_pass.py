@@ -11,11 +11,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 
-from mechproof.codegen.backends.scalar import list_arguments, list_stages, rename, rename_components
-from mechproof.codegen.code import KernelCode, Stage
-from mechproof.codegen.evaluation import unused_name
-from mechproof.codegen.kernel import Kernel
-from mechproof.codegen.program import NOTHING, TEMPORARY, Operand, Operation, Program, is_unnamed
+from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.evaluation import unused_name
+from mechproof.programs.kernel import Kernel
+from mechproof.programs.program import NOTHING, TEMPORARY, Operand, Operation, Program, is_unnamed
+from mechproof.programs.scalar import list_arguments, list_stages, rename, rename_components
 
 # The name of a value that programs have in common and that had none.
 SHARED = "shared"

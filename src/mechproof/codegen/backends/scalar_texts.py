@@ -5,7 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from mechproof.codegen.backends.scalar import (
+from mechproof.codegen.c_names import STORED
+from mechproof.codegen.reading import EXACT
+from mechproof.codegen.syntax import Syntax, Text, write_program
+from mechproof.programs.code import Stage
+from mechproof.programs.elementary.fits import enclose
+from mechproof.programs.elementary.formats import Format
+from mechproof.programs.elementary.functions import Function, build
+from mechproof.programs.kernel import Kernel
+from mechproof.programs.operations import COMPARISONS
+from mechproof.programs.program import NOTHING, Program
+from mechproof.programs.scalar import (
     ScalarArgument,
     join_stage,
     list_arguments,
@@ -13,17 +23,7 @@ from mechproof.codegen.backends.scalar import (
     rename,
     rename_components,
 )
-from mechproof.codegen.backends.sums import Reduction
-from mechproof.codegen.c_names import STORED
-from mechproof.codegen.code import Stage
-from mechproof.codegen.elementary.fits import enclose
-from mechproof.codegen.elementary.formats import Format
-from mechproof.codegen.elementary.functions import Function, build
-from mechproof.codegen.kernel import Kernel
-from mechproof.codegen.operations import COMPARISONS
-from mechproof.codegen.program import NOTHING, Program
-from mechproof.codegen.reading import EXACT
-from mechproof.codegen.syntax import Syntax, Text, write_program
+from mechproof.programs.sums import Reduction
 from mechproof.record import Together
 
 BOOLEAN = frozenset({*COMPARISONS, "both", "either", "is_finite"})

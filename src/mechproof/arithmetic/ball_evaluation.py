@@ -1,0 +1,202 @@
+"""Ball evaluation: in, an expression of SymPy; out, what encloses it for given balls.
+
+Equal parts are evaluated once. What is undefined or undecided gives a ball that is not finite.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable
+from functools import lru_cache
+
+import sympy as sp
+from flint import acb, arb, fmpq
+
+from mechproof.arithmetic.ball_functions import (
+    COMPARISONS,
+    COMPLEX,
+    CONSTANTS,
+    ENTIRE,
+    FUNCTIONS,
+    NOT_ANALYTIC,
+    NOT_FINITE,
+    Ball,
+    accumulate,
+    are_equal,
+    take_real_part,
+)
+from mechproof.arithmetic.layout import Layout, Operation, Plan, Values
+
+Evaluator = Callable[[Values], Ball]
+# A sum of more terms, or a product of more factors, is not written out.
+MOST_TERMS = 1000
+_ANALYTIC = sp.Dummy("analytic")
+
+
+@lru_cache(maxsize=512)
+def compile_expression(expression: sp.Basic) -> Evaluator:
+    """Return what encloses the expression for balls of its symbols."""
+    layout = Layout(expression, plan)
+    return lambda values: layout.run(values)[-1]
+
+
+def plan(node: sp.Basic) -> Plan:
+    """Return what to do at a node and the nodes it needs first."""
+    if isinstance(node, sp.Rational):
+        number = fmpq(int(node.p), int(node.q))
+        return (lambda values: arb(number)), ()
+    if node in CONSTANTS:
+        constant = CONSTANTS[node]
+        return (lambda values: constant()), ()
+    if isinstance(node, sp.Symbol | sp.Indexed):
+        return (lambda values: _look_up(node, values)), ()
+    for kind, rule in _RULES:
+        if isinstance(node, kind):
+            return rule(node)
+    function = FUNCTIONS.get(type(node))
+    if function is None:
+        raise NotImplementedError(f"{type(node).__name__} is a function that cannot be enclosed")
+    return _apply(node, function), node.args
+
+
+def _look_up(symbol: sp.Basic, values: Values) -> Ball:
+    if symbol not in values:
+        raise KeyError(f"no value given for the symbol {symbol}")
+    return values[symbol]
+
+
+def _apply(node: sp.Basic, function: Callable[..., Ball]) -> Operation:
+    def apply(values: Values, *arguments: Ball) -> Ball:
+        if type(node) not in ENTIRE and any(isinstance(a, acb) for a in arguments):
+            return _evaluate_complex(node, values, *arguments)
+        if not all(argument.is_finite() for argument in arguments):
+            return NOT_FINITE
+        return function(*arguments)
+
+    return apply
+
+
+def _evaluate_complex(node: sp.Basic, values: Values, *arguments: Ball) -> Ball:
+    """Continue a real function into the complex plane; not finite where that is not analytic."""
+    function = COMPLEX.get(type(node))
+    if function is None:
+        return NOT_ANALYTIC
+    return function(*arguments, bool(values.get(_ANALYTIC, False)))
+
+
+def _add(node: sp.Basic) -> Plan:
+    return (lambda values, first, *rest: accumulate(operator.add, first, rest)), node.args
+
+
+def _multiply(node: sp.Basic) -> Plan:
+    return (lambda values, first, *rest: accumulate(operator.mul, first, rest)), node.args
+
+
+def _power(node: sp.Basic) -> Plan:
+    exponent = node.args[1]
+    if isinstance(exponent, sp.Integer):
+        integer = int(exponent)
+        return (lambda values, base: base**integer), node.args[:1]
+    if isinstance(exponent, sp.Rational) and exponent.q == 2:
+        halves = int(exponent.p)
+        return (lambda values, base: _square_root(base, values) ** halves), node.args[:1]
+    return _apply(node, operator.pow), node.args
+
+
+def _square_root(base: Ball, values: Values) -> Ball:
+    if isinstance(base, acb):
+        return base.sqrt(analytic=bool(values.get(_ANALYTIC, False)))
+    return base.sqrt()
+
+
+def _repeat(node: sp.Basic) -> Plan:
+    """Return how the terms of a sum or the factors of a product are put together."""
+    index, lower, upper = node.limits[-1]
+    inner = node.func(node.function, *node.limits[:-1]) if node.limits[1:] else node.function
+    is_sum = isinstance(node, sp.Sum)
+    combine, start_value = (operator.add, arb(0)) if is_sum else (operator.mul, arb(1))
+
+    def put_together(values: Values, first: Ball, last: Ball) -> Ball:
+        start, end = _as_integer(first), _as_integer(last)
+        if start is None or end is None or not 0 <= end + 1 - start <= MOST_TERMS:
+            return NOT_FINITE
+        terms = (compile_expression(inner.subs(index, k))(values) for k in range(start, end + 1))
+        return accumulate(combine, start_value, terms)
+
+    return put_together, (lower, upper)
+
+
+def _as_integer(ball: Ball) -> int | None:
+    """Return the integer that a limit is; papers do not agree on what a sum to another one is."""
+    integer = ball.unique_fmpz() if ball.is_finite() and ball.is_exact() else None
+    return None if integer is None else int(integer)
+
+
+def _integral(node: sp.Basic) -> Plan:
+    (variable, lower, upper), *others = node.limits
+    if others:
+        raise NotImplementedError("an integral of an integral cannot be enclosed")
+    function = compile_expression(node.function)
+
+    def integrate(values: Values, start: Ball, end: Ball) -> Ball:
+        def integrand(point: Ball, analytic: bool) -> Ball:
+            return acb(function({**values, variable: point, _ANALYTIC: analytic}))
+
+        if not (start.is_finite() and end.is_finite()):
+            return NOT_FINITE
+        return take_real_part(acb.integral(integrand, acb(start), acb(end)))
+
+    return integrate, (lower, upper)
+
+
+def _piecewise(node: sp.Basic) -> Plan:
+    def choose(values: Values) -> Ball:
+        for expression, condition in node.args:
+            holds = decide(condition, values)
+            if holds is None:
+                return NOT_FINITE
+            if holds:
+                return compile_expression(expression)(values)
+        return NOT_FINITE
+
+    return choose, ()
+
+
+def _delta(node: sp.Basic) -> Plan:
+    def compare(values: Values, first: Ball, second: Ball) -> Ball:
+        equal = are_equal(first, second)
+        return NOT_FINITE if equal is None else arb(int(equal))
+
+    return compare, node.args
+
+
+_RULES: tuple[tuple[type[sp.Basic], Callable[[sp.Basic], Plan]], ...] = (
+    (sp.AccumBounds, lambda node: ((lambda values: NOT_FINITE), ())),
+    (sp.Add, _add),
+    (sp.Mul, _multiply),
+    (sp.Pow, _power),
+    (sp.Sum, _repeat),
+    (sp.Product, _repeat),
+    (sp.Integral, _integral),
+    (sp.Piecewise, _piecewise),
+    (sp.KroneckerDelta, _delta),
+)
+
+
+def decide(relation: sp.Basic, values: Values) -> bool | None:
+    """Decide a relation (or And, Or, Not of relations) for balls; None where they overlap."""
+    if relation in (sp.true, sp.false):
+        return bool(relation)
+    if isinstance(relation, sp.And | sp.Or):
+        parts = [decide(part, values) for part in relation.args]
+        decisive = isinstance(relation, sp.Or)
+        if decisive in parts:
+            return decisive
+        return None if None in parts else not decisive
+    if isinstance(relation, sp.Not):
+        part = decide(relation.args[0], values)
+        return None if part is None else not part
+    left, right = (compile_expression(side)(values) for side in relation.args)
+    if not (left.is_finite() and right.is_finite()):
+        return None
+    return COMPARISONS[type(relation)](left, right)

@@ -1,0 +1,260 @@
+"""Intervals: two arrays of doubles, the ends over many boxes at once, rounded outward.
+
+A product that would fall below the normal range is an error of floating point: NumPy raises it
+under `careful`, and only those boxes for which it does pay for ends moved away from there. Interval
+arithmetic is that of Moore (1966), one operation for many boxes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from functools import lru_cache
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from flint import arb
+from numpy.typing import NDArray
+
+from mechproof.arithmetic.balls import working_precision
+
+Array = NDArray[np.float64]
+Ends = Any
+Mask = Any
+# The spacing of doubles at 1, and by how much of itself a number is moved to the nearest at most.
+EPS, UNIT = 2.0**-52, 2.0**-53
+# Twice what an end is off by to nearest.
+OUTWARD = EPS
+# Products of two such are no matter of the range.
+SMALLEST = 1e-100
+BITS = 64
+KEPT = 2**17
+# Of angles: a little less than pi, and where a tangent has its pole.
+BEFORE_PI, BEFORE_POLE = 3.1415926535, 1.5707963267
+FUNCTIONS: Mapping[str, Callable[[Any], Any]] = MappingProxyType(
+    {"tan": arb.tan, "cot": arb.cot, "arctan": arb.atan, "sin": arb.sin, "cos": arb.cos}
+)
+
+
+class Interval:
+    """All numbers from `low` to `high`; not finite where nothing is known."""
+
+    __slots__ = ("_sign", "high", "low")
+
+    def __init__(self, low: Ends, high: Ends) -> None:
+        self.low, self.high = low, high
+        self._sign: int | None = None
+
+    @property
+    def sign(self) -> int:
+        """Return 1 if no number anywhere is negative, -1 if none is positive, 0 otherwise."""
+        if self._sign is None:
+            self._sign = 1 if (self.low >= 0).all() else -1 if (self.high <= 0).all() else 0
+        return self._sign
+
+    @property
+    def is_finite(self) -> Mask:
+        """Say where both ends are numbers."""
+        return np.isfinite(self.low) & np.isfinite(self.high)
+
+    def __neg__(self) -> Interval:
+        return Interval(-self.high, -self.low)
+
+    def __add__(self, other: Interval) -> Interval:
+        return widen(self.low + other.low, self.high + other.high)
+
+    def __sub__(self, other: Interval) -> Interval:
+        return widen(self.low - other.high, self.high - other.low)
+
+    def __mul__(self, other: Interval) -> Interval:
+        if other is ONE:
+            return self
+        if self is ONE:
+            return other
+        return widen(*_multiply(self, other))
+
+    def __truediv__(self, other: Interval) -> Interval:
+        return self if other is ONE else self * other.inverted()
+
+    def inverted(self) -> Interval:
+        """Return the reciprocals; not finite where zero is among the numbers."""
+        apart = (self.low > 0) | (self.high < 0)
+        return widen(
+            np.divide(1.0, np.where(apart, self.high, np.nan)),
+            np.divide(1.0, np.where(apart, self.low, np.nan)),
+        )
+
+    def size(self) -> Interval:
+        """Return the absolute values."""
+        if self.sign:
+            return self if self.sign > 0 else -self
+        low = np.maximum(np.maximum(self.low, -self.high), 0.0)
+        return Interval(low, np.maximum(-self.low, self.high))
+
+    def largest(self) -> Ends:
+        """Return the largest absolute value."""
+        return np.maximum(-self.low, self.high)
+
+    def union(self, other: Interval) -> Interval:
+        """Return the hull of both."""
+        return Interval(np.minimum(self.low, other.low), np.maximum(self.high, other.high))
+
+    def power(self, exponent: int) -> Interval:
+        """Return a whole power."""
+        if exponent < 0:
+            return self.power(-exponent).inverted()
+        base = self.size() if exponent % 2 == 0 else self
+        return Interval(_raise(base.low, exponent).low, _raise(base.high, exponent).high)
+
+    def sqrt(self) -> Interval:
+        """Return the roots."""
+        return widen(np.sqrt(self.low), np.sqrt(self.high))
+
+
+def _raise(end: Ends, exponent: int) -> Interval:
+    base = value = Interval(end, end)
+    for _ in range(exponent - 1):
+        value *= base
+    return value
+
+
+def list_corners(a: Interval, b: Interval) -> tuple[tuple[Ends, Ends], tuple[Ends, Ends]] | None:
+    """Return the ends whose products are the smallest and the largest, if signs tell them."""
+    if not (a.sign and b.sign):
+        return None
+    if a.sign > 0:
+        if b.sign > 0:
+            return (a.low, b.low), (a.high, b.high)
+        return (a.high, b.low), (a.low, b.high)
+    if b.sign > 0:
+        return (a.low, b.high), (a.high, b.low)
+    return (a.high, b.high), (a.low, b.low)
+
+
+def _multiply(a: Interval, b: Interval) -> tuple[Ends, Ends]:
+    if corners := list_corners(a, b):
+        (p, q), (r, s) = corners
+        return p * q, r * s
+    if a.sign or b.sign:
+        one, other = (a, b) if a.sign else (b, a)
+        if one.sign < 0:
+            one, other = -one, -other
+        return (
+            np.minimum(one.low * other.low, one.high * other.low),
+            np.maximum(one.low * other.high, one.high * other.high),
+        )
+    p, q, r, s = a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high
+    return (
+        np.minimum(np.minimum(p, q), np.minimum(r, s)),
+        np.maximum(np.maximum(p, q), np.maximum(r, s)),
+    )
+
+
+_mode = {"moves": False}
+
+
+@contextmanager
+def careful(*, moves: bool) -> Iterator[None]:
+    """Raise FloatingPointError for what is too small; `moves` widens ends that lead there."""
+    before = _mode["moves"]
+    _mode["moves"] = moves
+    try:
+        with np.errstate(all="ignore", under="raise"):
+            yield
+    finally:
+        _mode["moves"] = before
+
+
+def widen(low: Ends, high: Ends) -> Interval:
+    """Return the interval between two ends that were rounded to nearest."""
+    if _mode["moves"]:
+        low = np.where(np.abs(low) < SMALLEST, np.minimum(np.sign(low), 0.0) * SMALLEST, low)
+        high = np.where(np.abs(high) < SMALLEST, np.maximum(np.sign(high), 0.0) * SMALLEST, high)
+    return Interval(low - np.abs(low) * OUTWARD, high + np.abs(high) * OUTWARD)
+
+
+def exactly(number: float) -> Interval:
+    """Return the interval of one double."""
+    end = np.float64(number)
+    return Interval(end, end)
+
+
+def around(middle: float, reach: Ends) -> Interval:
+    """Return an interval around a double."""
+    return widen(middle - np.asarray(reach), middle + np.asarray(reach))
+
+
+def enclose_ball(ball: Any) -> Interval:
+    """Return an interval that holds a ball of flint's."""
+    return widen(np.float64(float(ball.lower())), np.float64(float(ball.upper())))
+
+
+def between(low: Ends, high: Ends) -> Interval:
+    """Return an interval between doubles; not finite for an endless one."""
+    endless = ~np.isfinite(high - low)
+    return Interval(np.where(endless, np.nan, low), np.where(endless, np.nan, high))
+
+
+ONE = exactly(1.0)
+with working_precision(BITS):
+    PI = enclose_ball(arb.pi())
+
+
+@lru_cache(KEPT)
+def _enclose(name: str, value: float) -> tuple[float, float]:
+    with working_precision(BITS):
+        ball = FUNCTIONS[name](arb(value))
+        return float(ball.lower()), float(ball.upper())
+
+
+def apply(name: str, values: Ends) -> Interval:
+    """Return a function at doubles."""
+    flat = np.atleast_1d(np.asarray(values, float)).ravel().tolist()
+    found = np.array([_enclose(name, v) if np.isfinite(v) else (np.nan, np.nan) for v in flat])
+    shape = np.shape(values)
+    return widen(found[:, 0].reshape(shape), found[:, 1].reshape(shape))
+
+
+def _rise(name: str, z: Interval) -> Interval:
+    return Interval(apply(name, z.low).low, apply(name, z.high).high)
+
+
+def tangent(z: Interval) -> Interval:
+    """Return tangents; not finite beyond the first pole."""
+    known = z.largest() < BEFORE_POLE
+    return _rise("tan", Interval(np.where(known, z.low, np.nan), np.where(known, z.high, np.nan)))
+
+
+def cotangent(z: Interval) -> Interval:
+    """Return cotangents; not finite where z is zero or beyond half a turn."""
+    known = (z.largest() < BEFORE_PI) & ((z.low > 0) | (z.high < 0))
+    low, high = np.where(known, z.low, np.nan), np.where(known, z.high, np.nan)
+    return Interval(apply("cot", high).low, apply("cot", low).high)
+
+
+def arctangent(z: Interval) -> Interval:
+    """Return arctangents."""
+    return _rise("arctan", z)
+
+
+def sine(z: Interval) -> Interval:
+    """Return sines."""
+    return _wave("sin", z, np.float64(0.25))
+
+
+def cosine(z: Interval) -> Interval:
+    """Return cosines."""
+    return _wave("cos", z, np.float64(0.0))
+
+
+def _wave(name: str, z: Interval, crest: Ends) -> Interval:
+    """Return a wave; `crest` is where it is largest, in turns."""
+    ends = apply(name, z.low).union(apply(name, z.high))
+    turns = z / (PI * exactly(2.0))
+    # A crest too many does no harm.
+    top = np.floor(turns.high - crest + 1e-9) >= np.ceil(turns.low - crest - 1e-9)
+    trough = crest + 0.5
+    bottom = np.floor(turns.high - trough + 1e-9) >= np.ceil(turns.low - trough - 1e-9)
+    low, high = np.maximum(ends.low, -1.0), np.minimum(ends.high, 1.0)
+    return Interval(np.where(bottom, -1.0, low), np.where(top, 1.0, high))

@@ -1,0 +1,73 @@
+"""Code of a kernel: what a backend prints of it and what reading its source must give back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mechproof.programs.program import Program
+
+
+@dataclass(frozen=True)
+class Stage:
+    """One form in two programs: what the parameters alone decide, and the rest, point by point.
+
+    `when` is the condition on the parameters under which the stage is taken. `prepare` takes the
+    `parameters` and gives what `evaluate` takes after the `running` components. Of an affine stage
+    `prepare` gives a matrix row by row, then a shift; there is nothing left to evaluate.
+    """
+
+    when: Program | None
+    running: tuple[str, ...]
+    parameters: tuple[str, ...]
+    prepare: Program
+    evaluate: Program | None
+
+    @property
+    def affine(self) -> bool:
+        """Say whether the points are mapped by a matrix and a shift."""
+        return self.evaluate is None
+
+    @property
+    def programs(self) -> tuple[Program, ...]:
+        """List what there is to compute."""
+        return (self.prepare,) if self.evaluate is None else (self.prepare, self.evaluate)
+
+
+@dataclass(frozen=True)
+class KernelCode:
+    """The computing parts of a kernel.
+
+    `vectors` are arguments with components on their last axis, `indexed` those with axes that are
+    summed over, with their number. `inside` says where the parameters are in the domain; outside
+    the `masked` ones become NaN. `shape` is that of the result's last axes.
+    """
+
+    name: str
+    arguments: tuple[str, ...]
+    vectors: tuple[tuple[str, tuple[str, ...]], ...]
+    indexed: tuple[tuple[str, int], ...]
+    inside: Program | None
+    masked: tuple[str, ...]
+    stages: tuple[Stage, ...]
+    shape: tuple[int, ...]
+    quiet: bool
+
+    @property
+    def axes(self) -> tuple[int, ...]:
+        """Count the last axes of each argument that do not broadcast; empty if all do."""
+        counts = {name: 1 for name, _ in self.vectors} | dict(self.indexed)
+        return tuple(counts.get(name, 0) for name in self.arguments) if counts else ()
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Return the names of arguments, of their components and of what is computed."""
+        programs = [p for stage in self.stages for p in stage.programs]
+        programs += [self.inside] if self.inside else []
+        parts = [self.arguments, *(names for _, names in self.vectors)]
+        parts += [program.inputs for program in programs]
+        steps = (step.result for program in programs for step in program.operations)
+        return frozenset(name for part in parts for name in part).union(steps)
+
+    def count_operations(self) -> tuple[int, ...]:
+        """Count the operations of each stage."""
+        return tuple(sum(p.count_operations() for p in s.programs) for s in self.stages)

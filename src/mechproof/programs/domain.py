@@ -1,0 +1,66 @@
+"""Domain: in, the sets and relations of a paper; out, the conditions a kernel's arguments meet."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.programs.evaluation import input_symbols
+from mechproof.record import Paper, Quantity, Variable
+from mechproof.record.substitution import resolve
+
+
+def domain_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
+    """Collect every relation on the arguments, of their variables, the paper and the quantity."""
+    inputs = {s for argument in quantity.arguments for s in argument.symbols}
+    narrower = quantity.on.within if quantity.on else {}
+    extra = quantity.on.where if quantity.on else ()
+    relations: list[sp.Basic] = []
+    for variable in paper.variables:
+        if variable.symbol in inputs:
+            item = _element(variable, quantity)
+            relations += set_relations(item, narrower.get(variable.symbol, variable.within))
+    relations += [r for r in (*paper.where, *extra) if input_symbols(r) <= inputs]
+    return tuple(dict.fromkeys(relations))
+
+
+def checked_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
+    """Select the relations a kernel checks: a sum is left to the root that it stands under.
+
+    Checked, it would cost as much as the formula.
+    """
+    return tuple(r for r in domain_relations(quantity, paper) if not r.has(sp.Sum))
+
+
+def can_be_left(quantity: Quantity, paper: Paper, checked: tuple[sp.Basic, ...]) -> bool:
+    """Say whether a relation on the arguments, also by symbols given by them, stays unchecked."""
+    inputs = {s for argument in quantity.arguments for s in argument.symbols}
+    given = {v.symbol: v.given for v in paper.variables if v.given is not None}
+    extra = quantity.on.where if quantity.on else ()
+    others = (r for r in (*paper.where, *extra) if input_symbols(resolve(r, given)) <= inputs)
+    return any(r not in checked for r in (*domain_relations(quantity, paper), *others))
+
+
+def set_relations(item: sp.Expr, values: sp.Set) -> list[sp.Basic]:
+    """State that `item` is in an interval or a natural number; infinity is outside."""
+    if values == sp.S.Reals:
+        return []
+    if values == sp.S.Naturals:
+        # Unevaluated, because a symbol that is declared an integer is its own floor.
+        whole = sp.Eq(item, sp.floor(item, evaluate=False), evaluate=False)
+        return [*set_relations(item, sp.Interval(1, sp.oo)), whole]
+    if not isinstance(values, sp.Interval):
+        raise ValueError(f"{item}: no relations for the set {values}; Interval, Naturals or Reals")
+    low = sp.Lt if values.left_open else sp.Le
+    high = sp.Lt if values.right_open else sp.Le
+    return [
+        low(values.start, item, evaluate=False),
+        high(item, values.end, evaluate=False),
+    ]
+
+
+def _element(variable: Variable, quantity: Quantity) -> sp.Expr:
+    """Return the symbol itself, or an element of an indexed base as the quantity indexes it."""
+    if not isinstance(variable.symbol, sp.IndexedBase):
+        return variable.symbol
+    items = [i for i in quantity.definition.atoms(sp.Indexed) if i.base == variable.symbol]
+    return min(items, key=sp.default_sort_key)

@@ -1,0 +1,253 @@
+"""Rational approximations: in, a function and an interval; out, coefficients and their bound.
+
+Interpolation at Chebyshev nodes in 60 digits: within a small factor of the best approximation of
+its degrees, and the same numbers on every machine. What they are off by is enclosed over the whole
+interval by Taylor polynomials in balls. Sollya (Chevillard, Harrison, Joldes and Lauter 2011)
+certifies the supremum norm of an error in the same way, with intervals for coefficients.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache, partial
+from itertools import pairwise
+from types import MappingProxyType
+
+import mpmath as mp
+from flint import arb, arb_series, ctx
+
+from mechproof.programs.elementary.formats import DIGITS, DOUBLE, Format
+
+# Beyond the ends, for the rounding of what is reduced to an interval.
+MARGIN = 2.0**-20
+PIECES, ORDER, BITS = 64, 24, 400
+# A piece whose rest is more than this is halved.
+REST = 2.0**-70
+# Of the variable (x - TAIL)/(x + TAIL): polynomials in it need the fewest terms near this.
+TAIL = 6.0
+# Beyond, the tail is less than the smallest double.
+TAIL_END = 39.0
+Sides = Callable[[arb_series], tuple[arb_series, arb_series]]
+
+
+@dataclass(frozen=True)
+class Rational:
+    """Coefficients of a quotient of polynomials, lowest power first."""
+
+    above: tuple[float, ...]
+    below: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Target:
+    """A function to be approximated in the square of its argument, from 0 to `last`.
+
+    `value` is what the quotient approximates; `sides` are the whole function by the quotient and
+    the true one, both multiplied by what makes them polynomials and entire or analytic. What has a
+    `first` is approximated in its argument, from there.
+    """
+
+    meaning: str
+    value: Callable[[mp.mpf], mp.mpf]
+    last: Callable[[], mp.mpf]
+    sides: Callable[[Rational, arb_series], tuple[arb_series, arb_series]]
+    first: float | None = None
+
+
+def _beyond(end: mp.mpf) -> mp.mpf:
+    return ((1 + MARGIN) * end) ** 2
+
+
+def _put(coefficients: tuple[float, ...], z: arb_series) -> arb_series:
+    value = arb_series([0])
+    for number in reversed(coefficients):
+        value = value * z + arb(number)
+    return value
+
+
+def _tangent_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
+    return r * _put(fit.above, r * r) * r.cos(), _put(fit.below, r * r) * r.sin()
+
+
+def _half_tangent_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
+    half = r / 2
+    return r * _put(fit.above, r * r) * half.cos(), _put(fit.below, r * r) * half.sin()
+
+
+def _sine_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
+    return r + r * r * r * _put(fit.above, r * r), r.sin()
+
+
+def _cosine_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
+    z = r * r
+    return 1 - z / 2 + z * z * _put(fit.above, z), r.cos()
+
+
+def _arctangent_sides(fit: Rational, y: arb_series) -> tuple[arb_series, arb_series]:
+    z = y * y
+    below = _put(fit.below, z)
+    return y * below + y * z * _put(fit.above, z), below * y.atan()
+
+
+def _odd_exponential_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
+    return r + r * r * r * _put(fit.above, r * r), (r.exp() - (-r).exp()) / 2
+
+
+def _even_exponential_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
+    return 1 + r * r * _put(fit.above, r * r), (r.exp() + (-r).exp()) / 2
+
+
+def _tail_sides(fit: Rational, t: arb_series) -> tuple[arb_series, arb_series]:
+    x = TAIL * (1 + t) / (1 - t)
+    return _put(fit.above, t), (1 + x) * (x * x / 2).exp() * (x / arb(2).sqrt()).erfc() / 2
+
+
+def _scale_tail(t: mp.mpf) -> mp.mpf:
+    x = TAIL * (1 + t) / (1 - t)
+    return (1 + x) * mp.exp(x * x / 2) * mp.erfc(x / mp.sqrt(2)) / 2
+
+
+def _of_root(function: Callable[[mp.mpf], mp.mpf]) -> Callable[[mp.mpf], mp.mpf]:
+    return lambda z: function(mp.sqrt(z))
+
+
+TANGENT = Target(
+    "tan(r)/r in powers of r**2, |r| <= pi/4",
+    _of_root(lambda r: mp.tan(r) / r),
+    lambda: _beyond(mp.pi / 4),
+    _tangent_sides,
+)
+HALF_TANGENT = Target(
+    "tan(r/2)/r in powers of r**2",
+    _of_root(lambda r: mp.tan(r / 2) / r),
+    lambda: _beyond(mp.pi / 2),
+    _half_tangent_sides,
+)
+SINE = Target(
+    "(sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4",
+    _of_root(lambda r: (mp.sin(r) / r - 1) / r**2),
+    lambda: _beyond(mp.pi / 4),
+    _sine_sides,
+)
+COSINE = Target(
+    "(cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4",
+    _of_root(lambda r: (mp.cos(r) - 1 + r**2 / 2) / r**4),
+    lambda: _beyond(mp.pi / 4),
+    _cosine_sides,
+)
+ARCTANGENT = Target(
+    "(atan(y)/y - 1)/y**2 in powers of y**2, |y| <= 1",
+    _of_root(lambda y: (mp.atan(y) / y - 1) / y**2),
+    lambda: _beyond(mp.mpf(1)),
+    _arctangent_sides,
+)
+SMALL_ARCTANGENT = Target(
+    "(atan(y)/y - 1)/y**2 in powers of y**2",
+    ARCTANGENT.value,
+    lambda: mp.mpf(1) / 3 * (1 + MARGIN),
+    _arctangent_sides,
+)
+ODD_EXPONENTIAL = Target(
+    "(sinh(r)/r - 1)/r**2 in powers of r**2, |r| <= log(2)/2",
+    _of_root(lambda r: (mp.sinh(r) / r - 1) / r**2),
+    lambda: _beyond(mp.log(2) / 2),
+    _odd_exponential_sides,
+)
+EVEN_EXPONENTIAL = Target(
+    "(cosh(r) - 1)/r**2 in powers of r**2, |r| <= log(2)/2",
+    _of_root(lambda r: (mp.cosh(r) - 1) / r**2),
+    lambda: _beyond(mp.log(2) / 2),
+    _even_exponential_sides,
+)
+NORMAL_TAIL = Target(
+    f"(1 + x)*exp(x**2/2)*tail by (x - {TAIL:g})/(x + {TAIL:g}), x <= {TAIL_END:g}",
+    _scale_tail,
+    lambda: mp.mpf(TAIL_END - TAIL) / (TAIL_END + TAIL),
+    _tail_sides,
+    first=-1.0,
+)
+
+# Constants that functions of `kernel_support` take as their last argument, by their names there.
+FITS: Mapping[str, tuple[Target, tuple[int, int]]] = MappingProxyType(
+    {"_TANGENT": (HALF_TANGENT, (3, 3)), "_ARCTANGENT": (SMALL_ARCTANGENT, (4, 4))}
+)
+
+
+@cache
+def fit(target: Target, above: int, below: int = 0, form: Format = DOUBLE) -> Rational:
+    """Interpolate by a quotient of polynomials of degrees `above` and `below`."""
+    with mp.workdps(DIGITS):
+        first, count = mp.mpf(target.first or 0), above + below + 1
+        half = (target.last() - first) / 2
+        places = (1 + mp.cos(mp.pi * (2 * i + 1) / (2 * count)) for i in range(count))
+        nodes = [first + half * place for place in places]
+        values = [target.value(z) for z in nodes]
+        rows = [
+            [z**j for j in range(above + 1)] + [-v * z**j for j in range(1, below + 1)]
+            for z, v in zip(nodes, values, strict=True)
+        ]
+        found = [form.round(c) for c in mp.lu_solve(mp.matrix(rows), mp.matrix(values))]
+    return Rational(tuple(found[: above + 1]), (1.0, *found[above + 1 :]))
+
+
+@cache
+def enclose(target: Target, fitted: Rational) -> float:
+    """Bound the relative error of the function, from 0 to the end of its interval."""
+    with mp.workdps(DIGITS):
+        last = str(mp.sqrt(target.last()) if target.first is None else target.last())
+    with _working():
+        first = arb(target.first or 0)
+        step = (arb(last) - first) / PIECES
+        ends = [first + step * i for i in range(PIECES + 1)]
+    return max(enclose_pieces(partial(target.sides, fitted), pairwise(ends)))
+
+
+@contextmanager
+def _working() -> Iterator[None]:
+    precision, length = ctx.prec, ctx.cap
+    ctx.prec, ctx.cap = BITS, ORDER + 2
+    try:
+        yield
+    finally:
+        ctx.prec, ctx.cap = precision, length
+
+
+def enclose_pieces(sides: Sides, pieces: Iterable[tuple[arb, arb]]) -> list[float]:
+    """Bound the relative difference of two sides on intervals.
+
+    Both may vanish with their argument at 0, where an interval begins.
+    """
+    bounds = []
+    with _working():
+        for low, high in pieces:
+            half = (high - low) / 2
+            # From 0 both are expanded there.
+            place = (low, high) if low == 0 else (low + half, half)
+            bounds.append(_enclose_piece(sides, *place))
+    return bounds
+
+
+def _enclose_piece(sides: Sides, middle: arb, reach: arb) -> float:
+    near = sides(arb_series([middle, 1]))
+    around = sides(arb_series([arb(middle.mid(), reach), 1]))
+    vanishes = [bool(side[0] == 0) for side in near]
+    if vanishes[1] and not vanishes[0]:
+        return math.inf
+    lowest = 1 if vanishes[1] else 0
+    powers = [reach ** (k - lowest) for k in range(lowest, ORDER + 1)]
+
+    def bound(at_middle: arb_series, in_piece: arb_series) -> list[arb]:
+        """Bound the terms of a Taylor polynomial, and last its rest."""
+        terms = [*(at_middle[k] for k in range(lowest, ORDER)), in_piece[ORDER]]
+        return [abs(c) * power for c, power in zip(terms, powers, strict=True)]
+
+    off = bound(near[0] - near[1], around[0] - around[1])
+    first, *others = bound(near[1], around[1])
+    least = first - sum(others, arb(0))
+    if not off[-1] < least * REST:
+        halves = (middle - reach / 2, middle + reach / 2)
+        return max(_enclose_piece(sides, side, reach / 2) for side in halves)
+    return float((sum(off, arb(0)) / least).upper())

@@ -1,0 +1,308 @@
+"""The elementary functions: how each is computed in plain arithmetic, for a float format."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from types import MappingProxyType
+
+import mpmath as mp
+
+from mechproof.programs.elementary import fits
+from mechproof.programs.elementary.fits import Rational, Target, fit
+from mechproof.programs.elementary.formats import DIGITS, Format
+from mechproof.programs.elementary.trace import (
+    Value,
+    choose,
+    copysign,
+    floor,
+    fma,
+    maximum,
+    polynomial,
+    power_of_two,
+    rint,
+    root,
+    trace,
+)
+from mechproof.programs.program import Program
+
+Body = Callable[..., Value]
+Fitted = tuple[Target, Rational]
+# Of the terms of a sum that keeps its rests, in eps: six roundings of the factors, and its own.
+ROUNDED = 4
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function as a program. `fits` are the approximations in it.
+
+    Where the absolute value of the first argument is more than the format's `largest`, `program`
+    is wrong and `far`, where there is one, takes the functions of a backend's own library.
+    """
+
+    meaning: str
+    program: Program
+    fits: tuple[Fitted, ...]
+    far: Program | None
+
+
+class _Maker:
+    """Builds the functions of one format."""
+
+    def __init__(self, form: Format) -> None:
+        self.form = form
+        self.fits: list[Fitted] = []
+
+    def fit(self, target: Target, above: int, below: int = 0) -> Rational:
+        """Fit a target and remember it."""
+        fitted = fit(target, above, below, self.form)
+        self.fits.append((target, fitted))
+        return fitted
+
+    def reduce(self, y: Value) -> tuple[Value, Value]:
+        """Return the nearest number n of quarter turns and y less them, to an ulp of itself.
+
+        The first fma is exact: both products are multiples of one unit, their difference is
+        small. The second rounds once; three words of pi/2 leave less than an ulp of the smallest
+        difference that a number up to `largest` has from a multiple of pi/2.
+        """
+        with mp.workdps(DIGITS):
+            quarter = self.form.split(mp.pi / 2, 3)
+            per_quarter = self.form.round(2 / mp.pi)
+        n = rint(y * per_quarter)
+        r = y
+        for word in quarter:
+            r = fma(n, -word, r)
+        return n, r
+
+    def tangent_parts(self, y: Value) -> tuple[Value, Value]:
+        """Return two values whose quotient is tan(y)."""
+        n, r = self.reduce(y)
+        fitted = self.fit(fits.TANGENT, *self.form.tangent)
+        z = r * r
+        first, *others = fitted.above
+        lead = r if first == 1.0 else first * r
+        above, below = fma(r * z, polynomial(z, others), lead), polynomial(z, fitted.below)
+        half = n * 0.5
+        is_even = rint(half).equals(half)
+        return choose(is_even, above, -below), choose(is_even, below, above)
+
+    def tan(self, y: Value) -> Value:
+        """Return tan(y)."""
+        above, below = self.tangent_parts(y)
+        return above / below
+
+    def tangent_above(self, y: Value) -> Value:
+        """Return tan(y) times what `tangent_below` returns."""
+        return self.tangent_parts(y)[0]
+
+    def tangent_below(self, y: Value) -> Value:
+        """Return what tan(y) is to be multiplied by: it vanishes where cos(y) does."""
+        return self.tangent_parts(y)[1]
+
+    def tangent_quotient(self, y: Value, a: Value, b: Value) -> Value:
+        """Return t/(a + b*t**2), t = tan(y)."""
+        above, below = self.tangent_parts(y)
+        return above * below / fma(a * below, below, b * above * above)
+
+    def sine_and_cosine(self, r: Value) -> tuple[Value, Value]:
+        """Return both of an angle of at most pi/4."""
+        odd = self.fit(fits.SINE, self.form.sine)
+        even = self.fit(fits.COSINE, self.form.cosine)
+        z = r * r
+        sine = fma(r * z, polynomial(z, odd.above), r)
+        half = z * 0.5
+        near = 1.0 - half
+        cosine = near + fma(z * z, polynomial(z, even.above), (1.0 - near) - half)
+        return sine, cosine
+
+    def sin(self, y: Value) -> Value:
+        """Return sin(y)."""
+        n, r = self.reduce(y)
+        sine, cosine = self.sine_and_cosine(r)
+        half = n * 0.5
+        return _turn(choose(rint(half).equals(half), sine, cosine), floor(half))
+
+    def cos(self, y: Value) -> Value:
+        """Return cos(y)."""
+        n, r = self.reduce(y)
+        sine, cosine = self.sine_and_cosine(r)
+        half = n * 0.5
+        return _turn(choose(rint(half).equals(half), cosine, sine), floor((n + 1.0) * 0.5))
+
+    def arctan(self, y: Value) -> Value:
+        """Return atan(y)."""
+        size = abs(y)
+        is_large = size > 1.0
+        arc = self.arc(choose(is_large, 1.0 / size, size))
+        high, low = self.split_turn(0.5)
+        return copysign(choose(is_large, high - (arc - low), arc), y)
+
+    def arctan_quotient(self, a: Value, b: Value) -> Value:
+        """Return atan(a/b)."""
+        rise, run = abs(a), abs(b)
+        is_large = rise > run
+        below = choose(is_large, rise, run)
+        arc = self.arc(choose(is_large, run, rise) / below)
+        high, low = self.split_turn(0.5)
+        size = choose(is_large, high - (arc - low), arc)
+        return copysign(1.0, b) * copysign(size, a)
+
+    def arctan2(self, a: Value, b: Value) -> Value:
+        """Return atan2(a, b)."""
+        rise, run = abs(a), abs(b)
+        is_steep = rise > run
+        below = choose(is_steep, rise, run)
+        arc = self.arc(choose(is_steep, run, rise) / choose(below.equals(0.0), 1.0, below))
+        is_behind = copysign(1.0, b) < 0.0
+        (half, half_low), (whole, whole_low) = map(self.split_turn, (0.5, 1))
+        high = choose(is_steep, half, choose(is_behind, whole, 0.0))
+        low = choose(is_steep, half_low, choose(is_behind, whole_low, 0.0))
+        turned = choose(is_steep, choose(is_behind, arc, -arc), choose(is_behind, -arc, arc))
+        return copysign(high + (low + turned), a)
+
+    def arc(self, w: Value) -> Value:
+        """Return atan(w) for 0 <= w <= 1."""
+        fitted = self.fit(fits.ARCTANGENT, self.form.arctangent)
+        z = w * w
+        return fma(w * z, polynomial(z, fitted.above), w)
+
+    def small_arctan(self, y: Value) -> Value:
+        """Return atan(y) for |y| <= 1/sqrt(3)."""
+        fitted = self.fit(fits.SMALL_ARCTANGENT, self.form.small_arctangent)
+        z = y * y
+        return fma(y * z, polynomial(z, fitted.above), y)
+
+    def split_turn(self, part: float) -> tuple[float, ...]:
+        """Return a part of pi as two numbers of the format."""
+        with mp.workdps(DIGITS):
+            return self.form.split(mp.pi * part, 2)
+
+    def hypot(self, a: Value, b: Value) -> Value:
+        """Return sqrt(a**2 + b**2), scaled where squares would leave the range."""
+        one, other = abs(a), abs(b)
+        size = choose(one > other, one, other)
+        large, small = 2.0**self.form.squares, 2.0**-self.form.squares
+        factor = choose(
+            size > large,
+            2.0**-self.form.scale,
+            choose(size < small, 2.0**self.form.scale, 1.0),
+        )
+        x, y = one * factor, other * factor
+        return root(fma(x, x, y * y)) / factor
+
+    def exp(self, y: Value) -> Value:
+        """Return exp(y).
+
+        The first fma is exact, as for angles. The power of two is a product of two, of which the
+        second alone rounds: where the result is subnormal.
+        """
+        with mp.workdps(DIGITS):
+            words = self.form.split(mp.log(2), 2)
+            per_word = self.form.round(1 / mp.log(2))
+            top = float(mp.ceil(self.form.exponent * mp.log(2)))
+            bottom = float(mp.floor((2 - self.form.exponent - self.form.bits) * mp.log(2)))
+        inside = choose(y > top, top, choose(y < bottom, bottom, y))
+        n = rint(inside * per_word)
+        r = inside
+        for word in words:
+            r = fma(n, -word, r)
+        odd = self.fit(fits.ODD_EXPONENTIAL, self.form.exponential)
+        even = self.fit(fits.EVEN_EXPONENTIAL, self.form.exponential)
+        z = r * r
+        bent = fma(r, polynomial(z, odd.above), polynomial(z, even.above))
+        half = floor(n * 0.5)
+        return (1.0 + fma(z, bent, r)) * power_of_two(half) * power_of_two(n - half)
+
+    def normal_tail(self, y: Value) -> Value:
+        """Return the mass of the standard normal law beyond |y|.
+
+        The square of |y| is taken with the rest of its rounding: the tail is as exact far out.
+        """
+        size = abs(y)
+        x = choose(size > fits.TAIL_END, fits.TAIL_END, size)
+        fitted = self.fit(fits.NORMAL_TAIL, self.form.tail)
+        scaled = polynomial((x - fits.TAIL) / (x + fits.TAIL), fitted.above) / (1.0 + x)
+        square = x * x
+        return self.exp(square * -0.5) * fma(fma(x, x, -square) * -0.5, scaled, scaled)
+
+    def small_tangent(self, y: Value) -> Value:
+        """Return tan(y) for y the half of a low word."""
+        return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
+
+    def product_rest(self, a: Value, b: Value, p: Value) -> Value:
+        """Return a*b - p."""
+        return fma(a, b, -p)
+
+    def quotient_rest(self, a: Value, b: Value, q: Value) -> Value:
+        """Return a/b - q."""
+        return fma(-q, b, a) / b
+
+    def sum_rest(self, a: Value, b: Value, s: Value) -> Value:
+        """Return a + b - s."""
+        return b - (s - a)
+
+    def total_rest(self, a: Value, b: Value, s: Value) -> Value:
+        """Return a + b - s, whichever of both is larger."""
+        part = s - a
+        return (a - (s - part)) + (b - part)
+
+    def nonnegative(self, total: Value, size: Value) -> Value:
+        """Return a sum, 0 where it is negative by no more than terms of that size are rounded."""
+        rounding = ROUNDED * self.form.eps * size
+        beyond = maximum(-total - rounding, 0.0)
+        return maximum(total, 0.0 - beyond)
+
+
+def _turn(value: Value, half_turns: Value) -> Value:
+    """Return a value with the sign that a whole number of half turns gives it."""
+    half = half_turns * 0.5
+    return choose(floor(half).equals(half), value, -value)
+
+
+def _far_quotient(y: Value, a: Value, b: Value) -> Value:
+    t = y.apply("tan", y)
+    return t / (a + b * t * t)
+
+
+def _far(kind: str) -> Body:
+    return lambda y: y.apply(kind, y)
+
+
+BODIES: Mapping[str, tuple[Body, tuple[str, ...], Body | None]] = MappingProxyType(
+    {
+        "tan": (_Maker.tan, ("y",), _far("tan")),
+        "tangent_quotient": (_Maker.tangent_quotient, ("y", "a", "b"), _far_quotient),
+        "tangent_above": (_Maker.tangent_above, ("y",), _far("tan")),
+        "tangent_below": (_Maker.tangent_below, ("y",), lambda y: y.apply("copy", 1.0)),
+        "sin": (_Maker.sin, ("y",), _far("sin")),
+        "cos": (_Maker.cos, ("y",), _far("cos")),
+        "arctan": (_Maker.arctan, ("y",), None),
+        "arctan_quotient": (_Maker.arctan_quotient, ("a", "b"), None),
+        "arctan2": (_Maker.arctan2, ("a", "b"), None),
+        "small_arctan": (_Maker.small_arctan, ("y",), None),
+        "small_tangent": (_Maker.small_tangent, ("y",), None),
+        "exp": (_Maker.exp, ("y",), None),
+        "normal_tail": (_Maker.normal_tail, ("y",), None),
+        "hypot": (_Maker.hypot, ("a", "b"), None),
+        "product_rest": (_Maker.product_rest, ("a", "b", "p"), None),
+        "quotient_rest": (_Maker.quotient_rest, ("a", "b", "q"), None),
+        "sum_rest": (_Maker.sum_rest, ("a", "b", "s"), None),
+        "total_rest": (_Maker.total_rest, ("a", "b", "s"), None),
+        "nonnegative": (_Maker.nonnegative, ("total", "size"), None),
+    }
+)
+
+
+@cache
+def build(kind: str, form: Format) -> Function:
+    """Return the function of a kind of operation in a format.
+
+    Raises `KeyError` for a kind that is an operation of the machine.
+    """
+    body, inputs, far = BODIES[kind]
+    maker = _Maker(form)
+    program = trace(lambda *values: body(maker, *values), inputs)
+    far_program = trace(far, inputs) if far else None
+    return Function(str(body.__doc__), program, tuple(maker.fits), far_program)

@@ -1,0 +1,261 @@
+"""Kernel: in, a quantity and the forms of one function; out, its code as programs.
+
+What the parameters alone decide is divided from what varies point by point; every backend prints
+the same code.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.domain import can_be_left, checked_relations
+from mechproof.programs.evaluation import (
+    Evaluation,
+    count_axes,
+    entries,
+    input_symbols,
+    result_shape,
+    start_evaluation,
+)
+from mechproof.programs.lowering import lower_conditions, lower_steps
+from mechproof.programs.names import PUBLIC_IN_MODULES, is_free
+from mechproof.programs.program import NOTHING
+from mechproof.programs.rewrites import apply_rewrites
+from mechproof.programs.subexpressions import share_subexpressions
+from mechproof.record import Argument, Form, Paper, Quantity
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """A function to be printed: its forms, tried in order, and its code.
+
+    `obligations` are the relations under which the rewrites of each form are legal.
+    """
+
+    name: str
+    quantity: Quantity
+    forms: tuple[Form, ...]
+    digest: str
+    code: KernelCode
+    obligations: tuple[tuple[sp.Basic, ...], ...]
+
+    @property
+    def is_shipped(self) -> bool:
+        """Return whether it is the kernel of its quantity, not a rival."""
+        return self.forms == self.quantity.shipped
+
+
+# The functions of the papers last asked for; a record with mappings in it has no hash.
+_built: list[tuple[Paper, tuple[Kernel, ...]]] = []
+MOST_BUILT = 8
+
+
+def list_functions(paper: Paper) -> tuple[Kernel, ...]:
+    """Build the kernel of every quantity that has forms, each followed by its rivals."""
+    for known, functions in _built:
+        if known is paper:
+            return functions
+    functions = tuple(f for q in paper.quantities if q.forms for f in _build(q, paper))
+    _built[:] = [*_built[1 - MOST_BUILT :], (paper, functions)]
+    return functions
+
+
+def _build(quantity: Quantity, paper: Paper) -> Iterator[Kernel]:
+    yield build_kernel(quantity.name, quantity, quantity.shipped, paper)
+    for form in quantity.rivals:
+        yield build_kernel(name_rival(quantity, form), quantity, (form,), paper)
+
+
+def name_rival(quantity: Quantity, form: Form) -> str:
+    """Return the name of a rival form's function."""
+    return f"{quantity.name}_{form.key}"
+
+
+def evaluate_form(quantity: Quantity, form: Form, paper: Paper) -> Evaluation:
+    """Make the evaluation a kernel prints: the form, its rewrites, shared subexpressions."""
+    started = start_evaluation(quantity, form, paper)
+    return share_subexpressions(apply_rewrites(started, form.rewrites))
+
+
+def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: Paper) -> Kernel:
+    """Build the code of one function.
+
+    Raises ValueError where the quantity cannot be computed or its domain cannot be checked.
+    """
+    if not is_free(name, PUBLIC_IN_MODULES) or name.endswith("_"):
+        raise ValueError(f"{paper.system}: {name!r} cannot name a kernel")
+    evaluations = [evaluate_form(quantity, form, paper) for form in forms]
+    used = set().union(*map(_used_symbols, evaluations))
+    running = quantity.arguments[0].symbols
+    # Of the parameters first: one number with one number, and with all points only once.
+    conditions = tuple(sorted(checked_relations(quantity, paper), key=lambda r: r.has(*running)))
+    names = input_names(quantity)
+    affine = len(forms) == 1 and _affine_coefficients(quantity, evaluations[0]) is not None
+    vectors = _name_vectors(quantity, used, affine)
+    scalars = _list_scalars(quantity, vectors)
+    if len(forms) > 1 and any(isinstance(s, sp.IndexedBase) for s in evaluations[0].inputs):
+        raise ValueError(f"{name}: forms of sums over an axis cannot be chosen by a condition")
+    code = KernelCode(
+        name=name,
+        arguments=tuple(a.name for a in quantity.arguments),
+        vectors=vectors,
+        indexed=tuple(
+            (a.name, count_axes(a, quantity))
+            for a in quantity.arguments
+            if isinstance(a.symbols[0], sp.IndexedBase)
+        ),
+        inside=lower_conditions(names, scalars, conditions) if conditions else None,
+        masked=_choose_masked(quantity, conditions, evaluations[-1]),
+        stages=tuple(
+            _build_stage(quantity, form, evaluation, scalars, vectors)
+            for form, evaluation in zip(forms, evaluations, strict=True)
+        ),
+        shape=result_shape(evaluations[0].output),
+        quiet=can_be_left(quantity, paper, conditions),
+    )
+    started = [start_evaluation(quantity, form, paper) for form in forms]
+    obligations = tuple(evaluation.obligations for evaluation in evaluations)
+    return Kernel(name, quantity, forms, hash_expressions(started), code, obligations)
+
+
+def _build_stage(
+    quantity: Quantity,
+    form: Form,
+    evaluation: Evaluation,
+    scalars: tuple[str, ...],
+    vectors: tuple[tuple[str, tuple[str, ...]], ...],
+) -> Stage:
+    names = input_names(quantity)
+    _check_names(quantity, [*names.values(), *(str(s) for s, _ in evaluation.steps)])
+    when = lower_conditions(names, scalars, (form.when,)) if form.when is not None else None
+    large = _point_sized(quantity, evaluation)
+    occurring = _used_symbols(evaluation)
+    running, *others = (
+        [s for s in argument.symbols if s in occurring] for argument in quantity.arguments
+    )
+    outputs = entries(evaluation.output)
+    if any(isinstance(s, sp.IndexedBase) for s in evaluation.inputs):
+        program = lower_steps(names, large, scalars, evaluation.steps, outputs)
+        return Stage(when, scalars, (), NOTHING, program)
+    parameters = [s for symbols in others for s in symbols]
+    given = tuple(names[s] for s in parameters)
+    affine = _affine_coefficients(quantity, evaluation)
+    if affine is not None:
+        prepare = lower_steps(names, large, given, evaluation.steps, affine)
+        return Stage(when, dict(vectors)[quantity.arguments[0].name], given, prepare, None)
+    before = [step for step in evaluation.steps if step[0] not in large]
+    after = [step for step in evaluation.steps if step[0] in large]
+    last = [value for _, value in after] + list(outputs)
+    wanted = set().union(*(input_symbols(value) for value in last))
+    passed = [s for s in (*parameters, *(s for s, _ in before)) if s in wanted]
+    prepare = lower_steps(names, large, given, before, passed) if given else NOTHING
+    moving = tuple(names[s] for s in running)
+    inputs = (*moving, *(names.get(s, str(s)) for s in passed))
+    return Stage(when, moving, given, prepare, lower_steps(names, large, inputs, after, outputs))
+
+
+def input_names(quantity: Quantity) -> Mapping[sp.Basic, str]:
+    """Name the inputs: a lone symbol is called like its argument, components like their symbols."""
+    return {
+        s: argument.name if len(argument.symbols) == 1 else str(s)
+        for argument in quantity.arguments
+        for s in argument.symbols
+    }
+
+
+def _used_symbols(evaluation: Evaluation) -> set[sp.Basic]:
+    return set().union(*map(input_symbols, evaluation.expressions()))
+
+
+def _affine_coefficients(quantity: Quantity, evaluation: Evaluation) -> list[sp.Expr] | None:
+    """List the matrix row by row, then the shift, of outputs affine in as many components."""
+    point, outputs = quantity.arguments[0].symbols, entries(evaluation.output)
+    large = _point_sized(quantity, evaluation)
+    if not 1 < len(point) == len(outputs) or any(s in large for s, _ in evaluation.steps):
+        return None
+    matrix = [sp.diff(output, component) for output in outputs for component in point]
+    if any(entry.has(*point) for entry in matrix):
+        return None
+    return matrix + [output.xreplace(dict.fromkeys(point, sp.S.Zero)) for output in outputs]
+
+
+def hash_expressions(evaluations: list[Evaluation]) -> str:
+    """Return the SHA-256 of the `srepr` of the steps and outputs before any rewrite."""
+    parts = [sp.srepr(part) for e in evaluations for step in e.steps for part in step]
+    parts += [sp.srepr(e.output) for e in evaluations]
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()
+
+
+def _check_names(quantity: Quantity, names: list[str]) -> None:
+    """Require every name to be a variable of its own in the printed function."""
+    taken = {a.name for a in quantity.arguments if len(a.symbols) > 1}
+    for name in names:
+        if not is_free(name) or name in taken:
+            raise ValueError(f"{quantity.name}: {name!r} cannot name a variable of the kernel")
+        taken.add(name)
+
+
+def _point_sized(quantity: Quantity, evaluation: Evaluation) -> frozenset[sp.Basic]:
+    """Collect the running variable and the steps computed from it."""
+    large = set(quantity.arguments[0].symbols)
+    for symbol, value in evaluation.steps:
+        if value.has(*large):
+            large.add(symbol)
+    return frozenset(large)
+
+
+def _choose_masked(
+    quantity: Quantity, conditions: tuple[sp.Basic, ...], evaluation: Evaluation
+) -> tuple[str, ...]:
+    """List the parameters of the conditions: none of them is computed with outside the domain.
+
+    Raises ValueError if an output depends on none of them and would not become NaN.
+    """
+    if not conditions:
+        return ()
+    names = input_names(quantity)
+    checked = set().union(*map(input_symbols, conditions))
+    masked = {s for s in checked if isinstance(s, sp.Symbol)}
+    values = evaluation.step_values()
+    if any(
+        masked.isdisjoint(input_symbols(e.xreplace(values))) for e in entries(evaluation.output)
+    ):
+        raise ValueError(f"{quantity.name}: no parameter through which an output can become NaN")
+    return tuple(names[s] for a in quantity.arguments for s in a.symbols if s in masked)
+
+
+def _name_vectors(
+    quantity: Quantity, used: set[sp.Basic], affine: bool
+) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Name the components of vectors; an affine map takes its points whole."""
+    vectors = []
+    for number, argument in enumerate(quantity.arguments):
+        if len(argument.symbols) == 1:
+            continue
+        names = tuple(str(s) if s in used else "_" for s in argument.symbols)
+        if affine and number == 0:
+            names = tuple(f"{argument.name}[{i}]" for i in range(len(names)))
+        vectors.append((argument.name, names))
+    return tuple(vectors)
+
+
+def _list_scalars(
+    quantity: Quantity, vectors: tuple[tuple[str, tuple[str, ...]], ...]
+) -> tuple[str, ...]:
+    """List what a condition may use: the arguments, vectors by their components."""
+    parts = dict(vectors)
+    return tuple(n for a in quantity.arguments for n in parts.get(a.name, (a.name,)))
+
+
+def shape_of(argument: Argument, quantity: Quantity) -> str:
+    """Describe the shape of an argument."""
+    if len(argument.symbols) > 1:
+        return f"shape (..., {len(argument.symbols)})"
+    if isinstance(argument.symbols[0], sp.IndexedBase):
+        return f"shape (..., {', '.join('n' * count_axes(argument, quantity))})"
+    return "any shape"

@@ -1,0 +1,156 @@
+"""Raising: in, the code of a kernel; out, the mathematics that it computes, for a proof."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.operations import SYMBOLIC
+from mechproof.programs.program import (
+    CONSTANTS,
+    VIEWS,
+    Operand,
+    Program,
+    spell_out_forms,
+)
+from mechproof.record import Quantity
+
+# A whole turn off the argument is nothing to these.
+PERIODIC = ("sin", "cos")
+
+
+class WrittenForm:
+    """A form as its emitted source has it."""
+
+    def __init__(self, quantity: Quantity, code: KernelCode, stage: Stage) -> None:
+        axes = _Axes(quantity)
+        self._inputs = _name_inputs(quantity, code, stage, axes)
+        self._steps: dict[sp.Symbol, sp.Expr] = {}
+        prepared = self._raise(stage.prepare, self._inputs, axes)
+        if stage.evaluate is None:
+            point = [self._inputs[name] for name in stage.running]
+            self._outputs = _map_affinely(prepared, point)
+        else:
+            given = (*(self._inputs[name] for name in stage.running), *prepared)
+            bound = dict(zip(stage.evaluate.inputs, given, strict=True))
+            self._outputs = self._raise(stage.evaluate, bound, axes)
+        self._shape = code.shape
+
+    def output(self, *kept: sp.Symbol) -> sp.Basic:
+        """Return the value with every step inserted but the kept ones."""
+        values = self._insert(kept)
+        entries = [output.xreplace(values) for output in self._outputs]
+        if not self._shape:
+            return entries[0]
+        rows, columns = (*self._shape, 1)[:2]
+        return sp.ImmutableDenseMatrix(rows, columns, entries)
+
+    def step(self, name: sp.Symbol, *kept: sp.Symbol) -> sp.Expr:
+        """Return the value of a step with every step before it inserted but the kept ones."""
+        found = {str(symbol): value for symbol, value in self._steps.items()}
+        if str(name) not in found:
+            raise ValueError(f"no step {name} among {', '.join(found)}")
+        return found[str(name)].xreplace(self._insert(kept))
+
+    def _insert(self, kept: tuple[sp.Symbol, ...]) -> dict[sp.Symbol, sp.Expr]:
+        """Return what replaces each step: its value, or the kept symbol of its name."""
+        named = {str(symbol): symbol for symbol in kept}
+        values: dict[sp.Symbol, sp.Expr] = {}
+        for symbol, value in self._steps.items():
+            values[symbol] = named.get(str(symbol), value.xreplace(values))
+        return values
+
+    def _raise(
+        self, program: Program, known: Mapping[str, sp.Expr], axes: _Axes
+    ) -> tuple[sp.Expr, ...]:
+        """Give every named result a symbol of its own, temporaries their values."""
+        _check_turns(program)
+        values: dict[str, sp.Basic] = dict(known)
+
+        def find(operand: Operand) -> sp.Basic:
+            if isinstance(operand, str):
+                return values.get(operand, CONSTANTS.get(operand))
+            return sp.Rational(operand)
+
+        spelled = spell_out_forms(program)
+        for operation in spelled.operations:
+            if operation.kind in axes.kinds:
+                value = axes.apply(operation.kind, find(operation.operands[0]), operation.operands)
+            else:
+                value = SYMBOLIC[operation.kind](*map(find, operation.operands))
+            if operation.result.startswith("_"):
+                values[operation.result] = value
+            else:
+                symbol = sp.Symbol(operation.result, real=True)
+                self._steps[symbol] = value
+                values[operation.result] = symbol
+        return tuple(map(find, spelled.outputs))
+
+
+class _Axes:
+    """What the axes of arrays are in mathematics: the indices of the quantity's own sums."""
+
+    kinds = ("sum", *VIEWS)
+
+    def __init__(self, quantity: Quantity) -> None:
+        sums = quantity.definition.atoms(sp.Sum)
+        limits = max((total.limits for total in sums), key=len, default=())
+        self.indices = tuple(index for index, *_ in reversed(limits))
+        self._limits = {index: (index, *ends) for index, *ends in limits}
+
+    def apply(self, kind: str, value: sp.Expr, operands: tuple[Operand, ...]) -> sp.Expr:
+        """Return what an operation on axes makes of a value indexed by the last ones."""
+        first, last = self.indices[0], self.indices[-1]
+        if kind == "sum":
+            count = int(operands[1])
+            used = self.indices[:count] if count == len(self.indices) else self.indices[-count:]
+            return sp.Sum(value, *(self._limits[index] for index in reversed(used)))
+        if kind == "along_first":
+            return value.xreplace({last: first})
+        if kind == "transpose":
+            return value.xreplace({first: last, last: first})
+        if kind == "diagonal":
+            return value.xreplace({first: last})
+        return value
+
+
+def _name_inputs(
+    quantity: Quantity, code: KernelCode, stage: Stage, axes: _Axes
+) -> dict[str, sp.Expr]:
+    """Map the names in the source to the symbols of the quantity; arrays to their elements."""
+    found: dict[str, sp.Expr] = {}
+    counts, parts = dict(code.indexed), dict(code.vectors)
+    for argument in quantity.arguments:
+        symbol = argument.symbols[0]
+        if isinstance(symbol, sp.IndexedBase):
+            found[argument.name] = symbol[axes.indices[-counts[argument.name] :]]
+        elif argument.name in parts:
+            found |= dict(zip(parts[argument.name], argument.symbols, strict=True))
+        else:
+            found[argument.name] = symbol
+    return found
+
+
+def _map_affinely(entries: tuple[sp.Expr, ...], point: list[sp.Expr]) -> tuple[sp.Expr, ...]:
+    """Return M @ p + v, `entries` being M row by row, then v."""
+    count = len(point)
+    rows = [entries[i * count : (i + 1) * count] for i in range(count)]
+    return tuple(
+        sum((m * p for m, p in zip(row, point, strict=True)), start=shift)
+        for row, shift in zip(rows, entries[-count:], strict=True)
+    )
+
+
+def _check_turns(program: Program) -> None:
+    """Require that an angle less whole turns goes into sines and cosines only."""
+    angles: set[Operand] = set()
+    for operation in program.operations:
+        uses = angles.intersection(operation.operands)
+        if operation.kind == "whole_turns_off" or (uses and operation.kind in ("single", "copy")):
+            angles.add(operation.result)
+        elif uses and operation.kind not in PERIODIC:
+            raise ValueError(f"{operation.kind} of an angle less whole turns")
+    if angles.intersection(program.outputs):
+        raise ValueError("an angle less whole turns is an output")

@@ -1,0 +1,59 @@
+"""Rewrites: in, an evaluation; out, one with the same exact value that computes better.
+
+Every rewrite is exact where it is legal. Where that is not everywhere it obliges the prover: the
+relations under which it is legal go along with the evaluation and are rows of the ledger. A form
+names its rewrites; `REWRITES` resolves the names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+
+from mechproof.programs.evaluation import Evaluation
+from mechproof.programs.rewrites.arctangent import positive_atan2
+from mechproof.programs.rewrites.clenshaw import clenshaw, in_single
+from mechproof.programs.rewrites.coefficients import name_coefficients
+from mechproof.programs.rewrites.exponentials import expm1_log1p
+from mechproof.programs.rewrites.half_angle import (
+    cosine_minus_one,
+    half_angle_tangent,
+    small_arc,
+)
+from mechproof.programs.rewrites.low_product import low_product
+from mechproof.programs.rewrites.low_word import low_word
+from mechproof.programs.rewrites.roots import conjugate_root, difference_of_squares, hypotenuse
+
+__all__ = ["REWRITES", "apply_rewrites"]
+
+Rewrite = Callable[[Evaluation], Evaluation]
+
+REWRITES: Mapping[str, Rewrite] = MappingProxyType(
+    {
+        function.__name__: function
+        for function in (
+            positive_atan2,
+            low_word,
+            low_product,
+            half_angle_tangent,
+            small_arc,
+            cosine_minus_one,
+            hypotenuse,
+            conjugate_root,
+            difference_of_squares,
+            expm1_log1p,
+            name_coefficients,
+            clenshaw,
+            in_single,
+        )
+    }
+)
+
+
+def apply_rewrites(evaluation: Evaluation, names: tuple[str, ...]) -> Evaluation:
+    """Apply the named rewrites in order; ValueError names one that the table does not have."""
+    for name in names:
+        if name not in REWRITES:
+            raise ValueError(f"rewrite {name!r} is not one of {sorted(REWRITES)}")
+        evaluation = REWRITES[name](evaluation)
+    return evaluation

@@ -1,0 +1,12 @@
+"""Exponentials near 1 and logarithms of what is near 1, without the digits that cancel there."""
+
+from __future__ import annotations
+
+from sympy.codegen.rewriting import expm1_opt, log1p_opt, optimize
+
+from mechproof.programs.evaluation import Evaluation
+
+
+def expm1_log1p(evaluation: Evaluation) -> Evaluation:
+    """Rewrite exp(u) - 1 -> expm1(u) and log(1 + u) -> log1p(u). Always legal."""
+    return evaluation.transform(lambda e: optimize(e, (expm1_opt, log1p_opt)))

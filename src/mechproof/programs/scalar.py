@@ -1,0 +1,212 @@
+"""Scalar kernels: in, a paper; out, programs that compute one point at a time.
+
+The programs are those of the NumPy kernels with divisions put off; an affine stage becomes fused
+products, and the elementary functions that occur are programs of plain arithmetic themselves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
+
+from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.evaluation import unused_name
+from mechproof.programs.kernel import Kernel, list_functions
+from mechproof.programs.program import (
+    NOTHING,
+    TEMPORARY,
+    Operand,
+    Operation,
+    Program,
+    is_unnamed,
+)
+from mechproof.programs.quotients import put_off_divisions
+from mechproof.record import Paper
+
+
+@dataclass(frozen=True)
+class ScalarArgument:
+    """An argument by the names of its components; `width` is 0 if it is no vector.
+
+    `axes` are those that are summed over.
+    """
+
+    name: str
+    components: tuple[str, ...]
+    width: int
+    axes: int
+    default: float | None
+    meaning: str
+    unit: str
+
+
+def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
+    """List the shipped kernels with programs that put divisions off."""
+    return tuple(_adapt(k) for k in list_functions(paper) if k.is_shipped)
+
+
+def _adapt(kernel: Kernel) -> Kernel:
+    stages = tuple(map(put_off_stage, kernel.code.stages))
+    adapted = replace(kernel, code=replace(kernel.code, stages=stages))
+    components = {c for a in list_arguments(kernel) if a.width for c in a.components}
+    return _rename_steps(adapted, components)
+
+
+def _rename_steps(kernel: Kernel, taken: Collection[str]) -> Kernel:
+    """Give steps that are called like a component another name."""
+    made = {s.result for stage in kernel.code.stages for p in stage.programs for s in p.operations}
+    known = kernel.code.names.union(taken)
+    names: dict[Operand, str] = {n: unused_name(n, known) for n in sorted(made.intersection(taken))}
+    if not names:
+        return kernel
+
+    def change(program: Program) -> Program:
+        steps = tuple(
+            replace(step, result=names.get(step.result, step.result))
+            for step in rename(program, names).operations
+        )
+        return replace(rename(program, names), operations=steps)
+
+    stages = tuple(
+        replace(
+            stage,
+            prepare=change(stage.prepare) if stage.prepare is not NOTHING else NOTHING,
+            evaluate=change(stage.evaluate) if stage.evaluate else None,
+        )
+        for stage in kernel.code.stages
+    )
+    return replace(kernel, code=replace(kernel.code, stages=stages))
+
+
+def put_off_stage(stage: Stage) -> Stage:
+    """Return a stage with programs that put divisions off."""
+    return replace(
+        stage,
+        prepare=put_off_divisions(stage.prepare),
+        evaluate=put_off_divisions(stage.evaluate) if stage.evaluate else None,
+    )
+
+
+def list_arguments(kernel: Kernel) -> tuple[ScalarArgument, ...]:
+    """List the arguments of a kernel with the names of their components."""
+    widths = {name: len(components) for name, components in kernel.code.vectors}
+    taken = kernel.code.arguments
+    axes = dict(kernel.code.indexed)
+    return tuple(
+        ScalarArgument(
+            a.name,
+            tuple(unused_name(f"{a.name}_{i}", taken) for i in range(widths[a.name]))
+            if a.name in widths
+            else (a.name,),
+            widths.get(a.name, 0),
+            axes.get(a.name, 0),
+            a.default,
+            a.meaning,
+            a.unit,
+        )
+        for a in kernel.quantity.arguments
+    )
+
+
+def rename_components(
+    code: KernelCode, arguments: tuple[ScalarArgument, ...]
+) -> Mapping[Operand, str]:
+    """Name the components of vectors after their argument: a symbol may be one of a step, too."""
+    parts = {a.name: a.components for a in arguments}
+    return {
+        old: new
+        for name, components in code.vectors
+        for old, new in zip(components, parts[name], strict=True)
+        if old != "_"
+    }
+
+
+def rename(program: Program, names: Mapping[Operand, str]) -> Program:
+    """Return a program with other names for its inputs."""
+    return Program(
+        tuple(names.get(n, n) for n in program.inputs),
+        tuple(
+            replace(step, operands=tuple(names.get(o, o) for o in step.operands))
+            for step in program.operations
+        ),
+        tuple(names.get(o, o) for o in program.outputs),
+    )
+
+
+def list_stages(kernel: Kernel) -> list[tuple[str, Stage]]:
+    """List the stages of a kernel by how the names of their functions end, components named."""
+    renamed = rename_components(kernel.code, list_arguments(kernel))
+    return [_scalar_stage(kernel, number, renamed) for number in range(len(kernel.code.stages))]
+
+
+def list_conditions(kernel: Kernel) -> list[Program]:
+    """List what is asked before a point is computed: the domain, then when each form is taken."""
+    renamed = rename_components(kernel.code, list_arguments(kernel))
+    inside = [rename(kernel.code.inside, renamed)] if kernel.code.inside else []
+    return inside + [stage.when for _, stage in list_stages(kernel) if stage.when]
+
+
+def _scalar_stage(kernel: Kernel, number: int, names: Mapping[Operand, str]) -> tuple[str, Stage]:
+    stage = kernel.code.stages[number]
+    last = number == len(kernel.code.stages) - 1
+    name = f"_of_{kernel.name}" if last else f"_{number + 1}_of_{kernel.name}"
+    running = tuple(names.get(n, n) for n in stage.running)
+    scalar = Stage(
+        rename(stage.when, names) if stage.when else None,
+        running,
+        tuple(names.get(n, n) for n in stage.parameters),
+        rename(stage.prepare, names) if stage.prepare is not NOTHING else NOTHING,
+        rename(stage.evaluate, names) if stage.evaluate else map_affinely(running),
+    )
+    return name, scalar
+
+
+def join_stage(stage: Stage) -> Program:
+    """Return one program of what a stage prepares and then evaluates."""
+    assert stage.evaluate is not None
+    inputs = (*stage.running, *stage.parameters)
+    before, after = stage.prepare, stage.evaluate
+    taken = {*inputs, *(str(step.result) for step in before.operations)}
+    names: dict[Operand, Operand] = {}
+    given: dict[Operand, Operand] = {}
+    for name, value in zip(after.inputs[len(stage.running) :], before.outputs, strict=True):
+        # What has no name is used once; what is prepared may be used often.
+        if is_unnamed(value) and value not in names:
+            names[value] = unused_name(name, taken)
+            taken.add(str(names[value]))
+        given[name] = names.get(value, value)
+    for step in after.operations:
+        given[step.result] = unused_name(step.result, taken)
+    steps = [*_rename_all(before, names), *_rename_all(after, given)]
+    outputs = tuple(given.get(output, output) for output in after.outputs)
+    return Program(inputs, tuple(steps), outputs).normal_form()
+
+
+def _rename_all(program: Program, names: Mapping[Operand, Operand]) -> list[Operation]:
+    """List operations with other names for what they take and what they make."""
+    return [
+        Operation(
+            str(names.get(step.result, step.result)),
+            step.kind,
+            tuple(names.get(operand, operand) for operand in step.operands),
+        )
+        for step in program.operations
+    ]
+
+
+def map_affinely(point: tuple[str, ...]) -> Program:
+    """Return the program of M @ p + v, M given row by row, then v."""
+    count = len(point)
+    rows = tuple(f"m{i}{j}" for i in range(count) for j in range(count))
+    shift = tuple(f"v{i}" for i in range(count))
+    operations: list[Operation] = []
+    outputs = []
+    for i in range(count):
+        result: Operand = shift[i]
+        for j in reversed(range(count)):
+            name = f"{TEMPORARY}{len(operations) + 1}"
+            operations.append(Operation(name, "fma", (rows[i * count + j], point[j], result)))
+            result = name
+        outputs.append(result)
+    inputs = (*point, *rows, *shift)
+    return Program(inputs, tuple(operations), tuple(outputs)).normal_form()
