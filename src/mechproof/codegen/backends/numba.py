@@ -40,24 +40,27 @@ from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.functions import BODIES, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.names import list_imports
+from mechproof.programs.operations import KINDS
 from mechproof.programs.scalar import join_stage, list_conditions, list_scalars, list_stages
 from mechproof.programs.sums import LOOPS, Reduction, fold_sums
 from mechproof.record import Paper, Together
 
+# What modules need beside operations.
+_FRAME = (
+    *("Loops", "Sums", "add_up", "count_terms", "element", "every", "fill", "fill_blocks"),
+    *("fill_sets", "loop", "point_of", "run", "run_sums", "scalar", "take_row", "take_square"),
+    *("take_terms", "vector"),
+)
+_MACHINE = (kind for kind, row in KINDS.items() if row.numba == f"_{kind}")
 # To numba float() of a float32 is that float32, float64() is not.
 SUPPORT: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "builtins": ("abs", "float", "type"),
         "numpy": ("float64", "ndarray"),
-        "mechproof.compiled_support": (
-            "Loops", "Sums", "add_up", "choose", "copysign", "count_terms", "element", "every",
-            "fill", "fill_blocks", "fill_sets", "floor", "fma", "is_finite", "loop", "maximum",
-            "point_of", "power_of_two", "rint", "run", "run_sums", "scalar", "take_row",
-            "take_square", "take_terms", "vector",
-        ),
+        "mechproof.compiled_support": tuple(sorted({*_FRAME, *_MACHINE})),
         "mechproof.kernels.compiled": ("elementary",),
     }
-)  # fmt: skip
+)
 # What is said of sums besides.
 SUMMED = (
     "Sums over axes are added in the order of the index, with the rest of every addition. Many",
