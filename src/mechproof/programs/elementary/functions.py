@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from types import MappingProxyType
+from inspect import signature
 
 import mpmath as mp
 
@@ -45,6 +45,29 @@ class Function:
     program: Program
     fits: tuple[Fitted, ...]
     far: Program | None
+
+
+# What is computed in plain arithmetic, by its name: how, of which inputs, and by which function of
+# a library beyond the largest angle.
+BODIES: dict[str, tuple[Body, tuple[str, ...], Body | None]] = {}
+
+
+def _body(far: Body | None = None) -> Callable[[Body], Body]:
+    def register(function: Body) -> Body:
+        _, *inputs = signature(function).parameters
+        BODIES[function.__name__] = function, tuple(inputs), far
+        return function
+
+    return register
+
+
+def _far_quotient(y: Value, a: Value, b: Value) -> Value:
+    t = y.apply("tan", y)
+    return t / (a + b * t * t)
+
+
+def _far(kind: str) -> Body:
+    return lambda y: y.apply(kind, y)
 
 
 class _Maker:
@@ -88,23 +111,27 @@ class _Maker:
         is_even = rint(half).equals(half)
         return choose(is_even, above, -below), choose(is_even, below, above)
 
+    @_body(_far("tan"))
     def tan(self, y: Value) -> Value:
         """Return tan(y)."""
         above, below = self.tangent_parts(y)
         return above / below
 
-    def tangent_above(self, y: Value) -> Value:
-        """Return tan(y) times what `tangent_below` returns."""
-        return self.tangent_parts(y)[0]
-
-    def tangent_below(self, y: Value) -> Value:
-        """Return what tan(y) is to be multiplied by: it vanishes where cos(y) does."""
-        return self.tangent_parts(y)[1]
-
+    @_body(_far_quotient)
     def tangent_quotient(self, y: Value, a: Value, b: Value) -> Value:
         """Return t/(a + b*t**2), t = tan(y)."""
         above, below = self.tangent_parts(y)
         return above * below / fma(a * below, below, b * above * above)
+
+    @_body(_far("tan"))
+    def tangent_above(self, y: Value) -> Value:
+        """Return tan(y) times what `tangent_below` returns."""
+        return self.tangent_parts(y)[0]
+
+    @_body(lambda y: y.apply("copy", 1.0))
+    def tangent_below(self, y: Value) -> Value:
+        """Return what tan(y) is to be multiplied by: it vanishes where cos(y) does."""
+        return self.tangent_parts(y)[1]
 
     def sine_and_cosine(self, r: Value) -> tuple[Value, Value]:
         """Return both of an angle of at most pi/4."""
@@ -117,6 +144,7 @@ class _Maker:
         cosine = near + fma(z * z, polynomial(z, even.above), (1.0 - near) - half)
         return sine, cosine
 
+    @_body(_far("sin"))
     def sin(self, y: Value) -> Value:
         """Return sin(y)."""
         n, r = self.reduce(y)
@@ -124,6 +152,7 @@ class _Maker:
         half = n * 0.5
         return _turn(choose(rint(half).equals(half), sine, cosine), floor(half))
 
+    @_body(_far("cos"))
     def cos(self, y: Value) -> Value:
         """Return cos(y)."""
         n, r = self.reduce(y)
@@ -131,6 +160,7 @@ class _Maker:
         half = n * 0.5
         return _turn(choose(rint(half).equals(half), cosine, sine), floor((n + 1.0) * 0.5))
 
+    @_body()
     def arctan(self, y: Value) -> Value:
         """Return atan(y)."""
         size = abs(y)
@@ -139,6 +169,7 @@ class _Maker:
         high, low = self.split_turn(0.5)
         return copysign(choose(is_large, high - (arc - low), arc), y)
 
+    @_body()
     def arctan_quotient(self, a: Value, b: Value) -> Value:
         """Return atan(a/b)."""
         rise, run = abs(a), abs(b)
@@ -149,6 +180,7 @@ class _Maker:
         size = choose(is_large, high - (arc - low), arc)
         return copysign(1.0, b) * copysign(size, a)
 
+    @_body()
     def arctan2(self, a: Value, b: Value) -> Value:
         """Return atan2(a, b)."""
         rise, run = abs(a), abs(b)
@@ -168,30 +200,24 @@ class _Maker:
         z = w * w
         return fma(w * z, polynomial(z, fitted.above), w)
 
+    @_body()
     def small_arctan(self, y: Value) -> Value:
         """Return atan(y) for |y| <= 1/sqrt(3)."""
         fitted = self.fit(fits.SMALL_ARCTANGENT, self.form.small_arctangent)
         z = y * y
         return fma(y * z, polynomial(z, fitted.above), y)
 
+    @_body()
+    def small_tangent(self, y: Value) -> Value:
+        """Return tan(y) for y the half of a low word."""
+        return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
+
     def split_turn(self, part: float) -> tuple[float, ...]:
         """Return a part of pi as two numbers of the format."""
         with mp.workdps(DIGITS):
             return self.form.split(mp.pi * part, 2)
 
-    def hypot(self, a: Value, b: Value) -> Value:
-        """Return sqrt(a**2 + b**2), scaled where squares would leave the range."""
-        one, other = abs(a), abs(b)
-        size = choose(one > other, one, other)
-        large, small = 2.0**self.form.squares, 2.0**-self.form.squares
-        factor = choose(
-            size > large,
-            2.0**-self.form.scale,
-            choose(size < small, 2.0**self.form.scale, 1.0),
-        )
-        x, y = one * factor, other * factor
-        return root(fma(x, x, y * y)) / factor
-
+    @_body()
     def exp(self, y: Value) -> Value:
         """Return exp(y).
 
@@ -215,6 +241,7 @@ class _Maker:
         half = floor(n * 0.5)
         return (1.0 + fma(z, bent, r)) * power_of_two(half) * power_of_two(n - half)
 
+    @_body()
     def normal_tail(self, y: Value) -> Value:
         """Return the mass of the standard normal law beyond |y|.
 
@@ -227,27 +254,42 @@ class _Maker:
         square = x * x
         return self.exp(square * -0.5) * fma(fma(x, x, -square) * -0.5, scaled, scaled)
 
-    def small_tangent(self, y: Value) -> Value:
-        """Return tan(y) for y the half of a low word."""
-        return choose(y < -1.0, -1.0, choose(y > 1.0, 1.0, y))
+    @_body()
+    def hypot(self, a: Value, b: Value) -> Value:
+        """Return sqrt(a**2 + b**2), scaled where squares would leave the range."""
+        one, other = abs(a), abs(b)
+        size = choose(one > other, one, other)
+        large, small = 2.0**self.form.squares, 2.0**-self.form.squares
+        factor = choose(
+            size > large,
+            2.0**-self.form.scale,
+            choose(size < small, 2.0**self.form.scale, 1.0),
+        )
+        x, y = one * factor, other * factor
+        return root(fma(x, x, y * y)) / factor
 
+    @_body()
     def product_rest(self, a: Value, b: Value, p: Value) -> Value:
         """Return a*b - p."""
         return fma(a, b, -p)
 
+    @_body()
     def quotient_rest(self, a: Value, b: Value, q: Value) -> Value:
         """Return a/b - q."""
         return fma(-q, b, a) / b
 
+    @_body()
     def sum_rest(self, a: Value, b: Value, s: Value) -> Value:
         """Return a + b - s."""
         return b - (s - a)
 
+    @_body()
     def total_rest(self, a: Value, b: Value, s: Value) -> Value:
         """Return a + b - s, whichever of both is larger."""
         part = s - a
         return (a - (s - part)) + (b - part)
 
+    @_body()
     def nonnegative(self, total: Value, size: Value) -> Value:
         """Return a sum, 0 where it is negative by no more than terms of that size are rounded."""
         rounding = ROUNDED * self.form.eps * size
@@ -259,40 +301,6 @@ def _turn(value: Value, half_turns: Value) -> Value:
     """Return a value with the sign that a whole number of half turns gives it."""
     half = half_turns * 0.5
     return choose(floor(half).equals(half), value, -value)
-
-
-def _far_quotient(y: Value, a: Value, b: Value) -> Value:
-    t = y.apply("tan", y)
-    return t / (a + b * t * t)
-
-
-def _far(kind: str) -> Body:
-    return lambda y: y.apply(kind, y)
-
-
-BODIES: Mapping[str, tuple[Body, tuple[str, ...], Body | None]] = MappingProxyType(
-    {
-        "tan": (_Maker.tan, ("y",), _far("tan")),
-        "tangent_quotient": (_Maker.tangent_quotient, ("y", "a", "b"), _far_quotient),
-        "tangent_above": (_Maker.tangent_above, ("y",), _far("tan")),
-        "tangent_below": (_Maker.tangent_below, ("y",), lambda y: y.apply("copy", 1.0)),
-        "sin": (_Maker.sin, ("y",), _far("sin")),
-        "cos": (_Maker.cos, ("y",), _far("cos")),
-        "arctan": (_Maker.arctan, ("y",), None),
-        "arctan_quotient": (_Maker.arctan_quotient, ("a", "b"), None),
-        "arctan2": (_Maker.arctan2, ("a", "b"), None),
-        "small_arctan": (_Maker.small_arctan, ("y",), None),
-        "small_tangent": (_Maker.small_tangent, ("y",), None),
-        "exp": (_Maker.exp, ("y",), None),
-        "normal_tail": (_Maker.normal_tail, ("y",), None),
-        "hypot": (_Maker.hypot, ("a", "b"), None),
-        "product_rest": (_Maker.product_rest, ("a", "b", "p"), None),
-        "quotient_rest": (_Maker.quotient_rest, ("a", "b", "q"), None),
-        "sum_rest": (_Maker.sum_rest, ("a", "b", "s"), None),
-        "total_rest": (_Maker.total_rest, ("a", "b", "s"), None),
-        "nonnegative": (_Maker.nonnegative, ("total", "size"), None),
-    }
-)
 
 
 @cache
