@@ -16,7 +16,7 @@ OUTSIDE, INSIDE = (80.0, 1.0, 0.0, 0.1, -40.0, 40.0), (1.5, 0.01, 0.0, 0.01, 1.0
 FAR = {**dict.fromkeys(NAMES, OUTSIDE), "rightly_rejected": INSIDE}
 
 
-def mark_within(name: str, arguments: points.Arguments) -> np.ndarray:
+def mark_accuracy_domain(name: str, arguments: points.Arguments) -> np.ndarray:
     quantity = QUANTITIES[name]
     assert quantity.accuracy is not None
     (relation,) = quantity.accuracy.within
@@ -40,8 +40,8 @@ def test_points_lie_in_the_domain(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_underflow_is_far_from_the_usual_and_met_beyond(name: str) -> None:
     usual = points.POINTS[name]["limits of 1 to 7 standard deviations"]
-    assert mark_within(name, usual(np.random.default_rng(1))).all()
-    assert not mark_within(name, FAR[name])
+    assert mark_accuracy_domain(name, usual(np.random.default_rng(1))).all()
+    assert not mark_accuracy_domain(name, FAR[name])
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -21,7 +21,7 @@ from pathlib import Path
 from mechproof.codegen.regenerate import LIST, render_package
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
 from mechproof.lab import measure as measuring
-from mechproof.lab.proofs import select_claims
+from mechproof.lab.certificate_claims import select_claims
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.table import PAGE, headline, list_lines
 from mechproof.made import Change, ForeignFileError, Made

@@ -30,10 +30,10 @@ from weights import first_of
 from mechproof.cli.commands import app
 from mechproof.codegen.backends.c99 import BLOCK, render_c
 from mechproof.derivations.elliptic_planetary import PAPER
+from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.points import choose_evenly, join
 from mechproof.lab.search import draw_sets, find_worst, scaled_errors
 from mechproof.lab.singles import WIDER, mark_judged, narrow, round_singly
-from mechproof.lab.within import mark_within
 from mechproof.programs.kernel import Kernel
 from mechproof.roundoff.singles import Singles
 
@@ -150,7 +150,7 @@ def test_floats_keep_the_bounds_and_are_what_is_searched(
     kept = tuple(column[judged] for column in points)
     assert len(kept[0]) > 10
     found = call(*kept)
-    reduced = mark_within(subject, kept)
+    reduced = mark_accuracy_domain(subject, kept)
     assert_same_bits(found[reduced], singles(*kept).astype(float)[reduced])
     assert subject.quantity.accuracy is not None
     heights = scaled_errors(subject, lambda *_: found, kept) / WIDER

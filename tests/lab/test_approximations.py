@@ -23,7 +23,7 @@ from ways import (
     truth_of,
 )
 
-from mechproof.lab.bounds import bound_over
+from mechproof.lab.bounds import bound_approximation
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.ways import Arguments
 
@@ -82,7 +82,9 @@ BOUNDED = tuple(list_bounded())
 
 
 def bound_in(row: Bounded) -> float:
-    bound = bound_over(find_subject(row.quantity), find_way(row.quantity, row.way), row.box)
+    bound = bound_approximation(
+        find_subject(row.quantity), find_way(row.quantity, row.way), row.box
+    )
     assert bound is not None
     return bound
 

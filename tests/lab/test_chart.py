@@ -13,6 +13,7 @@ from PIL import Image
 from typer.testing import CliRunner
 
 from mechproof.cli import app
+from mechproof.lab.certificate_claims import find_searched, find_way, list_claims, tell_proved
 from mechproof.lab.chart import draw_chart, draw_charts, tell_sources, write_title
 from mechproof.lab.marks import (
     LOST_LANE,
@@ -33,7 +34,6 @@ from mechproof.lab.overview import (
     pick_marks,
     write_summary,
 )
-from mechproof.lab.proofs import find_searched, find_way, list_claims, tell_proved
 from mechproof.measured import Record, find_files, read_record, read_records, write_record
 
 ROOT = Path(__file__).parents[2]

@@ -14,12 +14,12 @@ import numpy as np
 import pytest
 from quantities import KERNELS, find_subject
 
+from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.draws import draw_published
 from mechproof.lab.region import Columns
 from mechproof.lab.search import scaled_errors
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
-from mechproof.lab.within import mark_within
 from mechproof.record import LENGTH
 
 # By how many powers of ten a band of sizes reaches to either side of 1.
@@ -71,7 +71,7 @@ def draw_points(subject: Subject) -> Arguments:
     inside = region.mark_inside(columns)
     parts = [[columns[s][inside] for s in a.symbols] for a in subject.quantity.arguments]
     points = tuple(np.stack(p, -1) if len(p) > 1 else p[0] for p in parts)
-    within = np.flatnonzero(mark_within(subject, points))
+    within = np.flatnonzero(mark_accuracy_domain(subject, points))
     kept = within[:MOST] if subject.paper.system == LINKAGE else within
     return tuple(column[kept] for column in points)
 

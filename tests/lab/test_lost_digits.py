@@ -31,8 +31,8 @@ from ways import (
     truth_of,
 )
 
+from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.ways import Arguments
-from mechproof.lab.within import mark_within
 
 
 @dataclass(frozen=True)
@@ -124,7 +124,10 @@ LOST = (
 @pytest.mark.parametrize(("quantity", "way", "name", "eps"), LOST)
 def test_digits_are_lost_on_a_set(quantity: str, way: str, name: str, eps: float) -> None:
     arguments = draw_set(quantity, name, 0.1)
-    held = mark_within(find_subject(quantity), arguments) & truth_of(quantity, arguments).decided
+    held = (
+        mark_accuracy_domain(find_subject(quantity), arguments)
+        & truth_of(quantity, arguments).decided
+    )
     lost, kept = (compare(quantity, w, arguments).scaled[held] for w in (way, "kernel"))
     assert np.max(lost) > eps
     assert np.max(kept) <= bound_of(quantity)

@@ -14,11 +14,11 @@ from typer.testing import CliRunner
 
 from mechproof.cli import app
 from mechproof.lab.accuracy import keep_worst
+from mechproof.lab.certificate_claims import list_claims
 from mechproof.lab.chart import draw_charts
 from mechproof.lab.jumps import draw_jumps
 from mechproof.lab.machine import describe_machine
 from mechproof.lab.measure import describe_ways, measure
-from mechproof.lab.proofs import list_claims
 from mechproof.lab.search import scaled_errors
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.table import PAGE, headline, list_lines

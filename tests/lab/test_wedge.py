@@ -10,9 +10,9 @@ import pytest
 from ways import find_subject, find_way, run, truth_of
 
 from mechproof.kernels import wedge_linkage as kernels
+from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import Errors, find_errors
 from mechproof.lab.ways import Arguments
-from mechproof.lab.within import mark_within
 
 CHAIN = ("position", "velocity", "sensitivities")
 NOMINAL = (6.25, 49.75, 38.0, 83.0, 2.0, 60.0, 145.0, 4.94, 1.13, 2.155)
@@ -247,7 +247,7 @@ def test_no_bound_where_the_roller_lever_hardly_follows() -> None:
     arguments = tuple(np.array([v]) for v in level)
     for name in CHAIN:
         assert truth_of(f"wedge_linkage.{name}", arguments).decided.all()
-        assert not mark_within(find_subject(f"wedge_linkage.{name}"), arguments).any()
+        assert not mark_accuracy_domain(find_subject(f"wedge_linkage.{name}"), arguments).any()
 
 
 def test_the_edge_of_contact_is_no_matter_of_rounding() -> None:
@@ -260,7 +260,7 @@ def test_the_edge_of_contact_is_no_matter_of_rounding() -> None:
     arguments = tuple(np.array([v]) for v in before)
     assert truth_of("wedge_linkage.velocity", arguments).high.tolist() == [0.0]
     for name in ("velocity", "sensitivities"):
-        assert not mark_within(find_subject(f"wedge_linkage.{name}"), arguments).any()
+        assert not mark_accuracy_domain(find_subject(f"wedge_linkage.{name}"), arguments).any()
 
 
 @pytest.mark.parametrize(
@@ -281,14 +281,14 @@ def test_no_bound_where_squares_leave_the_doubles(name: str, sizes: tuple[float,
     assert np.isfinite(found.result).all()
     assert subject.quantity.accuracy is not None
     assert found.scaled > subject.quantity.accuracy.ulp
-    assert not mark_within(subject, arguments).any()
+    assert not mark_accuracy_domain(subject, arguments).any()
 
 
 def check_bound(name: str, arguments: Arguments) -> None:
     """Require the bound at points of which a fifth at least lie where it is stated."""
     subject = find_subject(f"wedge_linkage.{name}")
     truth = truth_of(subject.name, arguments)
-    held = mark_within(subject, arguments) & truth.decided
+    held = mark_accuracy_domain(subject, arguments) & truth.decided
     assert 5 * held.sum() >= len(held)
     found = find_errors(subject.kernel(*arguments), truth)
     assert subject.quantity.accuracy is not None

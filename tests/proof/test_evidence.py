@@ -17,8 +17,8 @@ from mechproof.proof.dimensions import infer, is_angle
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.refutation import POINTS, compare, points_for
-from mechproof.proof.showing import show_plainly, show_point
 from mechproof.proof.verdict import Verdict
+from mechproof.proof.witness_text import show_plainly, show_point
 from mechproof.record import (
     ANGLE,
     LENGTH,

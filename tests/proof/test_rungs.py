@@ -6,7 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from mechproof.proof import antiderivative, arguments, bisection, numbers
+from mechproof.proof import (
+    antiderivative,
+    bisection,
+    printed_number,
+    vector_angles,
+)
 from mechproof.proof.ladder import IDENTICAL
 from mechproof.proof.rungs import RUNGS, name_rungs
 
@@ -16,7 +21,7 @@ EXPECTED = [
     for file in sorted((ROOT / "tests" / "expected").glob("*.tsv"))
     for line in file.read_text(encoding="utf-8").splitlines()
 ]
-NAMED = [antiderivative.RUNG, arguments.RUNG, bisection.RUNG, numbers.RUNG, IDENTICAL]
+NAMED = [antiderivative.RUNG, vector_angles.RUNG, bisection.RUNG, printed_number.RUNG, IDENTICAL]
 
 
 def test_every_rung_that_occurs_is_explained() -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from mechproof.arithmetic.intervals import EPS, ONE, Interval, careful
 from mechproof.roundoff.bound import Bar, Evaluation
-from mechproof.roundoff.ends import AT_ENDS
+from mechproof.roundoff.endpoint_rounding import AT_ENDPOINTS
 from mechproof.roundoff.fused import fma
 from mechproof.roundoff.germs import Frame
 from mechproof.roundoff.steps import Step, Straight
@@ -24,13 +24,13 @@ def test_fused_ends_hold_what_is_fused_between_them() -> None:
             for sign, least, most in zip(signs, low, high, strict=False)
         )
         c = Interval(-high[2], -low[2])
-        found = AT_ENDS["fma"](a, b, c)
+        found = AT_ENDPOINTS["fma"](a, b, c)
         for share in np.linspace(0, 1, 9):
             x, y, z = (i.low + share * (i.high - i.low) for i in (a, b, c))
             inner = fma(*(np.clip(v, i.low, i.high) for v, i in ((x, a), (y, b), (z, c))))
             assert np.all((found.span.low <= inner) & (inner <= found.span.high))
     unknown = Interval(-low[0], high[0])
-    assert not AT_ENDS["fma"](unknown, unknown, c).span.is_finite.any()
+    assert not AT_ENDPOINTS["fma"](unknown, unknown, c).span.is_finite.any()
 
 
 def test_fused_products_are_rounded_once() -> None:

@@ -14,7 +14,7 @@ from flint import arb
 from mechproof.arithmetic import intervals
 from mechproof.arithmetic.balls import working_precision
 from mechproof.arithmetic.intervals import Interval, careful, exactly
-from mechproof.roundoff.ends import AT_ENDS, limit_by_spacing, round_at_ends
+from mechproof.roundoff.endpoint_rounding import AT_ENDPOINTS, limit_by_spacing, round_endpoints
 
 COUNT = 400
 OPERATIONS: dict[str, Callable[[Any, Any], Any]] = {
@@ -179,7 +179,7 @@ def test_rounded_results_lie_between_those_at_the_ends(kind: str) -> None:
     given = list_doubles(kind)
     unknown = Interval(np.full(COUNT, np.nan), np.full(COUNT, np.nan))
     with np.errstate(invalid="ignore"):
-        found = round_at_ends(kind, given, unknown)
+        found = round_endpoints(kind, given, unknown)
         limit = limit_by_spacing(found, 0.5)
     reached = 0.0
     for seed in range(20):
@@ -198,17 +198,17 @@ def test_rounded_results_lie_between_those_at_the_ends(kind: str) -> None:
 def test_what_is_rounded_hardly_above_a_power_of_two_is_off_by_less() -> None:
     one = Interval(np.array([0.5]), np.array([1.0]))
     zero = exactly(0.0)
-    exact = round_at_ends("add", [one, zero], one)
+    exact = round_endpoints("add", [one, zero], one)
     assert limit_by_spacing(exact, 0.5)[0] == 2.0**-54
-    above = round_at_ends("add", [one, exactly(2.0**-54)], one + exactly(2.0**-54))
+    above = round_endpoints("add", [one, exactly(2.0**-54)], one + exactly(2.0**-54))
     assert above.span.high[0] == 1.0
     assert limit_by_spacing(above, 0.5)[0] == 2.0**-53
 
 
 def test_nothing_is_said_of_what_is_not_known() -> None:
     unknown = Interval(np.array([np.nan, 0.0]), np.array([np.nan, np.inf]))
-    assert "divide" not in AT_ENDS
+    assert "divide" not in AT_ENDPOINTS
     for kind in ("add", "divide"):
         with careful(moves=False):
-            found = round_at_ends(kind, [unknown, exactly(1.0)], unknown)
+            found = round_endpoints(kind, [unknown, exactly(1.0)], unknown)
             assert np.all(limit_by_spacing(found, 0.5) == np.inf)

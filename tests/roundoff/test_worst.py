@@ -15,7 +15,7 @@ from mechproof.arithmetic.intervals import Array
 from mechproof.record import Chart, Form
 from mechproof.roundoff import certificate, extended, worst
 from mechproof.roundoff.certificate import Claim
-from mechproof.roundoff.inside import find_inside
+from mechproof.roundoff.chart_membership import find_membership
 from mechproof.roundoff.regions import Box, Region, list_regions
 from mechproof.roundoff.running import IN_DOUBLES
 from mechproof.roundoff.subject import Subject
@@ -140,7 +140,7 @@ def test_arguments_that_do_not_tell_their_coordinates_are_refused() -> None:
     charts.append(Chart("", {a: x**2}, {x: sp.Interval(-1, 1)}))
     for chart in charts:
         with pytest.raises(ValueError, match="do not tell"):
-            find_inside(Form("", a, charts=(chart,)), {a: "a"})
+            find_membership(Form("", a, charts=(chart,)), {a: "a"})
 
 
 def test_of_a_mirror_all_signs_change() -> None:
@@ -152,7 +152,7 @@ def test_of_a_mirror_all_signs_change() -> None:
         (form, [True, True, False]),
         (replace(form, mirrors=()), [True, False, False]),
     ):
-        inside = find_inside(some, {a: "a", b: "b"})
+        inside = find_membership(some, {a: "a", b: "b"})
         assert inside.holds(points, IN_DOUBLES).tolist() == held
 
 

@@ -27,7 +27,7 @@ from mechproof.tailoring.enclosure import BreakError, ExceededError, enclose
 from mechproof.tailoring.kernel import NUMPY, Tailored, make_kernel
 from mechproof.tailoring.model import Model, Piece
 from mechproof.tailoring.request import Request, read_request
-from mechproof.tailoring.tracking import track
+from mechproof.tailoring.taylor_models import track
 
 Array = NDArray[np.float64]
 LINKAGE = {

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli.console import refuse, say
-from mechproof.cli.places import read_out
+from mechproof.cli.paths import read_out
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.measured import Record, find_files, goes_by, read_record
 

@@ -22,9 +22,9 @@ from mechproof.cli.judging import (
     refuse_failures,
 )
 from mechproof.cli.ledger import print_ledgers
-from mechproof.cli.places import RULE, DerivationsOption, find_locations, find_places
+from mechproof.cli.paths import RULE, DerivationsOption, find_locations, find_places
 from mechproof.cli.report import report
-from mechproof.cli.start import show_start
+from mechproof.cli.welcome import show_welcome
 from mechproof.derivation import DerivationError
 from mechproof.made import Change
 from mechproof.proof.ledger import to_json
@@ -67,7 +67,7 @@ def _main(
     ] = False,
 ) -> None:
     if context.invoked_subcommand is None:
-        show_start(find_places(None, None))
+        show_welcome(find_places(None, None))
 
 
 @app.command(epilog=RULE)

@@ -10,7 +10,7 @@ import typer
 
 from mechproof.cli.console import fail, refuse, say
 from mechproof.cli.judging import judge_papers, refuse_failures
-from mechproof.cli.places import DerivationsOption, find_locations, find_places, read_out
+from mechproof.cli.paths import DerivationsOption, find_locations, find_places, read_out
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.files import write_whole
 from mechproof.record import Paper

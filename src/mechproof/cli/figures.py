@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli.console import fail, say
-from mechproof.cli.places import DerivationsOption, find_locations, find_places, read_out
+from mechproof.cli.paths import DerivationsOption, find_locations, find_places, read_out
 from mechproof.derivation import DerivationError
 
 

@@ -9,7 +9,7 @@ import typer
 
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
-from mechproof.cli.places import DerivationsOption, find_locations, find_places, read_out
+from mechproof.cli.paths import DerivationsOption, find_locations, find_places, read_out
 from mechproof.derivation import DerivationError
 from mechproof.made import ForeignFileError
 from mechproof.verification import LIMIT

@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from mechproof.executors import BALLS, run_in_order
-from mechproof.lab.bounds import bound_over
+from mechproof.lab.accuracy_domain import mark_accuracy_domain
+from mechproof.lab.bounds import bound_approximation
 from mechproof.lab.error import find_errors, summarise
 from mechproof.lab.oracle import Truth, count_points, find_truth
 from mechproof.lab.points import REPORT, PointSet, choose_evenly, draw_points, join
@@ -23,7 +24,6 @@ from mechproof.lab.sets import draw_in_cell, list_cells, list_sets
 from mechproof.lab.sizes import Sides
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Way
-from mechproof.lab.within import mark_within
 from mechproof.measured import (
     Cell,
     CellErrors,
@@ -98,7 +98,7 @@ def _measure_set(subject: Subject, index: int, points: int | None) -> list[SetEr
     if not point_set.ordered:
         arguments = _thin(subject, arguments, points)
     truth = find_truth(subject, arguments)
-    held = mark_within(subject, arguments)
+    held = mark_accuracy_domain(subject, arguments)
     return [
         _measure_way(subject, way, point_set, arguments, truth, held)
         for way in subject.ways
@@ -197,7 +197,7 @@ def _measure_in_cell(
         arguments, truth = _take(subject, arguments, chosen), truth[chosen]
     with np.errstate(all="ignore"):
         found = summarise(find_errors(way.compute(*arguments), truth), truth)
-    bound = bound_over(subject, way, sides)
+    bound = bound_approximation(subject, way, sides)
     return CellErrors(
         cell=place,
         way=way.name,

@@ -15,7 +15,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
 
 
-def bound_over(subject: Subject, way: Way, cell: Sides) -> float | None:
+def bound_approximation(subject: Subject, way: Way, cell: Sides) -> float | None:
     """Return what the error stays below on a cell of sizes.
 
     None without a bound, or for a bound that does not provably rise with every size.

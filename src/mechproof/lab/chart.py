@@ -14,6 +14,7 @@ from matplotlib.lines import Line2D
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
+from mechproof.lab.certificate_claims import find_searched, tell_proved, tell_where
 from mechproof.lab.jumps import draw_jumps
 from mechproof.lab.marks import (
     Family,
@@ -26,7 +27,6 @@ from mechproof.lab.marks import (
 )
 from mechproof.lab.names import name_marks
 from mechproof.lab.panel import LOOKS, draw_panel, set_ticks
-from mechproof.lab.proofs import find_searched, tell_proved, tell_where
 from mechproof.lab.subject import Subject
 from mechproof.measured import Record
 

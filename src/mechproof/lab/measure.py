@@ -16,7 +16,7 @@ from mechproof.lab.machine import describe_machine, find_load
 from mechproof.lab.points import REPORT, TUNE
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
-from mechproof.lab.tailored import list_tailored
+from mechproof.lab.tailored_kernels import list_tailored
 from mechproof.lab.timing import FULL, QUICK, Effort, time_subject, time_ufuncs
 from mechproof.lab.ways import Way
 from mechproof.measured import MeasuredWay, Point, Record

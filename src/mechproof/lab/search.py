@@ -14,6 +14,7 @@ from functools import partial
 import numpy as np
 import sympy as sp
 
+from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import find_errors
 from mechproof.lab.extended import extend
 from mechproof.lab.oracle import Truth, find_truth
@@ -21,19 +22,19 @@ from mechproof.lab.points import TUNE, choose_evenly, draw_points, join
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Compute
-from mechproof.lab.within import mark_within
 from mechproof.roundoff.climb import (
     BY_BALLS,
     JUDGED,
-    Pace,
+    Schedule,
     climb,
     gather,
     judge_best,
     select,
 )
 
-BY_LONG_DOUBLES = Pace(3000, 6)
-# So many rounds by long doubles for one by balls; after so many a crowd has met, and begins again.
+BY_LONG_DOUBLES = Schedule(3000, 6)
+# So many rounds by long doubles for one by balls; after so many a population has met, and begins
+# again.
 ROUNDS, CLIMB = 20, 100
 
 
@@ -63,19 +64,19 @@ def find_worst(
     judge = partial(scaled_errors, subject, compute)
     few = (tuple(c[choose_evenly(len(c), most)] for c in drawn) for drawn in sets)
     inside = partial(_mark_inside, subject)
-    crowd = climb(judge, join(*few), BY_BALLS, rounds, rng, inside)
+    population = climb(judge, join(*few), BY_BALLS, rounds, rng, inside)
     extended = extend(subject)
     if extended is not None:
 
         def estimate(points: Arguments) -> Array:
             return compare(compute, points, extended.find_truth(points))
 
-        start = join(crowd.points, *sets)
+        start = join(population.points, *sets)
         for length in _divide(ROUNDS * rounds):
             many = climb(estimate, start, BY_LONG_DOUBLES, length, rng)
-            crowd = select(gather(crowd, judge_best(judge, many)), JUDGED)
-    worst = tuple(column[0] for column in crowd.points)
-    return Found(worst, float(crowd.heights[0]), crowd.tried)
+            population = select(gather(population, judge_best(judge, many)), JUDGED)
+    worst = tuple(column[0] for column in population.points)
+    return Found(worst, float(population.heights[0]), population.tried)
 
 
 def _divide(rounds: int) -> Iterator[int]:
@@ -86,7 +87,9 @@ def _divide(rounds: int) -> Iterator[int]:
 def scaled_errors(subject: Subject, compute: Compute, arguments: Arguments) -> Array:
     """Return the errors in units of the accuracy bound; -1 where undecided or out of it."""
     truth = find_truth(subject, arguments)
-    return np.where(mark_within(subject, arguments), compare(compute, arguments, truth), -1.0)
+    return np.where(
+        mark_accuracy_domain(subject, arguments), compare(compute, arguments, truth), -1.0
+    )
 
 
 def compare(compute: Compute, arguments: Arguments, truth: Truth) -> Array:

@@ -26,7 +26,7 @@ from mechproof.record import Paper
 from mechproof.roundoff.climb import (
     JUDGED,
     Measure,
-    Pace,
+    Schedule,
     climb,
     gather,
     judge_best,
@@ -38,7 +38,7 @@ from mechproof.roundoff.singles import FORMAT, Singles
 
 # Of each set this share, of it so many by balls; rounds uphill, led by long doubles.
 SHARE, MOST, ROUNDS = 0.05, 20, 12
-PACE = Pace(300, 6)
+SCHEDULE = Schedule(300, 6)
 WIDER = float(np.finfo(FORMAT).eps) / EPS
 # Multiples of eps that a distance from an edge is stated in.
 FEW = range(1, 1000)
@@ -72,12 +72,12 @@ def find_worst_singles(subject: Subject, kernel: Kernel) -> Found:
 
     sets = [*draw_sets(subject, TUNE, SHARE)]
     few = join(*(tuple(c[choose_evenly(len(c), MOST)] for c in drawn) for drawn in sets))
-    crowd = select(weigh(judge, few), JUDGED)
+    population = select(weigh(judge, few), JUDGED)
     if extended is not None:
-        many = climb(estimate, join(*sets), PACE, ROUNDS, np.random.default_rng(TUNE))
-        crowd = select(gather(crowd, judge_best(judge, many)), JUDGED)
-    worst = tuple(column[0] for column in round_singly(crowd.points))
-    return Found(worst, float(crowd.heights[0]), crowd.tried)
+        many = climb(estimate, join(*sets), SCHEDULE, ROUNDS, np.random.default_rng(TUNE))
+        population = select(gather(population, judge_best(judge, many)), JUDGED)
+    worst = tuple(column[0] for column in round_singly(population.points))
+    return Found(worst, float(population.heights[0]), population.tried)
 
 
 def state_errors(paper: Paper, place: Path) -> Mapping[str, str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from mechproof.lab.proofs import find_way, list_claims
+from mechproof.lab.certificate_claims import find_way, list_claims
 from mechproof.measured import (
     COPY,
     MEASURED,

@@ -11,7 +11,7 @@ import numpy as np
 
 from mechproof.lab.sets import list_workloads
 from mechproof.lab.subject import Subject
-from mechproof.lab.tailored import Tailoring
+from mechproof.lab.tailored_kernels import Tailoring
 from mechproof.lab.ways import Arguments, Way
 from mechproof.measured import COPY, Timing, round_off
 

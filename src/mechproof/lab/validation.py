@@ -21,6 +21,7 @@ from flint import arb
 from mechproof.arithmetic.balls import evaluate
 from mechproof.codegen.reading import TranslationError
 from mechproof.kernel_support import blocks, polynomials
+from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import find_errors
 from mechproof.lab.oracle import Truth, count_points, find_truth, list_values
 from mechproof.lab.points import TUNE, PointSet, choose_evenly, draw_points
@@ -28,7 +29,6 @@ from mechproof.lab.rounding import decide, enclose_stage
 from mechproof.lab.sets import list_sets
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Compute
-from mechproof.lab.within import mark_within
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.record import Form
@@ -151,7 +151,7 @@ def _check_accuracy(subject: Subject) -> None:
             continue
         arguments = _take(subject, point_set, DECIDED)
         truth = find_truth(subject, arguments)
-        held = mark_within(subject, arguments) & truth.decided
+        held = mark_accuracy_domain(subject, arguments) & truth.decided
         for polynomial in (True, False):
             with np.errstate(all="ignore"), _with_polynomials(polynomial):
                 _require_accuracy(subject, arguments, truth, held, subject.kernel(*arguments))

@@ -10,6 +10,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 
 from mechproof.programs.code import KernelCode, Stage
+from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.programs.program import (
@@ -20,7 +21,6 @@ from mechproof.programs.program import (
     Program,
     is_unnamed,
 )
-from mechproof.programs.quotients import put_off_divisions
 from mechproof.record import Paper
 
 
@@ -46,7 +46,7 @@ def list_scalars(paper: Paper) -> tuple[Kernel, ...]:
 
 
 def _adapt(kernel: Kernel) -> Kernel:
-    stages = tuple(map(put_off_stage, kernel.code.stages))
+    stages = tuple(map(defer_in_stage, kernel.code.stages))
     adapted = replace(kernel, code=replace(kernel.code, stages=stages))
     components = {c for a in list_arguments(kernel) if a.width for c in a.components}
     return _rename_steps(adapted, components)
@@ -78,12 +78,12 @@ def _rename_steps(kernel: Kernel, taken: Collection[str]) -> Kernel:
     return replace(kernel, code=replace(kernel.code, stages=stages))
 
 
-def put_off_stage(stage: Stage) -> Stage:
+def defer_in_stage(stage: Stage) -> Stage:
     """Return a stage with programs that put divisions off."""
     return replace(
         stage,
-        prepare=put_off_divisions(stage.prepare),
-        evaluate=put_off_divisions(stage.evaluate) if stage.evaluate else None,
+        prepare=defer_divisions(stage.prepare),
+        evaluate=defer_divisions(stage.evaluate) if stage.evaluate else None,
     )
 
 

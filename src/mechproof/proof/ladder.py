@@ -12,13 +12,12 @@ from mechproof.arithmetic import balls
 from mechproof.proof import bisection
 from mechproof.proof.algebra import decide_equal, explain_unequal
 from mechproof.proof.antiderivative import decide_by_derivative, explain_break
-from mechproof.proof.arguments import decide_by_argument
 from mechproof.proof.bisection import holds_on_interval
 from mechproof.proof.definedness import list_unshown, need_the_same, tell
 from mechproof.proof.domain import Domain
 from mechproof.proof.limits import settle_limits
-from mechproof.proof.numbers import decide_number
 from mechproof.proof.preparation import prepare, take_values
+from mechproof.proof.printed_number import decide_number
 from mechproof.proof.refutation import (
     POINTS,
     Comparison,
@@ -27,9 +26,10 @@ from mechproof.proof.refutation import (
     find_unlike,
     find_violation,
 )
-from mechproof.proof.showing import show_plainly
 from mechproof.proof.signs import find_sign
+from mechproof.proof.vector_angles import decide_by_argument
 from mechproof.proof.verdict import Answer, Evidence, Verdict
+from mechproof.proof.witness_text import show_plainly
 from mechproof.record import (
     Completion,
     Completions,

@@ -15,9 +15,9 @@ from sympy.logic.boolalg import BooleanFunction
 from mechproof.arithmetic import balls
 from mechproof.proof.counts import choose_counts, is_count
 from mechproof.proof.domain import Domain, Point, sizes_of
-from mechproof.proof.showing import describe, show_point
 from mechproof.proof.sums import write_out
 from mechproof.proof.verdict import Evidence
+from mechproof.proof.witness_text import describe, show_point
 from mechproof.record.substitution import substitute
 
 POINTS = 40

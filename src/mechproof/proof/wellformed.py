@@ -21,8 +21,8 @@ from mechproof.proof.dimensions import (
 )
 from mechproof.proof.domain import Domain, Point
 from mechproof.proof.refutation import points_for, put_exactly
-from mechproof.proof.showing import show_point
 from mechproof.proof.verdict import Evidence
+from mechproof.proof.witness_text import show_point
 from mechproof.record import (
     NUMBER,
     Conjunction,

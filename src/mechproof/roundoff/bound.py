@@ -30,7 +30,12 @@ from mechproof.arithmetic.intervals import (
 from mechproof.kernel_support.polynomials import PI_LOW
 from mechproof.programs.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
-from mechproof.roundoff.ends import Rounded, limit_by_spacing, round_at_ends, widen_by_ulps
+from mechproof.roundoff.endpoint_rounding import (
+    Rounded,
+    limit_by_spacing,
+    round_endpoints,
+    widen_by_ulps,
+)
 from mechproof.roundoff.germs import Frame, Germ
 from mechproof.roundoff.profiles import Profile
 from mechproof.roundoff.regions import HALF_TURN
@@ -151,7 +156,7 @@ class Evaluation:
         if any(span is UNKNOWN for span in given):
             found = Rounded(exact.expanded(), np.inf)
         else:
-            found = round_at_ends(step.kind, given, exact.expanded())
+            found = round_endpoints(step.kind, given, exact.expanded())
         limit = None
         is_rounded = step.kind != "approximate"
         if step.ulps and is_rounded:

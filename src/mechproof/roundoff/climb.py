@@ -26,18 +26,18 @@ JUDGED = 24
 
 
 @dataclass(frozen=True)
-class Pace:
+class Schedule:
     """How many survive a round, and the children of each."""
 
     survivors: int
     children: int
 
 
-BY_BALLS = Pace(24, 1)
+BY_BALLS = Schedule(24, 1)
 
 
 @dataclass(frozen=True)
-class Crowd:
+class Population:
     """Points with their errors, the worst first, and how many were tried for them."""
 
     points: Points
@@ -48,49 +48,51 @@ class Crowd:
 def climb(
     measure: Measure,
     start: Points,
-    pace: Pace,
+    schedule: Schedule,
     rounds: int,
     rng: np.random.Generator,
     inside: Measure | None = None,
-) -> Crowd:
+) -> Population:
     """Return the worst after so many rounds; no child is outside, if that is told."""
-    crowd = select(weigh(measure, start), pace.survivors)
+    population = select(weigh(measure, start), schedule.survivors)
     for _ in range(rounds):
-        parents = tuple(np.repeat(c, pace.children, axis=0) for c in crowd.points)
+        parents = tuple(np.repeat(c, schedule.children, axis=0) for c in population.points)
         moved = tuple(_move(column, rng) for column in parents)
         if inside is not None:
             kept = inside(moved)
             moved = tuple(_choose(kept, *pair) for pair in zip(moved, parents, strict=True))
-        crowd = select(gather(crowd, weigh(measure, moved)), pace.survivors)
-    return crowd
+        population = select(gather(population, weigh(measure, moved)), schedule.survivors)
+    return population
 
 
-def judge_best(judge: Measure, crowd: Crowd) -> Crowd:
-    """Measure the worst of a crowd anew."""
-    # What is left of a crowd of few may lie beyond the domain.
-    known = np.flatnonzero(crowd.heights >= 0)[:JUDGED]
-    return replace(weigh(judge, tuple(c[known] for c in crowd.points)), tried=crowd.tried)
+def judge_best(judge: Measure, population: Population) -> Population:
+    """Measure the worst of a population anew."""
+    # What is left of a population of few may lie beyond the domain.
+    known = np.flatnonzero(population.heights >= 0)[:JUDGED]
+    return replace(weigh(judge, tuple(c[known] for c in population.points)), tried=population.tried)
 
 
-def weigh(measure: Measure, points: Points) -> Crowd:
+def weigh(measure: Measure, points: Points) -> Population:
     """Return points with their errors."""
-    return Crowd(points, measure(points), len(points[0]))
+    return Population(points, measure(points), len(points[0]))
 
 
-def gather(one: Crowd, other: Crowd) -> Crowd:
+def gather(one: Population, other: Population) -> Population:
     """Put two crowds together."""
     pairs = zip(one.points, other.points, strict=True)
     heights = np.concatenate([one.heights, other.heights])
-    return Crowd(tuple(map(np.concatenate, pairs)), heights, one.tried + other.tried)
+    return Population(tuple(map(np.concatenate, pairs)), heights, one.tried + other.tried)
 
 
-def select(crowd: Crowd, most: int) -> Crowd:
+def select(population: Population, most: int) -> Population:
     """Keep the worst, each place once."""
-    order = np.argsort(-crowd.heights, kind="stable")[: 2 * most]
-    rows = np.column_stack([np.reshape(c[order], (len(order), -1)) for c in crowd.points])
+    order = np.argsort(-population.heights, kind="stable")[: 2 * most]
+    rows = np.column_stack([np.reshape(c[order], (len(order), -1)) for c in population.points])
     _, first = np.unique(rows, axis=0, return_index=True)
     kept = order[np.sort(first)][:most]
-    return Crowd(tuple(c[kept] for c in crowd.points), crowd.heights[kept], crowd.tried)
+    return Population(
+        tuple(c[kept] for c in population.points), population.heights[kept], population.tried
+    )
 
 
 def _choose(kept: Column, one: Column, other: Column) -> Column:

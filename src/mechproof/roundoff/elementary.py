@@ -21,8 +21,8 @@ from mechproof.programs.elementary.fits import MARGIN, Sides, enclose_pieces
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.functions import build
 from mechproof.programs.program import Program
-from mechproof.roundoff.apart import Rows, bound_apart
 from mechproof.roundoff.bound import Bar, Evaluation
+from mechproof.roundoff.case_split import Rows, split_cases
 from mechproof.roundoff.cases import REST, Case, Resolved, Whole, name_size, resolve
 from mechproof.roundoff.germs import Frame
 from mechproof.roundoff.profiles import Profile, find_highest
@@ -169,7 +169,7 @@ def _bound(straight: Straight, given: Mapping[str, float | None], low: Array, hi
                 evaluation.sum_errors(straight.outputs[0], Bar(None, True)), len(rows)
             )
 
-    return bound_apart(compute, len(low))
+    return split_cases(compute, len(low))
 
 
 def _put_on(bounds: Array, off: Array) -> Array:

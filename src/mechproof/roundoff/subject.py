@@ -18,17 +18,17 @@ from mechproof.programs.elementary.functions import BODIES, build
 from mechproof.programs.kernel import Kernel, build_kernel, input_names
 from mechproof.programs.operations import SYMBOLIC, Arithmetic
 from mechproof.programs.program import Operand, Program
-from mechproof.programs.scalar import map_affinely, put_off_stage
+from mechproof.programs.scalar import defer_in_stage, map_affinely
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, find_size, measure_norm
-from mechproof.roundoff.apart import Rows, bound_apart
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
 from mechproof.roundoff.bound import KINDS, Bar, Evaluation
+from mechproof.roundoff.case_split import Rows, split_cases
+from mechproof.roundoff.chart_membership import ChartMembership, find_membership
 from mechproof.roundoff.compensation import hold_compensated
 from mechproof.roundoff.compiled import COMPILED, WAY, list_expansions
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.expansions import WAYS
-from mechproof.roundoff.inside import Inside, find_inside
 from mechproof.roundoff.regions import Boxes, Region, express
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
 from mechproof.roundoff.scales import find_scaled
@@ -123,7 +123,7 @@ class Subject:
                     return np.full(len(rows), np.inf)
                 return self._bound_alike(region, boxes[rows], moves=True)
 
-        return bound_apart(try_rows, len(boxes))
+        return split_cases(try_rows, len(boxes))
 
     def evaluate(
         self, region: Region, boxes: Boxes, forced: tuple[int, ...] = ()
@@ -178,9 +178,9 @@ class Subject:
         return [abs(off / scale) / EPS for off, scale in zip(apart, scales, strict=True)]
 
     @cached_property
-    def inside(self) -> Inside:
+    def inside(self) -> ChartMembership:
         """Return what says where the bound is."""
-        return find_inside(self.form, input_names(self.kernel.quantity))
+        return find_membership(self.form, input_names(self.kernel.quantity))
 
     def holds(self, points: Mapping[str, Any]) -> Any:
         """Say where the stage is taken."""
@@ -232,7 +232,7 @@ def list_subjects(kernel: Kernel, paper: Paper) -> Iterator[Subject]:
 def _compile(
     kernel: Kernel, form: Form, stage: Stage, exact: Straight, scale: Straight | None
 ) -> Subject:
-    compiled = put_off_stage(stage)
+    compiled = defer_in_stage(stage)
     expanded = keep_needed(flatten_stage(compiled, list_expansions()))
     straight = find_scaled(hold_compensated(expanded))
     _check_kinds(straight)

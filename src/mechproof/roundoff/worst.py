@@ -27,7 +27,7 @@ Points = Mapping[str, Array]
 BITS = 200
 DRAWN = 1000
 # Crowds meet soon, in one place or another: many rounds of few, and again.
-BY_LONG_DOUBLES, ROUNDS, CLIMBS = climb.Pace(1000, 6), 300, 2
+BY_LONG_DOUBLES, ROUNDS, CLIMBS = climb.Schedule(1000, 6), 300, 2
 # Free coordinates are drawn from so many octaves.
 OCTAVES = 16.0
 
@@ -62,12 +62,12 @@ def _climb(
 
     if IS_LONGER:
         many = climb.climb(estimate_columns, start, BY_LONG_DOUBLES, ROUNDS, rng)
-        crowd = climb.judge_best(judge_columns, many)
+        population = climb.judge_best(judge_columns, many)
     else:
-        crowd = climb.climb(judge_columns, start, climb.BY_BALLS, ROUNDS, rng)
-    worst = np.argmax(crowd.heights)
-    at = {name: float(column[worst]) for name, column in zip(names, crowd.points, strict=True)}
-    return Found(float(crowd.heights[worst]), at)
+        population = climb.climb(judge_columns, start, climb.BY_BALLS, ROUNDS, rng)
+    worst = np.argmax(population.heights)
+    at = {name: float(column[worst]) for name, column in zip(names, population.points, strict=True)}
+    return Found(float(population.heights[worst]), at)
 
 
 def judge(subject: Subject, points: Points) -> Array:

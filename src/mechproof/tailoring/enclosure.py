@@ -18,7 +18,7 @@ from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import Series, is_finite, list_terms, working
 from mechproof.programs.program import Program
 from mechproof.tailoring.model import Model, Reduction
-from mechproof.tailoring.tracking import LEAST, UNIT, Tracked, UndecidedError, start, track
+from mechproof.tailoring.taylor_models import LEAST, UNIT, TaylorModel, UndecidedError, start, track
 
 Exact = Callable[[Series], Series]
 ORDER = 14
@@ -218,7 +218,7 @@ def _enclose_cell(program: Program, exact: Exact, low: float, high: float) -> _W
     except UndecidedError:
         return None
     point = start(low, high)
-    true = Tracked(exact(point.middle), exact(point.whole), arb(0))
+    true = TaylorModel(exact(point.middle), exact(point.whole), arb(0))
     near = list_terms(found.middle - true.middle)
     far = list_terms(found.whole - true.whole)
     slope = abs(list_terms(true.whole)[1]) / ((arb(high) - low) / 2)

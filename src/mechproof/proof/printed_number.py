@@ -5,8 +5,8 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.proof.showing import show_plainly
 from mechproof.proof.verdict import Answer, Evidence, Verdict
+from mechproof.proof.witness_text import show_plainly
 from mechproof.record import PrintedNumber
 
 RUNG = "recomputation"

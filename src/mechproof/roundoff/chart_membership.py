@@ -1,4 +1,4 @@
-"""Inside: in, a form's charts; out, whether arguments lie in one, but for signs.
+"""Chart membership: in, a form's charts; out, whether arguments lie in one, but for signs.
 
 The coordinates of arguments are what their expressions are solved for. What is turned has the
 nearest number of turns; any other would do, where a rest that is in its range is a proof.
@@ -26,7 +26,7 @@ Signs = frozenset[str]
 
 
 @dataclass(frozen=True)
-class Inside:
+class ChartMembership:
     """Of each chart what is not negative inside; whose signs may change without a difference."""
 
     gaps: tuple[Program, ...]
@@ -43,10 +43,10 @@ def _hold(gaps: Program, given: Values, arithmetic: Arithmetic) -> Any:
     return reduce(and_, (gap >= 0 for gap in run(gaps, given, arithmetic)))
 
 
-def find_inside(form: Form, names: Mapping[sp.Basic, str]) -> Inside:
+def find_membership(form: Form, names: Mapping[sp.Basic, str]) -> ChartMembership:
     """Solve the charts of a form; ValueError for one without unique coordinates."""
     gaps = tuple(_write_gaps(chart, names) for chart in form.charts)
-    return Inside(gaps, tuple(dict.fromkeys(_list_signs(form, names))))
+    return ChartMembership(gaps, tuple(dict.fromkeys(_list_signs(form, names))))
 
 
 def _list_signs(form: Form, names: Mapping[sp.Basic, str]) -> Iterator[Signs]:

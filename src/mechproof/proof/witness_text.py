@@ -1,4 +1,4 @@
-"""Showing: a point and the values of two sides as a reader looks for them."""
+"""Witness text: a point and the values of two sides as a reader looks for them."""
 
 from __future__ import annotations
 

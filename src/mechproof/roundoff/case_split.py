@@ -1,4 +1,4 @@
-"""Apart: boxes bounded together, those in which something else holds bounded on their own."""
+"""Case split: boxes bounded together, those in which something else holds bounded on their own."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from mechproof.roundoff.germs import UndecidedError
 Rows = NDArray[np.intp]
 
 
-def bound_apart(compute: Callable[[Rows, tuple[int, ...]], Array], count: int) -> Array:
+def split_cases(compute: Callable[[Rows, tuple[int, ...]], Array], count: int) -> Array:
     """Return the bounds of so many boxes, computed for rows of them and first decisions."""
     bounds = np.full(count, np.inf)
     waiting: list[tuple[Rows, tuple[int, ...]]] = [(np.arange(count), ())]

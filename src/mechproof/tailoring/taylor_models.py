@@ -1,4 +1,4 @@
-"""Tracking: in, a program and a ball its input is in; out, its value there and its roundings.
+"""Taylor models: in, a program and a ball its input is in; out, its value there and its roundings.
 
 A value is what exact arithmetic would give, as a Taylor series about the middle of the ball and as
 one whose coefficients hold over all of it, and how far the computed one may be off: a Taylor model
@@ -28,7 +28,7 @@ class UndecidedError(ArithmeticError):
 
 
 @dataclass(frozen=True)
-class Tracked:
+class TaylorModel:
     """A value: about the middle, over the ball, how far off; at both ends where it is exact."""
 
     middle: Series
@@ -41,52 +41,52 @@ class Tracked:
         """Return the largest size that the computed value has."""
         return abs(list_terms(self.whole)[0]).upper() + self.off
 
-    def __add__(self, other: Tracked) -> Tracked:
+    def __add__(self, other: TaylorModel) -> TaylorModel:
         return _round(self.middle + other.middle, self.whole + other.whole, self.off + other.off)
 
-    def __neg__(self) -> Tracked:
+    def __neg__(self) -> TaylorModel:
         ends = (-self.ends[1], -self.ends[0]) if self.ends else None
-        return Tracked(-self.middle, -self.whole, self.off, ends)
+        return TaylorModel(-self.middle, -self.whole, self.off, ends)
 
-    def __sub__(self, other: Tracked) -> Tracked:
+    def __sub__(self, other: TaylorModel) -> TaylorModel:
         return self + -other
 
-    def __mul__(self, other: Tracked) -> Tracked:
+    def __mul__(self, other: TaylorModel) -> TaylorModel:
         off = self.largest * other.off + other.largest * self.off
         return _round(self.middle * other.middle, self.whole * other.whole, off, LEAST)
 
 
-def track(program: Program, low: float, high: float) -> Tracked:
+def track(program: Program, low: float, high: float) -> TaylorModel:
     """Run a program of one input on an interval, in the working precision and order.
 
     Series are in shares of half the interval, from its middle. Raises `UndecidedError`.
     """
     (name,) = program.inputs
-    (found,) = run(program, {name: start(low, high)}, TRACKED)
-    assert isinstance(found, Tracked)
+    (found,) = run(program, {name: start(low, high)}, TAYLOR_MODELS)
+    assert isinstance(found, TaylorModel)
     return found
 
 
-def start(low: float, high: float) -> Tracked:
+def start(low: float, high: float) -> TaylorModel:
     """Return the input: a double, exact."""
     middle, half = (arb(low) + high) / 2, (arb(high) - low) / 2
     ball = arb(middle, half.upper())
-    return Tracked(
+    return TaylorModel(
         arb_series([middle, half]), arb_series([ball, half]), arb(0), (arb(low), arb(high))
     )
 
 
-def _number(number: float) -> Tracked:
+def _number(number: float) -> TaylorModel:
     series = arb_series([arb(number)])
-    return Tracked(series, series, arb(0), (arb(number), arb(number)))
+    return TaylorModel(series, series, arb(0), (arb(number), arb(number)))
 
 
-def _round(middle: Series, whole: Series, off: Ball, least: Ball | int = 0) -> Tracked:
+def _round(middle: Series, whole: Series, off: Ball, least: Ball | int = 0) -> TaylorModel:
     size = abs(list_terms(whole)[0]).upper() + off
-    return Tracked(middle, whole, (off + UNIT * size + least).upper())
+    return TaylorModel(middle, whole, (off + UNIT * size + least).upper())
 
 
-def _compare(a: Tracked, b: Tracked) -> bool:
+def _compare(a: TaylorModel, b: TaylorModel) -> bool:
     """Say whether a <= b, equality apart: at an edge both answers are enclosed."""
     if a.ends is None or b.ends is None:
         raise NotImplementedError("no comparison of what is rounded")
@@ -97,16 +97,16 @@ def _compare(a: Tracked, b: Tracked) -> bool:
     raise UndecidedError
 
 
-def _take_size(a: Tracked) -> Tracked:
+def _take_size(a: TaylorModel) -> TaylorModel:
     return -a if _compare(a, _number(0.0)) else a
 
 
-def _take_sign(a: Tracked, b: Tracked) -> Tracked:
+def _take_sign(a: TaylorModel, b: TaylorModel) -> TaylorModel:
     size = _take_size(a)
     return -size if _compare(b, _number(0.0)) else size
 
 
-TRACKED = Arithmetic(
+TAYLOR_MODELS = Arithmetic(
     {
         "number": _number,
         "absolute": _take_size,

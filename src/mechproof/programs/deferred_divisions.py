@@ -1,4 +1,4 @@
-"""Divisions put off: in, a program; out, one of the same value with fewer divisions.
+"""Deferred divisions: in, a program; out, one of the same value with fewer divisions.
 
 A tangent is a quotient of two values, and so is what an arctangent is taken of. Where one loop
 computes a point after the other, a division takes as long as ten products: numerators are
@@ -22,7 +22,7 @@ class Fraction:
     below: Degree
 
 
-def put_off_divisions(program: Program) -> Program:
+def defer_divisions(program: Program) -> Program:
     """Return a program of the same value, whatever the scale of a tangent's two parts is.
 
     Denominators of tangents have to cancel everywhere; a program in which one does not is

@@ -1,4 +1,4 @@
-"""Ends: an operation at the ends of what is computed, rounded as the operation itself is.
+"""Endpoint rounding: an operation at the ends of what is computed, rounded as it is itself.
 
 To round to nearest keeps the order: the results lie between the rounded results at the ends. What
 the rounding leaves there says whether a power of two is passed.
@@ -89,7 +89,7 @@ def _fused_rest(x: Ends, y: Ends, end: Ends) -> tuple[Ends, Ends]:
     return fused, (total - fused) + (left + rest)
 
 
-AT_ENDS: Mapping[str, Callable[..., Rounded]] = MappingProxyType(
+AT_ENDPOINTS: Mapping[str, Callable[..., Rounded]] = MappingProxyType(
     {
         "add": _add,
         "subtract": _subtract,
@@ -102,12 +102,12 @@ AT_ENDS: Mapping[str, Callable[..., Rounded]] = MappingProxyType(
 )
 
 
-def round_at_ends(kind: str, given: Sequence[Interval], whole: Interval) -> Rounded:
+def round_endpoints(kind: str, given: Sequence[Interval], whole: Interval) -> Rounded:
     """Enclose an operation's rounded results by those at the ends, and by an interval of it."""
     plain = Rounded(whole, np.inf)
-    if kind not in AT_ENDS:
+    if kind not in AT_ENDPOINTS:
         return plain
-    found = AT_ENDS[kind](*given)
+    found = AT_ENDPOINTS[kind](*given)
     known = found.span.is_finite
     for span in given:
         known = known & span.is_finite

@@ -15,7 +15,7 @@ from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
 
 
-def mark_within(subject: Subject, arguments: Arguments) -> Array:
+def mark_accuracy_domain(subject: Subject, arguments: Arguments) -> Array:
     """Mark the points where all relations of the bound hold; undecided ones are not among them.
 
     What is computed, a difference near zero, is decided by balls: the rounding of doubles would

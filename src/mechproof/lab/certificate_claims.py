@@ -1,4 +1,4 @@
-"""Proofs: what is proved of the rounding errors of the kernels that come with the package."""
+"""Certificate claims: what is proved of the rounding errors of the kernels of the package."""
 
 from __future__ import annotations
 

@@ -10,9 +10,9 @@ import mpmath as mp
 import pytest
 from derived import SYSTEMS, paper_of
 
+from mechproof.programs.deferred_divisions import defer_divisions
 from mechproof.programs.kernel import list_functions
 from mechproof.programs.program import Operand, Operation, Program
-from mechproof.programs.quotients import put_off_divisions
 
 DIGITS = 60
 
@@ -28,7 +28,7 @@ def list_changed() -> list[tuple[str, Program, Program]]:
         for stage in kernel.code.stages
         for program in stage.programs
     )
-    changed = ((name, program, put_off_divisions(program)) for name, program in programs)
+    changed = ((name, program, defer_divisions(program)) for name, program in programs)
     return [(name, program, new) for name, program, new in changed if new != program]
 
 
@@ -95,7 +95,7 @@ def write(*lines: tuple[Any, ...], inputs: str = "x y z") -> Program:
 
 def test_a_tangent_that_does_not_cancel_stays() -> None:
     program = write(("t", "tan", "x"), ("_1", "multiply", "t", "t"), ("_2", "add", "_1", "y"))
-    assert put_off_divisions(program) == program
+    assert defer_divisions(program) == program
 
 
 def test_a_tangent_over_its_square_cancels() -> None:
@@ -106,7 +106,7 @@ def test_a_tangent_over_its_square_cancels() -> None:
         ("_3", "add", 1, "_2"),
         ("_4", "divide", "t", "_3"),
     )
-    changed = put_off_divisions(program)
+    changed = defer_divisions(program)
     assert count(program, "divide", "tan") == 3
     assert count(changed, "divide", "tan") == 2
     with mp.workdps(DIGITS):

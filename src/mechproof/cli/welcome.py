@@ -9,7 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from mechproof.cli.console import console, say
-from mechproof.cli.places import Places
+from mechproof.cli.paths import Places
 from mechproof.derivation import find_systems
 from mechproof.measured import FOLDER
 
@@ -28,7 +28,7 @@ EXAMPLES = {
 }
 
 
-def show_start(places: Places) -> None:
+def show_welcome(places: Places) -> None:
     """Print which papers are here and what the commands do with them."""
     systems = list(find_systems(places.derivations))
     where = "that come with the package" if places.is_packaged else f"in {places.derivations}"

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Array
-from mechproof.lab.within import mark_within
 from mechproof.measured import read_record
 from mechproof.record import Accuracy, Argument, Form, Paper, Quantity, Variable
 
@@ -29,12 +29,12 @@ def test_alternatives_of_arguments_of_several_shapes() -> None:
     paper = Paper("system", "citation", variables, (), quantities=(quantity,))
     subject = Subject(paper, quantity, (), (None, None))
     points = np.array([0.0, 1.0, 5.0])
-    assert mark_within(subject, (points, np.float64(2.0))).tolist() == [True, False, True]
-    assert mark_within(subject, (points, np.float64(0.0))).tolist() == [True, True, True]
+    assert mark_accuracy_domain(subject, (points, np.float64(2.0))).tolist() == [True, False, True]
+    assert mark_accuracy_domain(subject, (points, np.float64(0.0))).tolist() == [True, True, True]
 
 
 def mark_point(subject: Subject, point: tuple[object, ...]) -> Array:
-    return mark_within(subject, tuple(np.array([value]) for value in point))
+    return mark_accuracy_domain(subject, tuple(np.array([value]) for value in point))
 
 
 @pytest.mark.parametrize("name", SUBJECTS)
