@@ -22,7 +22,9 @@ COMPILERS = [
     for name in ("gcc", "clang")
 ]
 # One source has it all: sums, matrices, several forms and their conditions.
-SYSTEMS = sorted({name.partition(".")[0] for name in KERNELS}, key="track_wheel".__ne__)
+SYSTEMS = sorted(
+    {name.partition(".")[0] for name in KERNELS}, key=lambda name: (name != "track_wheel", name)
+)
 SOURCES = [(system, single) for system in SYSTEMS for single in (False, True)]
 
 
