@@ -161,7 +161,9 @@ def make_step(operation: Operation) -> Step:
     kind, operands = operation.kind, operation.operands
     if _scales_by_power(kind, operands):
         return Step(operation.result, kind, operands, EXACT)
-    ulps = FUNCTIONS[kind].ulps if kind in FUNCTIONS else ULPS[KINDS[kind].rounding]
+    # A loop over terms is no kind, but a function of its kernel.
+    rounding = KINDS[kind].rounding if kind in KINDS else Rounding.LIBRARY
+    ulps = FUNCTIONS[kind].ulps if kind in FUNCTIONS else ULPS[rounding]
     return Step(operation.result, kind, operands, ulps)
 
 
