@@ -113,8 +113,8 @@ class Arithmetic:
         return self._derived[kind]
 
     def __getattr__(self, kind: str) -> Callable[..., Any]:
-        if kind.startswith("_"):
-            raise AttributeError(kind)
+        if kind.startswith("_") or kind not in self:
+            raise AttributeError(f"{kind}: no operation of this arithmetic")
         return self[kind]
 
 
