@@ -13,6 +13,7 @@ from flint import arb
 from mechproof.arithmetic.balls import evaluate
 from mechproof.arithmetic.slopes import BITS, Tape
 from mechproof.derivations.wedge_linkage import PAPER
+from mechproof.record import RecordError
 
 x, y, g, h = sp.symbols("x y g h", real=True)
 n = sp.Symbol("n", integer=True)
@@ -117,3 +118,19 @@ def test_what_was_sent_is_the_same_operations() -> None:
         values = {s: arb(k + 1) / 7 for k, s in enumerate(sorted(tape.symbols, key=str))}
         ours, theirs = (p.differentiate(values, [*values]) for p in (tape, again))
         assert str(ours) == str(theirs)
+
+
+def test_a_bound_symbol_is_not_what_is_given_by_its_name() -> None:
+    """The k that is counted is not the k that stands for x + y."""
+    k = sp.Symbol("k", integer=True)
+    tape = Tape(sp.Sum(k * g, (k, 1, 3)) + k, {g: k * x, k: x + y})
+    values = {x: arb(2), y: arb(3)}
+    value, slopes = tape.differentiate(values, [x, y])
+    assert tape.symbols == {x, y}
+    assert value.contains(65)
+    assert [slopes[s][0].contains(n) for s, n in ((x, 43), (y, 13))] == [True, True]
+
+
+def test_what_is_given_in_a_circle_is_refused() -> None:
+    with pytest.raises(RecordError, match="given in a circle"):
+        Tape(sp.Sum(g * n, (n, 1, 3)), {g: h, h: g})

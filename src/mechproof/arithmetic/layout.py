@@ -13,6 +13,8 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.record.substitution import resolve
+
 Values = Mapping[sp.Basic, Any]
 # Of the values of symbols, then of the operands.
 Operation = Callable[..., Any]
@@ -73,7 +75,7 @@ class Layout:
     def _append(self, node: sp.Basic) -> int:
         is_whole = isinstance(node, self._whole)
         if is_whole:
-            node = _insert(node, self._given)
+            node = resolve(node, self._given)
         operation, arguments = self._plan(node)
         operands = tuple(map(self._place, arguments))
         is_symbol = isinstance(node, sp.Symbol | sp.Indexed)
@@ -84,9 +86,3 @@ class Layout:
         self._steps.append((len(self._settled), operation, operands))
         self._settled.append(None)
         return len(self.nodes) - 1
-
-
-def _insert(node: sp.Basic, given: Given) -> sp.Basic:
-    while (inner := node.xreplace(given)) != node:
-        node = inner
-    return node

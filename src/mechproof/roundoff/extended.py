@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mechproof.kernel_support import error_free
 from mechproof.programs.program import CONSTANTS, Operand
 from mechproof.roundoff.running import ON_ARRAYS
 
@@ -55,7 +54,6 @@ IN_EXTENDED = ON_ARRAYS.but(
     constant=lambda operand: FORMAT(DIGITS_OF.get(operand, str(operand))),
     product_rest=_product_rest,
     quotient_rest=_quotient_rest,
-    sum_rest=error_free.sum_rest,
     quadratic_form=_quadratic_form,
     nonnegative_form=_quadratic_form,
     sum=lambda a, count: np.sum(a, axis=_first_axes(count)),

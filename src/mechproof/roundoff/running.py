@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Mapping
+from functools import partial
 from types import MappingProxyType
 from typing import Any
 
@@ -15,6 +16,7 @@ from mechproof.arithmetic.ball_functions import COMPARISONS as COMPARED, FUNCTIO
 from mechproof.arithmetic.balls import to_ball
 from mechproof.kernel_support import error_free
 from mechproof.kernel_support.polynomials import PI, PI_LOW
+from mechproof.programs.elementary.functions import BODIES
 from mechproof.programs.operations import COMPARISONS, KINDS, Arithmetic, Infix
 from mechproof.programs.program import CONSTANTS, Operand, Program
 from mechproof.roundoff.fused import fma
@@ -48,6 +50,9 @@ ON_ARRAYS = Arithmetic(
         **{kind: getattr(np, kind) for kind in COMPARISONS},
         "is_finite": np.isfinite,
         "choose": np.where,
+        # What they mean would be rounded away; the second computes with numbers as with a trace.
+        "sum_rest": error_free.sum_rest,
+        "total_rest": partial(BODIES["total_rest"][0], None),
         "both": np.logical_and,
         "either": np.logical_or,
         "along_first": lambda a: a[:, np.newaxis],
