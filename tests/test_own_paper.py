@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import math
 import re
 import shutil
 import subprocess
@@ -116,4 +117,5 @@ def test_the_report_shows_what_was_measured_and_how_the_kernel_is_called(worksho
     done = subprocess.run(
         [sys.executable, "-c", code], cwd=workshop, capture_output=True, text=True
     )
-    assert 0.0 < float(done.stdout) != 1.0, done.stderr
+    ratio = math.cos(math.pi / 6) / (1 - (math.sin(math.pi / 6) * math.cos(1.0)) ** 2)
+    assert float(done.stdout) == pytest.approx(ratio, rel=1e-14), done.stderr
