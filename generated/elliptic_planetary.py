@@ -55,9 +55,9 @@ from mechproof.kernel_support.error_free import (
     small_tangent as _small_tangent,
 )
 from mechproof.kernel_support.facts import Condition as _Condition, Sizes as _Sizes
-from mechproof.kernel_support.functions import square as _square
-from mechproof.kernel_support.polynomials import (
+from mechproof.kernel_support.functions import (
     small_arctan as _small_arctan,
+    square as _square,
     tangent_quotient as _tangent_quotient,
 )
 
@@ -69,22 +69,6 @@ __all__ = [
     "smallest_ratio",
 ]
 
-# tan(r/2)/r in powers of r**2; the whole function is off by at most 0.232 eps
-_TANGENT = (
-    (0.5, -0.016035293642667474, 8.768104139812438e-05, -5.8456452551230476e-08),
-    (1.0, -0.11540392061866767, 0.0014590221343479823, -3.256720523293968e-06),
-)
-# (atan(y)/y - 1)/y**2 in powers of y**2; the whole function is off by at most 0.296 eps
-_ARCTANGENT = (
-    (
-        -0.333333333333333,
-        -0.5450762850257569,
-        -0.2613626368664646,
-        -0.034672159668541744,
-        -0.00014839242515389607,
-    ),
-    (1.0, 2.2352288550767723, 1.696653795115032, 0.4973868644715952, 0.04408898987456305),
-)
 DOMAIN = (
     _Condition(
         "R1",
@@ -241,16 +225,12 @@ def position(
 
     Where e <= 1/2 for all elements, half-angle atan is computed.
 
-    There, where NumPy has no vector loop for tan, long arrays are computed by polynomials:
-    faster, and with other last bits than short ones.
-
     Accuracy, tested: 6 eps of the value, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|)
     and 1e-300 <= R1 and 1e-300 <= R2.
 
     Proved of half-angle atan, where |x| <= 2**26, as long as no result overflows or falls below
-    the normal range: at most 4.34 eps with np.arctan within 1 ulp and np.tan within 1 ulp,
-    found 3.37; at most 5.88 eps by polynomials, found 4.51; at most 4.54 eps compiled, found
-    3.54.
+    the normal range: at most 4.35 eps with np.arctan within 1 ulp and np.tan within 1 ulp,
+    found 3.38; at most 4.54 eps compiled, found 3.54.
 
     Proved of half-angle atan with low word, where |x| <= 22/7 or |x| <= 2**26 and e <= 1 -
     2**-10, as long as no result overflows or falls below the normal range: at most 5.78 eps
@@ -285,7 +265,7 @@ def _form_1_of_position(phi1: Any, e: Any, k: Any, one_minus_e: Any, one_plus_e:
     x = k * phi1
 
     return (1.0 + k) * phi1 + 2.0 * _small_arctan(
-        2.0 * e * _tangent_quotient(x / 2.0, one_minus_e, one_plus_e, _TANGENT), _ARCTANGENT
+        2.0 * e * _tangent_quotient(x / 2.0, one_minus_e, one_plus_e)
     )
 
 

@@ -71,7 +71,7 @@ def test_every_operation_has_a_meaning_and_a_text() -> None:
     )
     assert set(FUNCTIONS.values()) <= numpy
     # What the prover of bounds alone knows, and a copy, which is no text of its own.
-    assert {*KINDS} - {"copy", "approximate", "pi_off", "minimum"} == numpy | numba
+    assert {*KINDS} - {"copy", "approximate", "minimum"} == numpy | numba
     assert numba == c99
 
 

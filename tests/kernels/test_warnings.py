@@ -15,7 +15,6 @@ import pytest
 import sympy as sp
 from quantities import KERNELS, find_subject
 
-from mechproof.kernel_support import polynomials
 from mechproof.lab.sets import list_workloads
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments
@@ -23,13 +22,10 @@ from mechproof.lab.ways import Arguments
 PUSHED = (np.nan, -np.inf, -1e9, -1.0, -1e-9, 0.0, 0.5, 1.0, 1.5, 20.0, 1e9, np.inf)
 
 
-@pytest.fixture(params=["one piece", "blocks", "polynomials"])
+@pytest.fixture(params=["one piece", "blocks"])
 def _evaluation(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     if request.param != "one piece":
         monkeypatch.setattr("mechproof.kernel_support.blocks.BLOCK", 6)
-    if request.param == "polynomials":
-        monkeypatch.setattr(polynomials, "IS_WORTH_IT", True)
-        monkeypatch.setattr(polynomials, "LONG", 1)
 
 
 def list_pushed(subject: Subject, index: int) -> Iterator[float]:

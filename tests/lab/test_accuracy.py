@@ -15,7 +15,6 @@ import sympy as sp
 from compiled import grouped
 from quantities import BOUNDED, GENERATED, KERNELS, find_subject
 
-from mechproof.kernel_support import polynomials
 from mechproof.lab.search import find_worst, scaled_errors
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.ways import Arguments, Array, Compute
@@ -36,19 +35,10 @@ def bound_of(subject: Subject) -> float:
     return subject.quantity.accuracy.ulp
 
 
-@pytest.fixture(params=[False, True], ids=["plain", "polynomials"])
-def polynomial(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> bool:
-    """Take tan and arctan, or polynomials in their place, whatever the machine prefers."""
-    monkeypatch.setattr(polynomials, "IS_WORTH_IT", request.param)
-    monkeypatch.setattr(polynomials, "LONG", 1)
-    return bool(request.param)
-
-
 def as_points(row: dict[str, object]) -> Arguments:
     return tuple(np.array([value]) for value in row["at"])  # type: ignore[attr-defined]
 
 
-@pytest.mark.usefixtures("polynomial")
 @pytest.mark.parametrize("name", BOUNDED)
 def test_worst_inputs_stay_within_the_bound(name: str) -> None:
     subject = find_subject(name)
@@ -68,18 +58,6 @@ def test_quantities_are_listed_as_the_papers_have_them() -> None:
 
 def test_rows_are_of_quantities_with_a_bound() -> None:
     assert {row["quantity"] for row in TABLE} <= set(BOUNDED)
-
-
-def test_polynomials_need_more_than_four_eps(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The bound of the position is what the polynomials need, not what tan and arctan do."""
-    subject = find_subject("elliptic_planetary.position")
-    worst = []
-    for polynomial in (False, True):
-        monkeypatch.setattr(polynomials, "LONG", 1)
-        monkeypatch.setattr(polynomials, "IS_WORTH_IT", polynomial)
-        rows = (as_points(row) for row in TABLE if row["quantity"] == subject.name)
-        worst.append(max(scaled_errors(subject, one_mechanism(subject), row)[0] for row in rows))
-    assert worst[0] <= 4 < worst[1] <= bound_of(subject) == 6
 
 
 def one_mechanism(subject: Subject) -> Compute:

@@ -13,6 +13,7 @@ import pytest
 from weights import first_of
 
 from mechproof.codegen.reading import TranslationError
+from mechproof.kernel_support.functions import tangent_quotient
 from mechproof.lab.subject import Subject, find_subjects
 from mechproof.lab.validation import validate
 
@@ -60,7 +61,7 @@ def test_a_wrong_rival_stops_it(position: Subject) -> None:
 
 
 def test_a_fault_in_long_arrays_only_stops_it(position: Subject) -> None:
-    """Blocks and polynomials are support code, and part of what is run."""
+    """Blocks are support code, and part of what is run."""
     module = position.modules[0]
     right = module._in_blocks
 
@@ -72,12 +73,14 @@ def test_a_fault_in_long_arrays_only_stops_it(position: Subject) -> None:
         validate(iter([with_modules(position, kernels=changed(module, _in_blocks=wrong))]))
 
 
-def test_a_wrong_coefficient_of_a_polynomial_stops_it(position: Subject) -> None:
+def test_a_wrong_function_of_the_support_stops_it(position: Subject) -> None:
     module = position.modules[0]
-    (first, *others), below = module._ARCTANGENT
-    wrong = ((first * (1 + 1e-10), *others), below)
+
+    def wrong(*given: Any) -> Any:
+        return tangent_quotient(*given) * (1 + 1e-12)
+
     with pytest.raises(TranslationError, match="position"):
-        validate(iter([with_modules(position, kernels=changed(module, _ARCTANGENT=wrong))]))
+        validate(iter([with_modules(position, kernels=changed(module, _tangent_quotient=wrong))]))
 
 
 @pytest.mark.parametrize("way", ["together", "alone", "in rows"])

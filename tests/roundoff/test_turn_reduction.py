@@ -6,57 +6,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-import sympy as sp
 from alterations import change, prove_changed
 from flint import arb
 
 from mechproof.arithmetic.balls import working_precision
-from mechproof.arithmetic.intervals import EPS, Interval, careful
+from mechproof.arithmetic.intervals import EPS, Interval
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.program import Operation
-from mechproof.record import Chart
-from mechproof.roundoff.bound import OVERLAPPED, UNREDUCED, Bar, Evaluation
 from mechproof.roundoff.elementary import prove
-from mechproof.roundoff.germs import Frame
 from mechproof.roundoff.reduction import bound_reduction, find_nearest
-from mechproof.roundoff.regions import list_regions
-from mechproof.roundoff.running import IN_DOUBLES, run
-from mechproof.roundoff.steps import Step, Straight
-
-
-def test_half_turns_that_no_region_takes_off_have_no_bound() -> None:
-    reduced = Straight(("y",), (Step("r", "pi_off", ("y",), 0.5),), ("r",))
-    low, high = np.array([0.5, 0.5, 100.0]), np.array([1.5, 1.6, 100.1])
-    frame = Frame([Interval(low, high)], [True])
-    with careful(moves=False):
-        evaluation = Evaluation(reduced, frame, {"y": frame.variable(0)}, {}, None)
-        found = evaluation.sum_errors("r", Bar(None, True))
-    assert found.tolist() == [0.0, np.inf, np.inf]
-
-
-def test_beyond_half_a_turn_a_bound_needs_a_region_that_overlaps() -> None:
-    """The half turn that is taken off there is rounded."""
-    reduced = Straight(("y",), (Step("r", "pi_off", ("y",), 0.5),), ("r",))
-    ends = np.array(
-        [UNREDUCED, np.nextafter(UNREDUCED, 2), OVERLAPPED, np.nextafter(OVERLAPPED, 2)]
-    )
-    turned = [run(reduced, {"y": end}, IN_DOUBLES)[0] != end for end in ends]
-    assert turned == [False, True, True, True]
-    frame = Frame([Interval(np.full(4, 0.5), ends)], [True])
-    for is_overlapped, missing in ((False, turned), (True, [False, False, False, True])):
-        evaluation = Evaluation(
-            reduced, frame, {"y": frame.variable(0)}, {}, None, is_overlapped=is_overlapped
-        )
-        with careful(moves=False):
-            found = evaluation.sum_errors("r", Bar(None, True))
-        assert found.tolist() == [np.inf if none else 0.0 for none in missing]
-
-
-def test_regions_that_overlap_have_what_is_beyond_half_a_turn() -> None:
-    angle, side = sp.Symbol("x"), sp.Interval(0, 2**26)
-    for turned in (angle, None):
-        first, *others = list_regions(Chart("", {angle: angle}, {angle: side}, turned))
-        assert first.is_overlapped == any(region.turns == 1 for region in others)
 
 
 def test_angles_that_are_not_reduced_have_no_bound() -> None:

@@ -6,7 +6,6 @@ import re
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
 from textwrap import TextWrapper
-from types import MappingProxyType
 
 import sympy as sp
 
@@ -44,14 +43,6 @@ PROVED = (
     "on the assumptions of that line: the results that they speak of are those of all operations "
     "on the way, and the normal range is 0 and what is at least 2**-1022 in size. More may be "
     "proved than is tested, since a proof adds up roundings that may never meet."
-)
-
-# What a rewrite does that a user may see.
-NOTES: Mapping[str, str] = MappingProxyType(
-    {
-        "small_arc": "There, where NumPy has no vector loop for tan, long arrays are computed by "
-        "polynomials: faster, and with other last bits than short ones."
-    }
 )
 
 
@@ -261,7 +252,6 @@ def list_notes(kernel: Kernel, paper: Paper) -> list[str]:
         notes.append(
             f"Where {write_formula(form.when, names)} for all elements, {form.name} is computed."
         )
-    notes += [NOTES[name] for form in kernel.forms for name in form.rewrites if name in NOTES]
     told = tell_bound(quantity)
     notes += [f"{TESTED}: {told}."] if told else []
     notes += [form.proved for form in kernel.forms if form.proved]

@@ -32,7 +32,7 @@ def _spell(spellings: Mapping[str, Spelling | None], bodies: str = "") -> Syntax
     return Syntax(
         infix={k: s for k, s in spelled.items() if isinstance(s, Infix)},
         calls=calls,
-        last={k: s.last for k, s in spelled.items() if isinstance(s, Support) and s.last},
+        last={},
         patterns={k: s for k, s in spelled.items() if isinstance(s, Pattern)},
         constants=CONSTANTS,
     )

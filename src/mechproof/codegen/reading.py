@@ -42,9 +42,6 @@ RENAMED: Mapping[str, str] = MappingProxyType(
     }
 )
 REDUCED: Mapping[str, str] = MappingProxyType({"add_up": "sum", "every": "every"})
-LAST_CONSTANT: Mapping[str, str] = MappingProxyType(
-    {"small_arctan": "_ARCTANGENT", "tangent_quotient": "_TANGENT"}
-)
 # Where compiled kernels find the elementary functions.
 ELEMENTARY = "_elementary."
 # The last argument of a compiled function that is right up to the largest angle only.
@@ -114,7 +111,6 @@ class _ProgramReader:
 
     def _call(self, node: ast.Call) -> Operand:
         function = ast.unparse(node.func)
-        is_elementary = function.startswith(ELEMENTARY)
         name = function.removeprefix("_np.").removeprefix(ELEMENTARY).removeprefix("_")
         keywords = {k.arg: ast.unparse(k.value) for k in node.keywords}
         if name in REDUCED and set(keywords) == {"axis"}:
@@ -130,9 +126,6 @@ class _ProgramReader:
         arguments = list(node.args)
         if keywords:
             raise ReadingError(f"line {node.lineno}: no operation is written {ast.unparse(node)!r}")
-        constant = None if is_elementary else LAST_CONSTANT.get(name)
-        if constant and ast.unparse(arguments.pop()) != constant:
-            raise ReadingError(f"line {node.lineno}: {name} takes {LAST_CONSTANT[name]} last")
         if arguments and ast.unparse(arguments[-1]) == EXACT:
             arguments.pop()
         return self._add(RENAMED.get(name, name), *map(self.read, arguments))

@@ -61,6 +61,17 @@ def floor(a: Any) -> Any:
     return a // 1.0 if -inf < a < inf else a
 
 
+def tangent_quotient(y: Any, a: Any, b: Any) -> Any:
+    """Return t/(a + b*t**2) for t = np.tan(y), a and b positive; a float for floats."""
+    t = float(np.tan(y)) if type(y) is float else np.tan(y)
+    return t / (a + b * (t * t))
+
+
+def small_arctan(y: Any) -> Any:
+    """Return np.arctan(y) for |y| <= 1/sqrt(3); a float for a float."""
+    return float(np.arctan(y)) if type(y) is float else np.arctan(y)
+
+
 def hypot(a: Any, b: Any) -> Any:
     """Return np.hypot(a, b), but NaN where one is NaN and the other infinite."""
     found = np.hypot(a, b)

@@ -11,7 +11,6 @@ their loops, where numba is installed.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -20,7 +19,7 @@ from flint import arb
 
 from mechproof.arithmetic.balls import evaluate
 from mechproof.codegen.reading import TranslationError
-from mechproof.kernel_support import blocks, polynomials
+from mechproof.kernel_support import blocks
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import find_errors
 from mechproof.lab.oracle import Truth, count_points, find_truth, list_values
@@ -109,25 +108,12 @@ def _require_inside(name: str, point: Arguments, value: float, ball: arb) -> Non
 
 
 def _compute_every_way(compute: Compute, point: Arguments) -> Iterator[float | np.ndarray]:
-    """Compute a point alone, and in arrays longer than a block with polynomials and without."""
+    """Compute a point alone, and in an array longer than a block."""
     with np.errstate(all="ignore"):
         yield compute(*point)
         first, *others = point
         many = np.broadcast_to(first, (blocks.BLOCK, *first.shape)).copy()
-        for polynomial in (True, False):
-            with _with_polynomials(polynomial):
-                yield compute(many, *others)[blocks.BLOCK // 2]
-
-
-@contextmanager
-def _with_polynomials(wanted: bool) -> Iterator[None]:
-    """Take polynomials in place of tan and arctan, whatever the machine prefers."""
-    preferred = polynomials.IS_WORTH_IT
-    polynomials.IS_WORTH_IT = wanted
-    try:
-        yield
-    finally:
-        polynomials.IS_WORTH_IT = preferred
+        yield compute(many, *others)[blocks.BLOCK // 2]
 
 
 def _choose_stage(code: KernelCode, point: Arguments) -> Stage:
@@ -152,9 +138,8 @@ def _check_accuracy(subject: Subject) -> None:
         arguments = _take(subject, point_set, DECIDED)
         truth = find_truth(subject, arguments)
         held = mark_accuracy_domain(subject, arguments) & truth.decided
-        for polynomial in (True, False):
-            with np.errstate(all="ignore"), _with_polynomials(polynomial):
-                _require_accuracy(subject, arguments, truth, held, subject.kernel(*arguments))
+        with np.errstate(all="ignore"):
+            _require_accuracy(subject, arguments, truth, held, subject.kernel(*arguments))
         if compiled := getattr(subject.load_compiled(), subject.quantity.name, None):
             for result in _compute_compiled(compiled, arguments):
                 _require_accuracy(subject, arguments, truth, held, result, "compiled: ")

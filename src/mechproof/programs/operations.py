@@ -50,11 +50,10 @@ class Pattern:
 
 @dataclass(frozen=True)
 class Support:
-    """A function of a module of the support package; `last` is put after its arguments."""
+    """A function of a module of the support package."""
 
     module: str
     name: str
-    last: str = ""
 
 
 @dataclass(frozen=True)
@@ -127,7 +126,7 @@ def _keep(on: Arithmetic, a: Any) -> Any:
 
 def _tangent_quotient(on: Arithmetic, y: Any, a: Any, b: Any) -> Any:
     t = on.tan(y)
-    return t / (a + b * (t * t))
+    return t / (a + b * on.square(t))
 
 
 def _function(name: str, sympy: Callable[..., sp.Basic]) -> Kind:
@@ -190,9 +189,8 @@ _ROWS = (
          Support("functions", "maximum"), "_maximum", f"{HELPER}maximum"),
     Kind("minimum", EXACT, sp.Min),
     Kind("copy", EXACT, None, _keep),
-    # What is off by an approximation, and an angle less half turns.
+    # What is off by an approximation.
     Kind("approximate", EXACT, None, _keep),
-    Kind("pi_off", NEAREST, None, _keep),
     # What is decided.
     _compare("less", "<", sp.Lt),
     _compare("less_equal", "<=", sp.Le),
@@ -238,9 +236,9 @@ _ROWS = (
     Kind("small_tangent", NEAREST, None, lambda on, y: on.tan(y),
          Support("error_free", "small_tangent"), head="SmallTangent"),
     Kind("small_arctan", LIBRARY, None, lambda on, y: on.arctan(y),
-         Support("polynomials", "small_arctan", last="_ARCTANGENT"), head="SmallArctan"),
+         Support("functions", "small_arctan"), head="SmallArctan"),
     Kind("tangent_quotient", LIBRARY, None, _tangent_quotient,
-         Support("polynomials", "tangent_quotient", last="_TANGENT"), head="TangentQuotient"),
+         Support("functions", "tangent_quotient"), head="TangentQuotient"),
     # A tangent by two values, whose common factor does not count.
     Kind("tangent_above", LIBRARY, None, lambda on, y: on.sin(y)),
     Kind("tangent_below", LIBRARY, None, lambda on, y: on.cos(y)),

@@ -27,7 +27,6 @@ from mechproof.arithmetic.intervals import (
     enclose_ball,
     exactly,
 )
-from mechproof.kernel_support.polynomials import PI_LOW
 from mechproof.programs.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
 from mechproof.roundoff.endpoint_rounding import (
@@ -38,16 +37,13 @@ from mechproof.roundoff.endpoint_rounding import (
 )
 from mechproof.roundoff.germs import Frame, Germ
 from mechproof.roundoff.profiles import Profile
-from mechproof.roundoff.regions import HALF_TURN
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.running import IN_DOUBLES, find_number
 from mechproof.roundoff.steps import CONSTANT, HALF, RESTS, Step, Straight
 
-# Of angles up to here no half turn is taken off, or another region has the little beyond pi/2.
-UNREDUCED, OVERLAPPED = math.pi / 2, HALF_TURN / 2 * (1 + 2.0**-45)
 UNKNOWN = exactly(math.nan)
 # Of other kinds nothing can be bounded.
-KINDS = frozenset({*RULES, *RESTS, CONSTANT, "pi_off", "small_tangent", "copy", "approximate"})
+KINDS = frozenset({*RULES, *RESTS, CONSTANT, "small_tangent", "copy", "approximate"})
 
 
 @dataclass(frozen=True)
@@ -80,11 +76,8 @@ class Evaluation:
         stated: Mapping[str, Germ],
         turn: Turn | None,
         find_profile: Callable[[str], Profile] | None = None,
-        *,
-        is_overlapped: bool = False,
     ) -> None:
         self.frame, self.turn, self.held = frame, turn, straight.held
-        self._unreduced = OVERLAPPED if is_overlapped else UNREDUCED
         self._scaled, self._find_profile = frozenset(straight.scaled), find_profile
         self.values: dict[str, Germ] = dict(given)
         # What is computed, its rounding known to be monotone; not what lies on the way to it.
@@ -104,9 +97,7 @@ class Evaluation:
             self._take_constant(step)
             return
         given = [self.value(operand) for operand in step.operands]
-        if step.kind == "pi_off":
-            self._take_half_turns_off(step, given[0])
-        elif step.kind == "small_tangent":
+        if step.kind == "small_tangent":
             self._take_small_tangent(step, given[0])
         elif step.kind in RESTS:
             # Of what is compensated: a rounding of its own, which nothing here moves.
@@ -198,22 +189,6 @@ class Evaluation:
         exact = small.scaled(ONE.union(around(1.0, off)))
         value = exact.scaled(around(1.0, off))
         self._add(step, exact, (self._one + exact.squared(),), off, None, value.expanded())
-
-    def _take_half_turns_off(self, step: Step, angle: Germ) -> None:
-        """Reduce as the support does: exact without half turns, else off by two roundings."""
-        if self.turn is None:
-            span = angle.expanded()
-            # What rounds where half turns are taken off that no region knows of is not bounded.
-            error = np.where(span.largest() <= self._unreduced, 0.0, np.nan)
-            self._add(step, angle, (self._one,), 0.0, error, span)
-            return
-        if self.turn.is_half:
-            raise ValueError("chart: half turns are taken off, but not in this way")
-        turns = angle.expanded().largest() / 3 + 1
-        exact = reduce(angle, self.turn, 2).expanded()
-        error = (exact.largest() + 2 * PI_LOW * turns) * UNIT * (1 + EPS)
-        value = exact + around(0.0, error)
-        self._add(step, self.frame.constant(value), (self._one,), 0.0, error, value)
 
     def _are_exact(self, step: Step, given: Sequence[Germ]) -> Mask:
         """Say where two doubles differ by at most a factor of two: their difference is exact."""

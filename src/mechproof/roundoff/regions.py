@@ -49,11 +49,6 @@ class Region:
             return "no turn" if self.chart.angle else "all"
         return "more turns" if self.turns is None else f"{self.turns} turns"
 
-    @property
-    def is_overlapped(self) -> bool:
-        """Say whether other regions have the little beyond half a turn."""
-        return self.chart.angle is not None
-
     def enter(
         self, boxes: Boxes, poles: int, forced: tuple[int, ...] = ()
     ) -> tuple[Frame, dict[sp.Symbol, Germ], Turn | None]:

@@ -15,7 +15,6 @@ from flint import arb
 from mechproof.arithmetic.ball_functions import COMPARISONS as COMPARED, FUNCTIONS
 from mechproof.arithmetic.balls import to_ball
 from mechproof.kernel_support import error_free
-from mechproof.kernel_support.polynomials import PI, PI_LOW
 from mechproof.programs.elementary.functions import BODIES
 from mechproof.programs.operations import COMPARISONS, KINDS, Arithmetic, Infix
 from mechproof.programs.program import CONSTANTS, Operand, Program
@@ -29,11 +28,6 @@ ENDLESS = MappingProxyType({"#inf": np.inf})
 def find_number(operand: Operand) -> Any:
     """Return the number that a constant's operand stands for."""
     return CONSTANTS[operand] if isinstance(operand, str) else operand
-
-
-def _take_half_turns_off(y: Any) -> Any:
-    turns = np.rint(y * (1 / np.pi))
-    return (y - turns * PI) - turns * PI_LOW
 
 
 # What NumPy has functions of, in any format.
@@ -65,7 +59,6 @@ IN_DOUBLES = ON_ARRAYS.but(
     number=np.float64,
     constant=lambda operand: np.float64(float(find_number(operand))),
     fma=fma,
-    pi_off=_take_half_turns_off,
     product_rest=error_free.product_rest,
     quotient_rest=error_free.quotient_rest,
     small_tangent=error_free.small_tangent,

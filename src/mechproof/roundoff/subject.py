@@ -26,9 +26,9 @@ from mechproof.roundoff.bound import KINDS, Bar, Evaluation
 from mechproof.roundoff.case_split import Rows, split_cases
 from mechproof.roundoff.chart_membership import ChartMembership, find_membership
 from mechproof.roundoff.compensation import hold_compensated
-from mechproof.roundoff.compiled import COMPILED, WAY, list_expansions
+from mechproof.roundoff.compiled import COMPILED, WAY as COMPILED_WAY, list_expansions
 from mechproof.roundoff.elementary import prove
-from mechproof.roundoff.expansions import WAYS
+from mechproof.roundoff.expansions import IN_NUMPY, WAY
 from mechproof.roundoff.regions import Boxes, Region, express
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
 from mechproof.roundoff.scales import find_scaled
@@ -140,9 +140,7 @@ class Subject:
         for straight in both:
             plain = self._add_up(straight, region.chart)
             stated = {result: express(value, frame, germs) for result, value in plain.items()}
-            evaluation = Evaluation(
-                straight, frame, given, stated, turn, prove, is_overlapped=region.is_overlapped
-            )
+            evaluation = Evaluation(straight, frame, given, stated, turn, prove)
             found.append(evaluation)
         if self.scale is None:
             return found[0], Bar(None, True)
@@ -215,18 +213,14 @@ def list_subjects(kernel: Kernel, paper: Paper) -> Iterator[Subject]:
         if not form.charts:
             continue
         scale = _write_scale(kernel.quantity, form, stage, paper)
-        known: list[Straight] = []
-        for way, expansions in WAYS.items():
-            straight = hold_compensated(flatten_stage(stage, expansions))
-            affine = _find_map(kernel.quantity, stage, straight)
-            whole = affine.apply() if affine else straight
-            if whole not in known:
-                known.append(whole)
-                _check_kinds(straight)
-                _check_signs(straight, kernel, form)
-                yield Subject(kernel, form, stage, way, whole, known[0], scale, map=affine)
+        straight = hold_compensated(flatten_stage(stage, IN_NUMPY))
+        _check_kinds(straight)
+        _check_signs(straight, kernel, form)
+        affine = _find_map(kernel.quantity, stage, straight)
+        whole = affine.apply() if affine else straight
+        yield Subject(kernel, form, stage, WAY, whole, whole, scale, map=affine)
         if kernel.is_shipped:
-            yield _compile(kernel, form, stage, known[0], scale)
+            yield _compile(kernel, form, stage, whole, scale)
 
 
 def _compile(
@@ -242,7 +236,7 @@ def _compile(
         straight, points = affine.apply(), affine.points
         compiled = replace(compiled, running=points, evaluate=map_affinely(points))
     computed = flatten_stage(compiled, {})
-    return Subject(kernel, form, stage, WAY, straight, exact, scale, computed, affine)
+    return Subject(kernel, form, stage, COMPILED_WAY, straight, exact, scale, computed, affine)
 
 
 def _check_kinds(straight: Straight) -> None:
@@ -304,8 +298,7 @@ def _write_exact(
     written = Form("scale", expression, rewrites)
     alone = replace(quantity, forms=(written,))
     (stage,) = build_kernel("scale", alone, (written,), paper).code.stages
-    (plain, *_) = WAYS.values()
-    straight = flatten_stage(stage, plain)
+    straight = flatten_stage(stage, IN_NUMPY)
     return replace(straight, steps=tuple(replace(step, ulps=EXACT) for step in straight.steps))
 
 

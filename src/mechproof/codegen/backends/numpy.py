@@ -20,8 +20,6 @@ from mechproof.codegen.facts import Condition, Sizes, list_conditions, list_size
 from mechproof.codegen.languages import NUMPY_BODY
 from mechproof.codegen.syntax import Text, write_program
 from mechproof.programs.code import KernelCode, Stage
-from mechproof.programs.elementary.fits import FITS, enclose, fit
-from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.programs.names import list_imports
 from mechproof.programs.operations import KINDS, Reduction, Support
@@ -128,17 +126,10 @@ def render_module(
         "conditions": conditions,
         "sizes": sizes,
         "imports": [],
-        "constants": [],
     }
     # What the body names is imported.
     body = render_template("numpy_module.py.jinja", data)
     data["imports"] = list_imports(body, SUPPORT)
-    data["constants"] = [
-        (name, target, fitted, enclose(target, fitted) / DOUBLE.eps)
-        for name, (target, degrees) in FITS.items()
-        if name in body
-        for fitted in [fit(target, *degrees)]
-    ]
     return format_source(render_template("numpy_module.py.jinja", data))
 
 

@@ -9,12 +9,11 @@ certifies the supremum norm of an error in the same way, with intervals for coef
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, partial
 from itertools import pairwise
-from types import MappingProxyType
 
 import mpmath as mp
 from flint import arb, arb_series, ctx
@@ -72,11 +71,6 @@ def _tangent_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series
     return r * _put(fit.above, r * r) * r.cos(), _put(fit.below, r * r) * r.sin()
 
 
-def _half_tangent_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
-    half = r / 2
-    return r * _put(fit.above, r * r) * half.cos(), _put(fit.below, r * r) * half.sin()
-
-
 def _sine_sides(fit: Rational, r: arb_series) -> tuple[arb_series, arb_series]:
     return r + r * r * r * _put(fit.above, r * r), r.sin()
 
@@ -120,12 +114,6 @@ TANGENT = Target(
     lambda: _beyond(mp.pi / 4),
     _tangent_sides,
 )
-HALF_TANGENT = Target(
-    "tan(r/2)/r in powers of r**2",
-    _of_root(lambda r: mp.tan(r / 2) / r),
-    lambda: _beyond(mp.pi / 2),
-    _half_tangent_sides,
-)
 SINE = Target(
     "(sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4",
     _of_root(lambda r: (mp.sin(r) / r - 1) / r**2),
@@ -168,11 +156,6 @@ NORMAL_TAIL = Target(
     lambda: mp.mpf(TAIL_END - TAIL) / (TAIL_END + TAIL),
     _tail_sides,
     first=-1.0,
-)
-
-# Constants that functions of `kernel_support` take as their last argument, by their names there.
-FITS: Mapping[str, tuple[Target, tuple[int, int]]] = MappingProxyType(
-    {"_TANGENT": (HALF_TANGENT, (3, 3)), "_ARCTANGENT": (SMALL_ARCTANGENT, (4, 4))}
 )
 
 

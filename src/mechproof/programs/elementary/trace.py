@@ -7,7 +7,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Sequence
+from functools import partial
 
+from mechproof.programs.operations import KINDS, Arithmetic
 from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
 
 
@@ -111,6 +113,13 @@ def copysign(a: Value | float, b: Value) -> Value:
     """Return |a| with the sign of b."""
     return b.apply("copysign", a, b)
 
+
+def _record(kind: str, first: Value, *others: Value | float) -> Value:
+    return first.apply(kind, first, *others)
+
+
+# Every kind is one operation, whatever it is put together of.
+TRACED = Arithmetic({kind: partial(_record, kind) for kind in KINDS})
 
 # So many terms of a polynomial may wait for each other.
 CHAIN = 7
