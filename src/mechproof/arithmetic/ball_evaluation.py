@@ -165,13 +165,14 @@ def _integrate(
 ) -> Ball:
     """Integrate with what is given, at the working precision, which is `precision`."""
     values = {name: _put_together(parts) for name, parts in given}
+    start, end = (acb(_put_together(parts)) for parts in ends)
     layout = Layout(function, plan)
     layout.settle(values)
 
     def integrand(point: Ball, analytic: bool) -> Ball:
         return acb(layout.run({**values, variable: point, _ANALYTIC: analytic})[-1])
 
-    return take_real_part(acb.integral(integrand, *(acb(_put_together(end)) for end in ends)))
+    return take_real_part(acb.integral(integrand, start, end))
 
 
 def _take_apart(ball: Ball) -> _Parts:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from mechproof.proof.normal_form import split
+from mechproof.proof.normal_form import reduce_polynomial, split
 
 
 @dataclass
@@ -87,11 +87,18 @@ def write_by_cosines(expression: sp.Expr) -> sp.Expr:
         c, s = sp.Dummy("c", real=True), sp.Dummy("s", real=True)
         result = result.subs({sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c})
         numerator, denominator = split(result)
-        relation = s**2 + c**2 - 1
-        result = sp.rem(sp.expand(numerator), relation, s) / sp.rem(
-            sp.expand(denominator), relation, s
-        )
+        above, below = (_lower(part, s, 1 - c**2) for part in (numerator, denominator))
+        result = above / below
     return result
+
+
+def _lower(polynomial: sp.Expr, generator: sp.Symbol, square: sp.Expr) -> sp.Expr:
+    """Write a polynomial with the generator to at most its first power."""
+    try:
+        return reduce_polynomial(polynomial, {generator: square})
+    except sp.PolynomialError:
+        # Over other numbers than the rationals.
+        return sp.rem(sp.expand(polynomial), generator**2 - square, generator)
 
 
 def list_angles(expression: sp.Expr) -> list[sp.Expr]:

@@ -59,9 +59,8 @@ class Domain:
 
     @cached_property
     def _hash(self) -> int:
-        """Found once: SymPy lists the numbers of a set to tell what to hash."""
-        within, given = frozenset(self.within.items()), frozenset(self.given.items())
-        return hash((within, self.where, given))
+        """Of names and relations alone, once: SymPy takes long over the hash of a set."""
+        return hash((frozenset(self.within), self.where, frozenset(self.given)))
 
     @classmethod
     def of(cls, paper: Paper, on: Part | None = None, inside: Part | None = None) -> Domain:

@@ -111,10 +111,17 @@ def _find_point(
     is_wanted: Callable[[list[bool]], bool],
 ) -> str:
     for point in points_for(tuple(sides), domain, count, thorough=count == POINTS):
-        values = [balls.evaluate(put_exactly(side, point), point) for side in sides]
-        if is_wanted([bool(v.is_finite()) for v in values]) and domain.is_interior(point):
+        have_values = [_has_value(side, point) for side in sides]
+        if is_wanted(have_values) and domain.is_interior(point):
             return _name_point(point, domain)
     return ""
+
+
+def _has_value(side: sp.Basic, point: Point) -> bool:
+    """Tell whether a side has a value; what needs no exact numbers for it is not given any."""
+    if not side.has(sp.Sum, sp.Product) and balls.evaluate(side, point).is_finite():
+        return True
+    return bool(balls.evaluate(put_exactly(side, point), point).is_finite())
 
 
 def points_for(
@@ -180,7 +187,8 @@ def _published_points(
 
 def _list_elements(expressions: tuple[sp.Basic, ...], sizes: Point) -> list[sp.Basic]:
     """List the elements of families that are met once counts have their sizes."""
-    elements = {i for e in expressions for i in find_parts(put_exactly(e, sizes), sp.Indexed)}
+    families = (e for e in expressions if find_parts(e, sp.Indexed))
+    elements = {i for e in families for i in find_parts(put_exactly(e, sizes), sp.Indexed)}
     return sorted(elements, key=str)
 
 
