@@ -28,6 +28,15 @@ def reduce_polynomial(polynomial: sp.Expr, squares: Mapping[sp.Symbol, sp.Expr])
     return ring.write(result)
 
 
+def expand(polynomial: sp.Expr) -> sp.Expr:
+    """Multiply a polynomial out."""
+    try:
+        return reduce_polynomial(polynomial, {})
+    except sp.PolynomialError:
+        # Over other numbers than the rationals.
+        return sp.expand(polynomial)
+
+
 def is_zero(quotient: sp.Expr, squares: Mapping[sp.Symbol, sp.Expr]) -> bool:
     """Tell whether a quotient of polynomials has a normal form of zero above one that is not.
 
