@@ -8,7 +8,6 @@ from sympy import (
     Integral,
     atan,
     diff,
-    limit,
     oo,
     pi,
     sqrt,
@@ -43,7 +42,7 @@ def of_variant(expression: Expr, number: int) -> Expr:
 
 def lack_at_branch_end(number: int) -> Expr:
     """Return by how many degrees (12) is too small as x nears half a turn."""
-    return limit(of_variant(LACK, number), U, oo) * 180 / pi
+    return of_variant(LACK, number).subs(U, oo) * 180 / pi
 
 
 POSITION_CLAIMS = (

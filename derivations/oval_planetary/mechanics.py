@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 
 from .symbols import a, e, e1, e2, mount, omega1, phi1, r, rho5, rho6, sB, sC, sD, tau, theta
@@ -36,6 +38,7 @@ def oval_radius(eccentricity: sp.Expr, cosine: sp.Expr) -> sp.Expr:
     return focal_radius.subs({e: eccentricity, sp.cos(theta): cosine})
 
 
+@cache
 def pair_ratio(eccentricity: sp.Expr, cosine: sp.Expr) -> sp.Expr:
     """Speed of the driven wheel by that of the driver, both external: the quotient of the radii."""
     radius = oval_radius(eccentricity, cosine)

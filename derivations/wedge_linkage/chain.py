@@ -1,5 +1,6 @@
 """The chain of paper 4 by its printed equations, and its derivatives from the stages' slopes."""
 
+from functools import cache
 from typing import NamedTuple
 
 import sympy as sp
@@ -99,6 +100,7 @@ def in_chain(expression: sp.Basic, chain: Chain, other: Chain = MEANT) -> sp.Bas
     return expression.xreplace(dict(zip(other, chain, strict=True)))
 
 
+@cache
 def step_slopes(size: sp.Symbol) -> dict[sp.Symbol, sp.Expr]:
     """Return the derivatives of the steps of the chain in contact: the proved stage slopes."""
     by_size = {phi3: MEANT.lever, phi7: MEANT.roller, reach: extended}

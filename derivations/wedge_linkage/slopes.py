@@ -55,12 +55,9 @@ def slope_by_projections(
     projections: Iterable[sp.Expr], unknowns: Sequence[sp.Symbol], size: sp.Symbol
 ) -> sp.Expr:
     """Return the derivative of the first unknown, from the differentiated equations."""
-    rates = {unknown: sp.Dummy(str(unknown)) for unknown in unknowns}
-    differentiated = [
-        sp.diff(p, size) + sum(sp.diff(p, u) * rate for u, rate in rates.items())
-        for p in projections
-    ]
-    return sp.solve(differentiated, list(rates.values()), dict=True)[0][rates[unknowns[0]]]
+    equations = sp.Matrix(list(projections))
+    rates = equations.jacobian(list(unknowns)).cramer_solve(-equations.diff(size))
+    return sp.expand(sp.cancel(rates[0]))
 
 
 def lever_slope(size: sp.Symbol) -> sp.Expr:

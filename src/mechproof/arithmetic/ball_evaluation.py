@@ -8,7 +8,9 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable
 from functools import lru_cache
+from typing import Any
 
+import flint
 import sympy as sp
 from flint import acb, arb, fmpq
 
@@ -26,11 +28,14 @@ from mechproof.arithmetic.ball_functions import (
     take_real_part,
 )
 from mechproof.arithmetic.layout import Layout, Operation, Plan, Values
+from mechproof.record.parts import find_free
 
 Evaluator = Callable[[Values], Ball]
 # A sum of more terms, or a product of more factors, is not written out.
 MOST_TERMS = 1000
 _ANALYTIC = sp.Dummy("analytic")
+# The midpoint and the radius of a ball, of its two parts if it is complex.
+_Parts = tuple[tuple[Any, Any], ...]
 
 
 @lru_cache(maxsize=512)
@@ -136,17 +141,49 @@ def _integral(node: sp.Basic) -> Plan:
     (variable, lower, upper), *others = node.limits
     if others:
         raise NotImplementedError("an integral of an integral cannot be enclosed")
-    function = compile_expression(node.function)
+    names = find_free(node.function) - {variable}
 
     def integrate(values: Values, start: Ball, end: Ball) -> Ball:
-        def integrand(point: Ball, analytic: bool) -> Ball:
-            return acb(function({**values, variable: point, _ANALYTIC: analytic}))
-
-        if not (start.is_finite() and end.is_finite()):
+        given = {name: values[name] for name in names & values.keys()}
+        if not all(ball.is_finite() for ball in (start, end, *given.values())):
             return NOT_FINITE
-        return take_real_part(acb.integral(integrand, acb(start), acb(end)))
+        exact = tuple((name, _take_apart(ball)) for name, ball in given.items())
+        ends = _take_apart(start), _take_apart(end)
+        return _integrate(node.function, variable, ends, exact, flint.ctx.prec)
 
     return integrate, (lower, upper)
+
+
+# Rows of a paper hold the same integrals, and are tried at the same points.
+@lru_cache(maxsize=1024)
+def _integrate(
+    function: sp.Expr,
+    variable: sp.Symbol,
+    ends: tuple[_Parts, _Parts],
+    given: tuple[tuple[sp.Basic, _Parts], ...],
+    precision: int,
+) -> Ball:
+    """Integrate with what is given, at the working precision, which is `precision`."""
+    values = {name: _put_together(parts) for name, parts in given}
+    start, end = (acb(_put_together(parts)) for parts in ends)
+    layout = Layout(function, plan)
+    layout.settle(values)
+
+    def integrand(point: Ball, analytic: bool) -> Ball:
+        return acb(layout.run({**values, variable: point, _ANALYTIC: analytic})[-1])
+
+    return take_real_part(acb.integral(integrand, start, end))
+
+
+def _take_apart(ball: Ball) -> _Parts:
+    """Return what a ball is, exactly: midpoints and radii as whole numbers times powers of two."""
+    parts = (ball,) if isinstance(ball, arb) else (ball.real, ball.imag)
+    return tuple((part.mid().man_exp(), part.rad().man_exp()) for part in parts)
+
+
+def _put_together(parts: _Parts) -> Ball:
+    balls = [arb(middle, radius) for middle, radius in parts]
+    return acb(*balls) if balls[1:] else balls[0]
 
 
 def _piecewise(node: sp.Basic) -> Plan:

@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.record import Argument, Form, Paper, Quantity
+from mechproof.record.parts import find_free, find_parts
 
 Step = tuple[sp.Symbol, sp.Expr]
 
@@ -129,11 +130,12 @@ def _arranged(steps: Iterable[Step], output: sp.Basic) -> dict[str, Any]:
 
 def input_symbols(expression: sp.Basic) -> set[sp.Basic]:
     """Find the symbols and indexed bases an expression needs; bound indices and labels are not."""
-    bases: set[sp.Basic] = expression.atoms(sp.IndexedBase)
+    bases: set[sp.Basic] = find_parts(expression, sp.IndexedBase)
     labels = {base.label for base in bases}
-    indices = {i for item in expression.atoms(sp.Indexed) for i in item.indices}
-    counts = {s for total in expression.atoms(sp.Sum) for limit in total.limits for s in limit}
-    plain = expression.free_symbols - labels - indices - counts
+    indices = {i for item in find_parts(expression, sp.Indexed) for i in item.indices}
+    sums = find_parts(expression, sp.Sum)
+    counts = {s for total in sums for limit in total.limits for s in limit}
+    plain = find_free(expression) - labels - indices - counts
     return {s for s in plain if isinstance(s, sp.Symbol)} | bases
 
 

@@ -28,6 +28,8 @@ class WrittenForm:
         axes = _Axes(quantity)
         self._inputs = _name_inputs(quantity, code, stage, axes)
         self._steps: dict[sp.Symbol, sp.Expr] = {}
+        # Statements ask for several steps with the same ones kept.
+        self._inserted: dict[tuple[sp.Symbol, ...], dict[sp.Symbol, sp.Expr]] = {}
         prepared = self._raise(stage.prepare, self._inputs, axes)
         if stage.evaluate is None:
             point = [self._inputs[name] for name in stage.running]
@@ -56,11 +58,12 @@ class WrittenForm:
 
     def _insert(self, kept: tuple[sp.Symbol, ...]) -> dict[sp.Symbol, sp.Expr]:
         """Return what replaces each step: its value, or the kept symbol of its name."""
-        named = {str(symbol): symbol for symbol in kept}
-        values: dict[sp.Symbol, sp.Expr] = {}
-        for symbol, value in self._steps.items():
-            values[symbol] = named.get(str(symbol), value.xreplace(values))
-        return values
+        if kept not in self._inserted:
+            named = {str(symbol): symbol for symbol in kept}
+            values = self._inserted[kept] = {}
+            for symbol, value in self._steps.items():
+                values[symbol] = named.get(str(symbol)) or value.xreplace(values)
+        return self._inserted[kept]
 
     def _raise(
         self, program: Program, known: Mapping[str, sp.Expr], axes: _Axes

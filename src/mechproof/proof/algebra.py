@@ -18,6 +18,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.normal_form import factorise, is_zero, reduce_polynomial, split
 from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_workable
 from mechproof.proof.sums import canonicalise
+from mechproof.record.parts import find_parts
 
 _HALF = sp.Rational(1, 2)
 _ANGULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
@@ -66,7 +67,7 @@ class Field:
         return next((name for used, name in kinds if used), "rational field")
 
     def _collect_angles(self, expression: sp.Basic) -> None:
-        for node in expression.atoms(*_ANGULAR, *_EXPONENTIALS):
+        for node in find_parts(expression, *_ANGULAR, *_EXPONENTIALS):
             for monomial, factor in _linear_terms(node.args[0]):
                 known = self._denominators.get(monomial, 1)
                 self._denominators[monomial] = lcm(known, int(factor.q))

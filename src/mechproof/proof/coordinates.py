@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from mechproof.proof.normal_form import split
+from mechproof.proof.normal_form import reduce_polynomial, split
 
 
 @dataclass
@@ -82,16 +82,25 @@ def write_by_half_angles(expression: sp.Expr) -> sp.Expr:
 
 def write_by_cosines(expression: sp.Expr) -> sp.Expr:
     """Write even powers of sines by cosines; what is left are independent real symbols."""
-    result = expression
+    replacement: dict[sp.Basic, sp.Expr] = {}
+    squares: dict[sp.Symbol, sp.Expr] = {}
     for angle in list_angles(expression):
         c, s = sp.Dummy("c", real=True), sp.Dummy("s", real=True)
-        result = result.subs({sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c})
-        numerator, denominator = split(result)
-        relation = s**2 + c**2 - 1
-        result = sp.rem(sp.expand(numerator), relation, s) / sp.rem(
-            sp.expand(denominator), relation, s
-        )
-    return result
+        replacement |= {sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c}
+        squares[s] = 1 - c**2
+    above, below = (_lower(part, squares) for part in split(expression.subs(replacement)))
+    return above / below
+
+
+def _lower(polynomial: sp.Expr, squares: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """Write a polynomial with every generator to at most its first power."""
+    try:
+        return reduce_polynomial(polynomial, squares)
+    except sp.PolynomialError:
+        # Over other numbers than the rationals.
+        for generator, square in squares.items():
+            polynomial = sp.rem(sp.expand(polynomial), generator**2 - square, generator)
+        return polynomial
 
 
 def list_angles(expression: sp.Expr) -> list[sp.Expr]:

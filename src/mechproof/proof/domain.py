@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import cached_property, lru_cache
 from itertools import islice, product
 from types import MappingProxyType
 
@@ -16,6 +17,7 @@ from mechproof.proof.domain_checks import check_given, check_relation, check_set
 from mechproof.proof.narrowing import Values, leaves_values, search
 from mechproof.proof.set_values import list_closed_ends, list_special_values, place, radical_inverse
 from mechproof.record import NUMBER, Dimension, Paper, Part, Published, RecordError, Toleranced
+from mechproof.record.parts import find_free, find_parts
 from mechproof.record.substitution import resolve
 
 Point = dict[sp.Basic, sp.Expr]
@@ -53,8 +55,12 @@ class Domain:
     usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=lambda: _NO_VALUES, compare=False)
 
     def __hash__(self) -> int:
-        within, given = frozenset(self.within.items()), frozenset(self.given.items())
-        return hash((within, self.where, given))
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        """Of names and relations alone, once: SymPy takes long over the hash of a set."""
+        return hash((frozenset(self.within), self.where, frozenset(self.given)))
 
     @classmethod
     def of(cls, paper: Paper, on: Part | None = None, inside: Part | None = None) -> Domain:
@@ -96,7 +102,7 @@ class Domain:
 
     def allows(self, point: Point) -> bool:
         """Return whether no set and no relation that the point decides excludes it."""
-        relations = [r for r in self.where if r.free_symbols <= point.keys()]
+        relations = [r for r in self.where if find_free(r) <= point.keys()]
         inside = (self.set_of(s).contains(v) != sp.false for s, v in point.items())
         return all(inside) and _allowed(relations, point)
 
@@ -267,11 +273,12 @@ def _make_free(
     raise RecordError(f"{symbol} = {definition} cannot be solved for an unrestricted symbol")
 
 
-def _symbols(relation: sp.Basic) -> set[sp.Basic]:
+@lru_cache(maxsize=512)
+def _symbols(relation: sp.Basic) -> frozenset[sp.Basic]:
     """Return the elements and the symbols of a relation, without the labels of its elements."""
-    items: set[sp.Basic] = relation.atoms(sp.Indexed)
-    labels = {item.base.label for item in items} | relation.atoms(sp.IndexedBase)
-    return items.union(relation.free_symbols - labels)
+    items = find_parts(relation, sp.Indexed)
+    labels = {item.base.label for item in items} | find_parts(relation, sp.IndexedBase)
+    return frozenset(items | (find_free(relation) - labels))
 
 
 def _write(relation: sp.Basic, numbers: list[sp.Basic], fixed: Values) -> Iterator[sp.Basic]:

@@ -23,6 +23,7 @@ def check_set(symbol: sp.Basic, where: sp.Set) -> None:
         )
 
 
+@cache
 def check_given(symbol: sp.Basic, definition: sp.Expr) -> None:
     """Refuse what SymPy is told of a given symbol and does not know of its definition."""
     known = {name: getattr(definition, f"is_{name}") for name in symbol.assumptions0}

@@ -42,6 +42,7 @@ from mechproof.record import (
     PrintedNumber,
     Statement,
 )
+from mechproof.record.parts import find_free, find_parts
 from mechproof.record.substitution import substitute
 
 IDENTICAL = "identical"
@@ -78,7 +79,7 @@ def _is_declaration(statement: Equality, domain: Domain) -> bool:
 
 def _decide_sides(printed: sp.Basic, rebuilt: sp.Basic, domain: Domain) -> Answer:
     printed, rebuilt = (settle_limits(domain.resolve(s), domain) for s in (printed, rebuilt))
-    if limits := sorted(map(str, printed.atoms(sp.Limit) | rebuilt.atoms(sp.Limit))):
+    if limits := sorted(map(str, find_parts(printed, sp.Limit) | find_parts(rebuilt, sp.Limit))):
         return Answer(Verdict.UNDECIDED, "none", _clip(f"{limits[0]} is not worked out"))
     if isinstance(printed, sp.MatrixBase) or isinstance(rebuilt, sp.MatrixBase):
         return _decide_matrices(printed, rebuilt, domain)
@@ -173,7 +174,7 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
     if isinstance(statement.relation, sp.And):
         parts = tuple(Holds(part) for part in sorted(statement.relation.args, key=str))
         return _decide_conjunction(Conjunction(parts), domain)
-    if relation in (sp.true, sp.false) or not relation.free_symbols:
+    if relation in (sp.true, sp.false) or not find_free(relation):
         sign = getattr(statement.relation, "rel_op", "")
         return _decide_exact(relation, _resolve_sides(statement.relation, domain), sign)
     if isinstance(relation, sp.Equality):
@@ -211,7 +212,7 @@ def _resolve_sides(relation: sp.Basic, domain: Domain) -> tuple[sp.Expr, ...]:
     """Return the exact numbers that a relation compares; none where it compares no two numbers."""
     sides = relation.args if isinstance(relation, sp.core.relational.Relational) else ()
     resolved = tuple(domain.resolve(side) for side in sides)
-    return () if any(side.free_symbols for side in resolved) else resolved
+    return () if any(map(find_free, resolved)) else resolved
 
 
 def _decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> Answer:

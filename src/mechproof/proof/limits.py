@@ -13,6 +13,7 @@ import sympy as sp
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
+from mechproof.record.parts import find_parts
 
 _MOST_DERIVATIVES = 6
 _ENTIRE = (sp.Add, sp.Mul, sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.tanh, sp.atan)
@@ -20,7 +21,7 @@ _ENTIRE = (sp.Add, sp.Mul, sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.tanh, sp
 
 def settle_limits(expression: Any, domain: Domain) -> Any:
     """Put the values of limits in their places, as far as they are shown."""
-    limits = sorted(expression.atoms(sp.Limit), key=sp.default_sort_key)
+    limits = sorted(find_parts(expression, sp.Limit), key=sp.default_sort_key)
     values = ((limit, _find_value(limit, domain)) for limit in limits)
     return expression.xreplace({limit: value for limit, value in values if value is not None})
 

@@ -13,17 +13,28 @@ from operator import add, mul
 import sympy as sp
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
+from mechproof.record.parts import find_free, find_parts
+
 
 def reduce_polynomial(polynomial: sp.Expr, squares: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     """Return the normal form; a square may hold the generators before it.
 
     Raises `sympy.PolynomialError` for what is no polynomial in symbols over the rationals.
     """
-    ring = _Ring(polynomial.free_symbols.union(*(s.free_symbols | {g} for g, s in squares.items())))
+    ring = _Ring(polynomial, *squares, *squares.values())
     result = ring.read(polynomial)
     for generator in reversed(list(squares)):
         result = ring.lower(result, generator, squares[generator])
     return ring.write(result)
+
+
+def expand(polynomial: sp.Expr) -> sp.Expr:
+    """Multiply a polynomial out."""
+    try:
+        return reduce_polynomial(polynomial, {})
+    except sp.PolynomialError:
+        # Over other numbers than the rationals.
+        return sp.expand(polynomial)
 
 
 def is_zero(quotient: sp.Expr, squares: Mapping[sp.Symbol, sp.Expr]) -> bool:
@@ -31,7 +42,7 @@ def is_zero(quotient: sp.Expr, squares: Mapping[sp.Symbol, sp.Expr]) -> bool:
 
     Raises `sympy.PolynomialError` for what is none.
     """
-    ring = _Ring(quotient.free_symbols.union(*(s.free_symbols | {g} for g, s in squares.items())))
+    ring = _Ring(quotient, *squares, *squares.values())
     above, below = ring.read_quotient(quotient)
     for generator in reversed(list(squares)):
         above = ring.lower(above, generator, squares[generator])
@@ -41,7 +52,7 @@ def is_zero(quotient: sp.Expr, squares: Mapping[sp.Symbol, sp.Expr]) -> bool:
 
 def factorise(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]]:
     """Return the number before a polynomial, and its irreducible factors with their powers."""
-    ring = _Ring(polynomial.free_symbols)
+    ring = _Ring(polynomial)
     try:
         number, factors = ring.read(polynomial).factor()
     except sp.PolynomialError:
@@ -53,23 +64,31 @@ def factorise(polynomial: sp.Expr) -> tuple[sp.Expr, list[tuple[sp.Expr, int]]]:
 
 def split(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Return numerator and denominator over the least common one; roots stay as they are."""
+    if quotient.has(sp.pi):
+        # SymPy cancels factors beside it that the ring would keep: tangents times cosines.
+        return _split_by_sympy(quotient)
     roots = {p: sp.Dummy("root") for p in quotient.atoms(sp.Pow) if p.exp == sp.S.Half}
     named = quotient.xreplace(roots | {p**-1: r**-1 for p, r in roots.items()})
-    ring = _Ring(named.free_symbols)
+    ring = _Ring(named)
     try:
         parts = ring.read_quotient(named)
     except sp.PolynomialError:
-        above, below = sp.fraction(sp.together(quotient))
-        return above, below
+        return _split_by_sympy(quotient)
     back = {r: p for p, r in roots.items()}
     above, below = (ring.write(part).xreplace(back) for part in parts)
     return above, below
 
 
-class _Ring:
-    """The polynomials in some symbols."""
+def _split_by_sympy(quotient: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    above, below = sp.fraction(sp.together(quotient))
+    return above, below
 
-    def __init__(self, symbols: set[sp.Symbol]) -> None:
+
+class _Ring:
+    """The polynomials in the symbols of expressions, and in pi, of which none with it is zero."""
+
+    def __init__(self, *expressions: sp.Expr) -> None:
+        symbols = {s for e in expressions for s in (*find_free(e), *find_parts(e, type(sp.pi)))}
         self.symbols = sorted(symbols, key=sp.default_sort_key)
         # A ring of flint's has a generator, needed or not.
         names = [f"x{n}" for n in range(max(1, len(symbols)))]
@@ -82,7 +101,7 @@ class _Ring:
         """Return the polynomial of an expression."""
         if node.is_Rational:
             return self.context.constant(fmpq(int(node.p), int(node.q)))
-        if node.is_Symbol:
+        if node.is_Symbol or node is sp.pi:
             return self.generators[node]
         if isinstance(node, sp.Add | sp.Mul):
             combine = add if node.is_Add else mul

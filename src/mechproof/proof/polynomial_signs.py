@@ -12,7 +12,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.proof.coordinates import Coordinates
-from mechproof.proof.normal_form import factorise, split
+from mechproof.proof.normal_form import expand, factorise, split
 
 # Points at which a polynomial is tried, and the sizes of their coordinates.
 TRIED = 12
@@ -140,8 +140,9 @@ def _sign_by_discriminant(
     """Return the sign of a*v^2 + b*v + c, v any real number: that of a > 0 if b^2 <= 4*a*c."""
     if polynomial.degree(symbol) != 2:
         return None
-    a, b, c = (polynomial.as_expr().coeff(symbol, power) for power in (2, 1, 0))
-    rest = sp.expand(4 * a * c - b**2)
+    written = polynomial.as_expr()
+    a, b, c = (written.coeff(symbol, power) for power in (2, 1, 0))
+    rest = expand(4 * a * c - b**2)
     if _is_negative_somewhere(rest, positive | nonnegative):
         return None
     leading = _sign_of_product(a, positive, nonnegative)

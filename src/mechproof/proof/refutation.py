@@ -18,6 +18,7 @@ from mechproof.proof.domain import Domain, Point, sizes_of
 from mechproof.proof.sums import write_out
 from mechproof.proof.verdict import Evidence
 from mechproof.proof.witness_text import describe, show_point
+from mechproof.record.parts import find_free, find_parts
 from mechproof.record.substitution import substitute
 
 POINTS = 40
@@ -110,10 +111,17 @@ def _find_point(
     is_wanted: Callable[[list[bool]], bool],
 ) -> str:
     for point in points_for(tuple(sides), domain, count, thorough=count == POINTS):
-        values = [balls.evaluate(put_exactly(side, point), point) for side in sides]
-        if is_wanted([bool(v.is_finite()) for v in values]) and domain.is_interior(point):
+        have_values = [_has_value(side, point) for side in sides]
+        if is_wanted(have_values) and domain.is_interior(point):
             return _name_point(point, domain)
     return ""
+
+
+def _has_value(side: sp.Basic, point: Point) -> bool:
+    """Tell whether a side has a value; what needs no exact numbers for it is not given any."""
+    if not side.has(sp.Sum, sp.Product) and balls.evaluate(side, point).is_finite():
+        return True
+    return bool(balls.evaluate(put_exactly(side, point), point).is_finite())
 
 
 def points_for(
@@ -124,8 +132,8 @@ def points_for(
     Thorough: published sizes and round angles before the ordinary points, more counts, and
     special points after them. Raises `RecordError` where no point of the domain is found.
     """
-    free = {s for e in expressions for s in e.free_symbols}
-    bases = {i.base.label for e in expressions for i in e.atoms(sp.Indexed)}
+    free = {s for e in expressions for s in find_free(e)}
+    bases = {i.base.label for e in expressions for i in find_parts(e, sp.Indexed)}
     symbols = {s for s in free if isinstance(s, sp.Symbol)} - bases
     counts = sorted((s for s in symbols if is_count(s, domain)), key=str)
     plain = sorted(symbols - set(counts), key=str)
@@ -179,7 +187,8 @@ def _published_points(
 
 def _list_elements(expressions: tuple[sp.Basic, ...], sizes: Point) -> list[sp.Basic]:
     """List the elements of families that are met once counts have their sizes."""
-    elements = {i for e in expressions for i in put_exactly(e, sizes).atoms(sp.Indexed)}
+    families = (e for e in expressions if find_parts(e, sp.Indexed))
+    elements = {i for e in families for i in find_parts(put_exactly(e, sizes), sp.Indexed)}
     return sorted(elements, key=str)
 
 
@@ -205,7 +214,7 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
 
 def _leaves_the_reals(expression: sp.Basic, point: Point) -> bool:
     """Tell whether a root or logarithm outside of cases has a certainly negative argument."""
-    if isinstance(expression, sp.Piecewise) or not expression.free_symbols <= point.keys():
+    if isinstance(expression, sp.Piecewise) or not find_free(expression) <= point.keys():
         return False
     if any(_leaves_the_reals(part, point) for part in expression.args):
         return True

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 
 COUNTS = (sp.S.Naturals, sp.S.Naturals0)
@@ -13,13 +15,14 @@ _SPECIAL = tuple(
 )
 
 
-def list_special_values(where: sp.Set) -> list[sp.Expr]:
+@cache
+def list_special_values(where: sp.Set) -> tuple[sp.Expr, ...]:
     """List values where formulas fail that hold at ordinary points; all of a finite set."""
     if isinstance(where, sp.FiniteSet):
-        return list(where.args)
+        return tuple(where.args)
     ends = list_closed_ends(where)
     values = dict.fromkeys((sp.S.Zero, *_SPECIAL, *ends))
-    return [value for value in values if where.contains(value) == sp.true]
+    return tuple(value for value in values if where.contains(value) == sp.true)
 
 
 def radical_inverse(step: int, base: int) -> sp.Rational:

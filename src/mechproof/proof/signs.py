@@ -23,6 +23,7 @@ from mechproof.proof.coordinates import (
 )
 from mechproof.proof.domain import Domain
 from mechproof.proof.polynomial_signs import Sign, sign_of_number, sign_of_quotient
+from mechproof.record.parts import find_parts
 
 # Work limit: powers and multiples of angles beyond are not multiplied out.
 MOST_MULTIPLIED = 100
@@ -30,7 +31,7 @@ MOST_MULTIPLIED = 100
 
 def is_workable(expression: sp.Basic) -> bool:
     """Tell whether no whole power is beyond the limit."""
-    powers = (p.exp for p in expression.atoms(sp.Pow) if p.exp.is_Integer)
+    powers = (p.exp for p in find_parts(expression, sp.Pow) if p.exp.is_Integer)
     return all(abs(power) <= MOST_MULTIPLIED for power in powers)
 
 

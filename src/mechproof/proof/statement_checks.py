@@ -28,6 +28,7 @@ from mechproof.record import (
     RecordError,
     Statement,
 )
+from mechproof.record.parts import find_free, find_parts
 
 Side = tuple[str, sp.Basic]
 LARGEST_EXPONENT = 10**5
@@ -92,7 +93,7 @@ def _sides(statement: Statement, printed: bool) -> tuple[list[Side], list[Side]]
 
 def _check_size(name: str, side: sp.Basic) -> None:
     """Turn away towers of powers that no step could write down: a limit of the prover."""
-    for power in side.atoms(sp.Pow):
+    for power in find_parts(side, sp.Pow):
         exponent = power.exp
         if exponent.is_number and not abs(balls.evaluate(exponent, {})) < LARGEST_EXPONENT:
             raise NotImplementedError(
@@ -101,7 +102,7 @@ def _check_size(name: str, side: sp.Basic) -> None:
 
 
 def _check_functions(name: str, side: sp.Basic) -> None:
-    if undefined := sorted(map(str, side.atoms(AppliedUndef))):
+    if undefined := sorted(map(str, find_parts(side, AppliedUndef))):
         raise RecordError(f"{name}: the function of {undefined[0]} is defined nowhere")
 
 
@@ -110,9 +111,9 @@ def _check_names(
 ) -> None:
     declared = {*known, *domain.within, *domain.given}
     labels = {getattr(symbol, "label", symbol) for symbol in declared}
-    by_name = {str(symbol): symbol for symbol in declared}
-    for symbol in sorted(side.free_symbols - side.atoms(sp.Indexed) - labels - declared, key=str):
-        if str(symbol) in by_name:
+    free = find_free(side) - find_parts(side, sp.Indexed)
+    for symbol in sorted(free - labels - declared, key=str):
+        if str(symbol) in map(str, declared):
             raise RecordError(
                 f"{name}: its {symbol} is not the {symbol} that is declared: SymPy is told other "
                 f"assumptions of it"
@@ -122,7 +123,7 @@ def _check_names(
 
 
 def _check_bound(name: str, side: sp.Basic, domain: Domain) -> None:
-    for node in side.atoms(ExprWithLimits):
+    for node in find_parts(side, ExprWithLimits):
         for bound, *limits in node.limits:
             facts = _facts_of_bound(node, limits, domain)
             if excess := find_excess(bound, facts):

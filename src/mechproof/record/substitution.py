@@ -8,18 +8,19 @@ import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.record.exactness import RecordError
+from mechproof.record.parts import find_free, find_parts
 
 
 def substitute(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
     """Put values for free symbols, all at once."""
-    arriving = {s for value in values.values() for s in value.free_symbols} | values.keys()
+    arriving = {s for value in values.values() for s in find_free(value)} | values.keys()
     return release(expression, arriving).xreplace(dict(values))
 
 
 def resolve(expression: sp.Basic, given: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
     """Substitute symbols that are given by others until only free ones are left."""
     for _ in range(len(given) + 1):
-        found = expression.free_symbols & given.keys()
+        found = find_free(expression) & given.keys()
         if not found:
             return expression
         expression = substitute(expression, {symbol: given[symbol] for symbol in found})
@@ -28,7 +29,7 @@ def resolve(expression: sp.Basic, given: Mapping[sp.Basic, sp.Basic]) -> sp.Basi
 
 def release(expression: sp.Basic, names: set[sp.Basic]) -> sp.Basic:
     """Rename the bound symbols of sums and integrals that are among the names."""
-    nodes = expression.atoms(ExprWithLimits)
+    nodes = find_parts(expression, ExprWithLimits)
     if not any(limit[0] in names for node in nodes for limit in node.limits):
         return expression
     if isinstance(expression, sp.MatrixBase):

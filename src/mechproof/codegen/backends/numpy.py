@@ -6,6 +6,7 @@ import subprocess
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
 
@@ -178,6 +179,16 @@ def render_init(text: str) -> str:
 
 def render_template(name: str, data: Mapping[str, object], folder: Path = TEMPLATES) -> str:
     """Lay out `data`; ValueError unless the template asks for exactly its keys."""
+    asked, template = _compile((folder / name).read_text(encoding="utf-8"), folder)
+    if asked != set(data):
+        raise ValueError(f"template {name}: asks for {sorted(asked)}, is given {sorted(data)}")
+    return template.render(data)
+
+
+# There are few templates, and every module of every paper is laid out by them.
+@lru_cache(maxsize=32)
+def _compile(text: str, folder: Path) -> tuple[set[str], jinja2.Template]:
+    """Return what a template asks for, and the template, which may include others of its folder."""
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(folder),
         undefined=jinja2.StrictUndefined,
@@ -187,11 +198,8 @@ def render_template(name: str, data: Mapping[str, object], folder: Path = TEMPLA
         autoescape=False,
     )
     environment.filters.update(ESCAPES)
-    text = (folder / name).read_text(encoding="utf-8")
     asked = meta.find_undeclared_variables(environment.parse(text))
-    if asked != set(data):
-        raise ValueError(f"template {name}: asks for {sorted(asked)}, is given {sorted(data)}")
-    return environment.from_string(text).render(data)
+    return asked, environment.from_string(text)
 
 
 def format_source(source: str) -> str:

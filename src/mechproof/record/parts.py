@@ -1,0 +1,46 @@
+"""The distinct parts of an expression, and the symbols free in it.
+
+SymPy's own searches meet a part as often as it occurs, and begin anew for each question.
+"""
+
+from __future__ import annotations
+
+from functools import cache, lru_cache
+from typing import Any
+
+import sympy as sp
+
+
+# Statements are asked one after another: few are at work at once.
+@lru_cache(maxsize=256)
+def list_parts(expression: sp.Basic) -> tuple[sp.Basic, ...]:
+    """List the expression and all within it, each once."""
+    found: dict[sp.Basic, None] = {}
+    left = [expression]
+    while left:
+        node = left.pop()
+        if node not in found:
+            found[node] = None
+            left += node.flat() if isinstance(node, sp.MatrixBase) else node.args
+    return tuple(found)
+
+
+def find_parts(expression: sp.Basic, *kinds: Any) -> set[Any]:
+    """Return the parts of some kinds."""
+    return {part for part in list_parts(expression) if isinstance(part, kinds)}
+
+
+# Statements share their parts, so that each part is asked for itself.
+@lru_cache(maxsize=1 << 15)
+def find_free(expression: sp.Basic) -> frozenset[sp.Basic]:
+    """Return the free symbols, as SymPy's `free_symbols`."""
+    if not _has_those_of_its_parts(expression.__class__):
+        return frozenset(expression.free_symbols)
+    return frozenset[sp.Basic]().union(*map(find_free, expression.args))
+
+
+@cache
+def _has_those_of_its_parts(kind: type[sp.Basic]) -> bool:
+    """Tell whether SymPy has no other rule for a class; some metaclasses hide the attribute."""
+    rules = (vars(base)["free_symbols"] for base in kind.__mro__ if "free_symbols" in vars(base))
+    return next(rules) is sp.Basic.free_symbols
