@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Iterator
 from pathlib import Path
+from zlib import crc32
 
 import pytest
 
@@ -16,6 +18,23 @@ LONGEST = (
 )
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Let a part of the chosen tests be run, the same each time."""
+    told = "run one in N of the chosen tests, the same ones each time, at least one of each file"
+    parser.addoption("--one-in", type=int, default=1, metavar="N", help=told)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Iterator[None]:
+    """Look for no garbage while tests are collected, nor later among what that leaves behind."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Keep the tests of a file in one worker, which loads and compiles what they share once."""
@@ -23,6 +42,20 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item, group in groups.items():
         item.add_marker(pytest.mark.xdist_group(group))
     items.sort(key=lambda item: groups[item] not in LONGEST)
+
+
+@pytest.hookimpl(trylast=True, specname="pytest_collection_modifyitems")
+def pytest_choose_share(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out what another part of the tests has: in each file, by a digest of their names."""
+    count = config.getoption("one_in")
+    if count == 1:
+        return
+    files: dict[Path, list[pytest.Item]] = {}
+    for item in sorted(items, key=lambda item: crc32(item.nodeid.encode())):
+        files.setdefault(item.path, []).append(item)
+    kept = {item for held in files.values() for item in held[::count]}
+    config.hook.pytest_deselected(items=[item for item in items if item not in kept])
+    items[:] = [item for item in items if item in kept]
 
 
 def _find_group(item: pytest.Item) -> str:

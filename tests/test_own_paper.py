@@ -9,12 +9,14 @@ import re
 import shutil
 import subprocess
 import sys
+from contextlib import chdir
 from pathlib import Path
 from types import ModuleType
 
 import mpmath as mp
 import numpy as np
 import pytest
+from command import run
 
 from mechproof import choose
 
@@ -22,15 +24,11 @@ OWN = Path(__file__).parent / "own_paper" / "derivations"
 EPS = float(np.finfo(float).eps)
 
 
-def run(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+def run_in(folder: Path, *arguments: str) -> None:
     """Run the command line standing in a folder."""
-    return subprocess.run(
-        [sys.executable, "-W", "ignore", "-m", "mechproof", *arguments],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    with chdir(folder):
+        done = run(*arguments)
+    assert done.exit_code == 0, done.output
 
 
 @pytest.fixture(scope="module")
@@ -39,8 +37,7 @@ def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("workshop")
     shutil.copytree(OWN, folder / "derivations")
     for command in (["regenerate"], ["measure", "--quick", "ratio"]):
-        done = run(folder, *command)
-        assert done.returncode == 0, done.stderr
+        run_in(folder, *command)
     return folder
 
 
@@ -55,8 +52,7 @@ def load(file: Path) -> ModuleType:
 
 @pytest.mark.xdist_group("workshop")
 def test_the_misprint_is_found_standing_in_the_folder(workshop: Path) -> None:
-    done = run(workshop, "verify", "--json", "rows.json")
-    assert done.returncode == 0, done.stderr
+    run_in(workshop, "verify", "--json", "rows.json")
     rows = json.loads((workshop / "rows.json").read_text())["rows"]
     verdicts = {row["number"]: row["verdict"] for row in rows}
     assert verdicts["(1)"] == verdicts["(3)"] == "PROVED"
@@ -67,8 +63,7 @@ def test_the_misprint_is_found_standing_in_the_folder(workshop: Path) -> None:
 
 @pytest.mark.xdist_group("workshop")
 def test_the_folder_is_as_regenerated_from_elsewhere(workshop: Path, tmp_path: Path) -> None:
-    done = run(tmp_path, "regenerate", "--check", "--derivations", str(workshop / "derivations"))
-    assert done.returncode == 0, done.stdout
+    run_in(tmp_path, "regenerate", "--check", "--derivations", str(workshop / "derivations"))
     assert not list(tmp_path.iterdir())
 
 
@@ -99,15 +94,13 @@ def test_measured_quantities_are_offered_and_charted(workshop: Path) -> None:
     assert "misprinted" not in {choice.way, *(other.way for other in choice.others)}
     assert choose("ratio", error=1e-6, beta=(0, 0.5), measured=measured) == choice
     assert choice.quantity == "universal_joint.ratio"
-    done = run(workshop, "chart", "--measured", str(measured), "--out", "charts")
-    assert done.returncode == 0, done.stderr
+    run_in(workshop, "chart", "--measured", str(measured), "--out", "charts")
     assert list((workshop / "charts").glob("universal_joint.ratio*.svg"))
 
 
 @pytest.mark.xdist_group("workshop")
 def test_the_report_shows_what_was_measured_and_how_the_kernel_is_called(workshop: Path) -> None:
-    done = run(workshop, "report")
-    assert done.returncode == 0, done.stderr
+    run_in(workshop, "report")
     page = workshop / "report" / "quantities" / "universal_joint.ratio.html"
     text = page.read_text(encoding="utf-8")
     assert "A quick measurement" in text

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pytest
 from command import hear_hangups
+from weights import first_of
 
 from mechproof.processes import WorkerError, run_batches, run_tasks
 
@@ -46,7 +47,7 @@ def test_no_task_needs_no_process() -> None:
     assert list(run(square, [])) == []
 
 
-@for_each_start
+@pytest.mark.parametrize("start", first_of(STARTS))
 @pytest.mark.parametrize(
     ("task", "reason"),
     [("die", "its process ended with status 7"), ("raise", "ValueError: a reason")],

@@ -83,7 +83,7 @@ def point_function(library: ctypes.CDLL, system: str, kernel: Kernel, single: bo
     return call
 
 
-@pytest.mark.parametrize("name", first_of(grouped(KERNELS)))
+@pytest.mark.parametrize("name", grouped(KERNELS, 1))
 def test_bounds_and_the_bits_of_numba(name: str, libraries: Callable[..., ctypes.CDLL]) -> None:
     """Both compute the same operations, each rounded once: no bit may differ."""
     system, _, quantity = name.partition(".")
@@ -135,7 +135,7 @@ def test_bounds_hold_where_a_compiler_contracts(
         assert any(differ)
 
 
-@pytest.mark.parametrize("name", first_of(grouped(KERNELS)))
+@pytest.mark.parametrize("name", grouped(KERNELS, 1))
 def test_floats_keep_the_bounds_and_are_what_is_searched(
     name: str, libraries: Callable[..., ctypes.CDLL]
 ) -> None:
@@ -172,6 +172,7 @@ def test_many_points_and_the_ends_of_the_domain(libraries: Callable[..., ctypes.
     assert np.isnan(out).all()
 
 
+@pytest.mark.xdist_group("compiled track_wheel")
 def test_sums_take_pointers_and_the_number_of_terms(
     libraries: Callable[..., ctypes.CDLL],
 ) -> None:

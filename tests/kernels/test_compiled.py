@@ -42,7 +42,7 @@ def search(name: str, rounds: int, off: float = 0.0) -> tuple[float, float]:
 
 
 @pytest.mark.parametrize("rounds", first_of([0, 2]))
-@pytest.mark.parametrize("name", first_of(grouped(KERNELS)))
+@pytest.mark.parametrize("name", grouped(KERNELS, 1))
 def test_the_bound_of_the_kernel_holds(name: str, rounds: int) -> None:
     """The same points and bounds as the NumPy kernel's; a search with a fixed seed."""
     found, bound = search(name, rounds)

@@ -6,9 +6,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from weights import first_of, make_thorough
 
 from mechproof.kernels.compiled import track_wheel
 
+pytestmark = pytest.mark.xdist_group("compiled track_wheel")
 EPS = float(np.finfo(float).eps)
 SEVEN = np.random.default_rng(20265).uniform(0.5, 2, (3, 4, 7))
 MATRIX = np.where(np.eye(7), 1, 0.25)
@@ -30,9 +32,15 @@ MATRIX = np.where(np.eye(7), 1, 0.25)
         ("error_sum", (*map(np.array, (0.5, 1.0, 2.0)), 1.1)),
         ("error_sum_correlated", (SEVEN, 1.0, SEVEN[1, 0], MATRIX, 1.1)),
         ("error_sum_correlated", (SEVEN, 1.0, 1.0, np.stack([MATRIX, 2 * MATRIX] * 2), 1.1)),
-        ("error_sum_correlated", (np.float32(SEVEN[0]), 1, 1, np.float32(MATRIX), 1)),
         ("error_sum_correlated", (0.5, 1.0, 1.0, [[1.0]], 1.0)),
-        ("error_sum_thermal", (SEVEN, 1.0, 1.1, 1.2, [[0.15], [0.3], [2.0]], 1.3)),
+        # Loops of their own, like those above.
+        *map(
+            make_thorough,
+            (
+                ("error_sum_correlated", (np.float32(SEVEN[0]), 1, 1, np.float32(MATRIX), 1)),
+                ("error_sum_thermal", (SEVEN, 1.0, 1.1, 1.2, [[0.15], [0.3], [2.0]], 1.3)),
+            ),
+        ),
     ],
 )
 def test_sums_broadcast_as_in_numpy(name: str, arguments: tuple[Any, ...]) -> None:
@@ -107,7 +115,10 @@ def draw_sets() -> dict[str, Any]:
 
 @pytest.mark.parametrize(
     ("varied", "kind"),
-    [*(((name,), float) for name in draw_sets()), *((tuple(draw_sets()), k) for k in (float, "f"))],
+    [
+        *(((name,), float) for name in draw_sets()),
+        *first_of((tuple(draw_sets()), kind) for kind in (float, "f")),
+    ],
 )
 def test_a_set_among_others_has_the_bits_of_a_set_alone(varied: tuple[str, ...], kind: Any) -> None:
     from mechproof.kernels import track_wheel as plain_wheel
@@ -126,10 +137,12 @@ def test_a_set_among_others_has_the_bits_of_a_set_alone(varied: tuple[str, ...],
 
 @pytest.mark.parametrize(
     ("name", "terms", "rest"),
-    [
-        ("error_sum", [1e20, 2e20, 3e20], ()),
-        ("error_sum_correlated", [0.3, 0.4, 0.7], (np.outer([1, 1, -1], [1, 1, -1]),)),
-    ],
+    first_of(
+        [
+            ("error_sum", [1e20, 2e20, 3e20], ()),
+            ("error_sum_correlated", [0.3, 0.4, 0.7], (np.outer([1, 1, -1], [1, 1, -1]),)),
+        ]
+    ),
 )
 def test_sums_of_float32_are_computed_in_doubles(name: str, terms: Any, rest: Any) -> None:
     single = [np.float32(a) for a in (terms, 1, 1, *rest, 1.1)]
@@ -142,7 +155,7 @@ def test_sums_of_float32_are_computed_in_doubles(name: str, terms: Any, rest: An
         assert np.all(found == wanted)
 
 
-@pytest.mark.parametrize("kind", [float, np.float32])
+@pytest.mark.parametrize("kind", first_of([float, np.float32]))
 def test_few_long_sums_have_the_bits_of_many(kind: Any) -> None:
     rows = np.random.default_rng(20267).uniform(0.5, 2, (5, 2000)).astype(kind)
     many = track_wheel.error_sum(rows, 1.0, rows[0], 1.1)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 from importlib import import_module
+from itertools import product
 from typing import Any
 
 import numpy as np
 import pytest
 from compiled import PHI, SIZES, TOGETHER, grouped
 from derived import SYSTEMS, paper_of
+from weights import first_of
 
 from mechproof.codegen.backends.numba import render_compiled
 from mechproof.compiled_support import loops
@@ -30,25 +32,28 @@ def test_all_that_is_computed_in_one_pass_is_tested_here() -> None:
     assert found == TOGETHER
 
 
+@pytest.mark.parametrize(("kind", "place"), first_of(product((float, np.float32), range(3))))
 @pytest.mark.parametrize("name", grouped(TOGETHER))
-def test_one_pass_gives_the_bits_of_each_kernel(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_one_pass_gives_the_bits_of_each_kernel(
+    name: str, kind: type, place: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     system, _, function = name.partition(".")
     module = import_module(f"mechproof.kernels.compiled.{system}")
     together = getattr(module, function)
     kernels = [getattr(module, name) for name in TOGETHER[name]]
-    points = np.concatenate([PHI, [0.0, np.nan, np.inf, 1e9, 1e-300]])
+    sizes = (CYLINDRICAL if name.endswith("cylindrical") else OF_SYSTEM[system])[place]
+    points = np.concatenate([PHI, [0.0, np.nan, np.inf, 1e9, 1e-300]]).astype(kind)
     for number in (1, 100):
         # With and without threads.
         monkeypatch.setattr(loops, "THREADED", loops.THREADED // number**2)
-        for sizes in CYLINDRICAL if name.endswith("cylindrical") else OF_SYSTEM[system]:
-            for phi in (points, points[::3], np.float32(PHI[:9]), 0.3):
-                wanted = np.array([kernel(phi, *sizes) for kernel in kernels])
-                found = together(phi, *sizes)
-                assert found.dtype == wanted.dtype
-                assert np.array_equal(found, wanted, equal_nan=True)
-                out = np.empty_like(wanted)
-                assert together(phi, *sizes, out=out) is out
-                assert np.array_equal(out, wanted, equal_nan=True)
+        for phi in (points, points[::3], kind(0.3)):
+            wanted = np.array([kernel(phi, *sizes) for kernel in kernels])
+            found = together(phi, *sizes)
+            assert found.dtype == wanted.dtype
+            assert np.array_equal(found, wanted, equal_nan=True)
+            out = np.empty_like(wanted)
+            assert together(phi, *sizes, out=out) is out
+            assert np.array_equal(out, wanted, equal_nan=True)
 
 
 def test_one_pass_inside_compiled_functions_and_its_errors() -> None:

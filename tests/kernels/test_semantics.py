@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from compiled import grouped
+from compiled import grouped, is_shown
 from quantities import KERNELS, find_subject
 from units import list_with_units
+from weights import first_of, make_thorough
 
 from mechproof.kernel_support import arrays
 from mechproof.kernels import elliptic_planetary, track_wheel
@@ -189,13 +190,22 @@ OUTSIDE = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("system", "name", "arguments"), OUTSIDE)
-def test_outside_the_domain_is_nan(system: str, name: str, arguments: tuple[Any, ...]) -> None:
+def of_kernels() -> Iterator[Any]:
+    """The cases of NumPy kernels, then of compiled ones."""
+    for system, name, arguments in OUTSIDE:
+        full = f"{system}.{name}"
+        yield pytest.param(full, arguments)
+        if full in KERNELS:
+            group = pytest.mark.xdist_group(f"compiled {system}")
+            case = pytest.param(f"{COMPILED}{full}", arguments, marks=[group])
+            yield case if is_shown(full) else make_thorough(case)
+
+
+@pytest.mark.parametrize(("name", "arguments"), [*of_kernels()])
+def test_outside_the_domain_is_nan(name: str, arguments: tuple[Any, ...]) -> None:
     # Infinite or specimens' arguments may warn on the way; arguments inside the domain must not.
     with np.errstate(divide="ignore", invalid="ignore"):
-        assert np.isnan(call(f"{system}.{name}", arguments)).all()
-        if f"{system}.{name}" in KERNELS:
-            assert np.isnan(call(f"compiled.{system}.{name}", arguments)).all()
+        assert np.isnan(call(name, arguments)).all()
 
 
 def test_only_the_element_outside_is_nan() -> None:
@@ -283,7 +293,7 @@ RING = np.where(np.eye(3), 1.0, -0.5)
 
 
 @pytest.mark.parametrize("system", ["track_wheel", "compiled.track_wheel"])
-@pytest.mark.parametrize("dtype", [float, np.float32])
+@pytest.mark.parametrize("dtype", first_of([float, np.float32]))
 def test_errors_that_cancel_add_up_to_nothing(system: str, dtype: Any) -> None:
     random = np.random.default_rng(20266)
     scatters = random.uniform(0.5, 2, (400, 6))

@@ -204,7 +204,7 @@ def test_it_is_proved(name: str) -> None:
 
 
 # These integrals are enclosed at many points: seconds each.
-SLOW = ("integral of a root", "integral of the absolute value")
+SLOW = ("integral of a root", "integral of the absolute value", "length of a parabola")
 
 
 @pytest.mark.parametrize("name", [make_thorough(n) if n in SLOW else n for n in NOT_CONVICTED])

@@ -88,7 +88,7 @@ def measure_apart(
     return np.linalg.norm(one - other, axis=-1), scale * point + shift
 
 
-@pytest.mark.parametrize("name", first_of(grouped(NAMES)))
+@pytest.mark.parametrize("name", grouped(NAMES, 1))
 def test_what_is_proved_is_what_runs(name: str) -> None:
     """The steps in doubles have the bits of the kernels that numba compiles."""
     system, _, quantity = name.partition(".")
@@ -141,7 +141,7 @@ def shake(value: float, rng: np.random.Generator) -> np.ndarray:
     return moved
 
 
-@pytest.mark.parametrize("name", first_of(["elliptic_planetary.position", "track_wheel.rotation"]))
+@pytest.mark.parametrize("name", first_of(["track_wheel.rotation", "elliptic_planetary.position"]))
 def test_a_bound_lowered_by_a_tenth_is_refused(name: str) -> None:
     system, _, quantity = name.partition(".")
     subject = next(compiled_subjects(name))
