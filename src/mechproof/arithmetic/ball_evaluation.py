@@ -17,6 +17,7 @@ from flint import acb, arb, fmpq
 from mechproof.arithmetic.ball_functions import (
     COMPARISONS,
     COMPLEX,
+    CONNECTIVES,
     CONSTANTS,
     ENTIRE,
     FUNCTIONS,
@@ -224,15 +225,8 @@ def decide(relation: sp.Basic, values: Values) -> bool | None:
     """Decide a relation (or And, Or, Not of relations) for balls; None where they overlap."""
     if relation in (sp.true, sp.false):
         return bool(relation)
-    if isinstance(relation, sp.And | sp.Or):
-        parts = [decide(part, values) for part in relation.args]
-        decisive = isinstance(relation, sp.Or)
-        if decisive in parts:
-            return decisive
-        return None if None in parts else not decisive
-    if isinstance(relation, sp.Not):
-        part = decide(relation.args[0], values)
-        return None if part is None else not part
+    if type(relation) in CONNECTIVES:
+        return CONNECTIVES[type(relation)](*(decide(part, values) for part in relation.args))
     left, right = (compile_expression(side)(values) for side in relation.args)
     if not (left.is_finite() and right.is_finite()):
         return None

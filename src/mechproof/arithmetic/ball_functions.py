@@ -99,6 +99,13 @@ COMPARISONS: dict[type[sp.Basic], Callable[[Ball, Ball], bool | None]] = {
     sp.Unequality: lambda a, b: None if (e := are_equal(a, b)) is None else not e,
 }
 
+# Of truths that may be undecided, as Kleene's logic has them.
+CONNECTIVES: dict[type[sp.Basic], Callable[..., bool | None]] = {
+    sp.And: lambda *parts: False if False in parts else None if None in parts else True,
+    sp.Or: lambda *parts: True if True in parts else None if None in parts else False,
+    sp.Not: lambda part: None if part is None else not part,
+}
+
 
 def _beta(a: Ball, b: Ball, x: Ball) -> Ball:
     return arb(0) if x == 0 else arb.beta_lower(x, a, b, regularized=True)

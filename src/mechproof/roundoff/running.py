@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 from flint import arb
 
-from mechproof.arithmetic.ball_functions import COMPARISONS as COMPARED, FUNCTIONS
+from mechproof.arithmetic.ball_functions import COMPARISONS as COMPARED, CONNECTIVES, FUNCTIONS
 from mechproof.arithmetic.balls import to_ball
 from mechproof.kernel_support import error_free
 from mechproof.programs.elementary.functions import BODIES
@@ -68,10 +68,9 @@ _OF_BALLS: Mapping[Any, Callable[..., Any]] = MappingProxyType(
     {
         **FUNCTIONS,
         **COMPARED,
+        **CONNECTIVES,
         sp.sqrt: lambda a: a.sqrt(),
         sp.Pow: operator.pow,
-        sp.And: lambda a, b: False if False in (a, b) else None if None in (a, b) else True,
-        sp.Or: lambda a, b: True if True in (a, b) else None if None in (a, b) else False,
     }
 )
 IN_BALLS = Arithmetic(
