@@ -61,7 +61,7 @@ def _offer(tape: Tape) -> dict[str, Any]:
         if given not in OF_AXES:
             raise ReadingError(f"no operation is written {given}")
         kind, *numbers = OF_AXES[given]
-        return tape.record(kind, value, *tape.values(numbers))
+        return tape.record(kind, value, *numbers)
 
     facts = dict.fromkeys(("Condition", "Sizes"), lambda *_: None)
     return {name: partial(act, name) for name, *_ in OF_AXES} | facts
@@ -83,7 +83,7 @@ def _join_conditions(name: str, function: Function) -> Function:
 def _mean_module(kernels: Iterable[Kernel]) -> Meant:
     """State what the functions of a module do."""
     tape = Tape()
-    yield "__dir__", tape.run(lambda: tape.value("__all__"))
+    yield "__dir__", tape.run(lambda: "__all__")
     for kernel in kernels:
         code = kernel.code
         used = {o for s in code.inside.operations for o in s.operands} if code.inside else ()
@@ -118,25 +118,24 @@ def _compute(tape: Tape, program: Program, *_: Value, one: bool = False) -> Any:
 def _run_kernel(tape: Tape, code: KernelCode, terms: tuple[str, ...], *given: Value) -> Any:
     """Do what a public function does."""
     *arguments, out = given
-    axes = {"axes": tape.values(code.axes)} if code.axes else {}
+    axes = {"axes": code.axes} if code.axes else {}
     tape.assign(
-        code.arguments, tape.record("_as_floats", " ".join(code.arguments), *arguments, **axes)
+        code.arguments,
+        tape.record("_as_floats", repr(" ".join(code.arguments)), *arguments, **axes),
     )
     for vector, names in code.vectors:
         if code.stages[0].affine and vector == code.vectors[0][0]:
-            tape.record("_check_components", vector, tape.value(vector), tape.value(len(names)))
+            tape.record("_check_components", repr(vector), vector, len(names))
         else:
-            split = tape.record(
-                "_split_components", vector, tape.value(vector), tape.value(len(names))
-            )
+            split = tape.record("_split_components", repr(vector), vector, len(names))
             tape.assign(names, split)
     if code.indexed:
-        summed = {name: (tape.value(name), tape.value(axes)) for name, axes in code.indexed}
+        summed = {name: (name, axes) for name, axes in code.indexed}
         tape.assign(tuple(summed), tape.record("_sum_axes", **summed))
     if code.inside:
-        check, masked = tape.value(f"{CHECK}{code.name}"), tape.values(code.masked)
-        of_sums = {"terms": tape.values(terms)} if terms else {}
-        tape.assign(code.masked, tape.record("_nan_outside", check, *masked, **of_sums))
+        of_sums = {"terms": terms} if terms else {}
+        check = tape.record("_nan_outside", f"{CHECK}{code.name}", *code.masked, **of_sums)
+        tape.assign(code.masked, check)
     *stages, last = zip(code.stages, _list_suffixes(code), strict=True)
     for stage, suffix in stages:
         assert stage.when is not None
@@ -146,17 +145,14 @@ def _run_kernel(tape: Tape, code: KernelCode, terms: tuple[str, ...], *given: Va
 
 
 def _run_stage(tape: Tape, code: KernelCode, stage: Stage, suffix: str, out: Value) -> Value:
-    prepare, parameters = tape.value(f"_prepare{suffix}"), tape.values(stage.parameters)
+    prepared = (f"_prepare{suffix}", stage.parameters) if stage.parameters else ()
     named: dict[str, Any] = {"out": out}
-    named |= {"shape": tape.values(code.shape)} if code.shape and not stage.affine else {}
+    named |= {"shape": code.shape} if code.shape and not stage.affine else {}
     named |= {"quiet": True} if code.quiet else {}
     if code.indexed:
         assert stage.evaluate is not None
         with tape.record("_quietly") if code.quiet else nullcontext():
             return tape.record("_store", *tape.replay(stage.evaluate, NUMPY.last), out)
     if stage.affine:
-        first = tape.value(code.arguments[0])
-        return tape.record("_transform", first, prepare, parameters, **named)
-    prepared = (prepare, parameters) if parameters else ()
-    form, running = tape.value(f"_form{suffix}"), tape.values(stage.running)
-    return tape.record("_in_blocks", form, running, *prepared, **named)
+        return tape.record("_transform", code.arguments[0], *prepared, **named)
+    return tape.record("_in_blocks", f"_form{suffix}", stage.running, *prepared, **named)

@@ -43,7 +43,7 @@ RENAMED: Mapping[str, str] = MappingProxyType(
     }
 )
 # What reports: names that no source can have.
-NUMBER, ASSIGN, SAME, DEFINE = "a number", "an assignment", "an identity", "a function"
+VALUE, ASSIGN, SAME, DEFINE = "a value", "an assignment", "an identity", "a function"
 FILE = "<emitted>"
 Offer = Callable[[Tape], Mapping[str, Any]]
 
@@ -78,11 +78,17 @@ class _Instrument(ast.NodeTransformer):
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
         _check_type(node.returns)
-        node.decorator_list.insert(0, ast.Name(DEFINE, ast.Load()))
+        node.decorator_list.insert(0, ast.copy_location(ast.Name(DEFINE, ast.Load()), node))
         return self.generic_visit(node)
 
+    def visit_Expr(self, node: ast.Expr) -> ast.AST:
+        return node if isinstance(node.value, ast.Constant) else self.generic_visit(node)
+
     def visit_Constant(self, node: ast.Constant) -> ast.expr:
-        return _call(NUMBER, node) if type(node.value) in (int, float) else node
+        if isinstance(node.value, str):
+            node.value = repr(node.value)
+            return _call(VALUE, node)
+        return _call(VALUE, node) if type(node.value) in (int, float) else node
 
     def visit_Compare(self, node: ast.Compare) -> ast.AST:
         self.generic_visit(node)
@@ -94,9 +100,8 @@ class _Instrument(ast.NodeTransformer):
     def visit_Assign(self, node: ast.Assign) -> ast.Assign:
         (target,) = node.targets
         parts = target.elts if isinstance(target, ast.Tuple) else None
-        texts: list[ast.expr] = [ast.Constant(ast.unparse(part)) for part in parts or [target]]
-        names = ast.Tuple(texts, ast.Load()) if parts else texts[0]
-        node.value = _call(ASSIGN, names, self.visit(node.value))
+        names: Any = tuple(map(ast.unparse, parts)) if parts else ast.unparse(target)
+        node.value = _call(ASSIGN, ast.Constant(names), self.visit(node.value))
         return node
 
 
@@ -110,7 +115,12 @@ def _refuse(node: ast.AST, reason: str) -> None:
 
 
 def _call(name: str, *arguments: ast.expr) -> ast.Call:
-    return ast.Call(ast.Name(name, ast.Load()), list(arguments), [])
+    """Return a call where its last argument stands."""
+    call = ast.Call(ast.Name(name, ast.Load()), list(arguments), [])
+    for node in (call, call.func, *arguments):
+        if not hasattr(node, "lineno"):
+            ast.copy_location(node, arguments[-1])
+    return call
 
 
 class Module:
@@ -147,10 +157,10 @@ def read_functions(source: str, offer: Offer) -> dict[str, Function]:
     offered = {**UNUSED, **offer(tape)}
     names: dict[str, Any] = {
         "__builtins__": {"__import__": lambda name, *_: Module(tape, name, offered)},
-        **{NUMBER: tape.value, ASSIGN: tape.assign, SAME: tape.record, DEFINE: define},
+        **{VALUE: tape.value, ASSIGN: tape.assign, SAME: tape.record, DEFINE: define},
     }
     try:
-        tree = ast.fix_missing_locations(_Instrument().visit(ast.parse(source)))
+        tree = _Instrument().visit(ast.parse(source))
         code = compile(tree, FILE, "exec", dont_inherit=True)
         read = {"": tape.run(lambda: exec(code, names))}
         return read | {name: _read(tape, *found) for name, found in tuple(defined.items())}

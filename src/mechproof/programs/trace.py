@@ -185,20 +185,20 @@ class Tape:
             self._answers[-1] = False
         raise ValueError(f"there are more than {MOST_WAYS} ways through it")
 
-    def replay(self, program: Program, last: Last = MappingProxyType({})) -> tuple[Value, ...]:
+    def replay(self, program: Program, last: Last = MappingProxyType({})) -> tuple[Any, ...]:
         """Record a program and return its outputs."""
-        program, made = program.normal_form(), dict[Any, Value]()
+        program, made = program.normal_form(), dict[Any, Any]()
         for step in program.operations:
-            given = [made.get(operand, self.value(operand)) for operand in step.operands]
-            given += self.values(last[kind] for kind in [step.kind] if kind in last)
+            given = [made.get(operand, operand) for operand in step.operands]
+            given += [last[step.kind]] if step.kind in last else []
             value = given[0] if step.kind == "copy" else self.record(step.kind, *given)
             name = step.result
             made[name] = value if is_unnamed(name) else self.assign(name, value)
-        return tuple(made.get(output, self.value(output)) for output in program.outputs)
+        return tuple(made.get(output, output) for output in program.outputs)
 
 
 def show(value: Any) -> Any:
-    """Return a value as an operand: a name, a number, a text in quotes, or several of them."""
+    """Return a value as an operand: a name, a number, or several of them."""
     match value:
         case Value():
             return value.operand
@@ -210,9 +210,9 @@ def show(value: Any) -> Any:
             return value.__name__
         case partial(args=(str() as name, *_)):
             return name
-        case None | bool() | str() | EllipsisType():
+        case None | bool() | EllipsisType():
             return repr(value)
-        case int() | float():
+        case int() | float() | str():
             return value
     raise ValueError(f"{value!r} is no value")
 

@@ -46,28 +46,28 @@ def _offer(on: Tape) -> dict[str, Any]:
 def mean_elementary() -> Meant:
     """State what the module of the elementary functions does."""
     on = Tape()
-    yield "", on.run(partial(_hold, on, BODIES, _LARGEST=on.value(DOUBLE.largest)))
+    yield "", on.run(partial(_hold, on, BODIES, _LARGEST=DOUBLE.largest))
     for kind, (_, inputs, far) in BODIES.items():
         does = partial(_compute_elementary, on, kind)
         yield kind, on.run(does, (*inputs, *([EXACT] if far else [])), SCALAR)
 
 
-def _hold(on: Tape, public: Iterable[str], **held: Value) -> None:
+def _hold(on: Tape, public: Iterable[str], **held: float) -> None:
     """Hold public names and what else a module holds besides functions."""
-    for name, value in {"__all__": sorted(public, key=str.lower), **held}.items():
+    for name, value in {"__all__": [*map(repr, sorted(public, key=str.lower))], **held}.items():
         on.assign(name, value)
 
 
-def _compute_elementary(on: Tape, kind: str, *given: Value) -> Value:
+def _compute_elementary(on: Tape, kind: str, *given: Value) -> Any:
     function = build(kind, DOUBLE)
     (value,) = on.replay(function.program, NUMBA.last)
     if not function.far:
         return value
     on.assign("_value", value)
     if abs(given[0]) <= on.value("_LARGEST"):
-        return on.value("_value")
+        return "_value"
     if on.record("Is", given[-1], None):
-        return on.value("#nan")
+        return "#nan"
     return on.replay(function.far, NUMBA_FAR.last)[0]
 
 
@@ -80,7 +80,7 @@ def mean_compiled(
     """
     on = Tape()
     yield "", on.run(lambda: _hold_loops(on, written))
-    yield "__dir__", on.run(lambda: on.value("__all__"))
+    yield "__dir__", on.run(lambda: "__all__")
     for found in reductions:
         term = mean_term(found)
         does = partial(_compute, on, term)
@@ -113,12 +113,11 @@ def _mean_forms(on: Tape, kernel: Kernel, text: ScalarKernel) -> Meant:
 def _compute_value(on: Tape, kernel: Kernel, text: ScalarKernel, *_: Value) -> Any:
     conditions = list_conditions(kernel)
     if text.inside and not _compute(on, conditions.pop(0)):
-        nan = on.value("#nan")
-        return (nan,) * text.count if text.shape else nan
+        return ("#nan",) * text.count if text.shape else "#nan"
     names, stages = zip(*list_stages(kernel), strict=True)
     for condition, name, part in zip(conditions, names, text.stages, strict=False):
         if _compute(on, condition):
-            return on.record(f"_form{name}", *on.values((*part.needed, *_list_exact(text))))
+            return on.record(f"_form{name}", *part.needed, *_list_exact(text))
     return _compute(on, join_stage(stages[-1]))
 
 
@@ -142,28 +141,27 @@ def _mean_ways_in(on: Tape, text: ScalarKernel) -> Meant:
 
 def _compute_members(on: Tape, text: ScalarKernel, *_: Value) -> tuple[Value, ...]:
     return tuple(
-        on.record(f"_value_of_{m.name}", *on.values((*m.taken_names, *_list_exact(m))))
-        for m in text.members
+        on.record(f"_value_of_{m.name}", *m.taken_names, *_list_exact(m)) for m in text.members
     )
 
 
 def _add_up(on: Tape, text: ScalarKernel, at: Value, terms: Value, *_: Value) -> Any:
     """Return what the value of a kernel takes: numbers, and loops over terms."""
-    elements = [on.record("element", number, at) for number in on.values(text.numbers)]
+    elements = [on.record("element", number, at) for number in text.numbers]
     loops = [_loop(on, row, called, at, terms) for row, called in enumerate(text.loops)]
     return *elements, *loops
 
 
 def _loop(on: Tape, row: int, called: LoopCall, at: Value, terms: Value) -> Value:
-    taken = [on.value(f"_{called.name}_term"), *([] if called.boolean else [on.value(ADDED)])]
-    where = at, on.value(row), (terms,) * called.axes
+    taken = [f"_{called.name}_term", *([] if called.boolean else [ADDED])]
+    where = at, row, (terms,) * called.axes
     exact = (True,) * called.limited
     kind = "_every" if called.boolean else "_add_up"
-    return on.record(kind, *taken, *where, on.values(called.arguments), *exact)
+    return on.record(kind, *taken, *where, called.arguments, *exact)
 
 
 def _vector(on: Tape, name: Value, width: int) -> Value:
-    return on.record("_vector", name, on.value(width)) if width else name
+    return on.record("_vector", name, width) if width else name
 
 
 def _fill(on: Tape, text: ScalarKernel, *given: Value) -> None:
@@ -172,18 +170,15 @@ def _fill(on: Tape, text: ScalarKernel, *given: Value) -> None:
     pairs = zip(given[count:], text.arguments, strict=True)
     values = tuple(_vector(on, value, argument.width) for value, argument in pairs)
     kind = "_fill_blocks" if text.limited else "_fill"
-    on.record(kind, on.value(f"_value_of_{text.name}"), goal, values)
+    on.record(kind, f"_value_of_{text.name}", goal, values)
 
 
 def _fill_sets(on: Tape, text: ScalarKernel, out: Value, terms: Value, *given: Value) -> None:
-    value, sums = on.value(f"_value_of_{text.name}"), on.value(f"_sums_of_{text.name}")
-    one = on.value(1)
-    tables = tuple(
-        _index(text, given, lambda i: (slice(None), slice(on.value(i), on.value(i) + one)))
-    )
+    value, sums = f"_value_of_{text.name}", f"_sums_of_{text.name}"
+    tables = tuple(_index(text, given, lambda i: (slice(None), slice(i, on.record("add", i, 1)))))
     axes = [a.axes for a in text.arguments for _ in a.components]
-    sizes = tuple(terms * terms if count == 2 else terms if count else one for count in axes)
-    count, exact = on.value(len(text.loops)), (True,) * text.limited
+    sizes = tuple(terms * terms if count == 2 else terms if count else 1 for count in axes)
+    count, exact = len(text.loops), (True,) * text.limited
     on.record("_fill_sets", value, sums, count, out, terms, tables, sizes, exact)
 
 
@@ -200,10 +195,10 @@ def _enter(on: Tape, text: ScalarKernel, *given: Value) -> Value:
     """Do what the function does that callers see: plain numbers and rows are taken at once."""
     *values, out = given
     first, *others = values
-    loops, is_float = on.value(f"_loops_of_{text.name}"), on.value("float")
+    loops, is_float = on.value(f"_loops_of_{text.name}"), "float"
     types = (on.record("type", other) for other in others)
     if text.is_plain and (not others or on.record("Is", *types, is_float)):
-        if on.record("Is", on.record("type", first), on.value("ndarray")):
+        if on.record("Is", on.record("type", first), "ndarray"):
             row = on.record("_take_row", first, out)
             if on.record("IsNot", row, None):
                 loops.fill(row, *values)
@@ -217,14 +212,14 @@ def _compute_point(on: Tape, text: ScalarKernel, *given: Value) -> Value:
     """Do what compiled functions call instead."""
     value, exact = f"_value_of_{text.name}", (True,) * text.limited
     if not text.sums:
-        numbers = _index(text, given, on.value)
+        numbers = _index(text, given, int)
         return on.record(value, *(on.record("float64", number) for number in numbers), *exact)
     summed = [a for a in text.arguments if a.axes]
-    terms = on.assign("_terms", on.record("_count_terms", *on.values(a.name for a in summed)))
+    terms = on.assign("_terms", on.record("_count_terms", *(a.name for a in summed)))
     for a in summed:
         kind = "_take_terms" if a.axes == 1 else "_take_square"
-        on.assign(a.name, on.record(kind, a.name, on.value(a.name), terms))
-    found = on.record(f"_sums_of_{text.name}", None, terms, *_index(text, given, on.value))
+        on.assign(a.name, on.record(kind, repr(a.name), a.name, terms))
+    found = on.record(f"_sums_of_{text.name}", None, terms, *_index(text, given, int))
     return on.record(value, *found, *exact)
 
 
@@ -232,11 +227,11 @@ def _hold_loops(on: Tape, written: Iterable[ScalarKernel]) -> None:
     _hold(on, (text.name for text in written))
     for text in written:
         widths, results = [argument.width for argument in text.arguments], len(text.members)
-        told: dict[str, Any] = {"widths": on.values(widths)} if any(widths) else {}
-        told |= {"shape": on.values(text.shape)} if text.shape else {}
-        told |= {"results": on.value(results)} if results else {}
-        names = tuple(argument.name for argument in text.arguments)
-        axes = [on.values(argument.axes for argument in text.arguments)] if text.sums else []
-        ways = on.values((f"_point_of_{text.name}", f"_fill_of_{text.name}"))
+        told: dict[str, Any] = {"widths": widths} if any(widths) else {}
+        told |= {"shape": text.shape} if text.shape else {}
+        told |= {"results": results} if results else {}
+        names = tuple(repr(argument.name) for argument in text.arguments)
+        axes = [[argument.axes for argument in text.arguments]] if text.sums else []
+        ways = f"_point_of_{text.name}", f"_fill_of_{text.name}"
         loops = on.record("_Sums" if text.sums else "_Loops", names, *axes, *ways, **told)
         on.assign(f"_loops_of_{text.name}", loops)
