@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import pytest
+import sympy as sp
+from trial import paper_of, quantity_of, x
 
 from mechproof.codegen.backends.numba import (
     check_elementary,
@@ -13,7 +16,7 @@ from mechproof.codegen.backends.numba import (
     render_elementary,
 )
 from mechproof.codegen.backends.numpy import render_modules
-from mechproof.codegen.frame import COMPILED, check_frame
+from mechproof.codegen.forms import form_rows
 from mechproof.codegen.kernel_reading import read_module
 from mechproof.codegen.reading import ReadingError
 from mechproof.derivations.elliptic_planetary import PAPER
@@ -54,20 +57,24 @@ def test_a_numpy_module_whose_names_are_others_is_refused(
     ("right", "wrong", "told"),
     [
         ("    fill as _fill,", "    fill_blocks as _fill,", "fill_blocks is called _fill"),
-        ("@_loop\n", "", "is decorated by nothing"),
-        ("@_scalar\ndef _value_of", "@_loop\ndef _value_of", "is decorated by _loop"),
-        ("@_point_of(ratio)", "@_point_of(position)", r"by _point_of\(position\)"),
-        ("_form_1_of_position(phi1, R1, ", "_form_1_of_position(phi1, e, ", "takes|calls _form_1"),
-        ("return _form_1_of_position(", "return _value_of_ratio(", "for form 1"),
-        ("return _math.nan", "return 0.0", "outside its domain"),
+        ("@_loop\n", "", "read decorated by nothing"),
+        ("@_scalar\ndef _value_of", "@_loop\ndef _value_of", "read decorated by _loop"),
+        ("@_point_of(ratio)", "@_point_of(position)", "'position' is not defined"),
+        ("@_point_of(position)", "@_point_of(ratio)", r"read decorated by _point_of\(ratio\)"),
+        ("_form_1_of_position(phi1, R1, ", "_form_1_of_position(phi1, e, ", "duplicate argument"),
+        ("return _form_1_of_position(phi1", "return _form_1_of_position(e", "position is not"),
+        ("return _form_1_of_position(", "return _value_of_ratio(", "_value_of_position is not"),
+        ("return _math.nan", "return 0.0", "_value_of_ratio is not"),
         ("_float64(phi1), _float64(R1), ", "_float64(R1), _float64(phi1), ", "_point_of_ratio is"),
         ("_value_of_ratio(_float64(phi1)", "_value_of_ratio(-_float64(phi1)", "_point_of_ratio is"),
         ("_value_of_ratio(_float64(phi1)", "_value_of_ratio(phi1", "_point_of_ratio is not"),
         ("_fill_blocks(_value_of_ratio, ", "_fill(_value_of_ratio, ", "_fill_of_ratio is not"),
         ("ratio, _out, (phi1, R1", "ratio, _out, (R1, phi1", "_fill_of_ratio is not"),
         ("    _fill_blocks(", "    R1 = R2\n    _fill_blocks(", "_fill_of_ratio is not"),
-        ("_fill_of_ratio)\n", "_fill_of_position)\n", "_loops_of_ratio is not"),
-        ("_loops_of_ratio = ", "ratio = position\n_loops_of_ratio = ", "nothing is called|ratio"),
+        ("_fill_of_ratio)\n", "_fill_of_position)\n", "'_fill_of_position' is not defined"),
+        ("_fill_of_position)\n", "_fill_of_ratio)\n", "the module is not as meant.*_loops_of_posi"),
+        ("_loops_of_ratio = ", "ratio = position\n_loops_of_ratio = ", "'position' is not defined"),
+        ("_loops_of_position = ", "position = ratio\n_loops_of_position = ", "the module is not"),
         ("fill(_row, phi1, R1, R2", "fill(_row, phi1, R2, R1", "ratio is not"),
         ("(_loops_of_ratio, (phi1, R1, R2", "(_loops_of_ratio, (phi1, R2, R1", "ratio is not"),
         ("  _value_of_position(phi1, ", "  _value_of_ratio(phi1, ", "_value_of_motion is not"),
@@ -85,16 +92,13 @@ def test_a_compiled_module_whose_parts_do_not_meet_is_refused(
 
 @pytest.mark.parametrize("name", ["short_term", "row_of_x", "sum_1", "value"])
 def test_a_kernel_may_be_called_like_parts_of_the_machinery(name: str) -> None:
-    parts = {"_loop": f"_fill_of_{name}", "_scalar": f"_sums_of_{name}"}
-    parts[f"_point_of({name})"] = f"_point_of_{name}"
-    functions = [
-        f"@{decorator}\ndef {part}(x):\n    return x\n" for decorator, part in parts.items()
-    ]
-    check_frame("\n".join(functions), COMPILED)
+    paper = paper_of(replace(quantity_of(sp.sin(x), x), name=name))
+    form_rows(paper)
+    assert f"def _point_of_{name}(x):" in "".join(render_compiled(paper).values())
 
 
 def test_an_elementary_function_that_numba_does_not_compile_is_refused() -> None:
     source = render_elementary()
     check_elementary(source)
-    with pytest.raises(ReadingError, match="is decorated by nothing"):
+    with pytest.raises(ReadingError, match="read decorated by nothing"):
         check_elementary(source.replace("@_scalar\n", "", 1))

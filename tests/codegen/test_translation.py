@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -34,7 +35,28 @@ TRIALS = {
 def test_the_source_reads_back_as_the_program(name: str) -> None:
     paper = paper_of(TRIALS[name], POSITIVE)
     kernels = list_functions(paper)
-    assert read_back(paper, kernels) == {kernel.name: kernel.code for kernel in kernels}
+    read_back(paper, kernels)
+    read = read_module(render_modules(paper)["system.py"])
+    for code in (kernel.code for kernel in kernels):
+        (stage,) = code.stages
+        assert stage.evaluate is not None
+        programs = {
+            f"_prepare_of_{code.name}": stage.prepare,
+            f"_form_of_{code.name}": stage.evaluate,
+        }
+        for function, program in programs.items():
+            assert [spread(way) for way in read[function].ways] == [program]
+        if code.inside is not None:
+            assert read[f"_check_of_{code.name}"].ways == (
+                replace(code.inside, inputs=code.masked),
+            )
+
+
+def spread(way: Program) -> Program:
+    """Return what was read as a program with an output for each of several results."""
+    (outputs,) = way.outputs
+    several = outputs if isinstance(outputs, tuple) else (outputs,)
+    return replace(way, outputs=several).normal_form()
 
 
 def sources_with(*changes: tuple[str, str]) -> Callable[[Paper], dict[str, str]]:
@@ -52,19 +74,19 @@ def sources_with(*changes: tuple[str, str]) -> Callable[[Paper], dict[str, str]]
 @pytest.mark.parametrize(
     ("old", "new", "seen"),
     [
-        ("(base * _square(base))", "base * _square(base)", "stages"),
-        ("1.0 + b * _np.cos(x)", "b * _np.cos(x)", "stages"),
-        ("1.0 + b * _np.cos(x)", "1.0 - b * _np.cos(x)", "stages"),
-        ("_np.cos(x)", "_np.sin(x)", "stages"),
+        ("(base * _square(base))", "base * _square(base)", "_form_of_f"),
+        ("1.0 + b * _np.cos(x)", "b * _np.cos(x)", "_form_of_f"),
+        ("1.0 + b * _np.cos(x)", "1.0 - b * _np.cos(x)", "_form_of_f"),
+        ("_np.cos(x)", "_np.sin(x)", "_form_of_f"),
         (
             "_in_blocks(_form_of_f, (x,), _prepare_of_f, (a, b)",
             "_in_blocks(_form_of_f, (x,), _prepare_of_f, (b, a)",
-            "stages",
+            "f",
         ),
-        ("def _prepare_of_f(a: Any, b: Any)", "def _prepare_of_f(b: Any, a: Any)", "stages"),
-        ("return (a, b)", "return (b, a)", "stages"),
-        ("return (_is_positive(a),)", "return (a > 0.0,)", "inside"),
-        ("return (_is_positive(a),)", "return (_is_nonnegative(a),)", "inside"),
+        ("def _prepare_of_f(a: Any, b: Any)", "def _prepare_of_f(b: Any, a: Any)", "_prepare_of_f"),
+        ("return (a, b)", "return (b, a)", "_prepare_of_f"),
+        ("return (_is_positive(a),)", "return (a > 0.0,)", "_check_of_f"),
+        ("return (_is_positive(a),)", "return (a >= 0.0,)", "_check_of_f"),
     ],
 )
 def test_a_text_that_is_not_the_program_is_caught(
@@ -75,7 +97,7 @@ def test_a_text_that_is_not_the_program_is_caught(
     old = old.replace("base", "one_plus_b_cos_x") if "base" in old else old
     new = new.replace("base", "one_plus_b_cos_x") if "base" in new else new
     monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with((old, new)))
-    with pytest.raises(TranslationError, match=rf"system\.f: {seen} meant"):
+    with pytest.raises(TranslationError, match=rf"system\.{seen} is not as meant: .*, read"):
         form_rows(paper)
 
 
@@ -87,7 +109,7 @@ def test_another_masked_parameter_is_caught(monkeypatch: pytest.MonkeyPatch) -> 
         ("return (_is_positive(a),)", "return (_is_positive(b),)"),
     )
     monkeypatch.setattr("mechproof.codegen.forms.render_modules", change)
-    with pytest.raises(TranslationError, match=r"system\.f: inside meant"):
+    with pytest.raises(TranslationError, match=r"system\.f is not as meant: .*, read"):
         form_rows(paper)
 
 
@@ -108,6 +130,7 @@ def test_another_masked_parameter_is_caught(monkeypatch: pytest.MonkeyPatch) -> 
         ),
         ("return (_is_positive(a),)", "return _is_positive(a)"),
         ("return (_is_positive(a),)", "return (_is_positive(b),)"),
+        ("return (_is_positive(a),)", "return (_is_nonnegative(a),)"),
         ("return (_is_positive(a),)", "return (True,)"),
         ("return (_is_positive(a),)", "return ()"),
         ("def _check_of_f(a: Any)", "@cache\ndef _check_of_f(a: Any)"),
@@ -131,7 +154,7 @@ def test_a_printer_that_forgets_a_bracket_is_caught(monkeypatch: pytest.MonkeyPa
     paper = paper_of(quantity_of(a * (b + x), *MECHANISM))
     form_rows(paper)
     monkeypatch.setattr(syntax._Writer, "enclose", lambda self, o, level: self.show(o)[0])
-    with pytest.raises(TranslationError, match="stages"):
+    with pytest.raises(TranslationError, match=r"_form_of_f is not as meant"):
         form_rows(paper)
 
 
@@ -171,5 +194,5 @@ def test_temporaries_do_not_matter_and_named_results_do() -> None:
 
 def test_reading_knows_public_functions_only(tmp_path: Path) -> None:
     source = render_modules(paper_of(TRIALS["difference"]))["system.py"]
-    assert set(read_module(source)) == {"f"}
+    assert {name for name in read_module(source) if not name.startswith("_")} == {"f"}
     assert load_source(source, tmp_path).__all__ == ["f"]

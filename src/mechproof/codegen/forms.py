@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import fields
 
 import sympy as sp
 
-from mechproof.codegen.backends.numpy import render_modules
-from mechproof.codegen.kernel_reading import read_module
-from mechproof.codegen.reading import TranslationError
-from mechproof.programs.code import KernelCode, Stage
+from mechproof.codegen.backends.numpy import FORMS, render_modules
+from mechproof.codegen.kernel_reading import check_module
+from mechproof.programs.code import Stage
 from mechproof.programs.kernel import Kernel, list_functions, name_rival
 from mechproof.programs.raising import WrittenForm
 from mechproof.record import (
@@ -36,33 +34,23 @@ def form_rows(paper: Paper) -> tuple[Row, ...]:
     The source is read back first. Raises `TranslationError` where it is not the program.
     """
     kernels = list_functions(paper)
-    codes = read_back(paper, kernels)
+    read_back(paper, kernels)
     return tuple(
         row
         for kernel in kernels
-        for number in range(len(kernel.forms))
-        for row in _state_form(kernel, number, codes[kernel.name].stages[number], paper)
+        for number, stage in enumerate(kernel.code.stages)
+        for row in _state_form(kernel, number, stage, paper)
     )
 
 
-def read_back(paper: Paper, kernels: Sequence[Kernel]) -> dict[str, KernelCode]:
-    """Read the emitted modules of a paper and compare them with the programs they come from."""
-    read: dict[str, KernelCode] = {}
-    for source in render_modules(paper).values():
-        read |= read_module(source)
-    for kernel in kernels:
-        compare_code(f"{paper.system}.{kernel.name}", kernel.code, read.get(kernel.name))
-    return read
+def read_back(paper: Paper, kernels: Sequence[Kernel]) -> None:
+    """Read the emitted modules of a paper back and compare them with what is meant.
 
-
-def compare_code(name: str, meant: KernelCode, read: KernelCode | None) -> None:
-    """Raise `TranslationError` with the first difference between what is meant and what is read."""
-    if read is None:
-        raise TranslationError(f"{name}: not in the source")
-    for field in fields(KernelCode):
-        one, other = getattr(meant, field.name), getattr(read, field.name)
-        if one != other:
-            raise TranslationError(f"{name}: {field.name} meant {one}, the source reads {other}")
+    Raises `ReadingError`.
+    """
+    for name, source in render_modules(paper).items():
+        own = [kernel for kernel in kernels if kernel.is_shipped != name.startswith(FORMS)]
+        check_module(source, own, f"{paper.system}.")
 
 
 def number_form(quantity: Quantity, form: Form) -> str:

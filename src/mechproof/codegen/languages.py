@@ -20,6 +20,9 @@ from mechproof.programs.operations import (
     Support,
 )
 
+# Where compiled kernels find the elementary functions, and the last argument of a compiled function
+# that is right up to the largest angle only.
+ELEMENTARY, EXACT = "_elementary.", "_exact"
 CONSTANTS = MappingProxyType({"#pi": "_np.pi", "#e": "_np.e", "#inf": "_np.inf", "#nan": "_np.nan"})
 
 
@@ -51,8 +54,8 @@ _LIBRARY = ("tan", "sin", "cos")
 # One number at a time; `exact` says whether what angles far out give is wanted, however long it
 # takes, or NaN.
 NUMBA = replace(
-    _spell({k: row.numba for k, row in KINDS.items()}, "_elementary."),
-    last=MappingProxyType({kind: "_exact" for kind, (_, _, far) in BODIES.items() if far}),
+    _spell({k: row.numba for k, row in KINDS.items()}, ELEMENTARY),
+    last=MappingProxyType({kind: EXACT for kind, (_, _, far) in BODIES.items() if far}),
 )
 NUMBA_FAR = replace(
     NUMBA,

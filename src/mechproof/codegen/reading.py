@@ -1,162 +1,204 @@
-"""Reading: in, assignments of an emitted source; out, the program that they compute.
+"""Reading: in, an emitted source; out, what its functions do to recording values.
 
-Python's own parser reads it, and the tables here are not the printer's: a bracket that a printer
-leaves out, a term that it drops, two arguments that change places are seen as a difference between
-what was meant and what was read.
+It is run with nothing but what is handed to it: no builtins, no modules. Two things are seen to
+before, which running cannot show: that it has no loop, and that what is imported keeps its name.
+Each function, number, assignment and identity in it reports to a tape.
 """
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterable, Mapping
-from types import MappingProxyType
+import re
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from itertools import zip_longest
+from traceback import extract_tb
+from types import FunctionType, MappingProxyType
+from typing import Any
 
 from mechproof.programs.operations import KINDS
-from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
+from mechproof.programs.program import CONSTANTS
+from mechproof.programs.trace import Function, Tape, show
 
-BINARY: Mapping[type[ast.operator], str] = MappingProxyType(
-    {
-        ast.Add: "add",
-        ast.Sub: "subtract",
-        ast.Mult: "multiply",
-        ast.Div: "divide",
-        ast.BitAnd: "both",
-        ast.BitOr: "either",
-    }
+# All that emitted code is made of.
+_PARTS = (
+    "Module Import ImportFrom alias FunctionDef arguments arg Assign Expr If Return With withitem "
+    "Name Load Store Constant BinOp UnaryOp Compare BoolOp Call keyword Starred Attribute "
+    "Subscript Slice Tuple List Dict Lambda NamedExpr And USub Not Add Sub Mult Div Pow BitAnd "
+    "BitOr Lt LtE Gt GtE Eq Is IsNot"
 )
-COMPARED: Mapping[type[ast.cmpop], str] = MappingProxyType(
-    {
-        ast.Lt: "less",
-        ast.LtE: "less_equal",
-        ast.Gt: "greater",
-        ast.GtE: "greater_equal",
-        ast.Eq: "equal",
-    }
-)
+KNOWN = frozenset(_PARTS.split())
+# Modules go by short names; everything else has its own, behind the underscore of the machinery.
+SHORT = {"numpy": "_np", "math": "_math"}
+MODULES = re.compile(r"__future__|builtins|math|typing|numpy(\.typing)?|mechproof\..*")
+TYPES = ("Any", "ArrayLike", "NDArray[Any] | None", "tuple[Any, ...]", "list[str]")
+# What annotations name, which nothing evaluates, and what indexes a new axis.
+UNUSED = dict.fromkeys(("annotations", "Any", "ArrayLike", "NDArray", "newaxis"))
 # Functions whose operation has another name; the others are called like it.
 RENAMED: Mapping[str, str] = MappingProxyType(
     {
         "abs": "absolute",
         "choose_where": "choose",
-        **{f"math.{row.c}": kind for kind, row in KINDS.items() if row.numba == f"_math.{row.c}"},
+        **{str(row.c): kind for kind, row in KINDS.items() if row.numba == f"_math.{row.c}"},
     }
 )
-REDUCED: Mapping[str, str] = MappingProxyType({"add_up": "sum", "every": "every"})
-# Where compiled kernels find the elementary functions.
-ELEMENTARY = "_elementary."
-# The last argument of a compiled function that is right up to the largest angle only.
-EXACT = "_exact"
+# What reports: names that no source can have.
+VALUE, ASSIGN, SAME, DEFINE = "a value", "an assignment", "an identity", "a function"
+FILE = "<emitted>"
+Offer = Callable[[Tape], Mapping[str, Any]]
 
 
 class ReadingError(ValueError):
     """The emitted source has something that no kernel has."""
 
 
-class TranslationError(ValueError):
+class TranslationError(ReadingError):
     """The emitted source does not compute the program that was meant."""
 
 
-class _ProgramReader:
-    """Turns expressions of Python into operations."""
+class _Instrument(ast.NodeTransformer):
+    """Refuses what no emitted code has, and puts in what reports."""
 
-    def __init__(self) -> None:
-        self.operations: list[Operation] = []
+    def visit(self, node: ast.AST) -> Any:
+        if type(node).__name__ not in KNOWN:
+            _refuse(node, f"no emitted code has {ast.unparse(node)!r}")
+        block = node.body if isinstance(node, ast.FunctionDef | ast.If | ast.With) else []
+        if any(isinstance(statement, ast.Return) for statement in block[:-1]):
+            _refuse(node, "more comes after a return")
+        return super().visit(node)
 
-    def assign(self, name: str, value: ast.expr) -> None:
-        result = self.read(value)
-        if isinstance(result, str) and result.startswith(TEMPORARY):
-            last = self.operations.pop()
-            self.operations.append(Operation(name, last.kind, last.operands))
-        else:
-            self.operations.append(Operation(name, "copy", (result,)))
+    def visit_alias(self, node: ast.alias) -> ast.alias:
+        if node.asname not in (None, SHORT.get(node.name, f"_{node.name}")):
+            _refuse(node, f"{node.name} is called {node.asname}")
+        return node
 
-    def read(self, node: ast.expr) -> Operand:
-        match node:
-            case ast.Name(id=name):
-                return name
-            case ast.Constant(value=int() | float() as number):
-                return number
-            case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=int() | float() as number)):
-                return -number
-            case ast.UnaryOp(op=ast.USub(), operand=operand):
-                return self._add("negate", self.read(operand))
-            case ast.Attribute(value=ast.Name(id="_np"), attr="pi" | "e" | "inf" | "nan" as name):
-                return f"#{name}"
-            case ast.BinOp(left=base, op=ast.Pow(), right=ast.Constant(value=2)):
-                return self._add("square", self.read(base))
-            case ast.BinOp(left=base, op=ast.Pow(), right=exponent):
-                return self._add("power", self.read(base), self.read(exponent))
-            case ast.BinOp(left=left, op=op, right=right) if type(op) in BINARY:
-                return self._add(BINARY[type(op)], self.read(left), self.read(right))
-            case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in COMPARED:
-                return self._add(COMPARED[type(op)], self.read(left), self.read(right))
-            case ast.Subscript():
-                return self._view(node)
-            case ast.Call():
-                return self._call(node)
-        raise ReadingError(f"line {node.lineno}: no operation is written {ast.unparse(node)!r}")
+    def visit_arg(self, node: ast.arg) -> ast.arg:
+        _check_type(node.annotation)
+        return node
 
-    def _add(self, kind: str, *operands: Operand) -> str:
-        # The list never shrinks, so that no two temporaries have one number.
-        result = f"{TEMPORARY}{len(self.operations) + 1}"
-        self.operations.append(Operation(result, kind, operands))
-        return result
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
+        _check_type(node.returns)
+        node.decorator_list.insert(0, ast.copy_location(ast.Name(DEFINE, ast.Load()), node))
+        return self.generic_visit(node)
 
-    def _view(self, node: ast.Subscript) -> Operand:
-        views = {"(..., :, _np.newaxis)": "along_first", "(..., _np.newaxis, :)": "along_last"}
-        kind = views.get(ast.unparse(node.slice)) or views.get(f"({ast.unparse(node.slice)})")
-        if kind is None:
-            raise ReadingError(f"line {node.lineno}: no view is written {ast.unparse(node)!r}")
-        return self._add(kind, self.read(node.value))
+    def visit_Expr(self, node: ast.Expr) -> ast.AST:
+        return node if isinstance(node.value, ast.Constant) else self.generic_visit(node)
 
-    def _call(self, node: ast.Call) -> Operand:
-        function = ast.unparse(node.func)
-        name = function.removeprefix("_np.").removeprefix(ELEMENTARY).removeprefix("_")
-        keywords = {k.arg: ast.unparse(k.value) for k in node.keywords}
-        if name in REDUCED and set(keywords) == {"axis"}:
-            count = {"-1": 1, "(-2, -1)": 2}[keywords["axis"]]
-            (value,) = node.args
-            return self._add(REDUCED[name], self.read(value), count)
-        if ast.unparse(node).startswith("_np.swapaxes(") and not keywords:
-            value, *axes = node.args
-            if [ast.unparse(a) for a in axes] == ["-1", "-2"]:
-                return self._add("transpose", self.read(value))
-        if name == "diagonal" and keywords == {"axis1": "-2", "axis2": "-1"}:
-            return self._add("diagonal", self.read(node.args[0]))
-        arguments = list(node.args)
-        if keywords:
-            raise ReadingError(f"line {node.lineno}: no operation is written {ast.unparse(node)!r}")
-        if arguments and ast.unparse(arguments[-1]) == EXACT:
-            arguments.pop()
-        return self._add(RENAMED.get(name, name), *map(self.read, arguments))
+    def visit_Constant(self, node: ast.Constant) -> ast.expr:
+        if isinstance(node.value, str):
+            node.value = repr(node.value)
+            return _call(VALUE, node)
+        return _call(VALUE, node) if type(node.value) in (int, float) else node
+
+    def visit_Compare(self, node: ast.Compare) -> ast.AST:
+        self.generic_visit(node)
+        signs = {type(sign).__name__ for sign in node.ops}
+        if signs in ({"Is"}, {"IsNot"}):
+            return _call(SAME, ast.Constant(*signs), node.left, *node.comparators)
+        return node
+
+    def visit_Assign(self, node: ast.Assign) -> ast.Assign:
+        (target,) = node.targets
+        parts = target.elts if isinstance(target, ast.Tuple) else None
+        names: Any = tuple(map(ast.unparse, parts)) if parts else ast.unparse(target)
+        node.value = _call(ASSIGN, ast.Constant(names), self.visit(node.value))
+        return node
 
 
-def read_program(
-    inputs: tuple[str, ...],
-    assignments: Iterable[tuple[str, ast.expr]],
-    outputs: Iterable[ast.expr],
-) -> Program:
-    """Return the program of assignments and outputs."""
-    reader = _ProgramReader()
-    for name, value in assignments:
-        reader.assign(name, value)
-    results = tuple(map(reader.read, outputs))
-    _check_names({*inputs}, reader.operations, results)
-    return Program(inputs, tuple(reader.operations), results).normal_form()
+def _check_type(node: ast.expr | None) -> None:
+    if node is not None and ast.unparse(node) not in TYPES:
+        _refuse(node, f"nothing is of the type {ast.unparse(node)}")
 
 
-def _check_names(
-    known: set[Operand], operations: Iterable[Operation], outputs: tuple[Operand, ...]
-) -> None:
-    """Raise `ReadingError` for a name that is no constant, no input and no result before it."""
-    for step in (*operations, Operation("", "copy", outputs)):
-        for name in step.operands:
-            if isinstance(name, str) and name not in known and not name.startswith("#"):
-                raise ReadingError(f"{name}: read before anything has this name")
-        known.add(step.result)
+def _refuse(node: ast.AST, reason: str) -> None:
+    raise ReadingError(f"line {getattr(node, 'lineno', '?')}: {reason}")
 
 
-def list_names(node: ast.expr) -> tuple[str, ...]:
-    """List the texts of a target, of arguments or of an index."""
-    parts = node.elts if isinstance(node, ast.Tuple) else [node]
-    return tuple(map(ast.unparse, parts))
+def _call(name: str, *arguments: ast.expr) -> ast.Call:
+    """Return a call where its last argument stands."""
+    call = ast.Call(ast.Name(name, ast.Load()), list(arguments), [])
+    for node in (call, call.func, *arguments):
+        if not hasattr(node, "lineno"):
+            ast.copy_location(node, arguments[-1])
+    return call
+
+
+class Module:
+    """A module as emitted code sees it: what it is offered, constants, operations and others."""
+
+    def __init__(self, tape: Tape, name: str, offered: Mapping[str, Any]) -> None:
+        if not MODULES.fullmatch(name):
+            raise ReadingError(f"no emitted code imports {name}")
+        self._tape, self._name, self._offered = tape, name, offered
+
+    def __getattr__(self, name: str) -> Any:
+        kind = RENAMED.get(name, name)
+        if name in self._offered:
+            return self._offered[name]
+        if f"#{name}" in CONSTANTS:
+            return self._tape.value(f"#{name}")
+        if kind not in KINDS and not self._name.startswith("mechproof."):
+            raise ReadingError(f"no operation is written {self._name}.{name}")
+        return partial(self._tape.record, kind if kind in KINDS else f"_{name}")
+
+
+def read_functions(source: str, offer: Offer) -> dict[str, Function]:
+    """Return the functions of a module by their names, and what it does itself by an empty one.
+
+    Raises `ReadingError` with the line for what no kernel has.
+    """
+    tape, defined = Tape(), dict[str, tuple[str, FunctionType]]()
+
+    def define(found: Any) -> Any:
+        decorator, function = found if isinstance(found, tuple) else ("", found)
+        defined[function.__name__] = decorator, function
+        return partial(tape.record, function.__name__) if decorator else function
+
+    offered = {**UNUSED, **offer(tape)}
+    names: dict[str, Any] = {
+        "__builtins__": {"__import__": lambda name, *_: Module(tape, name, offered)},
+        **{VALUE: tape.value, ASSIGN: tape.assign, SAME: tape.record, DEFINE: define},
+    }
+    try:
+        tree = _Instrument().visit(ast.parse(source))
+        code = compile(tree, FILE, "exec", dont_inherit=True)
+        read = {"": tape.run(lambda: exec(code, names))}
+        return read | {name: _read(tape, *found) for name, found in tuple(defined.items())}
+    except Exception as error:
+        lines = [at.lineno for at in extract_tb(error.__traceback__) if at.filename == FILE]
+        where = f"line {lines[-1]}: " if lines else ""
+        raise ReadingError(f"{where}{error}") from error
+
+
+def _read(tape: Tape, decorator: str, function: FunctionType) -> Function:
+    code, named = function.__code__, function.__kwdefaults__ or {}
+    inputs = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
+    defaults = show((*(function.__defaults__ or ()), *named.values()))
+
+    def call(*given: Any) -> Any:
+        last = dict(zip(inputs[code.co_argcount :], given[code.co_argcount :], strict=True))
+        return function(*given[: code.co_argcount], **last)
+
+    return tape.run(call, inputs, decorator, defaults)
+
+
+def compare(meant: Mapping[str, Function], read: Mapping[str, Function], system: str = "") -> None:
+    """Raise `TranslationError` with the first difference between what is meant and what is read."""
+    for name in {**meant, **read}:
+        parts = zip_longest(*(_list_parts(found.get(name)) for found in (meant, read)))
+        for one, other in parts:
+            if one != other:
+                raise TranslationError(
+                    f"{system}{name or 'the module'} is not as meant: {one}, read {other}"
+                )
+
+
+def _list_parts(function: Function | None) -> Iterator[object]:
+    if function is not None:
+        yield f"decorated by {function.decorator or 'nothing'}"
+        yield function.inputs
+        yield function.defaults
+        yield f"ways through it: {len(function.ways)}"
+        for way in function.ways:
+            yield from way.operations
+            yield way.outputs

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from functools import partial
 from types import MappingProxyType
 
-from mechproof.programs.elementary.trace import TRACED, trace
 from mechproof.programs.operations import KINDS
 from mechproof.programs.program import Program
+from mechproof.programs.trace import TRACED, trace
 
 
 @dataclass(frozen=True)

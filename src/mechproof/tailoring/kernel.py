@@ -23,8 +23,7 @@ from mechproof.codegen.backends.numba import render_scalars
 from mechproof.codegen.backends.numpy import render_module, write_kernel
 from mechproof.codegen.c_names import WORDS
 from mechproof.codegen.docstrings import show_formula
-from mechproof.codegen.kernel_reading import read_module
-from mechproof.codegen.reading import TranslationError
+from mechproof.codegen.kernel_reading import check_module
 from mechproof.files import write_whole
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.kernel import Kernel
@@ -186,9 +185,7 @@ def _load(request: Request, model: Model, backend: str, bound: float) -> Any:
         kernel = _wrap(request, model, fused=False)
         text = write_kernel(kernel, (request.quantity.summary,))
         source = render_module(docstring, [text])
-        (read,) = read_module(source).values()
-        if read != kernel.code:
-            raise TranslationError(f"{request.name}: meant {kernel.code}, read {read}")
+        check_module(source, [kernel])
     return getattr(_import(source), request.quantity.name)
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechproof.programs.elementary.trace import Value, choose, copysign, fma, trace
+from mechproof.programs.elementary.machine import choose, copysign, fma
 from mechproof.programs.program import Program
+from mechproof.programs.trace import Value, trace
 
 # A double so large that a sum with it is a whole number: cheaper than rounding to one.
 WHOLE = 1.5 * 2.0**52
@@ -68,7 +69,8 @@ def _pick(beyond: Sequence[Value], numbers: Sequence[float]) -> Value | float:
     """Return the number of the last piece that begins before the point."""
     picked: Value | float = numbers[0]
     for condition, number in zip(beyond, numbers[1:], strict=True):
-        picked = picked if number == picked else choose(condition, number, picked)
+        same = not isinstance(picked, Value) and number == picked
+        picked = picked if same else choose(condition, number, picked)
     return picked
 
 

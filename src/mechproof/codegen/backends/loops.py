@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterable
 from dataclasses import replace
 
 from mechproof.codegen.backends.scalar_texts import LoopCall
-from mechproof.codegen.reading import EXACT
+from mechproof.codegen.languages import EXACT
 from mechproof.codegen.syntax import Syntax
 from mechproof.programs.code import Stage
 from mechproof.programs.evaluation import unused_name

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
 from types import MappingProxyType
 
-from mechproof.codegen import frame
+from mechproof.codegen.backends.compiled_reading import (
+    mean_compiled,
+    mean_elementary,
+    read_compiled,
+)
 from mechproof.codegen.backends.loops import (
     describe_calls,
-    mean_term,
     name_elements,
     take_out_loops,
 )
-from mechproof.codegen.backends.machinery_reading import check_machinery
 from mechproof.codegen.backends.numpy import (
     REGENERATED,
     format_source,
@@ -32,16 +33,15 @@ from mechproof.codegen.backends.scalar_texts import (
     write_reduction,
     write_scalar,
 )
-from mechproof.codegen.compiled_reading import VALUE, read_guards, read_scalars
-from mechproof.codegen.languages import NUMBA, NUMBA_FAR
-from mechproof.codegen.reading import ELEMENTARY, TranslationError
+from mechproof.codegen.languages import ELEMENTARY, NUMBA, NUMBA_FAR
+from mechproof.codegen.reading import compare
 from mechproof.codegen.syntax import Syntax
 from mechproof.programs.elementary.formats import DOUBLE
-from mechproof.programs.elementary.functions import BODIES, build
+from mechproof.programs.elementary.functions import BODIES
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.names import list_imports
 from mechproof.programs.operations import KINDS
-from mechproof.programs.scalar import join_stage, list_conditions, list_scalars, list_stages
+from mechproof.programs.scalar import list_scalars
 from mechproof.programs.sums import LOOPS, Reduction, fold_sums
 from mechproof.record import Paper, Together
 
@@ -130,8 +130,7 @@ def render_elementary() -> str:
 
 def check_elementary(source: str) -> None:
     """Read the elementary functions back; `TranslationError` where one is not its program."""
-    frame.check_frame(source, frame.ELEMENTARY)
-    _compare({kind: build(kind, DOUBLE).program for kind in BODIES}, read_scalars(source))
+    compare(dict(mean_elementary()), read_compiled(source))
 
 
 @cache
@@ -194,25 +193,7 @@ def _part(
 
 def check_translation(source: str, kernels: Iterable[Kernel], together: Iterable[Together]) -> None:
     """Read the functions of a module back; `TranslationError` where one is not its program."""
-    frame.check_frame(source, frame.COMPILED)
     kernels = tuple(kernels)
     (parted, reductions, _), (written, _, _) = _part(kernels), _write(kernels, together)
-    meant = {f"_{found.name}_term": mean_term(found) for found in reductions}
-    guards = {}
-    for (kernel, _), text in zip(parted, written, strict=False):
-        *forms, (_, last) = list_stages(kernel)
-        taken = text.taken_names
-        meant |= {f"_form{name}": join_stage(stage) for name, stage in forms}
-        meant[f"{VALUE}{kernel.name}"] = replace(join_stage(last), inputs=taken)
-        guards[f"{VALUE}{kernel.name}"] = tuple(
-            replace(condition, inputs=taken) for condition in list_conditions(kernel)
-        )
-    _compare(meant, read_scalars(source))
-    _compare(guards, read_guards(source))
-    check_machinery(source, written)
-
-
-def _compare(meant: Mapping[str, object], read: Mapping[str, object]) -> None:
-    for name, program in meant.items():
-        if read.get(name) != program:
-            raise TranslationError(f"{name}: meant {program}, read {read.get(name)}")
+    taken = [kernel for kernel, _ in parted]
+    compare(dict(mean_compiled(taken, written, reductions)), read_compiled(source))

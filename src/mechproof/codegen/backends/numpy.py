@@ -29,6 +29,8 @@ from mechproof.record import Form, Paper
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 LINE_LENGTH = 100
+# Where forms lie that are not shipped.
+FORMS = "forms/"
 REGENERATED = "Regenerate with `mechproof regenerate`, which refuses to overwrite edits."
 # What modules need beside operations.
 _FRAME: Mapping[str, tuple[str, ...]] = MappingProxyType(
@@ -90,7 +92,7 @@ def render_modules(paper: Paper) -> dict[str, str]:
         modules[f"{system}.py"] = _render(paper, text, kernels, *facts)
     if rivals:
         text = describe_module(paper, f"Other forms of the kernels of `{system}`.", rivals)
-        modules[f"forms/{system}.py"] = _render(paper, text, rivals, (), ())
+        modules[f"{FORMS}{system}.py"] = _render(paper, text, rivals, (), ())
     return modules
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from mechproof.codegen.c_names import STORED
-from mechproof.codegen.reading import EXACT
+from mechproof.codegen.languages import EXACT
 from mechproof.codegen.syntax import Syntax, Text, write_program
 from mechproof.programs.code import Stage
 from mechproof.programs.elementary.fits import enclose

@@ -12,8 +12,7 @@ import mpmath as mp
 from mechproof.programs.elementary import fits
 from mechproof.programs.elementary.fits import Rational, Target, fit
 from mechproof.programs.elementary.formats import DIGITS, Format
-from mechproof.programs.elementary.trace import (
-    Value,
+from mechproof.programs.elementary.machine import (
     choose,
     copysign,
     floor,
@@ -23,9 +22,9 @@ from mechproof.programs.elementary.trace import (
     power_of_two,
     rint,
     root,
-    trace,
 )
 from mechproof.programs.program import Program
+from mechproof.programs.trace import Value, trace
 
 Body = Callable[..., Value]
 Fitted = tuple[Target, Rational]
@@ -108,7 +107,7 @@ class _Maker:
         lead = r if first == 1.0 else first * r
         above, below = fma(r * z, polynomial(z, others), lead), polynomial(z, fitted.below)
         half = n * 0.5
-        is_even = rint(half).equals(half)
+        is_even = rint(half) == half
         return choose(is_even, above, -below), choose(is_even, below, above)
 
     @_body(_far("tan"))
@@ -150,7 +149,7 @@ class _Maker:
         n, r = self.reduce(y)
         sine, cosine = self.sine_and_cosine(r)
         half = n * 0.5
-        return _turn(choose(rint(half).equals(half), sine, cosine), floor(half))
+        return _turn(choose(rint(half) == half, sine, cosine), floor(half))
 
     @_body(_far("cos"))
     def cos(self, y: Value) -> Value:
@@ -158,7 +157,7 @@ class _Maker:
         n, r = self.reduce(y)
         sine, cosine = self.sine_and_cosine(r)
         half = n * 0.5
-        return _turn(choose(rint(half).equals(half), cosine, sine), floor((n + 1.0) * 0.5))
+        return _turn(choose(rint(half) == half, cosine, sine), floor((n + 1.0) * 0.5))
 
     @_body()
     def arctan(self, y: Value) -> Value:
@@ -186,7 +185,7 @@ class _Maker:
         rise, run = abs(a), abs(b)
         is_steep = rise > run
         below = choose(is_steep, rise, run)
-        arc = self.arc(choose(is_steep, run, rise) / choose(below.equals(0.0), 1.0, below))
+        arc = self.arc(choose(is_steep, run, rise) / choose(below == 0.0, 1.0, below))
         is_behind = copysign(1.0, b) < 0.0
         (half, half_low), (whole, whole_low) = map(self.split_turn, (0.5, 1))
         high = choose(is_steep, half, choose(is_behind, whole, 0.0))
@@ -300,7 +299,7 @@ class _Maker:
 def _turn(value: Value, half_turns: Value) -> Value:
     """Return a value with the sign that a whole number of half turns gives it."""
     half = half_turns * 0.5
-    return choose(floor(half).equals(half), value, -value)
+    return choose(floor(half) == half, value, -value)
 
 
 @cache

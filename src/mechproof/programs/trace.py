@@ -1,0 +1,255 @@
+"""Tracing: in, a Python function of values; out, the operations that it does to them.
+
+Python itself decides what binds more, which name is meant and what is evaluated first. A function
+that asks whether a value is true is run once for each answer.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+from types import EllipsisType, FunctionType, MappingProxyType
+from typing import Any
+
+from mechproof.programs.operations import KINDS, Arithmetic
+from mechproof.programs.program import TEMPORARY, Operand, Operation, Program, is_unnamed
+
+# What asks more often is no formula.
+MOST_WAYS = 64
+# What is put after the operands of some kinds.
+Last = Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function: its parameters, what it is decorated by, defaults, every way through it."""
+
+    inputs: tuple[str, ...]
+    decorator: str
+    defaults: tuple[Any, ...]
+    ways: tuple[Program, ...]
+
+
+class Value:
+    """A number that a function computes: all that is done to it is recorded."""
+
+    def __init__(self, tape: Tape, operand: Any) -> None:
+        self._tape, self.operand = tape, operand
+
+    def apply(self, kind: str, *operands: Any) -> Value:
+        """Record an operation and return its result."""
+        return self._tape.record(kind, *operands)
+
+    def __neg__(self) -> Value:
+        is_number = isinstance(self.operand, int | float)
+        return self._tape.value(-self.operand) if is_number else self.apply("negate", self)
+
+    def __add__(self, other: Value | float) -> Value:
+        return self.apply("add", self, other)
+
+    def __radd__(self, other: float) -> Value:
+        return self.apply("add", other, self)
+
+    def __sub__(self, other: Value | float) -> Value:
+        return self.apply("subtract", self, other)
+
+    def __rsub__(self, other: float) -> Value:
+        return self.apply("subtract", other, self)
+
+    def __mul__(self, other: Value | float) -> Value:
+        return self.apply("multiply", self, other)
+
+    def __rmul__(self, other: float) -> Value:
+        return self.apply("multiply", other, self)
+
+    def __truediv__(self, other: Value | float) -> Value:
+        return self.apply("divide", self, other)
+
+    def __rtruediv__(self, other: float) -> Value:
+        return self.apply("divide", other, self)
+
+    def __abs__(self) -> Value:
+        return self.apply("absolute", self)
+
+    def __gt__(self, other: Value | float) -> Value:
+        return self.apply("greater", self, other)
+
+    def __lt__(self, other: Value | float) -> Value:
+        return self.apply("less", self, other)
+
+    def __ge__(self, other: Value | float) -> Value:
+        return self.apply("greater_equal", self, other)
+
+    def __le__(self, other: Value | float) -> Value:
+        return self.apply("less_equal", self, other)
+
+    def __and__(self, other: Any) -> Value:
+        return self.apply("both", self, other)
+
+    def __or__(self, other: Any) -> Value:
+        return self.apply("either", self, other)
+
+    def __eq__(self, other: object) -> Any:
+        return self.apply("equal", self, other)
+
+    __hash__ = object.__hash__
+
+    def __pow__(self, other: Any) -> Value:
+        return self.apply("square", self) if show(other) == 2 else self.apply("power", self, other)
+
+    def __getitem__(self, key: Any) -> Value:
+        view = VIEWS.get(show(key))
+        return self.apply(view, self) if view else self.apply("item", self, key)
+
+    def __bool__(self) -> bool:
+        return self._tape.decide(self)
+
+    def __iter__(self) -> Iterator[Value]:
+        yield self.apply("unpack", self)
+
+    def __enter__(self) -> Value:
+        return self.apply("enter", self)
+
+    def __exit__(self, *_: object) -> None:
+        self.apply("exit", self)
+
+    def __getattr__(self, name: str) -> Callable[..., Value]:
+        return partial(self.apply, name, self)
+
+
+class Tape:
+    """What is done to values while one function after the other runs."""
+
+    def __init__(self) -> None:
+        self.operations: list[Operation] = []
+        self._answers: list[bool] = []
+        self._known: Iterator[bool] = iter(())
+
+    def value(self, operand: float | str) -> Value:
+        """Return a number, or what a name stands for."""
+        return Value(self, operand)
+
+    def values(self, operands: Iterable[float | str]) -> tuple[Value, ...]:
+        """Return numbers, or what names stand for."""
+        return tuple(map(self.value, operands))
+
+    def record(self, kind: str, /, *given: Any, **named: Any) -> Value:
+        """Record an operation and return its result; what has a keyword comes last."""
+        for value in given if kind in KINDS else ():
+            if callable(value):
+                raise ValueError(f"{show(value)} is decorated by _{kind}")
+        operands = (*map(show, given), *((name, show(value)) for name, value in named.items()))
+        result = f"{TEMPORARY}{len(self.operations) + 1}"
+        self.operations.append(Operation(result, kind, operands))
+        return self.value(result)
+
+    def assign(self, target: str | tuple[str, ...], value: Any) -> Any:
+        """Give the last result its name, or several; what is no new result is copied."""
+        kind: str = "copy"
+        operands: tuple[Operand, ...] = (show(value),)
+        last = self.operations[-1] if self.operations else None
+        if last and show(value) == last.result == f"{TEMPORARY}{len(self.operations)}":
+            self.operations.pop()
+            kind, operands = last.kind, last.operands
+        self.operations.append(Operation(str(target), kind, operands))
+        return self.value(target) if isinstance(target, str) else self.values(target)
+
+    def decide(self, condition: Value) -> bool:
+        """Answer whether a value is true: what is next to be answered, first that it is."""
+        answer = next(self._known, None)
+        if answer is None:
+            self._answers.append(answer := True)
+        self.record("decide", condition, answer)
+        return answer
+
+    def run(
+        self,
+        function: Callable[..., Any],
+        inputs: Iterable[str] = (),
+        decorator: str = "",
+        defaults: tuple[Any, ...] = (),
+    ) -> Function:
+        """Record every way through a function, in the order of its answers."""
+        inputs, self._answers = tuple(inputs), []
+        ways: list[Program] = []
+        while len(ways) < MOST_WAYS:
+            self.operations, self._known = [], iter(tuple(self._answers))
+            outputs = show(function(*self.values(inputs)))
+            ways.append(Program(inputs, tuple(self.operations), (outputs,)))
+            while self._answers and not self._answers[-1]:
+                self._answers.pop()
+            if not self._answers:
+                return Function(inputs, decorator, defaults, tuple(ways))
+            self._answers[-1] = False
+        raise ValueError(f"there are more than {MOST_WAYS} ways through it")
+
+    def replay(self, program: Program, last: Last = MappingProxyType({})) -> tuple[Any, ...]:
+        """Record a program and return its outputs."""
+        program, made = program.normal_form(), dict[Any, Any]()
+        for step in program.operations:
+            given = [made.get(operand, operand) for operand in step.operands]
+            given += [last[step.kind]] if step.kind in last else []
+            value = given[0] if step.kind == "copy" else self.record(step.kind, *given)
+            name = step.result
+            made[name] = value if is_unnamed(name) else self.assign(name, value)
+        return tuple(made.get(output, output) for output in program.outputs)
+
+
+def show(value: Any) -> Any:
+    """Return a value as an operand: a name, a number, or several of them."""
+    match value:
+        case Value():
+            return value.operand
+        case tuple() | list():
+            return tuple(map(show, value))
+        case slice(start=start, stop=stop, step=step):
+            return "slice", show(start), show(stop), show(step)
+        case FunctionType():
+            return value.__name__
+        case partial(args=(str() as name, *_)):
+            return name
+        case None | bool() | EllipsisType():
+            return repr(value)
+        case int() | float() | str():
+            return value
+    raise ValueError(f"{value!r} is no value")
+
+
+# What shows a vector along the first or the last of two axes.
+VIEWS = {
+    show((..., slice(None), None)): "along_first",
+    show((..., None, slice(None))): "along_last",
+}
+
+
+def _record(kind: str, first: Value, *others: Any) -> Value:
+    return first.apply(kind, first, *others)
+
+
+# Every kind is one operation, whatever it is put together of.
+TRACED = Arithmetic({kind: partial(_record, kind) for kind in KINDS})
+
+
+def trace(function: Callable[..., Value], inputs: tuple[str, ...]) -> Program:
+    """Return the program of a function of values; what is used more than once gets a name."""
+    (program,) = Tape().run(function, inputs).ways
+    return _name_repeated(program).normal_form()
+
+
+def _name_repeated(program: Program) -> Program:
+    """Name what is used more than once: a temporary stands where it is used, and only there."""
+    uses = Counter(o for step in program.operations for o in step.operands)
+    repeated = [s.result for s in program.operations if uses[s.result] > 1]
+    names: dict[Operand, str] = {name: f"v{i}" for i, name in enumerate(repeated, start=1)}
+    operations = tuple(
+        Operation(
+            names.get(step.result, step.result),
+            step.kind,
+            tuple(names.get(o, o) for o in step.operands),
+        )
+        for step in program.operations
+    )
+    outputs = tuple(names.get(o, o) for o in program.outputs)
+    return Program(program.inputs, operations, outputs)
