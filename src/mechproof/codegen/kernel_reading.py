@@ -13,10 +13,8 @@ from types import MappingProxyType
 from typing import Any
 
 from mechproof.codegen.conditions import join_conditions
-from mechproof.codegen.languages import NUMPY
 from mechproof.codegen.reading import ReadingError, compare, read_functions
 from mechproof.programs.code import KernelCode, Stage
-from mechproof.programs.elementary.fits import FITS
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Program
 from mechproof.programs.trace import Function, Tape, Value, show
@@ -35,7 +33,7 @@ OF_AXES: Mapping[Any, tuple[Any, ...]] = MappingProxyType(
 # How functions of conditions are called.
 CHECK = "_check_of_"
 # What a module holds besides functions, which is not read here.
-HELD = frozenset({"__all__", "DOMAIN", "PUBLISHED", *FITS})
+HELD = frozenset({"__all__", "DOMAIN", "PUBLISHED"})
 Meant = Iterator[tuple[str, Function]]
 
 
@@ -111,7 +109,7 @@ def _list_suffixes(code: KernelCode) -> list[str]:
 
 
 def _compute(tape: Tape, program: Program, *_: Value, one: bool = False) -> Any:
-    outputs = tape.replay(program, NUMPY.last)
+    outputs = tape.replay(program)
     return outputs[0] if one else outputs
 
 
@@ -139,7 +137,7 @@ def _run_kernel(tape: Tape, code: KernelCode, terms: tuple[str, ...], *given: Va
     *stages, last = zip(code.stages, _list_suffixes(code), strict=True)
     for stage, suffix in stages:
         assert stage.when is not None
-        if tape.record("_holds", *tape.replay(stage.when, NUMPY.last)):
+        if tape.record("_holds", *tape.replay(stage.when)):
             return _run_stage(tape, code, stage, suffix, out)
     return _run_stage(tape, code, *last, out)
 
@@ -152,7 +150,7 @@ def _run_stage(tape: Tape, code: KernelCode, stage: Stage, suffix: str, out: Val
     if code.indexed:
         assert stage.evaluate is not None
         with tape.record("_quietly") if code.quiet else nullcontext():
-            return tape.record("_store", *tape.replay(stage.evaluate, NUMPY.last), out)
+            return tape.record("_store", *tape.replay(stage.evaluate), out)
     if stage.affine:
         return tape.record("_transform", code.arguments[0], *prepared, **named)
     return tape.record("_in_blocks", f"_form{suffix}", stage.running, *prepared, **named)
