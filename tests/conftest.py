@@ -13,7 +13,8 @@ from mechproof.cache import VARIABLE
 
 # What takes longest begins first: no worker waits for another at the end.
 LONGEST = (
-    *("workshop", "report", "cluster", "verdicts wedge_linkage"),
+    *("report", "compiled track_wheel", "workshop", "cluster", "verdicts wedge_linkage"),
+    *("verdicts track_wheel", "verdicts oval_planetary", "verdicts tooth_thickness"),
     *("tailoring/test_tailored_bounds.py", "verdicts elliptic_planetary"),
 )
 
@@ -22,6 +23,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     """Let a part of the chosen tests be run, the same each time."""
     told = "run one in N of the chosen tests, the same ones each time, at least one of each file"
     parser.addoption("--one-in", type=int, default=1, metavar="N", help=told)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Refuse what is no part."""
+    if (count := config.getoption("one_in")) < 1:
+        raise pytest.UsageError(f"--one-in = {count}: must be at least 1")
 
 
 @pytest.hookimpl(wrapper=True)
@@ -41,7 +48,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     groups = {item: _find_group(item) for item in items}
     for item, group in groups.items():
         item.add_marker(pytest.mark.xdist_group(group))
-    items.sort(key=lambda item: groups[item] not in LONGEST)
+    order = {group: number for number, group in enumerate(LONGEST)}
+    items.sort(key=lambda item: order.get(groups[item], len(order)))
 
 
 @pytest.hookimpl(trylast=True, specname="pytest_collection_modifyitems")
@@ -51,7 +59,7 @@ def pytest_choose_share(config: pytest.Config, items: list[pytest.Item]) -> None
     if count == 1:
         return
     files: dict[Path, list[pytest.Item]] = {}
-    for item in sorted(items, key=lambda item: crc32(item.nodeid.encode())):
+    for item in sorted(items, key=lambda item: crc32(item.name.encode())):
         files.setdefault(item.path, []).append(item)
     kept = {item for held in files.values() for item in held[::count]}
     config.hook.pytest_deselected(items=[item for item in items if item not in kept])

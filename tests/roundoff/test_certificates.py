@@ -52,7 +52,9 @@ def compiled() -> tuple[Claim, Subject]:
     return claim, subject_of(claim)
 
 
-@pytest.mark.parametrize("claim", first_of(claims()), ids=name_claim)
+@pytest.mark.parametrize(
+    "claim", first_of(sorted(claims(), key=lambda c: c.way != "by polynomials")), ids=name_claim
+)
 def test_random_inputs_are_off_by_no_more_than_is_proved(claim: Claim) -> None:
     subject, rng = subject_of(claim), np.random.default_rng(4711)
     for chart in subject.form.charts:
