@@ -225,7 +225,7 @@ def position(
 
     Where e <= 1/2 for all elements, half-angle atan is computed.
 
-    Accuracy, tested: 6 eps of the value, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|)
+    Accuracy, tested: 4 eps of the value, where |x| <= 2**26 and (phi1 = 0 or 1e-290 <= |phi1|)
     and 1e-300 <= R1 and 1e-300 <= R2.
 
     Proved of half-angle atan, where |x| <= 2**26, as long as no result overflows or falls below

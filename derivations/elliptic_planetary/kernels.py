@@ -265,7 +265,7 @@ QUANTITIES = (
         ),
         f"{SOURCE}, integral (9) of equation (8)",
         unit="rad",
-        accuracy=Accuracy(6, within=LOW_WORD),
+        accuracy=Accuracy(4, within=LOW_WORD),
         singular=SINGULAR,
         period=2 * pi,
         repeats=Repeats(2 * pi / k, 2 * pi * (1 + k) / k),

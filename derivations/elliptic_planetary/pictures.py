@@ -10,16 +10,16 @@ import numpy as np
 from mechproof.kernels.forms.elliptic_planetary import position_printed
 from mechproof.mechanisms import EllipticPlanetary
 from mechproof.plot import Figure
-from mechproof.plot.canvas import Look, label, write
+from mechproof.plot.canvas import LineStyle, label, write
 
 from .readings import HALF_WIDTHS, READINGS
 
 MECHANISMS = {number: EllipticPlanetary.published(number) for number in READINGS}
-LOOKS = {1: Look.FIRST, 2: Look.SECOND, 3: Look.FIRST, 4: Look.SECOND}
+LOOKS = {1: LineStyle.FIRST, 2: LineStyle.SECOND, 3: LineStyle.FIRST, 4: LineStyle.SECOND}
 # Variants of the same radii, drawn in one panel.
 PAIRS = ((1, 2), (3, 4))
 HALF_TURN = 180.0
-RED = Look.WRONG["color"]
+RED = LineStyle.WRONG["color"]
 BRACKET = {"color": RED, "lw": 1.0, "marker": "_", "ms": 4}
 
 
@@ -58,7 +58,7 @@ def draw_positions(canvas: Any) -> None:
             mechanism = MECHANISMS[number]
             right = np.degrees(mechanism.position(np.radians(degrees)))
             panel.plot(degrees, right, **LOOKS[number], label=name_variant(number))
-            panel.plot(*cut_branches(number, degrees), **Look.WRONG)
+            panel.plot(*cut_branches(number, degrees), **LineStyle.WRONG)
         _mark_branch_end(panel, pair)
         panel.set_ylabel("output φ₃, °")
         panel.set_title(f"R₁ = {mechanism.R1:g} mm, R₂ = {mechanism.R2:g} mm")
@@ -76,7 +76,7 @@ def _mark_branch_end(panel: Any, pair: Sequence[int]) -> None:
         panel.plot([end, end], [right - lack, right], **BRACKET)
     text = " and ".join(f"{lack:.1f}°" for lack in lacks)
     says = f"(12) as printed: too small\nby {text} at {end:.1f}°"
-    panel.plot([], [], **Look.WRONG, label=says)
+    panel.plot([], [], **LineStyle.WRONG, label=says)
 
 
 def draw_rates(canvas: Any) -> None:
@@ -91,7 +91,7 @@ def draw_rates(canvas: Any) -> None:
         _mark_extremes(panels[0], pair)
         panels[0].set_ylabel("dφ₃/dφ₁")
         panels[1].set_ylabel("d²φ₃/dφ₁²")
-        panels[1].axhline(0.0, **Look.AXIS)
+        panels[1].axhline(0.0, **LineStyle.AXIS)
         panels[0].set_title(" and ".join(name_variant(number) for number in pair))
     rows[-1].set_xlabel("carrier φ₁, °")
     rows[-1].set_xticks(np.arange(0, 181, 30))
@@ -103,7 +103,7 @@ def _mark_extremes(panel: Any, pair: Sequence[int]) -> None:
     for number, upward in zip(pair, (-1, 1), strict=True):
         extremes = MECHANISMS[number].extremes()
         low, crest = np.degrees([extremes.at_minimum, extremes.period])
-        panel.plot([low, crest], [extremes.minimum, extremes.maximum], **Look.MARK)
+        panel.plot([low, crest], [extremes.minimum, extremes.maximum], **LineStyle.MARK)
         above = 4 if upward > 0 else -9
         label(panel, write(extremes.maximum), (crest, extremes.maximum), (0, above))
         label(panel, write(extremes.minimum), (low, extremes.minimum), (0, -4 * upward))
@@ -112,7 +112,7 @@ def _mark_extremes(panel: Any, pair: Sequence[int]) -> None:
 def draw_intervals(canvas: Any) -> None:
     """Draw the intervals of Table 3, and that of variant 3 by its u."""
     panel = canvas.subplots()
-    panel.axvline(0.0, **Look.AXIS)
+    panel.axvline(0.0, **LineStyle.AXIS)
     for number, line in READINGS.items():
         mean, printed = float(line.mean), float(HALF_WIDTHS[number])
         right = 2 * float(line.uncertainty)

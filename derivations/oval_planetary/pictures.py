@@ -8,7 +8,7 @@ import numpy as np
 
 from mechproof.mechanisms import OvalPlanetary
 from mechproof.plot import Figure
-from mechproof.plot.canvas import Look, label, write
+from mechproof.plot.canvas import LineStyle, label, write
 
 from .readings import READINGS
 
@@ -17,7 +17,7 @@ MECHANISMS = {number: OvalPlanetary.published(number) for number in READINGS}
 ETA = "0.01"
 MOTIONS = {number: mechanism.motion(ETA) for number, mechanism in MECHANISMS.items()}
 SWINGING, TURNING = (1, 2), (3, 4)
-LOOKS = {1: Look.FIRST, 2: Look.SECOND, 3: Look.FIRST, 4: Look.SECOND}
+LOOKS = {1: LineStyle.FIRST, 2: LineStyle.SECOND, 3: LineStyle.FIRST, 4: LineStyle.SECOND}
 TURN = np.linspace(0.0, 2 * np.pi, 1441)
 INTERMITTENT = 3
 
@@ -49,17 +49,17 @@ def draw_positions(canvas: Any) -> None:
 
 def _draw_swings(panel: Any) -> None:
     """Draw the variants without drift, with their amplitudes, and one read in the other sense."""
-    panel.axhline(0.0, **Look.AXIS)
+    panel.axhline(0.0, **LineStyle.AXIS)
     for number in SWINGING:
         position, amplitude = MECHANISMS[number].position(TURN), MOTIONS[number].amplitude
         says = f"{name_variant(number)}, ± {degrees(amplitude)}"
         panel.plot(TURN, position, **LOOKS[number], label=says)
-        panel.axhline(amplitude, **Look.GUIDE)
-        panel.axhline(-amplitude, **Look.GUIDE)
+        panel.axhline(amplitude, **LineStyle.GUIDE)
+        panel.axhline(-amplitude, **LineStyle.GUIDE)
     first = SWINGING[0]
     mirrored = -MECHANISMS[first].position(TURN)
     says = f"variant {first} by (10) in the carrier's sense"
-    panel.plot(TURN, mirrored, **Look.WRONG, label=says)
+    panel.plot(TURN, mirrored, **LineStyle.WRONG, label=says)
     panel.set_ylim(-0.45, 1.0)
     panel.set_yticks([-0.4, -0.2, 0.0, 0.2, 0.4])
     panel.legend(loc="upper left", frameon=False)
@@ -72,7 +72,7 @@ def _draw_turns(panel: Any) -> None:
         drift = MOTIONS[number].drift
         says = f"{name_variant(number)}, {degrees(drift)} a turn"
         panel.plot(TURN, MECHANISMS[number].position(TURN), **LOOKS[number], label=says)
-        panel.plot([0.0, 2 * np.pi], [0.0, drift], **Look.GUIDE)
+        panel.plot([0.0, 2 * np.pi], [0.0, drift], **LineStyle.GUIDE)
     resting = MOTIONS[INTERMITTENT]
     for start, end in resting.rests:
         for first in np.arange(start, 2 * np.pi, resting.period):
@@ -89,10 +89,10 @@ def _draw_dwell(panel: Any) -> None:
     middle, width = (start + end) / 2, end - start
     angle = np.linspace(middle - 1.6 * width, middle + 1.6 * width, 401)
     panel.axvspan(np.degrees(start), np.degrees(end), color="#dddddd", lw=0)
-    panel.axhline(0.0, **Look.AXIS)
-    panel.axhline(-eta, **Look.GUIDE)
-    panel.plot(np.degrees(angle), MECHANISMS[INTERMITTENT].ratio(angle), **Look.FIRST)
-    panel.plot([np.degrees(middle)], [0.0], **Look.MARK)
+    panel.axhline(0.0, **LineStyle.AXIS)
+    panel.axhline(-eta, **LineStyle.GUIDE)
+    panel.plot(np.degrees(angle), MECHANISMS[INTERMITTENT].ratio(angle), **LineStyle.FIRST)
+    panel.plot([np.degrees(middle)], [0.0], **LineStyle.MARK)
     panel.set_ylim(top=0.03)
     label(panel, "double zero", (np.degrees(middle), 0.0), (0, 5))
     panel.set_title(f"Variant {INTERMITTENT} near rest: |ratio| ≤ {eta:g} over {degrees(width)}")

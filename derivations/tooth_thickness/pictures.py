@@ -13,7 +13,7 @@ from mechproof.conformity import Normal
 from mechproof.mechanisms import ThicknessInspection
 from mechproof.mechanisms.tooth_thickness_inspection import IT_120_TO_180, PUBLISHED_TOLERANCE
 from mechproof.plot import Figure, shares
-from mechproof.plot.canvas import Look, label
+from mechproof.plot.canvas import LineStyle, label
 
 from .wheel import GAUGE_UM, K_PRINTED, RECOMMENDED_UM
 
@@ -29,9 +29,9 @@ TEETH, SEED = 20_000, 3
 LIMITS_UM = np.linspace(0.0, LARGEST_UM, 101)
 # Points of one curve beside those of the next, so that each can be seen.
 SIMULATED_UM = [np.linspace(3.0, 21.0, 4) + 1.2 * case for case in range(len(CASES))]
-LOOKS = {6: Look.FIRST, 7: Look.SECOND}
+LOOKS = {6: LineStyle.FIRST, 7: LineStyle.SECOND}
 PRINTED_LOOKS: Mapping[int, Mapping[str, Any]] = {
-    grade: {**look, "color": Look.WRONG["color"], "lw": 0.8} for grade, look in LOOKS.items()
+    grade: {**look, "color": LineStyle.WRONG["color"], "lw": 0.8} for grade, look in LOOKS.items()
 }
 
 
@@ -85,12 +85,14 @@ def _mark_crossover(panel: Any, name: str, grade: int, as_printed: bool) -> None
     limit = crossover_um(grade, as_printed)
     share = 100 * getattr(inspect(limit, grade, as_printed).shares(), name)
     says = "from here on the gauge disturbs more than the tip"
-    panel.plot([limit], [share], **{**Look.MARK, "marker": "D", "ms": 4}, mfc="#ffffff", label=says)
+    panel.plot(
+        [limit], [share], **{**LineStyle.MARK, "marker": "D", "ms": 4}, mfc="#ffffff", label=says
+    )
 
 
 def _mark_recommended(panel: Any, end: str) -> None:
     limits = panel.get_ylim()
-    panel.plot([RECOMMENDED_UM] * 2, limits, **Look.GUIDE)
+    panel.plot([RECOMMENDED_UM] * 2, limits, **LineStyle.GUIDE)
     panel.set_ylim(limits)
     place, aside = (limits[1], -2) if end == "top" else (limits[0], 2)
     label(panel, f"recommended: ±{RECOMMENDED_UM} µm", (RECOMMENDED_UM, place), (3, aside))

@@ -11,7 +11,7 @@ import sympy as sp
 from mechproof.kernels import track_wheel as kernels
 from mechproof.mechanisms import TrackWheel
 from mechproof.plot import Figure
-from mechproof.plot.canvas import Look, label, write
+from mechproof.plot.canvas import LineStyle, label, write
 
 from .error_sums import FIVE_ERRORS, SUM_OF_SQUARES
 from .errors import elastic, form, mounting, setting, share, wear
@@ -22,7 +22,7 @@ from .table import total_by_printed_sum
 PERIODS, THICKNESSES, THICKNESS = 8, (10.0, 20.0, 30.0), 20.0
 NO_SHIFT = (0.0, 0.0, 0.0)
 MICROMETRES = 1e3
-RED = Look.WRONG["color"]
+RED = LineStyle.WRONG["color"]
 FIELDS = {symbol: float(PRINTED_VALUES[symbol]) for symbol in FIVE_ERRORS}
 THERMAL_SHARE = float(PRINTED_VALUES[share])
 NAMES = {
@@ -77,8 +77,8 @@ def draw_track(canvas: Any) -> None:
         wheel, is_chosen = published(thickness), thickness == THICKNESS
         thin = {} if is_chosen else {"lw": 0.6}
         for values, look, name in (
-            (wheel.planar_error(angle), Look.SECOND, "in the plane (17)"),
-            (wheel.spatial_error(angle), Look.FIRST, "in space (18)"),
+            (wheel.planar_error(angle), LineStyle.SECOND, "in the plane (17)"),
+            (wheel.spatial_error(angle), LineStyle.FIRST, "in space (18)"),
         ):
             shown = MICROMETRES * values
             error.plot(
@@ -96,10 +96,10 @@ def draw_track(canvas: Any) -> None:
 
 
 def _draw_radius(panel: Any, degrees: Any, wheel: TrackWheel) -> None:
-    panel.plot(degrees, wheel.radius(np.radians(degrees)), **Look.FIRST)
+    panel.plot(degrees, wheel.radius(np.radians(degrees)), **LineStyle.FIRST)
     levels = (wheel.R - wheel.A, wheel.R, wheel.R + wheel.A)
     for level in levels:
-        panel.axhline(level, **Look.GUIDE)
+        panel.axhline(level, **LineStyle.GUIDE)
     panel.set_yticks(levels, [f"{level:g}" for level in levels])
     panel.set_xticks(np.arange(0, 361, 60))
     panel.set_ylabel("R, R ± A, mm")
@@ -130,24 +130,24 @@ def draw_growth(canvas: Any) -> None:
     panel = canvas.subplots()
     forms, here = np.linspace(0.0, 0.05, 101), FIELDS[form]
     kinds: Mapping[str, tuple[Callable[[Any], Any], Mapping[str, Any]]] = {
-        "(6) as printed, in mm": (lambda f: total_printed(f, 1.0), {**Look.WRONG, "lw": 1.1}),
-        "corrected, all Kᵢ = √3": (lambda f: total(collect(Delta_phi=f), UNIFORM), Look.THIRD),
+        "(6) as printed, in mm": (lambda f: total_printed(f, 1.0), {**LineStyle.WRONG, "lw": 1.1}),
+        "corrected, all Kᵢ = √3": (lambda f: total(collect(Delta_phi=f), UNIFORM), LineStyle.THIRD),
         "corrected, ΔT systematic": (
             lambda f: total_systematic(collect(Delta_phi=f)),
-            Look.FOURTH,
+            LineStyle.FOURTH,
         ),
-        "corrected, all Kᵢ = 1": (lambda f: total(collect(Delta_phi=f)), Look.FIRST),
+        "corrected, all Kᵢ = 1": (lambda f: total(collect(Delta_phi=f)), LineStyle.FIRST),
         "(6) as printed, in µm": (
             lambda f: total_printed(f, 1.0 / MICROMETRES),
-            {**Look.WRONG, "ls": (0, (4, 1, 1, 1)), "lw": 1.1},
+            {**LineStyle.WRONG, "ls": (0, (4, 1, 1, 1)), "lw": 1.1},
         ),
     }
-    panel.axvline(MICROMETRES * here, **Look.GUIDE)
+    panel.axvline(MICROMETRES * here, **LineStyle.GUIDE)
     for name, (rule, look) in kinds.items():
         at_table = MICROMETRES * float(rule(np.array(here)))
         says = f"{name}: {write(at_table, 3)} µm"
         panel.plot(MICROMETRES * forms, MICROMETRES * rule(forms), **look, label=says)
-        panel.plot([MICROMETRES * here], [at_table], **{**Look.MARK, "ms": 2.5})
+        panel.plot([MICROMETRES * here], [at_table], **{**LineStyle.MARK, "ms": 2.5})
     panel.set_ylim(0, 200)
     panel.set_xlabel("form error Δφ, µm")
     panel.set_ylabel("total error, µm")
@@ -166,10 +166,10 @@ def draw_gain(canvas: Any) -> None:
     panel, before = canvas.subplots(), FIELDS[elastic]
     left = np.linspace(0.0, before, 101)
     curve = total(collect(Delta_delta=left))
-    panel.plot(MICROMETRES * left, MICROMETRES * curve, **Look.FIRST)
+    panel.plot(MICROMETRES * left, MICROMETRES * curve, **LineStyle.FIRST)
     first, last = (MICROMETRES * float(value) for value in (curve[-1], curve[0]))
-    panel.axhline(first, **Look.GUIDE)
-    panel.plot([MICROMETRES * before, 0.0], [first, last], **Look.MARK)
+    panel.axhline(first, **LineStyle.GUIDE)
+    panel.plot([MICROMETRES * before, 0.0], [first, last], **LineStyle.MARK)
     panel.annotate(
         "", (0.0, last), (0.0, first), arrowprops={"arrowstyle": "->", "lw": 0.8, "shrinkB": 3}
     )

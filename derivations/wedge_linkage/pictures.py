@@ -11,7 +11,7 @@ import numpy as np
 from mechproof.kernels import wedge_linkage as kernels
 from mechproof.mechanisms import WedgeLinkage
 from mechproof.plot import Figure
-from mechproof.plot.canvas import Look, label, write
+from mechproof.plot.canvas import LineStyle, label, write
 from mechproof.tolerance import certified_range, corner_range
 
 from . import boundaries
@@ -27,7 +27,7 @@ STROKE = np.linspace(START, 0.0, 401)
 # the first set, nowhere at that of the second.
 CERTIFIED = {1: np.linspace(-38.2, -36.2, 11), 2: np.linspace(-40.0, -5.0, 8)}
 MICROMETRES = 1e3
-WRONG = Look.WRONG["color"]
+WRONG = LineStyle.WRONG["color"]
 
 
 def move(number: int, x1: Any, signs: Signs | None = None) -> Any:
@@ -82,15 +82,15 @@ def draw_boundaries(canvas: Any, number: int) -> None:
     for panel in (position, order, deviation, spread):
         panel.set_xlim(START - 3, 1)
     for panel in (position, order, deviation):
-        panel.axvline(CROSSING, **Look.GUIDE)
+        panel.axvline(CROSSING, **LineStyle.GUIDE)
     turn.set_xlabel("pusher x₁, mm")
 
 
 def _draw_positions(panel: Any, number: int) -> None:
     curves: Mapping[str, tuple[Any, Any]] = {
-        "I": (move(number, STROKE), Look.FIRST),
-        "II": (move(number, STROKE, BOUNDARY_II), Look.THIRD),
-        "IV": (find_lower(number), Look.SECOND),
+        "I": (move(number, STROKE), LineStyle.FIRST),
+        "II": (move(number, STROKE, BOUNDARY_II), LineStyle.THIRD),
+        "IV": (find_lower(number), LineStyle.SECOND),
     }
     for name, (values, look) in curves.items():
         panel.plot(STROKE, values, **look)
@@ -100,7 +100,7 @@ def _draw_positions(panel: Any, number: int) -> None:
     end = legible_end()
     short = np.linspace(np.nextafter(end, 0.0), 0.0, 101)
     moved = kernels.position(short, **legible_sizes())
-    panel.plot(short, moved, **{**Look.WRONG, "lw": 1.3})
+    panel.plot(short, moved, **{**LineStyle.WRONG, "lw": 1.3})
     text = f"legible digits\nend at {write(end, 3)} mm"
     label(panel, text, (0.0, moved[0]), (-0.1, -3), color=WRONG)
     panel.set_ylabel("wedge y₉, mm")
@@ -109,10 +109,10 @@ def _draw_positions(panel: Any, number: int) -> None:
 
 def _draw_order(panel: Any, number: int) -> None:
     three, four = (move(number, STROKE, signs) for signs in (BOUNDARY_III, BOUNDARY_IV))
-    panel.axhline(0.0, **Look.AXIS)
-    panel.plot(STROKE, MICROMETRES * (three - four), **Look.FIRST)
+    panel.axhline(0.0, **LineStyle.AXIS)
+    panel.plot(STROKE, MICROMETRES * (three - four), **LineStyle.FIRST)
     place = crossing(number)
-    panel.plot([place], [0.0], **Look.MARK)
+    panel.plot([place], [0.0], **LineStyle.MARK)
     label(panel, f"cross at {write(place)}", (place, 0.0), (5, 3))
     panel.set_ylabel("III \N{MINUS SIGN} IV, µm")
 
@@ -121,18 +121,18 @@ def _draw_deviation(panel: Any, number: int) -> None:
     nominal = move(number, STROKE)
     moved = nominal < 0
     boundaries = (
-        (move(number, STROKE, BOUNDARY_II), Look.THIRD, -1),
-        (find_lower(number), Look.SECOND, 1),
+        (move(number, STROKE, BOUNDARY_II), LineStyle.THIRD, -1),
+        (find_lower(number), LineStyle.SECOND, 1),
     )
     for values, look, upward in boundaries:
         share = 100 * (values[moved] / nominal[moved] - 1)
         panel.plot(STROKE[moved], share, **look)
-        panel.plot([START], [share[0]], **Look.MARK)
+        panel.plot([START], [share[0]], **LineStyle.MARK)
         text = f"{share[0]:+.1f} %".replace("-", "\N{MINUS SIGN}")
         label(panel, text, (START, share[0]), (3, 6 * upward))
     for limit in (PRINTED_DEVIATION, -PRINTED_DEVIATION):
-        panel.axhline(limit, **Look.GUIDE)
-    panel.axhline(0.0, **Look.AXIS)
+        panel.axhline(limit, **LineStyle.GUIDE)
+    panel.axhline(0.0, **LineStyle.AXIS)
     panel.set_ylim(-26, 26)
     panel.set_yticks([-20, -10, 0, 10, 20])
     panel.set_ylabel("from I, %")
@@ -140,10 +140,10 @@ def _draw_deviation(panel: Any, number: int) -> None:
 
 def _draw_spread(panel: Any, number: int) -> None:
     spread = move(number, STROKE, BOUNDARY_II) - find_lower(number)
-    panel.plot(STROKE, spread, **Look.FIRST)
+    panel.plot(STROKE, spread, **LineStyle.FIRST)
     widest = int(np.argmax(spread))
     place = (float(STROKE[widest]), float(spread[widest]))
-    panel.plot(*place, **Look.MARK)
+    panel.plot(*place, **LineStyle.MARK)
     text = f"{write(place[1], 3)} mm at {write(place[0], 3)} mm"
     label(panel, text, place, (4, 3))
     panel.set_ylim(0, 32)
@@ -159,7 +159,7 @@ def _draw_turn(panel: Any, number: int) -> None:
     above = corner_range(kernels.position, near, sizes).upper - move(number, near, BOUNDARY_II)
     bound = certified_range(PAPER, "position", places, sizes).upper
     beyond = bound - move(number, places, BOUNDARY_II)
-    panel.plot(near, MICROMETRES * above, **Look.FIRST, label="largest of all corners")
+    panel.plot(near, MICROMETRES * above, **LineStyle.FIRST, label="largest of all corners")
     look = {"color": WRONG, "marker": "o", "ms": 3, "ls": "", "mfc": "#ffffff"}
     panel.plot(places, MICROMETRES * beyond, **look, label="certified bound")
     panel.set_ylim(-1.5, 14)

@@ -15,7 +15,7 @@ from typing import Any
 
 from mechproof.cache import Store, name_place
 from mechproof.proof.cache import UNREAD, read_judgement
-from mechproof.proof.findings import Found
+from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ledger import Ledger
 from mechproof.proof.verdict import Verdict
 from mechproof.reads import are_unchanged, digest_program
@@ -71,6 +71,6 @@ def _read(kept: dict[str, Any]) -> Ledger:
     )
 
 
-def _read_finding(kept: dict[str, Any]) -> Found:
+def _read_finding(kept: dict[str, Any]) -> LedgerFinding:
     lists = {name: tuple(kept[name]) for name in ("marks", "costs", "follows")}
-    return Found(**{**kept, **lists, "verdict": Verdict(kept["verdict"])})
+    return LedgerFinding(**{**kept, **lists, "verdict": Verdict(kept["verdict"])})

@@ -31,7 +31,7 @@ from mechproof.cli.commands import app
 from mechproof.codegen.backends.c99 import BLOCK, render_c
 from mechproof.derivations.elliptic_planetary import PAPER
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
-from mechproof.lab.points import choose_evenly, join
+from mechproof.lab.sampling.points import choose_evenly, join
 from mechproof.lab.search import draw_sets, find_worst, scaled_errors
 from mechproof.lab.singles import WIDER, mark_judged, narrow, round_singly
 from mechproof.programs.kernel import Kernel

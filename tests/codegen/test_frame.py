@@ -18,7 +18,7 @@ from mechproof.codegen.backends.numba import (
 from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.forms import form_rows
 from mechproof.codegen.kernel_reading import read_module
-from mechproof.codegen.reading import ReadingError
+from mechproof.codegen.reading import SourceError
 from mechproof.derivations.elliptic_planetary import PAPER
 from mechproof.programs.scalar import list_scalars
 
@@ -49,7 +49,7 @@ def test_a_numpy_module_whose_names_are_others_is_refused(
     source = numpy_source()
     read_module(source)
     assert right in source
-    with pytest.raises(ReadingError, match=told):
+    with pytest.raises(SourceError, match=told):
         read_module(source.replace(right, wrong, 1))
 
 
@@ -86,7 +86,7 @@ def test_a_compiled_module_whose_parts_do_not_meet_is_refused(
     source, kernels = compiled_source(), list_scalars(PAPER)
     check_translation(source, kernels, PAPER.together)
     assert right in source
-    with pytest.raises(ReadingError, match=told):
+    with pytest.raises(SourceError, match=told):
         check_translation(source.replace(right, wrong, 1), kernels, PAPER.together)
 
 
@@ -100,5 +100,5 @@ def test_a_kernel_may_be_called_like_parts_of_the_machinery(name: str) -> None:
 def test_an_elementary_function_that_numba_does_not_compile_is_refused() -> None:
     source = render_elementary()
     check_elementary(source)
-    with pytest.raises(ReadingError, match="read decorated by nothing"):
+    with pytest.raises(SourceError, match="read decorated by nothing"):
         check_elementary(source.replace("@_scalar\n", "", 1))

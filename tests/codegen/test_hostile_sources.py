@@ -17,7 +17,7 @@ from mechproof.codegen.backends.numba import (
 )
 from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.kernel_reading import check_module
-from mechproof.codegen.reading import ReadingError
+from mechproof.codegen.reading import SourceError
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.programs.scalar import list_scalars
 
@@ -83,7 +83,7 @@ def test_a_hostile_source_is_refused(right: str, wrong: str, told: str) -> None:
     source, kernels = trial()
     check_module(source, kernels)
     assert right in source
-    with pytest.raises(ReadingError, match=told):
+    with pytest.raises(SourceError, match=told):
         check_module(source.replace(right, wrong, 1), kernels)
 
 
@@ -104,7 +104,7 @@ def test_where_an_elementary_function_is_taken_elsewhere_is_read(right: str, wro
     source = render_elementary()
     check_elementary(source)
     assert right in source
-    with pytest.raises(ReadingError, match="is not as meant"):
+    with pytest.raises(SourceError, match="is not as meant"):
         check_elementary(source.replace(right, wrong, 1))
 
 
@@ -116,5 +116,5 @@ def test_a_compiled_function_says_whether_far_angles_count() -> None:
     assert "_elementary.cos(x, _exact)" in source
     for wrong in ("None", "True", "x"):
         changed = source.replace("cos(x, _exact)", f"cos(x, {wrong})")
-        with pytest.raises(ReadingError, match="_value_of_f is not as meant"):
+        with pytest.raises(SourceError, match="_value_of_f is not as meant"):
             check_translation(changed, kernels, ())

@@ -14,7 +14,7 @@ from mechproof.codegen import syntax
 from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.forms import form_rows, read_back
 from mechproof.codegen.kernel_reading import read_module
-from mechproof.codegen.reading import ReadingError, TranslationError
+from mechproof.codegen.reading import SourceError, TranslationError
 from mechproof.programs.kernel import list_functions
 from mechproof.programs.program import Operation, Program
 from mechproof.proof.judge import judge
@@ -146,7 +146,7 @@ def test_a_text_that_no_kernel_has_is_refused(
 ) -> None:
     paper = paper_of(quantity_of(a / (1 + b * sp.cos(x)) ** 3, *MECHANISM), POSITIVE)
     monkeypatch.setattr("mechproof.codegen.forms.render_modules", sources_with((old, new)))
-    with pytest.raises((ReadingError, TranslationError)):
+    with pytest.raises((SourceError, TranslationError)):
         form_rows(paper)
 
 

@@ -15,11 +15,11 @@ from typer.testing import CliRunner
 from mechproof.cli import app
 from mechproof.lab.certificate_claims import find_searched, find_way, list_claims, tell_proved
 from mechproof.lab.chart import draw_chart, draw_charts, tell_sources, write_title
-from mechproof.lab.marks import (
+from mechproof.lab.chart_points import (
     LOST_LANE,
     TURNS_LANE,
+    ChartPoint,
     Family,
-    Mark,
     collect_marks,
     find_best,
     find_front,
@@ -54,8 +54,8 @@ def figure(record: Record) -> Figure:
 
 def make_mark(
     name: str, time: float, error: float, turns: bool = False, family: Family = "written"
-) -> Mark:
-    return Mark(name, family, time, error, turns, 1000)
+) -> ChartPoint:
+    return ChartPoint(name, family, time, error, turns, 1000)
 
 
 def drawn(axes: object) -> set[tuple[float, float]]:

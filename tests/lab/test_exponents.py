@@ -15,8 +15,8 @@ import pytest
 from quantities import KERNELS, find_subject
 
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
-from mechproof.lab.draws import draw_published
-from mechproof.lab.region import Columns
+from mechproof.lab.sampling.draws import draw_published
+from mechproof.lab.sampling.region import Columns
 from mechproof.lab.search import scaled_errors
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array

@@ -10,7 +10,7 @@ from weights import first_of
 from mechproof.lab import extended, search
 from mechproof.lab.extended import extend
 from mechproof.lab.oracle import Truth
-from mechproof.lab.points import choose_evenly
+from mechproof.lab.sampling.points import choose_evenly
 from mechproof.lab.search import find_worst, scaled_errors
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array

@@ -13,14 +13,14 @@ from weights import first_of
 from mechproof.derivations.elliptic_planetary import PAPER
 from mechproof.derivations.elliptic_planetary.symbols import R1, R2, e, phi1, x
 from mechproof.kernel_support.order import step_ulps
-from mechproof.lab.draws import draw_mixed
 from mechproof.lab.error import find_errors
-from mechproof.lab.facts import Facts
 from mechproof.lab.oracle import find_truth
-from mechproof.lab.points import REPORT, TUNE, draw_points
-from mechproof.lab.roots import Place, find_roots
-from mechproof.lab.singular_points import list_point_sets
-from mechproof.lab.sizes import draw_cell, make_workload
+from mechproof.lab.sampling.draws import draw_mixed
+from mechproof.lab.sampling.points import REPORT, TUNE, draw_points
+from mechproof.lab.sampling.roots import Place, find_roots
+from mechproof.lab.sampling.singular_points import list_point_sets
+from mechproof.lab.sampling.sizes import draw_cell, make_workload
+from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.ways import Arguments, Array
 from mechproof.proof.domain import Domain

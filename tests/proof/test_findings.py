@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from mechproof.proof.findings import Found, follower_rows, list_findings
+from mechproof.proof.findings import LedgerFinding, follower_rows, list_findings
 from mechproof.proof.judge import judge
 from mechproof.record import (
     LENGTH,
@@ -54,7 +54,7 @@ CONVENTION = Claim(
 NUMBER = Claim("number", "1.2", PrintedNumber("1.2", sp.Rational(5, 2)))
 
 
-def find(*findings: Finding, others: tuple[Row, ...] = ()) -> tuple[Found, ...]:
+def find(*findings: Finding, others: tuple[Row, ...] = ()) -> tuple[LedgerFinding, ...]:
     paper = Paper(
         "mine",
         "",

@@ -5,7 +5,7 @@ import sympy as sp
 
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
-from mechproof.proof.polynomial_signs import Sign
+from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Holds
@@ -127,4 +127,4 @@ def test_an_expression_beyond_the_rung_has_no_sign(name):
 
 
 def test_the_product_of_signs():
-    assert Sign(-1, True).times(Sign(-1, False)) == Sign(1, False)
+    assert StrictSign(-1, True).times(StrictSign(-1, False)) == StrictSign(1, False)

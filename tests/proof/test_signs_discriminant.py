@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 
 from mechproof.proof.domain import Domain
-from mechproof.proof.polynomial_signs import Sign
+from mechproof.proof.polynomial_signs import StrictSign
 from mechproof.proof.signs import find_sign
 
 a, b, x, y = sp.symbols("a b x y", real=True)
@@ -13,12 +13,12 @@ ECCENTRIC = {e: sp.Interval.Ropen(0, 1)}
 TWO_ANGLES = sp.cos(x) * sp.cos(y) - sp.sin(x) * sp.sin(y)
 
 KNOWN = {
-    "definite form": (a**2 + a * b + b**2 + 1, {}, Sign(1, True)),
-    "zero at the origin": (a**2 + a * b + b**2, {}, Sign(1, False)),
-    "square of a sum": (a**2 + 2 * a * b + b**2, {}, Sign(1, False)),
-    "square of a sum, lifted": (a**2 + 2 * a * b + b**2 + 1, {}, Sign(1, True)),
-    "negative": (-(a**2) + a * b - b**2 - 1, {}, Sign(-1, True)),
-    "two angles": (1 - e * TWO_ANGLES, ECCENTRIC, Sign(1, True)),
+    "definite form": (a**2 + a * b + b**2 + 1, {}, StrictSign(1, True)),
+    "zero at the origin": (a**2 + a * b + b**2, {}, StrictSign(1, False)),
+    "square of a sum": (a**2 + 2 * a * b + b**2, {}, StrictSign(1, False)),
+    "square of a sum, lifted": (a**2 + 2 * a * b + b**2 + 1, {}, StrictSign(1, True)),
+    "negative": (-(a**2) + a * b - b**2 - 1, {}, StrictSign(-1, True)),
+    "two angles": (1 - e * TWO_ANGLES, ECCENTRIC, StrictSign(1, True)),
 }
 UNKNOWN = {
     "indefinite form": (a**2 + 3 * a * b + b**2 + 1, {}),

@@ -11,7 +11,7 @@ import sympy as sp
 from flint import arb
 
 from mechproof.arithmetic.balls import evaluate
-from mechproof.arithmetic.slopes import BITS, Tape
+from mechproof.arithmetic.slopes import BITS, GradientTape
 from mechproof.derivations.wedge_linkage import PAPER
 from mechproof.record import RecordError
 
@@ -45,7 +45,7 @@ def differentiate(expression: sp.Expr, symbol: sp.Symbol) -> Any:
 @pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
 def test_at_points_all_is_that_of_sympy(expression: sp.Expr) -> None:
     given = {} if expression.has(sp.Integral) else GIVEN
-    tape, whole = Tape(expression, given), resolve(expression)
+    tape, whole = GradientTape(expression, given), resolve(expression)
     for point in np.random.default_rng(5).uniform(0.2, 1.2, (10, 2)).tolist():
         values = dict(zip((x, y), map(arb, point), strict=True))
         value, slopes = tape.differentiate(values, [x, y])
@@ -62,7 +62,7 @@ def test_at_points_all_is_that_of_sympy(expression: sp.Expr) -> None:
 
 @pytest.mark.parametrize("expression", EXPRESSIONS[:5], ids=str)
 def test_over_a_box_all_points_are_enclosed(expression: sp.Expr) -> None:
-    tape = Tape(expression, {})
+    tape = GradientTape(expression, {})
     box = {x: arb(0.2).union(arb(0.9)), y: arb(0.3).union(arb(0.8))}
     value, slopes = tape.differentiate(box, [x, y])
     bends = {s: tape.bend(box, s) for s in (x, y)}
@@ -79,7 +79,7 @@ def test_over_a_box_all_points_are_enclosed(expression: sp.Expr) -> None:
 
 
 def test_at_a_kink_the_slopes_of_both_sides_are_given_and_no_bend() -> None:
-    tape = Tape(sp.Max(0, x) + x**2, {})
+    tape = GradientTape(sp.Max(0, x) + x**2, {})
     box = {x: arb(-1).union(arb(1))}
     _, slopes = tape.differentiate(box, [x])
     assert len(slopes[x]) == 2
@@ -88,7 +88,7 @@ def test_at_a_kink_the_slopes_of_both_sides_are_given_and_no_bend() -> None:
 
 
 def test_beyond_a_kink_nothing_counts() -> None:
-    tape = Tape(sp.Max(1, x * sp.sqrt(x)) + y, {})
+    tape = GradientTape(sp.Max(1, x * sp.sqrt(x)) + y, {})
     _, slopes = tape.differentiate({x: arb(0), y: arb(1)}, [x, y])
     # The root has no slope at 0, but lies below the 1.
     assert slopes[x] == [0]
@@ -99,21 +99,21 @@ def test_beyond_a_kink_nothing_counts() -> None:
     "expression", [sp.floor(x), sp.sign(x), sp.Piecewise((x, x < 1), (2, True))]
 )
 def test_branches_that_need_not_meet_are_seen(expression: sp.Expr) -> None:
-    assert not Tape(y + expression, {}).is_continuous
-    assert Tape(y + sp.Abs(x), {}).is_continuous
+    assert not GradientTape(y + expression, {}).is_continuous
+    assert GradientTape(y + sp.Abs(x), {}).is_continuous
 
 
 def test_what_is_given_is_a_symbol_no_more() -> None:
-    tape = Tape(g * h, GIVEN)
+    tape = GradientTape(g * h, GIVEN)
     assert tape.symbols == {x, y}
-    assert Tape(h, {}).symbols == {h}
+    assert GradientTape(h, {}).symbols == {h}
 
 
 def test_what_was_sent_is_the_same_operations() -> None:
     given = {v.symbol: v.given for v in PAPER.variables if v.given is not None}
     (position,) = (q for q in PAPER.quantities if q.name == "position")
     for expression in (position.definition, position.shipped[-1].expression):
-        tape = Tape(expression, given)
+        tape = GradientTape(expression, given)
         again = pickle.loads(pickle.dumps(tape))
         values = {s: arb(k + 1) / 7 for k, s in enumerate(sorted(tape.symbols, key=str))}
         ours, theirs = (p.differentiate(values, [*values]) for p in (tape, again))
@@ -123,7 +123,7 @@ def test_what_was_sent_is_the_same_operations() -> None:
 def test_a_bound_symbol_is_not_what_is_given_by_its_name() -> None:
     """The k that is counted is not the k that stands for x + y."""
     k = sp.Symbol("k", integer=True)
-    tape = Tape(sp.Sum(k * g, (k, 1, 3)) + k, {g: k * x, k: x + y})
+    tape = GradientTape(sp.Sum(k * g, (k, 1, 3)) + k, {g: k * x, k: x + y})
     values = {x: arb(2), y: arb(3)}
     value, slopes = tape.differentiate(values, [x, y])
     assert tape.symbols == {x, y}
@@ -133,4 +133,4 @@ def test_a_bound_symbol_is_not_what_is_given_by_its_name() -> None:
 
 def test_what_is_given_in_a_circle_is_refused() -> None:
     with pytest.raises(RecordError, match="given in a circle"):
-        Tape(sp.Sum(g * n, (n, 1, 3)), {g: h, h: g})
+        GradientTape(sp.Sum(g * n, (n, 1, 3)), {g: h, h: g})

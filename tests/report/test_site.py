@@ -15,7 +15,7 @@ from own_papers import HURT
 from pages import find_faults
 
 from mechproof.kernels.elliptic_planetary import position
-from mechproof.lab.marks import list_workloads
+from mechproof.lab.chart_points import list_workloads
 from mechproof.measured import find_files, read_record
 from mechproof.report.layout import read_stylesheet
 from mechproof.report.pictures import chart

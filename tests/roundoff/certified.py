@@ -10,9 +10,9 @@ from derived import paper_of
 
 import mechproof.kernels
 from mechproof.programs.kernel import list_functions
-from mechproof.roundoff.certificate import Certificate, Claim
+from mechproof.roundoff.certificate import Certificate, RoundingClaim
+from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.files import FOLDER, find_certificate
-from mechproof.roundoff.subject import Subject, list_subjects
 
 GENERATED = Path(next(iter(mechproof.kernels.__path__)))
 # Of the tests that need all subjects: one worker lowers them once.
@@ -28,20 +28,20 @@ def certificate(system: str) -> Certificate:
 
 
 @cache
-def subjects() -> Mapping[tuple[str, str, str], Subject]:
+def subjects() -> Mapping[tuple[str, str, str], ComputedStage]:
     papers = (paper_of(system) for system in SYSTEMS)
     kernels = ((kernel, paper) for paper in papers for kernel in list_functions(paper))
-    found = (s for kernel, paper in kernels for s in list_subjects(kernel, paper))
+    found = (s for kernel, paper in kernels for s in list_computed_stages(kernel, paper))
     return {(s.kernel.name, s.form.name, s.way): s for s in found}
 
 
-def claims() -> list[Claim]:
+def claims() -> list[RoundingClaim]:
     return [claim for system in sorted(SYSTEMS) for claim in certificate(system).claims]
 
 
-def subject_of(claim: Claim) -> Subject:
+def subject_of(claim: RoundingClaim) -> ComputedStage:
     return subjects()[claim.quantity, claim.form, claim.way]
 
 
-def name_claim(claim: Claim) -> str:
+def name_claim(claim: RoundingClaim) -> str:
     return f"{claim.quantity}: {claim.form}, {claim.way}"

@@ -17,18 +17,18 @@ from mechproof.kernel_support.functions import small_arctan, tangent_quotient
 from mechproof.programs.kernel import input_names
 from mechproof.roundoff.assumptions import NORMAL
 from mechproof.roundoff.certificate import (
-    Claim,
+    RoundingClaim,
     holds,
     list_digests,
     tell_proofs,
 )
-from mechproof.roundoff.compensation import hold_compensated
+from mechproof.roundoff.compensation import find_compensated
 from mechproof.roundoff.compiled import WAY
+from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.expansions import IN_NUMPY
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_DOUBLES, run
 from mechproof.roundoff.steps import Step
-from mechproof.roundoff.subject import Subject
 from mechproof.roundoff.symmetry import check_symmetry
 from mechproof.roundoff.worst import draw, measure
 
@@ -42,12 +42,12 @@ WORST = {
 }
 
 
-def plain() -> tuple[Claim, Subject]:
+def plain() -> tuple[RoundingClaim, ComputedStage]:
     (claim,) = (c for c in claims() if c.form == "half-angle atan" and c.way.startswith("NumPy"))
     return claim, subject_of(claim)
 
 
-def compiled() -> tuple[Claim, Subject]:
+def compiled() -> tuple[RoundingClaim, ComputedStage]:
     (claim,) = (c for c in claims() if c.form == "half-angle atan" and c.way == WAY)
     return claim, subject_of(claim)
 
@@ -55,7 +55,7 @@ def compiled() -> tuple[Claim, Subject]:
 @pytest.mark.parametrize(
     "claim", first_of(sorted(claims(), key=lambda c: c.way != "by polynomials")), ids=name_claim
 )
-def test_random_inputs_are_off_by_no_more_than_is_proved(claim: Claim) -> None:
+def test_random_inputs_are_off_by_no_more_than_is_proved(claim: RoundingClaim) -> None:
     subject, rng = subject_of(claim), np.random.default_rng(4711)
     for chart in subject.form.charts:
         for region in list_regions(chart):
@@ -77,7 +77,7 @@ def test_a_bound_lowered_by_a_tenth_is_refused() -> None:
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("claim", claims(), ids=name_claim)
-def test_every_bound_lowered_by_a_tenth_is_refused(claim: Claim) -> None:
+def test_every_bound_lowered_by_a_tenth_is_refused(claim: RoundingClaim) -> None:
     assert not holds(subject_of(claim), replace(claim, proved=0.9 * claim.proved))
 
 
@@ -182,7 +182,7 @@ def test_every_rounding_counts() -> None:
 
 
 @pytest.mark.parametrize("claim", claims(), ids=name_claim)
-def test_no_part_of_a_box_has_a_larger_bound(claim: Claim) -> None:
+def test_no_part_of_a_box_has_a_larger_bound(claim: RoundingClaim) -> None:
     """What holds on a box holds on its parts, at ends where something vanishes or has a pole."""
     subject, rng = subject_of(claim), np.random.default_rng(5)
     region = next(list_regions(subject.form.charts[0]))
@@ -239,12 +239,12 @@ def test_a_rest_that_is_not_added_is_refused(way: str) -> None:
     """Without its low word the angle's rounding moves the output: nothing may hold it."""
     subject = subjects()["position", "half-angle atan with low word", way]
     free = replace(subject.straight, held=())
-    assert hold_compensated(free) == subject.straight
+    assert find_compensated(free) == subject.straight
     steps = tuple(
         replace(step, kind="subtract") if step.result == "x_low" else step for step in free.steps
     )
     with pytest.raises(ValueError, match="depends on the rounding of"):
-        hold_compensated(replace(free, steps=steps))
+        find_compensated(replace(free, steps=steps))
 
 
 def test_an_angle_without_symmetry_is_refused() -> None:

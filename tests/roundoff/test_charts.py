@@ -15,14 +15,16 @@ from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import input_names
 from mechproof.record import Chart
 from mechproof.roundoff.certificate import (
-    Claim,
+    RoundingClaim,
 )
-from mechproof.roundoff.subject import Subject
+from mechproof.roundoff.computed_stages import ComputedStage
 
 pytestmark = pytest.mark.xdist_group(GROUP)
 
 
-def find_covered(subject: Subject, charts: Sequence[Chart], given: Mapping[str, Array]) -> Array:
+def find_covered(
+    subject: ComputedStage, charts: Sequence[Chart], given: Mapping[str, Array]
+) -> Array:
     """Say which points are in a chart: `x` as drawn, or what is left of it, and `d` for 1 - e."""
     names = input_names(subject.kernel.quantity)
     symbols = {name: sp.Symbol(f"drawn {name}") for name in ("1/k", "x", "d")}
@@ -68,7 +70,7 @@ STATED: Mapping[str, Callable[[Fraction, Fraction], bool]] = {
 
 
 @pytest.mark.parametrize("claim", claims(), ids=name_claim)
-def test_the_worst_inputs_are_where_the_claims_say(claim: Claim) -> None:
+def test_the_worst_inputs_are_where_the_claims_say(claim: RoundingClaim) -> None:
     at = {name: Fraction(float.fromhex(text)) for name, text in claim.at.items()}
     if "e" in at:
         place = abs(at["phi1"] * at["R1"] / at["R2"]), at["e"]

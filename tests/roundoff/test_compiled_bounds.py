@@ -21,15 +21,15 @@ from mechproof.arithmetic.balls import working_precision
 from mechproof.arithmetic.intervals import EPS
 from mechproof.measured import KERNELS
 from mechproof.programs.kernel import input_names, list_functions
-from mechproof.roundoff import subject as subject_module
-from mechproof.roundoff.certificate import Claim, holds
+from mechproof.roundoff import computed_stages as subject_module
+from mechproof.roundoff.certificate import RoundingClaim, holds
 from mechproof.roundoff.compiled import WAY
+from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.elementary import prove
+from mechproof.roundoff.error_tables import ErrorTable
 from mechproof.roundoff.files import find_certificate
-from mechproof.roundoff.profiles import Profile
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, run
-from mechproof.roundoff.subject import Subject, list_subjects
 from mechproof.roundoff.worst import draw
 
 SYSTEMS = {
@@ -40,20 +40,20 @@ NAMES = [f"{system}.{name}" for system, names in SYSTEMS.items() for name in nam
 
 
 @cache
-def subjects() -> tuple[Subject, ...]:
+def subjects() -> tuple[ComputedStage, ...]:
     found = []
     for system, names in SYSTEMS.items():
         paper = paper_of(system)
         kernels = [k for k in list_functions(paper) if k.name in names and k.is_shipped]
-        found += [s for kernel in kernels for s in list_subjects(kernel, paper)]
+        found += [s for kernel in kernels for s in list_computed_stages(kernel, paper)]
     return tuple(found)
 
 
-def compiled_subjects(name: str) -> Iterator[Subject]:
+def compiled_subjects(name: str) -> Iterator[ComputedStage]:
     return (s for s in subjects() if s.way == WAY and s.kernel.name == name.partition(".")[2])
 
 
-def draw_points(subject: Subject, count: int, seed: int) -> Iterator[dict[str, Any]]:
+def draw_points(subject: ComputedStage, count: int, seed: int) -> Iterator[dict[str, Any]]:
     rng = np.random.default_rng(seed)
     for chart in subject.form.charts:
         for region in list_regions(chart):
@@ -62,7 +62,7 @@ def draw_points(subject: Subject, count: int, seed: int) -> Iterator[dict[str, A
             yield {name: column[inside] for name, column in points.items()}
 
 
-def list_arguments(subject: Subject, points: Mapping[str, Any]) -> list[Any]:
+def list_arguments(subject: ComputedStage, points: Mapping[str, Any]) -> list[Any]:
     """Return the arguments of a kernel, components put together."""
     names = input_names(subject.kernel.quantity)
     columns = [
@@ -73,7 +73,7 @@ def list_arguments(subject: Subject, points: Mapping[str, Any]) -> list[Any]:
 
 
 def measure_apart(
-    subject: Subject, points: Mapping[str, Any], one: np.ndarray, other: np.ndarray
+    subject: ComputedStage, points: Mapping[str, Any], one: np.ndarray, other: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return how far two results are apart, and the scale of that; the scale is computed, too."""
     if subject.scale is None:
@@ -102,7 +102,7 @@ def test_what_is_proved_is_what_runs(name: str) -> None:
 
 
 @cache
-def claims(system: str) -> tuple[Claim, ...]:
+def claims(system: str) -> tuple[RoundingClaim, ...]:
     certificate = find_certificate(files(KERNELS), system)
     assert certificate is not None
     return certificate.claims
@@ -176,10 +176,10 @@ def test_what_is_proved_of_a_function_counts(monkeypatch: pytest.MonkeyPatch) ->
     whole = subject.bound(region, boxes)
     for factor in (0.0, 2.0):
 
-        def scaled(kind: str, factor: float = factor) -> Profile:
-            profile = prove(kind)
-            unreduced = None if profile.unreduced is None else factor * profile.unreduced
-            return replace(profile, highest=factor * profile.highest, unreduced=unreduced)
+        def scaled(kind: str, factor: float = factor) -> ErrorTable:
+            error_table = prove(kind)
+            unreduced = None if error_table.unreduced is None else factor * error_table.unreduced
+            return replace(error_table, highest=factor * error_table.highest, unreduced=unreduced)
 
         monkeypatch.setattr(subject_module, "prove", scaled)
         assert np.sign(subject.bound(region, boxes) - whole) == np.sign(factor - 1)

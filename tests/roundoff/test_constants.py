@@ -11,8 +11,8 @@ from mechproof.programs.kernel import list_functions
 from mechproof.record import Argument, Chart, Form, Paper, Quantity, Variable
 from mechproof.roundoff import certificate, worst
 from mechproof.roundoff.certificate import certify, cover_all, make_claim
+from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.steps import CONSTANT, Step
-from mechproof.roundoff.subject import Subject, list_subjects
 
 x = sp.Symbol("x", real=True)
 ODD = 2**53 + 1
@@ -25,9 +25,9 @@ def write_paper(expression: sp.Expr) -> Paper:
     return Paper("own", "A paper", variables=(Variable(x, "x"),), rows=(), quantities=(quantity,))
 
 
-def subjects_of(expression: sp.Expr) -> list[Subject]:
+def subjects_of(expression: sp.Expr) -> list[ComputedStage]:
     paper = write_paper(expression)
-    return [s for kernel in list_functions(paper) for s in list_subjects(kernel, paper)]
+    return [s for kernel in list_functions(paper) for s in list_computed_stages(kernel, paper)]
 
 
 @pytest.fixture(autouse=True)
@@ -37,7 +37,7 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(worst, "ROUNDS", 5)
 
 
-def is_shown(subject: Subject, bound: float) -> bool:
+def is_shown(subject: ComputedStage, bound: float) -> bool:
     return all(cover.open is None for _, cover in cover_all(subject, bound, 200))
 
 

@@ -40,14 +40,14 @@ def draw_arguments(kind: str, count: int) -> tuple[np.ndarray, ...]:
 
 
 def look_up(kind: str, arguments: tuple[np.ndarray, ...]) -> np.ndarray:
-    profile = prove(kind)
-    if not profile.is_of_angles:
+    error_table = prove(kind)
+    if not error_table.is_of_angles:
         with np.errstate(over="ignore"):
             size = np.abs(arguments[0] / (arguments[1] if len(arguments) > 1 else 1.0))
-        return profile.of_size(Interval(size, size))
+        return error_table.of_size(Interval(size, size))
     (angle,) = arguments
     given = Interval(angle, angle)
-    return profile.of_angle(given, given)
+    return error_table.of_angle(given, given)
 
 
 @pytest.mark.parametrize("kind", TRUTH)
@@ -67,11 +67,11 @@ def test_elementary_functions_are_off_by_no_more_than_is_proved(kind: str) -> No
 
 
 def test_what_a_small_arctangent_is_not_meant_for_has_no_bound() -> None:
-    profile = prove("small_arctan")
+    error_table = prove("small_arctan")
     large = Interval(np.array([0.5, 0.5]), np.array([0.6, 0.6]))
-    assert np.isnan(profile.of_size(large)).all()
-    found = profile.of_size(profile.limit(large, np.array([2.0**-40, np.inf])))
-    assert found[0] <= profile.most
+    assert np.isnan(error_table.of_size(large)).all()
+    found = error_table.of_size(error_table.limit(large, np.array([2.0**-40, np.inf])))
+    assert found[0] <= error_table.most
     assert np.isnan(found[1])
 
 

@@ -7,11 +7,11 @@ from fractions import Fraction
 import numpy as np
 
 from mechproof.arithmetic.intervals import EPS, ONE, Interval, careful
-from mechproof.roundoff.bound import Bar, Evaluation
+from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
 from mechproof.roundoff.endpoint_rounding import AT_ENDPOINTS
 from mechproof.roundoff.fused import fma
-from mechproof.roundoff.germs import Frame
-from mechproof.roundoff.steps import Step, Straight
+from mechproof.roundoff.interval_monomials import BoxVariables
+from mechproof.roundoff.steps import Step, StraightLineProgram
 
 
 def test_fused_ends_hold_what_is_fused_between_them() -> None:
@@ -52,11 +52,13 @@ def test_a_fused_sum_that_cancels_leaves_its_terms_their_roundings() -> None:
         Step("q", "fma", ("a", "b", "n"), 0.5),
     )
     side = Interval(np.array([1.0]), np.array([1.0 + 2.0**-20]))
-    frame = Frame([side, side], [True, True])
-    given = {"a": frame.variable(0), "b": frame.variable(1)}
+    variables = BoxVariables([side, side], [True, True])
+    given = {"a": variables.variable(0), "b": variables.variable(1)}
     with careful(moves=False):
-        evaluation = Evaluation(Straight(("a", "b"), steps, ("q",)), frame, given, {}, None)
-        errors = evaluation.list_errors("q", Bar(frame.constant(ONE), False))
+        evaluation = ErrorAnalysis(
+            StraightLineProgram(("a", "b"), steps, ("q",)), variables, given, {}, None
+        )
+        errors = evaluation.list_errors("q", ErrorScale(variables.constant(ONE), False))
     a, b = 1 + np.random.default_rng(3).integers(0, 2**32, (2, 10000)) * EPS
     off = np.max(np.abs(fma(a, b, -(a * b)))) / EPS
     assert 0.45 < off <= errors["p"] < 0.51

@@ -12,13 +12,13 @@ import sympy as sp
 from derived import paper_of
 from weights import first_of
 
-from mechproof.derivations.track_wheel.frame import ANGLES, UNIT_QUATERNION, alpha
 from mechproof.derivations.track_wheel.kernels_of_poses import ROTATION
+from mechproof.derivations.track_wheel.variables import ANGLES, UNIT_QUATERNION, alpha
 from mechproof.programs.kernel import input_names, list_functions
 from mechproof.roundoff.affine import bound_norm, find_size
+from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.regions import list_regions
 from mechproof.roundoff.steps import EXACT
-from mechproof.roundoff.subject import Subject, list_subjects
 from mechproof.roundoff.symmetry import check_mirror
 from mechproof.roundoff.worst import measure
 
@@ -28,13 +28,13 @@ ENDLESS = (-np.inf, np.inf)
 
 
 @cache
-def displacements() -> Mapping[str, Subject]:
+def displacements() -> Mapping[str, ComputedStage]:
     paper = paper_of("track_wheel")
     kernel = next(k for k in list_functions(paper) if k.name == "displacement")
-    return {subject.way: subject for subject in list_subjects(kernel, paper)}
+    return {subject.way: subject for subject in list_computed_stages(kernel, paper)}
 
 
-def displacement(way: str = "NumPy's functions") -> Subject:
+def displacement(way: str = "NumPy's functions") -> ComputedStage:
     return displacements()[way]
 
 
@@ -42,7 +42,7 @@ def length(symbols: tuple[sp.Symbol, ...]) -> sp.Expr:
     return sp.sqrt(sum(s**2 for s in symbols))
 
 
-def bound_at(subject: Subject, *angles: float) -> float:
+def bound_at(subject: ComputedStage, *angles: float) -> float:
     region = next(list_regions(subject.form.charts[0]))
     box = [*((a, a) for a in angles), *[ENDLESS] * 6]
     return float(subject.bound(region, np.array([box]))[0])

@@ -14,12 +14,12 @@ from weights import first_of
 from mechproof.arithmetic.intervals import Array
 from mechproof.record import Chart, Form
 from mechproof.roundoff import certificate, extended, worst
-from mechproof.roundoff.certificate import Claim
+from mechproof.roundoff.certificate import RoundingClaim
 from mechproof.roundoff.chart_membership import find_membership
-from mechproof.roundoff.regions import Box, Region, list_regions
+from mechproof.roundoff.computed_stages import ComputedStage
+from mechproof.roundoff.regions import Box, ChartRegion, list_regions
 from mechproof.roundoff.running import IN_DOUBLES
-from mechproof.roundoff.subject import Subject
-from mechproof.roundoff.worst import Found, draw, estimate, find_worst, judge, measure
+from mechproof.roundoff.worst import WorstRounding, draw, estimate, find_worst, judge, measure
 
 pytestmark = pytest.mark.xdist_group(GROUP)
 needs_long_doubles = pytest.mark.skipif(
@@ -27,7 +27,7 @@ needs_long_doubles = pytest.mark.skipif(
 )
 
 
-def find_subject(quantity: str, form: str = "", way: str = "NumPy's functions") -> Subject:
+def find_subject(quantity: str, form: str = "", way: str = "NumPy's functions") -> ComputedStage:
     return next(
         s
         for s in subjects().values()
@@ -35,13 +35,13 @@ def find_subject(quantity: str, form: str = "", way: str = "NumPy's functions") 
     )
 
 
-def list_boxes(subject: Subject) -> Iterator[tuple[Region, Box]]:
+def list_boxes(subject: ComputedStage) -> Iterator[tuple[ChartRegion, Box]]:
     for chart in subject.form.charts:
         for region in list_regions(chart):
             yield region, region.box
 
 
-def draw_all(subject: Subject, count: int, seed: int) -> dict[str, Array]:
+def draw_all(subject: ComputedStage, count: int, seed: int) -> dict[str, Array]:
     rng = np.random.default_rng(seed)
     drawn = [draw(subject, region, box, count, rng) for region, box in list_boxes(subject)]
     return {name: np.concatenate([points[name] for points in drawn]) for name in drawn[0]}
@@ -49,7 +49,7 @@ def draw_all(subject: Subject, count: int, seed: int) -> dict[str, Array]:
 
 @needs_long_doubles
 @pytest.mark.parametrize("claim", first_of(claims()), ids=name_claim)
-def test_long_doubles_tell_what_balls_tell(claim: Claim) -> None:
+def test_long_doubles_tell_what_balls_tell(claim: RoundingClaim) -> None:
     subject = subject_of(claim)
     points = draw_all(subject, 12, 3)
     roughly, exactly = estimate(subject, points), judge(subject, points)
@@ -80,13 +80,13 @@ def test_a_search_climbs_and_leaves_no_chart(
 def test_a_search_finds_a_planted_fault(monkeypatch: pytest.MonkeyPatch) -> None:
     """Of the largest eccentricities alone: a term that is nothing elsewhere."""
     subject = find_subject("position", "half-angle atan")
-    compute = Subject.compute
+    compute = ComputedStage.compute
 
-    def fail(self: Subject, points: dict[str, Array]) -> Array:
+    def fail(self: ComputedStage, points: dict[str, Array]) -> Array:
         found = compute(self, points)
         return np.where(np.asarray(points["e"]) > 0.499, found * (1 + 2.0**-48), found)
 
-    monkeypatch.setattr(Subject, "compute", fail)
+    monkeypatch.setattr(ComputedStage, "compute", fail)
     monkeypatch.setattr(worst, "CLIMBS", 1)
     monkeypatch.setattr(worst, "ROUNDS", 5)
     found = find_worst(subject, list(list_boxes(subject)), 5)
@@ -162,7 +162,7 @@ def test_an_input_beyond_what_is_proved_refutes_the_proof(monkeypatch: pytest.Mo
     at = {name: float.fromhex(text) for name, text in claim.at.items()}
     monkeypatch.setattr(certificate, "_lower_bound", lambda subject, low: claim.proved)
     monkeypatch.setattr(certificate, "cover_all", lambda subject, aim, most: [])
-    found = Found(claim.proved * 1.001, at)
+    found = WorstRounding(claim.proved * 1.001, at)
     monkeypatch.setattr(certificate, "_search", lambda subject, covers: found)
     with pytest.raises(ArithmeticError, match=f"^{claim.quantity}\\..* at most {claim.proved}"):
         certificate.make_claim(subject)

@@ -18,7 +18,7 @@ from quantities import find_subject
 from weights import first_of
 
 from mechproof.arithmetic.balls import evaluate, working_precision
-from mechproof.arithmetic.series import BITS, Definition, list_terms, working
+from mechproof.arithmetic.series import BITS, TaylorExpression, list_terms, working
 from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Quantity
 from mechproof.tailoring import tailor
@@ -296,7 +296,7 @@ def test_a_definition_has_the_value_and_the_slope_of_its_expression() -> None:
     x, k = sp.symbols("x k", real=True)
     value = sp.atan2(k * sp.sin(x), 1 - k * sp.cos(x)) + sp.sqrt(2 + x) ** 3 / sp.Max(x, k)
     expression = value + sp.Piecewise((x, x < k), (sp.exp(-x), True)) + sp.Abs(-x)
-    definition = Definition(expression, x, {}, {k: 0.25})
+    definition = TaylorExpression(expression, x, {}, {k: 0.25})
     at = {k: sp.Rational(1, 4), x: sp.Rational(3, 4)}
     with working(2, BITS):
         place = sp.diff(expression, x).subs(at).evalf(30)
@@ -315,7 +315,7 @@ X, K = sp.symbols("x k", real=True)
 )
 def test_what_is_not_decided_on_a_ball_has_no_derivative(expression: sp.Expr) -> None:
     with working(4, BITS):
-        whole = Definition(expression, X, {}, {K: 1}).expand(arb_series([arb(0, 0.5), 1]))
+        whole = TaylorExpression(expression, X, {}, {K: 1}).expand(arb_series([arb(0, 0.5), 1]))
         assert not any(term.is_finite() for term in list_terms(whole)[1:])
 
 

@@ -50,7 +50,7 @@ def list_terms(series: Series) -> list[Ball]:
     return terms + [arb(0)] * (ctx.cap - len(terms))
 
 
-class Definition:
+class TaylorExpression:
     """An expression of one variable, all other symbols numbers or given by others.
 
     What no variable is in is computed once.

@@ -34,7 +34,7 @@ SIDES: Mapping[type[sp.Basic], tuple[tuple[int, ...], tuple[int, ...]]] = {
 ROUGH = (sp.Piecewise, sp.floor, sp.ceiling, sp.sign, sp.Max, sp.Min, sp.Abs)
 
 
-class Tape:
+class GradientTape:
     """An expression of symbols, of which some are given by others."""
 
     def __init__(self, expression: sp.Basic, given: Given) -> None:
@@ -45,7 +45,7 @@ class Tape:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Send the expression: operations cannot be sent."""
-        return Tape, (self._expression, dict(self._given))
+        return GradientTape, (self._expression, dict(self._given))
 
     @property
     def symbols(self) -> frozenset[sp.Basic]:

@@ -10,7 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from mechproof.cli.console import console, say
-from mechproof.proof.findings import Found
+from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ledger import COUNTED, PLAIN, Ledger, classify, show_totals
 from mechproof.proof.verdict import Judgement, Verdict
 
@@ -81,7 +81,7 @@ def _print_sums(rows: Sequence[Judgement]) -> None:
     _print_padded([["all papers", *names], *lines])
 
 
-def _print_finding(found: Found) -> None:
+def _print_finding(found: LedgerFinding) -> None:
     marks = f" ({', '.join(found.marks)})" if found.marks else ""
     say(Text(f"Finding in {found.system}: {found.number}: {found.verdict}{marks}", style="bold"))
     lines = [("printed", _plain(found.printed_latex)), ("wrong", found.wrong)]

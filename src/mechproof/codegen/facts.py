@@ -19,7 +19,7 @@ ORDERS = (sp.LessThan, sp.StrictLessThan, sp.GreaterThan, sp.StrictGreaterThan)
 
 
 @dataclass(frozen=True)
-class Condition:
+class ConditionText:
     """What is printed of a condition: the parameter to blame, words, names, the test."""
 
     parameter: str
@@ -30,7 +30,7 @@ class Condition:
 
 
 @dataclass(frozen=True)
-class Sizes:
+class SizesText:
     """What is printed of published sizes: doubles, with limit deviations where there are any."""
 
     source: str
@@ -38,7 +38,7 @@ class Sizes:
     marks: tuple[str, ...]
 
 
-def list_conditions(paper: Paper) -> tuple[Condition, ...]:
+def list_conditions(paper: Paper) -> tuple[ConditionText, ...]:
     """List the conditions on parameters, each once, with the quantities that need it."""
     needed: dict[tuple[tuple[str, ...], tuple[sp.Basic, ...]], list[str]] = {}
     for quantity in paper.quantities:
@@ -63,20 +63,20 @@ def _describe(
     relations: tuple[sp.Basic, ...],
     quantities: tuple[str, ...],
     spelled: dict[sp.Basic, str],
-) -> Condition:
+) -> ConditionText:
     text = ", ".join(chain_relations([write_formula(r, spelled) for r in relations]))
     (test,) = write_program(lower_conditions(spelled, names, relations), NUMPY).outputs
     is_order = len(names) > 1 and isinstance(relations[0], ORDERS)
     smaller = relations[0].lts.free_symbols if is_order else set()
     blamed = sorted(spelled[s] for s in smaller) or list(names)
-    return Condition(blamed[0], text, names, test, quantities)
+    return ConditionText(blamed[0], text, names, test, quantities)
 
 
-def list_sizes(paper: Paper) -> tuple[Sizes, ...]:
+def list_sizes(paper: Paper) -> tuple[SizesText, ...]:
     """List the published sizes by the names of the kernels' arguments, rounded once."""
     spelled = {s: n for q in paper.quantities for s, n in input_names(q).items()}
     return tuple(
-        Sizes(
+        SizesText(
             published.source,
             tuple(
                 (spelled[s], _round(size)) for s, size in published.sizes.items() if s in spelled

@@ -13,11 +13,11 @@ from types import MappingProxyType
 from typing import Any
 
 from mechproof.codegen.conditions import join_conditions
-from mechproof.codegen.reading import ReadingError, compare, read_functions
+from mechproof.codegen.reading import SourceError, compare, read_functions
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Program
-from mechproof.programs.trace import Function, Tape, Value, show
+from mechproof.programs.trace import RecordedFunction, Tape, Value, show
 
 # Functions that act on axes, by what they are given besides an array: the operation, and operands.
 OF_AXES: Mapping[Any, tuple[Any, ...]] = MappingProxyType(
@@ -34,20 +34,20 @@ OF_AXES: Mapping[Any, tuple[Any, ...]] = MappingProxyType(
 CHECK = "_check_of_"
 # What a module holds besides functions, which is not read here.
 HELD = frozenset({"__all__", "DOMAIN", "PUBLISHED"})
-Meant = Iterator[tuple[str, Function]]
+Meant = Iterator[tuple[str, RecordedFunction]]
 
 
 def check_module(source: str, kernels: Iterable[Kernel], system: str = "") -> None:
-    """Read a module back; raise `ReadingError` where a function does not do what is meant."""
+    """Read a module back; raise `SourceError` where a function does not do what is meant."""
     compare(dict(_mean_module(kernels)), read_module(source), system)
 
 
-def read_module(source: str) -> dict[str, Function]:
+def read_module(source: str) -> dict[str, RecordedFunction]:
     """Return the functions of a module by their names."""
     functions = read_functions(source, _offer)
     (held,) = functions.pop("").ways
     if others := {step.result for step in held.operations} - HELD:
-        raise ReadingError(f"no module holds {min(others)}")
+        raise SourceError(f"no module holds {min(others)}")
     return {name: _join_conditions(name, function) for name, function in functions.items()}
 
 
@@ -57,7 +57,7 @@ def _offer(tape: Tape) -> dict[str, Any]:
     def act(name: str, value: Value, *last: Any, **named: Any) -> Value:
         given = name, *show(last), *((word, show(axes)) for word, axes in named.items())
         if given not in OF_AXES:
-            raise ReadingError(f"no operation is written {given}")
+            raise SourceError(f"no operation is written {given}")
         kind, *numbers = OF_AXES[given]
         return tape.record(kind, value, *numbers)
 
@@ -65,7 +65,7 @@ def _offer(tape: Tape) -> dict[str, Any]:
     return {name: partial(act, name) for name, *_ in OF_AXES} | facts
 
 
-def _join_conditions(name: str, function: Function) -> Function:
+def _join_conditions(name: str, function: RecordedFunction) -> RecordedFunction:
     """Return the function of a check as if it returned that all conditions hold."""
     (way, *_) = function.ways
     (outputs,) = way.outputs
@@ -73,7 +73,7 @@ def _join_conditions(name: str, function: Function) -> Function:
     if not name.startswith(CHECK):
         return function
     if not (isinstance(outputs, tuple) and outputs and made.issuperset(outputs)):
-        raise ReadingError(f"{name} returns {outputs}, no conditions")
+        raise SourceError(f"{name} returns {outputs}, no conditions")
     joined = join_conditions(replace(way, outputs=outputs))
     return replace(function, ways=(joined, *function.ways[1:]))
 
@@ -92,7 +92,7 @@ def _mean_module(kernels: Iterable[Kernel]) -> Meant:
         yield code.name, tape.run(does, inputs, defaults=(*defaults, show(None)))
         if code.inside:
             asked = replace(code.inside, inputs=(*code.masked, *terms))
-            yield f"{CHECK}{code.name}", Function(asked.inputs, "", (), (asked,))
+            yield f"{CHECK}{code.name}", RecordedFunction(asked.inputs, "", (), (asked,))
         for stage, suffix in zip(code.stages, _list_suffixes(code), strict=True):
             if stage.parameters:
                 prepare = partial(_compute, tape, stage.prepare)

@@ -13,9 +13,9 @@ from mechproof.programs.elementary.functions import BODIES
 from mechproof.programs.operations import (
     HELPER,
     KINDS,
+    AxisReduction,
     Infix,
     Pattern,
-    Reduction,
     Spelling,
     Support,
 )
@@ -42,7 +42,7 @@ def _spell(spellings: Mapping[str, Spelling | None], bodies: str = "") -> Syntax
 
 
 def _name_function(spelling: Spelling) -> str:
-    return f"_{spelling.name}" if isinstance(spelling, Support | Reduction) else str(spelling)
+    return f"_{spelling.name}" if isinstance(spelling, Support | AxisReduction) else str(spelling)
 
 
 NUMPY = _spell({k: row.numpy for k, row in KINDS.items()})

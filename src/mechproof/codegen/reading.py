@@ -18,7 +18,7 @@ from typing import Any
 
 from mechproof.programs.operations import KINDS
 from mechproof.programs.program import CONSTANTS
-from mechproof.programs.trace import Function, Tape, show
+from mechproof.programs.trace import RecordedFunction, Tape, show
 
 # All that emitted code is made of.
 _PARTS = (
@@ -48,11 +48,11 @@ FILE = "<emitted>"
 Offer = Callable[[Tape], Mapping[str, Any]]
 
 
-class ReadingError(ValueError):
+class SourceError(ValueError):
     """The emitted source has something that no kernel has."""
 
 
-class TranslationError(ReadingError):
+class TranslationError(SourceError):
     """The emitted source does not compute the program that was meant."""
 
 
@@ -111,7 +111,7 @@ def _check_type(node: ast.expr | None) -> None:
 
 
 def _refuse(node: ast.AST, reason: str) -> None:
-    raise ReadingError(f"line {getattr(node, 'lineno', '?')}: {reason}")
+    raise SourceError(f"line {getattr(node, 'lineno', '?')}: {reason}")
 
 
 def _call(name: str, *arguments: ast.expr) -> ast.Call:
@@ -128,7 +128,7 @@ class Module:
 
     def __init__(self, tape: Tape, name: str, offered: Mapping[str, Any]) -> None:
         if not MODULES.fullmatch(name):
-            raise ReadingError(f"no emitted code imports {name}")
+            raise SourceError(f"no emitted code imports {name}")
         self._tape, self._name, self._offered = tape, name, offered
 
     def __getattr__(self, name: str) -> Any:
@@ -138,14 +138,14 @@ class Module:
         if f"#{name}" in CONSTANTS:
             return self._tape.value(f"#{name}")
         if kind not in KINDS and not self._name.startswith("mechproof."):
-            raise ReadingError(f"no operation is written {self._name}.{name}")
+            raise SourceError(f"no operation is written {self._name}.{name}")
         return partial(self._tape.record, kind if kind in KINDS else f"_{name}")
 
 
-def read_functions(source: str, offer: Offer) -> dict[str, Function]:
+def read_functions(source: str, offer: Offer) -> dict[str, RecordedFunction]:
     """Return the functions of a module by their names, and what it does itself by an empty one.
 
-    Raises `ReadingError` with the line for what no kernel has.
+    Raises `SourceError` with the line for what no kernel has.
     """
     tape, defined = Tape(), dict[str, tuple[str, FunctionType]]()
 
@@ -167,10 +167,10 @@ def read_functions(source: str, offer: Offer) -> dict[str, Function]:
     except Exception as error:
         lines = [at.lineno for at in extract_tb(error.__traceback__) if at.filename == FILE]
         where = f"line {lines[-1]}: " if lines else ""
-        raise ReadingError(f"{where}{error}") from error
+        raise SourceError(f"{where}{error}") from error
 
 
-def _read(tape: Tape, decorator: str, function: FunctionType) -> Function:
+def _read(tape: Tape, decorator: str, function: FunctionType) -> RecordedFunction:
     code, named = function.__code__, function.__kwdefaults__ or {}
     inputs = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
     defaults = show((*(function.__defaults__ or ()), *named.values()))
@@ -182,7 +182,9 @@ def _read(tape: Tape, decorator: str, function: FunctionType) -> Function:
     return tape.run(call, inputs, decorator, defaults)
 
 
-def compare(meant: Mapping[str, Function], read: Mapping[str, Function], system: str = "") -> None:
+def compare(
+    meant: Mapping[str, RecordedFunction], read: Mapping[str, RecordedFunction], system: str = ""
+) -> None:
     """Raise `TranslationError` with the first difference between what is meant and what is read."""
     for name in {**meant, **read}:
         parts = zip_longest(*(_list_parts(found.get(name)) for found in (meant, read)))
@@ -193,7 +195,7 @@ def compare(meant: Mapping[str, Function], read: Mapping[str, Function], system:
                 )
 
 
-def _list_parts(function: Function | None) -> Iterator[object]:
+def _list_parts(function: RecordedFunction | None) -> Iterator[object]:
     if function is not None:
         yield f"decorated by {function.decorator or 'nothing'}"
         yield function.inputs

@@ -22,16 +22,9 @@ from mechproof.compiled_support.machine import (
 )
 from mechproof.compiled_support.points import POINTS, count_numbers, put, take
 from mechproof.compiled_support.rows import fill, fill_blocks, vector
-from mechproof.compiled_support.sets import (
-    add_up,
-    count_terms,
-    element,
-    every,
-    fill_sets,
-    take_square,
-    take_terms,
-)
+from mechproof.compiled_support.sets import add_up, element, every, fill_sets
 from mechproof.compiled_support.sums import Sums, run_sums
+from mechproof.compiled_support.terms import count_terms, take_square, take_terms
 
 __all__ = [
     "POINTS",

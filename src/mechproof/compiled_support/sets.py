@@ -11,10 +11,8 @@ from typing import Any
 import numpy as np
 from numba import types
 from numba.core import cgutils
-from numba.core.errors import TypingError
 from numba.extending import intrinsic, overload
 from numba.np.arrayobj import load_item
-from numpy.typing import NDArray
 
 from mechproof.compiled_support.machine import apart, bare, choose, is_finite, widen, within
 from mechproof.compiled_support.points import POINTS, own_row, prefetch_row
@@ -295,71 +293,3 @@ def _put_sets(block: Any, table: Any, start: int, stop: int) -> None:
             value = table[0, i * step]
             for s in range(block.shape[1]):
                 block[i, s] = value
-
-
-def count_terms(*values: Any) -> int:
-    """Return the number of terms: that of the first array with another length than 1."""
-    raise NotImplementedError("called in compiled functions only")
-
-
-@overload(count_terms, **TAKEN)
-def _count_terms(*values: Any) -> Any:
-    if not values:
-        return lambda *values: 1
-    if not isinstance(values[0], types.Array):
-        return lambda *values: count_terms(*values[1:])
-    return lambda *values: len(values[0]) if len(values[0]) != 1 else count_terms(*values[1:])
-
-
-def take_terms(name: str, values: Any, terms: int) -> NDArray[Any]:
-    """Return one value for each term; a number or an array of one stands for equal ones.
-
-    Raises ValueError that names an array of another length.
-    """
-    raise NotImplementedError("called in compiled functions only")
-
-
-@overload(take_terms, strict=False)
-def _take_row(name: Any, values: Any, terms: Any) -> Any:
-    if not isinstance(values, types.Array):
-        return lambda name, values, terms: np.broadcast_to(float(values), (terms,))
-    _check_axes(values, 1)
-
-    def take(name: Any, values: Any, terms: Any) -> Any:
-        if values.size == terms:
-            return values
-        if values.size == 1:
-            # Contiguous like the array: loops have no strides to look at.
-            return np.full(terms, values[0])
-        raise ValueError(
-            f"{name}: last axis must have shape ({terms},), got shape ({values.size},)"
-        )
-
-    return take
-
-
-def take_square(name: str, values: Any, terms: int) -> NDArray[Any]:
-    """Return one value for each pair of terms; ValueError that names an array of another shape."""
-    raise NotImplementedError("called in compiled functions only")
-
-
-@overload(take_square, strict=False)
-def _take_square(name: Any, values: Any, terms: Any) -> Any:
-    _check_axes(values, 2)
-
-    def take(name: Any, values: Any, terms: Any) -> Any:
-        rows, columns = values.shape
-        if rows != terms or columns != terms:
-            raise ValueError(
-                f"{name}: last 2 axes must have shape ({terms}, {terms}), "
-                f"got shape ({rows}, {columns})"
-            )
-        return values
-
-    return take
-
-
-def _check_axes(values: Any, axes: int) -> None:
-    """Refuse what has other axes: compiled functions compute one point."""
-    if not isinstance(values, types.Array) or values.ndim != axes:
-        raise TypingError(f"a compiled function takes an array of {axes} axes here, got {values}")

@@ -10,7 +10,7 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.lab.oracle import PRECISIONS, count_points, give_balls, list_values
-from mechproof.lab.region import is_plain
+from mechproof.lab.sampling.region import is_plain
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
 

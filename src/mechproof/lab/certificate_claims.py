@@ -6,23 +6,23 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from importlib.resources import files
 
-from mechproof.lab.marks import write_eps
+from mechproof.lab.chart_points import write_eps
 from mechproof.measured import KERNELS, Record
 from mechproof.roundoff.assumptions import NORMAL
-from mechproof.roundoff.certificate import Certificate, Claim
+from mechproof.roundoff.certificate import Certificate, RoundingClaim
 from mechproof.roundoff.compiled import WAY
 from mechproof.roundoff.files import find_certificate
 
 AT_MOST = "\N{LESS-THAN OR EQUAL TO}"
 
 
-def list_claims(record: Record) -> tuple[Claim, ...]:
+def list_claims(record: Record) -> tuple[RoundingClaim, ...]:
     """List what is proved of a quantity's kernels, none if they are not of the package."""
     certificate = _find_packaged(record.quantity.partition(".")[0])
     return select_claims(record, [certificate] if certificate else ())
 
 
-def select_claims(record: Record, certificates: Iterable[Certificate]) -> tuple[Claim, ...]:
+def select_claims(record: Record, certificates: Iterable[Certificate]) -> tuple[RoundingClaim, ...]:
     """List what certificates claim of a quantity."""
     claims = ((f"{c.system}.{claim.quantity}", claim) for c in certificates for claim in c.claims)
     return tuple(claim for name, claim in claims if name == record.quantity)
@@ -33,7 +33,7 @@ def _find_packaged(system: str) -> Certificate | None:
     return find_certificate(files(KERNELS), system)
 
 
-def find_way(record: Record, claim: Claim) -> str:
+def find_way(record: Record, claim: RoundingClaim) -> str:
     """Return the way of a record that a claim is about."""
     shipped = record.ways[0].name
     return f"{shipped}, {WAY}" if claim.way == WAY else shipped

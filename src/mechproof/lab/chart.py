@@ -15,17 +15,17 @@ from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
 from mechproof.lab.certificate_claims import find_searched, tell_proved, tell_where
-from mechproof.lab.jumps import draw_jumps
-from mechproof.lab.marks import (
+from mechproof.lab.chart_points import (
+    ChartPoint,
     Family,
-    Mark,
     collect_marks,
     find_copy,
     find_usual_set,
     list_workloads,
     write_headline,
 )
-from mechproof.lab.names import name_marks
+from mechproof.lab.jumps import draw_jumps
+from mechproof.lab.labels import name_marks
 from mechproof.lab.panel import LOOKS, draw_panel, set_ticks
 from mechproof.lab.subject import Subject
 from mechproof.measured import Record
@@ -145,7 +145,7 @@ def _keep_together(text: str) -> str:
     return text.replace(" - ", "\N{NO-BREAK SPACE}-\N{NO-BREAK SPACE}")
 
 
-def find_limits(marks: Sequence[Mark], copy: float | None) -> tuple[float, float]:
+def find_limits(marks: Sequence[ChartPoint], copy: float | None) -> tuple[float, float]:
     """Return the ends of the axis of time: all marks and the copy, and room beside them."""
     times = [mark.time for mark in marks] + ([copy] if copy else [])
     low, high = min(times), max(times)
@@ -176,7 +176,7 @@ def _name_copy(axes: Any, copy: float | None) -> None:
 def _write_names(
     figure: Figure,
     rows: Sequence[Any],
-    panels: Sequence[Sequence[Mark]],
+    panels: Sequence[Sequence[ChartPoint]],
     count: int,
     copy: float | None,
     proved: Mapping[str, str],

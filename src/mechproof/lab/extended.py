@@ -13,7 +13,7 @@ import numpy as np
 import sympy as sp
 
 from mechproof.lab.oracle import Truth
-from mechproof.lab.region import MARGIN
+from mechproof.lab.sampling.region import MARGIN
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
 from mechproof.programs.code import KernelCode, Stage
@@ -27,7 +27,7 @@ from mechproof.programs.scalar import map_affinely
 from mechproof.programs.subexpressions import share_subexpressions
 from mechproof.roundoff.extended import DIGITS_OF, FORMAT, IN_EXTENDED, IS_LONGER
 from mechproof.roundoff.running import Values, run
-from mechproof.roundoff.steps import Straight, flatten_stage
+from mechproof.roundoff.steps import StraightLineProgram, flatten_stage
 
 IN_PLACE = IN_EXTENDED.but(number=np.float64)
 
@@ -103,7 +103,7 @@ def _holds(condition: Program | None, given: Values, arithmetic: Arithmetic) -> 
     return True if condition is None else run(condition, given, arithmetic)[0]
 
 
-def _flatten(stage: Stage) -> Straight:
+def _flatten(stage: Stage) -> StraightLineProgram:
     """Put a stage into one row of steps, an affine one with the points mapped."""
     if stage.affine:
         stage = replace(stage, evaluate=map_affinely(stage.running))

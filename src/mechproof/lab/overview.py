@@ -11,8 +11,8 @@ import matplotlib as mpl
 from matplotlib.figure import Figure
 
 from mechproof.lab.chart import DPI, STYLE, WIDTH, draw_key, find_limits, save
-from mechproof.lab.marks import (
-    Mark,
+from mechproof.lab.chart_points import (
+    ChartPoint,
     collect_marks,
     find_best,
     find_copy,
@@ -35,12 +35,12 @@ def draw_overview(records: Sequence[Record], folder: Path) -> list[Path]:
     return save(figure, folder / NAME, write_summary(records), records)
 
 
-def collect_first(record: Record) -> list[Mark]:
+def collect_first(record: Record) -> list[ChartPoint]:
     """Return the marks of the first workload, at the worst of all sets."""
     return collect_marks(record, *list_workloads(record)[0])
 
 
-def pick_marks(marks: Sequence[Mark]) -> list[Mark]:
+def pick_marks(marks: Sequence[ChartPoint]) -> list[ChartPoint]:
     """Return the shipped way, the best of each family and the front."""
     return list(dict.fromkeys([*find_best(marks), *find_front(marks)]))
 
@@ -56,7 +56,7 @@ def write_summary(records: Sequence[Record]) -> str:
     )
 
 
-def _is_as_shipped(mark: Mark, shipped: Mark) -> bool:
+def _is_as_shipped(mark: ChartPoint, shipped: ChartPoint) -> bool:
     """Say whether it is the shipped way or a variant with the same results, as with `out=`."""
     return mark.family == "shipped" and mark.error == shipped.error
 
@@ -83,7 +83,7 @@ def draw_panels(records: Sequence[Record]) -> Figure:
     return figure
 
 
-def _draw_small(axes: Any, record: Record, marks: Sequence[Mark], copy: float | None) -> None:
+def _draw_small(axes: Any, record: Record, marks: Sequence[ChartPoint], copy: float | None) -> None:
     draw_panel(axes, marks, copy, LINE)
     system, _, quantity = record.quantity.partition(".")
     axes.set_title(f"{system}\n{quantity}", fontsize=7)

@@ -6,11 +6,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from mechproof.lab.marks import (
+from mechproof.lab.chart_points import (
     LOST_LANE,
     TURNS_LANE,
+    ChartPoint,
     Family,
-    Mark,
     find_front,
 )
 
@@ -23,7 +23,7 @@ SHORT_LANES = ("no digit", "turns")
 
 
 @dataclass(frozen=True)
-class Look:
+class MarkerStyle:
     """How a family is drawn: told apart by shape, and by lightness where it is printed in grey."""
 
     says: str
@@ -32,15 +32,17 @@ class Look:
     size: float = 8
 
 
-LOOKS: Mapping[Family, Look] = {
-    "shipped": Look("shipped here", "s", "#08306b", 9),
-    "written": Look("what people write", "o", "#e6550d"),
-    "installed": Look("what they install", "^", "#74c4e8"),
-    "approximate": Look("approximations with a proved bound", "D", "#fff7bc", 7),
+LOOKS: Mapping[Family, MarkerStyle] = {
+    "shipped": MarkerStyle("shipped here", "s", "#08306b", 9),
+    "written": MarkerStyle("what people write", "o", "#e6550d"),
+    "installed": MarkerStyle("what they install", "^", "#74c4e8"),
+    "approximate": MarkerStyle("approximations with a proved bound", "D", "#fff7bc", 7),
 }
 
 
-def draw_panel(axes: Any, marks: Sequence[Mark], copy: float | None, width: float = 1.3) -> None:
+def draw_panel(
+    axes: Any, marks: Sequence[ChartPoint], copy: float | None, width: float = 1.3
+) -> None:
     """Draw the front, the lanes and the time of a copy, between the ends of time that are set."""
     axes.set(xscale="log", ylim=(LOWEST, find_top(marks)))
     axes.grid(which="major", color="0.93", lw=0.6)
@@ -51,13 +53,13 @@ def draw_panel(axes: Any, marks: Sequence[Mark], copy: float | None, width: floa
     _draw_front(axes, find_front(marks), width)
 
 
-def find_top(marks: Sequence[Mark]) -> float:
+def find_top(marks: Sequence[ChartPoint]) -> float:
     """Return the upper end of the axis; the lane of whole turns is there if it is needed."""
     highest = TURNS_LANE if any(mark.turns for mark in marks) else LOST_LANE
     return highest + LANE / 2
 
 
-def draw_mark(axes: Any, mark: Mark, size: float) -> None:
+def draw_mark(axes: Any, mark: ChartPoint, size: float) -> None:
     """Draw one mark in the look of its family."""
     look = LOOKS[mark.family]
     axes.plot(
@@ -66,13 +68,13 @@ def draw_mark(axes: Any, mark: Mark, size: float) -> None:
     )  # fmt: skip
 
 
-def trace_front(axes: Any, front: Sequence[Mark]) -> tuple[list[float], list[float]]:
+def trace_front(axes: Any, front: Sequence[ChartPoint]) -> tuple[list[float], list[float]]:
     """Return the corners of the front from its fastest to the end of the axis."""
     end = axes.get_xlim()[1]
     return [*(m.time for m in front), end], [*(m.height for m in front), front[-1].height]
 
 
-def _draw_front(axes: Any, front: Sequence[Mark], width: float) -> None:
+def _draw_front(axes: Any, front: Sequence[ChartPoint], width: float) -> None:
     """Draw the front as a step; what is faster and more accurate was not reached, and is shaded."""
     if not front:
         return
@@ -84,7 +86,7 @@ def _draw_front(axes: Any, front: Sequence[Mark], width: float) -> None:
     axes.step([times[0], *times], [top, *heights], "k-", where="post", lw=width, zorder=2)
 
 
-def set_ticks(axes: Any, marks: Sequence[Mark], right: bool = True) -> None:
+def set_ticks(axes: Any, marks: Sequence[ChartPoint], right: bool = True) -> None:
     """Label errors in eps and the lanes at the left, and the digits that are right at the right.
 
     Without the right the panel is a small one: labels are fewer, and of a line each.

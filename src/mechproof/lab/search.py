@@ -18,8 +18,8 @@ from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import find_errors
 from mechproof.lab.extended import extend
 from mechproof.lab.oracle import Truth, find_truth
-from mechproof.lab.points import TUNE, choose_evenly, draw_points, join
-from mechproof.lab.sets import list_sets
+from mechproof.lab.sampling.points import TUNE, choose_evenly, draw_points, join
+from mechproof.lab.sampling.sets import list_sets
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array, Compute
 from mechproof.roundoff.climb import (
@@ -39,7 +39,7 @@ ROUNDS, CLIMB = 20, 100
 
 
 @dataclass(frozen=True)
-class Found:
+class WorstInput:
     """The worst input of a search, its error in units of the bound, and how many were tried."""
 
     arguments: tuple[Array, ...]
@@ -54,7 +54,7 @@ def find_worst(
     seed: int = TUNE,
     share: float = 1.0,
     most: int | None = None,
-) -> Found:
+) -> WorstInput:
     """Climb for some rounds from a share of each set, by balls from at most so many points of it.
 
     The domain is not left. Without long doubles, or code of the quantity, balls are all there is.
@@ -76,7 +76,7 @@ def find_worst(
             many = climb(estimate, start, BY_LONG_DOUBLES, length, rng)
             population = select(gather(population, judge_best(judge, many)), JUDGED)
     worst = tuple(column[0] for column in population.points)
-    return Found(worst, float(population.heights[0]), population.tried)
+    return WorstInput(worst, float(population.heights[0]), population.tried)
 
 
 def _divide(rounds: int) -> Iterator[int]:

@@ -13,9 +13,9 @@ import sympy as sp
 from mechproof.codegen.docstrings import tell_bound
 from mechproof.lab.error import EPS
 from mechproof.lab.extended import extend
-from mechproof.lab.points import TUNE, choose_evenly, join
-from mechproof.lab.region import MARGIN
-from mechproof.lab.search import Found, compare, draw_sets, scaled_errors
+from mechproof.lab.sampling.points import TUNE, choose_evenly, join
+from mechproof.lab.sampling.region import MARGIN
+from mechproof.lab.search import WorstInput, compare, draw_sets, scaled_errors
 from mechproof.lab.subject import Subject, make_subjects
 from mechproof.lab.ways import Arguments, Array
 from mechproof.measured import round_up
@@ -46,7 +46,7 @@ FEW = range(1, 1000)
 FAR, NEAR = sp.Integer(DOUBLE.largest), sp.Integer(SINGLE.largest)
 
 
-def find_worst_singles(subject: Subject, kernel: Kernel) -> Found:
+def find_worst_singles(subject: Subject, kernel: Kernel) -> WorstInput:
     """Search for the worst error in floats, in their eps of the scale of the bound.
 
     Points are floats. Left out are those at which a value on the way leaves the range of floats,
@@ -77,7 +77,7 @@ def find_worst_singles(subject: Subject, kernel: Kernel) -> Found:
         many = climb(estimate, join(*sets), SCHEDULE, ROUNDS, np.random.default_rng(TUNE))
         population = select(gather(population, judge_best(judge, many)), JUDGED)
     worst = tuple(column[0] for column in round_singly(population.points))
-    return Found(worst, float(population.heights[0]), population.tried)
+    return WorstInput(worst, float(population.heights[0]), population.tried)
 
 
 def state_errors(paper: Paper, place: Path) -> Mapping[str, str]:

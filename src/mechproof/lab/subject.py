@@ -24,9 +24,9 @@ import sympy as sp
 
 from mechproof.codegen.forms import form_rows
 from mechproof.derivation import find_systems, load_paper, load_part, packaged_directory
-from mechproof.lab.facts import Facts
-from mechproof.lab.points import PointSet
-from mechproof.lab.sizes import Sides
+from mechproof.lab.sampling.points import PointSet
+from mechproof.lab.sampling.sizes import Sides
+from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.ways import Arguments, Compute, Way, list_ways
 from mechproof.measured import KERNELS, goes_by
 from mechproof.proof.domain import Domain

@@ -14,7 +14,7 @@ from mechproof.measured import (
     SetErrors,
     Timing,
 )
-from mechproof.roundoff.certificate import Claim
+from mechproof.roundoff.certificate import RoundingClaim
 
 PAGE = "TABLES.md"
 WAY_HEAD = (
@@ -55,7 +55,8 @@ def headline(record: Record) -> str:
 
 
 def list_lines(
-    records: Sequence[Record], find_claims: Callable[[Record], Sequence[Claim]] = list_claims
+    records: Sequence[Record],
+    find_claims: Callable[[Record], Sequence[RoundingClaim]] = list_claims,
 ) -> Iterator[str]:
     """List the lines of the page, with what is claimed of the quantities."""
     yield INTRODUCTION
@@ -102,7 +103,7 @@ def _describe_shipped(record: Record, found: Searched) -> Sequence[str]:
     return record.quantity, found.way, bound, worst, searched, tried
 
 
-def _describe_claim(record: Record, claim: Claim) -> Sequence[str]:
+def _describe_claim(record: Record, claim: RoundingClaim) -> Sequence[str]:
     return (
         record.quantity,
         claim.form,

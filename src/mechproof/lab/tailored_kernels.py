@@ -8,7 +8,7 @@ from importlib.util import find_spec
 import numpy as np
 import sympy as sp
 
-from mechproof.lab.sets import list_workloads
+from mechproof.lab.sampling.sets import list_workloads
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import COMPILED, Arguments, Array, Way
 from mechproof.measured import MeasuredTailoring

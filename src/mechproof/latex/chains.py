@@ -7,7 +7,7 @@ what follows `\text{ if }`, `\text{ for }` or stands in a bracket. `\text{ and }
 from __future__ import annotations
 
 from mechproof.latex import conditions, groups
-from mechproof.latex.conditions import Part
+from mechproof.latex.conditions import ChainPart
 from mechproof.latex.parser import RELATIONS, Parser
 from mechproof.latex.tokens import NARROW, WIDE
 from mechproof.latex.tree import Bracket, Cases, Chain, Node, Product
@@ -23,7 +23,7 @@ def read_print(parser: Parser) -> tuple[Chain, ...]:
     """Read all chains of a print up to its end."""
     if parser.text in (*IF, r"\forall"):
         raise parser.refuse("a condition before what it is a condition of", "Print it behind that.")
-    parts = [Part(_read_chain(parser))]
+    parts = [ChainPart(_read_chain(parser))]
     while parser.text:
         if parser.skip(",", ";"):
             parser.brackets = _brackets_among_factors(parts[-1].chain.members[-1])
@@ -49,15 +49,15 @@ def _refuse_rest(parser: Parser) -> Exception:
     return parser.refuse(f"{parser.text} is not understood here", remedy)
 
 
-def _read_parts(parser: Parser) -> list[Part]:
+def _read_parts(parser: Parser) -> list[ChainPart]:
     """Read what follows a comma or a gap: a chain, or conditions that are said to be some."""
     if conditions.is_bracketed(parser):
         closing = {"(": ")", "[": "]"}[parser.text]
         return parser.read_inside(parser.text, lambda: _read_bracketed(parser), closing)
     if parser.text in (*IF, r"\forall"):
-        return [Part(_read_condition(parser), said=True)]
+        return [ChainPart(_read_condition(parser), said=True)]
     if not parser.skip(WIDE):
-        return [Part(_read_chain(parser))]
+        return [ChainPart(_read_chain(parser))]
     if parser.text in (*IF, r"\forall") or conditions.is_bracketed(parser):
         return _read_parts(parser)
     start = parser.start
@@ -68,15 +68,15 @@ def _read_parts(parser: Parser) -> list[Part]:
             r"Print a comma between equations, \cdot between factors.",
             start,
         )
-    return [Part(chain, said=True)]
+    return [ChainPart(chain, said=True)]
 
 
-def _read_bracketed(parser: Parser) -> list[Part]:
+def _read_bracketed(parser: Parser) -> list[ChainPart]:
     """Read the conditions in a bracket."""
-    parts: list[Part] = []
+    parts: list[ChainPart] = []
     while not parts or parser.skip(",", ";"):
         chain = _read_condition(parser) if parser.text in (*IF, r"\forall") else _read_chain(parser)
-        parts.append(Part(chain, said=True))
+        parts.append(ChainPart(chain, said=True))
     return parts
 
 

@@ -90,7 +90,7 @@ def _is_inequality_ahead(texts: Sequence[str]) -> bool:
 
 
 @dataclass(frozen=True)
-class Part:
+class ChainPart:
     """A chain between commas; `said` where a word, a gap or a bracket says it is a condition."""
 
     chain: Chain
@@ -111,7 +111,7 @@ def is_bracketed(parser: Parser) -> bool:
     return False
 
 
-def fold(parser: Parser, parts: Sequence[Part]) -> tuple[Chain, ...]:
+def fold(parser: Parser, parts: Sequence[ChainPart]) -> tuple[Chain, ...]:
     """Return the statements of a print, each with the conditions that stand behind them all."""
     statements: list[Chain] = []
     conditions: list[Chain] = []
@@ -145,9 +145,9 @@ def join(conditions: Sequence[Chain]) -> tuple[tuple[Node, ...], tuple[str, ...]
     return tuple(m for one in conditions for m in one.members), tuple(relations[1:])
 
 
-def _share_relations(parser: Parser, parts: Sequence[Part]) -> Iterator[Part]:
+def _share_relations(parser: Parser, parts: Sequence[ChainPart]) -> Iterator[ChainPart]:
     """Read x,y>0 as x>0 and y>0; refuse 0<x,y<1."""
-    waiting: list[Part] = []
+    waiting: list[ChainPart] = []
     last: Chain | None = None
     for part in parts:
         chain = part.chain
@@ -158,7 +158,7 @@ def _share_relations(parser: Parser, parts: Sequence[Part]) -> Iterator[Part]:
         if waiting and is_letter and _is_inequality(chain):
             for one in waiting:
                 shared = replace(chain, members=(one.chain.members[0], *chain.members[1:]))
-                yield Part(shared, part.said or one.said)
+                yield ChainPart(shared, part.said or one.said)
             yield replace(part, said=part.said or waiting[0].said)
         else:
             yield from waiting

@@ -11,11 +11,11 @@ from mechproof.latex.tree import (
     Bracket,
     Call,
     Derivation,
-    Function,
     Letter,
     Node,
     Number,
     Power,
+    PrintedFunction,
 )
 
 if TYPE_CHECKING:
@@ -137,7 +137,9 @@ def read_factorial(parser: Parser, atom: Node) -> Node:
     sign = parser.take("!")
     if parser.text in ("!", "^") or not isinstance(atom, Letter | Number | Bracket):
         raise parser.refuse("a factorial of what?", "Print brackets around it.", sign.start)
-    return Call(Function("factorial", _make_factorial), (atom,), start=atom.start, end=parser.end)
+    return Call(
+        PrintedFunction("factorial", _make_factorial), (atom,), start=atom.start, end=parser.end
+    )
 
 
 def _make_factorial(argument: sp.Expr) -> sp.Expr:

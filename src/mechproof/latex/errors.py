@@ -50,7 +50,7 @@ MODULE = Remedies(
 
 
 @dataclass(frozen=True)
-class Source:
+class PrintedText:
     """A print, to be pointed into."""
 
     latex: str

@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.latex.errors import Source
+from mechproof.latex.errors import PrintedText
 from mechproof.latex.meaning import Meaning
 from mechproof.latex.reader import Print, Reader
 from mechproof.latex.statements import Members, state
@@ -66,7 +66,7 @@ def _join_signs(upper: Row, lower: Row, latex: str) -> Row:
     pairs = zip(_list_sides(says[0]), _list_sides(says[1]), strict=True)
     if upper.on != lower.on or not all(one != other for one, other in pairs):
         place = min(found for sign in _DOUBLE if (found := latex.find(sign)) >= 0)
-        error = Source(latex).refuse(
+        error = PrintedText(latex).refuse(
             place,
             "a double sign on one side, or in the definition of a letter: both signs, or either?",
             "It says two equations: print one after the other.",

@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 from sympy.matrices.exceptions import ShapeError
 
-from mechproof.latex.errors import ReadingError, Remedies, Source
+from mechproof.latex.errors import PrintedText, ReadingError, Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.tree import (
     Add,
@@ -72,7 +72,7 @@ class Meaning:
 
     def __init__(
         self,
-        source: Source,
+        source: PrintedText,
         values: Mapping[sp.Basic, sp.Basic],
         lower_limit: sp.Expr | None,
         remedies: Remedies,

@@ -13,11 +13,20 @@ import sympy as sp
 
 from mechproof.latex import atoms, calculus, calls, conditions, derivatives, letters
 from mechproof.latex.characters import EITHER, find_alike, is_digit, name_character
-from mechproof.latex.errors import MODULE, ReadingError, Remedies, Source
+from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.names import Names, to_signs
 from mechproof.latex.tokens import NARROW, WIDE, Token, read_signs
-from mechproof.latex.tree import Add, Bracket, Function, Node, Number, Power, Product, Quotient
+from mechproof.latex.tree import (
+    Add,
+    Bracket,
+    Node,
+    Number,
+    Power,
+    PrintedFunction,
+    Product,
+    Quotient,
+)
 from mechproof.record import Notation
 
 T = TypeVar("T")
@@ -44,7 +53,7 @@ class Parser:
         collected: list[str] | None = None,
         upper: int = 0,
     ) -> None:
-        self.source = Source(latex)
+        self.source = PrintedText(latex)
         signs = read_signs(latex)
         self.tokens: Sequence[Token] = conditions.keep_gaps(signs.tokens)
         self.groups = signs.groups
@@ -52,7 +61,7 @@ class Parser:
         self.notation = notation
         self.factors = {"".join(to_signs(latex)) for latex in notation.factors}
         makes: Mapping[str, Callable[..., sp.Expr]] = {**FUNCTIONS, **notation.functions}
-        self.functions = {rf"\{name}": Function(name, make) for name, make in makes.items()}
+        self.functions = {rf"\{name}": PrintedFunction(name, make) for name, make in makes.items()}
         self.remedies = remedies
         self.collects = collected is not None
         self.collected = [] if collected is None else collected

@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.latex.chains import read_print
-from mechproof.latex.errors import MODULE, ReadingError, Remedies, Source
+from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.meaning import Meaning
 from mechproof.latex.names import Names, build_names
 from mechproof.latex.parser import Parser
@@ -23,7 +23,7 @@ from mechproof.record import Notation, Row, Variable
 class Print:
     """A print that has been parsed: its chains and how to turn them into expressions."""
 
-    source: Source
+    source: PrintedText
     chains: tuple[Chain, ...]
     reader: Reader
     upper: int = 0

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from mechproof.latex.characters import read_script, spell
-from mechproof.latex.errors import Source
+from mechproof.latex.errors import PrintedText
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.words import AND, ELSE, IF, to_text
 
@@ -120,7 +120,7 @@ def _split(latex: str) -> list[Token]:
 
 class _Normaliser:
     def __init__(self, latex: str) -> None:
-        self.source = Source(latex)
+        self.source = PrintedText(latex)
         self.raw = _split(latex)
         self.place = 0
         self.groups: list[tuple[int, int]] = []

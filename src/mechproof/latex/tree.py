@@ -87,7 +87,7 @@ class Root(Node):
 
 
 @dataclass(frozen=True)
-class Function:
+class PrintedFunction:
     """A function by the name that is printed, and how its value is made."""
 
     name: str
@@ -98,7 +98,7 @@ class Function:
 class Call(Node):
     """A function of arguments, raised to a power where one is printed; no argument: missing."""
 
-    function: Function
+    function: PrintedFunction
     arguments: tuple[Node, ...]
     exponent: Node | None = None
 

@@ -18,7 +18,7 @@ __all__ = [
     "COLUMN",
     "MILLIMETRE",
     "SMALL",
-    "Look",
+    "LineStyle",
     "check_axes",
     "import_matplotlib",
     "label",
@@ -56,7 +56,7 @@ _TURNS = RLock()
 KEPT = frozenset({"backend", "backend_fallback", "interactive", "toolbar", "timezone"})
 
 
-class Look:
+class LineStyle:
     """Lines that differ in grey as well as in colour; keyword arguments of `Axes.plot`."""
 
     FIRST: Mapping[str, Any] = {"color": "#000000", "lw": 1.3, "ls": "-"}

@@ -9,7 +9,7 @@ import numpy as np
 
 from mechproof.arguments.scalars import require
 from mechproof.mechanisms import EllipticPlanetary, OvalPlanetary
-from mechproof.plot.canvas import SMALL, Look, check_axes, label, write
+from mechproof.plot.canvas import SMALL, LineStyle, check_axes, label, write
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -68,8 +68,8 @@ def motion(mechanism: Planetary, axes: Any = None, *, eta: Any = None) -> Sequen
     for panel, values, name in zip(panels, curves, LABELS, strict=True):
         for start, end in rests:
             panel.axvspan(np.degrees(start), np.degrees(end), color="#dddddd", lw=0)
-        panel.axhline(0.0, **Look.AXIS)
-        panel.plot(np.degrees(angles), values, **Look.FIRST)
+        panel.axhline(0.0, **LineStyle.AXIS)
+        panel.plot(np.degrees(angles), values, **LineStyle.FIRST)
         panel.set_ylabel(name, fontsize=SMALL)
     panels[0].set_title(title, loc="left", fontsize=SMALL)
     panels[-1].set_xlabel("carrier φ₁, ° (one period of the ratio)", fontsize=SMALL)
@@ -126,7 +126,7 @@ def _mark_extremes(panel: Axes, extremes: Extremes) -> None:
         (extremes.minimum, extremes.at_minimum, -1),
     ):
         inside = np.degrees(place % extremes.period)
-        panel.plot([inside], [value], **Look.MARK)
+        panel.plot([inside], [value], **LineStyle.MARK)
         share = inside / np.degrees(extremes.period)
         sideways = 0.1 if share < 0.2 else -0.1 if share > 0.8 else 0.0
         text = f"{write(value)} at {write(inside)}°"

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from mechproof.arguments.scalars import check_real
 from mechproof.kernels import oval_planetary as oval_kernels
 from mechproof.mechanisms import CylindricalPair, EllipticPlanetary, OvalPlanetary
-from mechproof.plot.canvas import SMALL, Look, check_axes, label, write
+from mechproof.plot.canvas import SMALL, LineStyle, check_axes, label, write
 from mechproof.plot.motion import Planetary, check_planetary
 
 if TYPE_CHECKING:
@@ -152,10 +152,10 @@ def drive(e: float, angle: float) -> float:
 
 # How each wheel is drawn, and where its number stands: degrees from the line A-C.
 LOOKS = {
-    4: (Look.FIRST, 120),
-    5: (Look.FIRST, 60),
-    6: (Look.SECOND, -60),
-    3: (Look.SECOND, -120),
+    4: (LineStyle.FIRST, 120),
+    5: (LineStyle.FIRST, 60),
+    6: (LineStyle.SECOND, -60),
+    3: (LineStyle.SECOND, -120),
 }
 # How far names stand from their points, in points.
 AWAY = 4.5
@@ -190,14 +190,14 @@ def _draw_line_of_centres(panel: Axes, wheels: Sequence[Wheel], angle: float) ->
         "B": sun.point(angle),
         "D": output.point(angle),
     }
-    panel.plot(*np.stack([places["A"], places["C"]]).T, **Look.GUIDE)
+    panel.plot(*np.stack([places["A"], places["C"]]).T, **LineStyle.GUIDE)
     # The curves cross the line A-C at right angles: names of contacts stand away from each other
     # near it, those of the axes beside it.
     near, far = sorted("BD", key=lambda name: float(places[name] @ ray))
     turned = {near: 205, far: 25, "A": 110, "C": 70}
     for name, place in places.items():
         if name in "BD":
-            panel.plot(*place, **Look.MARK)
+            panel.plot(*place, **LineStyle.MARK)
         direction = angle + np.radians(turned[name])
         aside = (AWAY * np.cos(direction), AWAY * np.sin(direction))
         label(panel, name, tuple(place), aside)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import check_items, check_text, refuse, require
 from mechproof.conformity import Shares, SimulatedShares
-from mechproof.plot.canvas import SMALL, Look, check_axes
+from mechproof.plot.canvas import SMALL, LineStyle, check_axes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,10 +21,10 @@ __all__ = ["shares"]
 HEIGHT = 65.0
 # How each share is drawn.
 LOOKS = {
-    "rightly_accepted": Look.FIRST,
-    "wrongly_accepted": Look.SECOND,
-    "rightly_rejected": Look.FOURTH,
-    "wrongly_rejected": Look.THIRD,
+    "rightly_accepted": LineStyle.FIRST,
+    "wrongly_accepted": LineStyle.SECOND,
+    "rightly_rejected": LineStyle.FOURTH,
+    "wrongly_rejected": LineStyle.THIRD,
 }
 
 

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.arrays import check_array
 from mechproof.arguments.scalars import check_items, check_text, refuse, require
-from mechproof.plot.canvas import SMALL, Look, check_axes, write
+from mechproof.plot.canvas import SMALL, LineStyle, check_axes, write
 from mechproof.tolerance import CertifiedRange, CornerRange, MonteCarloRange
 
 if TYPE_CHECKING:
@@ -73,13 +73,13 @@ def tolerance(
     (panel,) = check_axes("ax", ax, 1, HEIGHT)
     nominal = np.asarray(corners.nominal)
     lower, upper = np.asarray(corners.lower) - nominal, np.asarray(corners.upper) - nominal
-    panel.axhline(0.0, **Look.AXIS)
+    panel.axhline(0.0, **LineStyle.AXIS)
     panel.fill_between(points, lower, upper, color="#d5dfec", lw=0)
-    panel.plot(points, upper, **Look.FIRST, label="all combinations of limits")
-    panel.plot(points, lower, **Look.FIRST)
+    panel.plot(points, upper, **LineStyle.FIRST, label="all combinations of limits")
+    panel.plot(points, lower, **LineStyle.FIRST)
     for given, look, label in (
-        (certified, Look.WRONG, "certified bounds"),
-        (scatter, Look.SECOND, "range of given probability"),
+        (certified, LineStyle.WRONG, "certified bounds"),
+        (scatter, LineStyle.SECOND, "range of given probability"),
     ):
         if given is not None:
             _draw_ends(panel, points, given.lower - nominal, given.upper - nominal, look, label)

@@ -57,7 +57,7 @@ class Support:
 
 
 @dataclass(frozen=True)
-class Reduction:
+class AxisReduction:
     """A function of the support package that takes the last axes of an array together."""
 
     module: str
@@ -65,7 +65,7 @@ class Reduction:
 
 
 # A text is the name of a function.
-Spelling = Infix | Pattern | Support | Reduction | str
+Spelling = Infix | Pattern | Support | AxisReduction | str
 
 
 @dataclass(frozen=True)
@@ -254,8 +254,8 @@ _ROWS = (
     _view("along_last", "{}[..., _np.newaxis, :]", ATOM),
     _view("transpose", "_np.swapaxes({}, -1, -2)", CHOICE),
     _view("diagonal", "_np.diagonal({}, axis1=-2, axis2=-1)", CHOICE),
-    Kind("sum", NEAREST, numpy=Reduction("functions", "add_up")),
-    Kind("every", EXACT, numpy=Reduction("domains", "every")),
+    Kind("sum", NEAREST, numpy=AxisReduction("functions", "add_up")),
+    Kind("every", EXACT, numpy=AxisReduction("domains", "every")),
     Kind("quadratic_form", NEAREST, numpy=Support("functions", "quadratic_form")),
     Kind("nonnegative_form", NEAREST, numpy=Support("functions", "nonnegative_form")),
 )  # fmt: skip
@@ -267,4 +267,4 @@ SYMBOLIC = Arithmetic(
 COMPARISONS = tuple(
     k for k, row in KINDS.items() if isinstance(row.numpy, Infix) and row.numpy.level == COMPARISON
 )
-REDUCTIONS = tuple(k for k, row in KINDS.items() if isinstance(row.numpy, Reduction))
+REDUCTIONS = tuple(k for k, row in KINDS.items() if isinstance(row.numpy, AxisReduction))

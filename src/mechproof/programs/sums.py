@@ -32,7 +32,7 @@ ADDED = "total_rest"
 
 
 @dataclass(frozen=True)
-class Reduction:
+class TermLoop:
     """A loop over one axis or two: the sum of a term, or whether it is true of every element.
 
     `elements` are what the term takes: a parameter and the indices of its element, none if the
@@ -48,7 +48,7 @@ class Reduction:
     term: Program
 
 
-def fold_sums(kernels: Iterable[Kernel]) -> tuple[tuple[Kernel, ...], tuple[Reduction, ...]]:
+def fold_sums(kernels: Iterable[Kernel]) -> tuple[tuple[Kernel, ...], tuple[TermLoop, ...]]:
     """Return kernels that call loops over terms, and the loops, each once.
 
     Raises NotImplementedError for sums in the terms of sums.
@@ -61,7 +61,7 @@ def fold_sums(kernels: Iterable[Kernel]) -> tuple[tuple[Kernel, ...], tuple[Redu
 
 class _Folder:
     def __init__(self, taken: set[str]) -> None:
-        self.reductions: list[Reduction] = []
+        self.reductions: list[TermLoop] = []
         self._taken = taken
 
     def fold(self, kernel: Kernel) -> Kernel:
@@ -99,7 +99,7 @@ class _Folder:
         value, count = step.operands
         result = term.take(value)
         used = tuple(dict.fromkeys(name for name, _ in term.elements))
-        found = Reduction(
+        found = TermLoop(
             "",
             step.kind,
             int(count),
@@ -110,7 +110,7 @@ class _Folder:
         )
         return Operation(step.result, self._name(found), used)
 
-    def _name(self, found: Reduction) -> str:
+    def _name(self, found: TermLoop) -> str:
         for known in self.reductions:
             if replace(known, name="") == found:
                 return known.name

@@ -23,7 +23,7 @@ Last = Mapping[str, str]
 
 
 @dataclass(frozen=True)
-class Function:
+class RecordedFunction:
     """A function: its parameters, what it is decorated by, defaults, every way through it."""
 
     inputs: tuple[str, ...]
@@ -170,7 +170,7 @@ class Tape:
         inputs: Iterable[str] = (),
         decorator: str = "",
         defaults: tuple[Any, ...] = (),
-    ) -> Function:
+    ) -> RecordedFunction:
         """Record every way through a function, in the order of its answers."""
         inputs, self._answers = tuple(inputs), []
         ways: list[Program] = []
@@ -181,7 +181,7 @@ class Tape:
             while self._answers and not self._answers[-1]:
                 self._answers.pop()
             if not self._answers:
-                return Function(inputs, decorator, defaults, tuple(ways))
+                return RecordedFunction(inputs, decorator, defaults, tuple(ways))
             self._answers[-1] = False
         raise ValueError(f"there are more than {MOST_WAYS} ways through it")
 

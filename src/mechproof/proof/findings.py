@@ -45,7 +45,7 @@ _BITS = 60
 
 
 @dataclass(frozen=True)
-class Found:
+class LedgerFinding:
     """One finding of the ledger."""
 
     system: str
@@ -80,7 +80,7 @@ def follower_rows(paper: Paper) -> tuple[Row, ...]:
     )
 
 
-def list_findings(paper: Paper, judgements: Sequence[Judgement]) -> tuple[Found, ...]:
+def list_findings(paper: Paper, judgements: Sequence[Judgement]) -> tuple[LedgerFinding, ...]:
     """List the findings of a paper in the order of its rows.
 
     Raises `ValueError` for a cause that is not wrong and a follower that does not follow.
@@ -99,7 +99,7 @@ def list_findings(paper: Paper, judgements: Sequence[Judgement]) -> tuple[Found,
 
 def _describe(
     paper: Paper, row: Row, finding: Finding | None, judged: Mapping[str, Judgement]
-) -> Found:
+) -> LedgerFinding:
     about = judged[row.number]
     finding = finding or Finding(row.number, about.reason)
     if about.verdict in (Verdict.PROVED, Verdict.DEFINITION):
@@ -111,7 +111,7 @@ def _describe(
                 f"paper {paper.system!r}: {follower.row!r} does not follow from {row.number!r}: "
                 f"with its correction it is {again.verdict}: {again.reason}"
             )
-    return Found(
+    return LedgerFinding(
         system=paper.system,
         number=row.number,
         verdict=about.verdict,

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mechproof.notebook import Displayed
-from mechproof.proof.findings import Found
+from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ladder import IDENTICAL
 from mechproof.proof.rungs import RUNGS, name_rungs
 from mechproof.proof.verdict import Evidence, Judgement, Verdict
@@ -48,7 +48,7 @@ class Ledger:
     system: str
     citation: str
     judgements: tuple[Judgement, ...]
-    findings: tuple[Found, ...] = ()
+    findings: tuple[LedgerFinding, ...] = ()
     shipped: frozenset[str] = frozenset()
     failures: tuple[str, ...] = ()
 
@@ -109,7 +109,7 @@ def to_markdown(ledgers: Sequence[Ledger]) -> str:
     return "\n".join(parts)
 
 
-def _finding(found: Found) -> str:
+def _finding(found: LedgerFinding) -> str:
     paragraphs = [
         f"### {found.system} {_escape(found.number)}: {found.verdict}{_show_marks(found.marks)}",
         _formula(found.printed_latex),

@@ -20,26 +20,26 @@ SIZES = tuple(map(sp.Rational, ("1/7", "3", "1", "1/3", "11", "2/5", "1/50", "40
 
 
 @dataclass(frozen=True)
-class Sign:
+class StrictSign:
     """+1 or -1, and whether zero is excluded."""
 
     direction: int
     strict: bool
 
-    def times(self, other: Sign) -> Sign:
+    def times(self, other: StrictSign) -> StrictSign:
         """Return the sign of a product."""
-        return Sign(self.direction * other.direction, self.strict and other.strict)
+        return StrictSign(self.direction * other.direction, self.strict and other.strict)
 
 
-def sign_of_number(number: sp.Expr) -> Sign | None:
+def sign_of_number(number: sp.Expr) -> StrictSign | None:
     """Return the sign of a number, None where its ball holds zero."""
     if number == 0:
-        return Sign(1, False)
+        return StrictSign(1, False)
     ball = balls.evaluate(number, {}, 256)
-    return Sign(1, True) if ball > 0 else Sign(-1, True) if ball < 0 else None
+    return StrictSign(1, True) if ball > 0 else StrictSign(-1, True) if ball < 0 else None
 
 
-def sign_of_quotient(expression: sp.Expr, coordinates: Coordinates) -> Sign | None:
+def sign_of_quotient(expression: sp.Expr, coordinates: Coordinates) -> StrictSign | None:
     """Return the sign of a quotient whose divisor is proved not to be zero."""
     numerator, denominator = split(expression)
     top = _sign_of_factors(numerator, coordinates)
@@ -47,7 +47,7 @@ def sign_of_quotient(expression: sp.Expr, coordinates: Coordinates) -> Sign | No
     return top.times(bottom) if top and bottom and bottom.strict else None
 
 
-def _sign_of_factors(expression: sp.Expr, coordinates: Coordinates) -> Sign | None:
+def _sign_of_factors(expression: sp.Expr, coordinates: Coordinates) -> StrictSign | None:
     if not expression.free_symbols:
         return sign_of_number(expression)
     if expression.atoms(sp.Function):
@@ -63,7 +63,7 @@ def _sign_of_factors(expression: sp.Expr, coordinates: Coordinates) -> Sign | No
 
 def _sign_of_product(
     expression: sp.Expr, positive: set[sp.Basic], nonnegative: set[sp.Basic]
-) -> Sign | None:
+) -> StrictSign | None:
     constant, factors = factorise(expression)
     sign = sign_of_number(constant)
     for factor, power in factors:
@@ -71,8 +71,8 @@ def _sign_of_product(
         if one is None:
             if power % 2:
                 return None
-            one = Sign(1, False)
-        sign = sign.times(one if power % 2 else Sign(1, one.strict)) if sign else None
+            one = StrictSign(1, False)
+        sign = sign.times(one if power % 2 else StrictSign(1, one.strict)) if sign else None
     return sign
 
 
@@ -82,7 +82,7 @@ def _name_positive_powers(expression: sp.Expr, coordinates: Coordinates) -> sp.E
     named = {
         power: sp.Dummy("power", positive=True)
         for power in sorted(powers, key=sp.default_sort_key)
-        if sign_of_quotient(power.base, coordinates) == Sign(1, True)
+        if sign_of_quotient(power.base, coordinates) == StrictSign(1, True)
     }
     coordinates.positive |= set(named.values())
     return expression.xreplace(named)
@@ -95,7 +95,7 @@ def _square_roots(expression: sp.Expr) -> list[sp.Expr]:
 
 def _sign_of_polynomial(
     factor: sp.Expr, positive: set[sp.Basic], nonnegative: set[sp.Basic]
-) -> Sign | None:
+) -> StrictSign | None:
     if not factor.free_symbols:
         return sign_of_number(factor)
     symbols = sorted(factor.free_symbols, key=str)
@@ -113,7 +113,7 @@ def _sign_of_polynomial(
         strict = strict or all(shape)
     if len(directions) > 1:
         return _sign_of_mixed_terms(polynomial, positive, nonnegative)
-    return Sign(directions.pop(), strict)
+    return StrictSign(directions.pop(), strict)
 
 
 def _sign_of_power(
@@ -127,7 +127,7 @@ def _sign_of_power(
 
 def _sign_of_mixed_terms(
     polynomial: sp.Poly, positive: set[sp.Basic], nonnegative: set[sp.Basic]
-) -> Sign | None:
+) -> StrictSign | None:
     if len(polynomial.gens) == 1:
         return _sign_by_sturm(polynomial, positive | nonnegative)
     found = (_sign_by_discriminant(polynomial, s, positive, nonnegative) for s in polynomial.gens)
@@ -136,7 +136,7 @@ def _sign_of_mixed_terms(
 
 def _sign_by_discriminant(
     polynomial: sp.Poly, symbol: sp.Basic, positive: set[sp.Basic], nonnegative: set[sp.Basic]
-) -> Sign | None:
+) -> StrictSign | None:
     """Return the sign of a*v^2 + b*v + c, v any real number: that of a > 0 if b^2 <= 4*a*c."""
     if polynomial.degree(symbol) != 2:
         return None
@@ -149,7 +149,7 @@ def _sign_by_discriminant(
     gap = _sign_of_product(rest, positive, nonnegative) if leading and leading.strict else None
     if not (leading and gap and gap.direction > 0):
         return None
-    return Sign(leading.direction, gap.strict)
+    return StrictSign(leading.direction, gap.strict)
 
 
 def _is_negative_somewhere(expression: sp.Expr, half_lines: set[sp.Basic]) -> bool:
@@ -168,7 +168,7 @@ def _is_negative_somewhere(expression: sp.Expr, half_lines: set[sp.Basic]) -> bo
     return False
 
 
-def _sign_by_sturm(polynomial: sp.Poly, half_lines: set[sp.Basic]) -> Sign | None:
+def _sign_by_sturm(polynomial: sp.Poly, half_lines: set[sp.Basic]) -> StrictSign | None:
     """Decide one polynomial in one variable with rational coefficients."""
     if len(polynomial.gens) != 1 or not polynomial.domain.is_QQ | polynomial.domain.is_ZZ:
         return None

@@ -22,7 +22,7 @@ from mechproof.proof.coordinates import (
     write_by_half_angles,
 )
 from mechproof.proof.domain import Domain
-from mechproof.proof.polynomial_signs import Sign, sign_of_number, sign_of_quotient
+from mechproof.proof.polynomial_signs import StrictSign, sign_of_number, sign_of_quotient
 from mechproof.record.parts import find_parts
 
 # Work limit: powers and multiples of angles beyond are not multiplied out.
@@ -37,7 +37,7 @@ def is_workable(expression: sp.Basic) -> bool:
 
 # Rows of a paper share their radicals and divisors, whose signs are what a proof takes longest for.
 @lru_cache(maxsize=4096)
-def find_sign(expression: sp.Expr, domain: Domain) -> Sign | None:
+def find_sign(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     """Return the proved sign of the expression on the domain, or None if it is not shown."""
     expression = domain.resolve(expression)
     try:
@@ -46,7 +46,7 @@ def find_sign(expression: sp.Expr, domain: Domain) -> Sign | None:
         return None
 
 
-def _find_sign_with_ends(expression: sp.Expr, domain: Domain) -> Sign | None:
+def _find_sign_with_ends(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     if not expression.free_symbols:
         return sign_of_number(expression)
     if expression.has(sp.Sum, sp.Integral) or not is_workable(expression):
@@ -63,10 +63,10 @@ def _fix(domain: Domain, symbol: sp.Basic, value: sp.Expr) -> Domain:
     return Domain(domain.within, where, domain.given)
 
 
-def _weaker(one: Sign | None, other: Sign | None) -> Sign | None:
+def _weaker(one: StrictSign | None, other: StrictSign | None) -> StrictSign | None:
     if one is None or other is None or one.direction != other.direction:
         return None
-    return Sign(one.direction, one.strict and other.strict)
+    return StrictSign(one.direction, one.strict and other.strict)
 
 
 def _closed_right_ends(expression: sp.Expr, domain: Domain) -> list[tuple[sp.Basic, sp.Expr]]:
@@ -81,7 +81,7 @@ def _closed_right_ends(expression: sp.Expr, domain: Domain) -> list[tuple[sp.Bas
     ]
 
 
-def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> Sign | None:
+def _sign_in_coordinates(expression: sp.Expr, domain: Domain) -> StrictSign | None:
     coordinates = _change_coordinates(expression, domain)
     expression = name_exponentials(expression, coordinates)
     changed = _name_positive_cosines(free_tangents(expression), coordinates, domain)
@@ -152,10 +152,10 @@ def _name_positive_cosines(
 def _is_positive(expression: sp.Expr, domain: Domain) -> bool:
     if expression.atoms(sp.Function):
         return False
-    return find_sign(expression, domain) == Sign(1, True)
+    return find_sign(expression, domain) == StrictSign(1, True)
 
 
-def _sign_by_half_angles(expression: sp.Expr, coordinates: Coordinates) -> Sign | None:
+def _sign_by_half_angles(expression: sp.Expr, coordinates: Coordinates) -> StrictSign | None:
     """Half-angle tangents miss the half turn: a limit keeps the sign there, but may be zero."""
     sign = sign_of_quotient(write_by_half_angles(expression), coordinates)
     if sign is None or not sign.strict:
@@ -166,5 +166,5 @@ def _sign_by_half_angles(expression: sp.Expr, coordinates: Coordinates) -> Sign 
             continue
         at_half_turn = _sign_by_half_angles(there, coordinates)
         if at_half_turn is None or not at_half_turn.strict:
-            return Sign(sign.direction, False)
+            return StrictSign(sign.direction, False)
     return sign

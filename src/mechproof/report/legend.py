@@ -9,14 +9,14 @@ from mechproof.proof.rungs import RUNGS
 from mechproof.report.papers import PaperView
 from mechproof.report.quantities import QuantityView
 from mechproof.report.rows import MARKED
-from mechproof.report.words import LOOKS, MEASURED, NOT_JUDGED, Look
+from mechproof.report.words import LOOKS, MEASURED, NOT_JUDGED, VerdictStyle
 
 
 @dataclass(frozen=True)
 class Legend:
     """What is explained to the reader: only what occurs."""
 
-    looks: tuple[Look, ...]
+    looks: tuple[VerdictStyle, ...]
     marks: Mapping[str, str]
     rungs: Mapping[str, str]
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from mechproof.proof.comparison_latex import write_latex
-from mechproof.proof.findings import Found
+from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ledger import COUNTED, OURS, JudgedPaper, classify
 from mechproof.proof.verdict import Judgement
 from mechproof.record import Paper, Row, Variable
@@ -24,7 +24,7 @@ from mechproof.report.rows import (
     name_symbols,
 )
 from mechproof.report.sources import Source
-from mechproof.report.words import LOOKS, NOT_JUDGED, Look, look_of, set_prose
+from mechproof.report.words import LOOKS, NOT_JUDGED, VerdictStyle, look_of, set_prose
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class FindingView:
     system: str
     number: str
     anchor: str
-    look: Look
+    look: VerdictStyle
     marks: tuple[str, ...]
     printed: Markup
     wrong: Markup
@@ -48,7 +48,7 @@ class FindingView:
 class Count:
     """How many rows of a class have a verdict."""
 
-    look: Look
+    look: VerdictStyle
     number: int
 
 
@@ -70,12 +70,12 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Equation:
+class EquationLink:
     """An equation of the index: its number, where it begins, and the gravest of its verdicts."""
 
     number: str
     anchor: str
-    look: Look
+    look: VerdictStyle
 
 
 @dataclass(frozen=True)
@@ -114,7 +114,7 @@ class PaperView:
     ours: tuple[Count, ...]
     findings: tuple[FindingView, ...]
     failures: tuple[str, ...]
-    index: tuple[Equation, ...]
+    index: tuple[EquationLink, ...]
     sections: tuple[Section, ...]
     loose: tuple[str, ...]
     symbols: tuple[SymbolView, ...]
@@ -151,7 +151,7 @@ def _name_all(ledger: JudgedPaper) -> dict[str, str]:
     return name_anchors(dict.fromkeys(numbers))
 
 
-def describe_finding(found: Found, anchors: Mapping[str, str]) -> FindingView:
+def describe_finding(found: LedgerFinding, anchors: Mapping[str, str]) -> FindingView:
     """Describe a finding by the anchors of its paper's rows."""
     return FindingView(
         system=found.system,
@@ -258,7 +258,7 @@ def _place(
         yield Entry(view, begins, after)
 
 
-def _index_equations(entries: Sequence[Entry]) -> Iterator[Equation]:
+def _index_equations(entries: Sequence[Entry]) -> Iterator[EquationLink]:
     """List the equations in the paper's order, each with the gravest verdict of its rows."""
     groups: dict[str, list[Entry]] = {}
     for entry in entries:
@@ -267,7 +267,7 @@ def _index_equations(entries: Sequence[Entry]) -> Iterator[Equation]:
     order = [NOT_JUDGED, *LOOKS.values()]
     for equation, group in groups.items():
         gravest = min((entry.row.look for entry in group), key=order.index)
-        yield Equation(f"({equation})", group[0].begins or group[0].row.anchor, gravest)
+        yield EquationLink(f"({equation})", group[0].begins or group[0].row.anchor, gravest)
 
 
 def list_prints(paper: Paper) -> list[RowView]:

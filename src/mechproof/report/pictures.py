@@ -14,7 +14,7 @@ import matplotlib as mpl
 from matplotlib.figure import Figure as Canvas
 
 from mechproof.lab.chart import STYLE, date_records, draw_chart, write_title
-from mechproof.lab.marks import list_workloads
+from mechproof.lab.chart_points import list_workloads
 from mechproof.lab.overview import draw_panels, write_summary
 from mechproof.measured import Record
 from mechproof.plot.figures import DrawingError, find_figures, render_svg, strip_svg
@@ -51,7 +51,7 @@ class Picture:
 
 
 @dataclass(frozen=True)
-class Task:
+class PictureTask:
     """A picture that is to be drawn, and what stands in its place if it hangs or crashes."""
 
     draw: Callable[[], Picture]
@@ -59,7 +59,7 @@ class Task:
 
 
 def draw_pictures(
-    tasks: Mapping[str, Task],
+    tasks: Mapping[str, PictureTask],
     report: Callable[[str], None] = lambda text: None,
     processes: int | None = None,
 ) -> dict[str, Picture]:
@@ -80,10 +80,10 @@ def _call(draw: Callable[[], Picture]) -> Picture:
     return draw()
 
 
-def list_charts(record: Record) -> dict[str, Task]:
+def list_charts(record: Record) -> dict[str, PictureTask]:
     """List the charts of a quantity, one for each workload."""
     return {
-        f"{record.quantity}, {workload}": Task(
+        f"{record.quantity}, {workload}": PictureTask(
             partial(chart, record, workload, count), Picture(record.quantity, workload, "")
         )
         for workload, count in list_workloads(record)
@@ -98,11 +98,11 @@ def chart(record: Record, workload: str, count: int) -> Picture:
     return Picture(says, f"{workload}; {_date([record])}", _render(canvas, says))
 
 
-def list_overview(records: Sequence[Record]) -> dict[str, Task]:
+def list_overview(records: Sequence[Record]) -> dict[str, PictureTask]:
     """List the picture of all quantities where there are several."""
     if len(records) < 2:
         return {}
-    return {OVERVIEW: Task(partial(overview, records), Picture("All quantities", "", ""))}
+    return {OVERVIEW: PictureTask(partial(overview, records), Picture("All quantities", "", ""))}
 
 
 def overview(records: Sequence[Record]) -> Picture:
@@ -113,14 +113,14 @@ def overview(records: Sequence[Record]) -> Picture:
     return Picture(says, _date(records), _render(canvas, says))
 
 
-def list_figures(place: Path) -> dict[str, Task]:
+def list_figures(place: Path) -> dict[str, PictureTask]:
     """List what a paper's folder states of its figures."""
     blanks = [
         Picture(figure.title, figure.caption, "", figure.name, figure.number or "", figure.after)
         for figure in find_figures(place)
     ]
     return {
-        f"{place.stem}, {blank.name}": Task(partial(draw_figure, place, blank), blank)
+        f"{place.stem}, {blank.name}": PictureTask(partial(draw_figure, place, blank), blank)
         for blank in blanks
     }
 

@@ -19,7 +19,7 @@ from mechproof.codegen.docstrings import (
     tell_unit,
 )
 from mechproof.codegen.forms import number_form
-from mechproof.lab.marks import list_workloads
+from mechproof.lab.chart_points import list_workloads
 from mechproof.measured import Record, Searched, Timing
 from mechproof.programs.kernel import Kernel, input_names, list_functions, shape_of
 from mechproof.proof.comparison_latex import write_latex
@@ -28,7 +28,7 @@ from mechproof.record import Argument, Form, Paper, Quantity, Toleranced, Variab
 from mechproof.report.formulas import write_lines
 from mechproof.report.mathml import write_formula
 from mechproof.report.sources import Source
-from mechproof.report.words import MEASURED, Look, look_of, set_numbers, set_prose
+from mechproof.report.words import MEASURED, VerdictStyle, look_of, set_numbers, set_prose
 
 # Letters of a multiple of pi that is written as such.
 SHORT = 8
@@ -54,7 +54,7 @@ class FormView:
 
     name: str
     is_shipped: bool
-    look: Look
+    look: VerdictStyle
     rung: str
     error: str
     time: str
@@ -238,7 +238,7 @@ def _view_form(
     way: str,
     variables: Sequence[Variable],
 ) -> FormView:
-    look = look_of(row.verdict) if row else Look("unjudged", "not judged", "", "")
+    look = look_of(row.verdict) if row else VerdictStyle("unjudged", "not judged", "", "")
     parts = [
         Markup("{} {}").format(says, write_formula(write_latex(value, variables)))
         for says, value in (("where", form.when), ("off by at most", form.bound))

@@ -12,7 +12,14 @@ from mechproof.proof.verdict import Evidence, Judgement
 from mechproof.record import MARKS, Paper, Row
 from mechproof.report.formulas import write_lines, write_print
 from mechproof.report.mathml import write_formula
-from mechproof.report.words import NOT_JUDGED, Look, look_of, set_numbers, set_prose, set_value
+from mechproof.report.words import (
+    NOT_JUDGED,
+    VerdictStyle,
+    look_of,
+    set_numbers,
+    set_prose,
+    set_value,
+)
 
 # Evidence beyond so many items is folded away.
 SHOWN = 4
@@ -36,7 +43,7 @@ class RowView:
 
     anchor: str
     number: str
-    look: Look
+    look: VerdictStyle
     is_plain: bool
     marks: tuple[str, ...]
     printed: Markup
@@ -92,7 +99,7 @@ def describe_failure(row: Row, anchor: str, failure: str) -> RowView:
 
 def describe_print(row: Row, anchor: str) -> RowView:
     """Return the view of a row that nobody has judged: what is printed, and how it is read."""
-    look = Look("unjudged", "", "", "")
+    look = VerdictStyle("unjudged", "", "", "")
     return RowView(
         anchor, row.number, look, True, row.marks, write_print(row.printed_latex), row.read_as
     )

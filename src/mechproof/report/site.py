@@ -13,7 +13,7 @@ from mechproof.report.papers import PaperView, count_totals, describe_paper
 from mechproof.report.pictures import (
     OVERVIEW,
     Picture,
-    Task,
+    PictureTask,
     draw_pictures,
     list_charts,
     list_figures,
@@ -68,7 +68,7 @@ def build_site(
     return Site(found, tuple(failures))
 
 
-def _list_pictures(sources: Sequence[Source]) -> Mapping[str, Task]:
+def _list_pictures(sources: Sequence[Source]) -> Mapping[str, PictureTask]:
     """List what is to be drawn: the picture of all first, which takes longest."""
     records = [record for source in sources for record in source.records]
     tasks = list_overview(records)

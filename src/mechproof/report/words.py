@@ -13,7 +13,7 @@ from mechproof.proof.verdict import MEANINGS, Verdict
 
 
 @dataclass(frozen=True)
-class Look:
+class VerdictStyle:
     """A verdict for a reader: a word, a sign beside its colour, and what it means."""
 
     key: str
@@ -34,13 +34,15 @@ _SHOWN = (
     (Verdict.PROVED, "proved", "proved", "✓"),
     (Verdict.DEFINITION, "definition", "definition", "≔"),
 )
-LOOKS: Mapping[str, Look] = {
-    verdict: Look(key, word, sign, MEANINGS[verdict]) for verdict, key, word, sign in _SHOWN
+LOOKS: Mapping[str, VerdictStyle] = {
+    verdict: VerdictStyle(key, word, sign, MEANINGS[verdict]) for verdict, key, word, sign in _SHOWN
 }
-MEASURED = Look(
+MEASURED = VerdictStyle(
     "measured", "measured", "∿", "no formula of ours: nothing is proved, it is measured"
 )
-NOT_JUDGED = Look("failed", "not judged", "!", "the row could not be judged: what failed is shown")
+NOT_JUDGED = VerdictStyle(
+    "failed", "not judged", "!", "the row could not be judged: what failed is shown"
+)
 ORDER = tuple(LOOKS)
 
 MINUS = " \N{MINUS SIGN} "
@@ -65,7 +67,7 @@ NAME = re.compile(
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def look_of(verdict: str) -> Look:
+def look_of(verdict: str) -> VerdictStyle:
     """Return how a verdict is shown; what is measured is a verdict of its own."""
     return LOOKS.get(verdict, MEASURED)
 

@@ -17,9 +17,9 @@ import sympy as sp
 from mechproof.arithmetic.intervals import EPS, UNIT, Ends
 from mechproof.programs.operations import Arithmetic
 from mechproof.programs.program import Operand
-from mechproof.roundoff.bound import Bar, Evaluation
+from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
 from mechproof.roundoff.running import Values
-from mechproof.roundoff.steps import HALF, Step, Straight
+from mechproof.roundoff.steps import HALF, Step, StraightLineProgram
 
 # So near does the power method come to the norm; any vector gives a bound.
 POWERS = 8
@@ -32,7 +32,7 @@ SLACK = 1 + 100 * EPS
 class AffineMap:
     """The steps of a matrix, row by row, and of a shift; the names of points and of the shift."""
 
-    entries: Straight
+    entries: StraightLineProgram
     points: tuple[str, ...]
     shift: tuple[str, ...]
 
@@ -42,7 +42,7 @@ class AffineMap:
         count, outputs = len(self.points), self.entries.outputs
         return [outputs[i * count : (i + 1) * count] for i in range(count)]
 
-    def apply(self) -> Straight:
+    def apply(self) -> StraightLineProgram:
         """Return the steps of one order in which points are mapped."""
         steps: list[Step] = []
         outputs: list[Operand] = []
@@ -57,7 +57,7 @@ class AffineMap:
         together = (*self.entries.steps, *steps)
         return replace(self.entries, steps=together, outputs=tuple(outputs))
 
-    def bound(self, evaluation: Evaluation, bar: Bar) -> Ends:
+    def bound(self, evaluation: ErrorAnalysis, bar: ErrorScale) -> Ends:
         """Bound the norm of the error in eps of D*|p| + |v|, D being the scale."""
         count = len(self.points)
         rounded = _add_roundings(count + 1) / EPS

@@ -1,4 +1,4 @@
-"""Functions of small and of large angles: their germs, whole turns taken off.
+"""Functions of small and of large angles: their monomials, whole turns taken off.
 
 A function that vanishes with its argument is its argument times a quotient that is monotone in
 its size, so that intervals of it stay narrow down to zero.
@@ -26,7 +26,7 @@ from mechproof.arithmetic.intervals import (
     sine,
     tangent,
 )
-from mechproof.roundoff.germs import Germ, Powers
+from mechproof.roundoff.interval_monomials import IntervalMonomial, Powers
 
 # A tangent is taken through its reciprocal, which vanishes at the pole, from here on.
 STEEP = 0.9
@@ -36,42 +36,42 @@ TINY = 1e-8
 
 @dataclass(frozen=True)
 class Turn:
-    """An angle that stands in a frame as a variable to a power, and what it is less whole turns.
+    """An angle that is a variable to a power, and what it is less whole turns.
 
     Half a turn is taken off too if `is_half`.
     """
 
     powers: Powers
-    residue: Germ
+    residue: IntervalMonomial
     whole: Interval
     is_half: bool = False
 
-    def holds(self, germ: Germ) -> bool:
-        """Say whether a germ is a multiple of the angle."""
-        return germ.powers == self.powers
+    def holds(self, monomial: IntervalMonomial) -> bool:
+        """Say whether a monomial is a multiple of the angle."""
+        return monomial.powers == self.powers
 
-    def count(self, germ: Germ, period: int) -> float:
+    def count(self, monomial: IntervalMonomial, period: int) -> float:
         """Return which multiple of the angle it is, to 1/period."""
-        return round(float(np.mean(germ.span.low)) * period) / period
+        return round(float(np.mean(monomial.span.low)) * period) / period
 
-    def reduce(self, germ: Germ, period: int) -> Germ:
+    def reduce(self, monomial: IntervalMonomial, period: int) -> IntervalMonomial:
         """Return a multiple of the angle less multiples of pi/period."""
-        nearest = self.count(germ, period)
-        over = (germ.span - exactly(nearest)) * self.whole
-        return self.residue.scaled(exactly(nearest)) + self.share(germ.frame.constant(over))
+        nearest = self.count(monomial, period)
+        over = (monomial.span - exactly(nearest)) * self.whole
+        return self.residue.scaled(exactly(nearest)) + self.share(monomial.variables.constant(over))
 
-    def share(self, germ: Germ) -> Germ:
+    def share(self, monomial: IntervalMonomial) -> IntervalMonomial:
         """Return a small part of the angle as a share of what vanishes with whole turns off."""
-        return germ.over(self.residue.powers)
+        return monomial.over(self.residue.powers)
 
 
-def reduce(germ: Germ, turn: Turn | None, period: int) -> Germ:
+def reduce(monomial: IntervalMonomial, turn: Turn | None, period: int) -> IntervalMonomial:
     """Return the argument of a function, period the number of its periods in 2*pi."""
-    if turn is None or not turn.holds(germ):
-        return germ
-    z = turn.reduce(germ, period)
-    quarters = PI * exactly(turn.count(germ, period))
-    return z + germ.frame.constant(quarters) if turn.is_half else z
+    if turn is None or not turn.holds(monomial):
+        return monomial
+    z = turn.reduce(monomial, period)
+    quarters = PI * exactly(turn.count(monomial, period))
+    return z + monomial.variables.constant(quarters) if turn.is_half else z
 
 
 def over_argument(name: str, z: Interval) -> Interval:
@@ -88,48 +88,50 @@ def _quotient(name: str, size: Ends) -> Interval:
     return Interval(np.where(tiny, near.low, found.low), np.where(tiny, near.high, found.high))
 
 
-def take_odd(germ: Germ, name: str, function: Callable[[Interval], Interval], end: float) -> Germ:
+def take_odd(
+    monomial: IntervalMonomial, name: str, function: Callable[[Interval], Interval], end: float
+) -> IntervalMonomial:
     """Return an odd function, function(z)/z monotone up to an end, keeping what vanishes."""
-    z = germ.expanded()
-    if any(germ.powers) and min(germ.powers) >= 0:
+    z = monomial.expanded()
+    if any(monomial.powers) and min(monomial.powers) >= 0:
         inside = z.largest() < end
-        if germ.frame.choose(inside, ~inside) == 0:
-            return germ.scaled(over_argument(name, z))
-    return germ.frame.constant(function(z))
+        if monomial.variables.choose(inside, ~inside) == 0:
+            return monomial.scaled(over_argument(name, z))
+    return monomial.variables.constant(function(z))
 
 
-def take_tangent(germ: Germ, turn: Turn | None) -> Germ:
+def take_tangent(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial:
     """Return the tangent, near its pole by what is its reciprocal and vanishes there."""
-    one = germ.frame.constant(ONE)
-    if turn and turn.is_half and turn.holds(germ) and turn.count(germ, 2) % 1:
-        rest = _take_tangent(turn.reduce(germ, 2))
-        return -(one / (rest if any(rest.powers) else germ.frame.add_variable(rest.span)))
-    argument = reduce(germ, turn, 2)
+    one = monomial.variables.constant(ONE)
+    if turn and turn.is_half and turn.holds(monomial) and turn.count(monomial, 2) % 1:
+        rest = _take_tangent(turn.reduce(monomial, 2))
+        return -(one / (rest if any(rest.powers) else monomial.variables.add_variable(rest.span)))
+    argument = reduce(monomial, turn, 2)
     z = argument.expanded()
     steep = (z.low > STEEP) | (z.high < -STEEP)
-    if germ.frame.choose(steep, ~steep) == 0:
-        return one / germ.frame.add_variable(cotangent(z))
+    if monomial.variables.choose(steep, ~steep) == 0:
+        return one / monomial.variables.add_variable(cotangent(z))
     return _take_tangent(argument)
 
 
-def _take_tangent(germ: Germ) -> Germ:
-    return take_odd(germ, "tan", tangent, 1.5)
+def _take_tangent(monomial: IntervalMonomial) -> IntervalMonomial:
+    return take_odd(monomial, "tan", tangent, 1.5)
 
 
-def take_sine(germ: Germ, turn: Turn | None) -> Germ:
+def take_sine(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial:
     """Return the sine."""
-    return take_odd(reduce(germ, turn, 1), "sin", sine, 4.0)
+    return take_odd(reduce(monomial, turn, 1), "sin", sine, 4.0)
 
 
-def take_cosine(germ: Germ, turn: Turn | None) -> Germ:
+def take_cosine(monomial: IntervalMonomial, turn: Turn | None) -> IntervalMonomial:
     """Return the cosine."""
-    return germ.frame.constant(cosine(reduce(germ, turn, 1).expanded()))
+    return monomial.variables.constant(cosine(reduce(monomial, turn, 1).expanded()))
 
 
-def take_arctangent(germ: Germ) -> Germ:
+def take_arctangent(monomial: IntervalMonomial) -> IntervalMonomial:
     """Return the arctangent, of the reciprocal of what vanishes, too."""
-    if min(germ.powers, default=0) < 0 and (sign := germ.decide_sign()):
-        inverse = germ.frame.constant(ONE) / germ
+    if min(monomial.powers, default=0) < 0 and (sign := monomial.decide_sign()):
+        inverse = monomial.variables.constant(ONE) / monomial
         quarter = PI * exactly(0.5 * sign)
-        return germ.frame.constant(quarter - arctangent(inverse.expanded()))
-    return take_odd(germ, "arctan", arctangent, math.inf)
+        return monomial.variables.constant(quarter - arctangent(inverse.expanded()))
+    return take_odd(monomial, "arctan", arctangent, math.inf)

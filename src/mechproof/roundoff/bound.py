@@ -1,4 +1,4 @@
-"""Bound: in, steps and a frame of boxes; out, the most by which all roundings move the result.
+"""Bound: in, steps and boxes of variables; out, the most by which all roundings move the result.
 
 Each step is its operation times 1 + d with a d of its own. By the mean value theorem the error is
 at most the sum over the steps of |dF/dd| at some d within the bounds: the derivatives are taken in
@@ -30,16 +30,16 @@ from mechproof.arithmetic.intervals import (
 from mechproof.programs.program import Operand
 from mechproof.roundoff.angles import Turn, reduce
 from mechproof.roundoff.endpoint_rounding import (
-    Rounded,
+    RoundedEndpoints,
     limit_by_spacing,
     round_endpoints,
     widen_by_ulps,
 )
-from mechproof.roundoff.germs import Frame, Germ
-from mechproof.roundoff.profiles import Profile
+from mechproof.roundoff.error_tables import ErrorTable
+from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
 from mechproof.roundoff.rules import RULES, Slopes
 from mechproof.roundoff.running import IN_DOUBLES, find_number
-from mechproof.roundoff.steps import CONSTANT, HALF, RESTS, Step, Straight
+from mechproof.roundoff.steps import CONSTANT, HALF, RESTS, Step, StraightLineProgram
 
 UNKNOWN = exactly(math.nan)
 # Of other kinds nothing can be bounded.
@@ -47,52 +47,52 @@ KINDS = frozenset({*RULES, *RESTS, CONSTANT, "small_tangent", "copy", "approxima
 
 
 @dataclass(frozen=True)
-class Bar:
+class ErrorScale:
     """What errors are relative to: a scale, or the value; whether it is at least the value."""
 
-    scale: Germ | None
+    scale: IntervalMonomial | None
     holds_value: bool
 
 
 @dataclass
-class Moving:
+class RoundedStep:
     """The value of a step before its rounding, its slopes, and the size of its rounding."""
 
     step: Step
-    exact: Germ
+    exact: IntervalMonomial
     slopes: Slopes
     relative: Ends
     absolute: Ends | None
 
 
-class Evaluation:
+class ErrorAnalysis:
     """The steps over many boxes: values forward, derivatives in reverse."""
 
     def __init__(
         self,
-        straight: Straight,
-        frame: Frame,
-        given: Mapping[str, Germ],
-        stated: Mapping[str, Germ],
+        straight: StraightLineProgram,
+        variables: BoxVariables,
+        given: Mapping[str, IntervalMonomial],
+        stated: Mapping[str, IntervalMonomial],
         turn: Turn | None,
-        find_profile: Callable[[str], Profile] | None = None,
+        find_profile: Callable[[str], ErrorTable] | None = None,
     ) -> None:
-        self.frame, self.turn, self.held = frame, turn, straight.held
+        self.variables, self.turn, self.held = variables, turn, straight.held
         self._scaled, self._find_profile = frozenset(straight.scaled), find_profile
-        self.values: dict[str, Germ] = dict(given)
+        self.values: dict[str, IntervalMonomial] = dict(given)
         # What is computed, its rounding known to be monotone; not what lies on the way to it.
-        self.computed = {name: germ.expanded() for name, germ in given.items()}
-        self.moving: list[Moving] = []
+        self.computed = {name: monomial.expanded() for name, monomial in given.items()}
+        self.rounded: list[RoundedStep] = []
         for step in straight.steps:
             self._move(step, stated.get(step.result))
 
-    def value(self, operand: Operand) -> Germ:
-        """Return the germ of a result, an input or a number."""
+    def value(self, operand: Operand) -> IntervalMonomial:
+        """Return the monomial of a result, an input or a number."""
         if isinstance(operand, str):
             return self.values[operand]
-        return self.frame.constant(exactly(operand))
+        return self.variables.constant(exactly(operand))
 
-    def _move(self, step: Step, stated: Germ | None) -> None:
+    def _move(self, step: Step, stated: IntervalMonomial | None) -> None:
         if step.kind == CONSTANT:
             self._take_constant(step)
             return
@@ -117,35 +117,37 @@ class Evaluation:
 
     def _take_constant(self, step: Step) -> None:
         (operand,) = step.operands
-        exact = self.frame.constant(enclose_ball(to_ball(find_number(operand))))
+        exact = self.variables.constant(enclose_ball(to_ball(find_number(operand))))
         double = exactly(IN_DOUBLES[CONSTANT](operand))
         self._add(step, exact, (None,), np.float64(EPS * step.ulps), None, double)
 
-    def _look_up(self, step: Step, germ: Germ) -> Ends:
+    def _look_up(self, step: Step, monomial: IntervalMonomial) -> Ends:
         """Return by how many eps of itself a function is off by what is proved of it."""
         assert self._find_profile is not None
-        profile, argument = self._find_profile(step.proved), germ.expanded()
-        if profile.is_of_angles:
-            return profile.of_angle(argument, reduce(germ, self.turn, 2).expanded())
-        if np.any(argument.largest() > profile.legal):
-            argument = profile.limit(argument, self._sum_all(step.operands[0]))
-        return profile.of_size(argument.size())
+        error_table, argument = self._find_profile(step.proved), monomial.expanded()
+        if error_table.is_of_angles:
+            return error_table.of_angle(argument, reduce(monomial, self.turn, 2).expanded())
+        if np.any(argument.largest() > error_table.legal):
+            argument = error_table.limit(argument, self._sum_all(step.operands[0]))
+        return error_table.of_size(argument.size())
 
     def _sum_all(self, operand: Operand) -> Ends:
         """Bound the error of an operand; ValueError where some rounding is not counted."""
         if self.held:
             raise ValueError(f"{operand}: an argument may be off by what is held: {self.held}")
-        return self.sum_errors(operand, Bar(self._one, False)) * EPS
+        return self.sum_errors(operand, ErrorScale(self._one, False)) * EPS
 
     @property
-    def _one(self) -> Germ:
-        return self.frame.constant(ONE)
+    def _one(self) -> IntervalMonomial:
+        return self.variables.constant(ONE)
 
-    def _round(self, step: Step, exact: Germ, slopes: Slopes, is_exact: Mask = False) -> None:
+    def _round(
+        self, step: Step, exact: IntervalMonomial, slopes: Slopes, is_exact: Mask = False
+    ) -> None:
         relative = np.where(is_exact, 0.0, EPS * step.ulps)
         given = [self.computed[o] if isinstance(o, str) else exactly(o) for o in step.operands]
         if any(span is UNKNOWN for span in given):
-            found = Rounded(exact.expanded(), np.inf)
+            found = RoundedEndpoints(exact.expanded(), np.inf)
         else:
             found = round_endpoints(step.kind, given, exact.expanded())
         limit = None
@@ -166,7 +168,7 @@ class Evaluation:
     def _add(
         self,
         step: Step,
-        exact: Germ,
+        exact: IntervalMonomial,
         slopes: Slopes,
         relative: Ends,
         absolute: Ends | None,
@@ -175,12 +177,12 @@ class Evaluation:
         """Add a step with the sizes of its error, of itself and absolute."""
         if step.result in self._scaled:
             computed = UNKNOWN
-        self.moving.append(Moving(step, exact, slopes, relative, absolute))
+        self.rounded.append(RoundedStep(step, exact, slopes, relative, absolute))
         self.computed[step.result] = computed
         moved = exact.scaled(around(1.0, relative)) if np.any(relative) else exact
         self.values[step.result] = moved
 
-    def _take_small_tangent(self, step: Step, angle: Germ) -> None:
+    def _take_small_tangent(self, step: Step, angle: IntervalMonomial) -> None:
         """Take y for tan(y), off by at most y**2 of itself where |y| <= 1."""
         size = angle.expanded().largest()
         off = np.where(size <= 1, size**2, np.nan) * (1 + EPS)
@@ -190,71 +192,73 @@ class Evaluation:
         value = exact.scaled(around(1.0, off))
         self._add(step, exact, (self._one + exact.squared(),), off, None, value.expanded())
 
-    def _are_exact(self, step: Step, given: Sequence[Germ]) -> Mask:
+    def _are_exact(self, step: Step, given: Sequence[IntervalMonomial]) -> Mask:
         """Say where two doubles differ by at most a factor of two: their difference is exact."""
         if step.kind != "subtract" or step.result in self._scaled:
             return False
-        one, other = (germ.expanded() for germ in given)
+        one, other = (monomial.expanded() for monomial in given)
         return (2 * other.low >= one.high) & (other.high <= 2 * one.low)
 
-    def sum_errors(self, output: Operand, bar: Bar) -> Ends:
+    def sum_errors(self, output: Operand, bar: ErrorScale) -> Ends:
         """Bound the error of an output in eps of a scale; infinite where it cannot be bounded."""
         total = sum(self.list_errors(output, bar).values(), np.float64(0.0))
-        total = total * (1 + EPS * len(self.moving))
+        total = total * (1 + EPS * len(self.rounded))
         return np.where(np.isfinite(total), total, np.inf)
 
-    def compare(self, output: Operand, bar: Bar) -> Ends:
+    def compare(self, output: Operand, bar: ErrorScale) -> Ends:
         """Bound the size of a computed output by a multiple of the scale."""
         assert bar.scale is not None
         return (self.value(output) / bar.scale).expanded().largest()
 
-    def list_errors(self, output: Operand, bar: Bar) -> dict[str, Ends]:
+    def list_errors(self, output: Operand, bar: ErrorScale) -> dict[str, Ends]:
         """Bound what each step adds to the error of an output, in eps of the scale."""
         inverses = [self._one / scale for scale in self._list_scales(output, bar)]
         slopes = {output: self._one}
         errors = {}
-        for moving in reversed(self.moving):
-            slope = slopes.pop(moving.step.result, None)
-            if slope is None or moving.step.result in self.held:
+        for rounded in reversed(self.rounded):
+            slope = slopes.pop(rounded.step.result, None)
+            if slope is None or rounded.step.result in self.held:
                 continue
-            errors[moving.step.result] = _weigh(slope, inverses, moving)
-            if np.any(moving.relative):
-                slope = slope.scaled(around(1.0, moving.relative))
-            if moving.step.result == output and bar.holds_value and np.any(moving.relative):
+            errors[rounded.step.result] = _weigh(slope, inverses, rounded)
+            if np.any(rounded.relative):
+                slope = slope.scaled(around(1.0, rounded.relative))
+            if rounded.step.result == output and bar.holds_value and np.any(rounded.relative):
                 # The rounding of the value itself, of which the scale has no less.
-                errors[output] = _least(errors[output], moving.relative / EPS)
-            for operand, own in zip(moving.step.operands, moving.slopes, strict=True):
+                errors[output] = _least(errors[output], rounded.relative / EPS)
+            for operand, own in zip(rounded.step.operands, rounded.slopes, strict=True):
                 if own is not None and isinstance(operand, str):
                     part = slope * own
                     slopes[operand] = slopes[operand] + part if operand in slopes else part
         return errors
 
-    def _list_scales(self, output: Operand, bar: Bar) -> list[Germ]:
+    def _list_scales(self, output: Operand, bar: ErrorScale) -> list[IntervalMonomial]:
         """List what the scale is at least: the value, and each of two terms of one sign."""
         scales = [bar.scale] if bar.scale else []
         value = self.value(output)
         if not bar.holds_value:
             return scales
-        last = next((m.step for m in self.moving if m.step.result == output), None)
+        last = next((m.step for m in self.rounded if m.step.result == output), None)
         terms = [self.value(o) for o in last.operands] if last and last.kind == "add" else []
         signs = {term.decide_sign() for term in terms}
         return [*scales, value, *(terms if signs in ({1}, {-1}) else [])]
 
 
-def _weigh(slope: Germ, inverses: Sequence[Germ], moving: Moving) -> Ends:
+def _weigh(
+    slope: IntervalMonomial, inverses: Sequence[IntervalMonomial], rounded: RoundedStep
+) -> Ends:
     """Bound a step's share by the size of its result and by the spacing of doubles there."""
     bounds = []
     for over in (slope * inverse for inverse in inverses):
-        if np.any(moving.relative):
-            share = (over * moving.exact).expanded().largest()
-            bounds.append(share * (moving.relative / EPS))
-        if moving.absolute is not None:
-            bounds.append(over.expanded().largest() * (moving.absolute / EPS))
+        if np.any(rounded.relative):
+            share = (over * rounded.exact).expanded().largest()
+            bounds.append(share * (rounded.relative / EPS))
+        if rounded.absolute is not None:
+            bounds.append(over.expanded().largest() * (rounded.absolute / EPS))
     if not bounds:
         return np.float64(0.0)
     # An exact operation adds nothing, even where its slope is not known.
-    absolute = 0.0 if moving.absolute is None else moving.absolute
-    is_exact = np.maximum(moving.relative, absolute) == 0
+    absolute = 0.0 if rounded.absolute is None else rounded.absolute
+    is_exact = np.maximum(rounded.relative, absolute) == 0
     return np.where(is_exact, 0.0, _least(*bounds) * (1 + 4 * EPS))
 
 

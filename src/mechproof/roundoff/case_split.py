@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechproof.arithmetic.intervals import Array
-from mechproof.roundoff.germs import UndecidedError
+from mechproof.roundoff.interval_monomials import MixedBoxesError
 
 Rows = NDArray[np.intp]
 
@@ -21,7 +21,7 @@ def split_cases(compute: Callable[[Rows, tuple[int, ...]], Array], count: int) -
         rows, forced = waiting.pop()
         try:
             bounds[rows] = compute(rows, forced)
-        except UndecidedError as undecided:
+        except MixedBoxesError as undecided:
             for number, mask in enumerate(undecided.masks):
                 inside = rows[np.broadcast_to(mask, len(rows))]
                 if len(inside):

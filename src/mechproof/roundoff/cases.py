@@ -14,7 +14,7 @@ from math import floor
 from types import MappingProxyType
 
 from mechproof.programs.program import Operand, Operation, Program
-from mechproof.roundoff.steps import Step, Straight, keep_needed, make_step
+from mechproof.roundoff.steps import Step, StraightLineProgram, keep_needed, make_step
 
 # An angle less its quarter turns.
 REST = "rest"
@@ -66,7 +66,7 @@ class Case:
 class Resolved:
     """Steps without decisions; how the number is found and which words are taken off by it."""
 
-    straight: Straight
+    straight: StraightLineProgram
     per: float
     words: tuple[float, ...]
 
@@ -94,7 +94,9 @@ class _Resolver:
             if not (rule and rule(self, operation)):
                 self._append(operation)
         outputs = tuple(self._find(o) for o in self._program.outputs)
-        straight = keep_needed(Straight(self._program.inputs, tuple(self._steps), outputs))
+        straight = keep_needed(
+            StraightLineProgram(self._program.inputs, tuple(self._steps), outputs)
+        )
         if len(self._per) > 1 or len(self._words) > 1:
             raise ValueError("an angle is reduced in more than one way")
         return Resolved(straight, max(self._per, default=0.0), max(self._words, default=()))

@@ -18,10 +18,10 @@ from mechproof.json_rows import read_fields, write_lines
 from mechproof.programs.kernel import list_functions
 from mechproof.record import Form, Paper, Quantity
 from mechproof.roundoff.assumptions import NORMAL
+from mechproof.roundoff.computed_stages import ComputedStage, list_computed_stages
 from mechproof.roundoff.cover import WORST, Cover, cover_below
-from mechproof.roundoff.regions import Region, list_regions
-from mechproof.roundoff.subject import Subject, list_subjects
-from mechproof.roundoff.worst import Found, find_worst, judge
+from mechproof.roundoff.regions import ChartRegion, list_regions
+from mechproof.roundoff.worst import WorstRounding, find_worst, judge
 
 # The most boxes of all regions that may show a bound.
 MOST = 16000
@@ -32,7 +32,7 @@ SEED = 1
 
 
 @dataclass(frozen=True)
-class Claim:
+class RoundingClaim:
     """A bound of the error of a stage in eps of its scale, and the worst error found.
 
     `where` says for which arguments, `program` is the hash of steps and coordinates, `boxes` how
@@ -57,7 +57,7 @@ class Certificate:
     """All claims of a system."""
 
     system: str
-    claims: tuple[Claim, ...]
+    claims: tuple[RoundingClaim, ...]
 
 
 def write_certificate(certificate: Certificate) -> str:
@@ -92,7 +92,7 @@ def tell_proofs(paper: Paper, certificate: Certificate | None) -> Paper:
     """Return the paper with what is proved told by its forms."""
     if certificate is None:
         return paper
-    claims: dict[tuple[str, str], list[Claim]] = {}
+    claims: dict[tuple[str, str], list[RoundingClaim]] = {}
     for claim in certificate.claims:
         claims.setdefault((claim.quantity, claim.form), []).append(claim)
     quantities = tuple(
@@ -103,7 +103,7 @@ def tell_proofs(paper: Paper, certificate: Certificate | None) -> Paper:
 
 
 def _tell_form(
-    quantity: Quantity, form: Form, known: Mapping[tuple[str, str], list[Claim]]
+    quantity: Quantity, form: Form, known: Mapping[tuple[str, str], list[RoundingClaim]]
 ) -> Form:
     claims = known.get((quantity.name, form.name))
     if not claims:
@@ -116,7 +116,7 @@ def _tell_form(
     return replace(form, proved=f"Proved{name}, where {where}{resting}: {told}.")
 
 
-def _tell(claim: Claim, told: Sequence[str]) -> str:
+def _tell(claim: RoundingClaim, told: Sequence[str]) -> str:
     if claim.open:
         return f"nothing {claim.way}, open at {claim.open}"
     rests = [text for text in claim.assumptions if text not in told]
@@ -124,19 +124,19 @@ def _tell(claim: Claim, told: Sequence[str]) -> str:
     return f"at most {claim.proved:g} eps{given}, found {claim.found:g}"
 
 
-def _list_all(paper: Paper) -> Iterator[Subject]:
+def _list_all(paper: Paper) -> Iterator[ComputedStage]:
     for kernel in list_functions(paper):
         try:
-            yield from list_subjects(kernel, paper)
+            yield from list_computed_stages(kernel, paper)
         except ValueError as error:
             raise ValueError(f"{paper.system}.{kernel.name}: {error}") from error
 
 
-def _key(subject: Subject) -> tuple[str, str, str]:
+def _key(subject: ComputedStage) -> tuple[str, str, str]:
     return subject.kernel.name, subject.form.name, subject.way
 
 
-def holds(subject: Subject, claim: Claim) -> bool:
+def holds(subject: ComputedStage, claim: RoundingClaim) -> bool:
     """Say whether a claim is about these steps and proved, and its input not off by more."""
     told = claim.program, claim.assumptions, claim.where
     if told != (subject.digest, subject.assumptions, subject.where):
@@ -157,15 +157,15 @@ def _round_down(eps: float) -> float:
     return cut
 
 
-def _measure_again(subject: Subject, claim: Claim) -> Found:
+def _measure_again(subject: ComputedStage, claim: RoundingClaim) -> WorstRounding:
     at = {name: float.fromhex(text) for name, text in claim.at.items()}
     points = {name: np.array([value]) for name, value in at.items()}
-    return Found(float(judge(subject, points)[0]), at)
+    return WorstRounding(float(judge(subject, points)[0]), at)
 
 
-def cover_all(subject: Subject, aim: float, most: int) -> list[tuple[Region, Cover]]:
+def cover_all(subject: ComputedStage, aim: float, most: int) -> list[tuple[ChartRegion, Cover]]:
     """Show region by region that the error is at most an aim; the last may stay open."""
-    covers: list[tuple[Region, Cover]] = []
+    covers: list[tuple[ChartRegion, Cover]] = []
     for chart in subject.form.charts:
         for region in list_regions(chart):
             bound = partial(subject.bound, region)
@@ -177,16 +177,16 @@ def cover_all(subject: Subject, aim: float, most: int) -> list[tuple[Region, Cov
     return covers
 
 
-def _count(covers: Sequence[tuple[Region, Cover]]) -> int:
+def _count(covers: Sequence[tuple[ChartRegion, Cover]]) -> int:
     return sum(cover.count for _, cover in covers)
 
 
-def _tell_open(covers: Sequence[tuple[Region, Cover]]) -> str:
+def _tell_open(covers: Sequence[tuple[ChartRegion, Cover]]) -> str:
     region, cover = covers[-1]
     return "" if cover.open is None else f"{region.describe()}: {cover.open}"
 
 
-def make_claim(subject: Subject, known: Claim | None = None) -> Claim:
+def make_claim(subject: ComputedStage, known: RoundingClaim | None = None) -> RoundingClaim:
     """Look for the lowest bound that can be shown and for the input that comes nearest to it.
 
     An input that was known before counts if it is off by more. Raises ArithmeticError where one is
@@ -201,7 +201,7 @@ def make_claim(subject: Subject, known: Claim | None = None) -> Claim:
         raise ArithmeticError(
             f"{'.'.join(_key(subject))}: {worst.eps} eps at {at}, where at most {proved} are proved"
         )
-    return Claim(
+    return RoundingClaim(
         *_key(subject),
         where=subject.where,
         proved=proved,
@@ -214,7 +214,7 @@ def make_claim(subject: Subject, known: Claim | None = None) -> Claim:
     )
 
 
-def _lower_bound(subject: Subject, low: float) -> float:
+def _lower_bound(subject: ComputedStage, low: float) -> float:
     """Return the lowest bound above another that can be shown, nearly, in hundredths of an eps."""
     high = max(FIRST, 2 * low)
     while _tell_open(cover_all(subject, high, MOST)):
@@ -232,7 +232,7 @@ def _lower_bound(subject: Subject, low: float) -> float:
     return round(high, DIGITS)
 
 
-def _search(subject: Subject, covers: Sequence[tuple[Region, Cover]]) -> Found:
+def _search(subject: ComputedStage, covers: Sequence[tuple[ChartRegion, Cover]]) -> WorstRounding:
     """Search from all regions, and from the worst boxes, where another place may be worse."""
     boxes = [(height, region, box) for region, cover in covers for height, box in cover.worst]
     highest = sorted(boxes, key=lambda entry: -entry[0])[:WORST]

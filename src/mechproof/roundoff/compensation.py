@@ -16,12 +16,19 @@ import sympy as sp
 
 from mechproof.programs.operations import SYMBOLIC
 from mechproof.programs.program import CONSTANTS, Operand
-from mechproof.roundoff.steps import CONSTANT, PRODUCT_REST, QUOTIENT_REST, RESTS, Step, Straight
+from mechproof.roundoff.steps import (
+    CONSTANT,
+    PRODUCT_REST,
+    QUOTIENT_REST,
+    RESTS,
+    Step,
+    StraightLineProgram,
+)
 
 Pair = tuple[sp.Expr, sp.Expr]
 
 
-def hold_compensated(straight: Straight) -> Straight:
+def find_compensated(straight: StraightLineProgram) -> StraightLineProgram:
     """Return the steps with what is compensated held; ValueError where a rest is no low word."""
     products = _list_rounded(straight, PRODUCT_REST)
     for name in (*products, *_list_rounded(straight, QUOTIENT_REST)):
@@ -31,13 +38,15 @@ def hold_compensated(straight: Straight) -> Straight:
     return replace(straight, held=products)
 
 
-def _list_rounded(straight: Straight, rest: str) -> tuple[str, ...]:
+def _list_rounded(straight: StraightLineProgram, rest: str) -> tuple[str, ...]:
     """List the results that have a rest of a kind, in the order of the rests."""
     found = (str(step.operands[2]) for step in straight.steps if step.kind == rest)
     return tuple(dict.fromkeys(found))
 
 
-def _slope(straight: Straight, name: str, products: Sequence[str], output: Operand) -> sp.Expr:
+def _slope(
+    straight: StraightLineProgram, name: str, products: Sequence[str], output: Operand
+) -> sp.Expr:
     """Return the derivative of an output by a rounded value, as its rests and products see it."""
     symbols = (*straight.inputs, *CONSTANTS)
     values: dict[Operand, Pair] = {n: (sp.Symbol(n), sp.S.Zero) for n in symbols}

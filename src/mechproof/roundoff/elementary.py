@@ -21,15 +21,15 @@ from mechproof.programs.elementary.fits import MARGIN, Sides, enclose_pieces
 from mechproof.programs.elementary.formats import DOUBLE
 from mechproof.programs.elementary.functions import build
 from mechproof.programs.program import Program
-from mechproof.roundoff.bound import Bar, Evaluation
+from mechproof.roundoff.bound import ErrorAnalysis, ErrorScale
 from mechproof.roundoff.case_split import Rows, split_cases
 from mechproof.roundoff.cases import REST, Case, Resolved, Whole, name_size, resolve
-from mechproof.roundoff.germs import Frame
-from mechproof.roundoff.profiles import Profile, find_highest
+from mechproof.roundoff.error_tables import ErrorTable, find_highest
+from mechproof.roundoff.homogeneity import find_scaled
+from mechproof.roundoff.interval_monomials import BoxVariables
 from mechproof.roundoff.reduction import NEAR, bound_reduction
 from mechproof.roundoff.running import IN_BALLS, run
-from mechproof.roundoff.scales import find_scaled
-from mechproof.roundoff.steps import EXACT, HALF, Step, Straight, keep_needed, make_step
+from mechproof.roundoff.steps import EXACT, HALF, Step, StraightLineProgram, keep_needed, make_step
 from mechproof.roundoff.symmetry import EVEN, ODD, find_parities
 
 # So many pieces has a quarter turn, or an interval of the other functions.
@@ -68,12 +68,12 @@ ANGLES: Mapping[str, Callable[[Series, Series, Series, int], tuple[Series, Serie
 
 
 @cache
-def prove(kind: str) -> Profile:
+def prove(kind: str) -> ErrorTable:
     """Bound the error of a function piece by piece; ValueError for a program without a rule."""
     return _PROVED[kind](kind)
 
 
-def _prove_angle(kind: str) -> Profile:
+def _prove_angle(kind: str) -> ErrorTable:
     edges = _list_angles()
     reduced, unreduced = np.zeros(len(edges) - 1), np.full(len(edges) - 1, np.nan)
     for quarters in range(QUARTERS):
@@ -92,10 +92,10 @@ def _prove_angle(kind: str) -> Profile:
     # Where the number is none, whatever is rounded.
     near = float((PI * exactly(0.25)).low) * (1 - MARGIN)
     tables = find_highest(reduced), find_highest(unreduced)
-    return Profile(edges, *tables, near=near, largest=DOUBLE.largest)
+    return ErrorTable(edges, *tables, near=near, largest=DOUBLE.largest)
 
 
-def _leave_quotient(straight: Straight) -> Straight:
+def _leave_quotient(straight: StraightLineProgram) -> StraightLineProgram:
     """Return the steps with a last quotient that is exact: its two sides are what counts."""
     *others, last = straight.steps
     if last.kind != "divide":
@@ -154,19 +154,21 @@ def _bound_reduced(found: Resolved, low: Array, high: Array) -> Array:
     return bounds
 
 
-def _bound(straight: Straight, given: Mapping[str, float | None], low: Array, high: Array) -> Array:
+def _bound(
+    straight: StraightLineProgram, given: Mapping[str, float | None], low: Array, high: Array
+) -> Array:
     """Bound the roundings of steps in eps of their value; what is not given is in the pieces."""
 
     def compute(rows: Rows, forced: tuple[int, ...]) -> Array:
-        frame = Frame([Interval(low[rows], high[rows])], [True], 0, forced)
-        germs = {
-            name: frame.variable(0) if value is None else frame.constant(exactly(value))
+        variables = BoxVariables([Interval(low[rows], high[rows])], [True], 0, forced)
+        monomials = {
+            name: variables.variable(0) if value is None else variables.constant(exactly(value))
             for name, value in given.items()
         }
         with careful(moves=False):
-            evaluation = Evaluation(straight, frame, germs, {}, None)
+            evaluation = ErrorAnalysis(straight, variables, monomials, {}, None)
             return np.broadcast_to(
-                evaluation.sum_errors(straight.outputs[0], Bar(None, True)), len(rows)
+                evaluation.sum_errors(straight.outputs[0], ErrorScale(None, True)), len(rows)
             )
 
     return split_cases(compute, len(low))
@@ -177,19 +179,21 @@ def _put_on(bounds: Array, off: Array) -> Array:
     return (bounds * (1 + off * EPS) + off) * (1 + 4 * EPS)
 
 
-def _prove_quotient(kind: str) -> Profile:
+def _prove_quotient(kind: str) -> ErrorTable:
     """Bound the arctangent of a quotient, its place that of the quotient."""
     _check_signs(build(kind, DOUBLE).program)
     edges = np.linspace(0.0, 1.0, PIECES + 1)
     flat, steep = (_bound_arc(kind, edges[:-1], edges[1:], is_steep) for is_steep in (False, True))
     # All reciprocals that are rounded to zero have a place, too.
     places = np.array([*edges, *(2 - edges[-2:0:-1]), 2 * BEYOND])
-    return Profile(places, find_highest(np.array([*flat, *steep[::-1]])))
+    return ErrorTable(places, find_highest(np.array([*flat, *steep[::-1]])))
 
 
 def _check_signs(program: Program) -> None:
     """Require that the sign turns with that of each argument; ValueError if not."""
-    whole = Straight(program.inputs, tuple(map(make_step, program.operations)), program.outputs)
+    whole = StraightLineProgram(
+        program.inputs, tuple(map(make_step, program.operations)), program.outputs
+    )
     for turned in program.inputs:
         parities = find_parities(whole, {n: ODD if n == turned else EVEN for n in program.inputs})
         if any(parities[output] == EVEN for output in program.outputs):
@@ -214,7 +218,7 @@ def _bound_arc(kind: str, low: Array, high: Array, is_steep: bool) -> Array:
     return _put_on(bounds, _enclose(sides, low, high))
 
 
-def _prove_small(kind: str) -> Profile:
+def _prove_small(kind: str) -> ErrorTable:
     """Bound the arctangent of what is meant to be at most 1/sqrt(3)."""
     (name,) = build(kind, DOUBLE).program.inputs
     found = resolve(build(kind, DOUBLE).program, Case())
@@ -229,10 +233,10 @@ def _prove_small(kind: str) -> Profile:
     edges = np.linspace(0.0, end, PIECES + 1)
     off = _enclose(sides, edges[:-1], edges[1:])
     bounds = _put_on(_bound(found.straight, {name: None}, edges[:-1], edges[1:]), off)
-    return Profile(edges, find_highest(bounds), legal=legal)
+    return ErrorTable(edges, find_highest(bounds), legal=legal)
 
 
-_PROVED: Mapping[str, Callable[[str], Profile]] = MappingProxyType(
+_PROVED: Mapping[str, Callable[[str], ErrorTable]] = MappingProxyType(
     {
         **dict.fromkeys(ANGLES, _prove_angle),
         "arctan_quotient": _prove_quotient,

@@ -21,24 +21,26 @@ HARDLY = 2.0**-56
 
 
 @dataclass(frozen=True)
-class Rounded:
+class RoundedEndpoints:
     """Rounded results, and by how much what is rounded may lie farther out than both ends."""
 
     span: Interval
     beyond: Ends
 
 
-def _outward(low: tuple[Ends, Ends], high: tuple[Ends, Ends]) -> Rounded:
+def _outward(low: tuple[Ends, Ends], high: tuple[Ends, Ends]) -> RoundedEndpoints:
     span = Interval(low[0], high[0])
     beyond = np.where(-low[0] > high[0], -low[1], high[1])
-    return Rounded(span, np.where(-low[0] == high[0], np.maximum(-low[1], high[1]), beyond))
+    return RoundedEndpoints(
+        span, np.where(-low[0] == high[0], np.maximum(-low[1], high[1]), beyond)
+    )
 
 
-def _add(a: Interval, b: Interval) -> Rounded:
+def _add(a: Interval, b: Interval) -> RoundedEndpoints:
     return _outward(add_exactly(a.low, b.low), add_exactly(a.high, b.high))
 
 
-def _subtract(a: Interval, b: Interval) -> Rounded:
+def _subtract(a: Interval, b: Interval) -> RoundedEndpoints:
     return _add(a, -b)
 
 
@@ -61,21 +63,21 @@ def _rest(product: Ends, x: Ends, y: Ends) -> tuple[Ends, Ends]:
     return product, product_rest(x, y, product)
 
 
-def _multiply(a: Interval, b: Interval) -> Rounded:
+def _multiply(a: Interval, b: Interval) -> RoundedEndpoints:
     return _outward(*_corners(a, b))
 
 
-def _square(a: Interval) -> Rounded:
+def _square(a: Interval) -> RoundedEndpoints:
     size = a.size()
     return _multiply(size, size)
 
 
-def _fuse(a: Interval, b: Interval, c: Interval) -> Rounded:
+def _fuse(a: Interval, b: Interval, c: Interval) -> RoundedEndpoints:
     """Fuse the ends whose products are known to be the smallest and the largest."""
     corners = list_corners(a, b)
     if corners is None:
         nothing = np.full(np.shape(a.low + b.low + c.low), np.nan)
-        return Rounded(Interval(nothing, nothing), np.inf)
+        return RoundedEndpoints(Interval(nothing, nothing), np.inf)
     low, high = (
         _fused_rest(x, y, end) for (x, y), end in zip(corners, (c.low, c.high), strict=True)
     )
@@ -89,22 +91,22 @@ def _fused_rest(x: Ends, y: Ends, end: Ends) -> tuple[Ends, Ends]:
     return fused, (total - fused) + (left + rest)
 
 
-AT_ENDPOINTS: Mapping[str, Callable[..., Rounded]] = MappingProxyType(
+AT_ENDPOINTS: Mapping[str, Callable[..., RoundedEndpoints]] = MappingProxyType(
     {
         "add": _add,
         "subtract": _subtract,
         "multiply": _multiply,
         "square": _square,
         "fma": _fuse,
-        "negate": lambda a: Rounded(-a, 0.0),
-        "absolute": lambda a: Rounded(a.size(), 0.0),
+        "negate": lambda a: RoundedEndpoints(-a, 0.0),
+        "absolute": lambda a: RoundedEndpoints(a.size(), 0.0),
     }
 )
 
 
-def round_endpoints(kind: str, given: Sequence[Interval], whole: Interval) -> Rounded:
+def round_endpoints(kind: str, given: Sequence[Interval], whole: Interval) -> RoundedEndpoints:
     """Enclose an operation's rounded results by those at the ends, and by an interval of it."""
-    plain = Rounded(whole, np.inf)
+    plain = RoundedEndpoints(whole, np.inf)
     if kind not in AT_ENDPOINTS:
         return plain
     found = AT_ENDPOINTS[kind](*given)
@@ -114,10 +116,10 @@ def round_endpoints(kind: str, given: Sequence[Interval], whole: Interval) -> Ro
     narrow = known & ~(whole.high - whole.low < found.span.high - found.span.low)
     low = np.where(narrow, found.span.low, whole.low)
     high = np.where(narrow, found.span.high, whole.high)
-    return Rounded(Interval(low, high), np.where(narrow, found.beyond, np.inf))
+    return RoundedEndpoints(Interval(low, high), np.where(narrow, found.beyond, np.inf))
 
 
-def limit_by_spacing(rounded: Rounded, ulps: float) -> Ends:
+def limit_by_spacing(rounded: RoundedEndpoints, ulps: float) -> Ends:
     """Bound a rounding by so many spacings of doubles at the largest result."""
     largest = rounded.span.largest()
     share, exponent = np.frexp(largest)

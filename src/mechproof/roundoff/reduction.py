@@ -30,7 +30,7 @@ MORE = 1 + 2.0**-20
 
 
 @dataclass(frozen=True)
-class Reduction:
+class ReductionError:
     """How far off what is left is, in eps of itself, besides half an ulp of its rounding."""
 
     far: float
@@ -38,7 +38,7 @@ class Reduction:
 
 
 @cache
-def bound_reduction(per: float, words: tuple[float, ...]) -> Reduction:
+def bound_reduction(per: float, words: tuple[float, ...]) -> ReductionError:
     """Bound what is left of angles up to the largest; ValueError where that cannot be shown."""
     if len(words) != 3:
         raise ValueError(f"{words}: not three words of a quarter turn")
@@ -63,7 +63,7 @@ def bound_reduction(per: float, words: tuple[float, ...]) -> Reduction:
         raise ValueError(f"{words[0]}: the first product and difference may be rounded")
     if beyond_half > MARGIN / 4 or most * (later + left) > least * (MORE - 1):
         raise ValueError(f"{words}: not enough of a quarter turn, or not the nearest number")
-    return Reduction(
+    return ReductionError(
         far=most * (later + left) / NEAR / EPS * MORE,
         near=(1 + most * left / least / EPS) * MORE - 0.5,
     )

@@ -18,7 +18,7 @@ from mechproof.arithmetic.balls import to_ball
 from mechproof.arithmetic.intervals import ONE, PI, between, enclose_ball, exactly
 from mechproof.record import Chart
 from mechproof.roundoff.angles import Turn
-from mechproof.roundoff.germs import Frame, Germ
+from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial
 
 Side = tuple[float, float]
 Box = tuple[Side, ...]
@@ -31,7 +31,7 @@ APART, APART_FROM_REST = 4, 2
 
 
 @dataclass(frozen=True)
-class Region:
+class ChartRegion:
     """A box of coordinates; of an angle beyond half a turn the rest, and the number of turns.
 
     Without a number the last side is the reciprocal of the whole angle.
@@ -51,37 +51,39 @@ class Region:
 
     def enter(
         self, boxes: Boxes, poles: int, forced: tuple[int, ...] = ()
-    ) -> tuple[Frame, dict[sp.Symbol, Germ], Turn | None]:
-        """Return the frame of boxes, its coordinates as germs and the angle's turn."""
+    ) -> tuple[BoxVariables, dict[sp.Symbol, IntervalMonomial], Turn | None]:
+        """Return the variables of boxes, its coordinates as monomials and the angle's turn."""
         spans = [between(boxes[:, i, 0], boxes[:, i, 1]) for i in range(boxes.shape[1])]
         if self.turns is not None:
             # The reciprocal of the angle, which is known when its rest is.
             spans.append(ONE)
-        frame = Frame(spans, self._list_positive(boxes), poles, forced)
-        germs = {name: frame.variable(i) for i, name in enumerate(self.names)}
+        variables = BoxVariables(spans, self._list_positive(boxes), poles, forced)
+        monomials = {name: variables.variable(i) for i, name in enumerate(self.names)}
         if not self.is_turned:
-            return frame, germs, None
-        residue, offset = self._find_residue(frame, germs)
+            return variables, monomials, None
+        residue, offset = self._find_residue(variables, monomials)
         if self.turns is not None:
             whole = PI * exactly(2.0 * self.turns + offset) + residue.expanded()
-            frame.spans[len(self.names)] = ONE / whole
-        inverse = frame.spans[len(self.names)]
-        angle = frame.variable(len(self.names), -1)
+            variables.spans[len(self.names)] = ONE / whole
+        inverse = variables.spans[len(self.names)]
+        angle = variables.variable(len(self.names), -1)
         turn = Turn(angle.powers, residue, ONE / inverse, bool(offset))
-        return frame, {**germs, self.angle: angle}, turn
+        return variables, {**monomials, self.angle: angle}, turn
 
     def count_first(self) -> int:
         """Count the sides that matter: not how many turns are taken off what has coordinates."""
         return len(self.box) if self.chart.rest is None else len(self.names)
 
-    def _find_residue(self, frame: Frame, germs: Mapping[sp.Symbol, Germ]) -> tuple[Germ, int]:
+    def _find_residue(
+        self, variables: BoxVariables, monomials: Mapping[sp.Symbol, IntervalMonomial]
+    ) -> tuple[IntervalMonomial, int]:
         """Return what is left of the angle, and the half turns taken off besides whole ones."""
         if self.chart.rest is None:
-            return frame.constant(germs[self.angle].expanded()), 0
-        half = self.chart.rest.subs(dict.fromkeys(germs, 0))
+            return variables.constant(monomials[self.angle].expanded()), 0
+        half = self.chart.rest.subs(dict.fromkeys(monomials, 0))
         if half not in (0, sp.pi):
             raise ValueError(f"chart: {self.chart.rest} is not near a multiple of half a turn")
-        return express(sp.expand(self.chart.rest - half), frame, germs), int(half / sp.pi)
+        return express(sp.expand(self.chart.rest - half), variables, monomials), int(half / sp.pi)
 
     def _list_positive(self, boxes: Boxes) -> list[bool]:
         """Say which coordinates are never negative, of the angle's rest the reciprocal."""
@@ -95,14 +97,16 @@ class Region:
         return self.chart.angle
 
 
-def express(value: sp.Expr, frame: Frame, germs: Mapping[sp.Symbol, Germ]) -> Germ:
-    """Return the germ of a polynomial in coordinates."""
-    if value in germs:
-        return germs[value]
+def express(
+    value: sp.Expr, variables: BoxVariables, monomials: Mapping[sp.Symbol, IntervalMonomial]
+) -> IntervalMonomial:
+    """Return the monomial of a polynomial in coordinates."""
+    if value in monomials:
+        return monomials[value]
     if value.is_Number:
-        return frame.constant(enclose_ball(to_ball(value)))
-    parts = [express(part, frame, germs) for part in value.args[:1] if value.is_Pow] or [
-        express(part, frame, germs) for part in value.args
+        return variables.constant(enclose_ball(to_ball(value)))
+    parts = [express(part, variables, monomials) for part in value.args[:1] if value.is_Pow] or [
+        express(part, variables, monomials) for part in value.args
     ]
     if value.is_Pow:
         return _raise(parts[0], int(value.args[1]))
@@ -114,16 +118,18 @@ def express(value: sp.Expr, frame: Frame, germs: Mapping[sp.Symbol, Germ]) -> Ge
     return total
 
 
-def _raise(germ: Germ, power: int) -> Germ:
-    return Germ(germ.frame, germ.span.power(power), tuple([power * p for p in germ.powers]))
+def _raise(monomial: IntervalMonomial, power: int) -> IntervalMonomial:
+    return IntervalMonomial(
+        monomial.variables, monomial.span.power(power), tuple([power * p for p in monomial.powers])
+    )
 
 
-def list_regions(chart: Chart) -> Iterator[Region]:
+def list_regions(chart: Chart) -> Iterator[ChartRegion]:
     """Divide a chart by whole turns of its angle; negative angles go by symmetry."""
     names = tuple(chart.within)
     box = tuple(_enclose(chart.within[name]) for name in names)
     if chart.angle is None:
-        yield Region(chart, names, box)
+        yield ChartRegion(chart, names, box)
         return
     index = names.index(chart.angle)
     low, high = box[index]
@@ -134,24 +140,24 @@ def list_regions(chart: Chart) -> Iterator[Region]:
     if not 0 <= low <= math.pi < HALF_TURN < high:
         raise ValueError(f"chart: the angle {chart.angle} must reach beyond half a turn")
     if low == 0:
-        yield Region(chart, names, put_side(box, index, (0.0, HALF_TURN)))
+        yield ChartRegion(chart, names, put_side(box, index, (0.0, HALF_TURN)))
     rest = put_side(box, index, (-HALF_TURN, HALF_TURN))
     yield from _list_turned(chart, names, rest, high)
 
 
 def _list_turned(
     chart: Chart, names: tuple[sp.Symbol, ...], box: Box, high: float
-) -> Iterator[Region]:
+) -> Iterator[ChartRegion]:
     """List the turns whose angles, at most half a turn from there, are not all above a number."""
     is_half = chart.rest is not None and chart.rest.has(sp.pi)
     apart = APART if chart.rest is None else APART_FROM_REST
     for turns in range(0 if is_half else 1, apart):
         if 2 * math.pi * turns - (0 if is_half else HALF_TURN) < high:
-            yield Region(chart, names, box, True, turns)
+            yield ChartRegion(chart, names, box, True, turns)
     last = 2 * math.pi * apart - HALF_TURN
     if last < high:
         inverse = (math.nextafter(1 / high, 0), math.nextafter(1 / last, 1))
-        yield Region(chart, names, (*box, inverse), True)
+        yield ChartRegion(chart, names, (*box, inverse), True)
 
 
 def _enclose(interval: sp.Interval) -> Side:

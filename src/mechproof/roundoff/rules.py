@@ -1,4 +1,4 @@
-"""Rules: for each kind of operation its value and its partial derivatives, in germs."""
+"""Rules: for each kind of operation its value and its partial derivatives, in monomials."""
 
 from __future__ import annotations
 
@@ -9,113 +9,114 @@ import numpy as np
 
 from mechproof.arithmetic.intervals import ONE, Interval, exactly
 from mechproof.roundoff.angles import Turn, take_arctangent, take_cosine, take_sine, take_tangent
-from mechproof.roundoff.germs import Germ
+from mechproof.roundoff.interval_monomials import IntervalMonomial
 
 EITHER = Interval(np.float64(-1.0), np.float64(1.0))
 SOME = Interval(np.float64(0.0), np.float64(1.0))
 
 # How the value of an operation moves with each operand; None where it does not.
-Slopes = tuple[Germ | None, ...]
-Moved = tuple[Germ, Slopes]
-Rule = Callable[[Sequence[Germ], Turn | None], Moved]
+Slopes = tuple[IntervalMonomial | None, ...]
+Moved = tuple[IntervalMonomial, Slopes]
+Rule = Callable[[Sequence[IntervalMonomial], Turn | None], Moved]
 
 
-def _one(germ: Germ) -> Germ:
-    return germ.frame.constant(ONE)
+def _one(monomial: IntervalMonomial) -> IntervalMonomial:
+    return monomial.variables.constant(ONE)
 
 
-def _add(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _add(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     a, b = given
     return a + b, (_one(a), _one(a))
 
 
-def _subtract(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _subtract(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     a, b = given
     return a - b, (_one(a), -_one(a))
 
 
-def _multiply(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _multiply(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     a, b = given
     return a * b, (b, a)
 
 
-def _divide(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _divide(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     a, b = given
     quotient = a / b
     return quotient, (_one(a) / b, -(quotient / b))
 
 
-def _fma(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _fma(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     a, b, c = given
     return a * b + c, (b, a, _one(a))
 
 
-def _negate(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _negate(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     return -given[0], (-_one(given[0]),)
 
 
-def _square(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _square(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     return given[0].squared(), (given[0].scaled(exactly(2.0)),)
 
 
-def _sqrt(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _sqrt(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     (a,) = given
-    # Odd powers of what vanishes have no root among the germs, nor squares of what has any sign.
-    halves = a.frame.intern(tuple([p // 2 for p in a.powers]))
-    if any(p % 2 for p in a.powers) or not a.frame.is_positive(halves):
-        root = a.frame.constant(a.expanded().sqrt())
+    # Odd powers of what vanishes have no root among the monomials, nor squares of what has any
+    # sign.
+    halves = a.variables.intern(tuple([p // 2 for p in a.powers]))
+    if any(p % 2 for p in a.powers) or not a.variables.is_positive(halves):
+        root = a.variables.constant(a.expanded().sqrt())
     else:
-        root = Germ(a.frame, a.span.sqrt(), halves)
-    return root, (a.frame.constant(exactly(0.5)) / root,)
+        root = IntervalMonomial(a.variables, a.span.sqrt(), halves)
+    return root, (a.variables.constant(exactly(0.5)) / root,)
 
 
-def _hypot(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _hypot(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     a, b = given
     root, _ = _sqrt((a.squared() + b.squared(),), turn)
     return root, (a / root, b / root)
 
 
-def _absolute(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _absolute(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     (a,) = given
     if sign := a.decide_sign():
-        return (a if sign > 0 else -a), (a.frame.constant(exactly(sign)),)
-    return a.size(), (a.frame.constant(EITHER),)
+        return (a if sign > 0 else -a), (a.variables.constant(exactly(sign)),)
+    return a.size(), (a.variables.constant(EITHER),)
 
 
-def _maximum(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _maximum(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     return _either(given, (given[0] - given[1]).expanded())
 
 
-def _minimum(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _minimum(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     return _either(given, (given[1] - given[0]).expanded())
 
 
-def _either(given: Sequence[Germ], lead: Interval) -> Moved:
+def _either(given: Sequence[IntervalMonomial], lead: Interval) -> Moved:
     """Return the first where it leads, the second where it does not, both where undecided."""
     a, b = given
     one = _one(a)
     leads, follows = lead.low >= 0, lead.high <= 0
-    choice = a.frame.choose(leads, follows & ~leads, ~(leads | follows))
+    choice = a.variables.choose(leads, follows & ~leads, ~(leads | follows))
     if choice < 2:
         return given[choice], ((one, None), (None, one))[choice]
-    some = a.frame.constant(SOME)
+    some = a.variables.constant(SOME)
     return a.united(b), (some, some)
 
 
-def _tan(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _tan(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     tangent = take_tangent(given[0], turn)
     return tangent, (_one(tangent) + tangent.squared(),)
 
 
-def _sin(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _sin(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     return take_sine(given[0], turn), (take_cosine(given[0], turn),)
 
 
-def _cos(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _cos(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     return take_cosine(given[0], turn), (-take_sine(given[0], turn),)
 
 
-def _arctan(given: Sequence[Germ], turn: Turn | None) -> Moved:
+def _arctan(given: Sequence[IntervalMonomial], turn: Turn | None) -> Moved:
     (a,) = given
     return take_arctangent(a), (_one(a) / (_one(a) + a.squared()),)
 

@@ -19,7 +19,7 @@ from mechproof.programs.elementary.functions import BODIES
 from mechproof.programs.operations import COMPARISONS, KINDS, Arithmetic, Infix
 from mechproof.programs.program import CONSTANTS, Operand, Program
 from mechproof.roundoff.fused import fma
-from mechproof.roundoff.steps import CONSTANT, Straight
+from mechproof.roundoff.steps import CONSTANT, StraightLineProgram
 
 Values = dict[str, Any]
 ENDLESS = MappingProxyType({"#inf": np.inf})
@@ -87,7 +87,7 @@ IN_BALLS = Arithmetic(
 
 
 def run(
-    straight: Straight | Program, given: Mapping[str, Any], arithmetic: Arithmetic
+    straight: StraightLineProgram | Program, given: Mapping[str, Any], arithmetic: Arithmetic
 ) -> tuple[Any, ...]:
     """Return the outputs at the values of the inputs, in an arithmetic."""
     values: Values = {**ENDLESS, **given}

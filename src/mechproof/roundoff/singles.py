@@ -23,7 +23,7 @@ from mechproof.programs.scalar import (
     rename,
     rename_components,
 )
-from mechproof.programs.sums import ADDED, Reduction, fold_sums
+from mechproof.programs.sums import ADDED, TermLoop, fold_sums
 from mechproof.roundoff.climb import Column, Points
 from mechproof.roundoff.fused import add_to_odd
 from mechproof.roundoff.running import IN_DOUBLES, Values, find_number, run
@@ -156,7 +156,7 @@ def _hold(mark: Callable[[Any], Any], operands: Iterable[Any]) -> Any:
     return reduce(lambda one, other: one & other, marks, np.asarray(True))
 
 
-def _run_loop(loop: Reduction, arithmetic: Arithmetic, *arrays: Any) -> Any:
+def _run_loop(loop: TermLoop, arithmetic: Arithmetic, *arrays: Any) -> Any:
     """Return the sum over the terms, or whether all are true, as the printed loop does."""
     known = dict(zip(loop.parameters, arrays, strict=True))
     terms, zero = len(known[loop.arrays[0]]), arithmetic.number(0)

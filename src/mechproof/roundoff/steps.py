@@ -43,7 +43,7 @@ class Step:
 
 
 @dataclass(frozen=True)
-class Straight:
+class StraightLineProgram:
     """All steps of a stage; inputs are the arguments, outputs results or inputs.
 
     The rounding of what is `held` moves no output: a low word has it. What is `scaled` has factors
@@ -57,7 +57,7 @@ class Straight:
     scaled: tuple[str, ...] = ()
 
 
-def keep_needed(straight: Straight) -> Straight:
+def keep_needed(straight: StraightLineProgram) -> StraightLineProgram:
     """Return the steps without those that no output needs."""
     needed: set[Operand] = set(straight.outputs)
     steps: list[Step] = []
@@ -68,7 +68,7 @@ def keep_needed(straight: Straight) -> Straight:
     return replace(straight, steps=tuple(steps))
 
 
-def flatten_stage(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight:
+def flatten_stage(stage: Stage, expansions: Mapping[str, Expansion]) -> StraightLineProgram:
     """Put what is prepared before what is evaluated, and kinds with an expansion into it.
 
     Numbers that are no doubles are rounded first, each once.
@@ -76,7 +76,7 @@ def flatten_stage(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight
     return _round_constants(_flatten(stage, expansions))
 
 
-def _round_constants(straight: Straight) -> Straight:
+def _round_constants(straight: StraightLineProgram) -> StraightLineProgram:
     operands = (*(o for step in straight.steps for o in step.operands), *straight.outputs)
     names = {o: f"rounded {o}" for o in operands if not is_double(o)}
     rounded = [Step(name, CONSTANT, (o,), HALF) for o, name in names.items()]
@@ -97,7 +97,7 @@ def is_double(operand: Operand) -> bool:
     return float(operand) == operand
 
 
-def _flatten(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight:
+def _flatten(stage: Stage, expansions: Mapping[str, Expansion]) -> StraightLineProgram:
     inputs = (*stage.running, *(p for p in stage.parameters if p not in stage.running))
     known: dict[Operand, Operand] = {name: name for name in inputs}
     steps: list[Step] = []
@@ -105,12 +105,12 @@ def _flatten(stage: Stage, expansions: Mapping[str, Expansion]) -> Straight:
     if stage.prepare.operations or stage.prepare.outputs:
         given = _append(steps, stage.prepare, known, "prepared.", expansions)
     if stage.evaluate is None:
-        return Straight(inputs, tuple(steps), tuple(given))
+        return StraightLineProgram(inputs, tuple(steps), tuple(given))
     passed = zip(stage.evaluate.inputs[len(stage.running) :], given, strict=True)
     inside: dict[Operand, Operand] = {name: name for name in stage.running}
     inside.update(passed)
     outputs = _append(steps, stage.evaluate, inside, "", expansions)
-    return Straight(inputs, tuple(steps), outputs)
+    return StraightLineProgram(inputs, tuple(steps), outputs)
 
 
 def _append(

@@ -11,7 +11,7 @@ import sympy as sp
 from mechproof.programs.operations import KINDS, Arithmetic
 from mechproof.programs.program import CONSTANTS, Operand
 from mechproof.record import Chart
-from mechproof.roundoff.steps import CONSTANT, Straight
+from mechproof.roundoff.steps import CONSTANT, StraightLineProgram
 
 
 @dataclass(frozen=True)
@@ -69,14 +69,16 @@ PARITIES = Arithmetic(
 )
 
 
-def check_symmetry(straight: Straight, chart: Chart, names: Mapping[sp.Basic, str]) -> None:
+def check_symmetry(
+    straight: StraightLineProgram, chart: Chart, names: Mapping[sp.Basic, str]
+) -> None:
     """Require that negative angles are off as positive ones are; ValueError if not."""
     if chart.angle is not None:
         find_parities(straight, dict(list_parities(chart, chart.angle, names)))
 
 
 def check_mirror(
-    straight: Straight, mirror: Sequence[sp.Basic], names: Mapping[sp.Basic, str]
+    straight: StraightLineProgram, mirror: Sequence[sp.Basic], names: Mapping[sp.Basic, str]
 ) -> None:
     """Require that arguments, all negated, turn no more than signs; ValueError if not."""
     find_parities(straight, {n: ODD if s in mirror else EVEN for s, n in names.items()})
@@ -93,7 +95,9 @@ def list_parities(
         yield names[symbol], EVEN if turned == value else ODD
 
 
-def find_parities(straight: Straight, given: Mapping[str, Parity]) -> Mapping[Operand, Parity]:
+def find_parities(
+    straight: StraightLineProgram, given: Mapping[str, Parity]
+) -> Mapping[Operand, Parity]:
     """Return what becomes of all results where the given ones do; ValueError if that is neither."""
     parities: dict[Operand, Parity] = dict.fromkeys(CONSTANTS, EVEN)
     parities.update(given.items())

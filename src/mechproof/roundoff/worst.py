@@ -18,10 +18,10 @@ from mechproof.arithmetic.balls import working_precision
 from mechproof.arithmetic.intervals import Array
 from mechproof.programs.kernel import input_names
 from mechproof.roundoff import climb
+from mechproof.roundoff.computed_stages import ComputedStage
 from mechproof.roundoff.extended import FORMAT, IN_EXTENDED, IS_LONGER
-from mechproof.roundoff.regions import Box, Region
+from mechproof.roundoff.regions import Box, ChartRegion
 from mechproof.roundoff.running import IN_BALLS, IN_DOUBLES, Values
-from mechproof.roundoff.subject import Subject
 
 Points = Mapping[str, Array]
 BITS = 200
@@ -33,14 +33,16 @@ OCTAVES = 16.0
 
 
 @dataclass(frozen=True)
-class Found:
+class WorstRounding:
     """An input and its error in eps of the scale."""
 
     eps: float
     at: Mapping[str, float]
 
 
-def find_worst(subject: Subject, boxes: Sequence[tuple[Region, Box]], seed: int) -> Found:
+def find_worst(
+    subject: ComputedStage, boxes: Sequence[tuple[ChartRegion, Box]], seed: int
+) -> WorstRounding:
     """Draw points of the boxes of regions and climb from the worst, some times anew."""
     rng = np.random.default_rng(seed)
     climbs = [_climb(subject, boxes, rng) for _ in range(CLIMBS if IS_LONGER else 1)]
@@ -48,8 +50,8 @@ def find_worst(subject: Subject, boxes: Sequence[tuple[Region, Box]], seed: int)
 
 
 def _climb(
-    subject: Subject, boxes: Sequence[tuple[Region, Box]], rng: np.random.Generator
-) -> Found:
+    subject: ComputedStage, boxes: Sequence[tuple[ChartRegion, Box]], rng: np.random.Generator
+) -> WorstRounding:
     drawn = [draw(subject, region, box, DRAWN, rng) for region, box in boxes]
     names = tuple(drawn[0])
     start = tuple(np.concatenate([points[name] for points in drawn]) for name in names)
@@ -67,17 +69,17 @@ def _climb(
         population = climb.climb(judge_columns, start, climb.BY_BALLS, ROUNDS, rng)
     worst = np.argmax(population.heights)
     at = {name: float(column[worst]) for name, column in zip(names, population.points, strict=True)}
-    return Found(float(population.heights[worst]), at)
+    return WorstRounding(float(population.heights[worst]), at)
 
 
-def judge(subject: Subject, points: Points) -> Array:
+def judge(subject: ComputedStage, points: Points) -> Array:
     """Measure where the bound is for certain; -1 elsewhere."""
     with working_precision(BITS):
         held = [subject.inside.holds(given, IN_BALLS) for given in _list_balls(points)]
     return np.where(held, measure(subject, points), -1.0)
 
 
-def measure(subject: Subject, points: Points) -> Array:
+def measure(subject: ComputedStage, points: Points) -> Array:
     """Return the errors of the steps in doubles in eps of the scale, -1 outside the domain."""
     outputs, held = _compute(subject, points)
     errors = np.full(len(held), -1.0)
@@ -93,7 +95,7 @@ def _list_balls(points: Points) -> Iterator[Values]:
         yield dict(zip(points, (arb(float(value)) for value in values), strict=True))
 
 
-def estimate(subject: Subject, points: Points) -> Array:
+def estimate(subject: ComputedStage, points: Points) -> Array:
     """Judge in long doubles, nearly; in doubles where the bound is."""
     outputs, held = _compute(subject, points)
     given = {name: FORMAT(column) for name, column in points.items()}
@@ -103,7 +105,7 @@ def estimate(subject: Subject, points: Points) -> Array:
     return np.where(held, errors, -1.0)
 
 
-def _compute(subject: Subject, points: Points) -> tuple[Array, Any]:
+def _compute(subject: ComputedStage, points: Points) -> tuple[Array, Any]:
     """Return the outputs in doubles, and where they are finite and the stage is taken."""
     with np.errstate(all="ignore"):
         outputs = subject.compute(points)
@@ -116,7 +118,7 @@ def _find_largest(errors: Sequence[Any]) -> Any:
 
 
 def draw(
-    subject: Subject, region: Region, box: Box, count: int, rng: np.random.Generator
+    subject: ComputedStage, region: ChartRegion, box: Box, count: int, rng: np.random.Generator
 ) -> Points:
     """Draw arguments from a box of a region."""
     sides = [_draw_side(side, count, rng) for side in box]
@@ -145,7 +147,7 @@ def _draw_side(side: tuple[float, float], count: int, rng: np.random.Generator) 
     return sizes
 
 
-def _wind(region: Region, rest: Array, inverse: Array) -> Array:
+def _wind(region: ChartRegion, rest: Array, inverse: Array) -> Array:
     turns = np.rint((1 / inverse - rest) / (2 * np.pi)) if region.turns is None else region.turns
     whole: Array = 2 * np.pi * turns + rest
     return whole

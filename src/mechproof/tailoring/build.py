@@ -25,7 +25,7 @@ from mechproof.tailoring.enclosure import (
     enclose,
 )
 from mechproof.tailoring.fit import fit
-from mechproof.tailoring.model import Model, Reduction
+from mechproof.tailoring.model import Model, PeriodReduction
 from mechproof.tailoring.request import Request
 
 BITS = 53
@@ -57,7 +57,7 @@ class Built:
     bound: Bound
 
 
-class Task:
+class Approximand:
     """What is approximated: on one period, the gain taken off, or on the range itself."""
 
     def __init__(self, request: Request, repetition: Repetition | None) -> None:
@@ -106,7 +106,7 @@ class Task:
 
 def build(request: Request) -> Built:
     """Build the model; ValueError for an error that cannot be reached."""
-    task = Task(request, _repetition_over(request))
+    task = Approximand(request, _repetition_over(request))
     if not math.isfinite(task.size):
         refuse(request.variable, request.ends, f"{request.name} is undefined somewhere there")
     try:
@@ -130,7 +130,7 @@ def _repetition_over(request: Request) -> Repetition | None:
     return None if is_short else found
 
 
-def _find_reachable(task: Task) -> str:
+def _find_reachable(task: Approximand) -> str:
     """Return about the smallest error that is reached."""
     error = max(task.request.error, ROUNDED * task.size)
     low, high, reduction = _choose_range(task, error)
@@ -162,7 +162,7 @@ def round_up(number: float) -> str:
     return text if float(text) >= number else f"{number + step:.2e}"
 
 
-def _build(task: Task, error: float) -> Built:
+def _build(task: Approximand, error: float) -> Built:
     low, high, reduction = _choose_range(task, error)
     outside = 0.0
     if reduction and task.repetition:
@@ -212,7 +212,7 @@ def _lower(stretch: Stretch, plan: Plan, built: Built, attempt: object) -> Built
     return built
 
 
-def _choose_range(task: Task, error: float) -> tuple[float, float, Reduction | None]:
+def _choose_range(task: Approximand, error: float) -> tuple[float, float, PeriodReduction | None]:
     """Return the range and the reduction over it; free, it is as long as the error permits."""
     request, repetition = task.request, task.repetition
     if repetition is None:
@@ -235,7 +235,9 @@ def _choose_range(task: Task, error: float) -> tuple[float, float, Reduction | N
     return -farthest, farthest, reduction
 
 
-def _reduce(task: Task, repetition: Repetition, farthest: float, error: float) -> Reduction:
+def _reduce(
+    task: Approximand, repetition: Repetition, farthest: float, error: float
+) -> PeriodReduction:
     """Return a reduction that takes whole periods off, by one word of the period if that does."""
     rate = DOUBLE.round(_to_number(repetition.rate))
     period = _to_number(repetition.period)
@@ -244,8 +246,8 @@ def _reduce(task: Task, repetition: Repetition, farthest: float, error: float) -
     with mp.workprec(4 * BITS):
         words = first, DOUBLE.round(period - first)
         per_period = DOUBLE.round(1 / period)
-    one = Reduction((DOUBLE.round(period),), per_period, rate)
-    two = Reduction(words, per_period, rate)
+    one = PeriodReduction((DOUBLE.round(period),), per_period, rate)
+    two = PeriodReduction(words, per_period, rate)
     plain = replace(one, rate=0.0)
     still = replace(repetition, rate=arb(0))
     is_enough = bound_outside(plain, still, farthest, task.slope) <= ONE_WORD * error

@@ -17,7 +17,7 @@ from flint import arb, arb_series
 from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import Series, is_finite, list_terms, working
 from mechproof.programs.program import Program
-from mechproof.tailoring.model import Model, Reduction
+from mechproof.tailoring.model import Model, PeriodReduction
 from mechproof.tailoring.taylor_models import LEAST, UNIT, TaylorModel, UndecidedError, start, track
 
 Exact = Callable[[Series], Series]
@@ -110,7 +110,7 @@ def _finish(worst: _Worst, outside: Ball, limit: float) -> Bound:
 
 
 def bound_outside(
-    reduction: Reduction, repetition: Repetition, farthest: float, slope: float
+    reduction: PeriodReduction, repetition: Repetition, farthest: float, slope: float
 ) -> float:
     """Bound what the reduction and the sum after the polynomials make; it grows with the range."""
     with working(1):
@@ -120,7 +120,7 @@ def bound_outside(
 
 
 def _bound_reduction(
-    reduction: Reduction, repetition: Repetition, point: Ball
+    reduction: PeriodReduction, repetition: Repetition, point: Ball
 ) -> tuple[float, Ball]:
     """Bound what the reduction leaves, and how far that is off."""
     turns = point * reduction.per_period
@@ -147,7 +147,7 @@ def _is_short(word: float, count: Ball) -> bool:
     return bool(count * odd < arb(2) ** 53)
 
 
-def _bound_sum(reduction: Reduction, repetition: Repetition, point: Ball) -> Ball:
+def _bound_sum(reduction: PeriodReduction, repetition: Repetition, point: Ball) -> Ball:
     """Bound the error of rate*point + value, but for what the value adds to the last rounding."""
     product = abs(arb(reduction.rate)) * point
     return (

@@ -84,7 +84,7 @@ def _put(z: Value, beyond: Sequence[Value], rows: Sequence[Sequence[float]]) -> 
 
 
 @dataclass(frozen=True)
-class Reduction:
+class PeriodReduction:
     """Whole periods taken off: `words` add up to the period, `rate` is the gain over it."""
 
     words: tuple[float, ...]
@@ -107,7 +107,7 @@ class Model:
     name: str
     low: float
     high: float
-    reduction: Reduction | None
+    reduction: PeriodReduction | None
     pieces: Pieces
 
     def program(self) -> Program:

@@ -14,7 +14,7 @@ from flint import arb
 
 from mechproof.arguments.scalars import check_items, check_real, refuse, require
 from mechproof.arithmetic.balls import Ball
-from mechproof.arithmetic.series import Definition, working
+from mechproof.arithmetic.series import TaylorExpression, working
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.mechanisms.facts import check_domain
 from mechproof.record import Paper, Quantity
@@ -53,12 +53,12 @@ class Request:
         """Return the name of the running variable."""
         return self.quantity.arguments[0].name
 
-    def define(self, expression: sp.Basic) -> Definition:
+    def define(self, expression: sp.Basic) -> TaylorExpression:
         """Return an expression as a function of the running variable."""
         given = {v.symbol: v.given for v in self.paper.variables if v.given is not None}
         first, *others = self.quantity.arguments
         numbers = {a.symbols[0]: self.values[a.name] for a in others}
-        return Definition(expression, first.symbols[0], given, numbers)
+        return TaylorExpression(expression, first.symbols[0], given, numbers)
 
     def kernel(self, points: Array) -> Array:
         """Return values of the shipped kernel, NaN where it has none."""
@@ -93,7 +93,7 @@ class Request:
         return tuple(sorted(found))
 
 
-def _find_zeros(definition: Definition, low: float, high: float) -> list[float]:
+def _find_zeros(definition: TaylorExpression, low: float, high: float) -> list[float]:
     """Find where a function changes its sign."""
     points = np.linspace(low, high, POINTS + 1).tolist()
     signs = [_sign(definition, point) for point in points]
@@ -104,12 +104,12 @@ def _find_zeros(definition: Definition, low: float, high: float) -> list[float]:
     ]
 
 
-def _sign(definition: Definition, point: float) -> int:
+def _sign(definition: TaylorExpression, point: float) -> int:
     value = definition.value(arb(point))
     return int(value > 0) - int(value < 0)
 
 
-def _close_in(definition: Definition, low: float, high: float, sign: int) -> float:
+def _close_in(definition: TaylorExpression, low: float, high: float, sign: int) -> float:
     for _ in range(CLOSER):
         middle = low + (high - low) / 2
         if _sign(definition, middle) == sign:

@@ -25,18 +25,18 @@ from mechproof.tolerance.sizes import Size
 BUDGET = 200
 
 
-class Condition:
+class BoxCondition:
     """A relation, decided over boxes by balls and, size by size, by the sign of its slope."""
 
     def __init__(self, relation: Any) -> None:
         import sympy as sp
 
-        from mechproof.arithmetic.slopes import Tape
+        from mechproof.arithmetic.slopes import GradientTape
 
         self.relation = relation
         self.strict = isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan)
         has_room = hasattr(relation, "gts")
-        self.room = Tape(relation.gts - relation.lts, {}) if has_room else None
+        self.room = GradientTape(relation.gts - relation.lts, {}) if has_room else None
 
     def decide(self, known: Known, box: Box) -> bool | None:
         """Return whether it holds all over the box; False: at some point not; None: unknown."""
@@ -101,7 +101,7 @@ def check_sets(sizes: Mapping[str, Size], sets: Mapping[str, Any]) -> None:
 
 
 def check_relation(
-    condition: Condition, sizes: Mapping[str, Size], symbols: Mapping[str, Any]
+    condition: BoxCondition, sizes: Mapping[str, Size], symbols: Mapping[str, Any]
 ) -> bool:
     """Return whether the relation is shown for all the sizes within their limits.
 

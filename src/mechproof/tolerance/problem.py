@@ -11,7 +11,7 @@ import numpy as np
 from mechproof.arguments.scalars import refuse, require
 from mechproof.tolerance.boxes import Box, to_values
 from mechproof.tolerance.conditions import (
-    Condition,
+    BoxCondition,
     check_relation,
     check_sets,
     is_inside,
@@ -44,7 +44,7 @@ class Problem:
     """A quantity, its derivatives and its domain, ready to be enclosed over boxes of sizes."""
 
     def __init__(self, paper: Paper, name: str, sizes: Mapping[str, Size]) -> None:
-        from mechproof.arithmetic.slopes import Tape
+        from mechproof.arithmetic.slopes import GradientTape
         from mechproof.proof.domain import Domain
 
         quantity = _find_quantity(paper, name)
@@ -61,7 +61,7 @@ class Problem:
         # narrower counts. The form spares cancellations, the definition has shorter derivatives.
         exact = [quantity.definition]
         exact += [form.expression for form in quantity.shipped[-1:] if form.bound is None]
-        self.tapes = [Tape(e, given) for e in exact]
+        self.tapes = [GradientTape(e, given) for e in exact]
         relations = [*paper.where, *(quantity.on.where if quantity.on else ())]
         self.conditions = self._collect([free.resolve(r) for r in relations])
         self._sort_sizes(domain, lambda: free.resolve(exact[-1]))
@@ -95,14 +95,14 @@ class Problem:
                 moving |= {s for s in symbols if all(b > 0 or b < 0 for b in slopes[s])}
         return moving
 
-    def _collect(self, relations: list[Any]) -> list[Condition]:
+    def _collect(self, relations: list[Any]) -> list[BoxCondition]:
         """Return the conditions to decide at every input; those of the sizes alone are checked."""
         single = [part for relation in relations for part in split(relation)]
         names = {s: n for n, s in self.sized.items()}
         known = [r for r in single if r.free_symbols <= {self.running, *names}]
         kept = []
         for relation in known:
-            condition = Condition(relation)
+            condition = BoxCondition(relation)
             symbols = relation.free_symbols
             within = {names[s]: self.sizes[names[s]] for s in symbols - {self.running}}
             if self.running in symbols or not check_relation(condition, within, self.sized):

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from mechproof.tolerance.problem import Problem
 
 
-class Part(NamedTuple):
+class BoundedBox(NamedTuple):
     """A bound over a box, its face where the extreme lies, the size to cut, if it is inside."""
 
     bound: float
@@ -69,13 +69,13 @@ class Search:
         self.bound = max(heap[0][-1].bound, self.attained)
         return self
 
-    def _examine(self, box: Box, inside: bool) -> Part:
+    def _examine(self, box: Box, inside: bool) -> BoundedBox:
         self.boxes += 1
         holds = inside or self._holds(box)
         if not holds:
             self._attain(find_middle(box), inside=False)
             cut = None if holds is False else find_widest(box, self.problem.limits)
-            return Part(np.inf, box, cut, inside=False)
+            return BoundedBox(np.inf, box, cut, inside=False)
         face, natural, slopes = self._descend(box)
         middle = find_middle(face)
         linear, steep = self._attain(middle, inside=True), {}
@@ -86,7 +86,7 @@ class Search:
             linear = linear + hull(slopes[symbol]) * deviation
             steep[symbol] = steepest(slopes[symbol], face[symbol])
         bound = min(map(round_up, [linear, *natural]))
-        return Part(bound, face, self._choose_cut(face, steep), inside=True)
+        return BoundedBox(bound, face, self._choose_cut(face, steep), inside=True)
 
     def _choose_cut(self, box: Box, steep: dict[Any, float]) -> Any:
         """Return the size with the largest reach; where none is known, the widest."""

@@ -18,14 +18,14 @@ from mechproof.programs.elementary.functions import BODIES, build
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Program
 from mechproof.programs.scalar import join_stage, list_conditions, list_stages
-from mechproof.programs.sums import ADDED, Reduction
-from mechproof.programs.trace import Function, Tape, Value, show
+from mechproof.programs.sums import ADDED, TermLoop
+from mechproof.programs.trace import RecordedFunction, Tape, Value, show
 
 SCALAR, LOOP, POINT = "_scalar", "_loop", "_point_of({})"
-Meant = Iterator[tuple[str, Function]]
+Meant = Iterator[tuple[str, RecordedFunction]]
 
 
-def read_compiled(source: str) -> dict[str, Function]:
+def read_compiled(source: str) -> dict[str, RecordedFunction]:
     """Return the functions of a compiled module by their names."""
     return read_functions(source, _offer)
 
@@ -72,7 +72,7 @@ def _compute_elementary(on: Tape, kind: str, *given: Value) -> Any:
 
 
 def mean_compiled(
-    kernels: Iterable[Kernel], written: Sequence[ScalarKernel], reductions: Iterable[Reduction]
+    kernels: Iterable[Kernel], written: Sequence[ScalarKernel], reductions: Iterable[TermLoop]
 ) -> Meant:
     """Return what a module is meant to have: kernels without their loops over terms, and these.
 

@@ -16,7 +16,7 @@ from mechproof.programs.evaluation import unused_name
 from mechproof.programs.kernel import Kernel
 from mechproof.programs.program import Operand, Operation, Program
 from mechproof.programs.scalar import list_arguments, rename, rename_components
-from mechproof.programs.sums import LOOPS, Reduction
+from mechproof.programs.sums import LOOPS, TermLoop
 
 # Where the term of a loop is found, besides the indices.
 AT = "_at"
@@ -57,7 +57,7 @@ def _take_out(program: Program, names: Collection[str], calls: dict[str, Operati
 
 
 def describe_calls(
-    calls: Iterable[Operation], reductions: Iterable[Reduction], syntax: Syntax
+    calls: Iterable[Operation], reductions: Iterable[TermLoop], syntax: Syntax
 ) -> tuple[LoopCall, ...]:
     """Describe calls of loops for what is printed of them."""
     named = {found.name: found for found in reductions}
@@ -73,7 +73,7 @@ def describe_calls(
     )
 
 
-def name_elements(found: Reduction) -> Reduction:
+def name_elements(found: TermLoop) -> TermLoop:
     """Return a loop whose term calls nothing that it takes like an argument of the loop."""
     used = {step.result for step in found.term.operations}.union(found.term.inputs)
     given: dict[Operand, str] = {
@@ -82,7 +82,7 @@ def name_elements(found: Reduction) -> Reduction:
     return replace(found, term=rename(found.term, given))
 
 
-def mean_term(found: Reduction) -> Program:
+def mean_term(found: TermLoop) -> Program:
     """Return what a compiled function computes of the place of a term: elements, then the term."""
     taken = tuple(
         Operation(name, "element", (given, AT, *(f"{AT[0]}{LOOPS[i]}" for i in indices)))

@@ -42,7 +42,7 @@ from mechproof.programs.kernel import Kernel
 from mechproof.programs.names import list_imports
 from mechproof.programs.operations import KINDS
 from mechproof.programs.scalar import list_scalars
-from mechproof.programs.sums import LOOPS, Reduction, fold_sums
+from mechproof.programs.sums import LOOPS, TermLoop, fold_sums
 from mechproof.record import Paper, Together
 
 # What modules need beside operations.
@@ -170,7 +170,7 @@ def render_scalars(
 
 def _write(
     kernels: Iterable[Kernel], together: Iterable[Together]
-) -> tuple[list[ScalarKernel], tuple[Reduction, ...], Syntax]:
+) -> tuple[list[ScalarKernel], tuple[TermLoop, ...], Syntax]:
     """Return the texts of kernels, the loops that they call, and the language."""
     parted, reductions, language = _part(kernels)
     written = [write_scalar(kernel, language, loops) for kernel, loops in parted]
@@ -180,7 +180,7 @@ def _write(
 
 def _part(
     kernels: Iterable[Kernel],
-) -> tuple[list[tuple[Kernel, tuple[LoopCall, ...]]], tuple[Reduction, ...], Syntax]:
+) -> tuple[list[tuple[Kernel, tuple[LoopCall, ...]]], tuple[TermLoop, ...], Syntax]:
     """Return kernels apart from the loops that they call, these loops, and the language."""
     folded, found = fold_sums(kernels)
     reductions = tuple(map(name_elements, found))

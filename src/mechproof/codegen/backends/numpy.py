@@ -17,13 +17,13 @@ from jinja2 import meta
 from mechproof.codegen.conditions import split_conditions
 from mechproof.codegen.docstrings import describe_kernel, describe_module
 from mechproof.codegen.escapes import ESCAPES
-from mechproof.codegen.facts import Condition, Sizes, list_conditions, list_sizes
+from mechproof.codegen.facts import ConditionText, SizesText, list_conditions, list_sizes
 from mechproof.codegen.languages import NUMPY_BODY
 from mechproof.codegen.syntax import Text, write_program
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.kernel import Kernel, list_functions
 from mechproof.programs.names import list_imports
-from mechproof.programs.operations import KINDS, Reduction, Support
+from mechproof.programs.operations import KINDS, AxisReduction, Support
 from mechproof.programs.program import Program
 from mechproof.record import Form, Paper
 
@@ -47,7 +47,7 @@ def _list_support() -> dict[str, tuple[str, ...]]:
     """Return what modules import: names of modules of the support package, and of Python."""
     offered = {module: {*names} for module, names in _FRAME.items()}
     for row in KINDS.values():
-        if isinstance(row.numpy, Support | Reduction):
+        if isinstance(row.numpy, Support | AxisReduction):
             offered.setdefault(row.numpy.module, set()).add(row.numpy.name)
     found = {f"mechproof.kernel_support.{m}": tuple(sorted(names)) for m, names in offered.items()}
     return {"builtins": ("abs",), **dict(sorted(found.items()))}
@@ -100,8 +100,8 @@ def _render(
     paper: Paper,
     docstring: tuple[str, ...],
     kernels: tuple[Kernel, ...],
-    conditions: tuple[Condition, ...],
-    sizes: tuple[Sizes, ...],
+    conditions: tuple[ConditionText, ...],
+    sizes: tuple[SizesText, ...],
 ) -> str:
     lines = (*docstring, *tell_origin(paper.system))
     texts = [write_kernel(kernel, describe_kernel(kernel, paper)) for kernel in kernels]
@@ -119,8 +119,8 @@ def tell_origin(system: str) -> tuple[str, ...]:
 def render_module(
     docstring: Sequence[str],
     kernels: Sequence[KernelText],
-    conditions: tuple[Condition, ...] = (),
-    sizes: tuple[Sizes, ...] = (),
+    conditions: tuple[ConditionText, ...] = (),
+    sizes: tuple[SizesText, ...] = (),
 ) -> str:
     """Render a module of kernels."""
     data: dict[str, object] = {

@@ -23,7 +23,7 @@ from mechproof.programs.scalar import (
     rename,
     rename_components,
 )
-from mechproof.programs.sums import Reduction
+from mechproof.programs.sums import TermLoop
 from mechproof.record import Together
 
 BOOLEAN = frozenset({*COMPARISONS, "both", "either", "is_finite"})
@@ -259,7 +259,7 @@ def is_limited(program: Program, syntax: Syntax) -> bool:
 
 
 def extend_syntax(
-    syntax: Syntax, reductions: Iterable[Reduction], prefix: str, count: str = ""
+    syntax: Syntax, reductions: Iterable[TermLoop], prefix: str, count: str = ""
 ) -> Syntax:
     """Return a language with the loops over terms; `count` is put after their arguments."""
     for found in reductions:
@@ -276,13 +276,13 @@ def extend_syntax(
 class ReductionText:
     """What is printed of a loop over terms."""
 
-    loop: Reduction
+    loop: TermLoop
     text: Text
     booleans: frozenset[str]
     limited: bool
 
 
-def write_reduction(found: Reduction, syntax: Syntax) -> ReductionText:
+def write_reduction(found: TermLoop, syntax: Syntax) -> ReductionText:
     """Write the text of a term."""
     spelled = replace(
         found,

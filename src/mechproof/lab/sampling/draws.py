@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 import sympy as sp
 
-from mechproof.lab.facts import FEWEST, WIDE, Facts
-from mechproof.lab.roots import Columns
+from mechproof.lab.sampling.roots import Columns
+from mechproof.lab.sampling.stated_sizes import FEWEST, WIDE, Facts
 from mechproof.lab.ways import Array
 from mechproof.record import Argument
 

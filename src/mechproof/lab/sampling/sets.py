@@ -10,10 +10,10 @@ from itertools import pairwise, product
 import numpy as np
 import sympy as sp
 
-from mechproof.lab.facts import Facts
-from mechproof.lab.points import PointSet
-from mechproof.lab.singular_points import list_point_sets
-from mechproof.lab.sizes import Sides, draw_cell, make_workload
+from mechproof.lab.sampling.points import PointSet
+from mechproof.lab.sampling.singular_points import list_point_sets
+from mechproof.lab.sampling.sizes import Sides, draw_cell, make_workload
+from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments
 

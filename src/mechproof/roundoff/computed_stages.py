@@ -22,17 +22,17 @@ from mechproof.programs.scalar import defer_in_stage, map_affinely
 from mechproof.record import Chart, Form, Paper, Quantity
 from mechproof.roundoff.affine import AffineMap, find_size, measure_norm
 from mechproof.roundoff.assumptions import FUNCTIONS, NORMAL, SUMS
-from mechproof.roundoff.bound import KINDS, Bar, Evaluation
+from mechproof.roundoff.bound import KINDS, ErrorAnalysis, ErrorScale
 from mechproof.roundoff.case_split import Rows, split_cases
 from mechproof.roundoff.chart_membership import ChartMembership, find_membership
-from mechproof.roundoff.compensation import hold_compensated
+from mechproof.roundoff.compensation import find_compensated
 from mechproof.roundoff.compiled import COMPILED, WAY as COMPILED_WAY, list_expansions
 from mechproof.roundoff.elementary import prove
 from mechproof.roundoff.expansions import IN_NUMPY, WAY
-from mechproof.roundoff.regions import Boxes, Region, express
+from mechproof.roundoff.homogeneity import find_scaled
+from mechproof.roundoff.regions import Boxes, ChartRegion, express
 from mechproof.roundoff.running import IN_DOUBLES, Values, run
-from mechproof.roundoff.scales import find_scaled
-from mechproof.roundoff.steps import EXACT, Step, Straight, flatten_stage, keep_needed
+from mechproof.roundoff.steps import EXACT, Step, StraightLineProgram, flatten_stage, keep_needed
 from mechproof.roundoff.symmetry import check_mirror, check_symmetry
 
 # Boxes that are bounded together.
@@ -42,7 +42,7 @@ PLAIN_REWRITES = ("half_angle_tangent",)
 
 
 @dataclass(frozen=True)
-class Subject:
+class ComputedStage:
     """A stage of a kernel in one of the ways in which it is computed.
 
     `exact` are the steps whose values without rounding are the truth, `scale` those of what an
@@ -55,10 +55,10 @@ class Subject:
     form: Form
     stage: Stage
     way: str
-    straight: Straight
-    exact: Straight
-    scale: Straight | None
-    computed: Straight | None = None
+    straight: StraightLineProgram
+    exact: StraightLineProgram
+    scale: StraightLineProgram | None
+    computed: StraightLineProgram | None = None
     map: AffineMap | None = None
     sums: dict[tuple[int, int], Mapping[str, sp.Expr]] = field(
         default_factory=dict, init=False, compare=False
@@ -71,7 +71,7 @@ class Subject:
         return hashlib.sha256("\n".join(map(str, parts)).encode()).hexdigest()
 
     @property
-    def _programs(self) -> Iterator[Straight | Program]:
+    def _programs(self) -> Iterator[StraightLineProgram | Program]:
         """List the steps of a compiled kernel and the functions that they call."""
         if self.computed:
             yield self.computed
@@ -90,7 +90,7 @@ class Subject:
         functions = (FUNCTIONS[k].text for k in sorted(kinds & FUNCTIONS.keys()))
         return (*functions, *((SUMS,) if self.map and not self.computed else ()), NORMAL)
 
-    def bound(self, region: Region, boxes: Boxes) -> Array:
+    def bound(self, region: ChartRegion, boxes: Boxes) -> Array:
         """Bound the error in eps of the scale over boxes; infinite where it cannot be bounded."""
         bounds = np.full(len(boxes), np.inf)
         if not len(boxes):
@@ -104,7 +104,7 @@ class Subject:
                 bounds[part] = self._bound_alike(region, boxes[part], moves=False)
         return bounds
 
-    def _bound_alike(self, region: Region, boxes: Boxes, *, moves: bool) -> Array:
+    def _bound_alike(self, region: ChartRegion, boxes: Boxes, *, moves: bool) -> Array:
         def compute(rows: Rows, forced: tuple[int, ...]) -> Array:
             evaluation, bar = self.evaluate(region, boxes[rows], forced)
             if self.map:
@@ -126,32 +126,36 @@ class Subject:
         return split_cases(try_rows, len(boxes))
 
     def evaluate(
-        self, region: Region, boxes: Boxes, forced: tuple[int, ...] = ()
-    ) -> tuple[Evaluation, Bar]:
+        self, region: ChartRegion, boxes: Boxes, forced: tuple[int, ...] = ()
+    ) -> tuple[ErrorAnalysis, ErrorScale]:
         """Return all values over boxes, and what errors are relative to."""
         steps = self.map.entries if self.map else self.straight
         both = (steps, *([self.scale] if self.scale else []))
         poles = sum(step.kind == "tan" for straight in both for step in straight.steps)
-        frame, germs, turn = region.enter(boxes, poles, forced)
+        variables, monomials, turn = region.enter(boxes, poles, forced)
         names = input_names(self.kernel.quantity)
         arguments = region.chart.arguments.items()
-        given = {names[symbol]: express(value, frame, germs) for symbol, value in arguments}
+        given = {names[symbol]: express(value, variables, monomials) for symbol, value in arguments}
         found = []
         for straight in both:
             plain = self._add_up(straight, region.chart)
-            stated = {result: express(value, frame, germs) for result, value in plain.items()}
-            evaluation = Evaluation(straight, frame, given, stated, turn, prove)
+            stated = {
+                result: express(value, variables, monomials) for result, value in plain.items()
+            }
+            evaluation = ErrorAnalysis(straight, variables, given, stated, turn, prove)
             found.append(evaluation)
         if self.scale is None:
-            return found[0], Bar(None, True)
+            return found[0], ErrorScale(None, True)
         whole, *rest = (found[1].value(output) for output in self.scale.outputs)
         if not rest or rest[0].decide_sign() <= 0:
-            return found[0], Bar(whole, False)
-        # The absolute value of a pole is no germ: there the rest of the scale stands for it.
+            return found[0], ErrorScale(whole, False)
+        # The absolute value of a pole is no monomial: there the rest of the scale stands for it.
         is_known = whole.span.is_finite
-        return found[0], Bar(rest[0] if frame.choose(is_known, ~is_known) else whole, True)
+        return found[0], ErrorScale(
+            rest[0] if variables.choose(is_known, ~is_known) else whole, True
+        )
 
-    def _add_up(self, straight: Straight, chart: Chart) -> Mapping[str, sp.Expr]:
+    def _add_up(self, straight: StraightLineProgram, chart: Chart) -> Mapping[str, sp.Expr]:
         key = (id(straight), id(chart))
         if key not in self.sums:
             self.sums[key] = add_up(straight, chart, input_names(self.kernel.quantity))
@@ -188,7 +192,7 @@ class Subject:
 
 
 def add_up(
-    straight: Straight, chart: Chart, names: Mapping[sp.Basic, str]
+    straight: StraightLineProgram, chart: Chart, names: Mapping[sp.Basic, str]
 ) -> Mapping[str, sp.Expr]:
     """Return the sums of arguments and numbers, written in coordinates.
 
@@ -207,28 +211,32 @@ def add_up(
     return sums
 
 
-def list_subjects(kernel: Kernel, paper: Paper) -> Iterator[Subject]:
+def list_computed_stages(kernel: Kernel, paper: Paper) -> Iterator[ComputedStage]:
     """List the stages of a kernel that have charts, in every way of computing them."""
     for form, stage in zip(kernel.forms, kernel.code.stages, strict=True):
         if not form.charts:
             continue
         scale = _write_scale(kernel.quantity, form, stage, paper)
-        straight = hold_compensated(flatten_stage(stage, IN_NUMPY))
+        straight = find_compensated(flatten_stage(stage, IN_NUMPY))
         _check_kinds(straight)
         _check_signs(straight, kernel, form)
         affine = _find_map(kernel.quantity, stage, straight)
         whole = affine.apply() if affine else straight
-        yield Subject(kernel, form, stage, WAY, whole, whole, scale, map=affine)
+        yield ComputedStage(kernel, form, stage, WAY, whole, whole, scale, map=affine)
         if kernel.is_shipped:
             yield _compile(kernel, form, stage, whole, scale)
 
 
 def _compile(
-    kernel: Kernel, form: Form, stage: Stage, exact: Straight, scale: Straight | None
-) -> Subject:
+    kernel: Kernel,
+    form: Form,
+    stage: Stage,
+    exact: StraightLineProgram,
+    scale: StraightLineProgram | None,
+) -> ComputedStage:
     compiled = defer_in_stage(stage)
     expanded = keep_needed(flatten_stage(compiled, list_expansions()))
-    straight = find_scaled(hold_compensated(expanded))
+    straight = find_scaled(find_compensated(expanded))
     _check_kinds(straight)
     _check_signs(straight, kernel, form)
     affine = _find_map(kernel.quantity, stage, straight)
@@ -236,17 +244,19 @@ def _compile(
         straight, points = affine.apply(), affine.points
         compiled = replace(compiled, running=points, evaluate=map_affinely(points))
     computed = flatten_stage(compiled, {})
-    return Subject(kernel, form, stage, COMPILED_WAY, straight, exact, scale, computed, affine)
+    return ComputedStage(
+        kernel, form, stage, COMPILED_WAY, straight, exact, scale, computed, affine
+    )
 
 
-def _check_kinds(straight: Straight) -> None:
+def _check_kinds(straight: StraightLineProgram) -> None:
     if unknown := sorted({step.kind for step in straight.steps} - KINDS):
         raise ValueError(
             f"no rounding of {', '.join(unknown)} can be bounded: leave out the charts"
         )
 
 
-def _check_signs(straight: Straight, kernel: Kernel, form: Form) -> None:
+def _check_signs(straight: StraightLineProgram, kernel: Kernel, form: Form) -> None:
     names = input_names(kernel.quantity)
     for chart in form.charts:
         check_symmetry(straight, chart, names)
@@ -254,7 +264,7 @@ def _check_signs(straight: Straight, kernel: Kernel, form: Form) -> None:
         check_mirror(straight, mirror, names)
 
 
-def _find_map(quantity: Quantity, stage: Stage, straight: Straight) -> AffineMap | None:
+def _find_map(quantity: Quantity, stage: Stage, straight: StraightLineProgram) -> AffineMap | None:
     """Return the map of an affine stage; ValueError for a shift that is computed."""
     if not stage.affine:
         return None
@@ -267,7 +277,9 @@ def _find_map(quantity: Quantity, stage: Stage, straight: Straight) -> AffineMap
     return AffineMap(replace(straight, inputs=inputs), points, shift)
 
 
-def _write_scale(quantity: Quantity, form: Form, stage: Stage, paper: Paper) -> Straight | None:
+def _write_scale(
+    quantity: Quantity, form: Form, stage: Stage, paper: Paper
+) -> StraightLineProgram | None:
     """Write the scale as the form is written, but for its low words, and without roundings."""
     if quantity.accuracy is None or quantity.accuracy.scale is None:
         return None
@@ -292,9 +304,9 @@ def _has_terms(size: sp.Expr, part: sp.Basic) -> bool:
 
 def _write_exact(
     expression: sp.Expr, rewrites: tuple[str, ...], quantity: Quantity, paper: Paper
-) -> Straight:
+) -> StraightLineProgram:
     if not expression.free_symbols:
-        return Straight((), (), (float(expression),))
+        return StraightLineProgram((), (), (float(expression),))
     written = Form("scale", expression, rewrites)
     alone = replace(quantity, forms=(written,))
     (stage,) = build_kernel("scale", alone, (written,), paper).code.stages
@@ -302,7 +314,7 @@ def _write_exact(
     return replace(straight, steps=tuple(replace(step, ulps=EXACT) for step in straight.steps))
 
 
-def _join(straights: Sequence[Straight]) -> Straight:
+def _join(straights: Sequence[StraightLineProgram]) -> StraightLineProgram:
     """Put steps one after the other under names of their own."""
     steps: list[Step] = []
     outputs: list[Operand] = []
@@ -317,4 +329,4 @@ def _join(straights: Sequence[Straight]) -> Straight:
             for s in straight.steps
         ]
         outputs += map(rename, straight.outputs)
-    return Straight(straights[0].inputs, tuple(steps), tuple(outputs))
+    return StraightLineProgram(straights[0].inputs, tuple(steps), tuple(outputs))

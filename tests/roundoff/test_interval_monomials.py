@@ -1,4 +1,4 @@
-"""Germs: intervals with their factors hold every value, at zero and at poles too."""
+"""Monomials: intervals with their factors hold every value, at zero and at poles too."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 from mechproof.arithmetic.intervals import ONE, PI, Interval, between, exactly
 from mechproof.roundoff.angles import Turn
 from mechproof.roundoff.cover import cover_below
-from mechproof.roundoff.germs import Frame, Germ, UndecidedError
+from mechproof.roundoff.interval_monomials import BoxVariables, IntervalMonomial, MixedBoxesError
 from mechproof.roundoff.regions import Boxes
 from mechproof.roundoff.rules import RULES
 
@@ -35,10 +35,10 @@ def side_between(low: float, high: float) -> Interval:
     return between(np.array([low]), np.array([high]))
 
 
-def holds(germ: Germ, value: float, inverse: bool = False) -> bool:
-    """Say whether a germ has a value, or its reciprocal, to a few of the double's own ulps."""
-    one = germ.frame.constant(ONE)
-    span = (one / germ if inverse else germ).expanded()
+def holds(monomial: IntervalMonomial, value: float, inverse: bool = False) -> bool:
+    """Say whether a monomial has a value, or its reciprocal, to a few of the double's own ulps."""
+    one = monomial.variables.constant(ONE)
+    span = (one / monomial if inverse else monomial).expanded()
     target = 1 / value if inverse else value
     reach = 4e-16 * abs(target) + 1e-300
     return bool(np.all((span.low <= target + reach) & (target - reach <= span.high)))
@@ -51,8 +51,8 @@ def reach_of(span: Interval) -> float:
 @pytest.mark.parametrize("side", SIDES)
 @pytest.mark.parametrize("kind", FUNCTIONS)
 def test_functions_hold_their_values_and_slopes(kind: str, side: tuple[float, float]) -> None:
-    frame = Frame([side_between(*side)], [side[0] >= 0], poles=1)
-    value, (slope,) = RULES[kind]([frame.variable(0)], None)
+    variables = BoxVariables([side_between(*side)], [side[0] >= 0], poles=1)
+    value, (slope,) = RULES[kind]([variables.variable(0)], None)
     assert slope is not None
     for x in np.linspace(*side, 41):
         steep = kind == "tan" and abs(x) > 0.9
@@ -64,9 +64,9 @@ def test_functions_hold_their_values_and_slopes(kind: str, side: tuple[float, fl
 def test_whole_turns_are_taken_off(kind: str) -> None:
     rest = side_between(0.3, 0.301)
     whole = PI * exactly(2000.0) + rest
-    frame = Frame([rest, ONE / whole], [True, True], poles=1)
-    angle = frame.variable(1, -1)
-    turn = Turn(angle.powers, frame.constant(rest), whole)
+    variables = BoxVariables([rest, ONE / whole], [True, True], poles=1)
+    angle = variables.variable(1, -1)
+    turn = Turn(angle.powers, variables.constant(rest), whole)
     near = Interval(np.float64(1 - 2.0**-52), np.float64(1 + 2.0**-52))
     value, _ = RULES[kind]([angle.scaled(near)], turn)
     for x in np.linspace(0.3, 0.301, 11):
@@ -78,9 +78,9 @@ def test_half_a_turn_is_taken_off() -> None:
     """Next to half a turn the tangent of half the angle is a pole of what is left."""
     rest = side_between(1e-3, 2e-3)
     whole = PI * exactly(2001.0) + rest
-    frame = Frame([rest, ONE / whole], [True, True], poles=1)
-    angle = frame.variable(1, -1)
-    turn = Turn(angle.powers, frame.variable(0), whole, is_half=True)
+    variables = BoxVariables([rest, ONE / whole], [True, True], poles=1)
+    angle = variables.variable(1, -1)
+    turn = Turn(angle.powers, variables.variable(0), whole, is_half=True)
     near = Interval(np.float64(0.5 - 2.0**-53), np.float64(0.5 + 2.0**-53))
     value, _ = RULES["tan"]([angle.scaled(near)], turn)
     assert value.powers == (-1, 0, 0)
@@ -90,15 +90,15 @@ def test_half_a_turn_is_taken_off() -> None:
 
 
 def test_a_size_keeps_what_is_never_negative() -> None:
-    frame = Frame([side_between(0.0, 0.1), side_between(-0.2, -0.1)], [True, False])
-    size = (frame.variable(0) * frame.variable(1)).size()
+    variables = BoxVariables([side_between(0.0, 0.1), side_between(-0.2, -0.1)], [True, False])
+    size = (variables.variable(0) * variables.variable(1)).size()
     assert size.powers == (1, 0)
     assert size.span.low[0] <= 0.1 < 0.2 <= size.span.high[0]
 
 
 def test_what_vanishes_alike_has_a_finite_quotient() -> None:
-    frame = Frame([side_between(0.0, 0.1)], [True])
-    x = frame.variable(0)
+    variables = BoxVariables([side_between(0.0, 0.1)], [True])
+    x = variables.variable(0)
     sine, _ = RULES["sin"]([x], None)
     quotient = ((sine + x) / x).expanded()
     assert quotient.low[0] <= 2 <= quotient.high[0]
@@ -106,22 +106,22 @@ def test_what_vanishes_alike_has_a_finite_quotient() -> None:
 
 
 def test_a_pole_within_a_box_has_no_finite_value() -> None:
-    frame = Frame([side_between(1.5, 1.6)], [True], poles=1)
-    value, _ = RULES["tan"]([frame.variable(0)], None)
+    variables = BoxVariables([side_between(1.5, 1.6)], [True], poles=1)
+    value, _ = RULES["tan"]([variables.variable(0)], None)
     assert not value.expanded().is_finite[0]
     assert holds(value, math.tan(1.52), inverse=True)
 
 
 def test_the_root_of_a_square_is_never_negative() -> None:
-    frame = Frame([side_between(-3.0, -2.0)], [False])
-    root, _ = RULES["sqrt"]([frame.variable(0).squared()], None)
+    variables = BoxVariables([side_between(-3.0, -2.0)], [False])
+    root, _ = RULES["sqrt"]([variables.variable(0).squared()], None)
     assert root.expanded().low[0] == pytest.approx(2.0)
 
 
 def test_boxes_that_differ_are_told_apart() -> None:
-    frame = Frame([between(np.array([1.0, -2.0]), np.array([2.0, -1.0]))], [False])
-    with pytest.raises(UndecidedError) as undecided:
-        RULES["maximum"]([frame.variable(0), frame.constant(exactly(0.0))], None)
+    variables = BoxVariables([between(np.array([1.0, -2.0]), np.array([2.0, -1.0]))], [False])
+    with pytest.raises(MixedBoxesError) as undecided:
+        RULES["maximum"]([variables.variable(0), variables.constant(exactly(0.0))], None)
     assert [mask.tolist() for mask in undecided.value.masks][:2] == [[True, False], [False, True]]
 
 

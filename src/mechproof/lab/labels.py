@@ -11,7 +11,7 @@ from typing import Any
 
 from matplotlib.transforms import Bbox
 
-from mechproof.lab.marks import LOST_LANE, TURNS_LANE, Mark, find_best, find_front
+from mechproof.lab.chart_points import LOST_LANE, TURNS_LANE, ChartPoint, find_best, find_front
 from mechproof.lab.panel import LANE, LOWEST, draw_mark, find_top, trace_front
 
 Spot = tuple[float, float]
@@ -33,7 +33,7 @@ PLACES = [
 ]  # fmt: skip
 
 
-def choose_names(marks: Sequence[Mark], spots: Mapping[Mark, Spot]) -> list[Mark]:
+def choose_names(marks: Sequence[ChartPoint], spots: Mapping[ChartPoint, Spot]) -> list[ChartPoint]:
     """Order what shall be named: the front, two of each family, then what is far from these.
 
     spots are places in pixels; what lies on a mark before it is left out.
@@ -50,11 +50,11 @@ def choose_names(marks: Sequence[Mark], spots: Mapping[Mark, Spot]) -> list[Mark
 
 def name_marks(
     axes: Any,
-    marks: Sequence[Mark],
+    marks: Sequence[ChartPoint],
     count: int,
     copy: float | None,
     proved: Mapping[str, str] = NOTHING,
-) -> list[Mark]:
+) -> list[ChartPoint]:
     """Draw marks after the layout, with names where these have room; return the named.
 
     The others are drawn small. `proved` tells of the bounds of errors, by the names of ways.
@@ -63,7 +63,7 @@ def name_marks(
     room = Room(axes, [_box_around(spot, spot, 7) for spot in spots.values()])
     room.taken += _list_lines(axes, find_front(marks), copy)
     room.taken += [text.get_window_extent().padded(2) for text in axes.texts]
-    named: list[Mark] = []
+    named: list[ChartPoint] = []
     for mark in choose_names(marks, spots):
         label = write_name(mark, marks[0], count)
         if mark.name in proved:
@@ -76,7 +76,7 @@ def name_marks(
     return named
 
 
-def write_name(mark: Mark, shipped: Mark, count: int) -> str:
+def write_name(mark: ChartPoint, shipped: ChartPoint, count: int) -> str:
     """Return the name of a way and its time over that of the shipped way.
 
     The size that it was timed at is told where it is another.
@@ -126,7 +126,7 @@ class Room:
         return inside and clear and not any(t.overlaps(b) for t in tie for b in self.names)
 
 
-def _find_band(axes: Any, mark: Mark) -> Spot:
+def _find_band(axes: Any, mark: ChartPoint) -> Spot:
     """Return between which heights a name may stand: no name in the lane of others."""
     lost, turns = LOST_LANE - LANE / 2, TURNS_LANE - LANE / 2
     band = (turns, find_top([mark])) if mark.turns else (LOWEST, lost if mark.has_digits else turns)
@@ -150,7 +150,7 @@ def _find_places(spot: Spot, extent: Bbox, pixels: float) -> Iterator[Bbox]:
         yield Bbox.from_bounds(left, low, extent.width, extent.height)
 
 
-def _list_lines(axes: Any, front: Sequence[Mark], copy: float | None) -> list[Bbox]:
+def _list_lines(axes: Any, front: Sequence[ChartPoint], copy: float | None) -> list[Bbox]:
     """Return boxes around the front, the borders of the lanes and the time of a copy."""
     lost, turns = LOST_LANE - LANE / 2, TURNS_LANE - LANE / 2
     lines = [[(end, lane) for end in axes.get_xlim()] for lane in (lost, turns)]

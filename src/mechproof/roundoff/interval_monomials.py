@@ -1,9 +1,10 @@
-"""Germs: intervals times powers of variables that may be zero.
+"""Interval monomials: intervals times powers of variables that may be zero.
 
 What vanishes with a variable keeps it as a factor: quotients of what vanishes alike stay finite on
 boxes that hold zero, and an error is compared with a value that vanishes as it does. A pole is a
-germ too: the reciprocal of a variable that is its value's reciprocal. Gappa (Daumas and Melquiond
-2010) rewrites quotients until what cancels is gone; here the common factor is never put in.
+monomial too: the reciprocal of a variable that is its value's reciprocal. Gappa (Daumas and
+Melquiond 2010) rewrites quotients until what cancels is gone; here the common factor is never put
+in.
 """
 
 from __future__ import annotations
@@ -17,15 +18,15 @@ from mechproof.arithmetic.intervals import ONE, Interval, Mask
 Powers = tuple[int, ...]
 
 
-class UndecidedError(Exception):
-    """The boxes of a frame differ in what holds; each is in one of the masks."""
+class MixedBoxesError(Exception):
+    """The boxes differ in what holds; each is in one of the masks."""
 
     def __init__(self, path: tuple[int, ...], masks: Sequence[Mask]) -> None:
         super().__init__("boxes that differ in what holds")
         self.path, self.masks = path, masks
 
 
-class Frame:
+class BoxVariables:
     """The variables of one evaluation, the intervals they are in, and which are never negative.
 
     It holds many boxes at once. What is decided differently for some is decided by `choose`:
@@ -48,7 +49,7 @@ class Frame:
         self._path: tuple[int, ...] = ()
 
     def choose(self, *masks: Mask) -> int:
-        """Return the number of what holds in all boxes; `UndecidedError` where some differ.
+        """Return the number of what holds in all boxes; `MixedBoxesError` where some differ.
 
         Each box is in one mask: in the last where nothing can be said of it.
         """
@@ -57,19 +58,19 @@ class Frame:
         else:
             some = [number for number, mask in enumerate(masks) if np.any(mask)]
             if len(some) != 1:
-                raise UndecidedError(self._path, masks)
+                raise MixedBoxesError(self._path, masks)
             (choice,) = some
         self._path = (*self._path, choice)
         return choice
 
-    def constant(self, span: Interval) -> Germ:
-        """Return a germ that vanishes with no variable."""
-        return Germ(self, span, self.none)
+    def constant(self, span: Interval) -> IntervalMonomial:
+        """Return a monomial that vanishes with no variable."""
+        return IntervalMonomial(self, span, self.none)
 
-    def variable(self, index: int, power: int = 1) -> Germ:
+    def variable(self, index: int, power: int = 1) -> IntervalMonomial:
         """Return a variable, or a power of it."""
         powers = tuple(power if i == index else 0 for i in range(len(self.none)))
-        return Germ(self, ONE, powers)
+        return IntervalMonomial(self, ONE, powers)
 
     def is_apart(self, index: int) -> bool:
         """Say whether a variable never vanishes."""
@@ -92,7 +93,7 @@ class Frame:
         """Return no powers as the one object that says so."""
         return powers if any(powers) else self.none
 
-    def add_variable(self, span: Interval) -> Germ:
+    def add_variable(self, span: Interval) -> IntervalMonomial:
         """Take in a variable that may vanish, or the reciprocal of what has a pole."""
         index = self._free.pop(0)
         self.spans.append(span)
@@ -109,84 +110,90 @@ class Frame:
         return self._known[powers]
 
 
-class Germ:
-    """An interval times powers of the frame's variables."""
+class IntervalMonomial:
+    """An interval times powers of the variables's variables."""
 
-    __slots__ = ("frame", "powers", "span")
+    __slots__ = ("powers", "span", "variables")
 
-    def __init__(self, frame: Frame, span: Interval, powers: Powers) -> None:
-        self.frame, self.span, self.powers = frame, span, powers
+    def __init__(self, variables: BoxVariables, span: Interval, powers: Powers) -> None:
+        self.variables, self.span, self.powers = variables, span, powers
 
-    def __add__(self, other: Germ) -> Germ:
+    def __add__(self, other: IntervalMonomial) -> IntervalMonomial:
         if self.powers is other.powers or self.powers == other.powers:
-            return Germ(self.frame, self.span + other.span, self.powers)
-        common = self.frame.intern(tuple(map(min, self.powers, other.powers)))
-        return Germ(self.frame, self._over(common) + other._over(common), common)
+            return IntervalMonomial(self.variables, self.span + other.span, self.powers)
+        common = self.variables.intern(tuple(map(min, self.powers, other.powers)))
+        return IntervalMonomial(self.variables, self._over(common) + other._over(common), common)
 
-    def __sub__(self, other: Germ) -> Germ:
+    def __sub__(self, other: IntervalMonomial) -> IntervalMonomial:
         return self + -other
 
-    def __neg__(self) -> Germ:
-        return Germ(self.frame, -self.span, self.powers)
+    def __neg__(self) -> IntervalMonomial:
+        return IntervalMonomial(self.variables, -self.span, self.powers)
 
-    def __mul__(self, other: Germ) -> Germ:
-        powers, others, none = self.powers, other.powers, self.frame.none
+    def __mul__(self, other: IntervalMonomial) -> IntervalMonomial:
+        powers, others, none = self.powers, other.powers, self.variables.none
         if powers is none:
             powers = others
         elif others is not none:
-            powers = self.frame.intern(tuple([a + b for a, b in zip(powers, others, strict=True)]))
-        return Germ(self.frame, self.span * other.span, powers)
+            powers = self.variables.intern(
+                tuple([a + b for a, b in zip(powers, others, strict=True)])
+            )
+        return IntervalMonomial(self.variables, self.span * other.span, powers)
 
-    def __truediv__(self, other: Germ) -> Germ:
+    def __truediv__(self, other: IntervalMonomial) -> IntervalMonomial:
         powers = self.powers
-        if other.powers is not self.frame.none:
-            powers = self.frame.intern(
+        if other.powers is not self.variables.none:
+            powers = self.variables.intern(
                 tuple([a - b for a, b in zip(powers, other.powers, strict=True)])
             )
-        return Germ(self.frame, self.span / other.span, powers)
+        return IntervalMonomial(self.variables, self.span / other.span, powers)
 
-    def scaled(self, span: Interval) -> Germ:
-        """Return the germ times an interval."""
-        return Germ(self.frame, self.span * span, self.powers)
+    def scaled(self, span: Interval) -> IntervalMonomial:
+        """Return the monomial times an interval."""
+        return IntervalMonomial(self.variables, self.span * span, self.powers)
 
-    def squared(self) -> Germ:
+    def squared(self) -> IntervalMonomial:
         """Return the square, which is never negative."""
         powers = self.powers
-        if powers is not self.frame.none:
+        if powers is not self.variables.none:
             powers = tuple([2 * p for p in powers])
-        return Germ(self.frame, self.span.power(2), powers)
+        return IntervalMonomial(self.variables, self.span.power(2), powers)
 
     def expanded(self) -> Interval:
         """Return the interval of the value."""
-        if self.powers is self.frame.none:
+        if self.powers is self.variables.none:
             return self.span
-        return self.span * self.frame.expand(self.powers)
+        return self.span * self.variables.expand(self.powers)
 
-    def over(self, powers: Powers) -> Germ:
+    def over(self, powers: Powers) -> IntervalMonomial:
         """Return the value as a multiple of the powers of those variables that never vanish."""
-        kept = [p if p and self.frame.is_apart(i) else 0 for i, p in enumerate(powers)]
-        inverse = self.frame.expand(tuple([-p for p in kept]))
-        return Germ(self.frame, self.expanded() * inverse, self.frame.intern(tuple(kept)))
+        kept = [p if p and self.variables.is_apart(i) else 0 for i, p in enumerate(powers)]
+        inverse = self.variables.expand(tuple([-p for p in kept]))
+        return IntervalMonomial(
+            self.variables, self.expanded() * inverse, self.variables.intern(tuple(kept))
+        )
 
     def decide_sign(self) -> int:
         """Return the sign of the value, where it vanishes too, 0 if it is not known."""
-        if not self.frame.is_positive(self.powers):
+        if not self.variables.is_positive(self.powers):
             return 0
         above, below = self.span.low >= 0, self.span.high <= 0
-        return (1, -1, 0)[self.frame.choose(above, below & ~above, ~(above | below))]
+        return (1, -1, 0)[self.variables.choose(above, below & ~above, ~(above | below))]
 
-    def size(self) -> Germ:
+    def size(self) -> IntervalMonomial:
         """Return the absolute value, which keeps the powers that are never negative."""
-        kept = self.frame.intern(self.frame.keep_positive(self.powers))
-        return Germ(self.frame, self._over(kept).size(), kept)
+        kept = self.variables.intern(self.variables.keep_positive(self.powers))
+        return IntervalMonomial(self.variables, self._over(kept).size(), kept)
 
-    def united(self, other: Germ) -> Germ:
-        """Return a germ that holds the values of both."""
-        common = self.frame.intern(tuple(map(min, self.powers, other.powers)))
-        return Germ(self.frame, self._over(common).union(other._over(common)), common)
+    def united(self, other: IntervalMonomial) -> IntervalMonomial:
+        """Return a monomial that holds the values of both."""
+        common = self.variables.intern(tuple(map(min, self.powers, other.powers)))
+        return IntervalMonomial(
+            self.variables, self._over(common).union(other._over(common)), common
+        )
 
     def _over(self, common: Powers) -> Interval:
         if self.powers == common:
             return self.span
         left = tuple([a - b for a, b in zip(self.powers, common, strict=True)])
-        return self.span * self.frame.expand(left)
+        return self.span * self.variables.expand(left)

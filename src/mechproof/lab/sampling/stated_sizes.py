@@ -9,8 +9,8 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
-from mechproof.lab.region import Region
-from mechproof.lab.roots import Columns, Place
+from mechproof.lab.sampling.region import Region
+from mechproof.lab.sampling.roots import Columns, Place
 from mechproof.lab.ways import Arguments, Array
 from mechproof.proof.domain import Domain
 from mechproof.record import Argument, Published, Singular, Toleranced

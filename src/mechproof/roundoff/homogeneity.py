@@ -6,10 +6,10 @@ from dataclasses import replace
 
 from mechproof.programs.degrees import DEGREES, NONE, Degree
 from mechproof.programs.program import Operand
-from mechproof.roundoff.steps import Straight
+from mechproof.roundoff.steps import StraightLineProgram
 
 
-def find_scaled(straight: Straight) -> Straight:
+def find_scaled(straight: StraightLineProgram) -> StraightLineProgram:
     """Return the steps with what is scaled told; ValueError where an output depends on a scale."""
     known: dict[Operand, Degree] = {}
     for step in straight.steps:

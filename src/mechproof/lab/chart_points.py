@@ -24,7 +24,7 @@ FEW_EPS = 1000
 
 
 @dataclass(frozen=True)
-class Mark:
+class ChartPoint:
     """A way on the chart: nanoseconds per point in calls of `count`, and its worst error.
 
     error is scaled (`Record.error_unit`), infinite where a result with a bound is lost; turns says
@@ -77,7 +77,7 @@ def find_usual_set(record: Record) -> str:
     return max(dict.fromkeys(names), key=lambda name: (names.count(name), name == record.typical))
 
 
-def collect_marks(record: Record, workload: str, count: int, only: str = "") -> list[Mark]:
+def collect_marks(record: Record, workload: str, count: int, only: str = "") -> list[ChartPoint]:
     """Pair time and error on one point set, or on all; the shipped way is the first.
 
     On all sets, ways that were not measured on each of those of the first are left out.
@@ -89,14 +89,14 @@ def collect_marks(record: Record, workload: str, count: int, only: str = "") -> 
 
 def _make_mark(
     record: Record, way: MeasuredWay, workload: str, count: int, wanted: set[str]
-) -> Mark | None:
+) -> ChartPoint | None:
     rows = [row for row in record.errors_of(way.name) if row.set in wanted]
     errors = [row.worst_scaled for row in rows if row.worst_scaled is not None]
     found = find_time(record, way.name, workload, count)
     if found is None or not errors or {row.set for row in rows} != wanted:
         return None
     turns = any(row.wrong_branch > _count_small_turns(record, row.set) for row in rows)
-    return Mark(way.name, _find_family(record, way), found[1], max(errors), turns, found[0])
+    return ChartPoint(way.name, _find_family(record, way), found[1], max(errors), turns, found[0])
 
 
 def _count_small_turns(record: Record, name: str) -> int:
@@ -130,19 +130,19 @@ def find_copy(record: Record, workload: str, count: int) -> float | None:
     return found[1] if found else None
 
 
-def find_front(marks: Sequence[Mark]) -> list[Mark]:
+def find_front(marks: Sequence[ChartPoint]) -> list[ChartPoint]:
     """Return the marks that no other beats in both time and error, fastest first.
 
     What has no digit right is not on it.
     """
-    front: list[Mark] = []
+    front: list[ChartPoint] = []
     for mark in sorted(marks, key=lambda m: (m.time, m.error)):
         if mark.has_digits and (not front or mark.error < front[-1].error):
             front.append(mark)
     return front
 
 
-def find_best(marks: Sequence[Mark], most: int = 1) -> list[Mark]:
+def find_best(marks: Sequence[ChartPoint], most: int = 1) -> list[ChartPoint]:
     """Return the most accurate marks of each family, of equals the fastest; the shipped one first.
 
     The first mark stands for its family.
@@ -153,7 +153,7 @@ def find_best(marks: Sequence[Mark], most: int = 1) -> list[Mark]:
     return best
 
 
-def rank(mark: Mark) -> tuple[float, float]:
+def rank(mark: ChartPoint) -> tuple[float, float]:
     """Order by what is lost, then by time."""
     return (mark.height, mark.time)
 
@@ -163,7 +163,7 @@ def write_eps(error: float) -> str:
     return f"{error:.0f}" if error >= 1000 else f"{error:.3g}"
 
 
-def write_headline(marks: Sequence[Mark], searched: float = 0.0) -> str:
+def write_headline(marks: Sequence[ChartPoint], searched: float = 0.0) -> str:
     """Say in one sentence how the first mark, the shipped way, stands among the others.
 
     `searched` is the worst error in eps that a search found for it, told where it is larger.
@@ -185,7 +185,7 @@ def write_headline(marks: Sequence[Mark], searched: float = 0.0) -> str:
     return f"{subject} {accuracy}; {_compare_times(shipped, others)}"
 
 
-def _compare_times(shipped: Mark, others: Sequence[Mark]) -> str:
+def _compare_times(shipped: ChartPoint, others: Sequence[ChartPoint]) -> str:
     faster = [mark for mark in others if mark.time < shipped.time]
     if not faster:
         return "none is faster"

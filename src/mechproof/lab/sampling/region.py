@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.lab.roots import Columns, call
+from mechproof.lab.sampling.roots import Columns, call
 from mechproof.lab.ways import Array
 from mechproof.programs.domain import set_relations
 from mechproof.proof.domain import Domain

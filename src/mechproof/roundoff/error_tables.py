@@ -14,7 +14,7 @@ SLACK = 2.0**-40
 
 
 @dataclass(frozen=True, eq=False)
-class Profile:
+class ErrorTable:
     """Bounds in eps of the value, between edges of the places that arguments have.
 
     `highest` are those from each piece to each later one. The place of an angle is how far it is

@@ -16,10 +16,10 @@ import numpy as np
 import sympy as sp
 
 from mechproof.kernel_support.order import step_ulps
-from mechproof.lab.draws import Rng, count_points, draw_inside, draw_mixed
-from mechproof.lab.facts import FEWEST, Facts
-from mechproof.lab.points import PointSet, draw_ladder
-from mechproof.lab.roots import Columns, Place, find_integers, find_roots
+from mechproof.lab.sampling.draws import Rng, count_points, draw_inside, draw_mixed
+from mechproof.lab.sampling.points import PointSet, draw_ladder
+from mechproof.lab.sampling.roots import Columns, Place, find_integers, find_roots
+from mechproof.lab.sampling.stated_sizes import FEWEST, Facts
 from mechproof.lab.ways import Arguments, Array
 
 GENERIC, ALONE, MEETING, FAR, TINY = 300, 80, 200, 300, 160
@@ -30,13 +30,13 @@ TINIEST, HUGEST = 1e-290, 1e200
 
 
 @dataclass(frozen=True)
-class Target:
+class SingularTarget:
     """A place and the argument that is moved onto it."""
 
     place: Place
     symbol: sp.Symbol
 
-    def leaves(self, other: Target) -> bool:
+    def leaves(self, other: SingularTarget) -> bool:
         """Return whether moving onto this place does not move off the other."""
         return self.symbol not in other.place.symbols
 
@@ -60,10 +60,10 @@ def list_point_sets(facts: Facts) -> tuple[PointSet, ...]:
     )
 
 
-def list_targets(facts: Facts, places: tuple[Place, ...]) -> list[Target]:
+def list_targets(facts: Facts, places: tuple[Place, ...]) -> list[SingularTarget]:
     """List every argument that can be moved onto one of the places; counts cannot."""
     return [
-        Target(place, symbol)
+        SingularTarget(place, symbol)
         for place in places
         for symbol in facts.symbols
         if symbol in place.symbols and not facts.region.is_count(symbol)
@@ -76,7 +76,7 @@ def _make_generic(facts: Facts, rng: Rng) -> Arguments:
     return facts.pack(_refuse_few(facts, drawn, "generic"))
 
 
-def _make_about(facts: Facts, targets: list[Target], rng: Rng) -> Arguments:
+def _make_about(facts: Facts, targets: list[SingularTarget], rng: Rng) -> Arguments:
     """Draw a third of the points with the place alone, the others where it meets further ones."""
     known = list_targets(facts, facts.places)
     drawn = _fill(facts, rng, targets, [], ALONE) + _fill(facts, rng, targets, known, MEETING)
@@ -85,7 +85,7 @@ def _make_about(facts: Facts, targets: list[Target], rng: Rng) -> Arguments:
 
 
 def _fill(
-    facts: Facts, rng: Rng, targets: list[Target], known: list[Target], count: int
+    facts: Facts, rng: Rng, targets: list[SingularTarget], known: list[SingularTarget], count: int
 ) -> list[Columns]:
     """Draw `count` points, shared out evenly among the targets that can be met in the domain."""
     drawn: list[Columns] = []
@@ -112,8 +112,8 @@ def _refuse_few(facts: Facts, columns: Columns, name: str) -> Columns:
 
 def draw_about(
     facts: Facts,
-    target: Target,
-    known: list[Target],
+    target: SingularTarget,
+    known: list[SingularTarget],
     rng: Rng,
     count: int,
     start: Callable[[Facts, Rng, int], Columns] = draw_mixed,
@@ -126,7 +126,7 @@ def draw_about(
     return _move_onto(facts, rng, target, columns, width)[0]
 
 
-def _choose_others(rng: Rng, free: list[Target]) -> list[Target]:
+def _choose_others(rng: Rng, free: list[SingularTarget]) -> list[SingularTarget]:
     """Choose one or two targets, every place alike however many arguments it has."""
     places = list(dict.fromkeys(t.place for t in free))
     chosen = rng.permutation(len(places))[: rng.integers(1, MOST_OTHERS + 1)]
@@ -135,7 +135,7 @@ def _choose_others(rng: Rng, free: list[Target]) -> list[Target]:
 
 
 def _move_onto(
-    facts: Facts, rng: Rng, target: Target, columns: Columns, width: Array
+    facts: Facts, rng: Rng, target: SingularTarget, columns: Columns, width: Array
 ) -> tuple[Columns, Array]:
     """Move an argument about a place; return how far it is from it in parts of its size, too."""
     place, symbol = target.place, target.symbol
