@@ -34,11 +34,11 @@ PLACES = [
 
 
 def choose_names(marks: Sequence[ChartPoint], spots: Mapping[ChartPoint, Spot]) -> list[ChartPoint]:
-    """Order what shall be named: the front, two of each family, then what is far from these.
+    """Order what shall be named: the shipped way, the front, two of each family, what is far.
 
     spots are places in pixels; what lies on a mark before it is left out.
     """
-    chosen = list(dict.fromkeys([*find_front(marks), *find_best(marks, 2)]))
+    chosen = list(dict.fromkeys([marks[0], *find_front(marks), *find_best(marks, 2)]))
     rest = [mark for mark in marks if mark not in chosen]
     while rest:
         gaps = [min(math.dist(spots[mark], spots[other]) for other in chosen) for mark in rest]
