@@ -28,7 +28,7 @@ _SET_PARENT_DEATH_SIGNAL = 1
 # What asks a process to end, where the system has it.
 ENDING = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
 # Tasks that a process gets at once while further ones are being made.
-AHEAD = 64
+AHEAD = 128
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
@@ -129,9 +129,9 @@ def run_batches(
         for left in reversed(range(len(makers))):
             pool.add(makers[-1 - left]())
             if left:
+                yield from pool.take_ready(0.0)
                 # One processor makes the next batch; the others have tasks ahead meanwhile.
                 pool.fill(max(1, count - 1), AHEAD)
-                yield from pool.take_ready(0.0)
         while pool.fill(count, 1):
             yield from pool.take_ready(None)
     finally:
@@ -190,6 +190,8 @@ class _Pool(Generic[Task, Result]):
         """Yield the answers there are after so many seconds; without a number, wait for one."""
         for worker in self._wait(seconds):
             yield worker.take(self.limit)
+            while worker.has and not worker.is_lost and worker.pipe.poll():
+                yield worker.take(self.limit)
             if worker.is_lost:
                 self.waiting.extendleft(reversed(worker.has))
                 worker.has.clear()
