@@ -42,7 +42,16 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     {"tailoring": ("tailoring",)},
     {"laboratory": ("lab",), "figures": ("plot",)},
     {"report": ("report",), "derivations": ("derivations",)},
-    {"pipeline": ("ledger_cache", "pasted", "pipeline", "validation", "verification")},
+    {
+        "pipeline": (
+            "certification",
+            "ledger_cache",
+            "pasted",
+            "pipeline",
+            "validation",
+            "verification",
+        )
+    },
     {"command line": ("__main__", "cli")},
     {"the whole": ("__init__",)},
 )

@@ -59,7 +59,7 @@ def invalidate(*arguments: object, **named: object) -> None:
 @pytest.mark.parametrize(
     ("stage", "fault", "said"),
     [
-        ("certify_papers", refuse, "^a fault$"),
+        ("certify_derivations", refuse, "^a fault$"),
         ("render_package", refuse, ": a fault$"),
         ("read_records", refuse, "^a fault$"),
         ("validate_derivations", invalidate, "^another value$"),

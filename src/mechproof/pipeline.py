@@ -18,6 +18,7 @@ from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from mechproof.certification import certify_derivations
 from mechproof.codegen.regenerate import LIST, render_package
 from mechproof.derivation import DerivationError, find_systems, packaged_directory
 from mechproof.lab import measure as measuring
@@ -29,7 +30,7 @@ from mechproof.measured import FOLDER, find_known, read_records, write_record
 from mechproof.processes import start_executor
 from mechproof.proof.ledger import JudgedPaper, to_json, to_markdown
 from mechproof.roundoff.certificate import Certificate, tell_proofs
-from mechproof.roundoff.files import certify_papers, write_certificates
+from mechproof.roundoff.files import write_certificates
 from mechproof.validation import ValidationError, validate_derivations
 from mechproof.verification import (
     LIMIT,
@@ -96,13 +97,13 @@ def regenerate(
         raise PipelineError("\n".join(failures))
     papers = [ledger.paper for ledger in ledgers]
     with _refuse(ValueError, NotImplementedError), progress("bounding the rounding errors"):
-        certificates = certify_papers(papers, generated, use_cache=use_cache)
+        placed = dict(zip(locations, papers, strict=True))
+        certificates = certify_derivations(placed, generated, use_cache=use_cache)
     with _refuse(ValueError, NotImplementedError, where=f"{locations[0].parent}: "):
         files = _render(ledgers, certificates)
     with _refuse(ValueError):
         files |= _render_tables(generated, certificates)
     with _refuse(ValidationError), progress("running the emitted kernels") as report:
-        placed = list(zip(locations, papers, strict=True))
         validate_derivations(placed, files, use_cache=use_cache, limit=limit, report=report)
     with _refuse(ForeignFileError, OSError):
         made = Made(generated, LIST)

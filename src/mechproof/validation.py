@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
@@ -33,7 +33,7 @@ _made: dict[tuple[Path, Path], tuple[Subject, ...]] = {}
 
 
 def validate_derivations(
-    papers: Sequence[tuple[Path, Paper]],
+    papers: Mapping[Path, Paper],
     files: Mapping[str, str],
     *,
     use_cache: bool = True,
@@ -45,8 +45,8 @@ def validate_derivations(
     Raises `ValidationError` with the kernel, the point and both values.
     """
     kept = PASSED.read() if use_cache else {}
-    keys = {place: _key(place, paper, files) for place, paper in papers}
-    wanted = [(place, paper) for place, paper in papers if keys[place] not in kept]
+    keys = {place: _key(place, paper, files) for place, paper in papers.items()}
+    wanted = [(place, paper) for place, paper in papers.items() if keys[place] not in kept]
     with TemporaryDirectory() as folder:
         for name, text in files.items():
             target = Path(folder, name)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from contextlib import suppress
 from importlib.resources.abc import Traversable
 from pathlib import Path
@@ -39,16 +39,6 @@ def find_certificate(generated: Traversable, system: str) -> Certificate | None:
     return read_certificate(file.read_text(encoding="utf-8"), str(file))
 
 
-def certify_papers(
-    papers: Sequence[Paper], directory: Path, *, use_cache: bool
-) -> list[Certificate | None]:
-    """Prove the bounds of every paper; with the cache what was proved before is not done again.
-
-    Raises ValueError for a chart that cannot be used.
-    """
-    return [_certify(paper, directory, use_cache) for paper in papers]
-
-
 def write_certificates(certificates: Iterable[Certificate]) -> dict[str, str]:
     """Return the text of every certificate by its name relative to the generated package."""
     return {_name(c.system): write_certificate(c) for c in certificates}
@@ -58,7 +48,11 @@ def _name(system: str) -> str:
     return f"{FOLDER}/{system}.json"
 
 
-def _certify(paper: Paper, directory: Path, use_cache: bool) -> Certificate | None:
+def certify_paper(paper: Paper, directory: Path, *, use_cache: bool) -> Certificate | None:
+    """Prove the bounds of a paper; with the cache what was proved before is not done again.
+
+    Raises ValueError for a chart that cannot be used.
+    """
     path = directory / _name(paper.system)
     text = path.read_text(encoding="utf-8") if path.is_file() else ""
     known = None
