@@ -125,7 +125,7 @@ def test_a_quantity_says_how_accurate_it_is_and_how_it_is_called(files: dict[str
     (proved,) = re.findall(r"half-angle atan, where .*?(at most \S+ eps)", told)
     for part in (
         "0 &lt; R<sub>1</sub>, R<sub>2</sub> &lt; ∞",
-        "6 eps of the value",
+        "4 eps of the value",
         proved,
         "points chosen to hurt",
         "from mechproof.kernels.elliptic_planetary import position",
