@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shutil
+import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -10,11 +12,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from derived import paper_of
+from quantities import GENERATED
 from weights import first_of
 
 from mechproof.codegen.reading import TranslationError
+from mechproof.derivation import packaged_directory
 from mechproof.kernel_support.functions import tangent_quotient
-from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.subject import Subject, find_subjects, make_subjects
 from mechproof.lab.validation import validate
 
 
@@ -95,3 +100,26 @@ def test_a_fault_in_one_compiled_loop_stops_it(position: Subject, way: str) -> N
     faulty = replace(position, load_compiled=lambda: SimpleNamespace(position=wrong))
     with pytest.raises(TranslationError, match=r"compiled: .*position\(.*the oracle gives"):
         validate(iter([faulty]))
+
+
+def test_code_of_the_package_is_loaded_as_such_while_it_has_its_text(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What was compiled of it is found then; what was loaded may be older than its file."""
+    system, name = "tooth_thickness", "mechproof.kernels.compiled.tooth_thickness"
+    copy = tmp_path / "generated"
+    shutil.copytree(GENERATED, copy)
+
+    def load() -> str:
+        place = packaged_directory() / system
+        module = next(make_subjects(paper_of(system), place, copy)).load_compiled()
+        assert module is not None
+        return module.__name__
+
+    monkeypatch.delitem(sys.modules, name, raising=False)
+    assert load() == name
+    assert load() != name
+    monkeypatch.delitem(sys.modules, name)
+    file = copy / "compiled" / f"{system}.py"
+    file.write_text(f"{file.read_text(encoding='utf-8')}\n", encoding="utf-8")
+    assert load() != name

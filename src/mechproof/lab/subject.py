@@ -207,7 +207,9 @@ def _load_compiled(system: str, generated: Path | None) -> ModuleType | None:
 def _load_kernels(name: str, generated: Path | None) -> ModuleType | None:
     """Import a generated module, of the package or of a folder; None where there is none.
 
-    Compiled code is kept beside a file with the name of its module, which must be found by it.
+    Compiled code is kept beside a file with the name of its module, which must be found by it. A
+    file with the text of the package's is that module, unless that was loaded before, perhaps
+    from an older text.
     """
     full = f"{KERNELS}.{name}"
     packaged = find_spec(full)
@@ -216,7 +218,10 @@ def _load_kernels(name: str, generated: Path | None) -> ModuleType | None:
     file = generated.joinpath(*name.split(".")).with_suffix(".py")
     if not file.is_file():
         return None
-    if packaged is not None and packaged.origin and file.samefile(packaged.origin):
+    known = Path(packaged.origin) if packaged and packaged.origin else None
+    if known and file.samefile(known):
+        return import_module(full)
+    if known and full not in sys.modules and file.read_bytes() == known.read_bytes():
         return import_module(full)
     own = f"_mechproof_kernels_{sha256(str(file.resolve()).encode()).hexdigest()[:16]}"
     spec = spec_from_file_location(own, file)
