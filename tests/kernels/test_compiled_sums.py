@@ -22,21 +22,21 @@ MATRIX = np.where(np.eye(7), 1, 0.25)
         ("error_sum", (SEVEN, 1.0, [1.5], 1.1)),
         ("error_sum", (SEVEN[:, ::2], SEVEN[0, 0], np.full((3, 1, 1), 2.0), SEVEN[:, :2, 0])),
         ("error_sum", (np.asfortranarray(SEVEN), 1, 2, 3)),
-        ("error_sum", (np.float32(SEVEN), np.float32(2), 1.0, 1.0)),
         ("error_sum", (0.5, 1.0, 2.0, SEVEN[..., 0])),
         ("error_sum", (SEVEN[..., :0], 1.0, 1.0, 1.0)),
         ("error_sum", (SEVEN[:0], 1.0, 1.0, 1.0)),
         ("error_sum", (SEVEN[0, 0], [1.0, -1, 2, -2, 3, -3, 0], 1.0, [1.0, np.nan, -1.0])),
-        ("error_sum", (np.ones((2, 40_000)), 1.0, 1.0, 1.0)),
         ("error_sum", (1e200, 1.0, 1.0, 1.0)),
         ("error_sum", (*map(np.array, (0.5, 1.0, 2.0)), 1.1)),
         ("error_sum_correlated", (SEVEN, 1.0, SEVEN[1, 0], MATRIX, 1.1)),
         ("error_sum_correlated", (SEVEN, 1.0, 1.0, np.stack([MATRIX, 2 * MATRIX] * 2), 1.1)),
         ("error_sum_correlated", (0.5, 1.0, 1.0, [[1.0]], 1.0)),
-        # Loops of their own, like those above.
+        # Loops of their own, like those above, or those of few long sums and of float32 below.
         *map(
             make_thorough,
             (
+                ("error_sum", (np.float32(SEVEN), np.float32(2), 1.0, 1.0)),
+                ("error_sum", (np.ones((2, 40_000)), 1.0, 1.0, 1.0)),
                 ("error_sum_correlated", (np.float32(SEVEN[0]), 1, 1, np.float32(MATRIX), 1)),
                 ("error_sum_thermal", (SEVEN, 1.0, 1.1, 1.2, [[0.15], [0.3], [2.0]], 1.3)),
             ),
