@@ -30,7 +30,9 @@ _PARTS = (
 KNOWN = frozenset(_PARTS.split())
 # Modules go by short names; everything else has its own, behind the underscore of the machinery.
 SHORT = {"numpy": "_np", "math": "_math"}
-MODULES = re.compile(r"__future__|builtins|math|typing|numpy(\.typing)?|mechproof\..*")
+MODULES = re.compile(
+    r"__future__|builtins|math|typing|numpy(\.typing)?|mechproof\.(kernels\.|kernel_|compiled_).*"
+)
 TYPES = ("Any", "ArrayLike", "NDArray[Any] | None", "tuple[Any, ...]", "list[str]")
 # What annotations name, which nothing evaluates, and what indexes a new axis.
 UNUSED = dict.fromkeys(("annotations", "Any", "ArrayLike", "NDArray", "newaxis"))
