@@ -21,7 +21,7 @@ LONGEST = (
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     """Let a part of the chosen tests be run, the same each time."""
-    told = "run one in N of the chosen tests, the same ones each time, at least one of each file"
+    told = "run one in N of the chosen tests, the same ones each time"
     parser.addoption("--one-in", type=int, default=1, metavar="N", help=told)
 
 
@@ -54,14 +54,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.hookimpl(trylast=True, specname="pytest_collection_modifyitems")
 def pytest_choose_share(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out what another part of the tests has: in each file, by a digest of their names."""
+    """Leave out what other parts of the tests have: by a digest of their names."""
     count = config.getoption("one_in")
     if count == 1:
         return
-    files: dict[Path, list[pytest.Item]] = {}
-    for item in sorted(items, key=lambda item: crc32(item.name.encode())):
-        files.setdefault(item.path, []).append(item)
-    kept = {item for held in files.values() for item in held[::count]}
+    names = {item: f"{item.path.name} {item.name}" for item in items}
+    kept = {*sorted(items, key=lambda item: crc32(names[item].encode()))[::count]}
     config.hook.pytest_deselected(items=[item for item in items if item not in kept])
     items[:] = [item for item in items if item in kept]
 
