@@ -42,6 +42,7 @@ def of_variant(expression: Expr, number: int) -> Expr:
 
 def lack_at_branch_end(number: int) -> Expr:
     """Return by how many degrees (12) is too small as x nears half a turn."""
+    # Arctangents are continuous at infinity: their values there are the limits.
     return of_variant(LACK, number).subs(U, oo) * 180 / pi
 
 

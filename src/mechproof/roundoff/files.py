@@ -19,11 +19,11 @@ from mechproof.roundoff.certificate import (
 
 FOLDER = "certificates"
 CERTIFIED = Store("certified.json")
-# Of the package: what proves, what fits and encloses functions, what is mirrored, what programs,
-# operations and balls are.
+# Of the package: what proves, what fits and encloses functions, what low words are, what
+# programs, operations and balls are.
 SOURCES = (
     *("roundoff/*.py", "programs/elementary/*.py", "kernel_support/*.py"),
-    *("programs/program.py", "programs/operations.py", "arithmetic/*.py"),
+    *("programs/program.py", "programs/operations.py", "programs/trace.py", "arithmetic/*.py"),
 )
 PACKAGES = ("sympy", "numpy", "python-flint")
 

@@ -111,7 +111,7 @@ class BoxVariables:
 
 
 class IntervalMonomial:
-    """An interval times powers of the variables's variables."""
+    """An interval times powers of the variables of boxes."""
 
     __slots__ = ("powers", "span", "variables")
 

@@ -1,7 +1,7 @@
 """Elementary functions in plain arithmetic: in, a float format; out, programs.
 
 `formats` has what depends on the format, `fits` approximates on an interval and encloses what that
-is off by, `trace` turns Python's arithmetic into programs, and `functions` says how each function
-is computed. Compiled backends print these programs. Of those that kernels with charts call,
+is off by, `machine` has the operations of a machine on traced values, and `functions` says how each
+function is computed. Compiled backends print these programs. Of those that kernels with charts call,
 `roundoff` proves what they are off by.
 """
