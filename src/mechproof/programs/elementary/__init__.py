@@ -2,6 +2,6 @@
 
 `formats` has what depends on the format, `fits` approximates on an interval and encloses what that
 is off by, `machine` has the operations of a machine on traced values, and `functions` says how each
-function is computed. Compiled backends print these programs. Of those that kernels with charts call,
-`roundoff` proves what they are off by.
+function is computed. Compiled backends print these programs. Of those that kernels with charts
+call, `roundoff` proves what they are off by.
 """
