@@ -1,8 +1,8 @@
 """Who may import whom, as one sentence: each layer what is below it, and no way leads back.
 
 tools < support < kernels < the runtime of numbers; paper < latex, programs < arithmetic < proof,
-roundoff, emission < loading < the runtime that proves < tailoring < laboratory, figures < report <
-pipeline < command line.
+roundoff, emission < documents < loading < the runtime that proves < tailoring < laboratory,
+figures < report < pipeline < command line.
 """
 
 from __future__ import annotations
@@ -36,6 +36,7 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     },
     {"arithmetic": ("arithmetic",)},
     {"proof": ("proof",), "roundoff": ("roundoff",), "emission": ("codegen",)},
+    {"documents": ("document",)},
     {"loading": ("derivation",)},
     {"tolerance": ("tolerance",)},
     {"mechanisms": ("mechanisms",)},

@@ -12,6 +12,7 @@ from typer.testing import CliRunner
 
 from mechproof.cli import app
 from mechproof.derivation import packaged_directory
+from mechproof.document.checking import check
 from mechproof.plot.figures import find_figures, render_svg
 from mechproof.proof.verdict import MEANINGS, Verdict
 from mechproof.record import MARKS
@@ -38,6 +39,14 @@ def test_examples_print_what_they_show(
     result = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test)
     assert result.attempted > 0
     assert result.failed == 0
+
+
+def test_the_paper_shown_has_the_outcomes_shown() -> None:
+    page = PAGES["docs/uses.md"]
+    (paper,) = re.findall(r"```latex\n(.*?)```", page, re.DOTALL)
+    (shown,) = re.findall(r"```text\n(.*?)\n```", page, re.DOTALL)
+    rows = [f"{row.name}  {row.outcome}" for row in check("paper.tex", paper).rows]
+    assert rows == shown.splitlines()
 
 
 def test_the_excerpt_of_the_findings_is_the_ledger() -> None:

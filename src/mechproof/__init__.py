@@ -1,6 +1,7 @@
 """Mechanism formulas from print to proved verdicts and accurate NumPy kernels.
 
 `EllipticPlanetary` and `TrackWheel` are mechanisms with checked parameters;
+`check` judges the equations of a paper's own source;
 `choose` names the cheapest way to compute a quantity to a given error;
 `tailor` makes a kernel for fixed parameters and a given error;
 `mechproof.kernels.<system>` has the plain functions of arrays below them. Everything is imported
@@ -16,6 +17,7 @@ from mechproof.notebook import Displayed
 
 if TYPE_CHECKING:
     from mechproof.choice import choose
+    from mechproof.document.checking import check
     from mechproof.mechanisms import (
         CylindricalPair,
         EllipticPlanetary,
@@ -38,12 +40,14 @@ __all__ = [
     "TrackWheel",
     "WedgeLinkage",
     "__version__",
+    "check",
     "choose",
     "tailor",
 ]
 
 # Where each public name comes from.
 HOMES = dict.fromkeys(__all__, "mechproof.mechanisms") | {
+    "check": "mechproof.document.checking",
     "choose": "mechproof.choice",
     "tailor": "mechproof.tailoring",
 }

@@ -8,6 +8,8 @@ from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
+from mechproof.document.relations import narrow, read_relations
+from mechproof.document.symbols import name_symbol
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.expansion import read_row
@@ -99,11 +101,12 @@ def judge_pasted(pasted: Pasted) -> Checked:
     reader = Reader(variables, notation, COMMAND)
     variables = _give_values(variables, pasted, reader)
     reader = Reader(variables, notation, COMMAND)
-    relations = [r for text in pasted.where for r in _read_relations(text, reader)]
+    relations = [r for text in pasted.where for r in read_relations(text, reader)]
+    _refuse_values(relations)
     printed = _read_conditions(pasted.latex, reader)
     relations += printed
     said = {s for relation in relations for s in relation.free_symbols}
-    variables, where = _narrow(variables, relations)
+    variables, where = narrow(variables, relations)
     reader = Reader(variables, notation, COMMAND)
     free = tuple(v.symbol for v in variables if v.given is None and isinstance(v.symbol, sp.Symbol))
     _refuse_constant(variables, pasted, reader)
@@ -168,7 +171,7 @@ def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
 def _make(latex: str, pasted: Pasted, counts: Collection[str]) -> Variable:
     if not any(sign.isalpha() for sign in latex):
         raise ValueError(f"the name {latex!r} has no letter")
-    name = re.sub(r"[\\{}\s]", "", latex).replace(f"_{INDEX}", "")
+    name = name_symbol(latex).replace(f"_{INDEX}", "")
     if INDEX in latex:
         return Variable(sp.IndexedBase(name, real=True), latex, latex=(latex,))
     variable = Variable(sp.Symbol(name, real=True), latex, latex=(latex,))
@@ -243,7 +246,7 @@ def _give_values(
 ) -> tuple[Variable, ...]:
     given: dict[sp.Basic, sp.Expr] = {}
     for text in pasted.values:
-        for relation in _read_relations(text, reader):
+        for relation in read_relations(text, reader):
             if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
                 raise ValueError(f"{text}: a value is said as letter=expression")
             if relation.lhs in given:
@@ -255,12 +258,10 @@ def _give_values(
     return tuple(replace(v, given=given.get(v.symbol)) for v in variables)
 
 
-def _read_relations(text: str, reader: Reader) -> list[sp.Basic]:
-    read = reader.parse(text)
-    if not all(chain.relations for chain in read.chains):
-        raise ValueError(f"{text}: it has no relation sign")
-    said = [part for chain in read.chains for part in (chain, chain.condition) if part]
-    return [relation for part in said for relation in read.meaning().relate(part)]
+def _refuse_values(relations: Sequence[sp.Basic]) -> None:
+    for relation in relations:
+        if isinstance(relation, sp.Equality):
+            raise ValueError(f"--where {relation.lhs}={relation.rhs}: say a value by --let")
 
 
 def _read_conditions(latex: str, reader: Reader) -> list[sp.Basic]:
@@ -274,46 +275,6 @@ def _read_conditions(latex: str, reader: Reader) -> list[sp.Basic]:
                 f"the condition {relation.lhs} = {relation.rhs}: say the value of a letter by --let"
             )
     return relations if len(conditions) == 1 else []
-
-
-def _narrow(
-    variables: Sequence[Variable], relations: Sequence[sp.Basic]
-) -> tuple[tuple[Variable, ...], tuple[sp.Basic, ...]]:
-    """Put relations of one letter into its set; the others stay relations."""
-    sets = {v.symbol: v.within for v in variables if v.given is None}
-    where = []
-    for relation in relations:
-        if isinstance(relation, sp.Equality):
-            raise ValueError(f"--where {relation.lhs}={relation.rhs}: say a value by --let")
-        symbol = next(iter(relation.free_symbols), None)
-        alone = len(relation.free_symbols) == 1 and symbol in sets
-        found = _solve(relation, symbol) if alone else None
-        inside = None if found is None else sets[symbol].intersect(found)
-        if inside is sp.S.EmptySet:
-            raise ValueError(f"no value of {symbol} meets all that is said of it")
-        if isinstance(inside, sp.Interval | sp.FiniteSet):
-            sets[symbol] = inside
-        else:
-            where.append(relation)
-    return tuple(replace(v, within=sets.get(v.symbol, v.within)) for v in variables), tuple(where)
-
-
-def _solve(relation: sp.Basic, symbol: sp.Basic) -> sp.Set | None:
-    """Return the set that a relation between fractions of polynomials says, None for any other.
-
-    An absolute value may be the smaller side. What SymPy makes of other functions is not believed.
-    """
-    if isinstance(getattr(relation, "lts", None), sp.Abs) and not relation.gts.has(sp.Abs):
-        parts = (relation.func(*_order(relation, sign * relation.lts.args[0])) for sign in (1, -1))
-        sets = [_solve(part, symbol) for part in parts]
-        return None if None in sets else sp.Intersection(*sets)
-    is_rational = all(side.is_rational_function(symbol) for side in relation.args)
-    return relation.as_set() if is_rational else None
-
-
-def _order(relation: sp.Basic, smaller: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Return the sides of a relation in their order, with another smaller side."""
-    return (smaller, relation.gts) if relation.lhs == relation.lts else (relation.gts, smaller)
 
 
 def _describe(variable: Variable) -> str:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from mechproof.document.checking import MULTIPLE
 from mechproof.proof import (
     antiderivative,
     bisection,
@@ -22,6 +23,7 @@ EXPECTED = [
     for line in file.read_text(encoding="utf-8").splitlines()
 ]
 NAMED = [antiderivative.RUNG, vector_angles.RUNG, bisection.RUNG, printed_number.RUNG, IDENTICAL]
+NAMED += [MULTIPLE]
 
 
 def test_every_rung_that_occurs_is_explained() -> None:

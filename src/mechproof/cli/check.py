@@ -1,15 +1,23 @@
-"""The command that judges one pasted equation."""
+"""The command that judges a paper's source, or one pasted equation."""
 
 from __future__ import annotations
 
+import re
+import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.cli.document import print_checked
 from mechproof.cli.json_file import clear_json, write_json
 from mechproof.cli.ledger import print_details
+from mechproof.cli.outcomes import OUTCOMES, FailOnOption, read_outcomes
+from mechproof.document.checking import CheckedPaper, check as check_paper, rows_to_json
+from mechproof.document.draft import draft_block
+from mechproof.document.rows import State
+from mechproof.document.sources import STDIN, read_source
 from mechproof.pasted import Checked, Pasted, PastedError, check_pasted
 from mechproof.processes import WorkerError
 from mechproof.proof.ledger import Ledger, to_json
@@ -21,7 +29,10 @@ DEFAULTS = (
     "What is not said is taken so: letters are real numbers, a letter up to which a sum goes is "
     "a natural number, d within an integral is its differential. Nothing else is guessed."
 )
-SUCCESS = (Verdict.PROVED, Verdict.DEFINITION, Verdict.CONVENTION)
+SUCCESS = (Verdict.PROVED, Verdict.DEFINITION, Verdict.CONVENTION, State.SKIPPED)
+DEFAULT = frozenset(OUTCOMES.values()) - {str(outcome.value) for outcome in SUCCESS}
+# What looks like a file.
+SUFFIX = re.compile(r"\.(?:tex|ltx|md|markdown|mmd|txt)\Z")
 REMARKS = {
     Verdict.REFUTED: "REFUTED means: not true for all values of its letters. Where one of them "
     "depends on others (an angle on an angle), say it: --let 'letter=…'; where they are "
@@ -32,10 +43,12 @@ REMARKS = {
 
 
 def check(
-    equation: Annotated[
-        str,
+    equations: Annotated[
+        list[str],
         typer.Argument(
-            help="LaTeX: one equation, a chain, or a relation; its condition behind it: |x|=x, x>0."
+            metavar="FILE ... | EQUATION",
+            help="Papers, .tex or .md, - for stdin; or LaTeX: an equation, a chain or a relation, "
+            "its condition behind it: |x|=x, x>0.",
         ),
     ],
     names: Annotated[
@@ -54,6 +67,14 @@ def check(
     start: Annotated[
         str, typer.Option("--from", help="Where integrals without limits start: 0.")
     ] = "",
+    draft: Annotated[
+        bool,
+        typer.Option("--draft", help="Print a block of letters for a paper; judge nothing."),
+    ] = False,
+    show_all: Annotated[
+        bool, typer.Option("--all", help="Show the details of every row of a paper.")
+    ] = False,
+    fail_on: FailOnOption = None,
     json_file: Annotated[
         Path | None, typer.Option("--json", help="Also write the rows to this file.")
     ] = None,
@@ -61,22 +82,85 @@ def check(
         float, typer.Option("--limit", metavar="SECONDS", min=0, help="What takes longer fails.")
     ] = LIMIT,
 ) -> None:
-    """Judge one pasted equation: whether it is true for all values of its letters.
+    """Judge the equations of papers, or one pasted equation.
 
-    Exit status 0: every sign is PROVED, a DEFINITION or a CONVENTION; 1: one is not, REFUTED and
-    ENCLOSED among them, or it takes too long or crashes; 2: bad usage, an empty domain, or the
-    equation cannot be read without a guess.
+    A paper declares its letters in a block of comments, `%% mechproof` to `%% end`; --draft writes
+    one. What is printed first of a letter defines it; later prints, derivatives and the steps of
+    chains are compared. What is no name of a file is an equation.
+
+    Exit status 0: every sign is PROVED, a DEFINITION or a CONVENTION, or its row is skipped by the
+    block; 1: one is not, not-read and ENCLOSED among them, or what --fail-on names, or an equation
+    takes too long or crashes; 2: bad usage, an empty domain, or a pasted equation cannot be read
+    without a guess.
     """
-    pasted = Pasted(
-        equation,
-        names=tuple(names or ()),
-        factors=tuple(factors or ()),
-        where=tuple(where or ()),
-        values=tuple(values or ()),
-        natural=tuple(natural or ()),
-        lower_limit=start,
-    )
+    outcomes = read_outcomes(fail_on, DEFAULT)
+    options = (names, factors, where, values, natural, start)
     clear_json(json_file)
+    if files := _find_files(equations):
+        if any(options):
+            refuse("what is said of the letters of a paper stands in its block of letters")
+        met = _check_files(files, draft=draft, show_all=show_all, json_file=json_file, limit=limit)
+    elif draft:
+        refuse("--draft needs a paper")
+    else:
+        pasted = Pasted(
+            equations[0],
+            names=tuple(names or ()),
+            factors=tuple(factors or ()),
+            where=tuple(where or ()),
+            values=tuple(values or ()),
+            natural=tuple(natural or ()),
+            lower_limit=start,
+        )
+        met = _check_equation(pasted, json_file, limit)
+    if met & outcomes:
+        raise typer.Exit(1)
+
+
+def _find_files(equations: list[str]) -> list[str]:
+    """Return the arguments if they are files; an equation stands alone."""
+    files = [text for text in equations if text == STDIN or _is_file(text)]
+    if len(files) == len(equations):
+        return files
+    if files or len(equations) > 1:
+        other = next(text for text in equations if text not in files)
+        refuse(f"{other}: there is no such file; an equation is given alone, in quotes")
+    if SUFFIX.search(equations[0]):
+        refuse(f"{equations[0]}: there is no such file")
+    return []
+
+
+def _is_file(text: str) -> bool:
+    try:
+        return Path(text).is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def _check_files(
+    files: list[str], *, draft: bool, show_all: bool, json_file: Path | None, limit: float
+) -> set[str]:
+    """Check papers one after the other and return the outcomes that are met."""
+    checked: list[CheckedPaper] = []
+    for file in files:
+        content = sys.stdin.read() if file == STDIN else None
+        try:
+            if draft:
+                say(draft_block(read_source(file, content)))
+                continue
+            with show_progress(f"checking {file}") as report:
+                checked.append(check_paper(file, content, limit=limit, report=report))
+        except ValueError as error:
+            refuse(str(error))
+        print_checked(checked[-1], show_all=show_all)
+    rows = [row for paper in checked for row in paper.rows]
+    if checked:
+        write_json(json_file, rows_to_json(rows))
+    return {row.outcome for row in rows}
+
+
+def _check_equation(pasted: Pasted, json_file: Path | None, limit: float) -> set[str]:
+    """Check an equation and return its verdicts."""
     answer = _judge(pasted, limit)
     write_json(json_file, to_json([Ledger("pasted", "", answer.judgements)]))
     for row in answer.judgements:
@@ -87,8 +171,7 @@ def check(
     for letter, kind in answer.taken.items():
         say(f"  taken as  {letter}: {kind}")
     say(DEFAULTS)
-    if any(row.verdict not in SUCCESS for row in answer.judgements):
-        raise typer.Exit(1)
+    return {row.verdict.value for row in answer.judgements}
 
 
 def _judge(pasted: Pasted, limit: float) -> Checked:

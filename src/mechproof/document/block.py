@@ -1,0 +1,177 @@
+r"""The block that declares a paper's letters: its lines -> what they declare.
+
+A line is `name [| alias ...] [; name ...] [3x3] [(t)] : meaning [unit] {0<e<1}`, or begins with a
+word: `factor`, `where`, `branch`, `natural`, `from`, `sizes`, and, of single equations,
+`constraint`, `identity`, `modulo 2\pi`, `skip`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from mechproof.document.text import Files, Text
+
+_SHAPE = re.compile(r"\s(\d+)\s*x\s*(\d+)\s*\Z")
+_RUNNING = re.compile(r"\(\s*([^()]+?)\s*\)\s*\Z")
+_COLON = re.compile(r"\s*:(?:\s+|\Z)")
+_UNIT = re.compile(r"\[([^\[\]]*)\]")
+_CONDITION = re.compile(r"\{([^{}]*)\}\s*\Z")
+_REFERENCES = re.compile(r"(?:\([^()]*\)|display \d+)(?:, part \d+)?|[^\s,()]+")
+_PARTS = re.compile(r"(?<!\\),\s*(?![^{(]*[})])")
+_BRANCH = re.compile(r"(.+?)\s*=\s*\\pm\s*1\Z")
+_MODULO = re.compile(r"(.+?)\s+(\(.*|[^\s\\]+)\Z")
+
+
+class BlockError(ValueError):
+    """A line of a block that cannot be read, with its place."""
+
+
+@dataclass(frozen=True)
+class Declared:
+    """A letter: how it is printed, what it means, its unit, what is said of it, its shape.
+
+    `running` is the letter that it depends on, and by which it is differentiated.
+    """
+
+    names: tuple[str, ...]
+    meaning: str = ""
+    unit: str | None = None
+    condition: str = ""
+    shape: tuple[int, int] | None = None
+    running: str = ""
+
+
+@dataclass
+class Block:
+    """All that blocks declare; what is said of equations is keyed by their names or labels."""
+
+    letters: list[Declared] = field(default_factory=list)
+    factors: list[str] = field(default_factory=list)
+    where: list[str] = field(default_factory=list)
+    branches: list[str] = field(default_factory=list)
+    natural: list[str] = field(default_factory=list)
+    sizes: list[str] = field(default_factory=list)
+    start: str = ""
+    constraints: list[str] = field(default_factory=list)
+    identities: list[str] = field(default_factory=list)
+    modulo: dict[str, str] = field(default_factory=dict)
+    skipped: dict[str, str] = field(default_factory=dict)
+
+
+def read_block(lines: Sequence[Text], files: Files) -> Block:
+    """Read the lines of a block; `BlockError` names the place of one that cannot be read."""
+    block = Block()
+    for line in lines:
+        word, _, rest = line.string.partition(" ")
+        try:
+            if word in _WORDS and not _COLON.search(line.string):
+                _WORDS[word](block, rest.strip())
+            elif word == "skip":
+                _skip(block, rest.strip())
+            else:
+                block.letters += _read_letters(line.string)
+        except ValueError as error:
+            raise BlockError(
+                f"{files.locate(line.offsets[0])}: {error}\n  {line.string}"
+            ) from error
+    return block
+
+
+def _read_letters(line: str) -> list[Declared]:
+    left, *rest = _COLON.split(line, maxsplit=1)
+    if not rest or not left.strip():
+        raise ValueError(
+            "neither a letter, `name : meaning [unit] {relation}`, nor one of the words "
+            + ", ".join((*_WORDS, "skip"))
+        )
+    (right,) = rest
+    shape = _SHAPE.search(left)
+    condition = _CONDITION.search(right)
+    right = right[: condition.start()] if condition else right
+    found = _UNIT.search(right)
+    unit = found[1].strip() if found else None
+    meaning = " ".join(_UNIT.sub("", right).split())
+    size = (int(shape[1]), int(shape[2])) if shape else None
+    said = condition[1] if condition else ""
+    return [
+        _read_letter(text, meaning, unit, said, size)
+        for text in (left[: shape.start()] if shape else left).split(";")
+    ]
+
+
+def _read_letter(
+    text: str, meaning: str, unit: str | None, condition: str, shape: tuple[int, int] | None
+) -> Declared:
+    names = [name.strip() for name in text.split("|")]
+    if not all(any(sign.isalpha() for sign in name) for name in names):
+        raise ValueError(f"the name {text.strip()!r} has no letter")
+    running = _RUNNING.search(names[0])
+    if running:
+        names[0] = names[0][: running.start()].strip()
+    return Declared(tuple(names), meaning, unit, condition, shape, running[1] if running else "")
+
+
+def _add(name: str) -> Callable[[Block, str], None]:
+    """Return what enters the parts of a line, between commas, into a list of the block."""
+
+    def enter(block: Block, rest: str) -> None:
+        if not rest:
+            raise ValueError("nothing is said behind the word")
+        getattr(block, name).extend(part.strip() for part in _PARTS.split(rest))
+
+    return enter
+
+
+def _refer(name: str) -> Callable[[Block, str], None]:
+    def enter(block: Block, rest: str) -> None:
+        getattr(block, name).extend(_find_references(rest))
+
+    return enter
+
+
+def _find_references(rest: str) -> list[str]:
+    found = _REFERENCES.findall(rest)
+    if not found:
+        raise ValueError("the number or the label of an equation is needed: (4)")
+    return found
+
+
+def _branch(block: Block, rest: str) -> None:
+    for part in _PARTS.split(rest):
+        found = _BRANCH.match(part.strip())
+        if found is None:
+            raise ValueError(rf"a branch is said as letter=\pm1, not {part.strip()}")
+        block.branches.append(found[1])
+
+
+def _modulo(block: Block, rest: str) -> None:
+    found = _MODULO.match(rest)
+    if found is None:
+        raise ValueError(r"say modulo 2\pi (5)")
+    block.modulo |= dict.fromkeys(_find_references(found[2]), found[1])
+
+
+def _skip(block: Block, rest: str) -> None:
+    equations, colon, reason = rest.partition(":")
+    if not colon or not reason.strip():
+        raise ValueError("say why: skip (3): reason")
+    block.skipped |= dict.fromkeys(_find_references(equations), reason.strip())
+
+
+def _start(block: Block, rest: str) -> None:
+    block.start = rest
+
+
+_WORDS: dict[str, Callable[[Block, str], None]] = {
+    "factor": _add("factors"),
+    "where": _add("where"),
+    "branch": _branch,
+    "natural": _add("natural"),
+    "from": _start,
+    "sizes": _add("sizes"),
+    "constraint": _refer("constraints"),
+    "identity": _refer("identities"),
+    "modulo": _modulo,
+}

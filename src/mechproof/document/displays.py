@@ -1,0 +1,152 @@
+"""Displayed equations of a text, numbered as LaTeX numbers them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import count
+
+from mechproof.document.lines import cut_gaps, goes_on, join_lines, split_lines
+from mechproof.document.macros import Macro, expand
+from mechproof.document.sources import DocumentError
+from mechproof.document.text import Text, join
+
+_NAMES = r"equation\*?|align\*?|alignat\*?|flalign\*?|gather\*?|multline\*?|eqnarray\*?|displaymath"
+_EVENT = re.compile(
+    rf"\\begin\{{(?P<environment>{_NAMES})\}}(?P<body>.*?)\\end\{{(?P=environment)\}}"
+    r"|(?<!\\)\\\[(?P<bracket>.*?)\\\]|\$\$(?P<dollars>.*?)\$\$"
+    r"|\\(?P<edge>begin|end)\{subequations\}"
+    r"|\\(?P<heading>section|subsection|chapter)(?P<star>\*?)(?![A-Za-z])"
+    r"|\\numberwithin\s*\{equation\}\s*\{(?P<within>\w+)\}"
+    r"|\\setcounter\s*\{equation\}\s*\{(?P<count>\d+)\}",
+    re.DOTALL,
+)
+# Displays that are one equation with one number, however many lines they have.
+_SINGLE = ("", "equation", "displaymath", "multline")
+_LEVELS = ("chapter", "section", "subsection")
+_COLUMNS = re.compile(r"\A\s*\{\d+\}")
+_LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
+_TAG = re.compile(r"\\tag(\*?)\s*\{([^{}]*)\}")
+_UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
+_NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _TAG, _UNNUMBERED)))
+
+
+@dataclass(frozen=True)
+class Printed:
+    """One equation of a text: how it is named, its labels, its LaTeX, or why it has none."""
+
+    name: str
+    latex: Text
+    labels: tuple[str, ...] = ()
+    fault: str = ""
+
+
+@dataclass
+class _Counter:
+    """The number of the next equation, as LaTeX counts."""
+
+    count: int = 0
+    letter: int = -1
+    within: str = ""
+    sections: dict[str, int] = field(default_factory=lambda: dict.fromkeys(_LEVELS, 0))
+
+    def step(self) -> str:
+        """Return the next number."""
+        levels = _LEVELS[: _LEVELS.index(self.within) + 1] if self.within in _LEVELS else ()
+        prefix = "".join(f"{self.sections[level]}." for level in levels if self.sections[level])
+        if self.letter >= 0:
+            self.letter += 1
+            return f"({prefix}{self.count}{chr(ord('a') + self.letter - 1)})"
+        self.count += 1
+        return f"({prefix}{self.count})"
+
+    def enter(self, level: str) -> None:
+        """Begin a section; numbers that are counted within it begin anew."""
+        self.sections[level] += 1
+        for lower in _LEVELS[_LEVELS.index(level) + 1 :]:
+            self.sections[lower] = 0
+        if self.within in _LEVELS[_LEVELS.index(level) :]:
+            self.count = 0
+
+    def group(self, edge: str) -> None:
+        """Enter equations that have one number and a letter each, or leave them."""
+        self.count += edge == "begin"
+        self.letter = 0 if edge == "begin" else -1
+
+
+def find_displays(text: Text, macros: Mapping[str, Macro]) -> Iterator[Printed]:
+    """Yield the equations of a text in their order; those without number are named by theirs."""
+    counter, unnumbered = _Counter(), count(1)
+    for match in _EVENT.finditer(text.string):
+        if match["heading"]:
+            if not match["star"]:
+                counter.enter(match["heading"])
+        elif match["edge"]:
+            counter.group(match["edge"])
+        elif match["within"]:
+            counter.within = match["within"]
+        elif match["count"]:
+            counter.count = int(match["count"])
+        else:
+            yield from _read_display(text, match, macros, counter, unnumbered)
+
+
+def _read_display(
+    text: Text,
+    match: re.Match[str],
+    macros: Mapping[str, Macro],
+    counter: _Counter,
+    unnumbered: Iterator[int],
+) -> Iterator[Printed]:
+    environment = match["environment"] or ""
+    kind = environment.rstrip("*")
+    part = next(group for group in ("body", "bracket", "dollars") if match[group] is not None)
+    body, fault = text[match.start(part) : match.end(part)], ""
+    if kind == "alignat":
+        body = body.replace(_COLUMNS, lambda _: "")
+    try:
+        body = expand(body, macros)
+    except DocumentError as error:
+        fault = str(error)
+    is_numbered = part == "body" and not environment.endswith("*") and kind != "displaymath"
+    lines = split_lines(body)
+    groups = [(0, len(lines))] if kind == "multline" else list(_group(lines))
+    if kind in _SINGLE:
+        parts = [piece for first, last in groups for piece in _read_lines(lines[first:last])]
+        named = [(_name(body, is_numbered, counter), body, parts)]
+    else:
+        names = [_name(line, is_numbered, counter) for line in lines]
+        named = [
+            (next(filter(None, names[first:last]), ""), join(lines[first:last]), parts)
+            for first, last in groups
+            for parts in [list(_read_lines(lines[first:last]))]
+        ]
+    for name, whole, parts in named:
+        labels = tuple(found[1] for found in _LABEL.finditer(whole.string))
+        for number, latex in enumerate(parts, start=1):
+            one = name or f"display {next(unnumbered)}"
+            shown = f"{one}, part {number}" if name and len(parts) > 1 else one
+            yield Printed(shown, latex, labels, fault)
+
+
+def _read_lines(lines: Sequence[Text]) -> Iterator[Text]:
+    """Yield the equations of lines that belong together, without what names them."""
+    latex = join_lines([line.replace(_NAMING, lambda _: " ") for line in lines])
+    yield from (piece for piece in cut_gaps(latex) if len(piece))
+
+
+def _group(lines: Sequence[Text]) -> Iterator[tuple[int, int]]:
+    """Yield where the lines of an equation begin and end."""
+    starts = [
+        place
+        for place, line in enumerate(lines)
+        if place == 0 or not goes_on(lines[place - 1].string, line.string)
+    ]
+    yield from zip(starts, [*starts[1:], len(lines)], strict=True)
+
+
+def _name(line: Text, is_numbered: bool, counter: _Counter) -> str:
+    if tag := _TAG.search(line.string):
+        return tag[2] if tag[1] else f"({tag[2]})"
+    return counter.step() if is_numbered and not _UNNUMBERED.search(line.string) else ""

@@ -1,0 +1,104 @@
+"""A first block of letters, to be confirmed: the letters of a paper and what its words say of them.
+
+Nothing of a draft is used before it stands in the paper: words are matched, not understood.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from mechproof.document.displays import Printed, find_displays
+from mechproof.document.macros import find_macros
+from mechproof.document.sources import Source
+from mechproof.document.symbols import collect_letters, name_symbol
+from mechproof.document.units import UnitError, read_unit
+
+_ACCENT = re.compile(r"\\d?dot\s*\{?\s*(\\[A-Za-z]+|[A-Za-z])\s*\}?(.*)\Z", re.DOTALL)
+_MATRIX = re.compile(
+    r"(?P<name>[^=&]{1,40}?)\s*=\s*(?:\\left[\[(])?\s*"
+    r"\\begin\{(?:[bpvBV]?matrix|array)\}(?:\{[lcr|]+\})?(?P<body>.*?)\\end\{",
+    re.DOTALL,
+)
+_UNIT = r"(?:\s*(?:\[([^\]\[]{1,12})\]|\(in\s+([^)]{1,12})\)|,?\s+in\s+(mm|m|rad|kg|N|s|deg)\b))?"
+_VERBS = r"(?:is|are|denotes?|represents?|stands? for|means|being|:|--|---|\u2013|\u2014)"
+_SENTENCE = re.compile(
+    rf"\$(?P<name>[^$]{{1,30}})\$\s*{_VERBS}\s+(?:the\s+|an?\s+)?(?P<meaning>[^.,;:$\\\n(\[]{{3,60}}?)"
+    rf"{_UNIT}(?=[.,;:(\n\\$]|\s+and\s)",
+)
+_TABLE = re.compile(
+    r"^\s*\$(?P<name>[^$&]{1,30})\$\s*&\s*(?P<meaning>[^&$\\\n]{3,60}?)\s*"
+    r"(?:&\s*(?:\\si\{)?\$?([^&$\\\n{}]{0,12})\$?\}?\s*)?(?:&[^\n]*)?(?:\\\\|$)",
+    re.MULTILINE,
+)
+
+
+@dataclass(frozen=True)
+class Said:
+    """What words say of a letter, and the line where."""
+
+    meaning: str
+    unit: str
+    line: int
+
+
+def draft_block(source: Source) -> str:
+    """Return a block of letters for a paper; what was found in its words says where."""
+    macros, text = find_macros(source.text)
+    printed = list(find_displays(text, macros))
+    letters, factors = collect_letters(one.latex.string for one in printed)
+    said = dict(_find_said(source))
+    moved = {_find_moved(letter) for letter in letters}
+    shapes = dict(_find_shapes(printed))
+    lines = []
+    for letter in letters:
+        if _find_moved(letter):
+            continue
+        found = said.get(name_symbol(letter))
+        shape = f" {shapes[name_symbol(letter)]}" if name_symbol(letter) in shapes else ""
+        running = "(t)" if name_symbol(letter) in moved else ""
+        unit = f" [{found.unit}]" if found and found.unit else ""
+        if found:
+            lines.append(f"# line {found.line} says:")
+        lines.append(f"{letter}{running}{shape} : {found.meaning if found else ''}{unit}".rstrip())
+    if factors:
+        lines.append(
+            "# A bracket stands behind these. Factors, or functions? Functions are declared"
+        )
+        lines.append("# with their brackets as one letter, f(x).")
+        lines += [f"# factor {name}" for name in factors]
+    return "\n".join(["%% mechproof", *(f"%% {line}" for line in lines), "%% end", ""])
+
+
+def _find_moved(letter: str) -> str:
+    r"""Return the name of the letter of which this one is the derivative: x of \dot x."""
+    match = _ACCENT.match(letter)
+    return name_symbol(match[1] + match[2]) if match else ""
+
+
+def _find_shapes(printed: Sequence[Printed]) -> Iterator[tuple[str, str]]:
+    for one in printed:
+        for match in _MATRIX.finditer(one.latex.string):
+            rows = [row for row in match["body"].split(r"\\") if row.strip()]
+            yield name_symbol(match["name"]), f"{len(rows)}x{rows[0].count('&') + 1 if rows else 1}"
+
+
+def _find_said(source: Source) -> Iterator[tuple[str, Said]]:
+    """Yield letters with what is said of them last, so that the first of a table wins."""
+    string = source.text.string
+    for pattern in (_SENTENCE, _TABLE):
+        for match in reversed(list(pattern.finditer(string))):
+            units = [group for group in match.groups()[2:] if group]
+            place = source.files.locate(source.text.offsets[match.start("name")])
+            meaning = " ".join(match["meaning"].split()).strip(" ~")
+            for name in match["name"].split(","):
+                yield name_symbol(name), Said(meaning, _check_unit(units), place.line)
+
+
+def _check_unit(units: list[str]) -> str:
+    try:
+        read_unit(units[0].strip()) if units else None
+    except UnitError:
+        return ""
+    return units[0].strip() if units else ""

@@ -1,0 +1,126 @@
+r"""What \newcommand, \def and \DeclareMathOperator define, put in the place of its calls."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from mechproof.document.sources import DocumentError
+from mechproof.document.text import Text, join
+
+# Calls that are put in for one display: beyond, macros call each other in a circle.
+MOST_CALLS = 10_000
+_COMMAND = re.compile(r"\\[A-Za-z@]+")
+_DEFINING = re.compile(
+    r"\\(?:(?:re)?new|provide)command\*?\s*\{?\s*(\\[A-Za-z@]+)\s*\}?"
+    r"|\\DeclareMathOperator(\*?)\s*\{?\s*(\\[A-Za-z@]+)\s*\}?"
+    r"|\\def\s*(\\[A-Za-z@]+)((?:#\d)*)|\\let\s*(\\[A-Za-z@]+)\s*=?\s*(\\[A-Za-z@]+)"
+)
+_COUNT = re.compile(r"\s*\[(\d)\]")
+_OPTION = re.compile(r"\s*\[([^\[\]]*)\]")
+_PARAMETER = re.compile(r"#(\d)")
+_BLANK = re.compile(r"\s*")
+
+
+@dataclass(frozen=True)
+class Macro:
+    """A body with parameters #1, #2 ..., and the first one's value where a call has none."""
+
+    body: str
+    count: int = 0
+    default: str | None = None
+
+
+def find_macros(text: Text) -> tuple[dict[str, Macro], Text]:
+    """Return the macros that a text defines, and the text without their definitions."""
+    macros: dict[str, Macro] = {}
+    parts, last, string = [], 0, text.string
+    for match in _DEFINING.finditer(string):
+        if match.start() < last:
+            continue
+        name, macro, end = _read_definition(string, match)
+        if macro is not None:
+            macros[name] = macro
+            parts.append(text[last : match.start()])
+            last = end
+    return macros, join([*parts, text[last:]])
+
+
+def _read_definition(string: str, match: re.Match[str]) -> tuple[str, Macro | None, int]:
+    new, starred, operator, defined, parameters, let, other = match.groups()
+    if let:
+        return let, Macro(other), match.end()
+    count, default, place = parameters.count("#") if parameters else 0, None, match.end()
+    if new and (found := _COUNT.match(string, place)):
+        count, place = int(found[1]), found.end()
+        if found := _OPTION.match(string, place):
+            default, place = found[1], found.end()
+    argument = _read_argument(string, place)
+    name = new or operator or defined
+    if argument is None or string[place:].lstrip()[:1] != "{":
+        return name, None, match.end()
+    body, end = argument
+    if operator:
+        body = rf"\operatorname{starred}{{{body}}}"
+    return name, Macro(body, count, default), end
+
+
+def expand(text: Text, macros: Mapping[str, Macro]) -> Text:
+    """Put the bodies of macros in the place of their calls.
+
+    What is put in stands where its call does. Raises `DocumentError` for macros in a circle and for
+    calls without their arguments.
+    """
+    done: list[Text] = []
+    for _ in range(MOST_CALLS):
+        found = next((m for m in _COMMAND.finditer(text.string) if m[0] in macros), None)
+        if found is None:
+            return join([*done, text])
+        body, end = _call(text.string, found, macros[found[0]])
+        done.append(text[: found.start()])
+        text = text.put(body, found.start()) + text[end:]
+    raise DocumentError(f"{found[0] if found else ''}: macros that call each other in a circle")
+
+
+def _call(string: str, found: re.Match[str], macro: Macro) -> tuple[str, int]:
+    """Return what a call stands for, and where it ends."""
+    given, end = [], found.end()
+    if macro.default is not None:
+        option = _OPTION.match(string, end)
+        given.append(option[1] if option else macro.default)
+        end = option.end() if option else end
+    while len(given) < macro.count:
+        argument = _read_argument(string, end)
+        if argument is None:
+            raise DocumentError(f"{found[0]} needs {macro.count} arguments")
+        given.append(argument[0])
+        end = argument[1]
+    body = _PARAMETER.sub(lambda m: (given[int(m[1]) - 1 :] or [m[0]])[0], macro.body)
+    # A name that ends the body would run into a letter behind it.
+    follows = string[end : end + 1].isalpha() and re.search(r"\\[A-Za-z]+$", body)
+    return body + " " if follows else body, end
+
+
+def _read_argument(string: str, place: int) -> tuple[str, int] | None:
+    """Return what stands in braces, or the next sign, and where it ends."""
+    blank = _BLANK.match(string, place)
+    start = blank.end() if blank else place
+    if start >= len(string):
+        return None
+    if string[start] != "{":
+        command = _COMMAND.match(string, start)
+        end = command.end() if command else start + 1
+        return string[start:end], end
+    close = find_brace(string, start)
+    return None if close is None else (string[start + 1 : close], close + 1)
+
+
+def find_brace(string: str, start: int) -> int | None:
+    """Return the place of the brace that closes the one at `start`, None where there is none."""
+    depth = 0
+    for match in re.finditer(r"\\.|[{}]", string[start:], re.DOTALL):
+        depth += {"{": 1, "}": -1}.get(match[0], 0)
+        if depth == 0:
+            return start + match.start()
+    return None

@@ -1,0 +1,63 @@
+"""Relations that are said of letters: read, and put into the sets of their letters."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.latex import Reader
+from mechproof.record import Variable
+
+
+def read_relations(text: str, reader: Reader) -> list[sp.Basic]:
+    """Return the relations of a print; `ValueError` for one that has none."""
+    read = reader.parse(text)
+    if not all(chain.relations for chain in read.chains):
+        raise ValueError(f"{text}: it has no relation sign")
+    said = [part for chain in read.chains for part in (chain, chain.condition) if part]
+    return [relation for part in said for relation in read.meaning().relate(part)]
+
+
+def narrow(
+    variables: Sequence[Variable], relations: Sequence[sp.Basic]
+) -> tuple[tuple[Variable, ...], tuple[sp.Basic, ...]]:
+    """Put relations of one letter into its set; the others stay relations.
+
+    Raises `ValueError` for what nothing meets, and for an equation, which says a value.
+    """
+    sets = {v.symbol: v.within for v in variables if v.given is None}
+    where = []
+    for relation in relations:
+        if isinstance(relation, sp.Equality):
+            raise ValueError(f"{relation.lhs}={relation.rhs} is a value, no condition")
+        symbol = next(iter(relation.free_symbols), None)
+        alone = len(relation.free_symbols) == 1 and symbol in sets
+        found = _solve(relation, symbol) if alone else None
+        inside = None if found is None else sets[symbol].intersect(found)
+        if inside is sp.S.EmptySet:
+            raise ValueError(f"no value of {symbol} meets all that is said of it")
+        if isinstance(inside, sp.Interval | sp.FiniteSet):
+            sets[symbol] = inside
+        else:
+            where.append(relation)
+    return tuple(replace(v, within=sets.get(v.symbol, v.within)) for v in variables), tuple(where)
+
+
+def _solve(relation: sp.Basic, symbol: sp.Basic) -> sp.Set | None:
+    """Return the set that a relation between fractions of polynomials says, None for any other.
+
+    An absolute value may be the smaller side. What SymPy makes of other functions is not believed.
+    """
+    if isinstance(getattr(relation, "lts", None), sp.Abs) and not relation.gts.has(sp.Abs):
+        parts = (relation.func(*_order(relation, sign * relation.lts.args[0])) for sign in (1, -1))
+        sets = [_solve(part, symbol) for part in parts]
+        return None if None in sets else sp.Intersection(*sets)
+    is_rational = all(side.is_rational_function(symbol) for side in relation.args)
+    return relation.as_set() if is_rational else None
+
+
+def _order(relation: sp.Basic, smaller: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return the sides of a relation in their order, with another smaller side."""
+    return (smaller, relation.gts) if relation.lhs == relation.lts else (relation.gts, smaller)

@@ -1,0 +1,179 @@
+"""What each relation sign of a paper does: introduces a letter, compares, or constrains.
+
+What is printed first of a letter defines it. Later prints of it, derivatives of it and the further
+members of a chain are compared. Two compound sides, or a side that is zero, constrain letters. A
+bare number is a size.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+from itertools import pairwise
+from typing import Any
+
+import sympy as sp
+
+from mechproof.document.symbols import Symbols
+from mechproof.latex import ReadingError
+from mechproof.latex.reader import Print
+from mechproof.latex.tree import Add, Chain, Derivation, Letter, Node, Number, walk
+
+Values = dict[sp.Basic, Any]
+EQUAL = ("=", r"\equiv")
+
+
+class Role(StrEnum):
+    """What a relation sign does."""
+
+    DEFINITION = "definition"
+    SIZE = "size"
+    REPEATED = "printed again"
+    DERIVATIVE = "derivative"
+    STEP = "step"
+    NUMBER = "number"
+    CONSTRAINT = "constraint"
+    RELATION = "relation"
+
+
+@dataclass(frozen=True)
+class Sign:
+    """One relation sign: its role, the letter that it is about, who printed it first; its sides.
+
+    `number` are the digits of a side that is a number.
+    """
+
+    role: Role
+    letter: sp.Basic | None = None
+    first: str = ""
+    sides: tuple[Any, Any] = (None, None)
+    number: str = ""
+
+
+@dataclass
+class Known:
+    """What is known of letters: their values, and which equation printed them first."""
+
+    symbols: Symbols
+    values: Values = field(default_factory=dict)
+    printed: dict[sp.Basic, str] = field(default_factory=dict)
+
+    def settle(self, expression: Any) -> Any:
+        """Put in all values, to the end."""
+        for _ in range(len(self.values) + 1):
+            met = self.values.keys() & expression.free_symbols
+            if not met:
+                break
+            expression = expression.xreplace({symbol: self.values[symbol] for symbol in met})
+        return expression
+
+    def define(self, symbol: sp.Basic, value: Any, name: str) -> None:
+        """Take what is printed of a letter as its definition, and what follows of its rates."""
+        self.values[symbol] = value
+        self.printed[symbol] = name
+        above = symbol
+        for rate in self.symbols.rates.get(symbol, ()):
+            if rate in self.values:
+                break
+            self.values[rate] = self.differentiate(self.values[above], self._running(symbol))
+            self.printed[rate] = name
+            above = rate
+
+    def _running(self, symbol: sp.Basic) -> sp.Basic:
+        return self.symbols.running[symbol]
+
+    def differentiate(self, value: Any, by: sp.Basic) -> Any:
+        """Return the derivative of a value, through the letters that depend on `by` as well."""
+        total = value.diff(by)
+        for symbol, rates in self.symbols.rates.items():
+            if self._running(symbol) != by:
+                continue
+            for one, next_one in pairwise((symbol, *rates)):
+                if one in value.free_symbols:
+                    total += value.diff(one) * next_one
+        return total
+
+
+def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
+    """Return the roles of the signs of a print, in their order; what it defines is known then.
+
+    Raises `ReadingError` for members that cannot be worked out.
+    """
+    return [
+        _find_role(name, read, chain, left, known)
+        for chain in read.chains
+        for left in range(len(chain.relations))
+    ]
+
+
+def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:
+    if chain.relations[left] not in EQUAL:
+        return Sign(Role.RELATION)
+    nodes = chain.members[left : left + 2]
+    sides = one, other = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
+    for node, symbol, value in ((nodes[0], one, other), (nodes[1], other, one)):
+        if not _is_bare(node):
+            continue
+        symbol = node.symbol if isinstance(node, Letter) else symbol
+        if not value.free_symbols:
+            role = Role.NUMBER if symbol in known.values else Role.SIZE
+            return Sign(role, symbol, sides=sides, number=_find_number(nodes))
+        if symbol not in known.values and symbol not in known.settle(value).free_symbols:
+            known.define(symbol, value, name)
+            return Sign(Role.DEFINITION, symbol, name)
+        if symbol in known.values:
+            return Sign(_compare(symbol, known), symbol, known.printed[symbol], sides)
+        return Sign(Role.CONSTRAINT, symbol, sides=sides)
+    if not left:
+        return Sign(Role.CONSTRAINT, sides=sides)
+    is_number = not (one.free_symbols and other.free_symbols)
+    role = Role.NUMBER if is_number else Role.STEP
+    return Sign(role, sides=sides, number=_find_number(nodes))
+
+
+def _find_number(nodes: tuple[Node, ...]) -> str:
+    """Return the digits of the number that a side is, with its sign."""
+    for node in nodes:
+        sign, inside = "", node
+        if isinstance(node, Add) and len(node.terms) == 1:
+            ((_, inside),) = node.terms
+            sign = "-"
+        if isinstance(inside, Number):
+            return sign + inside.text
+    return ""
+
+
+def _compare(symbol: sp.Basic, known: Known) -> Role:
+    is_rate = any(symbol in rates for rates in known.symbols.rates.values())
+    return Role.DERIVATIVE if is_rate else Role.REPEATED
+
+
+def _is_bare(node: Node) -> bool:
+    return isinstance(node, Letter) and not node.indices
+
+
+def _work_out(read: Print, node: Node, known: Known) -> Any:
+    """Return a member, with the values of letters where it cannot be said without them."""
+    try:
+        return read.meaning().of(node)
+    except ReadingError:
+        return read.meaning(known.values).of(node)
+
+
+def refuse_derivatives(read: Print, known: Known) -> None:
+    """Refuse derivatives of what depends on their letter in a way that is not printed in them.
+
+    Raises `ReadingError` with the place.
+    """
+    for part in walk(tuple(chain.members for chain in read.chains)):
+        if not isinstance(part, Derivation):
+            continue
+        by, letters = part.by.symbol, _work_out(read, part.of, known).free_symbols
+        moved = [s for s, other in known.symbols.running.items() if other == by and s in letters]
+        if moved or by not in letters:
+            what = f"{moved[0]} depends on {by}" if moved else f"it does not show {by}"
+            raise read.source.refuse(
+                part.start,
+                f"a derivative by {by} is not worked out: {what}",
+                f"Print the derivatives of its letters; x({by}) in the block says that x depends.",
+            )

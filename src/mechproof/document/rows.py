@@ -1,0 +1,251 @@
+"""Equations of a source -> rows to be judged, each with its role; what is not read says why."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from itertools import product
+from typing import Any
+
+import sympy as sp
+
+from mechproof.document.block import Declared, read_block
+from mechproof.document.displays import Printed, find_displays
+from mechproof.document.macros import find_macros
+from mechproof.document.roles import Known, Role, Sign, find_roles, refuse_derivatives
+from mechproof.document.sources import Source
+from mechproof.document.symbols import collect_letters, declare
+from mechproof.document.text import Place
+from mechproof.latex import Reader, ReadingError
+from mechproof.latex.expansion import read_row
+from mechproof.record import (
+    Conjunction,
+    Definition,
+    Equality,
+    Equation,
+    Paper,
+    PrintedNumber,
+    Row,
+    Statement,
+    Variable,
+)
+
+SYSTEM = "paper"
+
+
+class State(StrEnum):
+    """How far a row got; what is not judged has no verdict."""
+
+    JUDGED = "judged"
+    NOT_JUDGED = "not judged"
+    NOT_READ = "not read"
+    SKIPPED = "skipped"
+
+
+@dataclass(frozen=True)
+class Left:
+    """An equation that is not judged: why, and what can be done."""
+
+    name: str
+    place: Place
+    latex: str
+    state: State
+    reason: str
+    remedy: str = ""
+
+
+@dataclass(frozen=True)
+class Task:
+    """A row to be judged, where it stands, what it does, and the paper that it is judged in.
+
+    `asserts` says whether its sides are claimed to be equal; `residual` is their difference, the
+    values of letters put in.
+    """
+
+    row: Row
+    place: Place
+    sign: Sign
+    paper: Paper
+    asserts: bool
+    residual: sp.Expr | None = None
+
+
+class Document:
+    """The equations of a paper and what its block declares."""
+
+    def __init__(self, source: Source) -> None:
+        """Raise `BlockError`, or `ValueError` for letters that do not go together."""
+        macros, text = find_macros(source.text)
+        self.files = source.files
+        self.printed = list(find_displays(text, macros))
+        self.block = read_block(source.lines, source.files)
+        letters = (
+            [] if source.has_block else collect_letters(p.latex.string for p in self.printed)[0]
+        )
+        self.taken = tuple(letters)
+        self.block.letters += [Declared((name,)) for name in self.taken]
+        self.symbols = declare(self.block)
+        self.known = Known(self.symbols)
+        self.papers = {
+            with_units: self.symbols.paper(SYSTEM, {}, with_units=with_units)
+            for with_units in (True, False)
+        }
+
+    def read(self) -> list[Task | Left]:
+        """Read all equations in their order: first what they define, then what they assert."""
+        reader = self.symbols.reader()
+        read = [self._parse(printed, reader) for printed in self.printed]
+        values = self.known.values
+        self.papers = {
+            with_units: self.symbols.paper(SYSTEM, values, with_units=with_units)
+            for with_units in (True, False)
+        }
+        again = self.symbols.reader(values)
+        return [
+            row
+            for printed, found in zip(self.printed, read, strict=True)
+            for row in ([found] if isinstance(found, Left) else self._state(printed, found, again))
+        ]
+
+    def _parse(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
+        latex = printed.latex.string
+        if printed.fault:
+            return self._leave(printed, State.NOT_READ, printed.fault)
+        if reason := _look_up(printed, self.block.skipped):
+            return self._leave(printed, State.SKIPPED, reason)
+        try:
+            read = reader.parse(latex, upper=1)
+            if not any(chain.relations for chain in read.chains):
+                return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
+            signs = find_roles(printed.name, read, self.known)
+            refuse_derivatives(read, self.known)
+        except ReadingError as error:
+            return self._refuse(printed, error)
+        except RecursionError:
+            return self._leave(printed, State.NOT_READ, "it is nested too deeply to be read")
+        return signs
+
+    def _state(
+        self, printed: Printed, signs: Sequence[Sign], reader: Reader
+    ) -> Iterator[Task | Left]:
+        derived = {
+            s.letter: self.known.values[s.letter]
+            for s in signs
+            if s.role is Role.DERIVATIVE and s.letter is not None
+        }
+        free = (Role.SIZE, Role.CONSTRAINT)
+        defines = tuple(s.letter for s in signs if s.role in free and s.letter is not None)
+        row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
+        try:
+            rows = read_row(row, reader)
+        except ReadingError as error:
+            yield self._refuse(printed, error)
+            return
+        except ValueError as error:
+            reason = str(error).removeprefix(f"row {printed.name!r}: ")
+            yield self._leave(printed, State.NOT_JUDGED, reason)
+            return
+        for one, sign in zip(rows, signs, strict=True):
+            yield self._prepare(printed, one, sign)
+
+    def _prepare(self, printed: Printed, row: Row, sign: Sign) -> Task | Left:
+        place = self._locate(printed)
+        if isinstance(row.says, Definition) and sign.role not in (Role.DEFINITION, Role.SIZE):
+            row = replace(row, says=Equality(*sign.sides, "member"))
+        if sign.role is Role.NUMBER:
+            number = self._round(sign)
+            if isinstance(number, str):
+                return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
+            row = replace(row, says=number)
+        row = replace(row, says=_split_branches(row.statement, self.symbols.variables))
+        turn = _look_up(printed, self.block.modulo)
+        if turn and isinstance(row.says, Equality):
+            row = replace(row, says=_modulo(row.says), note=f"Said modulo {turn}.")
+        sides = _list_sides(row, sign, self.known)
+        letters = set().union(*(side.free_symbols for side in sides))
+        has_units = not letters & self.symbols.bare and sign.number == ""
+        paper = self.papers[has_units]
+        residual = None
+        if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):
+            residual = sides[0] - sides[1]
+        asserts = self._asserts(printed, sign, sides)
+        return Task(row, place, sign, paper, asserts, residual)
+
+    def _asserts(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
+        """Return whether the sides are claimed to be equal wherever their letters lie.
+
+        Sides of different letters say something of the letters.
+        """
+        if _is_listed(printed, [*self.block.identities, *self.block.modulo]):
+            return True
+        if _is_listed(printed, self.block.constraints) or sign.role is Role.CONSTRAINT:
+            return False
+        if sign.role is Role.RELATION or len(sides) < 2:
+            return sign.role is not Role.RELATION
+        return bool(sides[0].free_symbols == sides[1].free_symbols)
+
+    def _round(self, sign: Sign) -> PrintedNumber | str:
+        """Return what a number says of a letter at the sizes, or why that is not judged."""
+        value = max(map(self.known.settle, sign.sides), key=lambda side: len(side.free_symbols))
+        if not sign.number:
+            return "a special value: nothing says at which sizes"
+        if missing := sorted(map(str, value.free_symbols - self.symbols.usual.keys())):
+            return f"a value for sizes that are not declared: {', '.join(missing)}"
+        return PrintedNumber(sign.number, value.xreplace(dict(self.symbols.usual)))
+
+    def _locate(self, printed: Printed, place: int = 0) -> Place:
+        offsets = printed.latex.offsets
+        return self.files.locate(offsets[min(place, len(offsets) - 1)])
+
+    def _leave(self, printed: Printed, state: State, reason: str, remedy: str = "") -> Left:
+        latex = printed.latex.string
+        return Left(printed.name, self._locate(printed), latex, state, reason, remedy)
+
+    def _refuse(self, printed: Printed, error: ReadingError) -> Left:
+        place = self._locate(printed, error.place)
+        latex, reason = printed.latex.string, error.args[0]
+        return Left(printed.name, place, latex, State.NOT_READ, reason, error.remedy)
+
+
+def _look_up(printed: Printed, said: dict[str, str]) -> str:
+    return next((said[key] for key in (printed.name, *printed.labels) if key in said), "")
+
+
+def _is_listed(printed: Printed, names: Sequence[str]) -> bool:
+    return any(key in names for key in (printed.name, *printed.labels))
+
+
+def _modulo(says: Equality) -> Conjunction:
+    """State that two angles are equal up to whole turns."""
+    parts = (
+        Equality(f(says.printed), f(says.rebuilt), says.rebuilt_from) for f in (sp.cos, sp.sin)
+    )
+    return Conjunction(tuple(parts))
+
+
+def _split_branches(says: Statement, variables: Sequence[Variable]) -> Statement:
+    """State an equation for each sign of the letters that are branches."""
+    if not isinstance(says, Equality):
+        return says
+    letters = says.printed.free_symbols | says.rebuilt.free_symbols
+    branches = [v for v in variables if v.within.is_FiniteSet and v.symbol in letters]
+    if not branches:
+        return says
+    choices = map(dict, product(*([(v.symbol, value) for value in v.within] for v in branches)))
+    parts = (
+        Equality(says.printed.subs(choice), says.rebuilt.subs(choice), says.rebuilt_from)
+        for choice in choices
+    )
+    return Conjunction(tuple(parts))
+
+
+def _list_sides(row: Row, sign: Sign, known: Known) -> list[Any]:
+    says = row.says
+    if isinstance(says, Conjunction) and sign.sides != (None, None):
+        return [known.settle(side) for side in sign.sides]
+    if isinstance(says, Equality):
+        return [known.settle(says.printed), known.settle(says.rebuilt)]
+    if isinstance(says, Definition):
+        return [says.printed]
+    return []

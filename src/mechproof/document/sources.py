@@ -1,0 +1,126 @@
+r"""Files of a paper -> one text: LaTeX with what it inputs, or Markdown, without comments.
+
+The block of letters stands in comments (`%% mechproof` to `%% end`; in Markdown between
+`<!-- mechproof` and `-->`), or in a file beside the paper that is called like it, `.letters`.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from mechproof.document.text import Files, Place, Text, join
+
+STDIN = "-"
+BESIDE = ".letters"
+MARKDOWN = (".md", ".markdown", ".mmd")
+_DEEPEST = 20
+_COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
+_VERBATIM = re.compile(
+    r"\\begin\{(verbatim|lstlisting|comment|minted)\}.*?\\end\{\1\}|\\iffalse\b.*?\\fi\b", re.DOTALL
+)
+_FENCE = re.compile(r"^(```|~~~).*?^\1\s*$|<!--.*?-->", re.DOTALL | re.MULTILINE)
+_INPUT = re.compile(r"\\(?:input|include|subfile)\s*\{([^{}]*)\}")
+_BLOCK = re.compile(r"^%%\s*mechproof\s*$(.*?)^%%\s*end\s*$", re.DOTALL | re.MULTILINE)
+_OPENED = re.compile(r"^%%\s*mechproof\s*$|^<!--\s*mechproof\s*$", re.MULTILINE)
+_HIDDEN = re.compile(r"^<!--\s*mechproof\s*$(.*?)^-->\s*$", re.DOTALL | re.MULTILINE)
+_LINE = re.compile(r"[^\n]+")
+_MARK = re.compile(r"%%\s?")
+
+
+class DocumentError(ValueError):
+    """A file of a paper, or its block of letters, cannot be read."""
+
+
+@dataclass
+class Source:
+    """The text of a paper, the lines of its blocks of letters, and what was not found."""
+
+    files: Files
+    text: Text
+    lines: list[Text] = field(default_factory=list)
+    has_block: bool = False
+    missing: list[tuple[Place, str]] = field(default_factory=list)
+
+
+def read_source(path: str, content: str | None = None) -> Source:
+    """Read a paper; `content` is what came from elsewhere, from stdin or a test.
+
+    Raises `DocumentError` for a file that cannot be read and for a block without an end.
+    """
+    source = Source(Files(), Text("", ()))
+    folder = Path(path).resolve().parent if content is None else None
+    source.text = _read(path, _open(Path(path)) if content is None else content, source, folder, ())
+    beside = Path(path).with_suffix(BESIDE) if content is None else None
+    if beside and beside.is_file():
+        source.has_block = True
+        _take_lines(source.files.add(str(beside), _open(beside)), source)
+    return source
+
+
+def _open(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8-sig").replace("\r\n", "\n")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or "is not UTF-8"
+        raise DocumentError(f"{path}: {reason}") from error
+
+
+def _read(
+    name: str, content: str, source: Source, folder: Path | None, above: tuple[str, ...]
+) -> Text:
+    """Return a file without comments, and in it the files that it inputs."""
+    text = source.files.add(name, content)
+    is_markdown = Path(name).suffix in MARKDOWN
+    block = _HIDDEN if is_markdown else _BLOCK
+    blocks = list(block.finditer(content))
+    if len(blocks) < len(_OPENED.findall(content)):
+        end = "-->" if is_markdown else "%% end"
+        raise DocumentError(f"{name}: its block of letters has no end: a line {end}")
+    for match in blocks:
+        source.has_block = True
+        _take_lines(text[match.start(1) : match.end(1)], source)
+    if is_markdown:
+        return text.replace(_FENCE, lambda match: "\n")
+    plain = text.replace(_VERBATIM, lambda match: "\n").replace(_COMMENT, lambda match: match[1])
+    return _insert(plain, source, folder, (*above, name))
+
+
+def _take_lines(block: Text, source: Source) -> None:
+    for match in _LINE.finditer(block.string):
+        mark = _MARK.match(match[0].lstrip())
+        line = block[match.start() : match.end()].strip()
+        line = line[mark.end() :].strip() if mark else line
+        if len(line) and not line.string.startswith("#"):
+            source.lines.append(line)
+
+
+def _insert(text: Text, source: Source, folder: Path | None, above: tuple[str, ...]) -> Text:
+    parts, last = [], 0
+    for match in _INPUT.finditer(text.string):
+        parts.append(text[last : match.start()])
+        last = match.end()
+        place = source.files.locate(text.offsets[match.start()])
+        if file := _find(match[1], folder, above, place, source):
+            parts.append(_read(str(file), _open(file), source, folder, above))
+    return join([*parts, text[last:]])
+
+
+def _find(
+    name: str, folder: Path | None, above: tuple[str, ...], place: Place, source: Source
+) -> Path | None:
+    """Return the file that is input; one that is not inside the folder of the paper is told."""
+    if folder is None:
+        source.missing.append((place, f"{name} is not read: what is piped in has no folder"))
+        return None
+    for file in (folder / name, folder / f"{name}.tex"):
+        if not file.resolve().is_relative_to(folder):
+            source.missing.append((place, f"{name} is not read: it lies outside {folder}"))
+            return None
+        if file.is_file():
+            if len(above) > _DEEPEST:
+                raise DocumentError(f"{place}: files input each other, {_DEEPEST} deep")
+            return file
+    source.missing.append((place, f"{name} is not read: there is no such file"))
+    return None

@@ -1,0 +1,208 @@
+"""Letters that are declared -> the symbols of a paper, with the rates of those that depend."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import sympy as sp
+
+from mechproof.document.block import Block, Declared
+from mechproof.document.relations import narrow, read_relations
+from mechproof.document.units import read_unit
+from mechproof.latex import Reader, ReadingError
+from mechproof.latex.errors import Remedies
+from mechproof.record import NUMBER, Notation, Paper, Variable
+
+REMEDIES = Remedies(
+    name="Declare it in the block of letters: {0} : its meaning",
+    bracket="Say in the block of letters: factor {0}, or declare the whole print, {0}(…), as a "
+    "letter.",
+    function="Print a function that is the same everywhere (ln, lg, arctg).",
+    scope="Print another letter for '{0}' where it is bound.",
+    lower_limit="Say in the block of letters: from 0, or where else it starts.",
+    family="Leave {0} out of the block of letters.",
+    membership="Print an interval as a relation, 0<x<1, or say natural for a letter that counts.",
+)
+# Derivatives of a letter that have prints of their own.
+ORDERS = (1, 2)
+TIME = "t"
+# The unit behind a size.
+_UNITS = re.compile(r"(?<=\d)(?:\s|\\,|~)*(?:[A-Za-zµ°/%]+(?:\^?\d)?)+\s*\Z")
+_ASKS = re.compile(r"a bracket after (.+?): a factor")
+_STEM = re.compile(r"(\\[A-Za-z]+|.)(.*)\Z", re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Symbols:
+    """What the letters of a paper are.
+
+    `rates` are the derivatives of a symbol in their order, by the symbol `running[symbol]`;
+    `bare` are the symbols of which no unit is declared.
+    """
+
+    variables: tuple[Variable, ...]
+    notation: Notation
+    where: tuple[sp.Basic, ...] = ()
+    usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=dict)
+    rates: Mapping[sp.Basic, tuple[sp.Basic, ...]] = field(default_factory=dict)
+    running: Mapping[sp.Basic, sp.Basic] = field(default_factory=dict)
+    bare: frozenset[sp.Basic] = frozenset()
+
+    def reader(self, given: Mapping[sp.Basic, Any] | None = None) -> Reader:
+        """Return the reader of the paper's prints, with the values of letters that are defined."""
+        values = given or {}
+        variables = tuple(replace(v, given=values.get(v.symbol)) for v in self.variables)
+        return Reader(variables, self.notation, REMEDIES)
+
+    def paper(self, system: str, given: Mapping[sp.Basic, Any], *, with_units: bool) -> Paper:
+        """Return the paper of these letters, without rows; without units none are compared.
+
+        What is said of a letter that is defined becomes a condition on those that define it.
+        """
+        variables, where = [], [*self.where]
+        for v in self.variables:
+            value = given.get(v.symbol)
+            if value is not None and v.within is not sp.S.Reals:
+                where.append(v.within.as_relational(v.symbol))
+            within = v.within if value is None else sp.S.Reals
+            unit = v.dimension if with_units else NUMBER
+            variables.append(replace(v, given=value, within=within, dimension=unit))
+        return Paper(system, "", tuple(variables), (), tuple(where), usual=self.usual)
+
+
+def declare(block: Block) -> Symbols:
+    """Make symbols of the letters of a block; `ValueError` for what is said of them twice."""
+    letters = _add_running(block.letters)
+    variables: list[Variable] = []
+    rates: dict[sp.Basic, tuple[sp.Basic, ...]] = {}
+    bare: set[sp.Basic] = set()
+    for letter in letters:
+        own = list(_make(letter, letters, block))
+        variables += own
+        if letter.running:
+            rates[own[0].symbol] = tuple(v.symbol for v in own[1:])
+        has_no_unit = {x.names[0] for x in letters if x.unit is None}
+        if has_no_unit & {letter.names[0], letter.running}:
+            bare |= {v.symbol for v in own}
+    _refuse_twins(variables)
+    symbols = {name: v.symbol for v in variables for name in v.latex}
+    running = {
+        v.symbol: symbols[letter.running]
+        for letter in letters
+        for v in variables
+        if letter.running and letter.names[0] == v.latex[0]
+    }
+    notation = Notation(factors=(*block.factors, *block.natural))
+    return _say(Symbols(tuple(variables), notation, (), {}, rates, running, frozenset(bare)), block)
+
+
+def _add_running(letters: Sequence[Declared]) -> list[Declared]:
+    """Add the letters by which others are differentiated, where they are not declared: t."""
+    known = {name for letter in letters for name in letter.names}
+    new = dict.fromkeys(x.running for x in letters if x.running and x.running not in known)
+    return [*letters, *(Declared((name,), unit="s" if name == TIME else None) for name in new)]
+
+
+def name_symbol(latex: str) -> str:
+    """Return the name of the symbol that is printed so."""
+    return re.sub(r"[\\{}\s]", "", latex)
+
+
+def _make(letter: Declared, letters: Sequence[Declared], block: Block) -> Iterator[Variable]:
+    """Yield the variable of a letter, and one for each of its derivatives."""
+    first, *others = letter.names
+    name = name_symbol(first)
+    dimension = NUMBER if letter.unit is None else read_unit(letter.unit)
+    if letter.shape:
+        yield Variable(
+            sp.MatrixSymbol(name, *letter.shape), letter.meaning, dimension, latex=letter.names
+        )
+        return
+    printed = (first, *others, *((f"{first}({letter.running})",) if letter.running else ()))
+    within: sp.Set = sp.S.Reals
+    symbol = sp.Symbol(name, real=True)
+    if first in block.natural:
+        symbol, within = sp.Symbol(name, integer=True, positive=True), sp.S.Naturals
+    if first in block.branches:
+        within = sp.FiniteSet(-1, 1)
+    yield Variable(symbol, letter.meaning, dimension, within, latex=printed)
+    unit = next((x.unit for x in letters if letter.running in x.names), None)
+    step = NUMBER if unit is None else read_unit(unit)
+    for order in ORDERS if letter.running else ():
+        yield Variable(
+            sp.Symbol(f"d{order if order > 1 else ''}{name}", real=True),
+            f"derivative of {letter.meaning or first} by {letter.running}, order {order}",
+            dimension / step**order,
+            latex=tuple(_print_rate(first, letter.running, order)),
+        )
+
+
+def _print_rate(latex: str, by: str, order: int) -> Iterator[str]:
+    r"""Yield how a derivative is printed: \dot x_1, x', dx/dt."""
+    match = _STEM.match(latex)
+    stem, script = (match[1], match[2]) if match else (latex, "")
+    power = f"^{{{order}}}" if order > 1 else ""
+    if by == TIME:
+        accent = (r"\dot", r"\ddot")[order - 1]
+        yield rf"{accent}{{{stem}}}{script}"
+        if script:
+            yield rf"{accent}{{{latex}}}"
+    else:
+        yield latex + "'" * order
+    for d in ("d", r"\mathrm{d}"):
+        yield rf"\frac{{{d}{power}{latex}}}{{{d}{by}{power}}}"
+
+
+def _refuse_twins(variables: Sequence[Variable]) -> None:
+    met: dict[str, Variable] = {}
+    for variable in variables:
+        other = met.setdefault(variable.symbol.name, variable)
+        if other is not variable:
+            one, two = other.latex[0], variable.latex[0]
+            same = "is declared twice" if one == two else f"and {two} are too much alike"
+            raise ValueError(f"{one} {same}: print another letter, or say one is the other: |")
+
+
+def _say(symbols: Symbols, block: Block) -> Symbols:
+    """Put in what is said of the letters: relations, sizes, where integrals start."""
+    reader = symbols.reader()
+    said = [letter.condition for letter in block.letters if letter.condition]
+    relations = [r for text in (*said, *block.where) for r in read_relations(text, reader)]
+    variables, where = narrow(symbols.variables, relations)
+    usual = {}
+    for text in block.sizes:
+        for relation in read_relations(_UNITS.sub("", text), reader):
+            if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
+                raise ValueError(f"sizes: {text}: a size is said as letter=number")
+            usual[relation.lhs] = relation.rhs
+    notation = symbols.notation
+    if block.start:
+        read = reader.parse(block.start)
+        limit = read.meaning().of(read.chains[0].members[0])
+        notation = replace(notation, lower_limit=limit)
+    return replace(symbols, variables=variables, where=where, usual=usual, notation=notation)
+
+
+def collect_letters(printed: Iterable[str]) -> tuple[list[str], list[str]]:
+    """Return the letters of prints that are not declared, and those before a bracket."""
+    letters: dict[str, None] = {}
+    factors: dict[str, None] = {}
+    for latex in printed:
+        letters |= dict.fromkeys(_collect_from(latex, factors))
+    return [x for x in letters if "#" not in x], list(factors)
+
+
+def _collect_from(latex: str, factors: dict[str, None]) -> list[str]:
+    while True:
+        try:
+            return Reader((), Notation(factors=tuple(factors)), REMEDIES).collect(latex)
+        except ReadingError as error:
+            asks = _ASKS.search(error.args[0])
+            if asks is None or asks[1] in factors:
+                return []
+            factors[asks[1]] = None
+        except RecursionError:
+            return []

@@ -1,0 +1,85 @@
+"""Text that knows, character by character, where in which file it stands."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from itertools import accumulate
+from re import Match, Pattern
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place in a file; lines and columns are counted from 1."""
+
+    file: str
+    line: int
+    column: int
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}:{self.column}"
+
+
+@dataclass(frozen=True)
+class Text:
+    """Characters and, of each, where it stands in all that was read, one file after the other."""
+
+    string: str
+    offsets: Sequence[int]
+
+    def __len__(self) -> int:
+        return len(self.string)
+
+    def __getitem__(self, part: slice) -> Text:
+        return Text(self.string[part], self.offsets[part])
+
+    def __add__(self, other: Text) -> Text:
+        return Text(self.string + other.string, (*self.offsets, *other.offsets))
+
+    def strip(self, *, end: str = "") -> Text:
+        """Return the text without blanks around it, nor the signs `end` behind it."""
+        kept = self.string.rstrip().rstrip(end + " \t\n") if end else self.string.rstrip()
+        return self[len(kept) - len(kept.lstrip()) : len(kept)]
+
+    def replace(self, pattern: Pattern[str], make: Callable[[Match[str]], str]) -> Text:
+        """Put other characters in the place of matches; they stand where their match begins."""
+        parts, last = [], 0
+        for match in pattern.finditer(self.string):
+            parts.append(self[last : match.start()])
+            parts.append(self.put(make(match), match.start()))
+            last = match.end()
+        return join([*parts, self[last:]])
+
+    def put(self, string: str, place: int) -> Text:
+        """Return other characters that all stand at a place of this text."""
+        return Text(string, (self.offsets[place],) * len(string))
+
+
+def join(parts: Sequence[Text]) -> Text:
+    """Return texts one behind the other."""
+    offsets = tuple(offset for part in parts for offset in part.offsets)
+    return Text("".join(part.string for part in parts), offsets)
+
+
+@dataclass
+class Files:
+    """The files that were read, in the order in which they were met."""
+
+    names: list[str] = field(default_factory=list)
+    contents: list[str] = field(default_factory=list)
+
+    def add(self, name: str, content: str) -> Text:
+        """Enter a file and return what stands in it."""
+        start = sum(len(text) + 1 for text in self.contents)
+        self.names.append(name)
+        self.contents.append(content)
+        return Text(content, range(start, start + len(content)))
+
+    def locate(self, offset: int) -> Place:
+        """Return the place that an offset of a text is."""
+        starts = [0, *accumulate(len(text) + 1 for text in self.contents)]
+        file = bisect_right(starts, offset) - 1
+        before = self.contents[file][: offset - starts[file]]
+        line = before.rpartition("\n")[2]
+        return Place(self.names[file], before.count("\n") + 1, len(line) + 1)

@@ -1,0 +1,169 @@
+"""Papers of a few lines: what each equation does and what becomes of it, with wrong neighbours."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.checking import CheckedPaper, check
+from mechproof.document.roles import Role
+
+LETTERS = r"""%% mechproof
+%% r ; l : crank and rod [mm] {r>0}
+%% \lambda : their ratio [1]
+%% x(t) : position [mm]
+%% \varphi(t) : angle of the crank [rad]
+%% s(\psi) : lift [mm]
+%% \psi : angle of the cam [rad]
+%% a ; b ; c ; h : lengths of the links [mm] {a>0}
+%% \alpha ; \beta ; \gamma : angles [rad]
+%% k ; m ; n ; u : numbers
+%% \sigma : branch
+%% R 2x2 : rotation
+%% factor a, \dot\varphi
+%% branch \sigma=\pm1
+"""
+
+
+def paper(*equations: str, block: str = "") -> str:
+    lines = "".join(f"\\begin{{equation}}{latex}\\end{{equation}}\n" for latex in equations)
+    return f"{LETTERS}{block}%% end\n{lines}"
+
+
+def outcomes(*equations: str, block: str = "") -> list[str]:
+    return [row.outcome for row in run(*equations, block=block).rows]
+
+
+def run(*equations: str, block: str = "") -> CheckedPaper:
+    return check("paper.tex", paper(*equations, block=block))
+
+
+ROD = r"x=r\cos\varphi"
+LOOP = r"a\cos\alpha+b\cos\beta=c\cos\gamma+h"
+CASES = {
+    "first prints define, later ones are compared": (
+        [
+            r"\lambda=\frac rl",
+            r"\lambda=\frac{r\sin^2\alpha+r\cos^2\alpha}{l}",
+            r"\lambda=\frac lr",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
+    "definitions are put in": (
+        [r"\lambda=\frac rl", r"\lambda l\sin\alpha=r\sin\alpha"],
+        ["DEFINITION", "PROVED"],
+    ),
+    "steps of chains are compared": (
+        [r"k=\cos 2\alpha=1-2\sin^2\alpha=2\cos^2\alpha+1"],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
+    "dots are derivatives": (
+        [ROD, r"\dot x=-r\dot\varphi\sin\varphi", r"\dot x=r\dot\varphi\sin\varphi"],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
+    "two dots": (
+        [ROD, r"\ddot x=-r\ddot\varphi\sin\varphi-r\dot\varphi^2\cos\varphi"],
+        ["DEFINITION", "PROVED"],
+    ),
+    "d by dt": (
+        [ROD, r"\frac{dx}{dt}=-r\frac{d\varphi}{dt}\sin\varphi"],
+        ["DEFINITION", "PROVED"],
+    ),
+    "primes": (
+        [r"s=a\cos\psi+b\psi", r"s'=b-a\sin\psi", r"s''=a\cos\psi"],
+        ["DEFINITION", "PROVED", "REFUTED"],
+    ),
+    "a matrix": (
+        [
+            r"R=\begin{pmatrix}\cos\alpha&-\sin\alpha\\\sin\alpha&\cos\alpha\end{pmatrix}",
+            r"RR^T=\begin{pmatrix}1&0\\0&1\end{pmatrix}",
+        ],
+        ["DEFINITION", "PROVED"],
+    ),
+    "constraints are given": ([LOOP], ["DEFINITION"]),
+    "consequences of constraints": (
+        [LOOP, r"h+c\cos\gamma-b\cos\beta-a\cos\alpha=0", r"ka\cos\alpha=k(h-b\cos\beta)"],
+        ["DEFINITION", "PROVED", "not read"],
+    ),
+    "a multiple": (
+        [r"a\cos\alpha=b", r"a^2\cos^2\alpha=b^2", r"a\cos^2\alpha=b\cos\alpha"],
+        ["DEFINITION", "PROVED", "PROVED"],
+    ),
+    "contradictions": ([r"m+n=1", r"m+n=2"], ["DEFINITION", "REFUTED"]),
+    "nowhere true": ([r"m^2+1=0"], ["REFUTED"]),
+    "somewhere true": ([r"m^2-1=0"], ["DEFINITION"]),
+    "independent letters are constrained": ([r"k=mn=\frac{2mu}{3}"], ["DEFINITION"] * 2),
+    "an identity may be claimed": (
+        [r"\sin\alpha\cos\alpha=\sin2\alpha"],
+        ["REFUTED"],
+    ),
+    "a circle of definitions is compared": (
+        [ROD, r"r=\frac{x}{\cos\varphi}"],
+        ["DEFINITION", "PROVED"],
+    ),
+    "an inverse with a branch is not accused": (
+        [r"k=\cos\alpha", r"\alpha=\arccos k"],
+        ["DEFINITION", "DEFINITION"],
+    ),
+    "conditions": ([r"l>r", r"k^2\ge0", r"k^2<0"], ["DEFINITION", "PROVED", "REFUTED"]),
+    "a branch": ([r"\sigma^2=1", r"\sigma=1"], ["PROVED", "DEFINITION"]),
+    "dimensions": ([r"x=r+\lambda", r"k=\frac{r}{l}+m"], ["ILL_FORMED", "DEFINITION"]),
+    "sizes are no definitions": ([r"r=66", r"\lambda=\frac rl"], ["DEFINITION", "DEFINITION"]),
+    "rounded numbers need sizes": (
+        [r"\lambda=\frac rl=0.33"],
+        ["DEFINITION", "not judged"],
+    ),
+    "an undeclared letter": ([r"q=2r"], ["not read"]),
+    "a derivative that is not declared": ([r"\frac{dk}{dm}=0"], ["not read"]),
+    "an expression": ([r"a+b"], ["not judged"]),
+}
+# What a block says besides.
+SAID = {"an identity may be claimed": "%% identity (1)\n"}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_every_row_has_its_outcome(case: str) -> None:
+    equations, expected = CASES[case]
+    assert outcomes(*equations, block=SAID.get(case, "")) == expected
+
+
+def test_angles_may_be_said_modulo_turns() -> None:
+    equal = r"\alpha=\alpha+2\pi"
+    wrong = r"\alpha=\alpha+\pi"
+    said = "%% modulo 2\\pi (1), (2)\n"
+    assert outcomes(equal, wrong, block=said) == ["PROVED", "REFUTED"]
+    assert outcomes(equal) == ["REFUTED"]
+
+
+def test_numbers_are_compared_at_the_sizes() -> None:
+    sizes = "%% sizes r=20 mm, l=60\\,mm\n"
+    found = outcomes(r"\lambda=\frac rl=0.333", r"\lambda=0.34", block=sizes)
+    assert found == ["DEFINITION", "PROVED", "REFUTED"]
+
+
+def test_equations_are_skipped_or_constrained_by_name_or_label() -> None:
+    block = "%% skip (1): a print of the scan\n%% constraint eq:b\n"
+    rows = run(r"k=m", r"\label{eq:b}k=m=\cos k", block=block).rows
+    assert [row.outcome for row in rows] == ["skipped", "DEFINITION", "DEFINITION"]
+    assert rows[0].reason == "a print of the scan"
+
+
+def test_rows_say_what_they_do_and_where_they_stand() -> None:
+    rows = run(ROD, r"\dot x=-r\dot\varphi\sin\varphi").rows
+    assert [row.role for row in rows] == [Role.DEFINITION, Role.DERIVATIVE]
+    assert [row.place.line for row in rows] == [16, 17]
+
+
+def test_an_accusation_names_what_it_is_compared_with() -> None:
+    rows = run(r"\lambda=\frac rl", r"\lambda=\frac lr").rows
+    assert rows[1].reason.endswith("compared with (1)")
+
+
+def test_without_a_block_letters_are_real_numbers_and_told() -> None:
+    found = check("paper.tex", r"$$k=\frac{a}{b}$$ $$k^2=\frac{a^2}{b^2}$$ $$f(x)=x$$")
+    assert found.taken == ("k", "a", "b", "f", "x")
+    assert [row.outcome for row in found.rows] == ["DEFINITION", "PROVED", "not read"]
+
+
+def test_a_wrong_line_of_many_ends_nothing() -> None:
+    found = outcomes(r"k=\frac{m}{", r"m=\begin{foo}", r"\lambda=\frac rl", r"u=\unknown{2}")
+    assert found == ["not read", "not read", "DEFINITION", "not read"]

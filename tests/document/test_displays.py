@@ -1,0 +1,113 @@
+"""Equations of a source: where they are, how they are named, what belongs together."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.displays import Printed, find_displays
+from mechproof.document.macros import MOST_CALLS, find_macros
+from mechproof.document.sources import read_source
+
+
+def find(content: str, name: str = "paper.tex") -> list[Printed]:
+    macros, text = find_macros(read_source(name, content).text)
+    return list(find_displays(text, macros))
+
+
+def show(content: str, name: str = "paper.tex") -> list[tuple[str, str]]:
+    return [(p.name, " ".join(p.latex.string.split())) for p in find(content, name)]
+
+
+E = r"\begin{equation}%s\end{equation}"
+DISPLAYS = {
+    "numbers": (E % "a=1" + E % "b=2", [("(1)", "a=1"), ("(2)", "b=2")]),
+    "a star has none": (r"\begin{equation*}a=1\end{equation*}", [("display 1", "a=1")]),
+    "brackets and dollars": (r"\[a=1\] $$b=2$$", [("display 1", "a=1"), ("display 2", "b=2")]),
+    "a line break is no bracket": (E % r"a=1\\[2pt] b=2", [("(1), part 1", "a=1")]),
+    "a tag": (E % r"a=1 \tag{A.3}" + E % "b=2", [("(A.3)", "a=1"), ("(1)", "b=2")]),
+    "a line each": (
+        r"\begin{align} a&=1\\ b&=2\notag\\ c&=3 \end{align}",
+        [("(1)", "a=1"), ("display 1", "b=2"), ("(2)", "c=3")],
+    ),
+    "a chain over lines": (
+        r"\begin{align} a&=b\\ &=c\\ &\quad+d \end{align}",
+        [("(1)", "a=b =c +d")],
+    ),
+    "an open end": (E % r"\begin{split} a&=b+\\&c \end{split}", [("(1)", "a=b+ c")]),
+    "one line of several": (r"\begin{multline}a=b\\+c\\=d\end{multline}", [("(1)", "a=b +c =d")]),
+    "letters": (
+        r"\begin{subequations}\begin{gather}a=1\\b=2\end{gather}\end{subequations}" + E % "c=3",
+        [("(1a)", "a=1"), ("(1b)", "b=2"), ("(2)", "c=3")],
+    ),
+    "within sections": (
+        r"\numberwithin{equation}{section}\section{A}" + E % "a=1" + r"\section{B}" + E % "b=2",
+        [("(1.1)", "a=1"), ("(2.1)", "b=2")],
+    ),
+    "a counter": (r"\setcounter{equation}{6}" + E % "a=1", [("(7)", "a=1")]),
+    "a matrix is whole": (
+        E % r"A=\begin{pmatrix}1&2\\3&4\end{pmatrix}",
+        [("(1)", r"A=\begin{pmatrix}1&2\\3&4\end{pmatrix}")],
+    ),
+    "cases are whole": (
+        E % r"y=\begin{cases}1&x>0\\2&x\le0\end{cases}",
+        [("(1)", r"y=\begin{cases}1&x>0\\2&x\le0\end{cases}")],
+    ),
+    "a gap parts equations": (
+        E % r"a=1,\quad\text{and}\quad b=2",
+        [("(1), part 1", "a=1"), ("(1), part 2", "b=2")],
+    ),
+    "a gap keeps conditions": (E % r"a=b,\quad x>0", [("(1)", r"a=b,\quad x>0")]),
+    "words keep conditions": (E % r"a=b\quad\text{if }x=0", [("(1)", r"a=b\quad\text{if }x=0")]),
+    "what leads is left": (r"\[\Rightarrow a=1.\]", [("display 1", "a=1")]),
+    "comments": ("% $$a=1$$\n$$b=2 % c\n$$", [("display 1", "b=2")]),
+    "a per cent is none": (E % r"a=5\%", [("(1)", r"a=5\%")]),
+    "verbatim": (r"\begin{verbatim}$$a=1$$\end{verbatim}$$b=2$$", [("display 1", "b=2")]),
+    "macros": (
+        r"\newcommand{\half}[1]{\frac{#1}{2}}\def\om{\omega}" + E % r"a=\half{b}\om t",
+        [("(1)", r"a=\frac{b}{2}\omega t")],
+    ),
+    "a default": (
+        r"\newcommand{\p}[2][x]{\frac{d#2}{d#1}}" + E % r"\p{y}=\p[t]{z}",
+        [("(1)", r"\frac{dy}{dx}=\frac{dz}{dt}")],
+    ),
+    "an operator": (
+        r"\DeclareMathOperator{\inv}{inv}" + E % r"\inv a=b",
+        [("(1)", r"\operatorname{inv} a=b")],
+    ),
+    "macros of macros": (
+        r"\newcommand\a{\b}\newcommand\b{x}" + E % r"\a=1",
+        [("(1)", "x=1")],
+    ),
+}
+
+
+@pytest.mark.parametrize("case", DISPLAYS)
+def test_displays_are_named_as_latex_does(case: str) -> None:
+    content, expected = DISPLAYS[case]
+    assert show(content)[: len(expected)] == expected
+
+
+def test_markdown_has_dollars_and_fences() -> None:
+    content = "# A\n```\n$$a=1$$\n```\n<!-- $$c=3$$ -->\n$$b=2$$\n\\[d=4\\]\n"
+    assert show(content, "paper.md") == [("display 1", "b=2"), ("display 2", "d=4")]
+
+
+def test_labels_name_what_they_stand_in() -> None:
+    (one,) = find(E % r"\label{eq:ratio}a=1")
+    assert one.labels == ("eq:ratio",)
+    assert "label" not in one.latex.string
+
+
+def test_macros_in_a_circle_are_told() -> None:
+    (one,) = find(r"\newcommand{\x}{\x+1}" + E % r"a=\x")
+    assert "circle" in one.fault
+    assert MOST_CALLS > 0
+
+
+def test_places_are_those_of_the_source() -> None:
+    source = read_source("paper.tex", "\n% comment\n" + r"\newcommand{\k}{kk}" + "\n  $$ \\k=b $$")
+    macros, text = find_macros(source.text)
+    (one,) = find_displays(text, macros)
+    place = source.files.locate(one.latex.offsets[one.latex.string.index("b")])
+    assert str(place) == "paper.tex:4:9"
+    assert str(source.files.locate(one.latex.offsets[0])) == "paper.tex:4:6"

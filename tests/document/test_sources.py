@@ -1,0 +1,121 @@
+"""Files of a paper: what they input, where the block of letters stands, what is refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from mechproof.document.block import BlockError, read_block
+from mechproof.document.sources import DocumentError, read_source
+from mechproof.document.symbols import declare
+from mechproof.document.units import UnitError, read_unit
+from mechproof.record import LENGTH, NUMBER, SPEED, Dimension
+
+
+def test_files_are_input_inside_of_the_folder(tmp_path: Path) -> None:
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "one.tex").write_text("$$a=1$$")
+    (tmp_path.parent / "outside.tex").write_text("$$c=1$$")
+    paper = tmp_path / "paper.tex"
+    paper.write_text("\\input{parts/one}\n\\input{none}\n\\input{../outside}\n% \\input{no}\n")
+    source = read_source(str(paper))
+    assert "$$a=1$$" in source.text.string
+    assert "c=1" not in source.text.string
+    told = [(place.line, reason) for place, reason in source.missing]
+    assert [line for line, _ in told] == [2, 3]
+    assert "no such file" in told[0][1]
+    assert "outside" in told[1][1]
+
+
+def test_files_in_a_circle_are_told(tmp_path: Path) -> None:
+    paper = tmp_path / "paper.tex"
+    paper.write_text(r"\input{paper}")
+    with pytest.raises(DocumentError, match="input each other"):
+        read_source(str(paper))
+
+
+def test_a_file_that_cannot_be_read_is_told(tmp_path: Path) -> None:
+    with pytest.raises(DocumentError, match="No such file"):
+        read_source(str(tmp_path / "none.tex"))
+    (tmp_path / "latin.tex").write_bytes("é".encode("latin-1"))
+    with pytest.raises(DocumentError, match="UTF-8"):
+        read_source(str(tmp_path / "latin.tex"))
+
+
+def test_the_block_may_lie_beside_the_paper(tmp_path: Path) -> None:
+    (tmp_path / "paper.tex").write_text("$$a=1$$")
+    (tmp_path / "paper.letters").write_text("# a comment\na : a length [mm]\n")
+    source = read_source(str(tmp_path / "paper.tex"))
+    assert [line.string for line in source.lines] == ["a : a length [mm]"]
+    assert source.has_block
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("a.tex", "%% mechproof\n%% a : length\n%% end\n"),
+        ("a.md", "<!-- mechproof\na : length\n-->\n"),
+    ],
+)
+def test_the_block_stands_in_comments(name: str, content: str) -> None:
+    source = read_source(name, content)
+    assert [line.string for line in source.lines] == ["a : length"]
+    with pytest.raises(DocumentError, match="has no end"):
+        read_source(name, content.replace("%% end", "").replace("-->", ""))
+
+
+WRONG = [
+    ("a", "neither a letter"),
+    ("7 : number", "has no letter"),
+    ("skip (3)", "say why"),
+    ("constraint", "is needed"),
+    ("factor", "nothing is said"),
+    (r"branch \sigma=2", r"letter=\\pm1"),
+]
+
+
+@pytest.mark.parametrize(("line", "reason"), WRONG)
+def test_a_line_that_is_not_understood_is_told_with_its_place(line: str, reason: str) -> None:
+    source = read_source("paper.tex", f"%% mechproof\n%% {line}\n%% end\n")
+    with pytest.raises(BlockError, match=rf"^paper\.tex:2:4: .*{reason}"):
+        read_block(source.lines, source.files)
+
+
+TWICE = [
+    ("a : one\n%% a : two", "declared twice"),
+    ("a : one\n%% {a} : two", "too much alike"),
+    ("a : length [furlong]", "furlong"),
+    ("a : one {a>1}\n%% where a<0", "no value of a"),
+    ("a : one\n%% sizes a>1", "letter=number"),
+]
+
+
+@pytest.mark.parametrize(("lines", "reason"), TWICE)
+def test_letters_that_do_not_go_together_are_told(lines: str, reason: str) -> None:
+    source = read_source("paper.tex", f"%% mechproof\n%% {lines}\n%% end\n")
+    with pytest.raises(ValueError, match=reason):
+        declare(read_block(source.lines, source.files))
+
+
+UNITS = {
+    "mm": LENGTH,
+    "": NUMBER,
+    "1": NUMBER,
+    "mm/s": SPEED,
+    "m s^-1": SPEED,
+    "1/s": Dimension(time=-1),
+    "m/s^2": Dimension(length=1, time=-2),
+    "N m": Dimension(length=2, mass=1, time=-2),
+    "kg·m^{2}": Dimension(length=2, mass=1),
+}
+
+
+@pytest.mark.parametrize("text", UNITS)
+def test_units_have_dimensions(text: str) -> None:
+    assert read_unit(text) == UNITS[text]
+
+
+def test_an_unknown_unit_is_told() -> None:
+    with pytest.raises(UnitError, match="'mile'"):
+        read_unit("mile/h")
