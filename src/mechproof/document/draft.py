@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.macros import find_macros
 from mechproof.document.sources import Source
-from mechproof.document.symbols import collect_letters, name_symbol
+from mechproof.document.symbols import collect_letters, group_alike, name_symbol
 from mechproof.document.units import UnitError, read_unit
 
 _ACCENT = re.compile(r"\\d?dot\s*\{?\s*(\\[A-Za-z]+|[A-Za-z])\s*\}?(.*)\Z", re.DOTALL)
@@ -52,16 +52,19 @@ def draft_block(source: Source) -> str:
     moved = {_find_moved(letter) for letter in letters}
     shapes = dict(_find_shapes(printed))
     lines = []
-    for letter in letters:
+    for letter, *alike in group_alike(letters):
         if _find_moved(letter):
             continue
+        others = "".join(f" | {other}" for other in alike)
         found = said.get(name_symbol(letter))
         shape = f" {shapes[name_symbol(letter)]}" if name_symbol(letter) in shapes else ""
         running = "(t)" if name_symbol(letter) in moved else ""
         unit = f" [{found.unit}]" if found and found.unit else ""
         if found:
             lines.append(f"# line {found.line} says:")
-        lines.append(f"{letter}{running}{shape} : {found.meaning if found else ''}{unit}".rstrip())
+        lines.append(
+            f"{letter}{running}{others}{shape} : {found.meaning if found else ''}{unit}".rstrip()
+        )
     if factors:
         lines.append(
             "# A bracket stands behind these. Factors, or functions? Functions are declared"

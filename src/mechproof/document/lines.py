@@ -11,7 +11,11 @@ from collections.abc import Iterator, Sequence
 
 from mechproof.document.text import Text, join
 
-_WRAPPING = re.compile(r"\\(?:begin|end)\{(?:aligned|split|gathered|alignedat)\}(?:\{\d+\})?")
+# What only puts lines below each other; between dollars Markdown has whole displays.
+_WRAPPING = re.compile(
+    r"\\(?:begin|end)\{(?:aligned|split|gathered|alignedat|align\*?|gather\*?|equation\*?)\}"
+    r"(?:\{\d+\})?"
+)
 _SPACING = re.compile(r"\s*(?:\[-?[\d.]*\s*(?:px|pt|em|ex|cm|mm)\]|\*)")
 _STEP = re.compile(
     r"\\begin\s*\{[^{}]*\}|\\end\s*\{[^{}]*\}|\\left(?![A-Za-z])|\\right(?![A-Za-z])|\\\\"

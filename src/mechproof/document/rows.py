@@ -15,7 +15,7 @@ from mechproof.document.displays import Printed, find_displays
 from mechproof.document.macros import find_macros
 from mechproof.document.roles import Known, Role, Sign, find_roles, refuse_derivatives
 from mechproof.document.sources import Source
-from mechproof.document.symbols import collect_letters, declare
+from mechproof.document.symbols import collect_letters, declare, group_alike
 from mechproof.document.text import Place
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
@@ -84,7 +84,7 @@ class Document:
             [] if source.has_block else collect_letters(p.latex.string for p in self.printed)[0]
         )
         self.taken = tuple(letters)
-        self.block.letters += [Declared((name,)) for name in self.taken]
+        self.block.letters += [Declared(names) for names in group_alike(self.taken)]
         self.symbols = declare(self.block)
         self.known = Known(self.symbols)
         self.papers = {

@@ -21,6 +21,8 @@ _VERBATIM = re.compile(
     r"\\begin\{(verbatim|lstlisting|comment|minted)\}.*?\\end\{\1\}|\\iffalse\b.*?\\fi\b", re.DOTALL
 )
 _FENCE = re.compile(r"^(```|~~~).*?^\1\s*$|<!--.*?-->", re.DOTALL | re.MULTILINE)
+# A formula that is a line of its own is a display.
+_ALONE = re.compile(r"^\s*\$(?!\$)([^$\n]+)\$\s*$", re.MULTILINE)
 _INPUT = re.compile(r"\\(?:input|include|subfile)\s*\{([^{}]*)\}")
 _BLOCK = re.compile(r"^%%\s*mechproof\s*$(.*?)^%%\s*end\s*$", re.DOTALL | re.MULTILINE)
 _OPENED = re.compile(r"^%%\s*mechproof\s*$|^<!--\s*mechproof\s*$", re.MULTILINE)
@@ -82,9 +84,18 @@ def _read(
         source.has_block = True
         _take_lines(text[match.start(1) : match.end(1)], source)
     if is_markdown:
-        return text.replace(_FENCE, lambda match: "\n")
+        return _show_lines(text.replace(_FENCE, lambda match: "\n"))
     plain = text.replace(_VERBATIM, lambda match: "\n").replace(_COMMENT, lambda match: match[1])
     return _insert(plain, source, folder, (*above, name))
+
+
+def _show_lines(text: Text) -> Text:
+    parts, last = [], 0
+    for match in _ALONE.finditer(text.string):
+        parts += [text[last : match.start()], text.put("$$", match.start())]
+        parts += [text[match.start(1) : match.end(1)], text.put("$$", match.end(1))]
+        last = match.end()
+    return join([*parts, text[last:]])
 
 
 def _take_lines(block: Text, source: Source) -> None:

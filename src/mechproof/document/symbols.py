@@ -111,6 +111,14 @@ def name_symbol(latex: str) -> str:
     return re.sub(r"[\\{}\s]", "", latex)
 
 
+def group_alike(letters: Iterable[str]) -> list[tuple[str, ...]]:
+    r"""Return letters with those that print alike, \dot{x}_1 and \dot{x_1}, as one."""
+    groups: dict[str, dict[str, None]] = {}
+    for letter in letters:
+        groups.setdefault(name_symbol(letter), {})[letter] = None
+    return [tuple(group) for group in groups.values()]
+
+
 def _make(letter: Declared, letters: Sequence[Declared], block: Block) -> Iterator[Variable]:
     """Yield the variable of a letter, and one for each of its derivatives."""
     first, *others = letter.names
