@@ -13,6 +13,7 @@ from mechproof.document.symbols import name_symbol
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.expansion import read_row
+from mechproof.latex.left_scripts import LEFT, VECTORS
 from mechproof.latex.names import INDEX
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.tree import Integration, walk
@@ -157,6 +158,7 @@ def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
     reader = Reader(named, Notation(factors=(*pasted.factors, *counts)), COMMAND)
     prints = (pasted.latex, *pasted.where, *pasted.values)
     letters = dict.fromkeys(letter for text in prints for letter in reader.collect(text))
+    _refuse_vectors(letters)
     families = {x.partition("_")[0] for x in letters if INDEX in x}
     kept = [x for x in letters if INDEX in x or x.partition("_")[0] not in families or "_" not in x]
     variables = (*named, *(_make(x, pasted, counts) for x in kept))
@@ -166,6 +168,16 @@ def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
         if (other := met.setdefault(str(variable.symbol), latex)) != latex:
             raise ValueError(f"{other} and {latex} are too much alike: print another letter")
     return variables
+
+
+def _refuse_vectors(letters: Collection[str]) -> None:
+    """Refuse letters that are printed as vectors or in a frame: they are no real numbers."""
+    for letter in letters:
+        if letter.startswith((*VECTORS, LEFT)):
+            raise ValueError(
+                f"{letter} is no number: vectors and matrices need their components: check these, "
+                f"or say --name '{letter}' where it is a number"
+            )
 
 
 def _make(latex: str, pasted: Pasted, counts: Collection[str]) -> Variable:

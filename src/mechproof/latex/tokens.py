@@ -10,9 +10,11 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from mechproof.latex import left_scripts
 from mechproof.latex.characters import read_script, spell
 from mechproof.latex.errors import PrintedText
 from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT
 from mechproof.latex.words import AND, ELSE, IF, to_text
 
 _SIGN = re.compile(r"\\[A-Za-z]+\*?|\\.|\s+|.", re.DOTALL)
@@ -52,20 +54,7 @@ _SAME = {
     r"\log": r"\log",
 }
 _ARGUMENTS = {r"\frac": 2, r"\sqrt": 1}
-ACCENTS = (r"\bar", r"\overline", r"\vec", r"\hat", r"\tilde", r"\dot", r"\ddot")
-_UPRIGHT = (
-    r"\textrm",
-    r"\textup",
-    r"\mathsf",
-    r"\mathrm",
-    r"\operatorname",
-    r"\operatorname*",
-    r"\mathop",
-    r"\mathit",
-    r"\mathbf",
-)
 _PRIME = r"\prime"
-_TEXT = (r"\text", r"\mbox", r"\textnormal", r"\hbox")
 _DEGREE = ("°", r"\degree")
 
 
@@ -131,10 +120,10 @@ class _Normaliser:
             raise self._refuse("a brace is closed that was not opened")
         return signs
 
-    def _refuse(self, reason: str) -> Exception:
+    def _refuse(self, reason: str, remedy: str = "") -> Exception:
         end = len(self.source.latex)
         start = self.raw[self.place].start if self.place < len(self.raw) else end
-        return self.source.refuse(start, reason)
+        return self.source.refuse(start, reason, remedy)
 
     def _peek(self) -> str:
         return self.raw[self.place].text if self.place < len(self.raw) else ""
@@ -148,9 +137,48 @@ class _Normaliser:
     def _read_until(self, closing: str) -> list[Token]:
         signs: list[Token] = []
         while self.place < len(self.raw) and self._peek() not in ("}", closing):
-            signs += self._read_item()
-            signs += self._read_scripts()
+            if not self._is_left(signs):
+                signs += self._read_item()
+            signs += self._read_left() if self._is_left(signs) else self._read_scripts()
         return signs
+
+    def _is_left(self, signs: list[Token]) -> bool:
+        """Return whether scripts come next that belong to a letter behind them."""
+        if self._peek() not in ("_", "^", "{"):
+            return False
+        texts = [sign.text for sign in self.raw[self.place :]]
+        first = left_scripts.skip_empty(texts, 0)
+        if not texts[first:] or texts[first] not in ("_", "^"):
+            return False
+        before = [sign.text for sign in signs if sign.text not in GAPS]
+        if left_scripts.stands_alone(before):
+            return True
+        base, inside = left_scripts.find_base(texts, first)
+        is_parted = first > 0 or signs[-1].text in GAPS
+        if not is_parted or not texts[base:] or not left_scripts.may_begin(texts[base]):
+            return False
+        if left_scripts.is_power(inside):
+            raise self._refuse(
+                "a script behind a gap: of what stands before it, or of the letter behind it?",
+                r"Print x^2\cdot y for a power, x\cdot{}^2y for a script at the left.",
+            )
+        return True
+
+    def _read_left(self) -> list[Token]:
+        """Read the scripts at the left of a letter, the upper one first."""
+        found: dict[str, list[Token]] = {}
+        while self._is_left([]):
+            mark = self._take()
+            while mark.text not in ("_", "^"):
+                mark = self._take()
+            if mark.text in found:
+                raise self.source.refuse(mark.start, f"a second {mark.text} at the same sign")
+            found[mark.text] = [mark, *self._read_argument()]
+        first = min(signs[0].start for signs in found.values())
+        behind = self._peek()
+        if behind != "}" and not left_scripts.may_begin(behind):
+            raise self.source.refuse(first, f"nothing stands before this {next(iter(found))}")
+        return [Token(LEFT, first, first), *found.get("^", []), *found.get("_", [])]
 
     def _read_item(self) -> list[Token]:
         first = self._take()
@@ -164,9 +192,9 @@ class _Normaliser:
             return inner
         if first.text in ("_", "^"):
             raise self.source.refuse(first.start, f"nothing stands before this {first.text}")
-        if first.text in _UPRIGHT:
+        if first.text in UPRIGHT:
             return [self._read_upright(first)]
-        if first.text in _TEXT:
+        if first.text in TEXT:
             words, end = self._read_words()
             name = words.strip(" ,;")
             return [Token(rf"\{name}" if name in FUNCTIONS else to_text(words), first.start, end)]

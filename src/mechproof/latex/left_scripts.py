@@ -1,0 +1,87 @@
+r"""Scripts at the left of a letter, `{}^A_B R`: where they stand, and what they belong to.
+
+In all their spellings (`{}^A_BR`, `{^A_B}R`, `{^A_BR}`, `{ }_{B}^{A}R`, `R\ ^BP`) they are the sign
+`LEFT` with the scripts behind it, the upper one first, before the letter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from mechproof.latex.characters import is_letter
+
+LEFT = "{}"
+# Accents and types of letters that are vectors or matrices.
+VECTORS = (r"\vec", r"\vect", r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb")
+ACCENTS = (
+    *(r"\bar", r"\overline", r"\hat", r"\tilde", r"\dot", r"\ddot", r"\widehat", r"\widetilde"),
+    *VECTORS,
+)
+UPRIGHT = (
+    *(r"\textrm", r"\textup", r"\mathsf", r"\mathrm", r"\operatorname", r"\operatorname*"),
+    *(r"\mathop", r"\mathit"),
+)
+TEXT = (r"\text", r"\mbox", r"\textnormal", r"\hbox")
+GREEK = frozenset(
+    (
+        *("alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta"),
+        *("vartheta", "iota", "kappa", "varkappa", "lambda", "mu", "nu", "xi", "pi", "varpi"),
+        *("rho", "varrho", "sigma", "varsigma", "tau", "upsilon", "phi", "varphi", "chi", "psi"),
+        *("omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi"),
+        *("Psi", "Omega", "ell"),
+    )
+)
+_SCRIPTS = ("^", "_")
+# Behind these a script has nothing to its left.
+_OPERATORS = (
+    *("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv", "+", "-", r"\pm", r"\mp", "/"),
+    *(r"\cdot", r"\times", r"\to", ",", ";", "&", r"\\", "(", "[", r"\lvert", ":"),
+)
+
+
+def begins_letter(text: str) -> bool:
+    """Return whether a sign begins a name, its accent or its left scripts included."""
+    return is_letter(text) or text[1:] in GREEK or text in (*ACCENTS, LEFT)
+
+
+def stands_alone(before: Sequence[str]) -> bool:
+    """Return whether nothing that could bear a script stands at the end of these signs."""
+    return not before or before[-1] in _OPERATORS or before[-1].startswith(r"\begin{")
+
+
+def skip_empty(texts: Sequence[str], place: int) -> int:
+    """Return the place behind pairs of braces with nothing in them."""
+    while list(texts[place : place + 2]) == ["{", "}"]:
+        place += 2
+    return place
+
+
+def find_base(texts: Sequence[str], place: int) -> tuple[int, list[str]]:
+    """Return the place behind scripts, and what these are, sign by sign."""
+    inside: list[str] = []
+    while texts[place : place + 1] and texts[place] in _SCRIPTS:
+        end = _find_end(texts, place + 1)
+        inside += [texts[place], *texts[place + 1 : end]]
+        place = skip_empty(texts, end)
+    return place, inside
+
+
+def _find_end(texts: Sequence[str], place: int) -> int:
+    depth = 0
+    for end in range(place, len(texts)):
+        depth += {"{": 1, "}": -1}.get(texts[end], 0)
+        if depth <= 0:
+            return end + 1
+    return len(texts)
+
+
+def may_begin(text: str) -> bool:
+    """Return whether a sign before normalisation may begin a letter."""
+    return begins_letter(text) or text in (*UPRIGHT, *TEXT, "{")
+
+
+def is_power(inside: Sequence[str]) -> bool:
+    """Return whether one script may well be that of what stands before it: a number, a T."""
+    marks = sum(text in _SCRIPTS for text in inside)
+    plain = [text for text in inside if text not in ("{", "}", *_SCRIPTS)]
+    return marks == 1 and (plain == ["T"] or not any(map(begins_letter, plain)))

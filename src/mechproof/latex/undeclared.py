@@ -1,0 +1,196 @@
+"""Letters that nobody declared: refused, bound by an integral, or noted where that is asked for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from mechproof.latex.characters import advise, is_digit, name_character
+from mechproof.latex.functions import AMBIGUOUS
+from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
+from mechproof.latex.names import INDEX, find_brace
+from mechproof.latex.tokens import Token
+from mechproof.latex.tree import Letter, Node
+from mechproof.latex.words import AND, ELSE, IF
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
+
+# Letters that not everybody reads alike, where they stand without index.
+UNSURE = {
+    "e": r"Print \mathrm{e} for Euler's number.",
+    "i": "The imaginary unit is not read.",
+    "d": r"Print \frac{d}{dx}(…) for a derivative.",
+}
+# Before another letter they make one quantity of it, or a product.
+_INCREMENTS = (r"\Delta", r"\delta")
+# What may stand behind a d that is no differential.
+_BEHIND = ("", "=", "+", "-", ")", "]", ",", "&", r"\\")
+_PLAIN = re.compile(r"\\(?:text|mathrm)\b|[\\{}\s]")
+_COMMAND = re.compile(r"\\[A-Za-z]+\*?")
+_UNREAD = {
+    **dict.fromkeys((r"\pm", r"\mp"), "It says two equations: print one after the other."),
+    **dict.fromkeys((r"\lim", r"\to"), r"Print \lim_{x\to a}."),
+    **dict.fromkeys((r"\partial", r"\nabla"), "A derivative needs a name of its own."),
+    "!": "Print n! or (…)!, and brackets around what is raised or follows.",
+    r"\binom": r"Print factorials, \frac{n!}{k!(n-k)!}.",
+    **dict.fromkeys((":", r"\div", "÷"), r"Print \frac{…}{…}."),
+    **dict.fromkeys(
+        (r"\Rightarrow", r"\implies", r"\iff", r"\Leftrightarrow"),
+        r"Print the conclusion, and its condition behind it: \text{ for }x>0.",
+    ),
+    **dict.fromkeys((r"\mid", r"\Vert", r"\|"), r"Print | or \left| for an absolute value."),
+    **dict.fromkeys(VECTORS, "Vectors need their components: check these."),
+}
+
+
+def read_undeclared(parser: Parser) -> Node:
+    """Note a letter where that is asked for, let an integral bind it, or refuse it."""
+    text = parser.text
+    if not text:
+        raise parser.refuse("the print ends, but something must follow")
+    if text == r"\dots":
+        raise parser.refuse("dots for what was printed before", "Enter the chain as a whole.")
+    if text[1:] in AMBIGUOUS:
+        raise parser.refuse(
+            f"{text[1:]} is not the same everywhere: {AMBIGUOUS[text[1:]]} must be said",
+            parser.remedies.function.format(text[1:]),
+        )
+    word = _upright_word(parser)
+    if not begins_letter(text) and not (word and parser.collects):
+        remedy = parser.remedies.name.format(word) if word else _UNREAD.get(text, "")
+        reason = f"{name_character(text)} has no meaning here"
+        raise parser.refuse(reason, remedy or advise(text))
+    is_unsure = _is_unsure(parser)
+    if parser.collects and not is_unsure:
+        return _collect(parser)
+    if parser.integrals and text != "d" and not parser.collects:
+        return _read_running(parser)
+    printed = printed_name(parser, parser.place)
+    begun = [latex for latex in parser.names.beginning(text) if latex != printed]
+    near = f" (declared are {', '.join(begun[:4])})" if begun else ""
+    hint = UNSURE[text] if is_unsure else _UNREAD.get(text, "")
+    remedy = " ".join(filter(None, (hint, parser.remedies.name.format(printed))))
+    raise parser.refuse(f"{printed} is not declared{near}", remedy)
+
+
+def _upright_word(parser: Parser) -> str:
+    """Return the name in upright letters that stands here, as it is printed, else nothing."""
+    token = parser.tokens[parser.place]
+    command = _COMMAND.match(parser.source.latex, token.start)
+    if command is None or command[0] not in (*UPRIGHT, *TEXT):
+        return ""
+    inside = token.text.partition("{")[2] or token.text
+    word = inside.strip("\\} ")
+    is_name = word[:1].isalpha() and word.isalnum() and token.text not in (AND, *IF, *ELSE)
+    kind = r"\text" if command[0] in TEXT else r"\mathrm"
+    return rf"{kind}{{{word}}}" if is_name else ""
+
+
+def _is_unsure(parser: Parser) -> bool:
+    """Return whether a letter here may be no quantity, and nothing around it says that it is.
+
+    In a row of letters from a on (`a & b & c & d`) it is one of them, and a d with nothing behind
+    it is no differential.
+    """
+    text, place = parser.text, parser.place
+    if text not in UNSURE or _find_end(parser, place) > place + 1:
+        return False
+    texts = {token.text for token in parser.tokens}
+    if all(chr(code) in texts for code in range(ord("a"), ord(text))):
+        return False
+    following = parser.tokens[place + 1].text if place + 1 < len(parser.tokens) else ""
+    return text != "d" or following not in _BEHIND
+
+
+def _read_running(parser: Parser) -> Letter:
+    """Read an undeclared letter that the differential of an integral around it may bind."""
+    letter = _read_plain(parser)
+    if other := parser.names.symbols.get(str(letter.symbol), ""):
+        raise parser.refuse(
+            f"{letter.text} would be taken for {other}, which has its name",
+            "Print another letter for what is bound.",
+            letter.start,
+        )
+    parser.integrals[-1].running.append(letter)
+    return letter
+
+
+def _read_plain(parser: Parser) -> Letter:
+    """Read a letter with its scripts and primes as a real symbol."""
+    start, word = parser.start, _upright_word(parser)
+    end = _find_end(parser, parser.place)
+    texts = [token.text for token in parser.tokens[parser.place : end]]
+    _refuse_expression(parser, texts)
+    latex = "".join([word or texts[0], *texts[1:]])
+    parser.place = end
+    name = _PLAIN.sub("", latex)
+    return Letter(sp.Symbol(name, real=True), latex, start=start, end=parser.end)
+
+
+def _refuse_expression(parser: Parser, texts: list[str]) -> None:
+    """Refuse a letter whose index says a relation, or whose accent spans more than a name."""
+    if not {"=", "<", ">", r"\le", r"\ge"}.isdisjoint(texts):
+        raise parser.refuse(
+            "an index with a relation in it: a sum, or a value at a place?",
+            r"Print \sum for a sum, a value at a place with brackets or as a letter of its own.",
+        )
+    first = next((n for n, text in enumerate(texts) if text in ACCENTS), len(texts))
+    inside = texts[first + 2 : texts.index("}", first)] if first < len(texts) else []
+    if any(not (is_digit(t) or begins_letter(t) or t in ("_", "{", "'")) for t in inside):
+        printed = printed_name(parser, parser.place)
+        raise parser.refuse(
+            f"{printed}: an accent over an expression", parser.remedies.name.format(printed)
+        )
+
+
+def _collect(parser: Parser) -> Letter:
+    """Note a letter that nobody declared; with a bound index it is one of a family."""
+    place = parser.place
+    letter = _read_plain(parser)
+    if parser.text and letter.text in _INCREMENTS and begins_letter(parser.text):
+        raise parser.refuse(
+            f"{letter.text} before a letter: one quantity, or a product?",
+            f"{parser.remedies.name} Print a dot for the product.".format(
+                f"{letter.text} {printed_name(parser, parser.place)}"
+            ),
+            letter.start,
+        )
+    base, _, index = letter.text.partition("_")
+    signs = {token.text for token in parser.tokens[place : parser.place]}
+    if index and signs & set(parser.bound):
+        parser.collected.append(f"{base}_{INDEX}")
+    elif parser.integrals:
+        parser.integrals[-1].running.append(letter)
+    else:
+        parser.collected.append(letter.text)
+    return letter
+
+
+def _find_end(parser: Parser, place: int) -> int:
+    """Return the place behind a letter with its accent, index and primes."""
+    tokens = parser.tokens
+    place = _find_base(tokens, place)
+    end = find_brace(tokens, place + 2) + 1 if tokens[place].text in ACCENTS else place + 1
+    while end < len(tokens) and tokens[end].text in ("_", "'"):
+        end = find_brace(tokens, end + 2) + 1 if tokens[end].text == "_" else end + 1
+    return end
+
+
+def _find_base(tokens: Sequence[Token], place: int) -> int:
+    """Return the place behind the left scripts of a letter."""
+    if tokens[place].text != LEFT:
+        return place
+    place += 1
+    while place < len(tokens) and tokens[place].text in ("^", "_"):
+        place = find_brace(tokens, place + 2) + 1
+    return place
+
+
+def printed_name(parser: Parser, place: int) -> str:
+    """Return how the letter at a place is printed, with its index and primes."""
+    last = parser.tokens[_find_end(parser, place) - 1]
+    return parser.source.latex[parser.tokens[place].start : last.end]

@@ -1,0 +1,74 @@
+r"""How textbooks and lecture notes print: frames at the left of a letter, names in words, matrices.
+
+Each form stands beside a twin, a print near it that is refused or says something else.
+"""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from mechproof.latex import Reader, ReadingError
+from mechproof.record import Variable
+
+x, y = sp.symbols("x y", real=True)
+PLAIN = tuple(Variable(s, "", latex=(str(s),)) for s in (x, y))
+READER = Reader(PLAIN)
+
+# Letters --------------------------------------------------------------------------------------
+
+COLLECTED = [
+    # In every spelling of the scripts at the left the letter is the same.
+    *(
+        (spelling, [r"{}^{C}_{D}Q"])
+        for spelling in (
+            *(r"{}^C_D Q", r"{}_D^C Q", r"{^C_D}Q", r"{^C_D Q}", r"{ }_{D}^{C} Q", r"^C_DQ"),
+            *(r"\ ^{C}_{D}Q", r"{}^C{}_DQ", r"x\,{}^C_DQ", r"x\ ^C_DQ", r"[^C_DQ]", r"x={^C_D}Q"),
+        )
+    ),
+    (r"{}^CQ_{wx}'\cdot{}^2\hat{n}_3", [r"{}^{C}Q_{wx}'", r"{}^{2}\hat{n}_{3}"]),
+    (r"{}^CQ^2+Q^2", [r"{}^{C}Q", "Q"]),
+    (r"\text{drift}+\mathrm{gain}_1", [r"\text{drift}", r"\mathrm{gain}_{1}"]),
+    (r"\mathbf{q}_1\cdot\vec{q}\cdot q", [r"\mathbf{q}_{1}", r"\vec{q}", "q"]),
+    # Of a row of letters from a on none is Euler's number or a differential.
+    (r"a+b+c+d+e", ["a", "b", "c", "d", "e"]),
+    (r"\begin{vmatrix}a&b\\c&d\end{vmatrix}", ["a", "b", "c", "d"]),
+    ("d=l+d_1", ["d", "l", "d_{1}"]),
+]
+
+
+@pytest.mark.parametrize(("latex", "letters"), COLLECTED)
+def test_a_letter_is_met_with_all_that_belongs_to_it(latex: str, letters: list[str]) -> None:
+    assert READER.collect(latex) == letters
+    named = [Variable(sp.Symbol(f"n{k}", real=True), "", latex=(s,)) for k, s in enumerate(letters)]
+    read = Reader([*PLAIN, *named]).parse(latex)
+    found = read.meaning().of(read.chains[0].members[-1])
+    assert found.free_symbols - {x, y} <= {v.symbol for v in named}
+
+
+NOT_COLLECTED = [
+    (r"x\ ^2y", "a script behind a gap"),
+    (r"x{}^Ty", "a script behind a gap"),
+    (r"x\ _1y", "a script behind a gap"),
+    ("^2", "nothing stands before"),
+    (r"x+{}^A+y", "nothing stands before"),
+    (r"{}^A{}^BQ", "a second ^"),
+    ("e^x", "e is not declared"),
+    ("a+e", "e is not declared"),
+    ("d\\,x", "d is not declared"),
+    ("a+b+c+i", "i is not declared"),
+    (r"x\,\text{drift}", "is not understood here"),
+]
+
+
+@pytest.mark.parametrize(("latex", "told"), NOT_COLLECTED)
+def test_what_may_be_no_letter_is_refused(latex: str, told: str) -> None:
+    with pytest.raises(ReadingError, match=told.replace("^", r"\^")):
+        READER.collect(latex)
+
+
+def test_scripts_at_both_sides_keep_their_side() -> None:
+    q, left = sp.symbols("q left", real=True)
+    reader = Reader([Variable(q, "", latex=("q",)), Variable(left, "", latex=(r"{}^{2}q",))])
+    read = reader.parse(r"q^2+q{}^2+q\ ^2={}^2q")
+    assert [read.meaning().of(side) for side in read.chains[0].members] == [3 * q**2, left]
