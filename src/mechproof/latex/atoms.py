@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
-import sympy as sp
-
-from mechproof.latex import calculus, derivatives, letters
+from mechproof.latex import calculus, derivatives, letters, tables
 from mechproof.latex.characters import is_digit
 from mechproof.latex.numerals import read_number
+from mechproof.latex.tokens import DOTS
 from mechproof.latex.tree import (
     Bracket,
     Call,
     Degrees,
     Entries,
+    Excerpt,
     Letter,
     Magnitude,
     Node,
@@ -21,12 +22,14 @@ from mechproof.latex.tree import (
     Root,
     Table,
     Transposed,
+    shows_matrix,
+    walk,
 )
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
-MATRICES = ("pmatrix", "bmatrix", "matrix", "vmatrix")
+_TRANSPOSED = (r"\top", r"\intercal", r"\mathrm{T}")
 _CLOSED_BY = {"(": ")", "[": "]"}
 
 
@@ -52,7 +55,7 @@ def read_atom(parser: Parser) -> Node:
         inside = parser.read_inside(r"\lvert", parser.read_sum, r"\rvert")
         return _enclose(parser, inside, start)
     if text.startswith(r"\begin{"):
-        return _read_table(parser, start)
+        return tables.read_environment(parser)
     if text in (r"\sum", r"\prod"):
         return calculus.read_repeated(parser)
     if text == r"\lim":
@@ -78,6 +81,9 @@ def _read_root(parser: Parser, start: int) -> Node:
 
 
 def _read_bracket(parser: Parser, start: int) -> Node:
+    if parser.text == "[" and tables.is_cases(parser):
+        parser.take()
+        return tables.read_cases(parser, start)
     closing = _CLOSED_BY[parser.text]
     following = [token.text for token in parser.tokens[parser.place + 1 : parser.place + 3]]
     if following == [r"\dots", closing]:
@@ -121,14 +127,27 @@ def _read_magnitude(parser: Parser, start: int) -> Node:
 def _enclose(parser: Parser, inside: Node, start: int) -> Node:
     """Return what bars say: the determinant of a printed matrix, else the absolute value."""
     table = inside.inside if isinstance(inside, Bracket) else inside
-    if isinstance(table, Table):
+    is_symbol = isinstance(table, Letter) and shows_matrix(table)
+    if isinstance(table, Table) or is_symbol:
         return Call(parser.functions[r"\det"], (table,), start=start, end=parser.end)
+    if parser.collects and isinstance(table, Letter) and _shows_determinant(parser):
+        raise parser.refuse(
+            f"bars around {table.text} beside a determinant: of a matrix, or an absolute value?",
+            parser.remedies.name.format(table.text),
+            start,
+        )
     return Magnitude(inside, start=start, end=parser.end)
+
+
+def _shows_determinant(parser: Parser) -> bool:
+    texts = [token.text for token in parser.tokens]
+    is_in_bars = (r"\lvert", r"\begin{matrix}") in pairwise(texts)
+    return is_in_bars or r"\begin{vmatrix}" in texts
 
 
 def _refuse_bar_between_factors(parser: Parser) -> None:
     """Refuse |x|y|z|, which may be |x| times y|z|, or the value of x|y|z."""
-    if parser.ends_product() or parser.text in ("|", "/", r"\cdot", "^"):
+    if parser.ends_product() or parser.text in ("|", "/", *DOTS, "^"):
         return
     if "|" in parser.rest_of_member():
         raise parser.refuse(
@@ -137,40 +156,50 @@ def _refuse_bar_between_factors(parser: Parser) -> None:
         )
 
 
-def _read_table(parser: Parser, start: int) -> Node:
-    opening = parser.take()
-    kind = opening.text[len(r"\begin{") : -1]
-    if kind not in MATRICES:
-        raise parser.refuse(f"{kind} is none of {', '.join(MATRICES)}", place=start)
-    parser.depth += 1
-    rows: list[tuple[Node, ...]] = []
-    while not parser.skip(rf"\end{{{kind}}}"):
-        entries = [parser.read_sum()]
-        while parser.skip("&"):
-            entries.append(parser.read_sum())
-        rows.append(tuple(entries))
-        if not parser.skip(r"\\") and parser.text != rf"\end{{{kind}}}":
-            raise parser.refuse("a matrix goes on in an unknown way")
-    parser.depth -= 1
-    if len({len(row) for row in rows}) != 1:
-        raise parser.refuse("the rows of a matrix are not equally long", place=start)
-    table = Table(tuple(rows), start=start, end=parser.end)
-    if kind == "vmatrix":
-        return Call(parser.functions[r"\det"], (table,), start=start, end=parser.end)
-    return table
+def read_excerpt(parser: Parser, whole: Node, start: int) -> Node:
+    """Read [1:3, 4] behind a matrix: rows and columns."""
+    parser.take("[")
+    ranges = [_read_range(parser)]
+    while parser.skip(","):
+        ranges.append(_read_range(parser))
+    parser.take("]")
+    return Excerpt(whole, tuple(ranges), start=start, end=parser.end)
+
+
+def is_excerpt(parser: Parser) -> bool:
+    """Return whether a square bracket with a colon in it stands here."""
+    texts = [token.text for token in parser.rest]
+    return texts[:1] == ["["] and "]" in texts and ":" in texts[: texts.index("]")]
+
+
+def _read_range(parser: Parser) -> tuple[int, int] | None:
+    """Read the numbers of the first and the last, or of one alone; a colon alone is all."""
+    if parser.skip(":"):
+        return None
+    first = _read_count(parser)
+    return (first, _read_count(parser)) if parser.skip(":") else (first, first)
+
+
+def _read_count(parser: Parser) -> int:
+    if not is_digit(parser.text):
+        raise parser.refuse(
+            "rows and columns are read by their numbers only", "Print them so: [1:3, 4]."
+        )
+    number = read_number(parser, in_list=True)
+    if not number.text.isdigit():
+        raise parser.refuse("a number of a row that is none", "", number.start)
+    return int(number.text)
 
 
 def read_special_power(parser: Parser, base: Node, start: int) -> Node | None:
     """Read a power that is none: transposition, degrees."""
     texts = [token.text for token in parser.tokens[parser.place + 1 : parser.place + 4]]
-    inside = base.inside if isinstance(base, Bracket) else base
-    is_matrix = isinstance(inside, Entries | Table) or (
-        isinstance(base, Letter) and isinstance(base.symbol, sp.MatrixSymbol)
-    )
-    if texts == ["{", "T", "}"] and is_matrix:
+    is_plain = texts == ["{", "T", "}"]
+    mark = texts[1] if texts[::2] == ["{", "}"] else ""
+    if mark in _TRANSPOSED or (is_plain and any(map(shows_matrix, walk(base)))):
         parser.place += 4
         return Transposed(base, start=start, end=parser.end)
-    if texts == ["{", "T", "}"] and parser.collects and not parser.names.find("T"):
+    if is_plain and parser.collects and not parser.names.find("T"):
         raise parser.refuse(
             "a power T: an exponent, or the transposed of a matrix?",
             parser.remedies.name.format("T"),

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import sympy as sp
+
 from mechproof.latex import atoms, calculus
 from mechproof.latex.meaning import Meaning
+from mechproof.latex.tokens import DOTS
 from mechproof.latex.tree import (
     Bracket,
     Call,
@@ -17,6 +20,7 @@ from mechproof.latex.tree import (
     Power,
     Product,
     Quotient,
+    Table,
     walk,
 )
 
@@ -29,7 +33,7 @@ _BRACKETS = ("(", "[")
 def is_function(parser: Parser) -> bool:
     """Return whether a function stands here and not a longer declared name."""
     declared = parser.names.match(parser.tokens, parser.place)
-    known = _function_sign(parser) in parser.functions
+    known = _function_sign(parser) in parser.functions or parser.find_spelled() is not None
     return declared is None and (known or _is_logarithm(parser))
 
 
@@ -44,15 +48,26 @@ def _function_sign(parser: Parser) -> str:
     return parser.text if parser.text.startswith("\\") else rf"\{parser.text}"
 
 
-def read_call(parser: Parser) -> Node:
-    """Read a function, the power it is raised to, and its arguments."""
-    start = parser.start
-    if _function_sign(parser) not in parser.functions:
+def read_call(parser: Parser, *, is_argument: bool = False) -> Node:
+    r"""Read a function, the power it is raised to, and its arguments.
+
+    The power may stand behind the bracket, \cos(x)^2, if that is of no function within another.
+    """
+    start, place = parser.start, parser.place
+    if spelled := parser.find_spelled():
+        function, length = spelled
+        parser.place += length
+    elif _function_sign(parser) not in parser.functions:
         return _read_logarithm(parser)
-    function = parser.functions[_function_sign(parser)]
-    parser.take()
+    else:
+        function = parser.functions[_function_sign(parser)]
+        parser.take()
     exponent = _read_exponent(parser)
-    arguments = _read_arguments(parser)
+    arguments = _read_arguments(parser, place)
+    if parser.text == "^" and (exponent or is_argument):
+        _refuse_power_behind(parser)
+    if parser.text == "^" and arguments:
+        exponent = parser.read_script("^")
     return Call(function, arguments, exponent, start=start, end=parser.end)
 
 
@@ -62,7 +77,8 @@ def _read_logarithm(parser: Parser) -> Node:
     base = parser.read_script("_")
     exponent = _read_exponent(parser)
     natural = parser.functions[r"\ln"]
-    above = Call(natural, _read_arguments(parser), start=start, end=parser.end)
+    above = Call(natural, _read_arguments(parser, parser.place), start=start, end=parser.end)
+    _refuse_power_behind(parser)
     below = Call(natural, (base,), start=start, end=parser.end)
     quotient = Quotient(above, below, start=start, end=parser.end)
     return Power(quotient, exponent, start=start, end=parser.end) if exponent else quotient
@@ -71,12 +87,13 @@ def _read_logarithm(parser: Parser) -> Node:
 def _read_exponent(parser: Parser) -> Node | None:
     if parser.text != "^":
         return None
-    start = parser.start
+    start, name = parser.start, parser.tokens[parser.place - 1].text.strip("\\")
     exponent = parser.read_script("^")
     if _is_minus_one(exponent, parser):
         raise parser.refuse(
             "the power -1 of a function: its inverse or its reciprocal?",
-            r"Print the inverse function (\arctan) or a fraction.",
+            r"Print the inverse function (\arctan) or a fraction. "
+            + parser.remedies.function.format(rf"{name}^{{-1}}"),
             start,
         )
     return exponent
@@ -90,23 +107,28 @@ def _is_minus_one(exponent: Node, parser: Parser) -> bool:
     return bool(meaning.of(exponent) == -1)
 
 
-def _read_arguments(parser: Parser) -> tuple[Node, ...]:
+def _read_arguments(parser: Parser, place: int) -> tuple[Node, ...]:
+    """Read the arguments of a function whose name begins at a place."""
     if parser.open_group():
         return _read_grouped(parser)
     if parser.text in _BRACKETS:
         return _read_bracketed(parser)
-    if parser.ends_product() or parser.text in ("/", r"\cdot"):
+    if parser.ends_product() or parser.text in ("/", *DOTS):
         return ()
     if is_function(parser):
-        return (read_call(parser),)
+        return (read_call(parser, is_argument=True),)
     argument = _read_short(parser)
-    _check_reach(parser)
+    if isinstance(argument, Table) and len(argument.rows) == len(argument.rows[0]) == 1:
+        # A bracket that is set as a matrix.
+        argument = argument.rows[0][0]
+    printed = "".join(token.text for token in parser.tokens[place : parser.place])
+    if printed not in parser.factors:
+        _check_reach(parser)
     return (argument,)
 
 
 def _read_bracketed(parser: Parser) -> tuple[Node, ...]:
     bracket = atoms.read_atom(parser)
-    _refuse_power_behind(parser)
     return bracket.parts if isinstance(bracket, Entries) else (bracket,)
 
 
@@ -135,7 +157,7 @@ def _read_short(parser: Parser) -> Node:
     number = parser.read_factor()
     if not isinstance(number, Number) or parser.ends_product() or is_function(parser):
         return number
-    if parser.text in ("/", r"\cdot"):
+    if parser.text in ("/", *DOTS):
         return number
     factor = parser.read_factor()
     if not isinstance(factor, Letter | Constant) and parser.text not in ("",):
@@ -143,11 +165,18 @@ def _read_short(parser: Parser) -> Node:
     return Product((number, factor), start=start, end=parser.end)
 
 
+def _is_matrix_next(parser: Parser) -> bool:
+    """Return whether a matrix stands next, which is no part of the argument before it."""
+    match = parser.names.match(parser.tokens, parser.place)
+    is_named = match is not None and isinstance(match.name.symbol, sp.MatrixSymbol)
+    return is_named or parser.text.startswith(r"\begin{")
+
+
 def _check_reach(parser: Parser) -> None:
     """Refuse what stands close behind an argument without brackets."""
-    if parser.ends_product() or parser.text == r"\cdot" or is_function(parser):
+    if parser.ends_product() or parser.text in DOTS or is_function(parser):
         return
-    if calculus.is_differential(parser):
+    if calculus.is_differential(parser) or _is_matrix_next(parser):
         return
     raise parser.refuse(
         "does this belong to the argument of the function before it?",

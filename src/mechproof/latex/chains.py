@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from mechproof.latex import conditions, groups
 from mechproof.latex.conditions import ChainPart
-from mechproof.latex.parser import RELATIONS, Parser
+from mechproof.latex.layout import Line
+from mechproof.latex.parser import Parser
+from mechproof.latex.relations import RELATIONS, place_between, read_condition, read_interval
 from mechproof.latex.tokens import NARROW, WIDE
 from mechproof.latex.tree import Bracket, Cases, Chain, Node, Product
 from mechproof.latex.words import AND, ELSE, IF
@@ -20,7 +22,30 @@ _LEFT_OVER = {
 
 
 def read_print(parser: Parser) -> tuple[Chain, ...]:
-    """Read all chains of a print up to its end."""
+    """Read all chains of a print: of its rows, and of the steps in them."""
+    statements: list[Chain] = []
+    lines = list(parser.lines)
+    for line, behind in zip(lines, [*lines[1:], None], strict=True):
+        if line.arrow and set(statements[-1].relations) - {"=", r"\equiv", r"\le", r"\ge"}:
+            raise parser.refuse(
+                f"{line.arrow.text} has no meaning here",
+                r"Print the conclusion, and its condition behind it: \text{ for }x>0.",
+                line.arrow.start,
+            )
+        parser.begin(line.tokens, _find_end(parser, behind))
+        statements += _read_line(parser)
+    return tuple(statements)
+
+
+def _find_end(parser: Parser, behind: Line | None) -> int:
+    """Return where a line ends, before the one behind it."""
+    if behind is None:
+        return len(parser.source.latex)
+    return behind.arrow.start if behind.arrow else behind.tokens[0].start
+
+
+def _read_line(parser: Parser) -> tuple[Chain, ...]:
+    """Read the chains of a line up to its end."""
     if parser.text in (*IF, r"\forall"):
         raise parser.refuse("a condition before what it is a condition of", "Print it behind that.")
     parts = [ChainPart(_read_chain(parser))]
@@ -44,7 +69,7 @@ def _refuse_rest(parser: Parser) -> Exception:
         remedy = r"A condition is read as a relation: \text{ for }x>0. Leave other words out."
         return parser.refuse(f"{parser.text} is not understood here", remedy)
     if parser.text == r"\in":
-        return parser.refuse("sets are not read", parser.remedies.membership)
+        return parser.refuse("the members of a chain in a set", parser.remedies.membership)
     remedy = _LEFT_OVER.get(parser.text, "")
     return parser.refuse(f"{parser.text} is not understood here", remedy)
 
@@ -55,7 +80,7 @@ def _read_parts(parser: Parser) -> list[ChainPart]:
         closing = {"(": ")", "[": "]"}[parser.text]
         return parser.read_inside(parser.text, lambda: _read_bracketed(parser), closing)
     if parser.text in (*IF, r"\forall"):
-        return [ChainPart(_read_condition(parser), said=True)]
+        return [ChainPart(read_condition(parser), said=True)]
     if not parser.skip(WIDE):
         return [ChainPart(_read_chain(parser))]
     if parser.text in (*IF, r"\forall") or conditions.is_bracketed(parser):
@@ -75,7 +100,7 @@ def _read_bracketed(parser: Parser) -> list[ChainPart]:
     """Read the conditions in a bracket."""
     parts: list[ChainPart] = []
     while not parts or parser.skip(",", ";"):
-        chain = _read_condition(parser) if parser.text in (*IF, r"\forall") else _read_chain(parser)
+        chain = read_condition(parser) if parser.text in (*IF, r"\forall") else _read_chain(parser)
         parts.append(ChainPart(chain, said=True))
     return parts
 
@@ -93,19 +118,20 @@ def _read_chain(parser: Parser) -> Chain:
         members.append(parser.read_sum())
     condition = None
     if parser.text in IF:
-        cases = _read_cases(parser, members.pop())
+        value = members.pop()
+        cases = _read_cases(parser, value)
         if len(cases.pieces) == 1 and cases.otherwise is None:
-            ((value, condition),) = cases.pieces
+            condition = cases.pieces[0][1]
             members.append(value)
         else:
             members.append(cases)
-    if parser.text == r"\in":
-        raise _refuse_rest(parser)
+    if parser.text == r"\in" and not relations and condition is None:
+        return place_between(members[0], *read_interval(parser))
     return Chain(tuple(members), tuple(relations), condition, start=start, end=parser.end)
 
 
 def _read_cases(parser: Parser, value: Node) -> Cases:
-    pieces = [(value, _read_condition(parser))]
+    pieces = [(value, read_condition(parser))]
     while True:
         place = parser.place
         parser.skip(",", ";")
@@ -118,37 +144,5 @@ def _read_cases(parser: Parser, value: Node) -> Cases:
         if parser.text not in IF:
             parser.place = place
             break
-        pieces.append((other, _read_condition(parser)))
+        pieces.append((other, read_condition(parser)))
     return Cases(tuple(pieces), start=value.start, end=parser.end)
-
-
-def _read_condition(parser: Parser) -> Chain:
-    start = parser.take().start
-    parser.skip(r"\forall")
-    found = _read_relations(parser)
-    while parser.skip(AND):
-        found += _read_relations(parser)
-    members, relations = conditions.join(found)
-    return Chain(members, relations, start=start, end=parser.end)
-
-
-def _read_relations(parser: Parser) -> list[Chain]:
-    """Read a relation, x,y>0 as one of each letter."""
-    heads = [parser.read_sum()]
-    while parser.text == "," and not _is_else_next(parser):
-        parser.take()
-        heads.append(parser.read_sum())
-    relations, rest = [], []
-    while parser.text in RELATIONS:
-        relations.append(parser.take().text)
-        rest.append(parser.read_sum())
-    if parser.text == r"\in":
-        raise _refuse_rest(parser)
-    if not relations:
-        raise parser.refuse("a condition needs a relation sign")
-    return [Chain((head, *rest), tuple(relations)) for head in heads]
-
-
-def _is_else_next(parser: Parser) -> bool:
-    follows = parser.tokens[parser.place + 1 : parser.place + 2]
-    return bool(follows) and follows[0].text in ELSE

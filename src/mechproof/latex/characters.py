@@ -37,7 +37,7 @@ _SIGNS: Mapping[str, str] = {
     ),
     **{"ϑ": r"\vartheta", "ϕ": r"\phi", "ϖ": r"\varpi", "ϰ": r"\varkappa", "ϱ": r"\varrho"},
     **{"ϵ": r"\epsilon", "µ": r"\mu", "\u2126": r"\Omega", "∆": r"\Delta", "ℓ": r"\ell"},
-    **{"−": "-", "×": r"\cdot", "·": r"\cdot", "⋅": r"\cdot", "∙": r"\cdot"},
+    **{"−": "-", "×": r"\times", "·": r"\cdot", "⋅": r"\cdot", "∙": r"\cdot"},
     **{"±": r"\pm", "∓": r"\mp", "∞": r"\infty", "∑": r"\sum", "∏": r"\prod", "∫": r"\int"},
     **dict.fromkeys("≤⩽≦", r"\le"),
     **dict.fromkeys("≥⩾≧", r"\ge"),

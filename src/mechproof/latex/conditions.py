@@ -11,9 +11,10 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from mechproof.latex.functions import FUNCTIONS
-from mechproof.latex.tokens import GAPS, WIDE, Token
+from mechproof.latex.relations import join
+from mechproof.latex.tokens import DOTS, GAPS, WIDE, Token
 from mechproof.latex.tree import Chain, Letter, Magnitude, Node, walk
-from mechproof.latex.words import AND, IF
+from mechproof.latex.words import IF
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -23,7 +24,7 @@ _RELATING = (*_INEQUALITIES, "=", r"\approx", r"\equiv", r"\in")
 _UP, _DOWN = ("<", r"\le"), (">", r"\ge")
 _OPENING = ("(", "[", "{", r"\lvert")
 _CLOSING = (")", "]", "}", r"\rvert")
-_OPERATORS = (*_RELATING, "+", "/", r"\cdot", r"\pm", r"\mp", r"\to", ",", ";", "&", r"\\", "")
+_OPERATORS = (*_RELATING, "+", "/", *DOTS, r"\pm", r"\mp", r"\to", ",", ";", "&", r"\\", "")
 
 
 # Gaps -------------------------------------------------------------------------------------------
@@ -137,12 +138,6 @@ def _narrow(chain: Chain, conditions: Sequence[Chain]) -> Chain:
         return chain
     said = [chain.condition] if chain.condition else []
     return replace(chain, condition=Chain(*join([*said, *conditions])))
-
-
-def join(conditions: Sequence[Chain]) -> tuple[tuple[Node, ...], tuple[str, ...]]:
-    """Return the members and the signs of conditions that hold together."""
-    relations = [sign for one in conditions for sign in (AND, *one.relations)]
-    return tuple(m for one in conditions for m in one.members), tuple(relations[1:])
 
 
 def _share_relations(parser: Parser, parts: Sequence[ChainPart]) -> Iterator[ChainPart]:

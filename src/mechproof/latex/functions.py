@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 
 import sympy as sp
 
+from mechproof.latex.products import show_entries
+
 Make = Callable[..., sp.Expr]
 
 
@@ -21,8 +23,8 @@ def _involute(angle: sp.Expr) -> sp.Expr:
     return sp.tan(angle) - angle
 
 
-def _det(matrix: sp.MatrixBase) -> sp.Expr:
-    determinant: sp.Expr = matrix.det()
+def _det(matrix: sp.MatrixBase | sp.MatrixExpr) -> sp.Expr:
+    determinant: sp.Expr = show_entries(matrix).det()
     return determinant
 
 
@@ -52,6 +54,7 @@ _SPELLINGS: Mapping[Make, tuple[str, ...]] = {
     _lg: ("lg",),
     _lb: ("lb", "ld"),
     sp.exp: ("exp",),
+    sp.Abs: ("abs",),
     sp.sign: ("sgn", "sign"),
     sp.erf: ("erf",),
     sp.erfc: ("erfc",),

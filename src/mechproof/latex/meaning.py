@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import reduce
-from itertools import count
-from operator import add, mul
+from operator import add
 from typing import Any
 
 import sympy as sp
@@ -13,6 +12,15 @@ from sympy.matrices.exceptions import ShapeError
 
 from mechproof.latex.errors import PrintedText, ReadingError, Remedies
 from mechproof.latex.functions import FUNCTIONS
+from mechproof.latex.matrix_meaning import (
+    ENTRIES,
+    give_entries,
+    give_excerpt,
+    give_product,
+    give_table,
+    give_transposed,
+)
+from mechproof.latex.products import is_matrix
 from mechproof.latex.tree import (
     Add,
     Approach,
@@ -24,6 +32,7 @@ from mechproof.latex.tree import (
     Degrees,
     Derivation,
     Entries,
+    Excerpt,
     Integration,
     Letter,
     Magnitude,
@@ -37,7 +46,7 @@ from mechproof.latex.tree import (
     Table,
     Transposed,
 )
-from mechproof.latex.values import depends, settle
+from mechproof.latex.values import depends, is_root, make_running, name_turns, settle
 from mechproof.latex.words import AND
 from mechproof.record import (
     FunctionWithoutArgument,
@@ -48,7 +57,6 @@ from mechproof.record import (
 
 LARGEST_EXPONENT = 1000
 _UNFIT = "numbers, matrices or their shapes do not fit together here"
-_ENTRIES = r"Print it for the entries, or \det for a determinant, the root of squares for a length."
 # Functions with kinks or steps, of which SymPy gives a derivative everywhere.
 _UNSMOOTH = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.floor, sp.ceiling, sp.atan2)
 LARGEST_POWER_BITS = 100_000
@@ -92,7 +100,7 @@ class Meaning:
         outside, self._met = self._met, {}
         value = self.of(node)
         roots = {power.base for power in value.atoms(sp.Pow) if not power.exp.is_integer}
-        lost = [p for p in self._met if not (value.has(p) or (_is_root(p) and p.base in roots))]
+        lost = [p for p in self._met if not (value.has(p) or (is_root(p) and p.base in roots))]
         self._met = outside
         if isinstance(value, sp.MatrixBase):
             return value.applyfunc(lambda entry: reduce(ValueWhere, lost, entry))
@@ -109,7 +117,7 @@ class Meaning:
         if isinstance(found, sp.Basic) and found.has(sp.nan, sp.zoo):
             raise self.source.refuse(node.start, "this divides by zero")
         is_scalar = isinstance(found, sp.Expr) and not isinstance(found, sp.MatrixExpr)
-        if is_scalar and _name_turns(found).is_extended_real is False:
+        if is_scalar and name_turns(found).is_extended_real is False:
             raise self.source.refuse(node.start, "this has no real value")
         if is_scalar:
             self._met |= dict.fromkeys(list_partial(found))
@@ -120,7 +128,7 @@ class Meaning:
         members = [self.side(member) for member in chain.members]
         if _any_matrix(members) and {*chain.relations} - {"=", r"\equiv"}:
             raise self.source.refuse(
-                chain.members[0].start, "matrices are not put in order", _ENTRIES
+                chain.members[0].start, "matrices are not put in order", ENTRIES
             )
         return tuple(
             RELATIONS[sign](left, right, evaluate=False)
@@ -133,8 +141,8 @@ class Meaning:
 
     def _take_number(self, node: Node, found: Any) -> Any:
         """Return what has to be a number; of matrices sums, integrals and so on are not read."""
-        if isinstance(found, sp.MatrixBase | sp.MatrixExpr):
-            raise self.source.refuse(node.start, "a matrix where a number is meant", _ENTRIES)
+        if is_matrix(found):
+            raise self.source.refuse(node.start, "a matrix where a number is meant", ENTRIES)
         return found
 
     def _letter(self, node: Letter) -> Any:
@@ -148,10 +156,6 @@ class Meaning:
     def _add(self, node: Add) -> Any:
         terms = [sign * self.of(term) for sign, term in node.terms]
         return reduce(add, terms) if _any_matrix(terms) else sp.Add(*terms)
-
-    def _product(self, node: Product) -> Any:
-        factors = [self.of(factor) for factor in node.factors]
-        return reduce(mul, factors) if _any_matrix(factors) else sp.Mul(*factors)
 
     def _quotient(self, node: Quotient) -> Any:
         below = self.of(node.below)
@@ -192,19 +196,17 @@ class Meaning:
         value = node.function.make(*arguments)
         return value ** self.of(node.exponent) if node.exponent else value
 
-    def _table(self, node: Table) -> sp.Basic:
-        rows = [[self.of(entry) for entry in row] for row in node.rows]
-        if len({isinstance(entry, sp.MatrixBase) for row in rows for entry in row}) > 1:
-            raise self.source.refuse(node.start, _UNFIT)
-        return sp.ImmutableMatrix(rows)
-
-    def _entries(self, node: Entries) -> sp.Basic:
-        return sp.ImmutableMatrix([[self.of(part) for part in node.parts]])
-
     def _cases(self, node: Cases) -> sp.Basic:
-        pieces = [(self.side(v), sp.And(*self.relate(c), evaluate=False)) for v, c in node.pieces]
+        pieces, undefined = [], []
+        for value, chain in node.pieces:
+            relations = self.relate(chain)
+            if value is None:
+                undefined.append(sp.Not(sp.And(*relations)))
+            else:
+                condition = sp.And(*relations, *undefined, evaluate=False)
+                pieces.append((self.side(value), condition))
         if node.otherwise:
-            pieces.append((self.side(node.otherwise), sp.true))
+            pieces.append((self.side(node.otherwise), sp.And(*undefined)))
         return sp.Piecewise(*pieces, evaluate=False)
 
     def _repeated(self, node: Repeated) -> sp.Basic:
@@ -262,7 +264,7 @@ class Meaning:
                 node.by.start, f"{variable} goes to a limit, but is given by others or is in it"
             )
         term = self._take_number(node.term, self.side(node.term))
-        running = _make_running(variable.name, term)
+        running = make_running(variable.name, term)
         inside = settle(term, self.values, {variable: running})
         return sp.Limit(inside, running, point, node.side)
 
@@ -272,11 +274,11 @@ class Meaning:
         """Return a variable of integration and the integrand in it, nothing else moving."""
         place = node.differential.start if node.differential else node.start
         if variable.is_Symbol:
-            running = _make_running(variable.name, integrand)
+            running = make_running(variable.name, integrand)
             inside = settle(integrand, self.values, {variable: running})
             moving = self.values.get(variable, sp.S.Zero).free_symbols
         else:
-            running = _make_running("u", integrand)
+            running = make_running("u", integrand)
             inside = integrand.xreplace({variable: running})
             moving = variable.free_symbols
         caught = [
@@ -295,25 +297,8 @@ class Meaning:
         return running, inside
 
 
-def _is_root(part: sp.Expr) -> bool:
-    return isinstance(part, sp.Pow) and bool(part.exp.is_positive and not part.exp.is_integer)
-
-
-def _name_turns(expression: sp.Expr) -> sp.Expr:
-    """Let powers of negative numbers be real: SymPy takes (-1)^(n(n+1)/2) for imaginary."""
-    powers = (p for p in expression.atoms(sp.Pow) if p.base.is_negative and p.exp.free_symbols)
-    return expression.xreplace({power: sp.Dummy("turn", real=True) for power in powers})
-
-
-def _make_running(name: str, inside: Any) -> sp.Dummy:
-    """Return a bound variable that nothing within is, the same one at each reading."""
-    met = inside.atoms(sp.Dummy)
-    numbered = (sp.Dummy(f"{name}_", dummy_index=n, real=True) for n in count())
-    return next(dummy for dummy in numbered if dummy not in met)
-
-
 def _any_matrix(parts: list[Any]) -> bool:
-    return any(isinstance(part, sp.MatrixBase | sp.MatrixExpr) for part in parts)
+    return any(map(is_matrix, parts))
 
 
 _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
@@ -322,7 +307,7 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Letter: Meaning._letter,
     Bracket: lambda meaning, node: meaning.of(node.inside),
     Add: Meaning._add,
-    Product: Meaning._product,
+    Product: give_product,
     Quotient: Meaning._quotient,
     Power: Meaning._power,
     Root: Meaning._root,
@@ -331,9 +316,10 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Integration: Meaning._integration,
     Derivation: Meaning._derivation,
     Approach: Meaning._approach,
-    Table: Meaning._table,
-    Entries: Meaning._entries,
-    Transposed: lambda meaning, node: meaning.of(node.of).T,
+    Table: give_table,
+    Entries: give_entries,
+    Excerpt: give_excerpt,
+    Transposed: give_transposed,
     Magnitude: lambda meaning, node: sp.Abs(meaning._number(node.inside)),
     Degrees: lambda meaning, node: meaning.of(node.number) * sp.pi / 180,
     Cases: Meaning._cases,

@@ -15,12 +15,17 @@ LONGEST_NUMBER = 300
 _POWER_OF_TEN = re.compile(r"\s*[eE][-+\u2212]?[0-9]")
 
 
-def read_number(parser: Parser) -> Number:
-    """Read digits that stand close together, and a decimal point."""
+def read_number(parser: Parser, *, in_list: bool = False) -> Number:
+    """Read digits that stand close together, and a decimal point.
+
+    In a list a gap or a comma ends a number.
+    """
     start = parser.start
     text = parser.take().text
     while is_digit(parser.text) or (parser.text == "." and "." not in text):
         if parser.start != parser.end and "." not in (parser.text, text[-1]):
+            if in_list:
+                break
             raise parser.refuse("a blank within a number: one number or two?", "Close the gap.")
         text += parser.take().text
     if text[-1] == ".":
@@ -28,7 +33,7 @@ def read_number(parser: Parser) -> Number:
     if len(text) > LONGEST_NUMBER:
         raise parser.refuse(f"a number of more than {LONGEST_NUMBER} digits", place=start)
     follows = parser.tokens[parser.place + 1 : parser.place + 2]
-    if parser.text == "," and follows and is_digit(follows[0].text):
+    if parser.text == "," and not in_list and follows and is_digit(follows[0].text):
         close = follows[0].start == parser.end + 1 and parser.start == parser.end
         if close:
             raise parser.refuse(

@@ -7,16 +7,18 @@ times one name, a fraction or a root: `\cos 2\varphi`, `\cos\frac x2`.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from operator import itemgetter
 from typing import TypeVar
 
 import sympy as sp
 
-from mechproof.latex import atoms, calculus, calls, conditions, derivatives, letters
+from mechproof.latex import atoms, calculus, calls, conditions, derivatives, layout, letters
 from mechproof.latex.characters import EITHER, find_alike, is_digit, name_character
 from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.names import Names, to_signs
-from mechproof.latex.tokens import NARROW, WIDE, Token, read_signs
+from mechproof.latex.relations import RELATIONS
+from mechproof.latex.tokens import DOTS, NARROW, WIDE, Token, read_signs
 from mechproof.latex.tree import (
     Add,
     Bracket,
@@ -30,11 +32,23 @@ from mechproof.latex.tree import (
 from mechproof.record import Notation
 
 T = TypeVar("T")
-RELATIONS = ("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv")
 ENDING = (
-    *(*RELATIONS, "+", "-", ")", "]", "}", ",", ";", "&", r"\\", r"\rvert", ""),
+    *(*RELATIONS, "+", "-", ")", "]", "}", ",", ";", "&", r"\\", r"\rvert", r"\right.", ".", ""),
     *(WIDE, NARROW, r"\in", r"\forall"),
 )
+
+
+LONGEST_NAME = 40
+
+
+def _spell(notation: Notation) -> Mapping[tuple[str, ...], PrintedFunction]:
+    r"""Return the declared functions that are printed as several signs: `cos^{-1}`, `Inv`."""
+    spelled = {}
+    for name, make in notation.functions.items():
+        for latex in (name, rf"\{name}"):
+            if len(signs := to_signs(latex)) > 1:
+                spelled[signs] = PrintedFunction(name, make)
+    return spelled
 
 
 class Parser:
@@ -55,25 +69,30 @@ class Parser:
     ) -> None:
         self.source = PrintedText(latex)
         signs = read_signs(latex)
-        self.tokens: Sequence[Token] = conditions.keep_gaps(signs.tokens)
+        self.lines = layout.split(signs.tokens)
+        self.begin(signs.tokens, len(latex))
         self.groups = signs.groups
         self.names = names
         self.notation = notation
         self.factors = {"".join(to_signs(latex)) for latex in notation.factors}
         makes: Mapping[str, Callable[..., sp.Expr]] = {**FUNCTIONS, **notation.functions}
         self.functions = {rf"\{name}": PrintedFunction(name, make) for name, make in makes.items()}
+        self._spelled = _spell(notation)
         self.remedies = remedies
         self.collects = collected is not None
         self.collected = [] if collected is None else collected
         double = {r"\pm": upper, r"\mp": -upper} if upper else {}
         self.signs = {"+": 1, "-": -1, **double}
-        self.place = 0
-        self.bars = 0
-        self.depth = 0
         self.bound: list[str] = []
         self.integrals: list[calculus.Open] = []
         self.brackets: tuple[Bracket, ...] = ()
         self._refuse_alike()
+
+    def begin(self, tokens: Sequence[Token], last: int) -> None:
+        """Begin to read these signs, which end at a place of the source."""
+        self.tokens: Sequence[Token] = conditions.keep_gaps(tokens)
+        self.last = last
+        self.place = self.bars = self.depth = 0
 
     # Walking --------------------------------------------------------------------------------
 
@@ -86,7 +105,7 @@ class Parser:
     def start(self) -> int:
         """Return where the next sign stands in the source."""
         at_end = self.place >= len(self.tokens)
-        return len(self.source.latex) if at_end else self.tokens[self.place].start
+        return self.last if at_end else self.tokens[self.place].start
 
     @property
     def end(self) -> int:
@@ -107,6 +126,11 @@ class Parser:
             return True
         return False
 
+    @property
+    def rest(self) -> Sequence[Token]:
+        """Return the signs that follow."""
+        return self.tokens[self.place :]
+
     def rest_of_member(self) -> list[str]:
         """Return the signs up to the next relation sign, comma or closing bracket of this level."""
         found: list[str] = []
@@ -118,6 +142,12 @@ class Parser:
             if depth == 0:
                 found.append(token.text)
         return found
+
+    def find_spelled(self) -> tuple[PrintedFunction, int] | None:
+        """Return the longest function that is declared as several signs, and how many they are."""
+        texts = tuple(token.text for token in self.tokens[self.place : self.place + LONGEST_NAME])
+        found = [(f, len(s)) for s, f in self._spelled.items() if texts[: len(s)] == s]
+        return max(found, key=itemgetter(1), default=None)
 
     def open_group(self) -> bool:
         """Return whether the next signs stood in braces of their own, and put these there."""
@@ -168,17 +198,24 @@ class Parser:
         """Read factors side by side, with dots, or divided by a slash."""
         start = self.start
         factors = [self.read_factor()]
+        signs: list[str] = []
         while not self.ends_product():
             if self.text == "/":
-                factors = [self._divide(factors, start)]
-            elif self.skip(r"\cdot"):
-                factors.append(self.read_factor())
+                factors = [self._divide(factors, signs, start)]
+                signs = []
             else:
-                self._check_neighbours(factors[-1])
+                signs.append(self._read_dot(factors[-1]))
                 factors.append(self.read_factor())
         if len(factors) == 1:
             return factors[0]
-        return Product(tuple(factors), start=start, end=self.end)
+        return Product(tuple(factors), tuple(signs), start=start, end=self.end)
+
+    def _read_dot(self, left: Node) -> str:
+        """Read the sign between two factors, none where they stand side by side."""
+        if self.text in DOTS:
+            return self.take().text
+        self._check_neighbours(left)
+        return ""
 
     def ends_product(self) -> bool:
         """Return whether no factor follows."""
@@ -188,10 +225,10 @@ class Parser:
         ends = self.text in ENDING or self.text in self.signs
         return is_word or ends or calculus.is_over(self) or conditions.is_bracketed(self)
 
-    def _divide(self, factors: list[Node], start: int) -> Node:
+    def _divide(self, factors: list[Node], signs: list[str], start: int) -> Node:
         slash = self.take("/")
         below = self.read_factor()
-        if not self.ends_product() and self.text != r"\cdot":
+        if not self.ends_product() and self.text not in DOTS:
             raise self.refuse(
                 "a slash is followed by several factors: are all of them below it?",
                 r"Print \frac{…}{…}, or brackets.",
@@ -199,7 +236,7 @@ class Parser:
             )
         above = factors[0]
         if len(factors) > 1:
-            above = Product(tuple(factors), start=start, end=slash.start)
+            above = Product(tuple(factors), tuple(signs), start=start, end=slash.start)
         return Quotient(above, below, upright=False, start=start, end=self.end)
 
     def _check_neighbours(self, left: Node) -> None:
@@ -227,6 +264,8 @@ class Parser:
             return calls.read_call(self)
         start = self.start
         atom = self.read_atom()
+        if atoms.is_excerpt(self):
+            atom = atoms.read_excerpt(self, atom, start)
         if self.text == "!":
             return derivatives.read_factorial(self, atom)
         if self.text != "^":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from itertools import repeat
 from typing import Any
 
 import sympy as sp
@@ -18,6 +19,7 @@ from mechproof.latex.tree import (
     Degrees,
     Derivation,
     Entries,
+    Excerpt,
     Integration,
     Letter,
     Magnitude,
@@ -30,6 +32,8 @@ from mechproof.latex.tree import (
     Root,
     Table,
     Transposed,
+    shows_matrix,
+    walk,
 )
 from mechproof.latex.words import AND
 
@@ -81,6 +85,15 @@ def _add(node: Add) -> str:
     return text[3:] if text.startswith(" + ") else f"-{text[3:]}"
 
 
+def _product(node: Product) -> str:
+    """Write factors; a cross where it may be more than a dot."""
+    text = _factor(node.factors[0])
+    has_vectors = any(map(shows_matrix, walk(node)))
+    for sign, factor in zip(node.signs or repeat(""), node.factors[1:], strict=False):
+        text += (" x " if sign == r"\times" and has_vectors else "*") + _factor(factor)
+    return text
+
+
 def _quotient(node: Quotient) -> str:
     above = _strip(node.above)
     is_sum = isinstance(above, Add | Cases | Product | Quotient)
@@ -125,8 +138,16 @@ def _table(node: Table) -> str:
     return "[" + "; ".join(", ".join(map(write, row)) for row in node.rows) + "]"
 
 
+def _excerpt(node: Excerpt) -> str:
+    limits = [":" if r is None else "..".join(map(str, dict.fromkeys(r))) for r in node.ranges]
+    return f"{_closed(node.of)}[rows {limits[0]}, columns {', '.join(limits[1:]) or ':'}]"
+
+
 def _cases(node: Cases) -> str:
-    pieces = [f"{write(value)} if {write(condition)}" for value, condition in node.pieces]
+    pieces = [
+        f"{write(value) if value else 'nothing'} if {write(condition)}"
+        for value, condition in node.pieces
+    ]
     pieces += [f"else {write(node.otherwise)}"] if node.otherwise else []
     return "{" + "; ".join(pieces) + "}"
 
@@ -144,7 +165,7 @@ _RULES: Mapping[type, Callable[[Any], str]] = {
     Letter: _letter,
     Bracket: lambda node: write(node.inside),
     Add: _add,
-    Product: lambda node: "*".join(map(_factor, node.factors)),
+    Product: _product,
     Quotient: _quotient,
     Power: lambda node: f"{_closed(node.base)}^{_closed(node.exponent)}",
     Root: _root,
@@ -155,6 +176,7 @@ _RULES: Mapping[type, Callable[[Any], str]] = {
     Approach: _approach,
     Table: _table,
     Entries: lambda node: f"({', '.join(map(write, node.parts))})",
+    Excerpt: _excerpt,
     Transposed: lambda node: f"{_closed(node.of)}^T",
     Magnitude: lambda node: f"|{write(node.inside)}|",
     Degrees: lambda node: f"{_closed(node.number)} deg",

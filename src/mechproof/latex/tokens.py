@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mechproof.latex import left_scripts
 from mechproof.latex.characters import read_script, spell
@@ -17,7 +17,7 @@ from mechproof.latex.functions import FUNCTIONS
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT
 from mechproof.latex.words import AND, ELSE, IF, to_text
 
-_SIGN = re.compile(r"\\[A-Za-z]+\*?|\\.|\s+|.", re.DOTALL)
+_SIGN = re.compile(r"\\[A-Za-z]+\*?|\\.|\\$|\s+|.", re.DOTALL)
 _BLANK = (
     *(r"\,", r"\:", r"\>", r"\!", r"\thinspace", r"\medspace", r"\negthinspace", r"\displaystyle"),
     *(r"\textstyle", r"\limits", r"\nolimits", r"\big", r"\Big", r"\bigg"),
@@ -27,7 +27,9 @@ _BLANK = (
 WIDE, NARROW = r"\quad", "\\ "
 GAPS = {
     **dict.fromkeys((r"\quad", r"\qquad"), WIDE),
-    **dict.fromkeys(("\\ ", "~", r"\;", r"\enspace", r"\thickspace", r"\space"), NARROW),
+    **dict.fromkeys(
+        ("\\ ", "\\\n", "\\", "~", r"\;", r"\enspace", r"\thickspace", r"\space"), NARROW
+    ),
 }
 _OPENING = (r"\left", r"\bigl", r"\Bigl", r"\biggl", r"\Biggl")
 _CLOSING = (r"\right", r"\bigr", r"\Bigr", r"\biggr", r"\Biggr")
@@ -41,7 +43,7 @@ _SAME = {
     **dict.fromkeys((r"\leq", r"\leqslant"), r"\le"),
     **dict.fromkeys((r"\geq", r"\geqslant"), r"\ge"),
     **dict.fromkeys((r"\ldots", r"\cdots", r"\dotsc"), r"\dots"),
-    **dict.fromkeys((r"\times", "*"), r"\cdot"),
+    "*": r"\cdot",
     **dict.fromkeys((r"\vert",), "|"),
     **{r"\rightarrow": r"\to", r"\land": AND},
     **dict.fromkeys((r"\lbrack",), "["),
@@ -53,6 +55,8 @@ _SAME = {
     r"\}": "]",
     r"\log": r"\log",
 }
+# A dot and a cross: of numbers they say the same.
+DOTS = (r"\cdot", r"\times")
 _ARGUMENTS = {r"\frac": 2, r"\sqrt": 1}
 _PRIME = r"\prime"
 _DEGREE = ("°", r"\degree")
@@ -101,7 +105,12 @@ def _split(latex: str) -> list[Token]:
         if sign.text in (*_OPENING, *_CLOSING):
             size = sign.text
             continue
+        if size in _CLOSING and sign.text == ".":
+            sign = replace(sign, text=r"\right.")
         text = _BARS.get((size, sign.text), GAPS.get(sign.text, sign.text))
+        if text == "=" and signs and signs[-1].end == sign.start and signs[-1].text in ("<", ">"):
+            text = {"<": r"\le", ">": r"\ge"}[signs[-1].text]
+            sign = replace(sign, start=signs.pop().start)
         signs.append(Token(text, sign.start, sign.end))
         size = ""
     return signs

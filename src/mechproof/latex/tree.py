@@ -56,9 +56,10 @@ class Add(Node):
 
 @dataclass(frozen=True)
 class Product(Node):
-    """Factors, in the printed order."""
+    """Factors, in the printed order, and the signs between them; none stands for no sign."""
 
     factors: tuple[Node, ...]
+    signs: tuple[str, ...] = field(default=(), compare=False)
 
 
 @dataclass(frozen=True)
@@ -159,6 +160,14 @@ class Entries(Node):
 
 
 @dataclass(frozen=True)
+class Excerpt(Node):
+    """Rows and columns of a matrix by their numbers, first and last; None: all of them."""
+
+    of: Node
+    ranges: tuple[tuple[int, int] | None, ...]
+
+
+@dataclass(frozen=True)
 class Transposed(Node):
     """A matrix or components with a T."""
 
@@ -181,9 +190,9 @@ class Degrees(Node):
 
 @dataclass(frozen=True)
 class Cases(Node):
-    """Values and the conditions under which they are taken, and the value elsewhere."""
+    """Values and the conditions under which they are taken (None: no value), and that elsewhere."""
 
-    pieces: tuple[tuple[Node, Chain], ...]
+    pieces: tuple[tuple[Node | None, Chain], ...]
     otherwise: Node | None = None
 
 
@@ -197,6 +206,12 @@ class Chain(Node):
     members: tuple[Node, ...]
     relations: tuple[str, ...]
     condition: Chain | None = None
+
+
+def shows_matrix(node: Node) -> bool:
+    """Return whether a node by itself is a matrix or a vector, as printed or as declared."""
+    is_named = isinstance(node, Letter) and isinstance(node.symbol, sp.MatrixSymbol)
+    return is_named or isinstance(node, Entries | Table)
 
 
 def walk(part: object) -> Iterator[Node]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from itertools import count
 from typing import Any
 
 import sympy as sp
@@ -36,3 +37,21 @@ def settle(expression: Any, values: Values, changed: Values) -> Any:
             return expression.xreplace(dict(changed))
         expression = expression.xreplace(hidden)
     raise ValueError(f"symbols are given in a circle: {sorted(map(str, hidden))}")
+
+
+def is_root(part: sp.Expr) -> bool:
+    """Return whether an expression is a root."""
+    return isinstance(part, sp.Pow) and bool(part.exp.is_positive and not part.exp.is_integer)
+
+
+def name_turns(expression: sp.Expr) -> sp.Expr:
+    """Let powers of negative numbers be real: SymPy takes (-1)^(n(n+1)/2) for imaginary."""
+    powers = (p for p in expression.atoms(sp.Pow) if p.base.is_negative and p.exp.free_symbols)
+    return expression.xreplace({power: sp.Dummy("turn", real=True) for power in powers})
+
+
+def make_running(name: str, inside: Any) -> sp.Dummy:
+    """Return a bound variable that nothing within is, the same one at each reading."""
+    met = inside.atoms(sp.Dummy)
+    numbered = (sp.Dummy(f"{name}_", dummy_index=n, real=True) for n in count())
+    return next(dummy for dummy in numbered if dummy not in met)

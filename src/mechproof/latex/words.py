@@ -10,6 +10,7 @@ _IF = (
     *("for all", "for any", "for each", "for every", "if also", "as long as"),
 )
 IF = tuple(rf"\text{{{word}}}" for word in _IF)
+UNDEFINED = (r"\text{undefined}", r"\text{not defined}")
 ELSE = (r"\text{else}", r"\text{otherwise}")
 # Letters side by side that are rather one of the words.
 ITALICS = ("if", "for", "where", "when", "with", "and", "or", "else", "forall")
@@ -20,4 +21,4 @@ def to_text(words: str) -> str:
     """Return the sign of a text, its blanks and points aside; our words in small letters."""
     text = _BLANK.sub(" ", words).strip(" ,;:.")
     small = rf"\text{{{text.lower()}}}"
-    return small if small in (AND, *IF, *ELSE) else rf"\text{{{text}}}"
+    return small if small in (AND, *IF, *ELSE, *UNDEFINED) else rf"\text{{{text}}}"

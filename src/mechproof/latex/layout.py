@@ -1,0 +1,115 @@
+r"""Several equations in one print: rows of an environment, and steps that arrows join.
+
+A `matrix` with relations in it is no matrix but rows of equations: its conditions belong to their
+row, `&` between two equations is a comma, beside a relation sign nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from mechproof.latex.relations import RELATIONS
+from mechproof.latex.tokens import GAPS, Token
+
+ARROWS = (r"\to", r"\Rightarrow", r"\implies", r"\Longrightarrow")
+_ROWS = ("matrix", "aligned", "gathered", "split")
+_SIGNS = (*RELATIONS, "+", "-", r"\pm", r"\mp", ",", ";", r"\in")
+
+
+@dataclass(frozen=True)
+class Line:
+    """The signs of one print, and the arrow before it where it is a step from that before."""
+
+    tokens: list[Token]
+    arrow: Token | None = None
+
+
+def split(tokens: Sequence[Token]) -> list[Line]:
+    """Return the prints that a print consists of."""
+    rows = _split_rows(tokens) if _is_rows(tokens) else [tokens]
+    return [line for row in rows for line in _split_steps(row)]
+
+
+def _measure(tokens: Sequence[Token]) -> Iterator[tuple[int, Token]]:
+    """Yield signs with how deep they stand in brackets and environments."""
+    depth = 0
+    for token in tokens:
+        depth -= token.text in (")", "]", "}", r"\rvert") or token.text.startswith(r"\end{")
+        yield depth, token
+        depth += token.text in ("(", "[", "{", r"\lvert") or token.text.startswith(r"\begin{")
+
+
+def _is_rows(tokens: Sequence[Token]) -> bool:
+    """Return whether a print is one environment with relations in it, and what follows it."""
+    kinds = [rf"\begin{{{kind}}}" for kind in _ROWS]
+    if not tokens or tokens[0].text not in kinds:
+        return False
+    levels = list(_measure(tokens))
+    end = next((n for n, (depth, _) in enumerate(levels) if n and depth == 0), len(levels))
+    behind = next((t.text for t in tokens[end + 1 :] if t.text not in GAPS.values()), ",")
+    inside = any(depth == 1 and token.text in RELATIONS for depth, token in levels[:end])
+    return inside and behind in (",", ";", ".", "(")
+
+
+def _split_rows(tokens: Sequence[Token]) -> list[list[Token]]:
+    levels = list(_measure(tokens))
+    end = next(n for n, (depth, _) in enumerate(levels) if n and depth == 0)
+    rows: list[list[Token]] = [[]]
+    for depth, token in levels[1:end]:
+        if depth == 1 and token.text == r"\\":
+            rows.append([])
+        else:
+            rows[-1].append(token)
+    rows = [row for row in map(_strip, rows) if row]
+    joined: list[list[Token]] = []
+    for row in rows:
+        if joined and _is_continuation(row):
+            joined[-1] += row
+        else:
+            joined.append(row)
+    return [[*_part_cells(row), *tokens[end + 1 :]] for row in joined]
+
+
+def _strip(row: Sequence[Token]) -> list[Token]:
+    """Return a row without the marks at its end."""
+    end = len(row)
+    while end and row[end - 1].text in (",", ";", ".", *GAPS.values()):
+        end -= 1
+    return list(row[:end])
+
+
+def _is_continuation(row: Sequence[Token]) -> bool:
+    """Return whether a row goes on with the chain of the row before it."""
+    texts = [token.text for token in row if token.text not in GAPS.values()]
+    return texts[:1] == ["&"] or texts[0] in RELATIONS
+
+
+def _part_cells(row: Sequence[Token]) -> Iterator[Token]:
+    """Yield the signs of a row, a comma for what parts two equations."""
+    for place, (depth, token) in enumerate(_measure(row)):
+        if depth or token.text != "&":
+            yield token
+            continue
+        before, behind = _find_neighbours(row, place)
+        if not before or before in _SIGNS or behind in (*_SIGNS, "&", ""):
+            continue
+        yield replace(token, text=",")
+
+
+def _find_neighbours(row: Sequence[Token], place: int) -> tuple[str, str]:
+    plain = [(n, token.text) for n, token in enumerate(row) if token.text not in GAPS.values()]
+    before = [text for n, text in plain if n < place]
+    behind = [text for n, text in plain if n > place]
+    return before[-1] if before else "", behind[0] if behind else ""
+
+
+def _split_steps(row: Sequence[Token]) -> Iterator[Line]:
+    lines = [Line([])]
+    for depth, token in _measure(row):
+        if depth == 0 and token.text in ARROWS:
+            lines.append(Line([], token))
+        else:
+            lines[-1].tokens.append(token)
+    is_step = all(any(token.text in RELATIONS for token in line.tokens) for line in lines)
+    yield from lines if is_step else [Line(list(row))]

@@ -1,0 +1,89 @@
+r"""Products of numbers, vectors and matrices: what a dot and a cross say of which.
+
+`a\cdot b` of two columns is a number, `a\times b` of two with three entries a column; between
+matrices both signs say what none says. What depends on which product comes first is refused.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import reduce
+from operator import mul
+from typing import Any
+
+import sympy as sp
+
+_CROSS, _DOT = r"\times", r"\cdot"
+
+
+class UnclearProductError(ValueError):
+    """Factors of which it matters which are multiplied first."""
+
+
+def is_matrix(value: Any) -> bool:
+    """Return whether a value has rows and columns."""
+    return isinstance(value, sp.MatrixBase | sp.MatrixExpr)
+
+
+def show_entries(value: Any) -> Any:
+    """Return a matrix with its entries, those of a symbol as elements of it."""
+    return value.as_explicit() if isinstance(value, sp.MatrixExpr) else value
+
+
+def multiply(values: Sequence[Any], signs: Sequence[str]) -> Any:
+    """Return a product; `UnclearProductError` where brackets are missing between vectors."""
+    if not any(map(is_matrix, values)):
+        return sp.Mul(*values)
+    signs = signs or ("",) * (len(values) - 1)
+    parts = [_cross(*part) for part in _split(values, signs, _DOT)]
+    vectors = [part for part in parts if _is_vector(part)]
+    if len(vectors) < 2:
+        return _take_number(reduce(mul, parts), values)
+    _refuse_third(parts, vectors)
+    one, other = map(show_entries, vectors)
+    if one.shape != other.shape and other.shape[1] > 1:
+        # A column before a row: a number to some, a matrix to others.
+        raise UnclearProductError
+    return sp.Mul(*_find_numbers(parts), one.dot(other))
+
+
+def _split(
+    values: Sequence[Any], signs: Sequence[str], sign: str
+) -> Iterator[tuple[Sequence[Any], Sequence[str]]]:
+    """Yield the factors between two of a sign, with the other signs between them."""
+    ends = [n + 1 for n, one in enumerate(signs) if one == sign]
+    for start, end in zip([0, *ends], [*ends, len(values)], strict=True):
+        yield values[start:end], signs[start : end - 1]
+
+
+def _cross(values: Sequence[Any], signs: Sequence[str]) -> Any:
+    runs = [run for run, _ in _split(values, signs, _CROSS)]
+    parts = [reduce(mul, run) for run in runs]
+    vectors = [part for part in parts if _is_vector(part)]
+    if len(vectors) < 2:
+        return reduce(mul, parts)
+    _refuse_third(parts, vectors)
+    if any(sum(map(is_matrix, run)) > 1 for run in runs):
+        raise UnclearProductError
+    one, other = map(show_entries, vectors)
+    return sp.Mul(*_find_numbers(parts)) * one.cross(other)
+
+
+def _refuse_third(parts: Sequence[Any], vectors: Sequence[Any]) -> None:
+    if len(vectors) > 2 or sum(map(is_matrix, parts)) > 2:
+        raise UnclearProductError
+
+
+def _find_numbers(parts: Sequence[Any]) -> list[Any]:
+    return [part for part in parts if not is_matrix(part)]
+
+
+def _is_vector(value: Any) -> bool:
+    return is_matrix(value) and 1 in value.shape and value.shape != (1, 1)
+
+
+def _take_number(product: Any, values: Sequence[Any]) -> Any:
+    """Return the entry of a row times a column."""
+    if is_matrix(product) and product.shape == (1, 1) and any(map(_is_vector, values)):
+        return show_entries(product)[0, 0]
+    return product

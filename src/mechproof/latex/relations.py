@@ -1,0 +1,102 @@
+r"""Relations and what says that they are conditions: signs of order, intervals, `\text{ if }`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from mechproof.latex.characters import is_digit
+from mechproof.latex.numerals import read_number
+from mechproof.latex.tree import Chain, Node
+from mechproof.latex.words import AND, ELSE
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
+
+RELATIONS = ("=", "<", ">", r"\le", r"\ge", r"\ne", r"\approx", r"\equiv")
+_LIMITS = {"(": "<", "[": r"\le", ")": "<", "]": r"\le"}
+
+
+def read_condition(parser: Parser) -> Chain:
+    """Read relations behind a word that says they are a condition, joined by "and"."""
+    start = parser.take().start
+    parser.skip(r"\forall")
+    return read_relations(parser, start)
+
+
+def read_relations(parser: Parser, start: int, *also: str) -> Chain:
+    """Read relations joined by "and", or by one of these signs."""
+    found = _read_shared(parser)
+    while parser.skip(AND, *also):
+        parser.skip(AND)
+        if parser.text == r"\\" or parser.text.startswith(r"\end{"):
+            break
+        found += _read_shared(parser)
+    members, relations = join(found)
+    return Chain(members, relations, start=start, end=parser.end)
+
+
+def join(conditions: Sequence[Chain]) -> tuple[tuple[Node, ...], tuple[str, ...]]:
+    """Return the members and the signs of conditions that hold together."""
+    relations = [sign for one in conditions for sign in (AND, *one.relations)]
+    return tuple(m for one in conditions for m in one.members), tuple(relations[1:])
+
+
+def _read_shared(parser: Parser) -> list[Chain]:
+    """Read a relation, x,y>0 as one of each letter."""
+    heads = [parser.read_sum()]
+    while parser.text == "," and not _is_else_next(parser):
+        parser.take()
+        heads.append(parser.read_sum())
+    if parser.text == r"\in":
+        limits = read_interval(parser)
+        return [place_between(head, *limits) for head in heads]
+    relations, rest = [], []
+    while parser.text in RELATIONS:
+        relations.append(parser.take().text)
+        rest.append(parser.read_sum())
+    if not relations:
+        raise parser.refuse("a condition needs a relation sign")
+    return [Chain((head, *rest), tuple(relations)) for head in heads]
+
+
+def _is_else_next(parser: Parser) -> bool:
+    follows = parser.tokens[parser.place + 1 : parser.place + 2]
+    return bool(follows) and follows[0].text in ELSE
+
+
+def read_interval(parser: Parser) -> tuple[Chain, Chain]:
+    r"""Read \in[a,b], \in(a,b) and the like: the limits at both sides, and the signs of order."""
+    start, place = parser.start, parser.place
+    parser.take(r"\in")
+    low = _LIMITS.get(parser.text)
+    is_set = parser.source.latex.startswith(r"\{", parser.start)
+    if parser.text not in ("(", "[") or is_set:
+        parser.place = place
+        raise parser.refuse("sets are not read", parser.remedies.membership)
+    parser.take()
+    parser.depth += 1
+    one = _read_end(parser)
+    if not parser.skip(","):
+        raise parser.refuse("an interval has two ends", parser.remedies.membership, start)
+    other = _read_end(parser)
+    parser.depth -= 1
+    if parser.text not in (")", "]"):
+        raise parser.refuse("an interval has two ends", parser.remedies.membership, start)
+    high = _LIMITS[parser.take().text]
+    return Chain((one,), (str(low),)), Chain((other,), (high,))
+
+
+def _read_end(parser: Parser) -> Node:
+    """Read an end of an interval; the comma behind digits is none within a number here."""
+    follows = parser.tokens[parser.place + 1 : parser.place + 2]
+    is_alone = bool(follows) and follows[0].text in (",", ")", "]")
+    if is_digit(parser.text) and is_alone:
+        return read_number(parser, in_list=True)
+    return parser.read_sum()
+
+
+def place_between(head: Node, low: Chain, high: Chain) -> Chain:
+    """Return the relation that something lies in an interval."""
+    members = (*low.members, head, *high.members)
+    return Chain(members, (*low.relations, *high.relations), start=head.start, end=head.end)
