@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from importlib import import_module
 from typing import Any
@@ -14,7 +15,12 @@ from weights import first_of
 
 from mechproof.compiled_support import loops
 from mechproof.kernels import elliptic_planetary as plain
-from mechproof.kernels.compiled import elliptic_planetary, oval_planetary, track_wheel
+from mechproof.kernels.compiled import (
+    elementary,
+    elliptic_planetary,
+    oval_planetary,
+    track_wheel,
+)
 from mechproof.lab.search import find_worst
 from mechproof.lab.subject import Subject
 
@@ -279,3 +285,11 @@ def test_loops_over_points_ask_for_the_widest_vectors() -> None:
         (asked,) = re.findall(rf"(?m)^attributes {number} = (.*)$", text)
         assert '"prefer-vector-width"="512"' in asked
         assert "noinline" in asked
+
+
+def test_what_is_compiled_for_compiled_functions_is_called_from_python_too() -> None:
+    import numba
+
+    inside = numba.njit(lambda x: elementary.cos(x, True))
+    found = (elementary.cos(0.5, True), inside(0.5), elementary.cos(0.5, True))
+    assert set(found) == {math.cos(0.5)}

@@ -34,7 +34,7 @@ class _Kept(FunctionCache):  # type: ignore[misc]
 
 def compile_kept(**options: Any) -> Callable[[Callable[..., Any]], Any]:
     """Return a decorator that compiles a function on its first call and keeps it in a file."""
-    compiled = njit(error_model="numpy", nogil=True, **options)
+    compiled = njit(**options)
 
     def decorate(function: Callable[..., Any]) -> Any:
         dispatcher = compiled(function)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 try:
@@ -28,13 +29,29 @@ __all__ = [
     "within",
 ]  # fmt: skip
 
-scalar = compile_kept(forceinline=True)
-loop = compile_kept()
+_HOW = {"error_model": "numpy", "nogil": True, "no_cfunc_wrapper": True}
+# An entry from Python takes as long to compile as a short function.
+_INSIDE = {**_HOW, "no_cpython_wrapper": True}
+
+loop = compile_kept(**_HOW)
+_entered = compile_kept(**_HOW, forceinline=True)
+_inlined = compile_kept(**_INSIDE, forceinline=True)
 # A loop that is kept with the one that calls it, not on its own.
-inner = njit(error_model="numpy", nogil=True)
+inner = njit(**_INSIDE)
 # What becomes a part of the function that calls it, and what never does.
-within = njit(error_model="numpy", nogil=True, forceinline=True)
-apart = njit(error_model="numpy", nogil=True, forceinline=False)
+within = njit(**_INSIDE, forceinline=True)
+apart = njit(**_INSIDE, forceinline=False)
+
+
+def scalar(function: Callable[..., Any]) -> Any:
+    """Compile a function for compiled ones; where Python calls it, once more with an entry."""
+    dispatcher = _inlined(function)
+    if dispatcher is not function:
+        entered = cache(lambda: njit(**_HOW)(function))
+        # Numba would jump to an entry that is missing.
+        dispatcher._insert = lambda *overload: None
+        dispatcher._compile_for_args = lambda *values: entered()
+    return dispatcher
 
 
 def stand_in(function: Callable[..., Any], **options: Any) -> Callable[..., Any]:
@@ -44,7 +61,7 @@ def stand_in(function: Callable[..., Any], **options: Any) -> Callable[..., Any]
     """
 
     def register(implementation: Callable[..., Any]) -> Callable[..., Any]:
-        kept = {"error_model": "numpy", **options}
+        kept = {"error_model": "numpy", "no_cfunc_wrapper": True, **options}
         taken = overload(function, jit_options=kept, strict=False)
         taken(lambda *values, **named: implementation)
         return implementation
@@ -54,7 +71,7 @@ def stand_in(function: Callable[..., Any], **options: Any) -> Callable[..., Any]
 
 def point_of(kernel: Callable[..., Any]) -> Callable[[Callable[..., Any]], Any]:
     """Return a decorator for what computes one point of a kernel, also where compiled code does."""
-    return lambda function: scalar(stand_in(kernel)(function))
+    return lambda function: _entered(stand_in(kernel)(function))
 
 
 @intrinsic

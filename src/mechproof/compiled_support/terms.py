@@ -35,7 +35,7 @@ def take_terms(name: str, values: Any, terms: int) -> NDArray[Any]:
     raise NotImplementedError("called in compiled functions only")
 
 
-@overload(take_terms, strict=False)
+@overload(take_terms, jit_options={"no_cfunc_wrapper": True}, strict=False)
 def _take_row(name: Any, values: Any, terms: Any) -> Any:
     if not isinstance(values, types.Array):
         return lambda name, values, terms: np.broadcast_to(float(values), (terms,))
@@ -59,7 +59,7 @@ def take_square(name: str, values: Any, terms: int) -> NDArray[Any]:
     raise NotImplementedError("called in compiled functions only")
 
 
-@overload(take_square, strict=False)
+@overload(take_square, jit_options={"no_cfunc_wrapper": True}, strict=False)
 def _take_square(name: Any, values: Any, terms: Any) -> Any:
     _check_axes(values, 2)
 
