@@ -72,6 +72,24 @@ CASES = {
         [r"s=a\cos\psi+b\psi", r"s'=b-a\sin\psi", r"s''=a\cos\psi"],
         ["DEFINITION", "PROVED", "REFUTED"],
     ),
+    "a derivative by the time of what is printed of a letter": (
+        [
+            r"k=\frac12r^2\dot\varphi^2-rl\cos\varphi",
+            r"\frac{d}{dt}\frac{\partial k}{\partial\dot\varphi}=r^2\ddot\varphi",
+            r"\frac{d}{dt}\frac{\partial k}{\partial\dot\varphi}=2r^2\ddot\varphi",
+            r"\frac{\partial k}{\partial\varphi}=rl\sin\varphi",
+            r"\frac{\partial k}{\partial\varphi}=-rl\sin\varphi",
+        ],
+        ["DEFINITION", "PROVED", "REFUTED", "PROVED", "REFUTED"],
+    ),
+    "the third derivative has no symbol": (
+        [r"k=\ddot\varphi", r"\frac{dk}{dt}=m"],
+        ["DEFINITION", "not read"],
+    ),
+    "a derivative defines what is bare": (
+        [r"k=m^2n", r"u=\frac{\partial k}{\partial m}", r"u=2mn", r"u=mn"],
+        ["DEFINITION", "DEFINITION", "PROVED", "REFUTED"],
+    ),
     "a matrix": (
         [
             r"R=\begin{pmatrix}\cos\alpha&-\sin\alpha\\\sin\alpha&\cos\alpha\end{pmatrix}",

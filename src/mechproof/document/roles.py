@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import StrEnum
-from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -17,7 +16,8 @@ import sympy as sp
 from mechproof.document.symbols import Symbols
 from mechproof.latex import ReadingError
 from mechproof.latex.reader import Print
-from mechproof.latex.tree import Add, Chain, Derivation, Letter, Node, Number, walk
+from mechproof.latex.tree import Add, Chain, Derivation, Letter, Node, Number
+from mechproof.latex.values import differentiate
 
 Values = dict[sp.Basic, Any]
 EQUAL = ("=", r"\equiv")
@@ -72,26 +72,13 @@ class Known:
         self.values[symbol] = value
         self.printed[symbol] = name
         above = symbol
-        for rate in self.symbols.rates.get(symbol, ()):
+        by, rates = self.symbols.moving.get(symbol, (symbol, ()))
+        for rate in rates:
             if rate in self.values:
                 break
-            self.values[rate] = self.differentiate(self.values[above], self._running(symbol))
+            self.values[rate] = differentiate(self.values[above], by, self.symbols.moving)
             self.printed[rate] = name
             above = rate
-
-    def _running(self, symbol: sp.Basic) -> sp.Basic:
-        return self.symbols.running[symbol]
-
-    def differentiate(self, value: Any, by: sp.Basic) -> Any:
-        """Return the derivative of a value, through the letters that depend on `by` as well."""
-        total = value.diff(by)
-        for symbol, rates in self.symbols.rates.items():
-            if self._running(symbol) != by:
-                continue
-            for one, next_one in pairwise((symbol, *rates)):
-                if one in value.free_symbols:
-                    total += value.diff(one) * next_one
-        return total
 
 
 def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
@@ -124,6 +111,8 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         if symbol in known.values:
             return Sign(_compare(symbol, known), symbol, known.printed[symbol], sides)
         return Sign(Role.CONSTRAINT, symbol, sides=sides)
+    if any(isinstance(node, Derivation) for node in nodes):
+        return Sign(Role.DERIVATIVE, sides=sides)
     if not left:
         return Sign(Role.CONSTRAINT, sides=sides)
     is_number = not (one.free_symbols and other.free_symbols)
@@ -144,7 +133,7 @@ def _find_number(nodes: tuple[Node, ...]) -> str:
 
 
 def _compare(symbol: sp.Basic, known: Known) -> Role:
-    is_rate = any(symbol in rates for rates in known.symbols.rates.values())
+    is_rate = any(symbol in rates for _, rates in known.symbols.moving.values())
     return Role.DERIVATIVE if is_rate else Role.REPEATED
 
 
@@ -158,22 +147,3 @@ def _work_out(read: Print, node: Node, known: Known) -> Any:
         return read.meaning().of(node)
     except ReadingError:
         return read.meaning(known.values).of(node)
-
-
-def refuse_derivatives(read: Print, known: Known) -> None:
-    """Refuse derivatives of what depends on their letter in a way that is not printed in them.
-
-    Raises `ReadingError` with the place.
-    """
-    for part in walk(tuple(chain.members for chain in read.chains)):
-        if not isinstance(part, Derivation):
-            continue
-        by, letters = part.by.symbol, _work_out(read, part.of, known).free_symbols
-        moved = [s for s, other in known.symbols.running.items() if other == by and s in letters]
-        if moved or by not in letters:
-            what = f"{moved[0]} depends on {by}" if moved else f"it does not show {by}"
-            raise read.source.refuse(
-                part.start,
-                f"a derivative by {by} is not worked out: {what}",
-                f"Print the derivatives of its letters; x({by}) in the block says that x depends.",
-            )

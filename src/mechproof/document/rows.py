@@ -13,7 +13,7 @@ import sympy as sp
 from mechproof.document.block import Declared, read_block
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.macros import find_macros
-from mechproof.document.roles import Known, Role, Sign, find_roles, refuse_derivatives
+from mechproof.document.roles import Known, Role, Sign, find_roles
 from mechproof.document.sources import Source
 from mechproof.document.symbols import collect_letters, declare, group_alike
 from mechproof.document.text import Place
@@ -28,6 +28,7 @@ from mechproof.record import (
     PrintedNumber,
     Row,
     Statement,
+    ValueWhere,
     Variable,
 )
 
@@ -119,7 +120,6 @@ class Document:
             if not any(chain.relations for chain in read.chains):
                 return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
             signs = find_roles(printed.name, read, self.known)
-            refuse_derivatives(read, self.known)
         except ReadingError as error:
             return self._refuse(printed, error)
         except RecursionError:
@@ -163,7 +163,7 @@ class Document:
         if turn and isinstance(row.says, Equality):
             row = replace(row, says=_modulo(row.says), note=f"Said modulo {turn}.")
         sides = _list_sides(row, sign, self.known)
-        letters = set().union(*(side.free_symbols for side in sides))
+        letters = {sign.letter}.union(*(side.free_symbols for side in sides))
         has_units = not letters & self.symbols.bare and sign.number == ""
         paper = self.papers[has_units]
         residual = None
@@ -183,7 +183,8 @@ class Document:
             return False
         if sign.role is Role.RELATION or len(sides) < 2:
             return sign.role is not Role.RELATION
-        return bool(sides[0].free_symbols == sides[1].free_symbols)
+        one, other = (side.replace(ValueWhere, lambda value, _: value) for side in sides)
+        return bool(one.free_symbols == other.free_symbols)
 
     def _round(self, sign: Sign) -> PrintedNumber | str:
         """Return what a number says of a letter at the sizes, or why that is not judged."""

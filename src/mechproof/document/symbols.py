@@ -14,6 +14,7 @@ from mechproof.document.relations import narrow, read_relations
 from mechproof.document.units import read_unit
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
+from mechproof.latex.values import Moving
 from mechproof.record import NUMBER, Notation, Paper, Variable
 
 REMEDIES = Remedies(
@@ -39,7 +40,6 @@ _STEM = re.compile(r"(\\[A-Za-z]+|.)(.*)\Z", re.DOTALL)
 class Symbols:
     """What the letters of a paper are.
 
-    `rates` are the derivatives of a symbol in their order, by the symbol `running[symbol]`;
     `bare` are the symbols of which no unit is declared.
     """
 
@@ -47,9 +47,12 @@ class Symbols:
     notation: Notation
     where: tuple[sp.Basic, ...] = ()
     usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=dict)
-    rates: Mapping[sp.Basic, tuple[sp.Basic, ...]] = field(default_factory=dict)
-    running: Mapping[sp.Basic, sp.Basic] = field(default_factory=dict)
     bare: frozenset[sp.Basic] = frozenset()
+
+    @property
+    def moving(self) -> Moving:
+        """Return the letters that depend on another, and their derivatives by it."""
+        return self.notation.moving
 
     def reader(self, given: Mapping[sp.Basic, Any] | None = None) -> Reader:
         """Return the reader of the paper's prints, with the values of letters that are defined."""
@@ -77,26 +80,21 @@ def declare(block: Block) -> Symbols:
     """Make symbols of the letters of a block; `ValueError` for what is said of them twice."""
     letters = _add_running(block.letters)
     variables: list[Variable] = []
-    rates: dict[sp.Basic, tuple[sp.Basic, ...]] = {}
+    depending: dict[sp.Basic, tuple[str, tuple[sp.Basic, ...]]] = {}
     bare: set[sp.Basic] = set()
     for letter in letters:
         own = list(_make(letter, letters, block))
         variables += own
         if letter.running:
-            rates[own[0].symbol] = tuple(v.symbol for v in own[1:])
+            depending[own[0].symbol] = letter.running, tuple(v.symbol for v in own[1:])
         has_no_unit = {x.names[0] for x in letters if x.unit is None}
         if has_no_unit & {letter.names[0], letter.running}:
             bare |= {v.symbol for v in own}
     _refuse_twins(variables)
     symbols = {name: v.symbol for v in variables for name in v.latex}
-    running = {
-        v.symbol: symbols[letter.running]
-        for letter in letters
-        for v in variables
-        if letter.running and letter.names[0] == v.latex[0]
-    }
-    notation = Notation(factors=(*block.factors, *block.natural))
-    return _say(Symbols(tuple(variables), notation, (), {}, rates, running, frozenset(bare)), block)
+    moving = {symbol: (symbols[running], rates) for symbol, (running, rates) in depending.items()}
+    notation = Notation(factors=(*block.factors, *block.natural), moving=moving)
+    return _say(Symbols(tuple(variables), notation, bare=frozenset(bare)), block)
 
 
 def _add_running(letters: Sequence[Declared]) -> list[Declared]:

@@ -23,6 +23,7 @@ from mechproof.latex.tree import (
     Table,
     walk,
 )
+from mechproof.record import Notation
 
 if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
@@ -103,7 +104,7 @@ def _is_minus_one(exponent: Node, parser: Parser) -> bool:
     """Return whether an exponent is minus one, in whatever way it is printed."""
     if any(isinstance(part, Letter) for part in walk(exponent)):
         return False
-    meaning = Meaning(parser.source, {}, None, parser.remedies)
+    meaning = Meaning(parser.source, {}, Notation(), parser.remedies)
     return bool(meaning.of(exponent) == -1)
 
 

@@ -22,17 +22,23 @@ if TYPE_CHECKING:
     from mechproof.latex.parser import Parser
 
 LARGEST_FACTORIAL = 1000
+PARTIAL = r"\partial"
 
 
 # Derivatives ------------------------------------------------------------------------------------
 
 
 def is_derivative(parser: Parser) -> bool:
-    r"""Return whether a fraction is d…/dx: both parts begin with a d that is no declared name."""
+    r"""Return whether a fraction is d…/dx: both parts begin with a d that is no declared name.
+
+    Two \partial make a partial derivative.
+    """
     texts = [token.text for token in parser.tokens[parser.place + 1 :]]
     below = _find_close(texts) + 1
     starts = (parser.place + 2, parser.place + 2 + below)
-    is_d = texts[:2] == ["{", "d"] and texts[below : below + 2] == ["{", "d"]
+    is_d = any(
+        texts[:2] == ["{", d] and texts[below : below + 2] == ["{", d] for d in ("d", PARTIAL)
+    )
     is_alone = texts[below + 2 : below + 3] not in ([], ["}"])
     return is_d and is_alone and not any(parser.names.match(parser.tokens, s) for s in starts)
 
@@ -50,6 +56,7 @@ def read_derivative(parser: Parser) -> Node:
     r"""Read \frac{d}{dx}(…) or \frac{d…}{dx}, of higher order too."""
     start = parser.start
     parser.take()
+    is_partial = parser.tokens[parser.place + 1].text == PARTIAL
     order, operand = parser.read_inside("{", lambda: _read_above(parser), "}")
     by, below = parser.read_inside("{", lambda: _read_below(parser), "}")
     if order != below:
@@ -60,11 +67,11 @@ def read_derivative(parser: Parser) -> Node:
             raise parser.refuse(
                 "how far does the derivative reach?", "Print brackets around it.", start
             )
-    return Derivation(operand, by, order, start=start, end=parser.end)
+    return Derivation(operand, by, order, is_partial, start=start, end=parser.end)
 
 
 def _read_above(parser: Parser) -> tuple[int, Node | None]:
-    parser.take("d")
+    parser.take()
     order = _read_order(parser.read_script("^"), parser) if parser.text == "^" else 1
     if parser.text == "}":
         return order, None
@@ -75,7 +82,7 @@ def _read_above(parser: Parser) -> tuple[int, Node | None]:
 
 
 def _read_below(parser: Parser) -> tuple[Letter, int]:
-    start = parser.take("d").start
+    start = parser.take().start
     by, order = parser.read_factor(), 1
     if isinstance(by, Power):
         order = _read_order(by.exponent, parser)

@@ -46,11 +46,12 @@ from mechproof.latex.tree import (
     Table,
     Transposed,
 )
-from mechproof.latex.values import depends, is_root, make_running, name_turns, settle
+from mechproof.latex.values import depends, differentiate, is_root, make_running, name_turns, settle
 from mechproof.latex.words import AND
 from mechproof.record import (
     FunctionWithoutArgument,
     IntegralWithoutDifferential,
+    Notation,
     ValueWhere,
     list_partial,
 )
@@ -82,12 +83,13 @@ class Meaning:
         self,
         source: PrintedText,
         values: Mapping[sp.Basic, sp.Basic],
-        lower_limit: sp.Expr | None,
+        notation: Notation,
         remedies: Remedies,
     ) -> None:
         self.source = source
         self.values = values
-        self.lower_limit = lower_limit
+        self.lower_limit = notation.lower_limit
+        self.moving = notation.moving
         self.remedies = remedies
         self._met: dict[sp.Basic, None] = {}
 
@@ -235,26 +237,36 @@ class Meaning:
 
     def _derivation(self, node: Derivation) -> sp.Expr:
         variable = self._letter(node.by)
-        if not isinstance(variable, sp.Symbol) or variable in self.values:
+        is_given = variable in self.values and not node.is_partial
+        if not isinstance(variable, sp.Symbol) or is_given:
             raise self.source.refuse(
                 node.by.start, f"a derivative by {variable}, which is given by others or no letter"
             )
         printed = self._take_number(node.of, self.side(node.of))
-        needed = settle(printed, self.values, {variable: variable})
+        moving = {} if node.is_partial else self.moving
+        depends_on = {variable, *(s for s, (by, _) in moving.items() if by == variable)}
+        depends_on |= {rate for s in depends_on & moving.keys() for rate in moving[s][1]}
+        needed = settle(printed, self.values, {s: s for s in depends_on - self.values.keys()})
         value = needed.replace(ValueWhere, lambda inner, _: inner)
-        if value.free_symbols and variable not in value.free_symbols:
+        is_unknown = not node.is_partial or isinstance(value, sp.Symbol)
+        if value.free_symbols and not depends_on & value.free_symbols and is_unknown:
             raise self.source.refuse(
                 node.of.start,
                 f"{variable} does not stand in what is differentiated: does it depend on it?",
                 self.remedies.name.format(self.source.latex[node.start : node.end]),
             )
-        if any(variable in part.free_symbols for part in value.atoms(*_UNSMOOTH)):
+        if any(depends_on & part.free_symbols for part in value.atoms(*_UNSMOOTH)):
             raise self.source.refuse(
                 node.of.start,
                 "a derivative of a function with kinks or steps is not read",
                 "Say on which side of them it is meant, and print it without them.",
             )
-        return ValueWhere(sp.diff(value, variable, node.order), needed)
+        try:
+            for _ in range(node.order):
+                value = differentiate(value, variable, moving)
+        except ValueError as error:
+            raise self.source.refuse(node.start, str(error)) from error
+        return ValueWhere(value, needed)
 
     def _approach(self, node: Approach) -> sp.Expr:
         variable, point = self._letter(node.by), self.of(node.point)

@@ -32,7 +32,7 @@ class Print:
         """Return what turns its trees into expressions, with these values of symbols changed."""
         values = {**self.reader.values, **(derived or {})}
         reader = self.reader
-        return Meaning(self.source, values, reader.notation.lower_limit, reader.remedies)
+        return Meaning(self.source, values, reader.notation, reader.remedies)
 
     def cut(self, chain: Chain, first: int, last: int) -> str:
         """Return the source of some members of a chain, with the signs between them."""

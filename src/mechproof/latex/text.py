@@ -121,7 +121,8 @@ def _integration(node: Integration) -> str:
 
 def _derivation(node: Derivation) -> str:
     order = f"^{node.order}" if node.order > 1 else ""
-    return f"d{order}({write(_strip(node.of))})/d({write(node.by)}){order}"
+    d = "∂" if node.is_partial else "d"
+    return f"{d}{order}({write(_strip(node.of))})/{d}({write(node.by)}){order}"
 
 
 def _approach(node: Approach) -> str:

@@ -128,11 +128,12 @@ class Integration(Node):
 
 @dataclass(frozen=True)
 class Derivation(Node):
-    """A derivative of some order by a letter."""
+    """A derivative of some order by a letter, total or partial."""
 
     of: Node
     by: Letter
     order: int = 1
+    is_partial: bool = False
 
 
 @dataclass(frozen=True)

@@ -34,7 +34,8 @@ _COMMAND = re.compile(r"\\[A-Za-z]+\*?")
 _UNREAD = {
     **dict.fromkeys((r"\pm", r"\mp"), "It says two equations: print one after the other."),
     **dict.fromkeys((r"\lim", r"\to"), r"Print \lim_{x\to a}."),
-    **dict.fromkeys((r"\partial", r"\nabla"), "A derivative needs a name of its own."),
+    r"\partial": r"Print \frac{\partial …}{\partial x}, x a letter.",
+    r"\nabla": "A derivative needs a name of its own.",
     "!": "Print n! or (…)!, and brackets around what is raised or follows.",
     r"\binom": r"Print factorials, \frac{n!}{k!(n-k)!}.",
     **dict.fromkeys((":", r"\div", "÷"), r"Print \frac{…}{…}."),

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from itertools import count
+from itertools import count, pairwise
 from typing import Any
 
 import sympy as sp
 
 Values = Mapping[sp.Basic, sp.Basic]
+Moving = Mapping[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]]
 
 
 def depends(symbol: sp.Basic, on: Collection[sp.Basic], values: Values) -> bool:
@@ -37,6 +38,21 @@ def settle(expression: Any, values: Values, changed: Values) -> Any:
             return expression.xreplace(dict(changed))
         expression = expression.xreplace(hidden)
     raise ValueError(f"symbols are given in a circle: {sorted(map(str, hidden))}")
+
+
+def differentiate(value: Any, by: sp.Basic, moving: Moving) -> Any:
+    """Return the derivative of a value by a letter, also through the letters that depend on it.
+
+    Raises `ValueError` for a derivative of a higher order than the letters have symbols for.
+    """
+    total = value.diff(by)
+    for symbol, (other, rates) in moving.items():
+        steps = (symbol, *rates) if other == by else ()
+        for one, derivative in pairwise(steps):
+            total += value.diff(one) * derivative
+        if steps and steps[-1] in value.free_symbols:
+            raise ValueError(f"no symbol is declared for the derivative of {steps[-1]} by {by}")
+    return total
 
 
 def is_root(part: sp.Expr) -> bool:

@@ -46,7 +46,8 @@ class Notation:
     `factors` are names that a bracket after them multiplies (`a(1-e^2)`). `functions` adds to or
     replaces the names of functions in the table of `mechproof.latex`. `lower_limit` is where an
     integral printed without limits starts. `indices` are the symbols of index letters (left out:
-    an integer symbol of that name). `scopes` are letters used twice.
+    an integer symbol of that name). `scopes` are letters used twice. `moving` are letters that
+    depend on another: that one, and the symbols of their derivatives by it, the first one first.
     """
 
     factors: tuple[str, ...] = ()
@@ -56,6 +57,9 @@ class Notation:
     lower_limit: sp.Expr | None = None
     indices: tuple[sp.Symbol, ...] = ()
     scopes: tuple[Scope, ...] = ()
+    moving: Mapping[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]] = field(
+        default_factory=lambda: MappingProxyType({})
+    )
 
 
 @dataclass(frozen=True)
