@@ -1,7 +1,8 @@
 """The mechanics of paper 1: velocity plan, inversion, ellipse, position."""
 
-from sympy import Eq, Expr, Integral, Matrix, atan, atan2, cos, diff, sin, solve, symbols, tan
+from sympy import Eq, Expr, Integral, Matrix, atan, atan2, cos, diff, sin, symbols, tan
 
+from .._linear import solve_linear
 from .symbols import (
     R1,
     R2,
@@ -23,13 +24,13 @@ from .symbols import (
 # Velocity plan on the line A-C at one instant. The carrier turns about A = E = 0, the satellite
 # rolls inside the fixed epicycle, so the point B at the coordinate R1 is at rest.
 s, omega_satellite, omega_out = symbols("s omega_5 omega_3", real=True)
-centre_c = solve(Eq(at_c + R2, R1), at_c)[0]
+centre_c = solve_linear(Eq(at_c + R2, R1), at_c)
 satellite_velocity = omega1 * centre_c + omega_satellite * (s - centre_c)
-rolling = solve(satellite_velocity.subs(s, R1), omega_satellite)[0]
+rolling = solve_linear(satellite_velocity.subs(s, R1), omega_satellite)
 point_d = centre_c - rho
 PLACES = {at_b: R1, at_c: centre_c, at_d: point_d}
 driven = Eq(omega_out * point_d, satellite_velocity.subs({s: point_d, omega_satellite: rolling}))
-ratio_by_plan = solve(driven, omega_out)[0] / omega1
+ratio_by_plan = solve_linear(driven, omega_out) / omega1
 
 # Inversion (Willis), in units of omega1: seen from the carrier the epicycle turns with -1, an
 # internal mesh keeps the sense of rotation, an external one reverses it.

@@ -4,9 +4,11 @@ Angles are positive in the direction of the carrier's rotation; distances on the
 positive from A towards C and B; lengths in mm, angles in rad.
 """
 
-from sympy import Eq, Interval, Rational, Symbol, cos, pi, solve, symbols
+from sympy import Eq, Interval, Rational, Symbol, cos, pi, symbols
 
 from mechproof.record import Part
+
+from .._linear import solve_linear
 
 phi1 = Symbol("phi1", real=True)
 R1, R2 = symbols("R1 R2", positive=True)
@@ -30,7 +32,7 @@ C = Symbol("C", real=True)
 # Ellipse seen from a focus: the distances to both foci (2 a e apart) add up to 2 a.
 r, theta = symbols("r theta", real=True)
 second_focus_squared = r**2 - 4 * a * e * r * cos(theta) + 4 * a**2 * e**2
-focal_radius = solve(Eq((2 * a - r) ** 2, second_focus_squared), r)[0]
+focal_radius = solve_linear(Eq((2 * a - r) ** 2, second_focus_squared), r)
 
 BRANCH = Part("|x| < pi, the first branch of the half-angle", {x: Interval.open(-pi, pi)})
 UP_TO_ONE = Part("0 <= e <= 1", {e: Interval(0, 1)})

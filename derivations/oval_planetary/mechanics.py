@@ -6,6 +6,7 @@ from functools import cache
 
 import sympy as sp
 
+from .._linear import solve_linear
 from .symbols import a, e, e1, e2, mount, omega1, phi1, r, rho5, rho6, sB, sC, sD, tau, theta
 
 # Velocity plan on the line A-C at one instant, the sun 4 at rest: the satellite turns about B.
@@ -14,9 +15,9 @@ point_c = 2 * a
 point_b = point_c - rho5
 point_d = point_c - rho6
 satellite_velocity = omega1 * point_c + omega_satellite * (s - point_c)
-rolling = sp.solve(satellite_velocity.subs(s, point_b), omega_satellite)[0]
+rolling = solve_linear(satellite_velocity.subs(s, point_b), omega_satellite)
 driven = sp.Eq(omega_out * point_d, satellite_velocity.subs({s: point_d, omega_satellite: rolling}))
-ratio_by_plan = sp.solve(driven, omega_out)[0] / omega1
+ratio_by_plan = solve_linear(driven, omega_out) / omega1
 
 PLACES = {sB: point_b, sC: point_c, sD: point_d}
 
@@ -30,7 +31,7 @@ ratio_by_inversion = 1 + wheel_3_against_carrier
 # Ellipse seen from a focus: the distances to both foci (2 a e apart) add up to 2 a. The oval has
 # at half the polar angle the radius of the ellipse.
 second_focus_squared = r**2 - 4 * a * e * r * sp.cos(theta) + 4 * a**2 * e**2
-focal_radius = sp.solve(sp.Eq((2 * a - r) ** 2, second_focus_squared), r)[0]
+focal_radius = solve_linear(sp.Eq((2 * a - r) ** 2, second_focus_squared), r)
 
 
 def oval_radius(eccentricity: sp.Expr, cosine: sp.Expr) -> sp.Expr:

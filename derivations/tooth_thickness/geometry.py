@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from sympy import Abs, Eq, Expr, Matrix, Symbol, cos, diff, pi, sin, solve, sqrt, tan
+from sympy import Abs, Eq, Expr, Matrix, Symbol, cos, diff, pi, sin, sqrt, tan
 
+from .._linear import solve_linear
 from .symbols import (
     E_cs,
     E_true,
@@ -93,7 +94,7 @@ half_moved = (
     - turn * chord_distance(alpha, half_tooth)
     + tan(alpha) * turn * chord_half(alpha, half_tooth)
 )
-turn_by_thinning = solve(Eq(2 * turn * m * z / 2, thinning), turn)[0]
+turn_by_thinning = solve_linear(Eq(2 * turn * m * z / 2, thinning), turn)
 chord_by_thinning = 2 * (chord_half(alpha, half_tooth) - half_moved).subs(turn, turn_by_thinning)
 
 # The indication less the nominal chord, to first order: the tooth, thicker by its true deviation,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from sympy import cos, pi, sin, sqrt
 
+from .._linear import solve_linear
 from .symbols import (
     AB,
     BC,
@@ -75,12 +76,12 @@ group_1 = turn(phi3) * (lever_at_start + guide * -UP) - from_a_to_d
 # length stays positive. Then both projections are linear in cos and sin.
 guide_now = sp.Symbol("BC", positive=True)
 turned_length = (l_AB + l_CD) ** 2 + guide_now**2
-guide_squared = sp.solve(sp.Eq(turned_length, from_a_to_d.dot(from_a_to_d)), guide_now**2)[0]
+guide_squared = solve_linear(sp.Eq(turned_length, from_a_to_d.dot(from_a_to_d)), guide_now**2)
 cosine, sine = sp.symbols("cosine sine", real=True)
 linear = group_1.subs({cos(phi3): cosine, sin(phi3): sine, dBC: guide_now - l_BC})
 solved = sp.solve(list(linear), [cosine, sine], dict=True)[0]
 lever_cosine, lever_sine = (
-    solved[part].subs(guide_now, sqrt(sp.expand(guide_squared))) for part in (cosine, sine)
+    solved[part].subs(guide_now, sqrt(guide_squared)) for part in (cosine, sine)
 )
 lever_angle = sp.atan2(lever_sine, lever_cosine)
 lever_by_reach = sp.atan2(solved[sine], solved[cosine]).subs(guide_now, reach)
@@ -88,7 +89,7 @@ lever_by_reach = sp.atan2(solved[sine], solved[cosine]).subs(guide_now, reach)
 # Group 2. EF stays level on the rod, FG vertical; the rod moves by x5 along Ox.
 from_d_to_g = l_DE * towards(alpha_DE) + l_EF * RIGHT + l_FG * UP + x5 * RIGHT
 group_2 = l_DE * towards(alpha_DE + phi3) + l_EF * RIGHT + (l_FG + dFG) * UP - from_d_to_g
-rod = sp.solve(group_2[0], x5)[0]
+rod = solve_linear(group_2[0], x5)
 
 # Clearance. Link 5' is pushed only, and not before the rod has run through the clearance.
 driven = (overlap + sp.Abs(overlap)) / 2
@@ -102,7 +103,7 @@ group_3 = (l_HI + dHI) * UP + l_IK * RIGHT + l_KL * towards(alpha_KL + phi7) - f
 direction_tau, direction_sigma = 2 * sp.atan(tau), pi - 2 * sp.atan(sigma)
 cosine_of_tau, cosine_of_sigma = (1 - tau**2) / (1 + tau**2), (sigma**2 - 1) / (sigma**2 + 1)
 sine_of_tau = 2 * tau / (1 + tau**2)
-displacement = sp.solve(group_3[0], x5_driven)[0]
+displacement = solve_linear(group_3[0], x5_driven)
 displacement = {
     parameter: displacement.subs(cos(alpha_KL + phi7), value)
     for parameter, value in ((tau, cosine_of_tau), (sigma, cosine_of_sigma))
@@ -111,7 +112,7 @@ displacement = {
 # Group 4. MN stays vertical on the wedge, NP level; the wedge moves by y9 along Oy.
 from_l_to_p = l_LM * towards(alpha_LM) + l_MN * -UP + l_NP * RIGHT + y9 * UP
 group_4 = l_LM * towards(alpha_LM + phi7) + l_MN * -UP + (l_NP + dPN) * RIGHT - from_l_to_p
-wedge = sp.solve(group_4[1], y9)[0]
+wedge = solve_linear(group_4[1], y9)
 
 # The sides of the polygons, displaced.
 POLYGON_SIDES = {

@@ -7,6 +7,7 @@ from sympy import cos, pi, sin, sqrt
 
 from mechproof.record import Claim, Conjunction, Equality, Part
 
+from .._linear import solve_linear
 from .half_angles import MOVABLE, by_half_angle, half_3, half_7, root_7
 from .mechanics import group_3, lever_cosine, rod, wedge
 from .prints import PRINTED_R
@@ -37,7 +38,7 @@ from .symbols import (
 
 def displacement_by(direction: sp.Symbol) -> sp.Expr:
     """Return the displacement of the link 5' that turns KL by varphi7 from a direction."""
-    return sp.solve(group_3[0], x5_driven)[0].subs(alpha_KL, direction)
+    return solve_linear(group_3[0], x5_driven).subs(alpha_KL, direction)
 
 
 TRANSFER_ROWS = (
