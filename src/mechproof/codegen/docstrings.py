@@ -206,10 +206,11 @@ def find_given(formula: sp.Basic, quantity: Quantity, paper: Paper) -> list[sp.S
     inputs = input_names(quantity)
     given = {s: g for s, g in _given(paper).items() if s not in inputs}
     used: set[sp.Symbol] = set()
-    found = {s for s in given if formula.has(s)}
-    while found:
+    waiting = [formula]
+    while waiting:
+        found = (waiting.pop().atoms(sp.Symbol) & given.keys()) - used
         used |= found
-        found = {s for s in given if s not in used and any(given[u].has(s) for u in found)}
+        waiting += [given[s] for s in found]
     return [s for s in given if s in used]
 
 
