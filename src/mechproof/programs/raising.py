@@ -42,8 +42,7 @@ class WrittenForm:
 
     def output(self, *kept: sp.Symbol) -> sp.Basic:
         """Return the value with every step inserted but the kept ones."""
-        values = self._insert(kept)
-        entries = [output.xreplace(values) for output in self._outputs]
+        entries = [self._insert(output, kept) for output in self._outputs]
         if not self._shape:
             return entries[0]
         rows, columns = (*self._shape, 1)[:2]
@@ -54,16 +53,15 @@ class WrittenForm:
         found = {str(symbol): value for symbol, value in self._steps.items()}
         if str(name) not in found:
             raise ValueError(f"no step {name} among {', '.join(found)}")
-        return found[str(name)].xreplace(self._insert(kept))
+        return self._insert(found[str(name)], kept)
 
-    def _insert(self, kept: tuple[sp.Symbol, ...]) -> dict[sp.Symbol, sp.Expr]:
-        """Return what replaces each step: its value, or the kept symbol of its name."""
-        if kept not in self._inserted:
-            named = {str(symbol): symbol for symbol in kept}
-            values = self._inserted[kept] = {}
-            for symbol, value in self._steps.items():
-                values[symbol] = named.get(str(symbol)) or value.xreplace(values)
-        return self._inserted[kept]
+    def _insert(self, expression: sp.Expr, kept: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """Replace each step in an expression by its value, or by the kept symbol of its name."""
+        named = {str(symbol): symbol for symbol in kept}
+        values = self._inserted.setdefault(kept, {})
+        for step in expression.free_symbols & self._steps.keys() - values.keys():
+            values[step] = named.get(str(step)) or self._insert(self._steps[step], kept)
+        return expression.xreplace(values)
 
     def _raise(
         self, program: Program, known: Mapping[str, sp.Expr], axes: _Axes
