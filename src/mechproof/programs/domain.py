@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.programs.evaluation import input_symbols
+from mechproof.programs.evaluation import input_symbols, trace_inputs
 from mechproof.record import Paper, Quantity, Variable
-from mechproof.record.substitution import resolve
 
 
 def domain_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
@@ -36,7 +35,7 @@ def can_be_left(quantity: Quantity, paper: Paper, checked: tuple[sp.Basic, ...])
     inputs = {s for argument in quantity.arguments for s in argument.symbols}
     given = {v.symbol: v.given for v in paper.variables if v.given is not None}
     extra = quantity.on.where if quantity.on else ()
-    others = (r for r in (*paper.where, *extra) if input_symbols(resolve(r, given)) <= inputs)
+    others = (r for r in (*paper.where, *extra) if trace_inputs(r, given) <= inputs)
     return any(r not in checked for r in (*domain_relations(quantity, paper), *others))
 
 

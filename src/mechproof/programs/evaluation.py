@@ -139,6 +139,17 @@ def input_symbols(expression: sp.Basic) -> set[sp.Basic]:
     return {s for s in plain if isinstance(s, sp.Symbol)} | bases
 
 
+def trace_inputs(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> set[sp.Basic]:
+    """Find the symbols that an expression needs, directly or through those that have values."""
+    found: set[sp.Basic] = set()
+    waiting = [expression]
+    while waiting:
+        met = input_symbols(waiting.pop()) - found
+        found |= met
+        waiting += [values[symbol] for symbol in met & values.keys()]
+    return found - values.keys()
+
+
 def count_axes(argument: Argument, quantity: Quantity) -> int:
     """Count the indices with which the definition uses an indexed argument."""
     items = quantity.definition.atoms(sp.Indexed)

@@ -21,6 +21,7 @@ from mechproof.programs.evaluation import (
     input_symbols,
     result_shape,
     start_evaluation,
+    trace_inputs,
 )
 from mechproof.programs.lowering import lower_conditions, lower_steps
 from mechproof.programs.names import PUBLIC_IN_MODULES, is_free
@@ -221,10 +222,8 @@ def _choose_masked(
     names = input_names(quantity)
     checked = set().union(*map(input_symbols, conditions))
     masked = {s for s in checked if isinstance(s, sp.Symbol)}
-    values = evaluation.step_values()
-    if any(
-        masked.isdisjoint(input_symbols(e.xreplace(values))) for e in entries(evaluation.output)
-    ):
+    steps = dict(evaluation.steps)
+    if any(masked.isdisjoint(trace_inputs(e, steps)) for e in entries(evaluation.output)):
         raise ValueError(f"{quantity.name}: no parameter through which an output can become NaN")
     return tuple(names[s] for a in quantity.arguments for s in a.symbols if s in masked)
 
