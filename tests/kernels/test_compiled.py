@@ -210,8 +210,9 @@ def test_rows_of_every_kind_are_entered_alike(first: int) -> None:
             assert loops.run(made, (given, *SIZES), out) is out
             assert np.array_equal(out, found)
     assert np.array_equal(row, held)
-    entries = [kept.entry_point for kept in elliptic_planetary._fill_of_position.overloads.values()]
-    assert made.fill in entries
+    compiled = elliptic_planetary._fill_of_position.overloads
+    assert made.fill in [kept.entry_point for kept in compiled.values()]
+    assert all(kind.layout == "C" and kind.mutable and kind.aligned for _, kind, *_ in compiled)
     numbers = [loops.run(made, (x, *SIZES), None) for x in row.tolist()]
     assert np.array_equal(numbers, found)
     with pytest.raises(TypeError):

@@ -15,15 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechproof.compiled_support.machine import typeof
+from mechproof.compiled_support.pieces import DOUBLE, PIECE, are_plain, cut, make_plain
 from mechproof.kernel_support.arrays import PLAIN, as_floats, as_numpy, check_components
 from mechproof.kernel_support.blocks import WRITTEN, check_out
 
 # Points in a row for which a call of its own pays, and those for which a second thread does.
 LONG_ROW = 32
 THREADED = 2**17
-# Points of which arguments that are spread are copied at once: the copies stay in a cache.
-PIECE = 2**14
-DOUBLE = np.dtype(np.float64)
 IN_A_ROW = (DOUBLE.itemsize,)
 NUMBERS = (float, np.float64)
 
@@ -52,21 +50,21 @@ class Loops:
         self.point, self.fill = self._compute_first, self._fill_first
 
     def _compute_first(self, *numbers: float) -> Any:
-        value = self.at(*numbers)
-        self.point = find_entry(self.at, numbers)
-        return value
+        self.point = find_entry(self.at, *numbers)
+        return self.point(*numbers)
 
-    def _fill_first(self, row: NDArray[Any], *arguments: Any) -> None:
-        self.rows(row, *arguments)
-        self.fill = find_entry(self.rows, (row, *arguments))
+    def _fill_first(self, row: NDArray[Any], points: NDArray[Any], *parameters: float) -> None:
+        # What may be read only is entered like what may be written, too.
+        self.fill = find_entry(self.rows, row, row, *parameters)
+        self.fill(row, points, *parameters)
 
 
-def find_entry(function: Any, arguments: tuple[Any, ...]) -> Callable[..., Any]:
-    """Return what numba has compiled for arguments of these types: it never looks at types again.
+def find_entry(function: Any, *arguments: Any) -> Callable[..., Any]:
+    """Return what numba compiles for arguments of these types: it never looks at types again.
 
     The look takes a third of the time of a call on few points.
     """
-    entry: Callable[..., Any] = function.get_overload(tuple(map(typeof, arguments)))
+    entry: Callable[..., Any] = function.compile(tuple(map(typeof, arguments)))
     return entry
 
 
@@ -185,7 +183,7 @@ def fill_target(
     direct = (
         out is not None
         and type(out) in WRITTEN
-        and out.flags.c_contiguous
+        and out.flags.carray
         and not any(np.may_share_memory(out, a) for a in arrays)
     )
     target = out if direct and out is not None else np.empty(whole, dtype)
@@ -219,7 +217,7 @@ def _fill(
     if depth and math.prod(points[depth:]) < LONG_ROW:
         for index in cut(points, PIECE):
             flat = [np.ascontiguousarray(a[index]).reshape(-1) for a in wide]
-            loops.rows(*(t[index].reshape(-1) for t in targets), *flat)
+            _fill_pieces(loops, [t[index].reshape(-1) for t in targets], flat)
         return
     rows = [target.reshape((*points[:depth], -1)) for target in targets]
     for index, *numbers in _list_parameters(wide[1:], loops.widths[1:], points, depth):
@@ -228,7 +226,7 @@ def _fill(
 
 
 def _spread(array: Any, shape: tuple[int, ...]) -> NDArray[Any]:
-    """Broadcast an array that has another shape: numba would compile anew for what is read-only."""
+    """Broadcast an array that has another shape; what is broadcast is copied before it is taken."""
     return array if array.shape == shape else np.broadcast_to(array, shape)
 
 
@@ -257,42 +255,49 @@ def _count_common_axes(shapes: list[tuple[int, ...]], rank: int) -> int:
     return rank
 
 
-def cut(shape: tuple[int, ...], size: int) -> Iterator[tuple[slice, ...]]:
-    """Cut the first axes so that no part has more than `size` points."""
-    first, *rest = shape
-    row = math.prod(rest)
-    if row > size:
-        for i in range(first):
-            for index in cut(tuple(rest), size):
-                yield (slice(i, i + 1), *index)
-        return
-    step = max(size // max(row, 1), 1)
-    for start in range(0, first, step):
-        yield (slice(start, start + step),)
-
-
 def _fill_uniformly(
     loops: Loops, targets: list[NDArray[Any]], row: NDArray[Any], parameters: Any
 ) -> None:
     """Fill flat targets, on several threads if they are long."""
-    width, count = max(loops.widths[0], 1), math.prod(loops.shape)
-    points = row.size // width
+    points = row.size // max(loops.widths[0], 1)
     workers = _count_processors() if points >= THREADED else 1
+    given = [row, *parameters]
     if workers == 1:
-        loops.rows(*targets, row, *parameters)
+        _fill_pieces(loops, targets, given)
         return
     ends = [points * i // workers for i in range(workers + 1)]
     tasks = [
-        _pool().submit(
-            loops.rows,
-            *(target[a * count : b * count] for target in targets),
-            row[a * width : b * width],
-            *parameters,
-        )
+        _pool().submit(_fill_pieces, loops, *_take_points(loops, targets, given, slice(a, b)))
         for a, b in pairwise(ends)
     ]
     for task in tasks:
         task.result()
+
+
+def _take_points(
+    loops: Loops, targets: list[NDArray[Any]], given: list[Any], part: slice
+) -> tuple[list[NDArray[Any]], list[Any]]:
+    """Return what flat targets and arguments have of some points in a row."""
+
+    def take(value: Any, width: int) -> Any:
+        count = max(width, 1)
+        is_array = isinstance(value, np.ndarray)
+        return value[part.start * count : part.stop * count] if is_array else value
+
+    found = [take(target, math.prod(loops.shape)) for target in targets]
+    return found, [take(v, width) for v, width in zip(given, loops.widths, strict=True)]
+
+
+def _fill_pieces(loops: Loops, targets: list[NDArray[Any]], given: list[Any]) -> None:
+    """Fill flat targets; piece by piece where numba would compile the loop for other arrays."""
+    if are_plain(given):
+        loops.rows(*targets, *given)
+        return
+    points = targets[0].size // math.prod(loops.shape)
+    for start in range(0, points, PIECE):
+        part = slice(start, min(start + PIECE, points))
+        goals, values = _take_points(loops, targets, given, part)
+        loops.rows(*goals, *map(make_plain, values))
 
 
 def run_parts(act: Callable[[Any], object], parts: Iterable[Any]) -> None:

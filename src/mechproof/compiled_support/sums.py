@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechproof.compiled_support.loops import DOUBLE, PIECE, check_arrays, cut, fill_target
+from mechproof.compiled_support.loops import check_arrays, fill_target
+from mechproof.compiled_support.pieces import DOUBLE, PIECE, are_plain, cut, make_plain
 from mechproof.kernel_support.arrays import as_floats, as_numpy, sum_axes
 
 # Fewer sets are computed one after the other if their sums are long.
@@ -90,15 +91,18 @@ def _fill(
 ) -> None:
     """Fill a target: what all points have in common is one row, copies stay in a cache."""
     points, given = target.shape, list(zip(arrays, outer, strict=True))
-    if all(shape == points or math.prod(shape) == 1 for shape in outer):
+    are_alike = all(shape == points or math.prod(shape) == 1 for shape in outer)
+    if are_alike and are_plain(arrays):
         _fill_part(sums, target.reshape(-1), terms, [_table(*pair) for pair in given])
         return
     largest = max(math.prod(array.shape[len(shape) :]) for array, shape in given)
-    wide = [pair if math.prod(pair[1]) == 1 else (_spread(*pair, points), points) for pair in given]
+    wide = [
+        (make_plain(a), s) if math.prod(s) == 1 else (_spread(a, s, points), points)
+        for a, s in given
+    ]
     for index in cut(points, max(PIECE // max(largest, 1), 1)):
-        # Numba would compile anew for what is read-only.
-        tables = [_table(np.array(a[index]) if s == points else a, s) for a, s in wide]
-        _fill_part(sums, target[index].reshape(-1), terms, tables)
+        tables = [make_plain(_table(a[index] if s == points else a, s)) for a, s in wide]
+        _fill_part(sums, target.reshape(*points, 1)[index].reshape(-1), terms, tables)
 
 
 def _spread(array: NDArray[Any], old: tuple[int, ...], new: tuple[int, ...]) -> NDArray[Any]:
@@ -129,4 +133,6 @@ def _unpack(row: NDArray[Any], axes: int, terms: int) -> Any:
     """Return what one point takes of a row: its numbers, or an array of terms."""
     if not axes:
         return row.tolist()
-    return [row.reshape(terms, terms) if axes == 2 else np.broadcast_to(row, (terms,))]
+    if axes == 2:
+        return [row.reshape(terms, terms)]
+    return [row if len(row) == terms else np.full(terms, row[0])]
