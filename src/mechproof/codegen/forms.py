@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
+from sympy.core.relational import Relational
+from sympy.solvers.inequalities import solve_poly_inequality
 
 from mechproof.codegen.backends.numpy import FORMS, render_modules
 from mechproof.codegen.kernel_reading import check_module
@@ -125,10 +127,23 @@ def _as_part(condition: sp.Basic, sets: Mapping[sp.Basic, sp.Set]) -> Part:
     symbols = condition.free_symbols & sets.keys()
     if len(symbols) == 1 == len(condition.free_symbols):
         (symbol,) = symbols
-        narrowed = sets[symbol].intersect(condition.as_set())
+        narrowed = sets[symbol].intersect(_solve(condition, symbol))
         if isinstance(narrowed, sp.Interval):
             return Part(str(condition), {symbol: narrowed})
     return Part(str(condition), where=(condition,))
+
+
+def _solve(condition: sp.Basic, symbol: sp.Symbol) -> sp.Set:
+    """Return where a condition on one symbol holds.
+
+    Of a polynomial SymPy is spared the search for a period, which costs a tenth of loading a paper.
+    """
+    if isinstance(condition, Relational):
+        gap = condition.lhs - condition.rhs
+        if gap.is_polynomial(symbol):
+            pieces = solve_poly_inequality(sp.Poly(gap, symbol), condition.rel_op)
+            return sp.Union(*pieces)
+    return condition.as_set()
 
 
 def equal_on_branches(form: sp.Basic, definition: sp.Basic) -> Statement:
