@@ -66,9 +66,11 @@ def plan(node: sp.Basic) -> Plan:
 
 
 def _look_up(symbol: sp.Basic, values: Values) -> Ball:
-    if symbol not in values:
-        raise KeyError(f"no value given for the symbol {symbol}")
-    return values[symbol]
+    # One search: SymPy compares two elements of a family by all their assumptions.
+    try:
+        return values[symbol]
+    except KeyError:
+        raise KeyError(f"no value given for the symbol {symbol}") from None
 
 
 def _apply(node: sp.Basic, function: Callable[..., Ball]) -> Operation:

@@ -286,7 +286,10 @@ def _write(relation: sp.Basic, numbers: list[sp.Basic], fixed: Values) -> Iterat
     if not relation.has(sp.Indexed):
         yield relation
         return
-    written = relation.subs(fixed).doit() if relation.has(sp.Sum) else relation
+    written = relation
+    if relation.has(sp.Sum):
+        free = find_free(relation)
+        written = _write_sums(relation, tuple((s, v) for s, v in fixed.items() if s in free))
     if written.has(sp.Sum):
         return
     free = {k for item in written.atoms(sp.Indexed) for k in item.indices if k.is_Symbol}
@@ -294,6 +297,12 @@ def _write(relation: sp.Basic, numbers: list[sp.Basic], fixed: Values) -> Iterat
         one = written.xreplace(dict(zip(sorted(free, key=str), values, strict=True)))
         if one.atoms(sp.Indexed):
             yield one
+
+
+@lru_cache(maxsize=512)
+def _write_sums(relation: sp.Basic, fixed: tuple[tuple[sp.Basic, sp.Expr], ...]) -> sp.Basic:
+    """Write the sums of a relation out; those of a domain are met at every point of every row."""
+    return relation.subs(fixed).doit()
 
 
 def _say(relations: list[sp.Basic]) -> str:

@@ -204,12 +204,16 @@ def put_exactly(expression: sp.Basic, point: Point) -> sp.Basic:
         for s, v in point.items()
         if not v.is_Rational or (has_sums and v.is_Integer and isinstance(s, sp.Symbol))
     }
-    if not exact:
-        return write_out(expression)
     # SymPy would multiply imaginary roots to a real number; over the reals there is no value.
-    return (
-        sp.nan if _leaves_the_reals(expression, point) else write_out(substitute(expression, exact))
-    )
+    if exact and _leaves_the_reals(expression, point):
+        return sp.nan
+    return _write_out_at(expression, tuple(exact.items()))
+
+
+# Many points share their counts; what is written out once is also compiled once.
+@lru_cache(maxsize=256)
+def _write_out_at(expression: sp.Basic, exact: tuple[tuple[sp.Basic, sp.Basic], ...]) -> sp.Basic:
+    return write_out(substitute(expression, dict(exact)))
 
 
 def _leaves_the_reals(expression: sp.Basic, point: Point) -> bool:
