@@ -28,6 +28,8 @@ class ValidationError(RuntimeError):
     """A kernel does not compute what was emitted, or not within its accuracy bound."""
 
 
+# The papers of this process by their places; one that was forked finds here what its parent had.
+_papers: dict[Path, Paper] = {}
 # Subjects that a process has made, by the place of the derivation and the emitted files.
 _made: dict[tuple[Path, Path], tuple[Subject, ...]] = {}
 
@@ -54,12 +56,16 @@ def validate_derivations(
             target.write_text(text, encoding="utf-8")
         names = [(place, q.name) for place, paper in wanted for q in paper.quantities if q.forms]
         tasks = [(place, Path(folder), name) for place, name in names]
-        results = run_tasks(_validate, tasks, limit=limit, start=START)
-        for done, (number, result) in enumerate(results, start=1):
-            if isinstance(result, WorkerError):
-                place, name = names[number]
-                raise ValidationError(f"{place}: {name}: {result}") from result
-            report(f"{done} of {len(tasks)} kernels run")
+        _papers.update(wanted)
+        try:
+            results = run_tasks(_validate, tasks, limit=limit, start=START)
+            for done, (number, result) in enumerate(results, start=1):
+                if isinstance(result, WorkerError):
+                    place, name = names[number]
+                    raise ValidationError(f"{place}: {name}: {result}") from result
+                report(f"{done} of {len(tasks)} kernels run")
+        finally:
+            _papers.clear()
     if use_cache and wanted:
         PASSED.add(keys[place] for place, _ in wanted)
 
@@ -67,7 +73,8 @@ def validate_derivations(
 def _validate(task: tuple[Path, Path, str]) -> None:
     place, folder, name = task
     if (place, folder) not in _made:
-        _made[place, folder] = tuple(make_subjects(load_paper(place), place, folder))
+        paper = _papers.get(place) or load_paper(place)
+        _made[place, folder] = tuple(make_subjects(paper, place, folder))
     validate(s for s in _made[place, folder] if s.quantity.name == name)
 
 
