@@ -9,8 +9,9 @@ import sympy as sp
 
 from mechproof.latex.meaning import RELATIONS
 from mechproof.latex.reader import Reader
-from mechproof.latex.tree import Add, Degrees, Letter, Node, Number, walk
-from mechproof.latex.values import depends, settle
+from mechproof.latex.sides import is_opposite, name_entries, round_to, says_nothing, turn
+from mechproof.latex.tree import Letter, Node, walk
+from mechproof.latex.values import depends, settle, settle_all
 from mechproof.record import (
     Definition,
     Distinct,
@@ -35,17 +36,24 @@ class Members:
     right_derived: Any
 
 
+def _turn_rows(members: Members) -> Members:
+    """Return members of which a bracket with commas stands as a column beside a column."""
+    left, right = turn(members.nodes, (members.left, members.right))
+    derived = turn(members.nodes, (members.left_derived, members.right_derived))
+    return Members(members.nodes, left, right, *derived)
+
+
 def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
     """Return what a sign of a row asserts; `ValueError` where that is not declared."""
+    members = _turn_rows(members)
     if sign == r"\approx":
         return _round(row, members, reader)
     if sign not in ("=", r"\equiv"):
         return _relate(row, sign, members, reader)
     if row.residual is not None:
-        _refuse_unknown_entries(row, members.left, members.right)
-        if isinstance(members.left, sp.MatrixBase) != isinstance(members.right, sp.MatrixBase):
-            raise ValueError(f"row {row.number!r}: a number and a matrix have no residual")
-        return Equality(members.left - members.right, row.residual)
+        return _state_residual(row, row.residual, members)
+    if rounded := _find_rounded(row, members, reader):
+        return rounded
     left = _derive(row, members.left, members.left_derived, reader)
     right = _derive(row, members.right, members.right_derived, reader)
     printed = (members.left, members.right)
@@ -59,13 +67,26 @@ def state(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
             return defined
         if not any(_is_faulty(side, reader) for side in (left, right)):
             _refuse_unknown(row, members, reader)
-    _refuse_unknown_entries(row, left, right)
-    left, right = (_substitute(row, side) for side in (left, right))
+    if says_nothing(left, right):
+        _refuse_unknown_entries(row, left, right)
+    left, right = (_substitute(row, name_entries(side)) for side in (left, right))
     if not any(changed):
         return Equality(left, right, "member")
     if changed == (False, True):
         return Equality(left, right)
     return Equality(right, left)
+
+
+def _state_residual(row: Row, residual: sp.Expr, members: Members) -> Equality:
+    """State that the difference of the members is a residual, which may have the other sign."""
+    left, right = members.left, members.right
+    _refuse_unknown_entries(row, left, right)
+    if isinstance(left, sp.MatrixBase) != isinstance(right, sp.MatrixBase):
+        raise ValueError(f"row {row.number!r}: a number and a matrix have no residual")
+    difference = left - right
+    if is_opposite(difference, residual):
+        return Equality(right - left, residual)
+    return Equality(difference, residual)
 
 
 def _is_derived(row: Row, node: Node, member: Any, reader: Reader) -> bool:
@@ -99,18 +120,32 @@ def _relate(row: Row, sign: str, members: Members, reader: Reader) -> Statement:
 def _round(row: Row, members: Members, reader: Reader) -> Statement:
     """State that the left member rounds to the number that is printed right."""
     value = _substitute(row, _derive(row, members.left, members.left_derived, reader))
-    number = members.nodes[1]
-    if isinstance(number, Degrees):
-        number, value = number.number, value * 180 / sp.pi
-    sign = ""
-    if isinstance(number, Add) and len(number.terms) == 1:
-        ((_, number),) = number.terms
-        sign = "-"
-    if not isinstance(number, Number):
+    stated = round_to(members.nodes[1], value)
+    if stated is None:
         raise ValueError(
             f"row {row.number!r}: an approximation by no number: print the number at its right"
         )
-    return PrintedNumber(sign + number.text, value)
+    return stated
+
+
+def _find_rounded(row: Row, members: Members, reader: Reader) -> PrintedNumber | None:
+    """Return that a constant rounds to the decimal at the other side of an equals sign.
+
+    A decimal that is the constant itself is stated as equal to it, as a whole number is.
+    """
+    derived = (members.left_derived, members.right_derived)
+    values = [
+        _substitute(row, _derive(row, member, other, reader))
+        for member, other in zip((members.left, members.right), derived, strict=True)
+    ]
+    for node, value, number in zip(members.nodes[::-1], values, values[::-1], strict=True):
+        stated = round_to(node, value) if isinstance(value, sp.Expr) else None
+        if stated is None or "." not in stated.printed:
+            continue
+        constant = settle_all(value, reader.values)
+        if not constant.free_symbols and constant != number:
+            return stated
+    return None
 
 
 def _find_definition(row: Row, members: Members, reader: Reader) -> Definition | None:

@@ -26,6 +26,15 @@ def depends(symbol: sp.Basic, on: Collection[sp.Basic], values: Values) -> bool:
     return False
 
 
+def settle_all(expression: Any, values: Values) -> Any:
+    """Put in all values that are given, also those within values."""
+    for _ in range(len(values) + 1):
+        if not expression.free_symbols & values.keys():
+            break
+        expression = expression.xreplace(dict(values))
+    return expression
+
+
 def settle(expression: Any, values: Values, changed: Values) -> Any:
     """Put in new values, also where the symbol is hidden in one that is given by it."""
     for _ in range(len(values) + 1):

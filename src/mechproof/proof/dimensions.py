@@ -15,7 +15,15 @@ import sympy as sp
 from sympy.logic.boolalg import Boolean
 from sympy.matrices.expressions.matexpr import MatrixElement
 
-from mechproof.record import ANGLE, NUMBER, Dimension, Paper, RecordError, ValueWhere
+from mechproof.record import (
+    ANGLE,
+    NUMBER,
+    Dimension,
+    Paper,
+    RecordError,
+    ValueWhere,
+    family_of,
+)
 
 Dimensions = Mapping[sp.Basic, Dimension]
 _OF_ANGLES = (sp.atan, sp.asin, sp.acos, sp.acot, sp.atan2)
@@ -27,7 +35,9 @@ class DimensionError(ValueError):
 
 def dimensions_of(paper: Paper) -> Dimensions:
     """Return the dimension of every symbol of the paper."""
-    return {variable.symbol: variable.dimension for variable in paper.variables}
+    known = {variable.symbol: variable.dimension for variable in paper.variables}
+    matrices = [symbol for symbol in known if isinstance(symbol, sp.MatrixSymbol)]
+    return known | {family_of(symbol): known[symbol] for symbol in matrices}
 
 
 def check_derived(paper: Paper) -> None:

@@ -48,7 +48,7 @@ from mechproof.record.statements import (
     PrintedNumber,
     Statement,
 )
-from mechproof.record.variables import Notation, Part, Scope, Variable
+from mechproof.record.variables import Notation, Part, Scope, Variable, family_of
 
 __all__ = [
     "ANGLE",
@@ -103,6 +103,7 @@ __all__ = [
     "ValueWhere",
     "Variable",
     "Written",
+    "family_of",
     "list_needs",
     "list_partial",
     "sum_distinct",

@@ -31,6 +31,11 @@ class Variable:
     latex: tuple[str, ...] = ()
 
 
+def family_of(matrix: sp.MatrixSymbol) -> sp.IndexedBase:
+    """Return the family that the entries of a matrix are, where these are compared."""
+    return sp.IndexedBase(str(matrix.name), real=True)
+
+
 @dataclass(frozen=True)
 class Scope:
     """Letters that mean something else in the named rows; None: nothing, a bound index."""

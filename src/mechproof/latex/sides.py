@@ -1,0 +1,88 @@
+"""Two sides of a relation, made to say the same kind of thing: rows, entries, signs, decimals."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+from sympy.matrices.expressions.matexpr import MatrixElement
+
+from mechproof.latex.products import is_matrix, show_entries
+from mechproof.latex.tree import Add, Bracket, Degrees, Entries, Node, Number
+from mechproof.record import PrintedNumber, family_of
+
+_PLACES = 2
+
+
+def turn(nodes: tuple[Node, Node], sides: tuple[Any, Any]) -> tuple[Any, Any]:
+    """Return sides of which a bracket with commas stands as a column if the other is one."""
+    left, right = sides
+    if not (is_matrix(left) and is_matrix(right)) or left.shape != right.shape[::-1]:
+        return sides
+    if isinstance(_strip(nodes[1]), Entries) and 1 in left.shape:
+        return left, right.T
+    if isinstance(_strip(nodes[0]), Entries) and 1 in left.shape:
+        return left.T, right
+    return sides
+
+
+def _strip(node: Node) -> Node:
+    return _strip(node.inside) if isinstance(node, Bracket) else node
+
+
+def name_entries(side: Any) -> Any:
+    """Return a side in which the entries of a matrix that is a symbol are those of a family."""
+    if not side.has(sp.MatrixSymbol):
+        return side
+    shown = show_entries(side)
+    elements = shown.atoms(MatrixElement)
+    named = {e: family_of(e.parent)[e.i + 1, e.j + 1] for e in elements}
+    return shown.xreplace(named)
+
+
+def says_nothing(left: Any, right: Any) -> bool:
+    """Return whether matrices of which nothing is known stand in what is no identity of them.
+
+    One alone at a side is given by nothing, and what only one side has it demands of them.
+    """
+    sides = (left, right)
+    if any(isinstance(side, sp.MatrixSymbol) for side in sides):
+        return True
+    if all(side.has(sp.MatrixSymbol) for side in sides) and left.is_Matrix == right.is_Matrix:
+        return False
+    entries = [_list_entries(name_entries(side)) for side in sides]
+    if len(entries[0]) != len(entries[1]):
+        return True
+    return any(sp.expand(one - other) != 0 for one, other in zip(*entries, strict=True))
+
+
+def _list_entries(side: Any) -> list[sp.Expr]:
+    return list(side) if is_matrix(side) else [side]
+
+
+def is_opposite(difference: Any, residual: Any) -> bool:
+    """Return whether a difference is the residual with the other sign, at some points at least.
+
+    Which of the two is stated changes nothing of what an equation says; what is stated is proved.
+    """
+    symbols = sorted(difference.free_symbols | residual.free_symbols, key=str)
+    for place in range(_PLACES):
+        values = {s: sp.Rational(7 * n + 11 + place, 13) for n, s in enumerate(symbols)}
+        one, other = (sp.N(side.subs(values)) for side in (difference, residual))
+        if not one.is_number or sp.Abs(one + other) > 1e-9 * (1 + sp.Abs(one)) or one == 0:
+            return False
+    return True
+
+
+def round_to(node: Node, value: Any) -> PrintedNumber | None:
+    """Return that a value rounds to a printed number; None where another thing is printed."""
+    node = _strip(node)
+    if isinstance(node, Degrees):
+        node, value = node.number, value * 180 / sp.pi
+    sign = ""
+    if isinstance(node, Add) and len(node.terms) == 1:
+        ((_, node),) = node.terms
+        sign = "-"
+    if isinstance(node, Degrees):
+        node, value = node.number, value * 180 / sp.pi
+    return PrintedNumber(sign + node.text, value) if isinstance(node, Number) else None
