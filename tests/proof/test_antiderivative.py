@@ -105,6 +105,12 @@ def test_the_break_is_named():
     assert "tan(x/2) is not continuous in x" in explain_break(
         PRINCIPAL, Domain(ECCENTRICITY, (), {})
     )
+    within = {x: sp.Interval(-3, 3)}
+    for part in (sp.Interval(-1, 1), sp.Interval(0, 2)):
+        told = explain_break(sp.atan(sp.tan(x**3)), Domain(within, (), {}))
+        assert "tan(x**3) was not shown to be continuous in x" in told
+        told = explain_break(sp.atan(sp.tan(x)), Domain({x: part}, (), {}))
+        assert ("tan(x) is not continuous" in told) == (part.end == 2)
     assert explain_break(GLOBAL, Domain(ECCENTRICITY, (), {})) == ""
 
 

@@ -292,7 +292,7 @@ TAUGHT: dict[str, tuple[Statement, str]] = {
     ),
     "break": (
         Equality(Integral(sign(t), (t, 0, x)), x * sp.sign(x)),
-        "is not continuous in x over the domain",
+        "was not shown to be continuous in x over the domain",
     ),
     "inequality": (ge(p, sin(p)), "the sign of p - sin(p) is not shown"),
 }

@@ -56,12 +56,17 @@ CASES = {
     "corrected form wrong as well": (row(FALSE, corrected=corrected(FALSE)), Verdict.UNDECIDED),
     "corrected form open": (row(FALSE, corrected=corrected(OPEN)), Verdict.UNDECIDED),
     "another reading": (row(FALSE, readings=(Reading("other", TRUE),)), Verdict.CONVENTION),
+    "another reading, open": (row(FALSE, readings=(Reading("other", OPEN),)), Verdict.ENCLOSED),
     "another reading, wrong": (row(FALSE, readings=(Reading("other", FALSE),)), Verdict.REFUTED),
     "true as printed, reading unused": (
         row(TRUE, readings=(Reading("other", FALSE),)),
         Verdict.PROVED,
     ),
     "true on a part": (row(Equality(TURN, x), holds_on=NEAR_ZERO), Verdict.CONDITIONAL),
+    "open on a part": (
+        row(Equality(sp.Abs(x) * OPEN.printed, x * OPEN.rebuilt), holds_on=FAR),
+        Verdict.ENCLOSED,
+    ),
     "false on the part": (row(Equality(TURN, x), holds_on=FAR), Verdict.REFUTED),
     "part without interior": (row(Equality(x, 2 * x), holds_on=ONE_POINT), Verdict.REFUTED),
     "part beyond where it is said of": (
@@ -156,3 +161,19 @@ def test_unknown_marks_and_double_numbers_are_refused():
         Claim("c", "p", TRUE, marks=("sure",))
     with pytest.raises(ValueError, match="row numbers given twice"):
         Paper("s", "c", (), (row(TRUE), row(FALSE)))
+
+
+def test_every_wrong_entry_of_a_matrix_is_told() -> None:
+    printed = sp.ImmutableMatrix([[x, 1, OPEN.printed], [2, x, 3]])
+    rebuilt = sp.ImmutableMatrix([[x, -1, OPEN.rebuilt], [2, x, -3]])
+    judgement = judge(row(Equality(printed, rebuilt)), PAPER)
+    assert judgement.verdict is Verdict.REFUTED
+    assert judgement.reason.startswith("entry (1, 2): ")
+    assert "; entry (2, 3): " in judgement.reason
+    assert "entry (1, 3)" not in judgement.reason
+    assert [e.what.partition(":")[0] for e in judgement.evidence] == [
+        "entry (1, 2)",
+        "entry (2, 3)",
+    ]
+    one = judge(row(Equality(printed[:, :2], rebuilt[:, :2])), PAPER)
+    assert one.reason == "entry (1, 2): the two sides differ"

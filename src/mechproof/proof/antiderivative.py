@@ -9,7 +9,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
-from mechproof.proof.continuity import find_break
+from mechproof.proof.continuity import find_break, has_pole
 from mechproof.proof.domain import Domain
 
 RUNG = "derivative, constant, continuity"
@@ -27,12 +27,13 @@ def decide_by_derivative(left: sp.Expr, right: sp.Expr, domain: Domain) -> str |
 
 
 def explain_break(expression: sp.Expr, domain: Domain) -> str:
-    """Say which subexpression is not continuous, empty if all are."""
+    """Say which subexpression is not continuous or was not shown to be, empty if all are."""
     expression = domain.resolve(expression)
     for variable in _variables(expression, domain):
         found = find_break(expression, variable, domain)
         if found is not None:
-            return f"{found} is not continuous in {variable} over the domain"
+            told = "is not" if has_pole(found, variable, domain) else "was not shown to be"
+            return f"{found} {told} continuous in {variable} over the domain"
     return ""
 
 

@@ -7,6 +7,7 @@ import sympy as sp
 from mechproof.proof.domain import Domain
 from mechproof.proof.signs import find_sign
 
+_POLES = 4
 _EVERYWHERE = (sp.sin, sp.cos, sp.atan, sp.exp, sp.Abs, sp.Max, sp.Min, sp.erf, sp.erfc)
 
 
@@ -21,6 +22,20 @@ def find_break(expression: sp.Basic, variable: sp.Symbol, domain: Domain) -> sp.
         if found is not None:
             return found
     return None if _is_continuous_node(expression, domain) else expression
+
+
+def has_pole(node: sp.Basic, variable: sp.Symbol, domain: Domain) -> bool:
+    """Return whether a tangent of what is linear in the variable meets a pole within its set."""
+    if not isinstance(node, sp.tan):
+        return False
+    slope = sp.diff(node.args[0], variable)
+    sign = None if slope.has(variable) else find_sign(slope, domain)
+    if sign is None or not sign.strict:
+        return False
+    start = node.args[0].xreplace({variable: sp.S.Zero})
+    poles = ((sp.pi * (2 * k + 1) / 2 - start) / slope for k in range(-_POLES, _POLES))
+    inside = domain.set_of(variable).interior
+    return inside == sp.S.Reals or any(inside.contains(pole) == sp.true for pole in poles)
 
 
 def _is_continuous_node(node: sp.Basic, domain: Domain) -> bool:

@@ -19,6 +19,7 @@ from mechproof.proof.wellformed import find_faults
 from mechproof.record import Paper, Part, RecordError, Row, Statement
 
 AS_TYPED = "as typed"
+_OPEN = (Verdict.ENCLOSED, Verdict.UNDECIDED)
 
 
 def judge(row: Row, paper: Paper) -> Judgement:
@@ -101,7 +102,8 @@ def _decide_ours(says: Statement, paper: Paper, domain: Domain) -> Answer:
 
 
 def _find_convention(row: Row, paper: Paper, domain: Domain, literal: Answer) -> Answer | None:
-    """Return CONVENTION if another stated reading is proved."""
+    """Return CONVENTION if another reading is proved; one that is not decided leaves it open."""
+    left_open = None
     for reading in row.readings:
         other = _decide_ours(reading.says, paper, domain)
         if other.verdict is Verdict.PROVED:
@@ -110,7 +112,9 @@ def _find_convention(row: Row, paper: Paper, domain: Domain, literal: Answer) ->
             as_meant = Evidence(f"read as: {reading.text}: PROVED ({other.rung})")
             reason = f"true when read as: {reading.text}"
             return Answer(Verdict.CONVENTION, other.rung, reason, (*as_printed, as_meant))
-    return None
+        if other.verdict in _OPEN:
+            left_open = left_open or _leave_open(f"read as: {reading.text}", other, literal)
+    return left_open
 
 
 def _find_part(row: Row, paper: Paper, refuted: Answer) -> Answer:
@@ -121,12 +125,21 @@ def _find_part(row: Row, paper: Paper, refuted: Answer) -> Answer:
     if not _has_interior(row.holds_on, part):
         return refuted
     inside = decide(row.statement, part)
+    if inside.verdict in _OPEN:
+        return _leave_open(f"for {row.holds_on.text}", inside, refuted)
     if inside.verdict is not Verdict.PROVED:
         return refuted
     where = Evidence(f"{row.holds_on.text}: PROVED ({inside.rung})")
     outside = tuple(replace(item, what=f"elsewhere: {item.what}") for item in refuted.evidence)
     reason = f"true for {row.holds_on.text}, not on the whole domain"
     return Answer(Verdict.CONDITIONAL, inside.rung, reason, (where, *outside))
+
+
+def _leave_open(meant: str, answer: Answer, refuted: Answer) -> Answer:
+    """Say of what is not true as it stands that it is not decided as it is said to be meant."""
+    literal = tuple(replace(item, what=f"as it stands: {item.what}") for item in refuted.evidence)
+    reason = f"not true as it stands; {meant}, not proved: {answer.reason}"
+    return replace(answer, reason=reason, evidence=(*answer.evidence, *literal))
 
 
 def _has_interior(part: Part, domain: Domain) -> bool:

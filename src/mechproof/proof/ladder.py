@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import sympy as sp
@@ -50,6 +51,8 @@ CROSS_EXAMINATION = 4
 CROSS_PRECISION = (64,)
 # Characters of an expression that a reason names.
 _LONGEST = 240
+# Of the entries of a matrix those are told that are judged worst.
+_WORST_FIRST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED)
 _SIGNS = {"==": "=", "!=": "differs from"}
 
 
@@ -91,16 +94,20 @@ def _decide_matrices(printed: Any, rebuilt: Any, domain: Domain) -> Answer:
     if shapes[0] != shapes[1]:
         reason = f"the printed side has the shape {shapes[0]}, the other {shapes[1]}"
         return Answer(Verdict.REFUTED, "entrywise", reason, (Evidence(reason),))
-    rungs: list[str] = []
-    for row in range(printed.rows):
-        for column in range(printed.cols):
-            entry = _decide_scalars(printed[row, column], rebuilt[row, column], domain)
-            if entry.verdict is not Verdict.PROVED:
-                where = f"entry ({row + 1}, {column + 1}): {entry.reason}"
-                return replace(entry, rung=f"entrywise, {entry.rung}", reason=where)
-            rungs.append(entry.rung)
-    reason = f"all {len(rungs)} entries agree"
-    return Answer(Verdict.PROVED, f"entrywise, {_join(rungs)}", reason)
+    places = list(product(range(printed.rows), range(printed.cols)))
+    entries = {place: _decide_scalars(printed[place], rebuilt[place], domain) for place in places}
+    found = {answer.verdict for answer in entries.values()}
+    verdict = next((one for one in _WORST_FIRST if one in found), Verdict.PROVED)
+    told = {place: answer for place, answer in entries.items() if answer.verdict is verdict}
+    rung = f"entrywise, {_join([answer.rung for answer in told.values()])}"
+    if verdict is Verdict.PROVED:
+        return Answer(verdict, rung, f"all {len(told)} entries agree")
+    named = [(f"entry ({row + 1}, {column + 1})", a) for (row, column), a in told.items()]
+    reason = "; ".join(f"{name}: {answer.reason}" for name, answer in named)
+    if len(named) == 1:
+        return Answer(verdict, rung, reason, named[0][1].evidence)
+    evidence = [replace(e, what=f"{name}: {e.what}") for name, a in named for e in a.evidence]
+    return Answer(verdict, rung, reason, tuple(evidence))
 
 
 def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answer:
