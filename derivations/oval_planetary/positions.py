@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
+from mechproof.record import list_given
+
 from .mechanics import COS_4, oval_radius, pair_ratio, ratio_by_plan, sun_radius
 from .symbols import (
     R3,
@@ -57,7 +59,7 @@ position_by_one_pair = -sp.atan2(-nu, lam + mu) - sp.atan2(
     along * sp.sin(2 * phi1) - across * COS_4,
     square_sum - along * COS_4 - across * sp.sin(2 * phi1),
 )
-GIVEN = {v.symbol: v.given for v in VARIABLES if v.given is not None}
+GIVEN = list_given(VARIABLES)
 COEFFICIENTS = tuple(GIVEN[s] for s in (alpha_double, beta_double, gamma_double))
 
 t = sp.tan(phi1)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sympy import Expr, Interval, Rational, S, pi, sqrt
 
-from mechproof.record import Equation, Part
+from mechproof.record import Equation, Part, list_given
 
 from .geometry import across
 from .symbols import (
@@ -55,8 +55,7 @@ GRADES = {6: (10, 25), 7: (16, 40), 8: (25, 63)}
 
 def of_wheel(expression: Expr) -> Expr:
     """Put the printed wheel into an expression."""
-    given = {v.symbol: v.given for v in VARIABLES if v.given is not None}
-    return expression.subs(given).subs(WHEEL)
+    return expression.subs(list_given(VARIABLES)).subs(WHEEL)
 
 
 def at_angle(expression: Expr, degrees: int | str) -> Expr:

@@ -63,7 +63,7 @@ def _define_shared(kernels: tuple[Kernel, ...], paper: Paper) -> list[str]:
     """Define the symbols that the formulas of several kernels have in common."""
     shared = _find_shared(kernels, paper)
     names = {s: n for k in kernels for s, n in input_names(k.quantity).items()}
-    shown = (f"{s} = {write_formula(g, names)}" for s, g in _given(paper).items() if s in shared)
+    shown = (f"{s} = {write_formula(g, names)}" for s, g in paper.given.items() if s in shared)
     lines = [line for text in shown for line in _wrap_formula(text)]
     return [*_fill("Symbols of the formulas:"), "", *lines] if lines else []
 
@@ -76,10 +76,6 @@ def _find_shared(kernels: Iterable[Kernel], paper: Paper) -> set[sp.Symbol]:
 
 def _shown_formula(kernel: Kernel) -> sp.Basic:
     return kernel.quantity.definition if kernel.is_shipped else kernel.forms[0].expression
-
-
-def _given(paper: Paper) -> dict[sp.Symbol, sp.Expr]:
-    return {v.symbol: v.given for v in paper.variables if v.given is not None}
 
 
 def describe_kernel(kernel: Kernel, paper: Paper) -> tuple[str, ...]:
@@ -190,7 +186,7 @@ def show_formula(
     kernel: Kernel, paper: Paper, shared: Collection[sp.Symbol] = frozenset()
 ) -> list[str]:
     """Write the formula, with an equation for each given symbol that is not explained elsewhere."""
-    formula, names, given = _shown_formula(kernel), input_names(kernel.quantity), _given(paper)
+    formula, names, given = _shown_formula(kernel), input_names(kernel.quantity), paper.given
     if isinstance(formula, sp.MatrixBase):
         rows = [[write_formula(entry, names) for entry in row] for row in formula.tolist()]
         shown = [f"[{', '.join(row)}]" for row in rows]
@@ -204,7 +200,7 @@ def show_formula(
 def find_given(formula: sp.Basic, quantity: Quantity, paper: Paper) -> list[sp.Symbol]:
     """List the given symbols that a formula needs, directly or through others."""
     inputs = input_names(quantity)
-    given = {s: g for s, g in _given(paper).items() if s not in inputs}
+    given = {s: g for s, g in paper.given.items() if s not in inputs}
     used: set[sp.Symbol] = set()
     waiting = [formula]
     while waiting:

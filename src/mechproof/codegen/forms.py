@@ -104,9 +104,8 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
 
 def _write_out(definition: sp.Basic, paper: Paper) -> sp.Basic:
     """Return what a definition that is a declared symbol is declared to be."""
-    given = {v.symbol: v.given for v in paper.variables if v.given is not None}
-    for _ in given:
-        definition = given.get(definition, definition)
+    for _ in paper.given:
+        definition = paper.given.get(definition, definition)
     return definition
 
 

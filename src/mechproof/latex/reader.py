@@ -16,7 +16,7 @@ from mechproof.latex.meaning import Meaning
 from mechproof.latex.names import Names, build_names
 from mechproof.latex.parser import Parser
 from mechproof.latex.tree import Chain
-from mechproof.record import Notation, Row, Variable
+from mechproof.record import Notation, Row, Variable, list_given
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Reader:
         self.remedies = remedies
         self.variables = tuple(variables)
         self.notation = notation or Notation()
-        self.values = {v.symbol: v.given for v in variables if v.given is not None}
+        self.values = list_given(variables)
         self._names = lru_cache(self._build_names)
 
     def _build_names(self, row: str) -> Names:

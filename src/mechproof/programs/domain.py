@@ -12,13 +12,13 @@ def domain_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
     """Collect every relation on the arguments, of their variables, the paper and the quantity."""
     inputs = {s for argument in quantity.arguments for s in argument.symbols}
     narrower = quantity.on.within if quantity.on else {}
-    extra = quantity.on.where if quantity.on else ()
     relations: list[sp.Basic] = []
     for variable in paper.variables:
         if variable.symbol in inputs:
             item = _element(variable, quantity)
             relations += set_relations(item, narrower.get(variable.symbol, variable.within))
-    relations += [r for r in (*paper.where, *extra) if input_symbols(r) <= inputs]
+    stated = paper.list_relations(quantity.on)
+    relations += [r for r in stated if input_symbols(r) <= inputs]
     return tuple(dict.fromkeys(relations))
 
 
@@ -33,9 +33,8 @@ def checked_relations(quantity: Quantity, paper: Paper) -> tuple[sp.Basic, ...]:
 def can_be_left(quantity: Quantity, paper: Paper, checked: tuple[sp.Basic, ...]) -> bool:
     """Say whether a relation on the arguments, also by symbols given by them, stays unchecked."""
     inputs = {s for argument in quantity.arguments for s in argument.symbols}
-    given = {v.symbol: v.given for v in paper.variables if v.given is not None}
-    extra = quantity.on.where if quantity.on else ()
-    others = (r for r in (*paper.where, *extra) if trace_inputs(r, given) <= inputs)
+    stated = paper.list_relations(quantity.on)
+    others = (r for r in stated if trace_inputs(r, paper.given) <= inputs)
     return any(r not in checked for r in (*domain_relations(quantity, paper), *others))
 
 

@@ -86,8 +86,7 @@ def start_evaluation(quantity: Quantity, form: Form, paper: Paper) -> Evaluation
     occur.
     """
     inputs = frozenset(s for argument in quantity.arguments for s in argument.symbols)
-    given = {v.symbol: v.given for v in paper.variables if v.given is not None}
-    steps = [(s, g) for s, g in given.items() if s not in inputs]
+    steps = [(s, g) for s, g in paper.given.items() if s not in inputs]
     evaluation = arrange(inputs, steps, map_entries(sp.sympify, form.expression))
     used = input_symbols(evaluation.output).union(
         *(input_symbols(value) for _, value in evaluation.steps)

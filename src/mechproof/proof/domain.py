@@ -69,7 +69,7 @@ class Domain:
         Raises `RecordError` for sets, assumptions and relations that cannot be meant.
         """
         within = {v.symbol: v.within for v in paper.variables if v.given is None}
-        given = {v.symbol: v.given for v in paper.variables if v.given is not None}
+        given = paper.given
         parts = [part for part in (on, inside) if part]
         named = [(symbol, values) for part in parts for symbol, values in part.within.items()]
         for symbol, values in (*within.items(), *named):
@@ -81,7 +81,7 @@ class Domain:
         within |= dict(on.within) if on else {}
         for symbol, values in inside.within.items() if inside else ():
             within[symbol] = within.get(symbol, sp.S.Reals).intersect(values)
-        where = paper.where + tuple(relation for part in parts for relation in part.where)
+        where = paper.list_relations(*parts)
         for relation in where:
             check_relation(relation, {*within, *given})
         domain = cls(within, (), given, paper.published, dimensions_of(paper), paper.usual)

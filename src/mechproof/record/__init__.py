@@ -48,7 +48,7 @@ from mechproof.record.statements import (
     PrintedNumber,
     Statement,
 )
-from mechproof.record.variables import Notation, Part, Scope, Variable, family_of
+from mechproof.record.variables import Notation, Part, Scope, Variable, family_of, list_given
 
 __all__ = [
     "ANGLE",
@@ -104,6 +104,7 @@ __all__ = [
     "Variable",
     "Written",
     "family_of",
+    "list_given",
     "list_needs",
     "list_partial",
     "sum_distinct",

@@ -13,7 +13,7 @@ from mechproof.record.findings import Finding
 from mechproof.record.quantities import Quantity, Together
 from mechproof.record.rows import Row
 from mechproof.record.texts import check_name, check_texts
-from mechproof.record.variables import Notation, Variable
+from mechproof.record.variables import Notation, Part, Variable, list_given
 
 # Names of the generated package that no system may take.
 RESERVED = ("compiled", "forms", "kernels", "measured")
@@ -79,6 +79,15 @@ class Paper(Displayed):
                 raise ValueError(f"paper {self.system!r}: {what} given twice: {twice}")
         for together in self.together:
             _check_together(self, together)
+
+    @property
+    def given(self) -> dict[sp.Symbol, sp.Expr]:
+        """Return the symbols that others give, in the order in which they are declared."""
+        return list_given(self.variables)
+
+    def list_relations(self, *parts: Part | None) -> tuple[sp.Basic, ...]:
+        """List the relations that hold wherever the paper and all parts of its domain speak."""
+        return self.where + tuple(r for part in parts if part for r in part.where)
 
 
 def _check_together(paper: Paper, together: Together) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
@@ -34,6 +34,11 @@ class Variable:
 def family_of(matrix: sp.MatrixSymbol) -> sp.IndexedBase:
     """Return the family that the entries of a matrix are, where these are compared."""
     return sp.IndexedBase(str(matrix.name), real=True)
+
+
+def list_given(variables: Iterable[Variable]) -> dict[sp.Symbol, sp.Expr]:
+    """Return the symbols that others give, with what they are."""
+    return {v.symbol: v.given for v in variables if v.given is not None}
 
 
 @dataclass(frozen=True)

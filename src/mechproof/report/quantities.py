@@ -142,9 +142,8 @@ def _write(formula: sp.Basic, variables: Sequence[Variable]) -> Markup:
 
 def _write_given(quantity: Quantity, paper: Paper) -> Iterator[Markup]:
     """Write the symbols that the formula needs and that others give."""
-    values = {v.symbol: v.given for v in paper.variables if v.given is not None}
     for symbol in find_given(quantity.definition, quantity, paper):
-        sides = (write_latex(side, paper.variables) for side in (symbol, values[symbol]))
+        sides = (write_latex(side, paper.variables) for side in (symbol, paper.given[symbol]))
         yield write_formula(" = ".join(sides), "block")
 
 

@@ -55,10 +55,9 @@ class Request:
 
     def define(self, expression: sp.Basic) -> TaylorExpression:
         """Return an expression as a function of the running variable."""
-        given = {v.symbol: v.given for v in self.paper.variables if v.given is not None}
         first, *others = self.quantity.arguments
         numbers = {a.symbols[0]: self.values[a.name] for a in others}
-        return TaylorExpression(expression, first.symbols[0], given, numbers)
+        return TaylorExpression(expression, first.symbols[0], self.paper.given, numbers)
 
     def kernel(self, points: Array) -> Array:
         """Return values of the shipped kernel, NaN where it has none."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -62,8 +62,8 @@ class Problem:
         exact = [quantity.definition]
         exact += [form.expression for form in quantity.shipped[-1:] if form.bound is None]
         self.tapes = [GradientTape(e, given) for e in exact]
-        relations = [*paper.where, *(quantity.on.where if quantity.on else ())]
-        self.conditions = self._collect([free.resolve(r) for r in relations])
+        relations = map(free.resolve, paper.list_relations(quantity.on))
+        self.conditions = self._collect(relations)
         self._sort_sizes(domain, lambda: free.resolve(exact[-1]))
 
     def _sort_sizes(self, domain: Domain, write_out: Callable[[], Any]) -> None:
@@ -95,7 +95,7 @@ class Problem:
                 moving |= {s for s in symbols if all(b > 0 or b < 0 for b in slopes[s])}
         return moving
 
-    def _collect(self, relations: list[Any]) -> list[BoxCondition]:
+    def _collect(self, relations: Iterable[Any]) -> list[BoxCondition]:
         """Return the conditions to decide at every input; those of the sizes alone are checked."""
         single = [part for relation in relations for part in split(relation)]
         names = {s: n for n, s in self.sized.items()}
