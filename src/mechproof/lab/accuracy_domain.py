@@ -10,9 +10,9 @@ import sympy as sp
 
 from mechproof.arithmetic import balls
 from mechproof.lab.oracle import PRECISIONS, count_points, give_balls, list_values
-from mechproof.lab.sampling.region import is_plain
 from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Array
+from mechproof.record.relations import is_comparison
 
 
 def mark_accuracy_domain(subject: Subject, arguments: Arguments) -> Array:
@@ -24,7 +24,7 @@ def mark_accuracy_domain(subject: Subject, arguments: Arguments) -> Array:
     """
     accuracy = subject.quantity.accuracy
     relations = accuracy.within if accuracy else ()
-    computed = [r for r in relations if not _compares_plainly(subject.domain.resolve(r))]
+    computed = [r for r in relations if not is_comparison(subject.domain.resolve(r))]
     held = np.ones(count_points(subject, arguments), bool)
     for relation in relations:
         if relation not in computed:
@@ -32,12 +32,6 @@ def mark_accuracy_domain(subject: Subject, arguments: Arguments) -> Array:
     for index, values in enumerate(list_values(subject, arguments)) if computed else ():
         held[index] &= all(_is_true(subject, relation, values) for relation in computed)
     return held
-
-
-def _compares_plainly(relation: sp.Basic) -> bool:
-    return all(
-        is_plain(side) for r in relation.atoms(sp.core.relational.Relational) for side in r.args
-    )
 
 
 def _is_true(subject: Subject, relation: sp.Basic, values: Mapping[sp.Basic, Any]) -> bool:

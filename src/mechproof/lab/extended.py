@@ -25,6 +25,7 @@ from mechproof.programs.program import Program
 from mechproof.programs.rewrites import apply_rewrites
 from mechproof.programs.scalar import map_affinely
 from mechproof.programs.subexpressions import share_subexpressions
+from mechproof.record.relations import find_slack
 from mechproof.roundoff.extended import DIGITS_OF, FORMAT, IN_EXTENDED, IS_LONGER
 from mechproof.roundoff.running import Values, run
 from mechproof.roundoff.steps import StraightLineProgram, flatten_stage
@@ -39,7 +40,7 @@ class Extended:
     subject: Subject
     code: KernelCode
     scale: Program | None
-    gaps: Program | None
+    slacks: Program | None
     conditions: Program | None
 
     def find_truth(self, arguments: Arguments) -> Truth:
@@ -59,8 +60,8 @@ class Extended:
             # As a kernel decides it, for which an irrational end is its double.
             held &= _holds(self.code.inside, plain, IN_PLACE) & self._mark_near(plain)
             held &= _holds(self.conditions, given, IN_EXTENDED)
-            for gap in run(self.gaps, given, IN_EXTENDED) if self.gaps else ():
-                held &= gap >= 0
+            for slack in run(self.slacks, given, IN_EXTENDED) if self.slacks else ():
+                held &= slack >= 0
             low = (value - high).astype(float)
             scale = self._find_scale(value, given)
             held &= scale is None or np.isfinite(scale)
@@ -141,11 +142,8 @@ def _lower_within(subject: Subject) -> tuple[Program | None, Program | None]:
     """Return what is not negative where the bound is stated, and what else holds there."""
     accuracy, names = subject.quantity.accuracy, input_names(subject.quantity)
     relations = accuracy.within if accuracy else ()
-    gaps = [r.gts - r.lts for r in relations if _is_gap(r)]
-    others = [subject.domain.resolve(r) for r in relations if not _is_gap(r)]
+    slacks = {r: slack for r in relations if (slack := find_slack(r)) and not r.has(sp.Indexed)}
+    others = [subject.domain.resolve(r) for r in relations if r not in slacks]
     conditions = lower_conditions(names, tuple(names.values()), others) if others else None
-    return _lower(subject, {}, *gaps) if gaps else None, conditions
-
-
-def _is_gap(relation: sp.Basic) -> bool:
-    return hasattr(relation, "gts") and not relation.has(sp.Indexed)
+    values = [slack.value for slack in slacks.values()]
+    return _lower(subject, {}, *values) if values else None, conditions

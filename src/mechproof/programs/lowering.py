@@ -21,6 +21,7 @@ from mechproof.programs.evaluation import Alongside, unused_name
 from mechproof.programs.names import sort_positive_first, suggest_name
 from mechproof.programs.operations import KINDS, Kind
 from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
+from mechproof.record.relations import is_strict
 
 
 def _name_head(row: Kind) -> str:
@@ -195,7 +196,7 @@ class Lowering:
         if isinstance(relation, sp.Eq):
             return self._add("equal", self.lower(relation.lhs), self.lower(relation.rhs))
         low, high = relation.lts, relation.gts
-        strict = isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan)
+        strict = is_strict(relation)
         if sp.oo in (-low, high):
             return self._add("is_finite", self.lower(low if high == sp.oo else high))
         if low.is_number:

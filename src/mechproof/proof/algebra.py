@@ -16,7 +16,7 @@ import sympy as sp
 
 from mechproof.proof.domain import Domain
 from mechproof.proof.normal_form import factorise, is_zero, reduce_polynomial, split
-from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_workable
+from mechproof.proof.signs import MOST_MULTIPLIED, find_sign, is_positive, is_workable
 from mechproof.proof.sums import canonicalise
 from mechproof.record.parts import find_parts
 
@@ -87,14 +87,10 @@ class Field:
             return self._translate_angle(node)
         if self.has_powers and isinstance(node, (*_EXPONENTIALS, type(sp.E))):
             return self._translate_exponential(node)
-        if isinstance(node, sp.atan2) and self._is_positive(node.args[1]):
+        if isinstance(node, sp.atan2) and is_positive(node.args[1], self.domain):
             quotient = sp.atan(node.args[0] / node.args[1])
             return self._translate_opaque(quotient) if quotient != 0 else quotient
         return self._translate_opaque(node)
-
-    def _is_positive(self, expression: sp.Expr) -> bool:
-        sign = find_sign(expression, self.domain)
-        return sign is not None and sign.strict and sign.direction > 0
 
     def _translate_angle(self, node: sp.Expr) -> sp.Expr:
         self.used_angles = True

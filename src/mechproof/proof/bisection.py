@@ -15,6 +15,7 @@ import sympy as sp
 from mechproof.arithmetic import balls
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
+from mechproof.record.relations import find_slack
 
 RUNG = "bisection and derivatives"
 _SMOOTH = (sp.sin, sp.cos, sp.tan, sp.atan, sp.exp, sp.log, sp.erf, sp.erfc)
@@ -27,19 +28,19 @@ Ends = tuple[sp.Rational, sp.Rational]
 
 def holds_on_interval(relation: sp.Basic, domain: Domain) -> bool:
     """Return True if an inequality in one variable of a closed interval is proved."""
-    if not isinstance(relation, sp.core.relational._Inequality):
+    slack = find_slack(relation)
+    if slack is None:
         return False
     symbols = relation.free_symbols
     where = domain.set_of(next(iter(symbols))) if len(symbols) == 1 else None
     if not (isinstance(where, sp.Interval) and where.start.is_Rational and where.end.is_Rational):
         return False
-    difference = relation.gts - relation.lts
-    if not (_is_smooth(difference) and _is_mixed(difference)):
+    if not (_is_smooth(slack.value) and _is_mixed(slack.value)):
         return False
     ends = sp.Rational(where.start), sp.Rational(where.end)
-    if isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan):
-        return _is_positive(difference, ends)
-    return _is_not_negative(difference, ends, _ORDERS)
+    if slack.strict:
+        return _is_positive(slack.value, ends)
+    return _is_not_negative(slack.value, ends, _ORDERS)
 
 
 def _is_smooth(expression: sp.Expr) -> bool:

@@ -5,7 +5,12 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.proof.domain import Domain
-from mechproof.proof.signs import find_sign
+from mechproof.proof.signs import (
+    is_nonnegative,
+    is_nonzero,
+    is_positive,
+    is_within_quarter_turn,
+)
 
 _POLES = 4
 _EVERYWHERE = (sp.sin, sp.cos, sp.atan, sp.exp, sp.Abs, sp.Max, sp.Min, sp.erf, sp.erfc)
@@ -44,13 +49,13 @@ def _is_continuous_node(node: sp.Basic, domain: Domain) -> bool:
     if isinstance(node, sp.Pow):
         return _is_continuous_power(node, domain)
     if isinstance(node, sp.tan):
-        return _is_within_quarter_turn(node.args[0], domain)
+        return is_within_quarter_turn(node.args[0], domain)
     if isinstance(node, sp.atan2):
-        return _is_positive(node.args[1], domain)
+        return is_positive(node.args[1], domain)
     if isinstance(node, sp.log):
-        return _is_positive(node.args[0], domain)
+        return is_positive(node.args[0], domain)
     if isinstance(node, sp.asin | sp.acos):
-        return all(_is_not_negative(1 + k * node.args[0], domain) for k in (1, -1))
+        return all(is_nonnegative(1 + k * node.args[0], domain) for k in (1, -1))
     return False
 
 
@@ -58,29 +63,10 @@ def _is_continuous_power(node: sp.Pow, domain: Domain) -> bool:
     if not node.exp.is_Rational:
         return False
     if node.exp.is_Integer:
-        return bool(node.exp > 0) or _is_strict(node.base, domain)
-    return _is_positive(node.base, domain) or (
-        bool(node.exp > 0) and _is_not_negative(node.base, domain)
+        return bool(node.exp > 0) or is_nonzero(node.base, domain)
+    return is_positive(node.base, domain) or (
+        bool(node.exp > 0) and is_nonnegative(node.base, domain)
     )
-
-
-def _is_within_quarter_turn(angle: sp.Expr, domain: Domain) -> bool:
-    return all(_is_positive(sp.pi / 2 + k * angle, domain) for k in (1, -1))
-
-
-def _is_strict(expression: sp.Expr, domain: Domain) -> bool:
-    sign = find_sign(expression, domain)
-    return sign is not None and sign.strict
-
-
-def _is_positive(expression: sp.Expr, domain: Domain) -> bool:
-    sign = find_sign(expression, domain)
-    return sign is not None and sign.strict and sign.direction > 0
-
-
-def _is_not_negative(expression: sp.Expr, domain: Domain) -> bool:
-    sign = find_sign(expression, domain)
-    return sign is not None and sign.direction > 0
 
 
 def _find_break_of_integral(

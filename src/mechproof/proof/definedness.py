@@ -8,25 +8,25 @@ import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
-from mechproof.proof.signs import find_sign
+from mechproof.proof.signs import find_sign, is_shown
 from mechproof.proof.sums import canonicalise
-from mechproof.record import Need, list_needs, list_partial
+from mechproof.record import Slack, list_needs, list_partial
 
 
-def list_unshown(expression: sp.Basic, domain: Domain) -> list[Need]:
+def list_unshown(expression: sp.Basic, domain: Domain) -> list[Slack]:
     """List what roots, logarithms and so on need to have values, as far as it is not shown."""
     parts = list_partial(domain.resolve(expression))
     needs = dict.fromkeys(need for node in parts for need in list_needs(node))
-    return [need for need in needs if not _is_shown(*need, domain)]
+    return [need for need in needs if not _is_shown(need, domain)]
 
 
-def tell(need: Need) -> str:
+def tell(need: Slack) -> str:
     """Write a need as a relation."""
     number, strict = need
     return f"{number} {'>' if strict else '>='} 0"
 
 
-def need_the_same(sides: Sequence[sp.Basic], needs: Sequence[list[Need]], domain: Domain) -> bool:
+def need_the_same(sides: Sequence[sp.Basic], needs: Sequence[list[Slack]], domain: Domain) -> bool:
     """Say whether all sides have values at the same points: what they need is proved equal.
 
     Of sums, integrals and cases, whose parts are not looked into, that is not known.
@@ -38,27 +38,27 @@ def need_the_same(sides: Sequence[sp.Basic], needs: Sequence[list[Need]], domain
     return all(_covers(o, first, domain) and _covers(first, o, domain) for o in others)
 
 
-def _drop_implied(needs: list[Need]) -> list[Need]:
-    return [(number, strict) for number, strict in needs if strict or (number, True) not in needs]
+def _drop_implied(needs: list[Slack]) -> list[Slack]:
+    return [need for need in needs if need.strict or (need.value, True) not in needs]
 
 
-def _covers(needs: list[Need], others: list[Need], domain: Domain) -> bool:
+def _covers(needs: list[Slack], others: list[Slack], domain: Domain) -> bool:
     """Say whether each of the others is one of the needs."""
     return all(any(_is_one(need, other, domain) for need in needs) for other in others)
 
 
-def _is_one(need: Need, other: Need, domain: Domain) -> bool:
+def _is_one(need: Slack, other: Slack, domain: Domain) -> bool:
     (number, strict), (against, is_strict) = need, other
     if strict is not is_strict:
         return False
     return number == against or decide_equal(number, against, domain) is not None
 
 
-def _is_shown(number: sp.Expr, strict: bool, domain: Domain) -> bool:
-    sign = find_sign(number, domain)
-    if sign is None:
-        return not strict and number.has(sp.Sum) and _adds_squares(number, domain)
-    return sign.direction >= 0 and (sign.strict or not strict)
+def _is_shown(need: Slack, domain: Domain) -> bool:
+    number, strict = need
+    if not strict and number.has(sp.Sum) and find_sign(number, domain) is None:
+        return _adds_squares(number, domain)
+    return is_shown(need, domain)
 
 
 def _adds_squares(number: sp.Expr, domain: Domain) -> bool:

@@ -27,7 +27,7 @@ from mechproof.proof.refutation import (
     find_unlike,
     find_violation,
 )
-from mechproof.proof.signs import find_sign
+from mechproof.proof.signs import is_nonzero, is_shown
 from mechproof.proof.vector_angles import decide_by_argument
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.witness_text import show_plainly
@@ -39,11 +39,12 @@ from mechproof.record import (
     Distinct,
     Equality,
     Holds,
-    Need,
     PrintedNumber,
+    Slack,
     Statement,
 )
 from mechproof.record.parts import find_free, find_parts
+from mechproof.record.relations import find_slack
 from mechproof.record.substitution import substitute
 
 IDENTICAL = "identical"
@@ -132,7 +133,7 @@ def _decide_scalars(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> Answe
     return _report_unproved(comparison, why)
 
 
-def _tell_needs(needs: Sequence[list[Need]]) -> str:
+def _tell_needs(needs: Sequence[list[Slack]]) -> str:
     """Say what roots, logarithms and so on need that is not shown, empty for nothing."""
     return _clip(" and ".join(dict.fromkeys(tell(need) for listed in needs for need in listed)))
 
@@ -206,9 +207,8 @@ def _decide_relation(statement: Holds, domain: Domain) -> Answer:
 
 def _explain_relation(relation: sp.Basic) -> str:
     """Name the sign that is not shown."""
-    if isinstance(relation, sp.core.relational._Inequality):
-        return _clip(f"the sign of {relation.gts - relation.lts} is not shown")
-    return _clip(f"{relation} is not shown")
+    slack = find_slack(relation)
+    return _clip(f"{f'the sign of {slack.value}' if slack else relation} is not shown")
 
 
 def _clip(text: str) -> str:
@@ -243,13 +243,9 @@ def _prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
 
 def _holds_by_sign(relation: sp.Basic, domain: Domain) -> bool:
     if isinstance(relation, sp.Unequality):
-        sign = find_sign(relation.lhs - relation.rhs, domain)
-        return sign is not None and sign.strict
-    if not isinstance(relation, sp.core.relational._Inequality):
-        return False
-    sign = find_sign(relation.gts - relation.lts, domain)
-    strict = isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan)
-    return sign is not None and sign.direction > 0 and (sign.strict or not strict)
+        return is_nonzero(relation.lhs - relation.rhs, domain)
+    slack = find_slack(relation)
+    return slack is not None and is_shown(slack, domain)
 
 
 def _decide_conjunction(statement: Conjunction, domain: Domain) -> Answer:

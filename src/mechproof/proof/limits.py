@@ -12,7 +12,7 @@ import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
-from mechproof.proof.signs import find_sign
+from mechproof.proof.signs import is_nonzero, is_positive
 from mechproof.record.parts import find_parts
 
 _MOST_DERIVATIVES = 6
@@ -36,7 +36,7 @@ def _find_value(limit: sp.Limit, domain: Domain) -> sp.Expr | None:
         if not all(_is_smooth(part, variable, point, domain) for part in (above, below)):
             return None
         top, bottom = (part.subs(variable, point) for part in (above, below))
-        if _is_apart_from_zero(bottom, domain):
+        if is_nonzero(bottom, domain):
             return top / bottom
         if not all(decide_equal(part, sp.S.Zero, domain) for part in (top, bottom)):
             return None
@@ -57,17 +57,7 @@ def _is_smooth(node: sp.Expr, variable: sp.Symbol, point: sp.Expr, domain: Domai
         return True
     base = node.args[0].subs(variable, point)
     if isinstance(node, sp.Pow) and node.exp.is_Integer:
-        return node.exp >= 0 or _is_apart_from_zero(base, domain)
+        return node.exp >= 0 or is_nonzero(base, domain)
     if isinstance(node, sp.tan):
-        return _is_apart_from_zero(sp.cos(base), domain)
-    return isinstance(node, sp.Pow | sp.log) and _is_positive(base, domain)
-
-
-def _is_apart_from_zero(value: sp.Expr, domain: Domain) -> bool:
-    sign = find_sign(value, domain)
-    return sign is not None and sign.strict
-
-
-def _is_positive(value: sp.Expr, domain: Domain) -> bool:
-    sign = find_sign(value, domain)
-    return sign is not None and sign.strict and sign.direction > 0
+        return is_nonzero(sp.cos(base), domain)
+    return isinstance(node, sp.Pow | sp.log) and is_positive(base, domain)

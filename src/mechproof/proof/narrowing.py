@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import sympy as sp
-from sympy.core.relational import _Inequality
 
 from mechproof.proof.set_values import place, radical_inverse
+from mechproof.record.relations import find_slack
 
 Values = Mapping[sp.Basic, sp.Expr]
 # Relations that go round in a circle could narrow for ever.
@@ -132,9 +132,8 @@ def _single(values: Values) -> dict[sp.Basic, sp.Set]:
 
 
 def _list_gaps(relation: sp.Basic) -> list[_Gap]:
-    if isinstance(relation, _Inequality):
-        strict = isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan)
-        return [_take_apart(relation.gts - relation.lts, strict)]
+    if slack := find_slack(relation):
+        return [_take_apart(*slack)]
     if isinstance(relation, sp.Equality):
         size = relation.lhs - relation.rhs
         return [_take_apart(sign * size, False) for sign in (1, -1)]

@@ -24,6 +24,7 @@ from mechproof.proof.coordinates import (
 from mechproof.proof.domain import Domain
 from mechproof.proof.polynomial_signs import StrictSign, sign_of_number, sign_of_quotient
 from mechproof.record.parts import find_parts
+from mechproof.record.relations import Slack, find_slack
 
 # Work limit: powers and multiples of angles beyond are not multiplied out.
 MOST_MULTIPLIED = 100
@@ -44,6 +45,33 @@ def find_sign(expression: sp.Expr, domain: Domain) -> StrictSign | None:
         return _find_sign_with_ends(expression, domain)
     except (NotImplementedError, sp.PolynomialError):
         return None
+
+
+def is_positive(expression: sp.Expr, domain: Domain) -> bool:
+    """Tell whether an expression is proved to be positive on the domain."""
+    return find_sign(expression, domain) == StrictSign(1, True)
+
+
+def is_nonnegative(expression: sp.Expr, domain: Domain) -> bool:
+    """Tell whether an expression is proved not to be negative on the domain."""
+    sign = find_sign(expression, domain)
+    return sign is not None and sign.direction > 0
+
+
+def is_nonzero(expression: sp.Expr, domain: Domain) -> bool:
+    """Tell whether an expression is proved to have one sign, and no zero, on the domain."""
+    sign = find_sign(expression, domain)
+    return sign is not None and sign.strict
+
+
+def is_within_quarter_turn(angle: sp.Expr, domain: Domain) -> bool:
+    """Tell whether an angle is proved to lie within a quarter turn to both sides."""
+    return all(is_positive(sp.pi / 2 + k * angle, domain) for k in (1, -1))
+
+
+def is_shown(slack: Slack, domain: Domain) -> bool:
+    """Tell whether a slack is proved to be positive, or not negative, as it must be."""
+    return (is_positive if slack.strict else is_nonnegative)(slack.value, domain)
 
 
 def _find_sign_with_ends(expression: sp.Expr, domain: Domain) -> StrictSign | None:
@@ -115,11 +143,10 @@ def _with_related(expression: sp.Expr, domain: Domain) -> set[sp.Basic]:
 
 def _replace_by_gap(relation: sp.Basic, domain: Domain, coordinates: Coordinates) -> None:
     """Use small < large, large being a symbol whose own interval starts no higher than small."""
-    kinds = (sp.StrictLessThan, sp.LessThan, sp.StrictGreaterThan, sp.GreaterThan)
-    if not isinstance(relation, kinds):
+    slack = find_slack(relation)
+    if slack is None:
         return
     small, large = relation.lts, relation.gts
-    strict = isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan)
     where = domain.set_of(large)
     if not large.is_Symbol or small.has(large) or where.sup != sp.oo:
         return
@@ -128,7 +155,7 @@ def _replace_by_gap(relation: sp.Basic, domain: Domain, coordinates: Coordinates
     if where.inf != -sp.oo and low is not None and low.direction < 0:
         return
     gap = sp.Dummy(f"gap_{large}", nonnegative=True)
-    (coordinates.positive if strict else coordinates.nonnegative).add(gap)
+    (coordinates.positive if slack.strict else coordinates.nonnegative).add(gap)
     coordinates.replacement[large] = small + gap
 
 
@@ -142,17 +169,15 @@ def _name_positive_cosines(
     """Let the cosine of an angle proved to lie within a quarter turn be a positive number."""
     for angle in list_angles(expression):
         only_cosine = not expression.has(sp.sin(angle), sp.tan(angle))
-        if only_cosine and all(_is_positive(sp.pi / 2 + k * angle, domain) for k in (1, -1)):
+        if only_cosine and _is_acute(angle, domain):
             c = sp.Dummy("c", positive=True)
             coordinates.positive.add(c)
             expression = expression.subs(sp.cos(angle), c)
     return expression
 
 
-def _is_positive(expression: sp.Expr, domain: Domain) -> bool:
-    if expression.atoms(sp.Function):
-        return False
-    return find_sign(expression, domain) == StrictSign(1, True)
+def _is_acute(angle: sp.Expr, domain: Domain) -> bool:
+    return not angle.atoms(sp.Function) and is_within_quarter_turn(angle, domain)
 
 
 def _sign_by_half_angles(expression: sp.Expr, coordinates: Coordinates) -> StrictSign | None:

@@ -16,7 +16,7 @@ from mechproof.arithmetic import balls
 from mechproof.proof.assumptions import Facts, describe_excess, facts_of, find_excess
 from mechproof.proof.dimensions import DimensionError, Dimensions, infer_common
 from mechproof.proof.domain import Domain
-from mechproof.proof.signs import find_sign
+from mechproof.proof.signs import is_shown
 from mechproof.record import (
     Completions,
     Conjunction,
@@ -26,6 +26,7 @@ from mechproof.record import (
     Holds,
     PrintedNumber,
     RecordError,
+    Slack,
     Statement,
 )
 from mechproof.record.parts import find_free, find_parts
@@ -156,8 +157,7 @@ def _has_sign(expression: sp.Expr, direction: int, domain: Domain, strict: bool 
     directed = direction * expression
     if directed.is_extended_positive or (directed.is_extended_nonnegative and not strict):
         return True
-    sign = find_sign(directed, domain)
-    return sign is not None and sign.direction > 0 and (sign.strict or not strict)
+    return is_shown(Slack(directed, strict), domain)
 
 
 def _check_dimension(name: str, side: sp.Basic, known: Dimensions) -> None:

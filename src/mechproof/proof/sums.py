@@ -17,7 +17,7 @@ import sympy as sp
 
 from mechproof.arithmetic.ball_evaluation import MOST_TERMS
 from mechproof.proof.domain import Domain
-from mechproof.proof.signs import find_sign
+from mechproof.proof.signs import is_nonnegative
 from mechproof.record.substitution import substitute
 
 _MOST_ALIGNED = 8
@@ -97,10 +97,7 @@ def _check_limits(index: sp.Symbol, lower: sp.Expr, upper: sp.Expr, domain: Doma
 
 
 def _is_not_negative(expression: sp.Expr, domain: Domain) -> bool:
-    if expression.is_nonnegative:
-        return True
-    sign = find_sign(expression, domain)
-    return sign is not None and sign.direction > 0
+    return bool(expression.is_nonnegative) or is_nonnegative(expression, domain)
 
 
 def _flatten(node: sp.Expr, limits: list[Limit], domain: Domain) -> sp.Expr:

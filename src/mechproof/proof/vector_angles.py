@@ -11,7 +11,7 @@ import sympy as sp
 
 from mechproof.proof.algebra import decide_equal
 from mechproof.proof.domain import Domain
-from mechproof.proof.signs import find_sign
+from mechproof.proof.signs import is_positive
 
 RUNG = "arguments of vectors"
 Vector = tuple[sp.Expr, sp.Expr]
@@ -27,10 +27,10 @@ def decide_by_argument(left: sp.Expr, right: sp.Expr, domain: Domain) -> str | N
     if not is_sum or len(sizes) > 1 or len(parted) not in (2, 3):
         return None
     # The one whose vector may point anywhere goes first, the others are added up.
-    parted.sort(key=lambda term: _is_positive(_vector(term[1])[0], domain))
+    parted.sort(key=lambda term: is_positive(_vector(term[1])[0], domain))
     (factor, alone), *others = parted
     is_pair = len(others) == 1 and others[0][0] == -factor
-    if not is_pair and not all(_is_positive(_vector(node)[0], domain) for _, node in others):
+    if not is_pair and not all(is_positive(_vector(node)[0], domain) for _, node in others):
         return None
     product: Vector = (sp.S.One, sp.S.Zero)
     for sign, node in others:
@@ -51,9 +51,4 @@ def _multiply(one: Vector, other: Vector, sign: sp.Expr) -> Vector:
 def _same_direction(one: Vector, other: Vector, domain: Domain) -> bool:
     cross = one[0] * other[1] - one[1] * other[0]
     scalar = one[0] * other[0] + one[1] * other[1]
-    return decide_equal(cross, sp.S.Zero, domain) is not None and _is_positive(scalar, domain)
-
-
-def _is_positive(expression: sp.Expr, domain: Domain) -> bool:
-    sign = find_sign(expression, domain)
-    return sign is not None and sign.strict and sign.direction > 0
+    return decide_equal(cross, sp.S.Zero, domain) is not None and is_positive(scalar, domain)

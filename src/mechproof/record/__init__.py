@@ -15,7 +15,7 @@ from mechproof.record.expressions import (
 )
 from mechproof.record.findings import Cost, Finding, Follower
 from mechproof.record.forms import Chart, Form, Peer, Written
-from mechproof.record.needs import Need, list_needs, list_partial
+from mechproof.record.needs import list_needs, list_partial
 from mechproof.record.papers import RESERVED, Paper, Published, Toleranced
 from mechproof.record.quantities import (
     Accuracy,
@@ -26,6 +26,7 @@ from mechproof.record.quantities import (
     Singular,
     Together,
 )
+from mechproof.record.relations import Slack
 from mechproof.record.rows import (
     MARKS,
     Claim,
@@ -80,7 +81,6 @@ __all__ = [
     "FunctionWithoutArgument",
     "Holds",
     "IntegralWithoutDifferential",
-    "Need",
     "Notation",
     "Paper",
     "Part",
@@ -97,6 +97,7 @@ __all__ = [
     "Scope",
     "Sign",
     "Singular",
+    "Slack",
     "Statement",
     "Together",
     "Toleranced",

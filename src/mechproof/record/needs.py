@@ -11,15 +11,14 @@ import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.record.expressions import ValueWhere
+from mechproof.record.relations import Slack
 
-# What must not be negative, and whether it must not be zero either.
-Need = tuple[sp.Expr, bool]
-_NEEDS: Mapping[type[sp.Basic], Callable[[sp.Expr], tuple[Need, ...]]] = {
-    sp.log: lambda x: ((x, True),),
-    sp.asin: lambda x: ((1 - x, False), (1 + x, False)),
-    sp.acos: lambda x: ((1 - x, False), (1 + x, False)),
-    sp.acosh: lambda x: ((x - 1, False),),
-    sp.atanh: lambda x: ((1 - x, True), (1 + x, True)),
+_NEEDS: Mapping[type[sp.Basic], Callable[[sp.Expr], tuple[Slack, ...]]] = {
+    sp.log: lambda x: (Slack(x, True),),
+    sp.asin: lambda x: (Slack(1 - x, False), Slack(1 + x, False)),
+    sp.acos: lambda x: (Slack(1 - x, False), Slack(1 + x, False)),
+    sp.acosh: lambda x: (Slack(x - 1, False),),
+    sp.atanh: lambda x: (Slack(1 - x, True), Slack(1 + x, True)),
 }
 # Denominators of these may be zero on whole intervals.
 _KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.floor, sp.ceiling, sp.Piecewise)
@@ -42,10 +41,10 @@ def list_partial(expression: sp.Basic) -> Iterator[sp.Expr]:
         yield expression
 
 
-def list_needs(node: sp.Basic) -> tuple[Need, ...]:
+def list_needs(node: sp.Basic) -> tuple[Slack, ...]:
     """Return what a root, a logarithm or an inverse function needs beyond values of its parts."""
     if isinstance(node, sp.Pow) and not node.exp.is_integer:
-        needs: tuple[Need, ...] = ((node.base, not node.exp.is_positive),)
+        needs: tuple[Slack, ...] = (Slack(node.base, not node.exp.is_positive),)
     else:
         needs = _NEEDS[type(node)](node.args[0]) if type(node) in _NEEDS else ()
     return tuple(need for need in needs if not _is_told(*need))

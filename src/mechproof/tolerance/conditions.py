@@ -29,33 +29,32 @@ class BoxCondition:
     """A relation, decided over boxes by balls and, size by size, by the sign of its slope."""
 
     def __init__(self, relation: Any) -> None:
-        import sympy as sp
-
         from mechproof.arithmetic.slopes import GradientTape
+        from mechproof.record.relations import find_slack
 
         self.relation = relation
-        self.strict = isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan)
-        has_room = hasattr(relation, "gts")
-        self.room = GradientTape(relation.gts - relation.lts, {}) if has_room else None
+        slack = find_slack(relation)
+        self.slack = GradientTape(slack.value, {}) if slack else None
+        self.strict = slack is not None and slack.strict
 
     def decide(self, known: Known, box: Box) -> bool | None:
         """Return whether it holds all over the box; False: at some point not; None: unknown."""
-        if self.room is None:
+        if self.slack is None:
             return self._decide_at_point(known, box)
-        symbols = open_symbols(box) if self.room.is_continuous else []
-        room, slopes = self.room.differentiate(to_values(known, box), symbols)
-        if self._is_enough(room):
+        symbols = open_symbols(box) if self.slack.is_continuous else []
+        slack, slopes = self.slack.differentiate(to_values(known, box), symbols)
+        if self._is_enough(slack):
             return True
         for symbol in symbols:
             if sign := common_sign(slopes[symbol]):
                 box = put_to_limit(box, symbol, upper=sign < 0)
-        room = self.room.evaluate(to_values(known, box))
-        if self._is_enough(room):
+        slack = self.slack.evaluate(to_values(known, box))
+        if self._is_enough(slack):
             return True
-        return False if (room <= 0 if self.strict else room < 0) else None
+        return False if (slack <= 0 if self.strict else slack < 0) else None
 
-    def _is_enough(self, room: Any) -> bool:
-        return bool(room > 0 if self.strict else room >= 0)
+    def _is_enough(self, slack: Any) -> bool:
+        return bool(slack > 0 if self.strict else slack >= 0)
 
     def _decide_at_point(self, known: Known, box: Box) -> bool | None:
         from mechproof.arithmetic import balls

@@ -13,8 +13,9 @@ from mechproof.lab.sampling.roots import Columns, call
 from mechproof.lab.ways import Array
 from mechproof.programs.domain import set_relations
 from mechproof.proof.domain import Domain
+from mechproof.proof.set_values import COUNTS
+from mechproof.record.relations import find_slack, is_comparison
 
-COUNTS = (sp.S.Naturals, sp.S.Naturals0)
 # A computed limit is kept away from by what so many roundings of the arguments move it: nearer,
 # no kernel can know on which side it is.
 MARGIN = 64 * float(np.finfo(float).eps)
@@ -44,13 +45,13 @@ class Region:
         Zero is no edge of a size that is only positive: it is as far away as infinity.
         """
         unbounded = {s for s in self.symbols if not self.domain.set_of(s).sup.is_finite}
-        limits = [r for r in self.relations if not isinstance(r, sp.Eq)]
-        gaps = [
-            r.gts - r.lts
-            for r in limits
-            if len(r.free_symbols) > 1 or not r.free_symbols & unbounded
+        slacks = filter(None, map(find_slack, self.relations))
+        vanishing = [
+            slack.value
+            for slack in slacks
+            if len(slack.value.free_symbols) > 1 or not slack.value.free_symbols & unbounded
         ]
-        return tuple(dict.fromkeys(gaps))
+        return tuple(dict.fromkeys(vanishing))
 
     def ends(self, symbol: sp.Symbol) -> tuple[float, float]:
         """Return both ends of the set of a symbol as doubles."""
@@ -67,7 +68,7 @@ class Region:
         An irrational end is its double; from a computed limit they keep the margin of rounding.
         """
         kept = self.mark_near(columns, MARGIN)
-        computed = [r for r in self.relations if not _is_comparison(r)]
+        computed = [r for r in self.relations if not is_comparison(r)]
         for index in np.flatnonzero(kept) if computed else ():
             point = {s: float(columns[s][index]) for s in self.symbols}
             kept[index] = all(balls.truth(relation, point) is True for relation in computed)
@@ -83,29 +84,22 @@ class Region:
 
 def _holds(relation: sp.Basic, columns: Columns, margin: float) -> Array:
     """Mark where a relation holds in doubles, by a margin where it is computed."""
-    if isinstance(relation, sp.Eq):
+    slack = find_slack(relation)
+    if slack is None:
         return np.asarray(call(relation.lhs, columns) == call(relation.rhs, columns))
-    left, right = (call(side, columns) for side in (relation.gts, relation.lts))
-    if _is_comparison(relation):
-        strict = isinstance(relation, sp.StrictGreaterThan | sp.StrictLessThan) and margin > 0
-        return np.asarray(left > right if strict else left >= right)
+    greater, smaller = (call(side, columns) for side in (relation.gts, relation.lts))
+    if is_comparison(relation):
+        leaves_edge = slack.strict and margin > 0
+        return np.asarray(greater > smaller if leaves_edge else greater >= smaller)
     with np.errstate(all="ignore"):
-        return np.asarray(left - right > margin * call(_condition(relation), columns))
+        return np.asarray(greater - smaller > margin * call(_condition(slack.value), columns))
 
 
 @lru_cache(maxsize=256)
-def _condition(relation: sp.Basic) -> sp.Expr:
-    """Return what relative changes of the arguments make of the gap between both sides."""
-    gap = relation.gts - relation.lts
-    return sp.Add(*(sp.Abs(s * sp.diff(gap, s)) for s in sorted(gap.free_symbols, key=str)))
+def _condition(slack: sp.Expr) -> sp.Expr:
+    """Return by how much relative changes of the arguments change a slack.
 
-
-def _is_comparison(relation: sp.Basic) -> bool:
-    """Return whether no rounding decides a relation."""
-    return all(map(is_plain, relation.args)) and not isinstance(relation, sp.Eq)
-
-
-def is_plain(side: sp.Expr) -> bool:
-    """Return whether a side of a relation is a number, a symbol, or the absolute value of one."""
-    inner = side.args[0] if isinstance(side, sp.Abs) else side
-    return bool(inner.is_Symbol or inner.is_number or isinstance(inner, sp.Indexed))
+    It is the absolute condition number of Higham (2002, section 1.6), to the first order.
+    """
+    symbols = sorted(slack.free_symbols, key=str)
+    return sp.Add(*(sp.Abs(s * sp.diff(slack, s)) for s in symbols))
