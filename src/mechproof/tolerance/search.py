@@ -118,11 +118,7 @@ class Search:
     def _narrow(self, box: Box) -> Box:
         """Narrow a size to the tops of the curves along it, if all have one, by Newton's step."""
         for symbol in open_symbols(box):
-            bends = [
-                self.direction * p.bend(to_values(self.known, box), symbol)
-                for p in self.problem.tapes
-            ]
-            bend = min(bends, key=width)
+            bend = self._bend(box, symbol)
             if not bend < 0:
                 continue
             low, high = box[symbol]
