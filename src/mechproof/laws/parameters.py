@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import Any, Self
 
 import numpy as np
@@ -51,6 +52,25 @@ class ByValue:
         # Zero has one sign then, and NaN one pattern.
         plain = [np.where(np.isnan(p), np.nan, p + 0.0) for p in vars(self).values()]
         return hash((type(self), *((p.shape, p.tobytes()) for p in plain)))
+
+
+class BoundedLaw(ByValue, ABC):
+    """A law between limits, of which the mass of a window says everything."""
+
+    @abstractmethod
+    def probability(self, lower: ArrayLike, upper: ArrayLike) -> Any:
+        """Probability of a value strictly between the limits; 0 where they are reversed."""
+
+    def cdf(self, x: ArrayLike) -> Any:
+        """Probability of a value below `x`."""
+        return self.probability(-np.inf, check_array("x", x))
+
+    def outside(self, lower: ArrayLike, upper: ArrayLike) -> Any:
+        """Probability of a value at or beyond either limit; 1 where they are reversed."""
+        low, high = check_limits(lower, upper)
+        beyond = self.probability(-np.inf, low) + self.probability(high, np.inf)
+        # Of reversed limits, every value is beyond one or both.
+        return np.minimum(beyond, 1.0)
 
 
 def check_limits(lower: ArrayLike, upper: ArrayLike) -> tuple[Array, Array]:

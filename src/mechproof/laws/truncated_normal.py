@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from mechproof.arguments.arrays import check_array, check_order, check_scale
 from mechproof.arguments.scalars import require
 from mechproof.laws.normal import Normal
-from mechproof.laws.parameters import ByValue, Values, check_limits
+from mechproof.laws.parameters import BoundedLaw, Values, check_limits
 from mechproof.laws.windows import Array, standardise
 
 # Where the density changes by less than this part between the limits, the law is rectangular.
@@ -19,7 +19,7 @@ FLAT = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class TruncatedNormal(ByValue):
+class TruncatedNormal(BoundedLaw):
     """Normal law with parameters `mean` and `std` > 0, conditioned on lower < value < upper.
 
     `mean` and `std` are those of the law before truncation; a limit may be infinite. Raises
@@ -56,22 +56,11 @@ class TruncatedNormal(ByValue):
         outside = (position < self.lower) | (position > self.upper)
         return np.where(outside, 0.0, self._parent.pdf(position) / self._mass)[()]
 
-    def cdf(self, x: ArrayLike) -> Any:
-        """Probability of a value below `x`."""
-        return self.probability(-np.inf, check_array("x", x))
-
     def probability(self, lower: ArrayLike, upper: ArrayLike) -> Any:
         """Probability of a value strictly between the limits; 0 where they are reversed."""
         start, end = check_limits(lower, upper)
         ends = np.maximum(start, self.lower), np.minimum(end, self.upper)
         return self._parent.probability(*ends) / self._mass
-
-    def outside(self, lower: ArrayLike, upper: ArrayLike) -> Any:
-        """Probability of a value at or beyond either limit; 1 where they are reversed."""
-        low, high = check_limits(lower, upper)
-        beyond = self.probability(-np.inf, low) + self.probability(high, np.inf)
-        # Of reversed limits, every value is beyond one or both.
-        return np.minimum(beyond, 1.0)
 
     def sample(self, rng: np.random.Generator, size: int | tuple[int, ...] | None = None) -> Any:
         """Independent values of the given shape; `None`: one per parameter set."""

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from mechproof.arguments.arrays import check_array, check_finite, check_order, check_scale
-from mechproof.laws.parameters import ByValue, Values, check_limits
+from mechproof.laws.parameters import BoundedLaw, Values, check_limits
 from mechproof.laws.windows import Array
 
 
 @dataclass(frozen=True, eq=False)
-class Uniform(ByValue):
+class Uniform(BoundedLaw):
     """Rectangular law between two finite limits, lower < upper (else ValueError)."""
 
     lower: Values
@@ -38,23 +38,12 @@ class Uniform(ByValue):
         density = np.where(inside, 1 / (high - low), 0.0)
         return np.where(np.isnan(position), np.nan, density)[()]
 
-    def cdf(self, x: ArrayLike) -> Any:
-        """Probability of a value below `x`."""
-        return self.probability(-np.inf, check_array("x", x))
-
     def probability(self, lower: ArrayLike, upper: ArrayLike) -> Any:
         """Probability of a value strictly between the limits; 0 where they are reversed."""
         low, high = np.asarray(self.lower), np.asarray(self.upper)
         start, end = check_limits(lower, upper)
         overlap = np.minimum(end, high) - np.maximum(start, low)
         return (np.maximum(overlap, 0.0) / (high - low))[()]
-
-    def outside(self, lower: ArrayLike, upper: ArrayLike) -> Any:
-        """Probability of a value at or beyond either limit; 1 where they are reversed."""
-        low, high = check_limits(lower, upper)
-        beyond = self.probability(-np.inf, low) + self.probability(high, np.inf)
-        # Of reversed limits, every value is beyond one or both.
-        return np.minimum(beyond, 1.0)
 
     def sample(self, rng: np.random.Generator, size: int | tuple[int, ...] | None = None) -> Any:
         """Independent values of the given shape; `None`: one per parameter set."""

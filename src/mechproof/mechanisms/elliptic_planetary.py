@@ -20,20 +20,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from mechproof.arguments.scalars import check_real
-from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import elliptic_planetary as kernels
 from mechproof.mechanisms.extremes import Extremes
 from mechproof.mechanisms.facts import check_domain, choose_published
-from mechproof.mechanisms.inversion import follow_kind, invert
+from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
 from mechproof.notebook import Displayed
 
 __all__ = ["EllipticPlanetary"]
-
-# The bracket of the inverse is widened by this relative amount: the accuracy bound of the position
-# kernel, 4 eps, and the rounding of the bounds, some ten operations of half an eps.
-WIDENING = 16 * np.finfo(float).eps
-# A carrier angle may be subnormal where phi3 is not; there the widening is absolute.
-FINEST = 4 * float(np.finfo(float).smallest_subnormal)
 
 
 @dataclass(frozen=True)
@@ -136,14 +129,7 @@ class EllipticPlanetary(Displayed):
         step to a neighbour of phi1 makes of the position.
 
         """
-        (given,) = as_floats("phi3", phi3)
-        target = np.asarray(given)
-        proper = np.isfinite(target) & (target != 0)
-        # The function is odd; its positive half is enough.
-        size = np.where(proper, np.abs(target), 1.0).astype(np.float64)
-        root = np.copysign(self._invert(size), target)
-        root = np.where(proper, root, np.where(target == 0, target, np.nan))
-        return follow_kind(given, root.astype(target.dtype))
+        return invert_odd("phi3", phi3, self._invert)
 
     def _invert(self, size: Any) -> Any:
         """Solve position(phi1) = size for positive, finite sizes."""

@@ -14,14 +14,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernel_support.order import from_order, to_order
 
-__all__ = ["follow_kind", "invert"]
+__all__ = ["FINEST", "WIDENING", "follow_kind", "invert", "invert_odd"]
 
 Floats = NDArray[np.float64]
 Orders = NDArray[np.int64]
 
 LARGEST = np.finfo(np.float64).max
+# A bracket that is known of the exact function is widened for the computed one by this relative
+# amount: twice the accuracy bound of the position kernels, 4 eps, which is twice that of the larger
+# term, and the rounding of the bracket, some ten operations of half an eps.
+WIDENING = 16 * np.finfo(float).eps
+# An angle may be subnormal where the value is not; there the widening is absolute.
+FINEST = 4 * float(np.finfo(float).smallest_subnormal)
 # The push towards the middle, as a part of the bracket's square over the first one.
 PUSH = 0.2
 
@@ -63,6 +70,21 @@ def invert(
     _check_enclosed(target, short, long, failure)
     nearest = np.where(-short <= long, below, above)
     return from_order(nearest).reshape(np.shape(wanted))
+
+
+def invert_odd(name: str, given: Any, solve: Callable[[Floats], Any]) -> Any:
+    """Invert an odd function at angles of any number of turns; NaN where they are not finite.
+
+    `solve` returns where the function has values, which are positive and finite. A mask or an
+    index is kept, and so is the type of the floats. Raises TypeError for `given`, called `name`.
+    """
+    (angles,) = as_floats(name, given)
+    target = np.asarray(angles)
+    proper = np.isfinite(target) & (target != 0)
+    size = np.where(proper, np.abs(target), 1.0).astype(np.float64)
+    root = np.copysign(1.0, target) * solve(size)
+    root = np.where(proper, root, np.where(target == 0, target, np.nan))
+    return follow_kind(angles, root.astype(target.dtype))
 
 
 def _check_enclosed(target: Floats, short: Floats, long: Floats, failure: str) -> None:

@@ -25,11 +25,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from mechproof.arguments.scalars import check_real, refuse, require
-from mechproof.kernel_support.arrays import as_floats
 from mechproof.kernels import oval_planetary as kernels
 from mechproof.mechanisms.extremes import Extremes
 from mechproof.mechanisms.facts import check_domain, choose_published
-from mechproof.mechanisms.inversion import follow_kind, invert
+from mechproof.mechanisms.inversion import FINEST, WIDENING, invert, invert_odd
 from mechproof.mechanisms.oval_planetary_motion import (
     Motion,
     Number,
@@ -43,13 +42,6 @@ __all__ = ["CylindricalPair", "Motion", "OvalPair", "OvalPlanetary"]
 
 # Decimal strings are exact, too; every parameter is kept as a Fraction or a float.
 Given = float | Fraction | Decimal | str
-
-# The bracket of the inverse is widened by this relative amount: twice the accuracy bound of the
-# position kernel, 4 eps of the larger term, which is at most twice the position at the lower end,
-# and the rounding of the bounds, some ten operations of half an eps.
-WIDENING = 16 * np.finfo(float).eps
-# A carrier angle may be subnormal where phi3 is not; there the widening is absolute.
-FINEST = 4 * float(np.finfo(float).smallest_subnormal)
 
 
 @dataclass(frozen=True)
@@ -227,14 +219,7 @@ class OvalPlanetary(Displayed):
 
         """
         sign = self._direction()
-        (given,) = as_floats("phi3", phi3)
-        target = np.asarray(given)
-        proper = np.isfinite(target) & (target != 0)
-        # The function is odd; its positive half is enough.
-        size = np.where(proper, np.abs(target), 1.0).astype(np.float64)
-        root = sign * np.copysign(self._invert(size, sign), target)
-        root = np.where(proper, root, np.where(target == 0, target, np.nan))
-        return follow_kind(given, root.astype(target.dtype))
+        return invert_odd("phi3", phi3, lambda size: sign * self._invert(size, sign))
 
     @property
     def _numbers(self) -> tuple[Any, Any, Any]:
