@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from mechproof.made import STAGED, ForeignFileError
-from mechproof.report.folder import LIST, check_folder, write_folder
+from mechproof.report.site import LIST, check_folder, write_folder
 
 FILES = {"index.html": "one", "papers/a.html": "a", "papers/b.html": "b"}
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from mechproof.measured import COPY, MeasuredWay, Record
+from mechproof.measured import COPY, MeasuredWay, Record, Timing
 
 Family = Literal["shipped", "written", "installed", "approximate"]
 FAMILIES: tuple[Family, ...] = ("shipped", "written", "installed", "approximate")
@@ -96,7 +96,8 @@ def _make_mark(
     if found is None or not errors or {row.set for row in rows} != wanted:
         return None
     turns = any(row.wrong_branch > _count_small_turns(record, row.set) for row in rows)
-    return ChartPoint(way.name, _find_family(record, way), found[1], max(errors), turns, found[0])
+    family, worst = _find_family(record, way), max(errors)
+    return ChartPoint(way.name, family, found.median, worst, turns, found.count)
 
 
 def _count_small_turns(record: Record, name: str) -> int:
@@ -117,17 +118,16 @@ def _find_family(record: Record, way: MeasuredWay) -> Family:
     return "approximate" if way.bound else "written"
 
 
-def find_time(record: Record, way: str, workload: str, count: int) -> tuple[int, float] | None:
-    """Return size and time at this size, or at the largest size below that was worth it."""
-    rows = [r for r in record.times if (r.way, r.workload) == (way, workload) and r.count <= count]
-    best = max(rows, key=lambda r: r.count, default=None)
-    return (best.count, best.median) if best else None
+def find_time(record: Record, way: str, workload: str, count: int) -> Timing | None:
+    """Return the time at this size, or at the largest size below that was worth it."""
+    rows = (r for r in record.times if (r.way, r.workload) == (way, workload) and r.count <= count)
+    return max(rows, key=lambda row: row.count, default=None)
 
 
 def find_copy(record: Record, workload: str, count: int) -> float | None:
     """Return what copying the result takes, in nanoseconds per point."""
     found = find_time(record, COPY, workload, count)
-    return found[1] if found else None
+    return found.median if found else None
 
 
 def find_front(marks: Sequence[ChartPoint]) -> list[ChartPoint]:

@@ -8,6 +8,8 @@ from threading import RLock
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from mechproof.arguments.scalars import require
 
 if TYPE_CHECKING:
@@ -20,6 +22,7 @@ __all__ = [
     "SMALL",
     "LineStyle",
     "check_axes",
+    "check_drawn",
     "import_matplotlib",
     "label",
     "make_canvas",
@@ -98,6 +101,13 @@ def make_canvas(width: float = COLUMN, height: float = 60.0) -> Figure:
     from matplotlib.figure import Figure
 
     return Figure((width * MILLIMETRE, height * MILLIMETRE))
+
+
+def check_drawn(name: str, given: Any, kind: type, field: str, shape: tuple[int, ...]) -> None:
+    """Raise an error for what is not of the kind, or whose `field` is not of the inputs' shape."""
+    require(isinstance(given, kind), name, given, f"must be a {kind.__name__}", TypeError)
+    found = np.shape(getattr(given, field))
+    require(found == shape, name, found, f"must be of the inputs' shape, {shape}")
 
 
 def check_axes(name: str, given: Any, count: int, height: float) -> Sequence[Axes]:

@@ -170,10 +170,8 @@ def write_files(figure: Figure, folder: Path, stem: str) -> tuple[Path, Path]:
 
 
 def _save_svg(figure: Figure, canvas: Canvas) -> str:
-    text = StringIO()
     with use_style({"svg.hashsalt": f"{figure.name}: {figure.title}"}), _blame(figure):
-        canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
-    return strip_svg(text.getvalue(), figure.title)
+        return write_svg(canvas, figure.title)
 
 
 def _save_png(figure: Figure, canvas: Canvas) -> bytes:
@@ -190,6 +188,13 @@ def _blame(figure: Figure) -> Iterator[None]:
         yield
     except Exception as error:
         raise DrawingError(_tell(figure, "", error)) from error
+
+
+def write_svg(canvas: Canvas, title: str) -> str:
+    """Write a drawing in the style that is in use as an element that a page can hold."""
+    text = StringIO()
+    canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
+    return strip_svg(text.getvalue(), title)
 
 
 def strip_svg(text: str, title: str) -> str:

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from mechproof.arguments.arrays import check_array
-from mechproof.arguments.scalars import check_items, check_text, refuse, require
+from mechproof.arguments.scalars import check_items, check_text, require
 from mechproof.conformity import Shares, SimulatedShares
-from mechproof.plot.canvas import SMALL, LineStyle, check_axes
+from mechproof.plot.canvas import SMALL, LineStyle, check_axes, check_drawn
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -76,7 +76,7 @@ def shares(
     require(points.ndim == 1, "inputs", inputs, "must have one axis")
     names = _check_names(which)
     check_text("label", label)
-    _check_shares("exact", exact, Shares, points.shape)
+    check_drawn("exact", exact, Shares, "rightly_accepted", points.shape)
     (panel,) = check_axes("ax", ax, 1, HEIGHT)
     for name in names:
         drawn = {"label": name.replace("_", " "), **(LOOKS[name] if look is None else look)}
@@ -100,17 +100,10 @@ def _check_names(which: Sequence[str]) -> tuple[str, ...]:
     return names
 
 
-def _check_shares(name: str, given: Any, kind: type, shape: tuple[int, ...]) -> None:
-    require(isinstance(given, kind), name, given, f"must be {kind.__name__}", TypeError)
-    found = np.shape(given.rightly_accepted)
-    if found != shape:
-        refuse(name, found, f"must be of the inputs' shape, {shape}")
-
-
 def _draw_simulated(
     panel: Axes, points: Any, counted: SimulatedShares, names: Sequence[str], colour: Any
 ) -> None:
-    _check_shares("simulated[1]", counted, SimulatedShares, points.shape)
+    check_drawn("simulated[1]", counted, SimulatedShares, "rightly_accepted", points.shape)
     for number, name in enumerate(names):
         share, error, lower, upper = (
             np.asarray(getattr(one, name))

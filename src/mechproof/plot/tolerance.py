@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mechproof.arguments.arrays import check_array
-from mechproof.arguments.scalars import check_items, check_text, refuse, require
-from mechproof.plot.canvas import SMALL, LineStyle, check_axes, write
+from mechproof.arguments.scalars import check_items, check_text, require
+from mechproof.plot.canvas import SMALL, LineStyle, check_axes, check_drawn, write
 from mechproof.tolerance import CertifiedRange, CornerRange, MonteCarloRange
 
 if TYPE_CHECKING:
@@ -67,7 +67,8 @@ def tolerance(
     kinds = {"corners": CornerRange, "certified": CertifiedRange, "scatter": MonteCarloRange}
     ranges = {"corners": corners, "certified": certified, "scatter": scatter}
     for name, given in ranges.items():
-        _check_range(name, given, kinds[name], points.shape, optional=name != "corners")
+        if given is not None or name == "corners":
+            check_drawn(name, given, kinds[name], "lower", points.shape)
     across, upward = check_items("labels", labels, 2, "must be two texts")
     check_text("labels[0]", across), check_text("labels[1]", upward)
     (panel,) = check_axes("ax", ax, 1, HEIGHT)
@@ -88,17 +89,6 @@ def tolerance(
     panel.set_ylabel(upward, fontsize=SMALL)
     panel.legend(frameon=False, fontsize=SMALL, loc="upper left", bbox_to_anchor=(0, -0.2))
     return panel
-
-
-def _check_range(
-    name: str, given: Any, kind: type, shape: tuple[int, ...], *, optional: bool
-) -> None:
-    if given is None and optional:
-        return
-    require(isinstance(given, kind), name, given, f"must be a {kind.__name__}", TypeError)
-    found = np.shape(given.lower)
-    if found != shape:
-        refuse(name, found, f"must be of the inputs' shape, {shape}")
 
 
 def _draw_ends(

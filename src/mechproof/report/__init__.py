@@ -5,7 +5,6 @@ It needs no network and no script. In a notebook a paper, its ledger, a row and 
 themselves from the same templates. Needs the `derive` extra.
 """
 
-from mechproof.report.folder import check_folder, write_folder
-from mechproof.report.site import Site, build_site
+from mechproof.report.site import Site, build_site, check_folder, write_folder
 
 __all__ = ["Site", "build_site", "check_folder", "write_folder"]

@@ -6,11 +6,10 @@ import re
 from dataclasses import fields
 from fractions import Fraction
 from inspect import cleandoc
-from io import StringIO
 from typing import Any
 
 from mechproof.plot.canvas import use_style
-from mechproof.plot.figures import strip_svg
+from mechproof.plot.figures import write_svg
 from mechproof.plot.motion import motion
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Judgement
@@ -90,8 +89,6 @@ def _draw_motion(mechanism: Any) -> Picture | None:
         canvas = motion(mechanism)[0].figure
     except TypeError:
         return None
-    text = StringIO()
     says = f"The motion of {mechanism!r}"
     with use_style({"svg.hashsalt": says}):
-        canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})  # type: ignore[union-attr]
-    return Picture(says, "", strip_svg(text.getvalue(), says))
+        return Picture(says, "", write_svg(canvas, says))  # type: ignore[arg-type]

@@ -7,7 +7,6 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from io import StringIO
 from pathlib import Path
 
 import matplotlib as mpl
@@ -17,7 +16,7 @@ from mechproof.lab.chart import STYLE, date_records, draw_chart, write_title
 from mechproof.lab.chart_points import list_workloads
 from mechproof.lab.overview import draw_panels, write_summary
 from mechproof.measured import Record
-from mechproof.plot.figures import DrawingError, find_figures, render_svg, strip_svg
+from mechproof.plot.figures import DrawingError, find_figures, render_svg, write_svg
 from mechproof.processes import WorkerError, run_tasks
 
 # Seconds for a picture; beyond, something hangs.
@@ -141,7 +140,5 @@ def _date(records: Sequence[Record]) -> str:
 
 
 def _render(canvas: Canvas, says: str) -> str:
-    text = StringIO()
     with mpl.rc_context({**STYLE, "svg.hashsalt": says}):
-        canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
-    return strip_svg(text.getvalue(), says)
+        return write_svg(canvas, says)

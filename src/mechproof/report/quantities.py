@@ -19,8 +19,8 @@ from mechproof.codegen.docstrings import (
     tell_unit,
 )
 from mechproof.codegen.forms import number_form
-from mechproof.lab.chart_points import list_workloads
-from mechproof.measured import Record, Searched, Timing
+from mechproof.lab.chart_points import find_time, list_workloads
+from mechproof.measured import Record, Searched
 from mechproof.programs.kernel import Kernel, input_names, list_functions, shape_of
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.verdict import Judgement
@@ -255,17 +255,11 @@ def _find_costs(record: Record | None, way: str) -> tuple[str, str, str]:
         return "", "", ""
     worst = record.worst_of(way)
     error = "" if worst is None else "none right" if worst == float("inf") else f"{worst:.3g}"
-    timing = _find_timing(record, way)
+    timing = find_time(record, way, *list_workloads(record)[0])
     if timing is None:
         return set_numbers(error), "", ""
     ratio = "" if timing.ratio is None else f"{timing.ratio:.2g}"
     return set_numbers(error), set_numbers(f"{timing.median:.3g}"), set_numbers(ratio)
-
-
-def _find_timing(record: Record, way: str) -> Timing | None:
-    workload, count = list_workloads(record)[0]
-    rows = (r for r in record.times if (r.way, r.workload) == (way, workload) and r.count <= count)
-    return max(rows, key=lambda row: row.count, default=None)
 
 
 def _write_header(paper: Paper) -> str:

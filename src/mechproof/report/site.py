@@ -1,4 +1,4 @@
-"""The site: derivations with their ledgers in, the files of the report out."""
+"""The site: derivations with their ledgers in, the files of the report out, and their folder."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from mechproof.made import STAGED, ForeignFileError, Made
 from mechproof.proof.ledger import JudgedPaper
+from mechproof.proof.rungs import RUNGS
 from mechproof.report.layout import STYLESHEET, read_stylesheet, render
-from mechproof.report.legend import find_legend
 from mechproof.report.papers import PaperView, count_totals, describe_paper
 from mechproof.report.pictures import (
     OVERVIEW,
@@ -20,9 +21,22 @@ from mechproof.report.pictures import (
     list_overview,
 )
 from mechproof.report.quantities import QuantityView, describe_quantities
+from mechproof.report.rows import MARKED
 from mechproof.report.sources import Source, find_source
+from mechproof.report.words import LOOKS, MEASURED, NOT_JUDGED, VerdictStyle
 
 INDEX = "index.html"
+# Lists the files of the report, so that the next one knows what it may replace.
+LIST = "mechproof-report.sha256"
+
+
+@dataclass(frozen=True)
+class Legend:
+    """What is explained to the reader: only what occurs."""
+
+    looks: tuple[VerdictStyle, ...]
+    marks: Mapping[str, str]
+    rungs: Mapping[str, str]
 
 
 @dataclass(frozen=True)
@@ -100,5 +114,45 @@ def _render_index(
         papers=papers,
         totals=tuple(count_totals(judgements)),
         overview=picture,
-        legend=find_legend(papers, quantities),
+        legend=_find_legend(papers, quantities),
     )
+
+
+def _find_legend(papers: Sequence[PaperView], quantities: Sequence[QuantityView]) -> Legend:
+    """Find what occurs in the rows of the papers and in the forms of their quantities."""
+    rows = [e.row for paper in papers for section in paper.sections for e in section.entries]
+    forms = [form for quantity in quantities for form in quantity.forms]
+    looks = {row.look for row in rows} | {form.look for form in forms}
+    marks = {mark for row in rows for mark in row.marks}
+    joined = [row.rung for row in rows] + [form.rung for form in forms]
+    rungs = {rung for names in joined for rung in names.split(", ")}
+    return Legend(
+        tuple(look for look in (NOT_JUDGED, *LOOKS.values(), MEASURED) if look in looks),
+        {name: meaning for name, meaning in MARKED.items() if name in marks},
+        {name: meaning for name, meaning in RUNGS.items() if name in rungs},
+    )
+
+
+def check_folder(folder: Path) -> None:
+    """Raise `ForeignFileError` for what is no folder, or holds other things than a report.
+
+    An empty folder and one that is not there are right.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise ForeignFileError(f"{folder}: is a file, a folder is needed")
+    names = {path.name for path in folder.iterdir()} if folder.is_dir() else set()
+    # A first report that was killed leaves only what it was about to put in place.
+    if LIST not in names and names - {STAGED}:
+        raise ForeignFileError(
+            f"{folder}: is not empty and holds no report of mechproof; name another folder"
+        )
+    Made(folder, LIST).read_list()
+
+
+def write_folder(folder: Path, files: Mapping[str, str]) -> None:
+    """Replace the files of the last report by those of this one.
+
+    Raises `ForeignFileError` for a file that is in the way and is not of a report.
+    """
+    check_folder(folder)
+    Made(folder, LIST).update(files)
