@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-import sympy as sp
 
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.error import find_errors
@@ -116,8 +115,7 @@ def _with_leading_axis(arguments: Arguments) -> Arguments:
 
 def _mark_inside(subject: Subject, points: Arguments) -> Array:
     """Mark the points of the domain; of sums a kernel alone knows it, which is NaN elsewhere."""
-    if any(isinstance(s, sp.IndexedBase) for s in subject.facts.symbols):
+    if subject.facts.has_families:
         known: Array = ~np.isnan(subject.kernel(*points))
         return known
-    columns = [part for a in points for part in (a.T if a.ndim > 1 else [a])]
-    return subject.facts.region.mark_inside(dict(zip(subject.facts.symbols, columns, strict=True)))
+    return subject.facts.region.mark_inside(subject.facts.unpack(points))

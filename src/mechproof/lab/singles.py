@@ -128,9 +128,8 @@ def mark_judged(subject: Subject, singles: Singles, points: Arguments) -> Array:
     Of sums floats themselves decide what is inside at the limits.
     """
     judged = singles.mark_inside(points, IN_EXTENDED, np.longdouble) & ~singles.run(points)[1]
-    if any(isinstance(s, sp.IndexedBase) for s in subject.facts.symbols):
+    if subject.facts.has_families:
         return judged & singles.mark_inside(points)
-    columns = [part for a in points for part in (a.T if a.ndim > 1 else [a])]
-    named = dict(zip(subject.facts.symbols, columns, strict=True))
-    near: Array = subject.facts.region.mark_near(named, MARGIN * WIDER)
+    columns = subject.facts.unpack(points)
+    near: Array = subject.facts.region.mark_near(columns, MARGIN * WIDER)
     return judged & near

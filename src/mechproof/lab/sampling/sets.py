@@ -8,7 +8,6 @@ from functools import partial
 from itertools import pairwise, product
 
 import numpy as np
-import sympy as sp
 
 from mechproof.lab.sampling.points import PointSet
 from mechproof.lab.sampling.singular_points import list_point_sets
@@ -30,7 +29,7 @@ def list_sets(subject: Subject, share: float = 1.0) -> tuple[PointSet, ...]:
     """
     by_hand = subject.by_hand.sets
     facts = replace(subject.facts, share=share)
-    can_be_made = not any(isinstance(s, sp.IndexedBase) for s in facts.symbols)
+    can_be_made = not facts.has_families
     wanted = subject.quantity.singular or not by_hand
     made = list_point_sets(facts) if can_be_made and wanted else ()
     return (*made, *by_hand, *list_sweeps(subject))
