@@ -1,8 +1,8 @@
 """Ball arithmetic: a SymPy expression at exact values -> an enclosure (python-flint).
 
-Every number that leaves this module encloses the true value. An expression that is undefined
-at the point, or that cannot be decided there (a comparison inside the ball), gives a
-non-finite ball, never a guess.
+Balls are those of Arb (Johansson 2017), a midpoint of any precision and a radius. Every number that
+leaves this module encloses the true value. An expression that is undefined at the point, or that
+cannot be decided there (a comparison inside the ball), gives a non-finite ball, never a guess.
 """
 
 from __future__ import annotations
@@ -33,6 +33,7 @@ __all__ = [
     "working_precision",
 ]
 
+# Each is twice the last (Ziv 1991): all together cost no more than the last one twice.
 PRECISIONS = (64, 128, 256, 512, 1024)
 
 

@@ -1,7 +1,9 @@
 """Series: in, a definition and the range of its variable; out, its Taylor series in balls.
 
-The same SymPy expression that the proofs are about, symbols given by others expanded once. What
-is undecided over a ball, as the side of an edge, leaves the value enclosed and no derivative.
+The same SymPy expression that the proofs are about, symbols given by others expanded once. Taylor
+coefficients are carried from step to step (Moore 1966), by the power series of Arb; those over a
+whole ball enclose the remainder. What is undecided over a ball, as the side of an edge, leaves the
+value enclosed and no derivative.
 """
 
 from __future__ import annotations

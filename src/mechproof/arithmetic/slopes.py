@@ -22,6 +22,7 @@ from mechproof.arithmetic.balls import NOT_FINITE, working_precision
 from mechproof.arithmetic.duals import Dual, split
 from mechproof.arithmetic.layout import WHOLE, Given, Layout, Plan, Values
 
+# More than a double has: slopes are wide because boxes are, and never by rounding.
 BITS = 96
 Balls = list[Any]
 # The partial derivatives of what has two sides, on the one and on the other.

@@ -3,6 +3,9 @@
 It is run with nothing but what is handed to it: no builtins, no modules. Two things are seen to
 before, which running cannot show: that it has no loop, and that what is imported keeps its name.
 Each function, number, assignment and identity in it reports to a tape.
+
+Not the printer is verified but each text that it prints, as compilations are in translation
+validation (Pnueli, Siegel and Singerman 1998).
 """
 
 from __future__ import annotations

@@ -1,4 +1,8 @@
-"""Errors of a result against the truth: ulps, bits, wrong branches, NaN and infinity."""
+"""Errors of a result against the truth: ulps, bits, wrong branches, NaN and infinity.
+
+Bits are a logarithm of the error, as in Herbie (Panchekha et al. 2015), which counts the doubles
+between; here ulps of the truth are counted, for most doubles lie near zero.
+"""
 
 from __future__ import annotations
 
@@ -66,7 +70,8 @@ def find_errors(result: Any, truth: Truth) -> Errors:
     if result.shape != truth.high.shape:
         raise ValueError(f"result: shape {result.shape}, the truth has {truth.high.shape}")
     with np.errstate(all="ignore"):
-        # The first difference is exact where the result is within a factor 2 of the truth.
+        # The first difference is exact where the result is within a factor 2 of the truth
+        # (Sterbenz 1974), so that no error of a few ulps is blurred.
         gap = (result.astype(np.float64) - truth.high) - truth.low
         absolute, size = _measure_size(gap), _measure_size(truth.high)
         # At most one subnormal spacing is lost to the range of doubles, not to the formula.

@@ -1,6 +1,7 @@
 """The extended oracle: a kernel's own operations in long doubles, millions of points a minute.
 
-What cancels loses bits here, too, and a formula that is wrong is wrong in both.
+What cancels loses bits here, too, and a formula that is wrong is wrong in both. Such shadow values
+are those of FpDebug (Benz et al. 2012); they lead a search here, and balls judge what it finds.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Names beside the marks of a panel, where there is room."""
+"""Labels beside the points of a panel, where there is room."""
 
 from __future__ import annotations
 

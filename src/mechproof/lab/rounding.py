@@ -1,8 +1,9 @@
 """Rounding: a program in balls, each operation with the error that doubles may make in it.
 
 What the ball of a result does not hold, no order of roundings can have given: the source that was
-run is not the program. The arithmetic of IEEE 754 is rounded to nearest; of NumPy's functions
-every loop is taken to stay within `LOOPS` ulps.
+run is not the program. It is the running error analysis of Wilkinson (Higham 2002, section 3.3)
+with a ball for the sum of bounds. The arithmetic of IEEE 754 is rounded to nearest; of NumPy's
+functions every loop is taken to stay within `LOOPS` ulps.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from mechproof.programs.operations import KINDS, Rounding
 from mechproof.programs.program import VIEWS, Operand, Operation, Program, spell_out_forms
 from mechproof.roundoff.running import IN_BALLS, ON_ARRAYS
 
+# So many that what balls round is nothing beside the roundings of doubles.
 BITS = 192
 # Half an ulp of a double and of a float32, relative.
 UNIT, SINGLE_UNIT = 2.0**-53, 2.0**-24

@@ -1,4 +1,8 @@
-"""Time: calls of several ways interleaved in one run, medians, spread, and ratios by round."""
+"""Time: calls of several ways interleaved in one run, medians, spread, and ratios by round.
+
+Medians with quartiles are what Hoefler and Belli (2015) ask to report of times, which have no
+normal law. Ways are compared round by round: what else the machine does slows all of a round.
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """Tracing: in, a Python function of values; out, the operations that it does to them.
 
 Python itself decides what binds more, which name is meant and what is evaluated first. A function
-that asks whether a value is true is run once for each answer.
+that asks whether a value is true is run once for each answer, where JAX (Frostig, Johnson and Leary
+2018), which traces likewise, refuses it.
 """
 
 from __future__ import annotations

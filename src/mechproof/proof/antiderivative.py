@@ -1,7 +1,8 @@
 """Rung: equal derivatives, equal constants, and both sides continuous over the whole domain.
 
 Needed where arctangents or integrals stand: a formula that differentiates correctly can
-still jump, so continuity is proved before the constant is believed.
+still jump (Jeffrey 1993, of what computer algebra finds by tan(x/2)), so continuity is proved
+before the constant is believed.
 """
 
 from __future__ import annotations

@@ -19,6 +19,7 @@ from mechproof.record.relations import find_slack
 
 RUNG = "bisection and derivatives"
 _SMOOTH = (sp.sin, sp.cos, sp.tan, sp.atan, sp.exp, sp.log, sp.erf, sp.erfc)
+# Work limits: 2**7 parts, and zeros at an end of an order up to 5.
 _HALVINGS = 7
 _ORDERS = 5
 _BITS = 128

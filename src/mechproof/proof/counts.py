@@ -9,6 +9,7 @@ import sympy as sp
 
 from mechproof.proof.domain import Domain, Point
 
+# One term hides what goes wrong between terms, and none hides all of it: they are not the first.
 _FIRST = (2, 3, 5, 1, 4, 7, 6, 10, 12, 8, 9, 11, 0)
 _MOST_TRIED = 2000
 

@@ -1,7 +1,8 @@
 """Physical dimensions of an expression, and the change of units that shows a mixture.
 
-The dimension of each subexpression is inferred; where terms of unlike dimension are added, the
-witness is a change of a unit after which the two sides no longer scale alike.
+The dimension of each subexpression is inferred, as types of units are in programs (Kennedy 1996);
+where terms of unlike dimension are added, the witness is a change of a unit after which the two
+sides no longer scale alike.
 """
 
 from __future__ import annotations

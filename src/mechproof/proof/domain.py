@@ -1,4 +1,8 @@
-"""Where a statement is meant to hold, and exact points inside it."""
+"""Where a statement is meant to hold, and exact points inside it.
+
+The points are those of Halton's sequence (1960), of rational numbers and the same each time: any
+number of them is spread evenly, which random ones are not.
+"""
 
 from __future__ import annotations
 

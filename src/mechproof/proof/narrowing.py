@@ -1,8 +1,9 @@
 """Search for points of narrow domains: each value that is chosen narrows what the others may be.
 
-Relations that are linear narrow the range of each symbol by those of the others; where only one
-symbol of a relation is left, so do the roots of a polynomial. What is found is a proposal: whether
-all relations hold there is for the caller to decide.
+Relations that are linear narrow the range of each symbol by those of the others, the propagation of
+bounds in constraint programming (Davis 1987); where only one symbol of a relation is left, so do
+the roots of a polynomial. What is found is a proposal: whether all relations hold there is for the
+caller to decide.
 """
 
 from __future__ import annotations

@@ -1,5 +1,7 @@
 """Normal form: a polynomial with every related generator to at most its first power.
 
+The relations r**2 = f are a Groebner basis as they stand, their leading powers having no factor in
+common (Buchberger's first criterion), so that putting them in gives the one normal form there is.
 SymPy's expressions go to flint's sparse polynomials over the rationals, and back where asked for.
 """
 

@@ -9,6 +9,7 @@ from sympy.core.relational import Relational
 
 from mechproof.record import ValueWhere
 
+# Work limit: so many factors are written out between two factorials.
 _FARTHEST = 20
 
 

@@ -1,4 +1,9 @@
-"""Rung: a counterexample whose balls separate both sides; and the weaker enclosure."""
+"""Rung: a counterexample whose balls separate both sides; and the weaker enclosure.
+
+Zippel (1979) and Schwartz (1980) try identities at points and bound how likely a false one of
+polynomials passes. No such bound is claimed here, of functions that are none: a point at
+which balls are apart refutes, points at which they meet prove nothing.
+"""
 
 from __future__ import annotations
 

@@ -3,6 +3,9 @@
 Every interval becomes a half-line (e in [0, 1) is v/(1 + v) with v >= 0; R2 < R1 is
 R1 = R2 + d with d > 0), angles become half-angle tangents, and the sign of a quotient of
 polynomials is left (`polynomial_signs`). Sound, not complete: `None` means "not shown".
+
+To write a larger number as a smaller one and a gap is the successive difference substitution of
+Yang (2005), who repeats it for every order of the symbols; here the domain states the order.
 """
 
 from __future__ import annotations

@@ -6,6 +6,8 @@ sums of powers of the index written as polynomials in n, independent indices spl
 of sums, bound indices renamed in one order. Two canonical sums with
 different summands are independent as functions of arbitrarily many terms, so equality of the
 polynomials decides equality for every n.
+
+Nothing is summed up, as Gosper (1978) and Karr (1981) do: two sums are only told to be the same.
 """
 
 from __future__ import annotations
@@ -20,6 +22,7 @@ from mechproof.proof.domain import Domain
 from mechproof.proof.signs import is_nonnegative
 from mechproof.record.substitution import substitute
 
+# Work limits: terms written beside a sum, and powers of an index (Faulhaber) in sums.
 _MOST_ALIGNED = 8
 _LARGEST_POWER = 8
 Limit = tuple[sp.Symbol, sp.Expr]

@@ -36,6 +36,7 @@ from mechproof.record import (
     Statement,
 )
 
+# As from metres to millimetres.
 UNIT_CHANGE = 1000
 UNITS = tuple(field.name for field in fields(Dimension) if field.compare)
 POINTS = 2

@@ -1,7 +1,9 @@
 """Certificates: what is proved of the rounding errors of a system's kernels, as data.
 
 A claim of a kernel's stage is the largest bound over all boxes; who checks it divides the domain
-anew until every box is below it. The worst input found stands beside it.
+anew until every box is below it. FPTaylor and PRECiSA (Titolo et al. 2018) write proofs for HOL
+Light and PVS: nothing as strong is claimed here, where the checker is the prover with the bound as
+its aim. The worst input found stands beside it.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Subjects: in, a stage of a kernel; out, what bounds its error over a box of a region."""
+"""Computed stages: in, a stage of a kernel; out, what bounds its error over a box of a region."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Profiles: by how much an elementary function is off at most, piece by piece of its arguments."""
+"""Error tables: by how much an elementary function is off at most, for pieces of its arguments."""
 
 from __future__ import annotations
 

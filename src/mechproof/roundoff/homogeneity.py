@@ -1,4 +1,4 @@
-"""Scales: factors that nobody knows, of a tangent's two parts, and that no output may have."""
+"""Homogeneity: factors that nobody knows, of a tangent's two parts, and that no output may have."""
 
 from __future__ import annotations
 

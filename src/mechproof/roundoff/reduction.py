@@ -22,6 +22,7 @@ from mechproof.arithmetic.intervals import EPS, UNIT
 from mechproof.programs.elementary.fits import MARGIN
 from mechproof.programs.elementary.formats import DOUBLE
 
+# Three words of pi/2 hold some 159 bits; what they leave is asked of twice as many.
 BITS = 300
 # From here on the last word is next to nothing.
 NEAR = 2.0**-24

@@ -3,6 +3,9 @@
 `request` checks what is asked for, `design` guesses pieces and degrees, `fit` finds coefficients,
 `enclosure` proves the error of the program that `model` writes, `kernel` prints and loads it,
 `receiving` reads one that was pickled.
+
+Metalibm (Brunie et al. 2015) makes functions of a library for an interval and an accuracy so, with
+bounds from Sollya. What differs is that any quantity of a paper is taken, its parameters put in.
 """
 
 from __future__ import annotations

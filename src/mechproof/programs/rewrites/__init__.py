@@ -2,7 +2,8 @@
 
 Every rewrite is exact where it is legal. Where that is not everywhere it obliges the prover: the
 relations under which it is legal go along with the evaluation and are rows of the ledger. A form
-names its rewrites; `REWRITES` resolves the names.
+names its rewrites; `REWRITES` resolves the names. Herbie (Panchekha et al. 2015) searches sequences
+of rules for what is accurate on samples; here a person names them, and the result is bounded.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Sums of sines by Clenshaw's recurrence, in doubles or in float32."""
+"""Sums of sines by Clenshaw's recurrence (1955), in doubles or in float32."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Exponentials near 1 and logarithms of what is near 1, without the digits that cancel there."""
+"""Exponentials near 1 and logarithms of what is near 1, without the digits that cancel there.
+
+See Higham (2002, section 1.14.1) for what a difference from 1 loses, however exact the exponential.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Half-angle rewrites: sines and cosines by tan(x/2), and cosines by their distance from one."""
+"""Half-angle rewrites: sines and cosines by tan(x/2), and cosines by their distance from one.
+
+1 - cos x as 2*sin(x/2)**2 is the versine of navigators: its digits do not cancel near zero.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""Roots of sums of squares without overflow; sums with roots, differences of squares unspoilt."""
+"""Roots of sums of squares without overflow; sums with roots, differences of squares unspoilt.
+
+What cancels is multiplied by its conjugate, as in textbooks since Forsythe's on quadratic equations
+(1970); u*u - v*v is (u - v)*(u + v), whose difference is of numbers that were not rounded first.
+"""
 
 from __future__ import annotations
 
