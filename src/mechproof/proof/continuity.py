@@ -34,8 +34,7 @@ def has_pole(node: sp.Basic, variable: sp.Symbol, domain: Domain) -> bool:
     if not isinstance(node, sp.tan):
         return False
     slope = sp.diff(node.args[0], variable)
-    sign = None if slope.has(variable) else find_sign(slope, domain)
-    if sign is None or not sign.strict:
+    if slope.has(variable) or not (is_positive(slope, domain) or is_positive(-slope, domain)):
         return False
     start = node.args[0].xreplace({variable: sp.S.Zero})
     poles = ((sp.pi * (2 * k + 1) / 2 - start) / slope for k in range(-_POLES, _POLES))

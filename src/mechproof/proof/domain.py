@@ -292,8 +292,8 @@ def _write(relation: sp.Basic, numbers: list[sp.Basic], fixed: Values) -> Iterat
         return
     written = relation
     if relation.has(sp.Sum):
-        free = find_free(relation)
-        written = _write_sums(relation, tuple((s, v) for s, v in fixed.items() if s in free))
+        met = find_free(relation)
+        written = _write_sums(relation, tuple((s, v) for s, v in fixed.items() if s in met))
     if written.has(sp.Sum):
         return
     free = {k for item in written.atoms(sp.Indexed) for k in item.indices if k.is_Symbol}
