@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import subprocess
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -12,7 +13,6 @@ from types import MappingProxyType
 import jinja2
 import sympy as sp
 from jinja2 import meta
-from ruff import find_ruff_bin
 
 from mechproof.codegen.conditions import split_conditions
 from mechproof.codegen.docstrings import describe_kernel, describe_module
@@ -206,7 +206,7 @@ def _compile(text: str, folder: Path) -> tuple[set[str], jinja2.Template]:
 
 def format_source(source: str) -> str:
     """Format with `ruff format`; ValueError with the formatter's message if it is not Python."""
-    command = [find_ruff_bin(), "format", "--isolated", "--target-version", "py311"]
+    command = [sys.executable, "-m", "ruff", "format", "--isolated", "--target-version", "py311"]
     arguments = ["--line-length", str(LINE_LENGTH), "--stdin-filename", "kernel.py", "-"]
     done = subprocess.run(
         [*command, *arguments], input=source, capture_output=True, text=True, encoding="utf-8"
