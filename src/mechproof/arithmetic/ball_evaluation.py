@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable
-from functools import lru_cache
+from functools import lru_cache, reduce
 from typing import Any
 
 import flint
@@ -24,7 +24,6 @@ from mechproof.arithmetic.ball_functions import (
     NOT_ANALYTIC,
     NOT_FINITE,
     Ball,
-    accumulate,
     are_equal,
     take_real_part,
 )
@@ -93,11 +92,11 @@ def _evaluate_complex(node: sp.Basic, values: Values, *arguments: Ball) -> Ball:
 
 
 def _add(node: sp.Basic) -> Plan:
-    return (lambda values, first, *rest: accumulate(operator.add, first, rest)), node.args
+    return (lambda values, *terms: reduce(operator.add, terms)), node.args
 
 
 def _multiply(node: sp.Basic) -> Plan:
-    return (lambda values, first, *rest: accumulate(operator.mul, first, rest)), node.args
+    return (lambda values, *factors: reduce(operator.mul, factors)), node.args
 
 
 def _power(node: sp.Basic) -> Plan:
@@ -129,7 +128,7 @@ def _repeat(node: sp.Basic) -> Plan:
         if start is None or end is None or not 0 <= end + 1 - start <= MOST_TERMS:
             return NOT_FINITE
         terms = (compile_expression(inner.subs(index, k))(values) for k in range(start, end + 1))
-        return accumulate(combine, start_value, terms)
+        return reduce(combine, terms, start_value)
 
     return put_together, (lower, upper)
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
+from functools import reduce
 from typing import Any
 
 import sympy as sp
@@ -55,8 +56,8 @@ FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.ceiling: lambda x: x.ceil(),
     sp.Abs: abs,
     sp.sign: lambda x: x.sgn(),
-    sp.Max: lambda *xs: _fold(arb.max, xs),
-    sp.Min: lambda *xs: _fold(arb.min, xs),
+    sp.Max: lambda *xs: reduce(arb.max, xs),
+    sp.Min: lambda *xs: reduce(arb.min, xs),
     sp.elliptic_e: lambda m: take_real_part(acb(m).elliptic_e()),
     sp.elliptic_k: lambda m: take_real_part(acb(m).elliptic_k()),
     sp.betainc_regularized: lambda a, b, x0, x1: _beta(a, b, x1) - _beta(a, b, x0),
@@ -124,17 +125,6 @@ def _within_strip(ball: Ball, analytic: bool) -> bool:
 def _within_slit(ball: Ball, analytic: bool) -> bool:
     """Tell whether a ball is off the cuts of arcsine and arccosine."""
     return not analytic or bool(abs(ball.real) < 1)
-
-
-def _fold(function: Callable[[Ball, Ball], Ball], balls: tuple[Ball, ...]) -> Ball:
-    return accumulate(function, balls[0], balls[1:])
-
-
-def accumulate(combine: Callable[[Ball, Ball], Ball], first: Ball, rest: Iterable[Ball]) -> Ball:
-    """Combine balls from the first on."""
-    for ball in rest:
-        first = combine(first, ball)
-    return first
 
 
 def take_real_part(ball: Ball) -> Ball:
