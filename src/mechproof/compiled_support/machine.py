@@ -33,25 +33,30 @@ _HOW = {"error_model": "numpy", "nogil": True, "no_cfunc_wrapper": True}
 # An entry from Python takes as long to compile as a short function.
 _INSIDE = {**_HOW, "no_cpython_wrapper": True}
 
+
+def _call_inside(compiled: Callable[..., Any]) -> Callable[[Callable[..., Any]], Any]:
+    """Return a decorator for what compiled functions call; Python calls a copy with an entry."""
+
+    def decorate(function: Callable[..., Any]) -> Any:
+        dispatcher = compiled(function)
+        if dispatcher is not function:
+            entered = cache(lambda: njit(**_HOW)(function))
+            # Numba would jump to the entry that is missing.
+            dispatcher._insert = lambda *overload: None
+            dispatcher._compile_for_args = lambda *values: entered()
+        return dispatcher
+
+    return decorate
+
+
 loop = compile_kept(**_HOW)
 _entered = compile_kept(**_HOW, forceinline=True)
-_inlined = compile_kept(**_INSIDE, forceinline=True)
+scalar = _call_inside(compile_kept(**_INSIDE, forceinline=True))
 # A loop that is kept with the one that calls it, not on its own.
-inner = njit(**_INSIDE)
+inner = _call_inside(njit(**_INSIDE))
 # What becomes a part of the function that calls it, and what never does.
-within = njit(**_INSIDE, forceinline=True)
-apart = njit(**_INSIDE, forceinline=False)
-
-
-def scalar(function: Callable[..., Any]) -> Any:
-    """Compile a function for compiled ones; where Python calls it, once more with an entry."""
-    dispatcher = _inlined(function)
-    if dispatcher is not function:
-        entered = cache(lambda: njit(**_HOW)(function))
-        # Numba would jump to an entry that is missing.
-        dispatcher._insert = lambda *overload: None
-        dispatcher._compile_for_args = lambda *values: entered()
-    return dispatcher
+within = _call_inside(njit(**_INSIDE, forceinline=True))
+apart = _call_inside(njit(**_INSIDE, forceinline=False))
 
 
 def stand_in(function: Callable[..., Any], **options: Any) -> Callable[..., Any]:
