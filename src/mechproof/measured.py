@@ -56,8 +56,6 @@ Point = tuple[Any, ...]
 MEASURED = "MEASURED"
 # What copying the result takes, timed with the ways.
 COPY = "memory copy"
-# A lost value loses every bit of a double.
-ALL_BITS = 64.0
 ERROR_DIGITS, TIME_DIGITS = 4, 3
 SUFFIX = ".json"
 # The package of generated kernels, and of it the folder of what was measured.
@@ -115,11 +113,6 @@ class SetErrors:
     worst_absolute: float
     worst_scaled: float | None
     worst_at: Point | None = None
-
-    @property
-    def worst_bits(self) -> float:
-        """Return log2(1 + ulps), at most 64: a lost value loses all bits."""
-        return min(math.log2(1 + self.worst_ulp), ALL_BITS)
 
     @property
     def failed(self) -> int:

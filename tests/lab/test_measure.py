@@ -41,7 +41,6 @@ def test_record_says_what_was_measured(record: Record) -> None:
     assert all(errors.points <= 24 and errors.worst_at is not None for errors in kernel)
     assert record.worst_of("kernel") <= record.bound == 1
     assert max(errors.worst_ulp for errors in naive) == math.inf
-    assert max(errors.worst_bits for errors in naive) == 64
     assert sum(errors.infinite for errors in naive) > 0
     assert {row.way for row in record.times} >= {"kernel", COPY}
 

@@ -14,8 +14,7 @@ from mechproof.programs.evaluation import input_symbols
 from mechproof.programs.kernel import input_names
 from mechproof.programs.lowering import lower_conditions
 from mechproof.record import Paper, Toleranced
-
-ORDERS = (sp.LessThan, sp.StrictLessThan, sp.GreaterThan, sp.StrictGreaterThan)
+from mechproof.record.relations import find_slack
 
 
 @dataclass(frozen=True)
@@ -66,7 +65,7 @@ def _describe(
 ) -> ConditionText:
     text = ", ".join(chain_relations([write_formula(r, spelled) for r in relations]))
     (test,) = write_program(lower_conditions(spelled, names, relations), NUMPY).outputs
-    is_order = len(names) > 1 and isinstance(relations[0], ORDERS)
+    is_order = len(names) > 1 and find_slack(relations[0]) is not None
     smaller = relations[0].lts.free_symbols if is_order else set()
     blamed = sorted(spelled[s] for s in smaller) or list(names)
     return ConditionText(blamed[0], text, names, test, quantities)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from mechproof.proof.normal_form import reduce_polynomial, split
+from mechproof.proof.set_values import COUNTS
 
 
 @dataclass
@@ -20,7 +21,7 @@ class Coordinates:
 
 def replace_by_half_line(symbol: sp.Basic, where: sp.Set, coordinates: Coordinates) -> None:
     """Let a number of an interval be written by one that is positive or not negative."""
-    if where in (sp.S.Naturals, sp.S.Naturals0):
+    if where in COUNTS:
         where = sp.Interval(1 if where == sp.S.Naturals else 0, sp.oo)
     if not isinstance(where, sp.Interval) or where == sp.S.Reals:
         return

@@ -60,13 +60,12 @@ class PictureTask:
 def draw_pictures(
     tasks: Mapping[str, PictureTask],
     report: Callable[[str], None] = lambda text: None,
-    processes: int | None = None,
 ) -> dict[str, Picture]:
     """Draw on all processors; what fails is a picture with its failure."""
     names = list(tasks)
     drawn: dict[str, Picture] = {}
     calls = [task.draw for task in tasks.values()]
-    for number, picture in run_tasks(_call, calls, limit=LIMIT, processes=processes):
+    for number, picture in run_tasks(_call, calls, limit=LIMIT):
         name = names[number]
         if isinstance(picture, WorkerError):
             picture = replace(tasks[name].blank, failure=str(picture))
