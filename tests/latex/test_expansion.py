@@ -164,6 +164,11 @@ def test_a_substitution_is_made_on_both_sides_and_shown() -> None:
     assert row.read_as == "2*cos(x) = cos(x) + cos(x), with cos(x) -> w"
 
 
+def test_a_print_is_cut_with_the_size_of_its_bars() -> None:
+    first, _ = expand(r"\left|w\right|=\left|x\right|=w^2")
+    assert first.printed_latex == r"\left|w\right|=\left|x\right|"
+
+
 def test_other_signs() -> None:
     assert says(r"w^2\ge0") == Holds(sp.Ge(w**2, 0, evaluate=False))
     assert says("w<L", derived={w: length / 2}) == Holds(sp.Lt(length / 2, length, evaluate=False))

@@ -29,6 +29,7 @@ COLLECTED = [
     (r"{}^CQ_{wx}'\cdot{}^2\hat{n}_3", [r"{}^{C}Q_{wx}'", r"{}^{2}\hat{n}_{3}"]),
     (r"{}^CQ^2+Q^2", [r"{}^{C}Q", "Q"]),
     (r"\text{drift}+\mathrm{gain}_1", [r"\text{drift}", r"\mathrm{gain}_{1}"]),
+    (r"\mathrm{m}+2x\mathrm{m}", [r"\mathrm{m}"]),
     (r"\mathbf{q}_1\cdot\vec{q}\cdot q", [r"\mathbf{q}_{1}", r"\vec{q}", "q"]),
     # Of a row of letters from a on none is Euler's number or a differential.
     (r"a+b+c+d+e", ["a", "b", "c", "d", "e"]),
@@ -58,6 +59,9 @@ NOT_COLLECTED = [
     ("d\\,x", "d is not declared"),
     ("a+b+c+i", "i is not declared"),
     (r"x\,\text{drift}", "is not understood here"),
+    (r"5\,\mathrm{mm}", "units are not read"),
+    (r"0.5\,\mathrm m+x", "units are not read"),
+    ("=x", "no meaning here"),
 ]
 
 

@@ -98,12 +98,12 @@ def _find_signs(latex: str) -> Iterator[Token]:
 
 def _split(latex: str) -> list[Token]:
     signs: list[Token] = []
-    size = ""
+    size, place = "", 0
     for sign in _find_signs(latex):
         if sign.text.isspace() or sign.text in _BLANK:
             continue
         if sign.text in (*_OPENING, *_CLOSING):
-            size = sign.text
+            size, place = sign.text, sign.start
             continue
         if size in _CLOSING and sign.text == ".":
             sign = replace(sign, text=r"\right.")
@@ -111,7 +111,8 @@ def _split(latex: str) -> list[Token]:
         if text == "=" and signs and signs[-1].end == sign.start and signs[-1].text in ("<", ">"):
             text = {"<": r"\le", ">": r"\ge"}[signs[-1].text]
             sign = replace(sign, start=signs.pop().start)
-        signs.append(Token(text, sign.start, sign.end))
+        start = place if text == r"\lvert" and size else sign.start
+        signs.append(Token(text, start, sign.end))
         size = ""
     return signs
 

@@ -12,6 +12,7 @@ from mechproof.latex.characters import advise, is_digit, name_character
 from mechproof.latex.functions import AMBIGUOUS
 from mechproof.latex.left_scripts import ACCENTS, LEFT, TEXT, UPRIGHT, VECTORS, begins_letter
 from mechproof.latex.names import INDEX, find_brace
+from mechproof.latex.relations import RELATIONS
 from mechproof.latex.tokens import Token
 from mechproof.latex.tree import Letter, Node
 from mechproof.latex.words import AND, ELSE, IF
@@ -30,6 +31,10 @@ _INCREMENTS = (r"\Delta", r"\delta")
 # What may stand behind a d that is no differential.
 _BEHIND = ("", "=", "+", "-", ")", "]", ",", "&", r"\\")
 _PLAIN = re.compile(r"\\(?:text|mathrm)\b|[\\{}\s]")
+_UNITS = (
+    *("m", "mm", "cm", "dm", "km", "nm", "s", "ms", "min", "h", "g", "kg", "t", "N", "kN", "Nm"),
+    *("rad", "mrad", "deg", "Hz", "kHz", "rpm", "Pa", "kPa", "MPa", "GPa", "W", "kW", "J", "kJ"),
+)
 _COMMAND = re.compile(r"\\[A-Za-z]+\*?")
 _UNREAD = {
     **dict.fromkeys((r"\pm", r"\mp"), "It says two equations: print one after the other."),
@@ -38,7 +43,9 @@ _UNREAD = {
     r"\nabla": "A derivative needs a name of its own.",
     "!": "Print n! or (…)!, and brackets around what is raised or follows.",
     r"\binom": r"Print factorials, \frac{n!}{k!(n-k)!}.",
-    **dict.fromkeys((":", r"\div", "÷"), r"Print \frac{…}{…}."),
+    **dict.fromkeys((r"\div", "÷"), r"Print \frac{…}{…}."),
+    ":": r"Print \frac{…}{…} for a quotient; leave out what a colon introduces.",
+    **dict.fromkeys(RELATIONS, "Enter the chain as a whole, with what stands before this sign."),
     **dict.fromkeys(
         (r"\Rightarrow", r"\implies", r"\iff", r"\Leftrightarrow"),
         r"Print the conclusion, and its condition behind it: \text{ for }x>0.",
@@ -61,6 +68,7 @@ def read_undeclared(parser: Parser) -> Node:
             parser.remedies.function.format(text[1:]),
         )
     word = _upright_word(parser)
+    _refuse_unit(parser, word)
     if not begins_letter(text) and not (word and parser.collects):
         remedy = parser.remedies.name.format(word) if word else _UNREAD.get(text, "")
         reason = f"{name_character(text)} has no meaning here"
@@ -76,6 +84,16 @@ def read_undeclared(parser: Parser) -> Node:
     hint = UNSURE[text] if is_unsure else _UNREAD.get(text, "")
     remedy = " ".join(filter(None, (hint, parser.remedies.name.format(printed))))
     raise parser.refuse(f"{printed} is not declared{near}", remedy)
+
+
+def _refuse_unit(parser: Parser, word: str) -> None:
+    """Refuse a unit behind a number: it is no factor of its own."""
+    before = parser.tokens[parser.place - 1].text if parser.place else ""
+    if is_digit(before) and word.partition("{")[2].strip("}") in _UNITS:
+        raise parser.refuse(
+            f"{word} behind a number: units are not read",
+            "Print the number alone, in the unit of the sizes (mm, rad); 30^\\circ for degrees.",
+        )
 
 
 def _upright_word(parser: Parser) -> str:
