@@ -14,6 +14,7 @@ from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import (
     LENGTH,
     Claim,
+    Conjunction,
     Correction,
     Definition,
     Distinct,
@@ -162,6 +163,21 @@ def test_a_substitution_is_made_on_both_sides_and_shown() -> None:
     (row,) = expand(r"2\cos x=\cos x+\cos x", substituted={sp.cos(x): w})
     assert row.says == Equality(2 * w, 2 * w, "member")
     assert row.read_as == "2*cos(x) = cos(x) + cos(x), with cos(x) -> w"
+
+
+def test_a_letter_may_say_which_of_two_signs_is_meant() -> None:
+    branch = sp.Symbol("sigma", real=True)
+    variables = (*VARIABLES, Variable(branch, "", within=sp.FiniteSet(-1, 1), latex=(r"\sigma",)))
+    reader = Reader(variables, Notation(branch=branch))
+    root = sp.sqrt(w**2 + 1)
+    (row,) = read_row(Equation("(1)", r"x=w\pm\sqrt{w^2+1}", defines=(x,)), reader)
+    assert row.says == Definition(x, w + branch * root)
+    (row,) = read_row(Equation("(1)", r"x=\mp(w+1)L", derived={x: length}), reader)
+    assert row.says == Equality(-branch * (w + 1) * length, length)
+    (row,) = read_row(Equation("(1)", r"\sin(x\pm w)=\sin(w\pm x)"), reader)
+    assert isinstance(row.says, Conjunction)
+    with pytest.raises(ValueError, match="both signs, or either"):
+        expand(r"x=w\pm\sqrt{w^2+1}", derived={x: w})
 
 
 def test_a_print_is_cut_with_the_size_of_its_bars() -> None:

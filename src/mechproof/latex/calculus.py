@@ -97,11 +97,11 @@ def _read_integrand(parser: Parser, opened: Open) -> Node:
         read_differential(parser)
         _refuse_factor_behind(parser)
         return Number("1", start=start, end=start)
-    terms = [(parser.read_sign(), parser.read_product())]
+    terms = [parser.read_term()]
     _end_with_differential(parser, opened)
     place, bound = parser.place, len(opened.running)
     while opened.differential is None and parser.text in parser.signs:
-        terms.append((parser.read_sign(), parser.read_product()))
+        terms.append(parser.read_term())
         _end_with_differential(parser, opened)
     if opened.differential is None:
         parser.place, terms = place, terms[:1]

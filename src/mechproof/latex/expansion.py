@@ -54,8 +54,17 @@ def read_row(row: Row, reader: Reader) -> tuple[Row, ...]:
     if not signs & {r"\pm", r"\mp"}:
         return upper
     lower = _read_signs(row, reader, -1)
-    pairs = zip(upper, lower, strict=True)
+    pairs = list(zip(upper, lower, strict=True))
+    if reader.notation.branch is not None and any(map(_is_on_one_side, *zip(*pairs, strict=True))):
+        return _read_signs(row, reader, 0)
     return tuple(_join_signs(one, other, row.printed_latex) for one, other in pairs)
+
+
+def _is_on_one_side(upper: Row, lower: Row) -> bool:
+    """Return whether a double sign stands on one side of a relation only."""
+    pairs = zip(_list_sides(upper.statement), _list_sides(lower.statement), strict=True)
+    is_same = upper.says == lower.says and upper.on == lower.on
+    return not is_same and (upper.on != lower.on or not all(a != b for a, b in pairs))
 
 
 def _join_signs(upper: Row, lower: Row, latex: str) -> Row:
@@ -63,13 +72,13 @@ def _join_signs(upper: Row, lower: Row, latex: str) -> Row:
     if upper.says == lower.says:
         return upper
     says = (upper.statement, lower.statement)
-    pairs = zip(_list_sides(says[0]), _list_sides(says[1]), strict=True)
-    if upper.on != lower.on or not all(one != other for one, other in pairs):
+    if _is_on_one_side(upper, lower):
         place = min(found for sign in _DOUBLE if (found := latex.find(sign)) >= 0)
         error = PrintedText(latex).refuse(
             place,
             "a double sign on one side, or in the definition of a letter: both signs, or either?",
-            "It says two equations: print one after the other.",
+            "It says two equations: print one after the other, or declare a letter that is 1 or -1, "
+            "Notation(branch=…).",
         )
         error.row = upper.number
         raise error

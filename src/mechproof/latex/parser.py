@@ -22,6 +22,7 @@ from mechproof.latex.tokens import DOTS, NARROW, WIDE, Token, read_signs
 from mechproof.latex.tree import (
     Add,
     Bracket,
+    Letter,
     Node,
     Number,
     Power,
@@ -55,7 +56,8 @@ class Parser:
     """Reads one print with the names of its row.
 
     `collected` gathers letters that are not declared, where that is allowed. `upper` is 1 where
-    of ± and ∓ the upper signs are read, -1 where the lower ones, 0 where none may stand.
+    of ± and ∓ the upper signs are read, -1 where the lower ones, 0 where a declared letter says
+    which; without one none may stand then.
     """
 
     def __init__(
@@ -81,7 +83,9 @@ class Parser:
         self.remedies = remedies
         self.collects = collected is not None
         self.collected = [] if collected is None else collected
-        double = {r"\pm": upper, r"\mp": -upper} if upper else {}
+        self.branch = None if upper else notation.branch
+        first = upper or int(self.branch is not None)
+        double = {r"\pm": first, r"\mp": -first} if first else {}
         self.signs = {"+": 1, "-": -1, **double}
         self.bound: list[str] = []
         self.integrals: list[calculus.Open] = []
@@ -183,12 +187,21 @@ class Parser:
     def read_sum(self) -> Node:
         """Read terms with their signs."""
         start = self.start
-        terms = [(self.read_sign(), self.read_product())]
+        terms = [self.read_term()]
         while self.text in self.signs:
-            terms.append((self.read_sign(), self.read_product()))
+            terms.append(self.read_term())
         if len(terms) == 1 and terms[0][0] == 1:
             return terms[0][1]
         return Add(tuple(terms), start=start, end=self.end)
+
+    def read_term(self) -> tuple[int, Node]:
+        """Read a product and its sign; of a double sign the letter that says which is a factor."""
+        start, is_double = self.start, self.text in (r"\pm", r"\mp")
+        sign, term = self.read_sign(), self.read_product()
+        if self.branch is None or not is_double:
+            return sign, term
+        which = Letter(self.branch, r"\pm", start=start, end=start)
+        return sign, Product((which, term), start=start, end=self.end)
 
     def read_sign(self) -> int:
         """Read the sign before a term; that before the first may be left out."""

@@ -60,7 +60,8 @@ class Reader:
     def parse(self, latex: str, row: str = "", upper: int = 0) -> Print:
         """Read a print with the names of a row; `ReadingError` says what is ambiguous in it.
 
-        `upper` says which double signs are meant, 1 the upper, -1 the lower; with 0 none is read.
+        `upper` says which double signs are meant, 1 the upper, -1 the lower; with 0 a declared
+        letter says it.
         """
         with _naming(row):
             parser = Parser(latex, self._names(row), self.notation, self.remedies, upper=upper)

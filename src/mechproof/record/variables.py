@@ -55,9 +55,11 @@ class Notation:
 
     `factors` are names that a bracket after them multiplies (`a(1-e^2)`). `functions` adds to or
     replaces the names of functions in the table of `mechproof.latex`. `lower_limit` is where an
-    integral printed without limits starts. `indices` are the symbols of index letters (left out:
-    an integer symbol of that name). `scopes` are letters used twice. `moving` are letters that
-    depend on another: that one, and the symbols of their derivatives by it, the first one first.
+    integral printed without limits starts. `branch` is a letter that is 1 or -1: of a double sign
+    on one side only it says whether the upper one is meant. `indices` are the symbols of index
+    letters (left out: an integer symbol of that name). `scopes` are letters used twice. `moving`
+    are letters that depend on another: that one, and the symbols of their derivatives by it, the
+    first one first.
     """
 
     factors: tuple[str, ...] = ()
@@ -65,6 +67,7 @@ class Notation:
         default_factory=lambda: MappingProxyType({})
     )
     lower_limit: sp.Expr | None = None
+    branch: sp.Symbol | None = None
     indices: tuple[sp.Symbol, ...] = ()
     scopes: tuple[Scope, ...] = ()
     moving: Mapping[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]] = field(
