@@ -77,8 +77,8 @@ def _join_signs(upper: Row, lower: Row, latex: str) -> Row:
         error = PrintedText(latex).refuse(
             place,
             "a double sign on one side, or in the definition of a letter: both signs, or either?",
-            "It says two equations: print one after the other, or declare a letter that is 1 or -1, "
-            "Notation(branch=…).",
+            "It says two equations: print one after the other, or declare a letter that is 1 or "
+            "-1, Notation(branch=…).",
         )
         error.row = upper.number
         raise error
