@@ -2,7 +2,7 @@
 
 from sympy import Gt, S, tan
 
-from mechproof.record import Claim, Correction, Definition, Equality, Equation, Holds, Sign
+from mechproof.record import ChainLink, Claim, Correction, Definition, Equality, Equation, Holds
 
 from .mechanics import position, position_principal
 from .symbols import BELOW_ONE, BRANCH, R1, R2, UP_TO_ONE, U, a1, b1, phi1, phi3, x
@@ -67,13 +67,13 @@ POSITION_ROWS = (
         r"=\int\frac{\cos^2\frac x2}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}"
         r"=\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
         r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}",
-        signs={
-            3: Sign(
+        links={
+            3: ChainLink(
                 note="The factor 1/cos^2(x/2) has moved into the numerator and dx is missing.",
                 corrected=Correction(CORRECT_FOURTH),
                 on=BRANCH,
             ),
-            4: Sign(
+            4: ChainLink(
                 note="Its left-hand side is the ill-formed integral; the right-hand side is sound.",
                 corrected=Correction(f"{CORRECT_FOURTH}={LAST_OF_10}"),
                 on=BRANCH,

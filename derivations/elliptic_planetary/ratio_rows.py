@@ -2,7 +2,7 @@
 
 from sympy import Matrix, S
 
-from mechproof.record import Claim, Equality, Equation, Reading, Sign
+from mechproof.record import ChainLink, Claim, Equality, Equation, Reading
 
 from .mechanics import (
     PLACES,
@@ -64,15 +64,15 @@ RATIO_ROWS = (
         r"\varphi_3'=\frac{\omega_3}{\omega_1}=\frac{d\varphi_3}{d\varphi_1}"
         r"=\frac{V_D\cdot AC}{V_C\cdot DE}=\frac{BD\cdot AC}{BC\cdot DE}",
         defines=(ratio_symbol, slope),
-        signs={
-            1: Sign(note="Introduces the analogue of the velocity."),
-            2: Sign(note="Introduces the derivative of the position, by the chain rule."),
-            3: Sign(
+        links={
+            1: ChainLink(note="Introduces the analogue of the velocity."),
+            2: ChainLink(note="Introduces the derivative of the position, by the chain rule."),
+            3: ChainLink(
                 derived={slope: omega3 / omega1},
                 note="V_C = omega1 AC and V_D = omega3 DE, all signed on the line A-C.",
                 marks=("inferred",),
             ),
-            4: Sign(
+            4: ChainLink(
                 derived={
                     VC: omega_satellite * (at_c - at_b),
                     VD: omega_satellite * (at_d - at_b),
@@ -85,13 +85,13 @@ RATIO_ROWS = (
     Equation(
         "(2)",
         r"AC=R_1-R_2=2a",
-        signs={
-            1: Sign(
+        links={
+            1: ChainLink(
                 derived={AC: centre_c},
                 note="Circle 5 touches circle 4 from inside: AC + R2 = R1.",
                 marks=("inferred",),
             ),
-            2: Sign(
+            2: ChainLink(
                 derived={R1 - R2: rho + radius_of_mate(phi5)},
                 note=(
                     "The centre distance at which two congruent ellipses roll about their foci; "
@@ -105,9 +105,9 @@ RATIO_ROWS = (
         "(4)",
         r"CD=\rho(\varphi_5)=\frac{a(1-e^2)}{1-e\cos\varphi_5}",
         defines=(rho,),
-        signs={
-            1: Sign(note="Introduces the radius of wheel 6 in the direction of D."),
-            2: Sign(
+        links={
+            1: ChainLink(note="Introduces the radius of wheel 6 in the direction of D."),
+            2: ChainLink(
                 derived={rho: focal_radius.subs(theta, phi5)},
                 note="At phi1 = 0 the second focus lies towards A: read from the sign in (4).",
                 marks=("inferred",),
@@ -125,8 +125,10 @@ RATIO_ROWS = (
             ),
         ),
     ),
-    Equation("(5)", r"BD=BC+CD=R_2+\rho", signs={2: Sign(derived=PLACES, marks=("inferred",))}),
-    Equation("(6)", r"DE=AC-CD=2a-\rho", signs={2: Sign(derived=PLACES, marks=("inferred",))}),
+    Equation(
+        "(5)", r"BD=BC+CD=R_2+\rho", links={2: ChainLink(derived=PLACES, marks=("inferred",))}
+    ),
+    Equation("(6)", r"DE=AC-CD=2a-\rho", links={2: ChainLink(derived=PLACES, marks=("inferred",))}),
     Claim(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.record import (
+    ChainLink,
     Claim,
     Conjunction,
     Correction,
@@ -14,7 +15,6 @@ from mechproof.record import (
     Part,
     Reading,
     Row,
-    Sign,
 )
 
 from .mechanics import (
@@ -85,12 +85,12 @@ EQUATION_ROWS: tuple[Row, ...] = (
         r"=\frac{BD\cdot AC}{BC\cdot DE}",
         defines=(ratio_symbol,),
         marks=("rebuilt",),
-        signs={
-            2: Sign(
+        links={
+            2: ChainLink(
                 note="v_C = omega1 AC and v_D = omega3 DE, all signed on the line A-C.",
                 marks=("rebuilt", "inferred"),
             ),
-            3: Sign(
+            3: ChainLink(
                 derived={
                     VC: omega_satellite * (sC - sB),
                     VD: -omega_satellite * (sD - sB),
@@ -128,14 +128,14 @@ EQUATION_ROWS: tuple[Row, ...] = (
         "(3)",
         r"BC=\rho_5=\frac{a(1-e_1^2)}{1-e_1\cos2\varphi_5}",
         defines=(rho5,),
-        signs={2: Sign(derived={rho5: focal_radius.subs({e: e1, theta: 2 * phi5})})},
+        links={2: ChainLink(derived={rho5: focal_radius.subs({e: e1, theta: 2 * phi5})})},
         marks=("rebuilt", "inferred"),
     ),
     Equation(
         "(4)",
         r"CD=\rho_6=\frac{a(1-e_2^2)}{1-e_2\cos2\varphi_6}",
         defines=(rho6,),
-        signs={2: Sign(derived={rho6: focal_radius.subs({e: e2, theta: 2 * phi6})})},
+        links={2: ChainLink(derived={rho6: focal_radius.subs({e: e2, theta: 2 * phi6})})},
         marks=("rebuilt", "inferred"),
     ),
     EQUATION_5,
@@ -198,12 +198,12 @@ EQUATION_ROWS: tuple[Row, ...] = (
         "(8)",
         r"AC=EC=2a",
         defines=(EC,),
-        signs={
-            1: Sign(
+        links={
+            1: ChainLink(
                 note="E lies on the axis of A: another name for AC.",
                 marks=("rebuilt", "inferred"),
             ),
-            2: Sign(
+            2: ChainLink(
                 derived={EC: focal_radius.subs(theta, 2 * phi) + mate},
                 note="Two congruent ovals mesh at this distance in every position.",
             ),

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from mechproof.latex import Reader
-from mechproof.record import Equation, Notation, Part, Scope, Sign
+from mechproof.record import ChainLink, Equation, Notation, Part, Scope
 
 from .curve import (
     CURVE_VARIABLES,
@@ -63,8 +63,8 @@ EQUATION_8 = Equation(
     r"A=\begin{pmatrix}a_{11}&a_{12}&a_{13}\\a_{21}&a_{22}&a_{23}\\a_{31}&a_{32}&a_{33}"
     r"\end{pmatrix}=\begin{pmatrix}1&0&0\\0&\cos\alpha&\sin\alpha\\0&-\sin\alpha&\cos\alpha"
     r"\end{pmatrix}",
-    signs={
-        2: Sign(
+    links={
+        2: ChainLink(
             derived=dict(zip(ELEMENTS, see_from_turned_frame(0, alpha), strict=True)),
             note="Rebuilt from the turn of space backwards that an observer in the turned frame "
             "sees.",
@@ -90,7 +90,7 @@ EQUATION_16 = Equation(
     note="Rebuilt by the sine rule in the triangle of pole, centre and point.",
     on=Part("|A| <= R", where=(sp.Le(sp.Abs(amplitude), radius),)),
     singular=("A = R: the circle passes through the pole and the track has corners there",),
-    signs={3: Sign(note="Names the height of the points.")},
+    links={3: ChainLink(note="Names the height of the points.")},
 )
 EQUATION_17 = Equation(
     "(17)",

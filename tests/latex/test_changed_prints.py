@@ -79,9 +79,9 @@ def change_print(system: str, draw: random.Random) -> Changed | str:
     plain = replace(row, corrected=None, readings=(), holds_on=None)
     plain = replace(
         plain,
-        signs={
-            number: replace(sign, corrected=None, readings=(), holds_on=None)
-            for number, sign in plain.signs.items()
+        links={
+            number: replace(link, corrected=None, readings=(), holds_on=None)
+            for number, link in plain.links.items()
         },
     )
     try:

@@ -32,7 +32,7 @@ def typed_rows() -> Iterator[tuple[Paper, Row]]:
     for system in PAPERS:
         paper, declared, _ = equations(system)
         for row in declared:
-            if row.says is not None or any(sign.says is not None for sign in row.signs.values()):
+            if row.says is not None or any(link.says is not None for link in row.links.values()):
                 yield paper, row
 
 

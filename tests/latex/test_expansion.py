@@ -13,6 +13,7 @@ from mechproof.proof.judge import judge
 from mechproof.proof.verdict import Judgement, Verdict
 from mechproof.record import (
     LENGTH,
+    ChainLink,
     Claim,
     Conjunction,
     Correction,
@@ -26,7 +27,6 @@ from mechproof.record import (
     Part,
     PrintedNumber,
     Row,
-    Sign,
     Variable,
 )
 
@@ -65,7 +65,7 @@ def verdicts(latex: str, **declared: Any) -> list[Judgement]:
 
 
 def test_each_sign_is_a_row_with_its_number_print_and_reading() -> None:
-    rows = expand(r"y=x+x=2x", signs={2: Sign(note="Added.")}, marks=("rebuilt",))
+    rows = expand(r"y=x+x=2x", links={2: ChainLink(note="Added.")}, marks=("rebuilt",))
     assert [row.number for row in rows] == ["(1), first equals sign", "(1), second equals sign"]
     assert [row.printed_latex for row in rows] == ["y=x+x", "x+x=2x"]
     assert [row.read_as for row in rows] == ["y = x + x", "x + x = 2*x"]
@@ -234,7 +234,7 @@ def test_a_printed_condition_and_that_of_the_row_narrow_together() -> None:
     assert judgement.verdict is Verdict.REFUTED
     # What a sign has instead of its row does not hide the print either; one text is shown once.
     again = Part("w > 0", within)
-    (row,) = expand(r"|w|=w\text{ if }w>0", signs={1: Sign(on=again)})
+    (row,) = expand(r"|w|=w\text{ if }w>0", links={1: ChainLink(on=again)})
     assert row.on == Part("w > 0", within, (printed,))
 
 
@@ -270,20 +270,20 @@ def test_a_correction_is_read_like_its_sign() -> None:
 
 
 def test_a_sign_may_be_typed_and_is_then_marked() -> None:
-    rows = verdicts("2w=w+w=3w-w", signs={2: Sign(says=Equality(w, w))})
+    rows = verdicts("2w=w+w=3w-w", links={2: ChainLink(says=Equality(w, w))})
     assert [row.marks for row in rows] == [(), ("as typed",)]
     assert rows[1].read_as == ""
 
 
 def test_declarations_that_do_not_fit_the_print_are_errors() -> None:
     with pytest.raises(ValueError, match="it has 1 signs, not"):
-        expand("2w=w+w", signs={2: Sign(note="!")})
+        expand("2w=w+w", links={2: ChainLink(note="!")})
     with pytest.raises(ValueError, match="no relation sign"):
         expand("2w")
     with pytest.raises(ValueError, match="no relation sign"):
         expand("2w=w+w, 5")
     with pytest.raises(ValueError, match="marks"):
-        Equation("(1)", "w", signs={1: Sign(marks=("sure",))})
+        Equation("(1)", "w", links={1: ChainLink(marks=("sure",))})
 
 
 ILL_FORMED = [

@@ -17,6 +17,7 @@ from mechproof.latex.text import write, write_sign
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.tree import Chain, Letter, Node, Repeated, walk
 from mechproof.record import (
+    ChainLink,
     Conjunction,
     Correction,
     Distinct,
@@ -25,7 +26,6 @@ from mechproof.record import (
     Paper,
     Part,
     Row,
-    Sign,
     Statement,
 )
 
@@ -106,7 +106,7 @@ def _read_signs(row: Row, reader: Reader, upper: int) -> tuple[Row, ...]:
     places = list(_find_signs(read))
     if any(not chain.relations for chain in read.chains):
         raise ValueError(f"row {row.number!r}: a part of its print has no relation sign")
-    if surplus := sorted(row.signs.keys() - set(range(1, len(places) + 1))):
+    if surplus := sorted(row.links.keys() - set(range(1, len(places) + 1))):
         raise ValueError(f"row {row.number!r}: it has {len(places)} signs, not {surplus}")
     only_equal = all(place.sign == "=" for place in places)
     return tuple(
@@ -172,14 +172,14 @@ def _count(number: int) -> str:
 
 
 def _specialise(row: Row, number: int) -> Row:
-    """Put what one sign has instead into its row; values and substitutions are added."""
-    sign = row.signs.get(number, Sign())
-    own = {f.name: getattr(sign, f.name) for f in fields(Sign)}
+    """Put what one link has instead into its row; values and substitutions are added."""
+    link = row.links.get(number, ChainLink())
+    own = {f.name: getattr(link, f.name) for f in fields(ChainLink)}
     merged = {name: {**getattr(row, name), **own[name]} for name in ("derived", "substituted")}
     given = {name: value for name, value in own.items() if value}
-    if sign.residual is not None:
-        given["residual"] = sign.residual
-    return replace(row, **{**given, **merged, "signs": {}})
+    if link.residual is not None:
+        given["residual"] = link.residual
+    return replace(row, **{**given, **merged, "links": {}})
 
 
 def _expand(row: Row, place: _Place, number: str) -> Row:

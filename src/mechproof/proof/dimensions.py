@@ -48,7 +48,7 @@ def check_derived(paper: Paper) -> None:
     """
     known = dimensions_of(paper)
     derived = [(row.number, row.derived) for row in paper.rows]
-    derived += [(row.number, sign.derived) for row in paper.rows for sign in row.signs.values()]
+    derived += [(row.number, link.derived) for row in paper.rows for link in row.links.values()]
     for number, values in derived:
         for symbol, value in values.items():
             try:

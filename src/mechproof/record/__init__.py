@@ -29,6 +29,7 @@ from mechproof.record.quantities import (
 from mechproof.record.relations import Slack
 from mechproof.record.rows import (
     MARKS,
+    ChainLink,
     Claim,
     Correction,
     Datum,
@@ -36,7 +37,6 @@ from mechproof.record.rows import (
     Equation,
     Reading,
     Row,
-    Sign,
 )
 from mechproof.record.statements import (
     Completion,
@@ -61,6 +61,7 @@ __all__ = [
     "SPEED",
     "Accuracy",
     "Argument",
+    "ChainLink",
     "Chart",
     "Claim",
     "Completion",
@@ -95,7 +96,6 @@ __all__ = [
     "Row",
     "Scale",
     "Scope",
-    "Sign",
     "Singular",
     "Slack",
     "Statement",

@@ -60,8 +60,8 @@ class Correction:
 
 
 @dataclass(frozen=True)
-class Sign:
-    """What is special about one relation sign of a row; its words are those of `Row`."""
+class ChainLink:
+    """What one relation of a chain a = b = c has of its own; its words are those of `Row`."""
 
     says: Statement | None = None
     note: str = ""
@@ -86,8 +86,8 @@ class Row:
     `derived` is what our mechanics give for symbols of this print, or for a whole member; it takes
     the place of the declared value. `residual` is what they give for left - right of an equation
     between independent symbols. `substituted` is put into both members before they are compared
-    (tg(x/2) -> U). `defines` are symbols that the print introduces. `signs` has by number, from
-    1 on, what one sign has instead. `read_as` is filled in by the reader.
+    (tg(x/2) -> U). `defines` are symbols that the print introduces. `links` has by number, from
+    1 on, what one relation has instead. `read_as` is filled in by the reader.
     """
 
     kind: ClassVar[Literal["equation", "claim", "datum"]]
@@ -106,11 +106,11 @@ class Row:
     residual: sp.Expr | None = None
     substituted: Mapping[sp.Expr, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
     defines: tuple[sp.Basic, ...] = ()
-    signs: Mapping[int, Sign] = field(default_factory=lambda: MappingProxyType({}))
+    links: Mapping[int, ChainLink] = field(default_factory=lambda: MappingProxyType({}))
     read_as: str = ""
 
     def __post_init__(self) -> None:
-        marks = {*self.marks, *(mark for sign in self.signs.values() for mark in sign.marks)}
+        marks = {*self.marks, *(mark for link in self.links.values() for mark in link.marks)}
         if unknown := marks - set(MARKS):
             raise ValueError(f"row {self.number!r}: marks {sorted(unknown)} not in {tuple(MARKS)}")
         if self.says is not None:
