@@ -1,6 +1,6 @@
 """Paper 1: planetary mechanism with one internal cylindrical mesh and one elliptical pair."""
 
-from mechproof.record import Paper, Published, Together
+from mechproof.record import Paper, PublishedSizes, Together
 
 from .claims import POSITION_CLAIMS
 from .findings import FINDINGS
@@ -25,7 +25,7 @@ PAPER = Paper(
     quantities=QUANTITIES,
     together=(Together("motion", ("position", "ratio", "acceleration")),),
     published=tuple(
-        Published(f"Table 1, variant {number}", dict(zip((R1, R2, e), sizes, strict=True)))
+        PublishedSizes(f"Table 1, variant {number}", dict(zip((R1, R2, e), sizes, strict=True)))
         for number, sizes in VARIANTS.items()
     ),
     findings=FINDINGS,

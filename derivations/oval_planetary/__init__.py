@@ -1,6 +1,6 @@
 """Paper 2: planetary mechanism with two external pairs of oval wheels."""
 
-from mechproof.record import Paper, Published, Together
+from mechproof.record import Paper, PublishedSizes, Together
 
 from .cylindrical_pairs import CYLINDRICAL_PAIR_ROWS
 from .equations import EQUATION_ROWS
@@ -28,7 +28,9 @@ PAPER = Paper(
             ("position_cylindrical", "ratio_cylindrical", "acceleration_cylindrical"),
         ),
     ),
-    published=tuple(Published(f"variant {number}", sizes) for number, sizes in VARIANTS.items()),
+    published=tuple(
+        PublishedSizes(f"variant {number}", sizes) for number, sizes in VARIANTS.items()
+    ),
     findings=FINDINGS,
     conventions=(
         "Angles in radians, positive in the direction of the carrier's rotation; lengths in mm. "

@@ -2,7 +2,7 @@
 
 from sympy import Rational
 
-from mechproof.record import Paper, Published
+from mechproof.record import Paper, PublishedSizes
 
 from .algorithm import ALGORITHM_ROWS
 from .claims import CLAIM_ROWS
@@ -29,7 +29,9 @@ PAPER = Paper(
         *CLAIM_ROWS,
     ),
     quantities=QUANTITIES,
-    published=(Published("paper on tooth thickness, design data", PRINTED_SIZES, ("fitted",)),),
+    published=(
+        PublishedSizes("paper on tooth thickness, design data", PRINTED_SIZES, ("fitted",)),
+    ),
     # A tip diameter off by IT6, a gauge and a tooth off by less.
     usual={
         e_tip: Rational(25, 1000),

@@ -7,7 +7,7 @@ import sympy as sp
 from mechproof.record import (
     Datum,
     Definition,
-    Published,
+    PublishedSizes,
     Row,
 )
 
@@ -37,7 +37,7 @@ PRINTED_VALUES = {
         share: "0.15",
     }.items()
 }
-TABLE_1 = Published("Table 1", PRINTED_VALUES)
+TABLE_1 = PublishedSizes("Table 1", PRINTED_VALUES)
 THERMAL_SHARE = PRINTED_VALUES[share]
 SUM_OF_PRINTED_SQUARES = SUM_OF_SQUARES.subs(PRINTED_VALUES)
 

@@ -13,7 +13,7 @@ from mechproof.record import (
     Conjunction,
     Holds,
     PrintedNumber,
-    Published,
+    PublishedSizes,
     Statement,
     Toleranced,
 )
@@ -56,7 +56,7 @@ BOUNDARY_III = {size: -sign for size, sign in BOUNDARY_II.items()}
 BOUNDARY_IV = {**BOUNDARY_III, alpha_KL: 1}
 
 
-def limits(table: Published, signs: Signs) -> dict[sp.Symbol, sp.Expr]:
+def limits(table: PublishedSizes, signs: Signs) -> dict[sp.Symbol, sp.Expr]:
     """Return the exact sizes of a combination: nominal, or at the limit its sign names."""
     sizes = {}
     for size, value in table.sizes.items():
@@ -67,7 +67,7 @@ def limits(table: Published, signs: Signs) -> dict[sp.Symbol, sp.Expr]:
 
 
 def angles_of(
-    table: Published, signs: Signs, displacement: Displacement
+    table: PublishedSizes, signs: Signs, displacement: Displacement
 ) -> tuple[sp.Expr, sp.Expr]:
     """Compose (1), (3), (4) and (7)/(8) at exact sizes: varphi3 and the direction of KL."""
     sizes = limits(table, signs)
@@ -79,7 +79,7 @@ def angles_of(
         return turned, sp.atan2(sqrt(sizes[l_KL] ** 2 - offset**2), offset)
 
 
-def position_of(table: Published, signs: Signs, displacement: Displacement) -> sp.Expr:
+def position_of(table: PublishedSizes, signs: Signs, displacement: Displacement) -> sp.Expr:
     """Compose the chain with (10) at exact sizes: an exact number."""
     sizes = limits(table, signs)
     _, direction = angles_of(table, signs, displacement)
@@ -87,13 +87,13 @@ def position_of(table: Published, signs: Signs, displacement: Displacement) -> s
         return print_10.xreplace({**sizes, phi7: direction - sizes[alpha_KL]})
 
 
-def above(table: Published, one: Signs, other: Signs, displacement: Displacement) -> Holds:
+def above(table: PublishedSizes, one: Signs, other: Signs, displacement: Displacement) -> Holds:
     """State that curve `one` lies above curve `other` at a displacement (mm)."""
     first, second = (position_of(table, signs, displacement) for signs in (one, other))
     return less(second, first)
 
 
-def crossing(table: Published) -> Conjunction:
+def crossing(table: PublishedSizes) -> Conjunction:
     """State that curves III and IV change order within half a last place around the crossing."""
     return Conjunction(
         (
@@ -103,14 +103,14 @@ def crossing(table: Published) -> Conjunction:
     )
 
 
-def spread(table: Published, displacement: Displacement) -> sp.Expr:
+def spread(table: PublishedSizes, displacement: Displacement) -> sp.Expr:
     """Return the width between the boundaries II and III or IV."""
     lower = BOUNDARY_III if Rational(displacement) > CROSSING else BOUNDARY_IV
     upper = position_of(table, BOUNDARY_II, displacement)
     return sp.Add(upper, -position_of(table, lower, displacement), evaluate=False)
 
 
-def largest_at_the_end(table: Published) -> Conjunction:
+def largest_at_the_end(table: PublishedSizes) -> Conjunction:
     """State that the spread at the start is not below that at -35, -30, ..., 0 mm."""
     at_the_end = spread(table, START)
     return Conjunction(
@@ -121,7 +121,7 @@ def largest_at_the_end(table: Published) -> Conjunction:
 
 
 def deviations_round(
-    table: Published, displacement: Displacement, lower: Signs, printed: tuple[str, str]
+    table: PublishedSizes, displacement: Displacement, lower: Signs, printed: tuple[str, str]
 ) -> Conjunction:
     """State to what the deviations of II and a lower boundary round, % of the nominal position."""
     nominal, high, low = (
@@ -133,12 +133,12 @@ def deviations_round(
     return Conjunction(tuple(map(PrintedNumber, printed, deviations)))
 
 
-def ten_percent(table: Published) -> Conjunction:
+def ten_percent(table: PublishedSizes) -> Conjunction:
     """State that both deviations at the start round to what is printed of them."""
     return deviations_round(table, START, BOUNDARY_IV, (DEVIATION, DEVIATION))
 
 
-def angles_in_range(table: Published) -> Conjunction:
+def angles_in_range(table: PublishedSizes) -> Conjunction:
     """State between which directions DE, KL and LM stay, all sizes within limits, to -40 mm.
 
     varphi3 is largest for the shortest BC and the longest CD, varphi7 for III or IV. An arctangent
@@ -165,7 +165,7 @@ def angles_in_range(table: Published) -> Conjunction:
 
 
 def extreme(
-    table: Published, boundary: Signs, displacement: int | str, neighbours_at: tuple[int, ...]
+    table: PublishedSizes, boundary: Signs, displacement: int | str, neighbours_at: tuple[int, ...]
 ) -> Conjunction:
     """State what makes a curve a boundary from a displacement to x1 = 0 (or to -40).
 
@@ -187,12 +187,12 @@ def extreme(
     return Conjunction((angles_in_range(table), beyond(flipped, displacement), *neighbours))
 
 
-def in_both(statement: Callable[[Published], Statement]) -> Conjunction:
+def in_both(statement: Callable[[PublishedSizes], Statement]) -> Conjunction:
     """State the same of both reconstructions."""
     return Conjunction((statement(FIRST_SET), statement(SECOND_SET)))
 
 
-def differ(statement: Callable[[Published], Statement]) -> Completions:
+def differ(statement: Callable[[PublishedSizes], Statement]) -> Completions:
     """State a claim on which the reconstructions may differ."""
     return Completions(
         "sizes: two reconstructions are known",

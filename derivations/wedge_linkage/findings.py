@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from sympy import Rational
 
-from mechproof.record import Cost, Finding, Published, Toleranced
+from mechproof.record import Cost, Finding, PublishedSizes, Toleranced
 
 from .boundaries import position_of
 from .sizes import FIRST_SET, LEGIBLE
@@ -13,7 +13,7 @@ from .symbols import l_AB, l_BC, l_CD, l_GH
 
 ZERO = sp.S.Zero
 # With the rod's x5 in (6) to (8) the link 5' would follow as if there were no clearance.
-NO_CLEARANCE = Published(
+NO_CLEARANCE = PublishedSizes(
     FIRST_SET.source,
     {**FIRST_SET.sizes, l_GH: Toleranced(ZERO, ZERO, ZERO)},
     FIRST_SET.marks,

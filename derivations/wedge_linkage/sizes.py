@@ -8,7 +8,7 @@ from sympy import Rational, pi
 from mechproof.record import (
     ANGLE,
     LENGTH,
-    Published,
+    PublishedSizes,
     Toleranced,
     Variable,
 )
@@ -80,14 +80,14 @@ def unit(size: sp.Symbol) -> sp.Expr:
     return pi / 180 if size in ANGLES else sp.S.One
 
 
-def reconstruct(table: Mapping[sp.Symbol, tuple[str, str, str]]) -> Published:
+def reconstruct(table: Mapping[sp.Symbol, tuple[str, str, str]]) -> PublishedSizes:
     """Return a reconstruction of the sizes, named by the three in which both differ."""
     chosen = ", ".join(f"{size} = {table[size][0]}" for size in (l_BC, l_CD, l_DE))
     sizes = {
         size: Toleranced(*(Rational(text) * unit(size) for text in texts))
         for size, texts in table.items()
     }
-    return Published(
+    return PublishedSizes(
         f"the set reconstructed with {chosen}", sizes, ("calibrated", "fitted", "uncertain")
     )
 

@@ -26,7 +26,7 @@ from mechproof.record import (
     Form,
     Paper,
     Part,
-    Published,
+    PublishedSizes,
     Quantity,
     Singular,
     Together,
@@ -75,7 +75,7 @@ def hostile_paper(text: str) -> Paper:
         rows=(row,),
         quantities=(hostile, replace(other, arguments=hostile.arguments)),
         together=(Together("both", ("f", "g")),),
-        published=(Published(text, {a: sp.Integer(2)}, (text,)),),
+        published=(PublishedSizes(text, {a: sp.Integer(2)}, (text,)),),
     )
 
 

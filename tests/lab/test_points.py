@@ -24,13 +24,13 @@ from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.subject import find_subjects
 from mechproof.lab.ways import Arguments, Array
 from mechproof.proof.domain import Domain
-from mechproof.record import Argument, Published, Singular, Toleranced
+from mechproof.record import Argument, PublishedSizes, Singular, Toleranced
 
 turns = sp.Symbol("m_turns", integer=True)
 DOMAIN = Domain.of(PAPER)
 PEAK = Singular(sp.Eq(x, 2 * sp.pi * turns), "the ratio is steep")
 FLAT = Singular(sp.Eq(e, 1), "the ellipse is flat")
-PUBLISHED = Published(
+PUBLISHED = PublishedSizes(
     "Table 1",
     {
         R1: Toleranced(sp.Integer(66), sp.Rational(1, 10), sp.Rational(-1, 5)),

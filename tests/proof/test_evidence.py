@@ -30,7 +30,7 @@ from mechproof.record import (
     Holds,
     Paper,
     PrintedNumber,
-    Published,
+    PublishedSizes,
     Toleranced,
     Variable,
 )
@@ -47,11 +47,11 @@ VARIABLES = (
     Variable(r, "another, not printed", LENGTH, POSITIVE),
     Variable(z, "teeth", within=sp.S.Naturals, latex=("z",)),
 )
-SIZES = Published(
+SIZES = PublishedSizes(
     "Table 1",
     {e: sp.Rational(28, 100), R: Toleranced(sp.S(66), sp.S.One, sp.S.Zero), z: sp.S(50)},
 )
-OTHER = Published("Table 2", {e: sp.Rational(1, 2)})
+OTHER = PublishedSizes("Table 2", {e: sp.Rational(1, 2)})
 
 
 def paper(*published, where=()):
@@ -101,7 +101,7 @@ def test_usual_sizes_stand_for_what_is_not_published() -> None:
 
 
 def test_sizes_of_which_a_row_has_none_do_not_hide_the_next() -> None:
-    others = (Published("none of them", {z: sp.S(50)}), SIZES)
+    others = (PublishedSizes("none of them", {z: sp.S(50)}), SIZES)
     found = evidence(R * phi, R * sp.sin(phi), Domain.of(paper(*others)))
     assert found.at == {"R": "66", "phi": "pi/6 (30°)"}
 

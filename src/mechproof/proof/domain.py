@@ -20,7 +20,7 @@ from mechproof.proof.dimensions import dimensions_of
 from mechproof.proof.domain_checks import check_given, check_relation, check_set
 from mechproof.proof.narrowing import Values, leaves_values, search
 from mechproof.proof.set_values import list_closed_ends, list_special_values, place, radical_inverse
-from mechproof.record import NUMBER, Dimension, Paper, Part, Published, RecordError, Toleranced
+from mechproof.record import NUMBER, Dimension, Paper, Part, PublishedSizes, RecordError, Toleranced
 from mechproof.record.parts import find_free, find_parts
 from mechproof.record.substitution import resolve
 
@@ -52,7 +52,7 @@ class Domain:
     within: Mapping[sp.Basic, sp.Set]
     where: tuple[sp.Basic, ...]
     given: Mapping[sp.Basic, sp.Expr]
-    published: tuple[Published, ...] = field(default=(), compare=False)
+    published: tuple[PublishedSizes, ...] = field(default=(), compare=False)
     dimensions: Mapping[sp.Basic, Dimension] = field(
         default_factory=lambda: _NO_DIMENSIONS, compare=False
     )
@@ -253,7 +253,7 @@ class Domain:
                 yield {**inside, **dict(zip(several, corner, strict=True))}
 
 
-def sizes_of(published: Published) -> Point:
+def sizes_of(published: PublishedSizes) -> Point:
     """Return the published sizes, nominal ones where there are limits."""
     return {
         symbol: size.nominal if isinstance(size, Toleranced) else sp.sympify(size)

@@ -16,7 +16,7 @@ from mechproof.record.expressions import (
 from mechproof.record.findings import Cost, Finding, Follower
 from mechproof.record.forms import Chart, Form, Peer, Written
 from mechproof.record.needs import list_needs, list_partial
-from mechproof.record.papers import RESERVED, Paper, Published, Toleranced
+from mechproof.record.papers import RESERVED, Paper, PublishedSizes, Toleranced
 from mechproof.record.quantities import (
     Accuracy,
     Argument,
@@ -88,7 +88,7 @@ __all__ = [
     "Peer",
     "Power",
     "PrintedNumber",
-    "Published",
+    "PublishedSizes",
     "Quantity",
     "Reading",
     "RecordError",

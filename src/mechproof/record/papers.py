@@ -29,7 +29,7 @@ class Toleranced:
 
 
 @dataclass(frozen=True)
-class Published:
+class PublishedSizes:
     """Sizes that a paper prints, exact; a symbol that is left out is not printed.
 
     `marks` say what they rest on.
@@ -55,7 +55,7 @@ class Paper(Displayed):
     where: tuple[sp.Basic, ...] = ()
     quantities: tuple[Quantity, ...] = ()
     together: tuple[Together, ...] = ()
-    published: tuple[Published, ...] = ()
+    published: tuple[PublishedSizes, ...] = ()
     findings: tuple[Finding, ...] = ()
     conventions: str = ""
     notation: Notation = field(default_factory=Notation)

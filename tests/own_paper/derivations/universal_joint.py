@@ -11,7 +11,7 @@ from mechproof.record import (
     Equation,
     Form,
     Paper,
-    Published,
+    PublishedSizes,
     Quantity,
     Singular,
     Variable,
@@ -122,5 +122,5 @@ PAPER = Paper(
             singular=SINGULAR,
         ),
     ),
-    published=(Published("example 1", {beta: pi / 6}),),
+    published=(PublishedSizes("example 1", {beta: pi / 6}),),
 )

@@ -13,7 +13,7 @@ from mechproof.lab.sampling.region import Region
 from mechproof.lab.sampling.roots import Columns, Place
 from mechproof.lab.ways import Arguments, Array
 from mechproof.proof.domain import Domain
-from mechproof.record import Argument, Published, Singular, Toleranced
+from mechproof.record import Argument, PublishedSizes, Singular, Toleranced
 
 # Sizes are drawn so many times smaller and larger than the usual and published ones.
 WIDE = 1e3
@@ -31,7 +31,7 @@ class Facts:
     arguments: tuple[Argument, ...]
     domain: Domain
     singular: tuple[Singular, ...] = ()
-    published: tuple[Published, ...] = ()
+    published: tuple[PublishedSizes, ...] = ()
     share: float = 1.0
 
     def part(self, count: int) -> int:
