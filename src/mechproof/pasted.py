@@ -8,12 +8,11 @@ from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
+from mechproof.document.letters import is_vector, name_symbol
 from mechproof.document.relations import narrow, read_relations
-from mechproof.document.symbols import name_symbol
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.expansion import read_row
-from mechproof.latex.left_scripts import LEFT, VECTORS
 from mechproof.latex.names import INDEX
 from mechproof.latex.tokens import tokenize
 from mechproof.latex.tree import Integration, walk
@@ -173,7 +172,7 @@ def _declare(pasted: Pasted, counts: Collection[str]) -> tuple[Variable, ...]:
 def _refuse_vectors(letters: Collection[str]) -> None:
     """Refuse letters that are printed as vectors or in a frame: they are no real numbers."""
     for letter in letters:
-        if letter.startswith((*VECTORS, LEFT)):
+        if is_vector(letter):
             raise ValueError(
                 f"{letter} is no number: vectors and matrices need their components: check these, "
                 f"or say --name '{letter}' where it is a number"

@@ -19,6 +19,7 @@ LETTERS = r"""%% mechproof
 %% k ; m ; n ; u : numbers
 %% \sigma : branch
 %% R 2x2 : rotation
+%% Q(\alpha) 2x2 : shear
 %% factor a, \dot\varphi
 %% branch \sigma=\pm1
 """
@@ -123,6 +124,14 @@ CASES = {
         ["DEFINITION", "DEFINITION"],
     ),
     "conditions": ([r"l>r", r"k^2\ge0", r"k^2<0"], ["DEFINITION", "PROVED", "REFUTED"]),
+    "a double sign on one side is the branch": (
+        [r"m=k\pm\sqrt{k^2+n^2}", r"m^2-2mk=n^2", r"m^2-2mk=2n^2"],
+        ["DEFINITION", "PROVED", "DEFINITION"],
+    ),
+    "a bracket behind a matrix is its name": (
+        [r"Q(\alpha)=\begin{pmatrix}1&\alpha\\0&1\end{pmatrix}", r"\det Q(\alpha)=1"],
+        ["DEFINITION", "PROVED"],
+    ),
     "a branch": ([r"\sigma^2=1", r"\sigma=1"], ["PROVED", "DEFINITION"]),
     "dimensions": ([r"x=r+\lambda", r"k=\frac{r}{l}+m"], ["ILL_FORMED", "DEFINITION"]),
     "sizes are no definitions": ([r"r=66", r"\lambda=\frac rl"], ["DEFINITION", "DEFINITION"]),
@@ -168,7 +177,7 @@ def test_equations_are_skipped_or_constrained_by_name_or_label() -> None:
 def test_rows_say_what_they_do_and_where_they_stand() -> None:
     rows = run(ROD, r"\dot x=-r\dot\varphi\sin\varphi").rows
     assert [row.role for row in rows] == [Role.DEFINITION, Role.DERIVATIVE]
-    assert [row.place.line for row in rows] == [16, 17]
+    assert [row.place.line for row in rows] == [17, 18]
 
 
 def test_an_accusation_names_what_it_is_compared_with() -> None:

@@ -32,7 +32,8 @@ class BlockError(ValueError):
 class Declared:
     """A letter: how it is printed, what it means, its unit, what is said of it, its shape.
 
-    `running` is the letter that it depends on, and by which it is differentiated.
+    `running` is the letter that it depends on, and by which it is differentiated; a bracket behind
+    a matrix is part of its name.
     """
 
     names: tuple[str, ...]
@@ -107,7 +108,7 @@ def _read_letter(
     names = [name.strip() for name in text.split("|")]
     if not all(any(sign.isalpha() for sign in name) for name in names):
         raise ValueError(f"the name {text.strip()!r} has no letter")
-    running = _RUNNING.search(names[0])
+    running = None if shape else _RUNNING.search(names[0])
     if running:
         names[0] = names[0][: running.start()].strip()
     return Declared(tuple(names), meaning, unit, condition, shape, running[1] if running else "")

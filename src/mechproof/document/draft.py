@@ -6,21 +6,22 @@ Nothing of a draft is used before it stands in the paper: words are matched, not
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
-from mechproof.document.displays import Printed, find_displays
+from mechproof.document.displays import find_displays
+from mechproof.document.letters import (
+    collect_letters,
+    find_shapes,
+    group_alike,
+    is_vector,
+    name_symbol,
+)
 from mechproof.document.macros import find_macros
 from mechproof.document.sources import Source
-from mechproof.document.symbols import collect_letters, group_alike, name_symbol
 from mechproof.document.units import UnitError, read_unit
 
 _ACCENT = re.compile(r"\\d?dot\s*\{?\s*(\\[A-Za-z]+|[A-Za-z])\s*\}?(.*)\Z", re.DOTALL)
-_MATRIX = re.compile(
-    r"(?P<name>[^=&]{1,40}?)\s*=\s*(?:\\left[\[(])?\s*"
-    r"\\begin\{(?:[bpvBV]?matrix|array)\}(?:\{[lcr|]+\})?(?P<body>.*?)\\end\{",
-    re.DOTALL,
-)
 _UNIT = r"(?:\s*(?:\[([^\]\[]{1,12})\]|\(in\s+([^)]{1,12})\)|,?\s+in\s+(mm|m|rad|kg|N|s|deg)\b))?"
 _VERBS = r"(?:is|are|denotes?|represents?|stands? for|means|being|:|--|---|\u2013|\u2014)"
 _SENTENCE = re.compile(
@@ -46,18 +47,21 @@ class Said:
 def draft_block(source: Source) -> str:
     """Return a block of letters for a paper; what was found in its words says where."""
     macros, text = find_macros(source.text)
-    printed = list(find_displays(text, macros))
-    letters, factors = collect_letters(one.latex.string for one in printed)
+    prints = [printed.latex.string for printed in find_displays(text, macros)]
+    letters, factors = collect_letters(prints)
     said = dict(_find_said(source))
     moved = {_find_moved(letter) for letter in letters}
-    shapes = dict(_find_shapes(printed))
+    shapes = dict(find_shapes(prints))
     lines = []
     for letter, *alike in group_alike(letters):
         if _find_moved(letter):
             continue
         others = "".join(f" | {other}" for other in alike)
         found = said.get(name_symbol(letter))
-        shape = f" {shapes[name_symbol(letter)]}" if name_symbol(letter) in shapes else ""
+        size = shapes.get(name_symbol(letter))
+        shape = f" {size[0]}x{size[1]}" if size else ""
+        if is_vector(letter) and not size:
+            lines.append("# A vector or a matrix? Say its size behind the name: 3x1")
         running = "(t)" if name_symbol(letter) in moved else ""
         unit = f" [{found.unit}]" if found and found.unit else ""
         if found:
@@ -78,13 +82,6 @@ def _find_moved(letter: str) -> str:
     r"""Return the name of the letter of which this one is the derivative: x of \dot x."""
     match = _ACCENT.match(letter)
     return name_symbol(match[1] + match[2]) if match else ""
-
-
-def _find_shapes(printed: Sequence[Printed]) -> Iterator[tuple[str, str]]:
-    for one in printed:
-        for match in _MATRIX.finditer(one.latex.string):
-            rows = [row for row in match["body"].split(r"\\") if row.strip()]
-            yield name_symbol(match["name"]), f"{len(rows)}x{rows[0].count('&') + 1 if rows else 1}"
 
 
 def _find_said(source: Source) -> Iterator[tuple[str, Said]]:

@@ -105,6 +105,11 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         if not value.free_symbols:
             role = Role.NUMBER if symbol in known.values else Role.SIZE
             return Sign(role, symbol, sides=sides, number=_find_number(nodes))
+        is_fit = isinstance(value, sp.MatrixBase) <= isinstance(symbol, sp.MatrixSymbol)
+        if not is_fit:
+            raise read.source.refuse(
+                node.start, f"{symbol} is a matrix here", "Say its size behind its name: 3x1."
+            )
         if symbol not in known.values and symbol not in known.settle(value).free_symbols:
             known.define(symbol, value, name)
             return Sign(Role.DEFINITION, symbol, name)

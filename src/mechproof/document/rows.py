@@ -12,10 +12,17 @@ import sympy as sp
 
 from mechproof.document.block import Declared, read_block
 from mechproof.document.displays import Printed, find_displays
+from mechproof.document.letters import (
+    collect_letters,
+    find_shapes,
+    group_alike,
+    is_vector,
+    name_symbol,
+)
 from mechproof.document.macros import find_macros
 from mechproof.document.roles import Known, Role, Sign, find_roles
 from mechproof.document.sources import Source
-from mechproof.document.symbols import collect_letters, declare, group_alike
+from mechproof.document.symbols import declare
 from mechproof.document.text import Place
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
@@ -29,10 +36,12 @@ from mechproof.record import (
     Row,
     Statement,
     ValueWhere,
-    Variable,
 )
 
 SYSTEM = "paper"
+UNFIT = "numbers, matrices or their shapes do not fit together, or SymPy cannot put values in"
+# What SymPy raises where values are put in that do not fit.
+_UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
 
 
 class State(StrEnum):
@@ -84,8 +93,12 @@ class Document:
         letters = (
             [] if source.has_block else collect_letters(p.latex.string for p in self.printed)[0]
         )
-        self.taken = tuple(letters)
-        self.block.letters += [Declared(names) for names in group_alike(self.taken)]
+        shapes = dict(find_shapes(p.latex.string for p in self.printed))
+        self.taken = tuple(x for x in letters if not is_vector(x) or name_symbol(x) in shapes)
+        self.block.letters += [
+            Declared(names, shape=shapes.get(name_symbol(names[0])))
+            for names in group_alike(self.taken)
+        ]
         self.symbols = declare(self.block)
         self.known = Known(self.symbols)
         self.papers = {
@@ -116,7 +129,7 @@ class Document:
         if reason := _look_up(printed, self.block.skipped):
             return self._leave(printed, State.SKIPPED, reason)
         try:
-            read = reader.parse(latex, upper=1)
+            read = reader.parse(latex, upper=int(reader.notation.branch is None))
             if not any(chain.relations for chain in read.chains):
                 return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
             signs = find_roles(printed.name, read, self.known)
@@ -124,6 +137,8 @@ class Document:
             return self._refuse(printed, error)
         except RecursionError:
             return self._leave(printed, State.NOT_READ, "it is nested too deeply to be read")
+        except _UNFIT:
+            return self._leave(printed, State.NOT_JUDGED, UNFIT)
         return signs
 
     def _state(
@@ -142,12 +157,15 @@ class Document:
         except ReadingError as error:
             yield self._refuse(printed, error)
             return
-        except ValueError as error:
-            reason = str(error).removeprefix(f"row {printed.name!r}: ")
-            yield self._leave(printed, State.NOT_JUDGED, reason)
+        except _UNFIT as error:
+            _, told, reason = str(error).partition(f"row {printed.name!r}: ")
+            yield self._leave(printed, State.NOT_JUDGED, reason if told else UNFIT)
             return
         for one, sign in zip(rows, signs, strict=True):
-            yield self._prepare(printed, one, sign)
+            try:
+                yield self._prepare(printed, one, sign)
+            except _UNFIT:
+                yield self._leave(printed, State.NOT_JUDGED, UNFIT)
 
     def _prepare(self, printed: Printed, row: Row, sign: Sign) -> Task | Left:
         place = self._locate(printed)
@@ -158,7 +176,7 @@ class Document:
             if isinstance(number, str):
                 return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
             row = replace(row, says=number)
-        row = replace(row, says=_split_branches(row.statement, self.symbols.variables))
+        row = replace(row, says=self._split_branches(row.statement))
         turn = _look_up(printed, self.block.modulo)
         if turn and isinstance(row.says, Equality):
             row = replace(row, says=_modulo(row.says), note=f"Said modulo {turn}.")
@@ -171,6 +189,20 @@ class Document:
             residual = sides[0] - sides[1]
         asserts = self._asserts(printed, sign, sides)
         return Task(row, place, sign, paper, asserts, residual)
+
+    def _split_branches(self, says: Statement) -> Statement:
+        """State an equation for each sign of the letters that are branches."""
+        if not isinstance(says, Equality):
+            return says
+        one, other = self.known.settle(says.printed), self.known.settle(says.rebuilt)
+        letters = one.free_symbols | other.free_symbols
+        branches = [v for v in self.symbols.variables if v.within.is_FiniteSet]
+        signs = [[(v.symbol, value) for value in v.within] for v in branches if v.symbol in letters]
+        if not signs:
+            return says
+        choices = map(dict, product(*signs))
+        parts = (Equality(one.subs(c), other.subs(c), says.rebuilt_from) for c in choices)
+        return Conjunction(tuple(parts))
 
     def _asserts(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
         """Return whether the sides are claimed to be equal wherever their letters lie.
@@ -221,22 +253,6 @@ def _modulo(says: Equality) -> Conjunction:
     """State that two angles are equal up to whole turns."""
     parts = (
         Equality(f(says.printed), f(says.rebuilt), says.rebuilt_from) for f in (sp.cos, sp.sin)
-    )
-    return Conjunction(tuple(parts))
-
-
-def _split_branches(says: Statement, variables: Sequence[Variable]) -> Statement:
-    """State an equation for each sign of the letters that are branches."""
-    if not isinstance(says, Equality):
-        return says
-    letters = says.printed.free_symbols | says.rebuilt.free_symbols
-    branches = [v for v in variables if v.within.is_FiniteSet and v.symbol in letters]
-    if not branches:
-        return says
-    choices = map(dict, product(*([(v.symbol, value) for value in v.within] for v in branches)))
-    parts = (
-        Equality(says.printed.subs(choice), says.rebuilt.subs(choice), says.rebuilt_from)
-        for choice in choices
     )
     return Conjunction(tuple(parts))
 

@@ -3,36 +3,25 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy as sp
 
 from mechproof.document.block import Block, Declared
+from mechproof.document.letters import REMEDIES, name_symbol
 from mechproof.document.relations import narrow, read_relations
 from mechproof.document.units import read_unit
-from mechproof.latex import Reader, ReadingError
-from mechproof.latex.errors import Remedies
+from mechproof.latex import Reader
 from mechproof.latex.values import Moving
 from mechproof.record import NUMBER, Notation, Paper, Variable
 
-REMEDIES = Remedies(
-    name="Declare it in the block of letters: {0} : its meaning",
-    bracket="Say in the block of letters: factor {0}, or declare the whole print, {0}(…), as a "
-    "letter.",
-    function="Print a function that is the same everywhere (ln, lg, arctg).",
-    scope="Print another letter for '{0}' where it is bound.",
-    lower_limit="Say in the block of letters: from 0, or where else it starts.",
-    family="Leave {0} out of the block of letters.",
-    membership="Print an interval as a relation, 0<x<1, or say natural for a letter that counts.",
-)
 # Derivatives of a letter that have prints of their own.
 ORDERS = (1, 2)
 TIME = "t"
 # The unit behind a size.
 _UNITS = re.compile(r"(?<=\d)(?:\s|\\,|~)*(?:[A-Za-zµ°/%]+(?:\^?\d)?)+\s*\Z")
-_ASKS = re.compile(r"a bracket after (.+?): a factor")
 _STEM = re.compile(r"(\\[A-Za-z]+|.)(.*)\Z", re.DOTALL)
 
 
@@ -94,6 +83,8 @@ def declare(block: Block) -> Symbols:
     symbols = {name: v.symbol for v in variables for name in v.latex}
     moving = {symbol: (symbols[running], rates) for symbol, (running, rates) in depending.items()}
     notation = Notation(factors=(*block.factors, *block.natural), moving=moving)
+    if len(block.branches) == 1:
+        notation = replace(notation, branch=symbols[block.branches[0]])
     return _say(Symbols(tuple(variables), notation, bare=frozenset(bare)), block)
 
 
@@ -102,19 +93,6 @@ def _add_running(letters: Sequence[Declared]) -> list[Declared]:
     known = {name for letter in letters for name in letter.names}
     new = dict.fromkeys(x.running for x in letters if x.running and x.running not in known)
     return [*letters, *(Declared((name,), unit="s" if name == TIME else None) for name in new)]
-
-
-def name_symbol(latex: str) -> str:
-    """Return the name of the symbol that is printed so."""
-    return re.sub(r"[\\{}\s]", "", latex)
-
-
-def group_alike(letters: Iterable[str]) -> list[tuple[str, ...]]:
-    r"""Return letters with those that print alike, \dot{x}_1 and \dot{x_1}, as one."""
-    groups: dict[str, dict[str, None]] = {}
-    for letter in letters:
-        groups.setdefault(name_symbol(letter), {})[letter] = None
-    return [tuple(group) for group in groups.values()]
 
 
 def _make(letter: Declared, letters: Sequence[Declared], block: Block) -> Iterator[Variable]:
@@ -190,25 +168,3 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
         limit = read.meaning().of(read.chains[0].members[0])
         notation = replace(notation, lower_limit=limit)
     return replace(symbols, variables=variables, where=where, usual=usual, notation=notation)
-
-
-def collect_letters(printed: Iterable[str]) -> tuple[list[str], list[str]]:
-    """Return the letters of prints that are not declared, and those before a bracket."""
-    letters: dict[str, None] = {}
-    factors: dict[str, None] = {}
-    for latex in printed:
-        letters |= dict.fromkeys(_collect_from(latex, factors))
-    return [x for x in letters if "#" not in x], list(factors)
-
-
-def _collect_from(latex: str, factors: dict[str, None]) -> list[str]:
-    while True:
-        try:
-            return Reader((), Notation(factors=tuple(factors)), REMEDIES).collect(latex)
-        except ReadingError as error:
-            asks = _ASKS.search(error.args[0])
-            if asks is None or asks[1] in factors:
-                return []
-            factors[asks[1]] = None
-        except RecursionError:
-            return []
