@@ -39,6 +39,12 @@ def test_an_open_row_is_status_1(tmp_path: Path) -> None:
     assert "1 UNDECIDED" in result.output
 
 
+@pytest.mark.parametrize(("outcome", "status"), [("refuted", 0), ("undecided,proved", 1)])
+def test_other_outcomes_may_fail(tmp_path: Path, outcome: str, status: int) -> None:
+    result = run("verify", str(write(tmp_path, PROVED, OPEN)), "--fail-on", outcome)
+    assert result.exit_code == status, result.output
+
+
 @pytest.mark.parametrize(
     ("text", "place", "message"),
     [

@@ -22,6 +22,7 @@ from mechproof.cli.judging import (
     refuse_failures,
 )
 from mechproof.cli.ledger import print_ledgers
+from mechproof.cli.outcomes import FailOnOption, read_outcomes
 from mechproof.cli.paths import RULE, DerivationsOption, find_locations, find_places
 from mechproof.cli.report import report
 from mechproof.cli.welcome import show_welcome
@@ -86,15 +87,17 @@ def verify(
     ] = False,
     derivations: DerivationsOption = None,
     root: RootOption = None,
+    fail_on: FailOnOption = None,
     no_cache: NoCacheOption = False,
     limit: LimitOption = LIMIT,
 ) -> None:
     """Judge every row of the papers; print what was found, then what is not plainly proved.
 
-    Exit status 0: every row is decided and every kernel is PROVED; 1: a row is UNDECIDED, a kernel
-    is not PROVED (rivals may be wrong: they are named as such), a row hangs or crashes, or a
-    derivation fails; 2: bad usage.
+    Exit status 0: every row is decided and every kernel is PROVED; 1: a row is UNDECIDED or what
+    --fail-on names instead, a kernel is not PROVED (rivals may be wrong: they are named as such),
+    a row hangs or crashes, or a derivation fails; 2: bad usage.
     """
+    outcomes = read_outcomes(fail_on, (Verdict.UNDECIDED.value,))
     locations = find_locations(papers or (), find_places(derivations, root))
     clear_json(json_file)
     ledgers = read_ledgers(locations, use_cache=not no_cache, limit=limit)
@@ -103,7 +106,7 @@ def verify(
     print_ledgers(ledgers, show_all=show_all)
     refuse_failures(ledgers)
     rows = (row for ledger in ledgers for row in ledger.judgements)
-    if any(row.verdict is Verdict.UNDECIDED for row in rows):
+    if any(row.verdict.value in outcomes for row in rows):
         raise typer.Exit(1)
 
 
