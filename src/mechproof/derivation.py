@@ -10,11 +10,8 @@ import importlib
 import importlib.util
 import os
 import re
-import signal
 import sys
-import threading
 import traceback
-from _thread import interrupt_main
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from importlib.abc import MetaPathFinder
@@ -25,6 +22,7 @@ from types import CodeType, ModuleType
 from typing import Literal, NoReturn
 
 from mechproof.latex import read_paper
+from mechproof.processes import limit_time
 from mechproof.proof.dimensions import check_derived
 from mechproof.record import Paper
 
@@ -170,41 +168,12 @@ def _forget(name: str, *shared: str) -> None:
 
 @contextmanager
 def stop_after(seconds: float, location: Path) -> Iterator[None]:
-    """End what runs longer in the main thread; `DerivationError` naming the place of a derivation.
-
-    A call of a library that returns late is ended late.
-    """
-    main, late = threading.main_thread(), threading.Event()
-
-    def stop() -> None:
-        late.set()
-        if hasattr(signal, "pthread_kill") and main.ident is not None:
-            signal.pthread_kill(main.ident, signal.SIGINT)
-        else:
-            interrupt_main()
-
-    def interrupt(number: int, frame: object) -> None:
-        if late.is_set() or before is not signal.SIG_IGN:
-            raise KeyboardInterrupt
-
-    if threading.current_thread() is not main:
-        yield
-        return
-    # Where the user's interrupts are ignored, as in the background, this one is not.
-    before = signal.signal(signal.SIGINT, interrupt)
-    timer = threading.Timer(seconds, stop)
-    timer.start()
+    """End what runs longer; `DerivationError` naming the place of a derivation."""
     try:
-        yield
-    except KeyboardInterrupt:
-        if not late.is_set():
-            raise
+        with limit_time(seconds):
+            yield
+    except TimeoutError:
         raise DerivationError(f"{location}: is not loaded within {seconds:g} s") from None
-    finally:
-        timer.cancel()
-        # A process with two threads could not be forked.
-        timer.join()
-        signal.signal(signal.SIGINT, before)
 
 
 @contextmanager

@@ -12,6 +12,7 @@ import signal
 import sys
 import threading
 import time
+from _thread import interrupt_main
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
@@ -263,3 +264,42 @@ def _answer(function: Callable[[Task], Result], task: Task) -> tuple[bool, Resul
         return True, function(task)
     except BaseException as error:
         return False, f"{type(error).__name__}: {error}"
+
+
+@contextmanager
+def limit_time(seconds: float) -> Iterator[None]:
+    """End what runs longer in the main thread; raises `TimeoutError`.
+
+    A call of a library that returns late is ended late.
+    """
+    main, late = threading.main_thread(), threading.Event()
+
+    def stop() -> None:
+        late.set()
+        if hasattr(signal, "pthread_kill") and main.ident is not None:
+            signal.pthread_kill(main.ident, signal.SIGINT)
+        else:
+            interrupt_main()
+
+    def interrupt(number: int, frame: object) -> None:
+        if late.is_set() or before is not signal.SIG_IGN:
+            raise KeyboardInterrupt
+
+    if threading.current_thread() is not main:
+        yield
+        return
+    # Where the user's interrupts are ignored, as in the background, this one is not.
+    before = signal.signal(signal.SIGINT, interrupt)
+    timer = threading.Timer(seconds, stop)
+    timer.start()
+    try:
+        yield
+    except KeyboardInterrupt:
+        if not late.is_set():
+            raise
+        raise TimeoutError(f"no answer within {seconds:g} s") from None
+    finally:
+        timer.cancel()
+        # A process with two threads could not be forked.
+        timer.join()
+        signal.signal(signal.SIGINT, before)

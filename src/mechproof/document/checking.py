@@ -99,7 +99,7 @@ def check(
     key = (str(path), content)
     source = read_source(*key)
     document = Document(source)
-    found = document.read()
+    found = document.read(limit)
     tasks = [one for one in found if isinstance(one, Task)]
     report(f"judging {len(tasks)} rows")
     _opened[key] = tasks
@@ -115,7 +115,7 @@ def check(
 
 def _open(key: _Key) -> list[Task]:
     if key not in _opened:
-        found = Document(read_source(*key)).read()
+        found = Document(read_source(*key)).read(LIMIT)
         _opened[key] = [one for one in found if isinstance(one, Task)]
     return _opened[key]
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from itertools import product
-from typing import Any
+from typing import Any, TypeVar
 
 import sympy as sp
 
@@ -26,6 +26,7 @@ from mechproof.document.symbols import declare
 from mechproof.document.text import Place
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
+from mechproof.processes import limit_time
 from mechproof.record import (
     Conjunction,
     Definition,
@@ -38,6 +39,7 @@ from mechproof.record import (
     ValueWhere,
 )
 
+T = TypeVar("T")
 SYSTEM = "paper"
 UNFIT = "numbers, matrices or their shapes do not fit together, or SymPy cannot put values in"
 # What SymPy raises where values are put in that do not fit.
@@ -101,13 +103,18 @@ class Document:
         ]
         self.symbols = declare(self.block)
         self.known = Known(self.symbols)
+        self.limit = 0.0
         self.papers = {
             with_units: self.symbols.paper(SYSTEM, {}, with_units=with_units)
             for with_units in (True, False)
         }
 
-    def read(self) -> list[Task | Left]:
-        """Read all equations in their order: first what they define, then what they assert."""
+    def read(self, limit: float) -> list[Task | Left]:
+        """Read all equations in their order: first what they define, then what they assert.
+
+        One that takes longer than `limit` seconds is left.
+        """
+        self.limit = limit
         reader = self.symbols.reader()
         read = [self._parse(printed, reader) for printed in self.printed]
         values = self.known.values
@@ -123,27 +130,21 @@ class Document:
         ]
 
     def _parse(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
-        latex = printed.latex.string
         if printed.fault:
             return self._leave(printed, State.NOT_READ, printed.fault)
         if reason := _look_up(printed, self.block.skipped):
             return self._leave(printed, State.SKIPPED, reason)
-        try:
-            read = reader.parse(latex, upper=int(reader.notation.branch is None))
-            if not any(chain.relations for chain in read.chains):
-                return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
-            signs = find_roles(printed.name, read, self.known)
-        except ReadingError as error:
-            return self._refuse(printed, error)
-        except RecursionError:
-            return self._leave(printed, State.NOT_READ, "it is nested too deeply to be read")
-        except _UNFIT:
-            return self._leave(printed, State.NOT_JUDGED, UNFIT)
-        return signs
+        return self._guard(printed, lambda: self._find_roles(printed, reader))
+
+    def _find_roles(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
+        read = reader.parse(printed.latex.string, upper=int(reader.notation.branch is None))
+        if not any(chain.relations for chain in read.chains):
+            return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
+        return find_roles(printed.name, read, self.known)
 
     def _state(
         self, printed: Printed, signs: Sequence[Sign], reader: Reader
-    ) -> Iterator[Task | Left]:
+    ) -> Sequence[Task | Left]:
         derived = {
             s.letter: self.known.values[s.letter]
             for s in signs
@@ -152,20 +153,28 @@ class Document:
         free = (Role.SIZE, Role.CONSTRAINT)
         defines = tuple(s.letter for s in signs if s.role in free and s.letter is not None)
         row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
-        try:
+
+        def prepare() -> list[Task | Left]:
             rows = read_row(row, reader)
+            return [self._prepare(printed, *pair) for pair in zip(rows, signs, strict=True)]
+
+        found = self._guard(printed, prepare)
+        return [found] if isinstance(found, Left) else found
+
+    def _guard(self, printed: Printed, act: Callable[[], T]) -> T | Left:
+        """Do something with an equation; what it cannot be done with is left."""
+        try:
+            with limit_time(self.limit):
+                return act()
         except ReadingError as error:
-            yield self._refuse(printed, error)
-            return
+            return self._refuse(printed, error)
+        except RecursionError:
+            return self._leave(printed, State.NOT_READ, "it is nested too deeply to be read")
+        except TimeoutError as error:
+            return self._leave(printed, State.NOT_JUDGED, str(error))
         except _UNFIT as error:
             _, told, reason = str(error).partition(f"row {printed.name!r}: ")
-            yield self._leave(printed, State.NOT_JUDGED, reason if told else UNFIT)
-            return
-        for one, sign in zip(rows, signs, strict=True):
-            try:
-                yield self._prepare(printed, one, sign)
-            except _UNFIT:
-                yield self._leave(printed, State.NOT_JUDGED, UNFIT)
+            return self._leave(printed, State.NOT_JUDGED, reason if told else UNFIT)
 
     def _prepare(self, printed: Printed, row: Row, sign: Sign) -> Task | Left:
         place = self._locate(printed)
