@@ -24,6 +24,7 @@ from mechproof import (
     ToothThickness,
     TrackWheel,
     WedgeLinkage,
+    check,
     choose,
     conformity,
     laws,
@@ -239,6 +240,15 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
             "measured": [4.6, 6.7],
             "resolution": 0.1,
             "type_b": [TypeB(0.1)],
+        },
+    ),
+    "check": (
+        check,
+        {
+            "path": "paper.tex",
+            "content": "$$a=1$$",
+            "limit": 9.0,
+            "report": lambda text: None,
         },
     ),
     "choose": (

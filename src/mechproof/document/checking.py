@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy as sp
 
+from mechproof.arguments.scalars import check_function, check_number, check_text, require
 from mechproof.document.constraints import find_multiple
 from mechproof.document.roles import Role
 from mechproof.document.rows import Document, Left, State, Task
@@ -93,9 +94,15 @@ def check(
     `path` names a LaTeX or a Markdown file; `content` is what stands in it, where it is no file.
     A row that takes longer than `limit` seconds is not judged and says so; `report` is told what
     is done.
-    Raises `DocumentError` for a file that cannot be read, and `ValueError` (also `BlockError`) for
-    a block of letters that cannot.
+    Raises `DocumentError` for a file that cannot be read, `ValueError` (also `BlockError`) for a
+    block of letters that cannot, `TypeError` for arguments of another kind.
     """
+    allowed = "must be the name of a file"
+    require(isinstance(path, str | Path), "path", path, allowed, TypeError)
+    if content is not None:
+        check_text("content", content)
+    require(check_number("limit", limit) > 0, "limit", limit, "must be positive")
+    check_function("report", report)
     key = (str(path), content)
     source = read_source(*key)
     document = Document(source)

@@ -174,7 +174,9 @@ class Document:
             return self._leave(printed, State.NOT_JUDGED, str(error))
         except _UNFIT as error:
             _, told, reason = str(error).partition(f"row {printed.name!r}: ")
-            return self._leave(printed, State.NOT_JUDGED, reason if told else UNFIT)
+            # What follows tells authors of modules what to declare.
+            known = reason.partition(":")[0] if reason.startswith("nothing is known") else reason
+            return self._leave(printed, State.NOT_JUDGED, known if told else UNFIT)
 
     def _prepare(self, printed: Printed, row: Row, sign: Sign) -> Task | Left:
         place = self._locate(printed)
