@@ -5,13 +5,12 @@ from __future__ import annotations
 import pytest
 
 from mechproof.document.displays import Printed, find_displays
-from mechproof.document.macros import MOST_CALLS, find_macros
+from mechproof.document.macros import MOST_CALLS
 from mechproof.document.sources import read_source
 
 
 def find(content: str, name: str = "paper.tex") -> list[Printed]:
-    macros, text = find_macros(read_source(name, content).text)
-    return list(find_displays(text, macros))
+    return list(find_displays(read_source(name, content).text))
 
 
 def show(content: str, name: str = "paper.tex") -> list[tuple[str, str]]:
@@ -74,6 +73,29 @@ DISPLAYS = {
         r"\DeclareMathOperator{\inv}{inv}" + E % r"\inv a=b",
         [("(1)", r"\operatorname{inv} a=b")],
     ),
+    "macros are known from where they stand on": (
+        r"\newcommand\w{x}" + E % r"a=\w" + r"\renewcommand\w{y}" + E % r"a=\w",
+        [("(1)", "a=x"), ("(2)", "a=y")],
+    ),
+    "macros for environments": (
+        r"\def\be{\begin{equation}}\def\ee{\end{equation}}\be a=1\ee" + E % "b=2",
+        [("(1)", "a=1"), ("(2)", "b=2")],
+    ),
+    "columns": (
+        r"\begin{align}x&=2a & y&=3a\\ z&=1\end{align}",
+        [("(1), part 1", "x=2a"), ("(1), part 2", "y=3a"), ("(2)", "z=1")],
+    ),
+    "one column": (r"\begin{eqnarray}x&=&2a\end{eqnarray}", [("(1)", "x=2a")]),
+    "sized brackets over lines": (
+        r"\begin{align}y&=a\left(b\right.\nonumber\\&\quad\left.+c\right)\\x&=y\end{align}",
+        [("(1)", r"y=a\left(b\right. \left.+c\right)"), ("(2)", "x=y")],
+    ),
+    "words between lines": (
+        r"\begin{align}a&=1\\ \intertext{and}b&=2\end{align}",
+        [("(1)", "a=1"), ("(2)", "b=2")],
+    ),
+    "the end of the document": (r"$$a=1$$\end{document}$$b=2$$", [("display 1", "a=1")]),
+    "verbatim in a line": (r"\verb|$$a=1$$| $$b=2$$", [("display 1", "b=2")]),
     "macros of macros": (
         r"\newcommand\a{\b}\newcommand\b{x}" + E % r"\a=1",
         [("(1)", "x=1")],
@@ -88,8 +110,11 @@ def test_displays_are_named_as_latex_does(case: str) -> None:
 
 
 def test_markdown_has_dollars_and_fences() -> None:
-    content = "# A\n```\n$$a=1$$\n```\n<!-- $$c=3$$ -->\n$$b=2$$\n\\[d=4\\]\n"
-    assert show(content, "paper.md") == [("display 1", "b=2"), ("display 2", "d=4")]
+    content = (
+        "# A\n```\n$$a=1$$\n```\n<!-- $$c=3$$ -->\n$$b=2$$\n\\[d=4\\]\n```math\ne=5\n```\n$f=6$\n"
+    )
+    latex = [latex for _, latex in show(content, "paper.md")]
+    assert latex == ["b=2", "d=4", "e=5", "f=6"]
 
 
 def test_labels_name_what_they_stand_in() -> None:
@@ -106,8 +131,7 @@ def test_macros_in_a_circle_are_told() -> None:
 
 def test_places_are_those_of_the_source() -> None:
     source = read_source("paper.tex", "\n% comment\n" + r"\newcommand{\k}{kk}" + "\n  $$ \\k=b $$")
-    macros, text = find_macros(source.text)
-    (one,) = find_displays(text, macros)
+    (one,) = find_displays(source.text)
     place = source.files.locate(one.latex.offsets[one.latex.string.index("b")])
     assert str(place) == "paper.tex:4:9"
     assert str(source.files.locate(one.latex.offsets[0])) == "paper.tex:4:6"

@@ -45,7 +45,9 @@ def test_a_file_that_cannot_be_read_is_told(tmp_path: Path) -> None:
 
 def test_the_block_may_lie_beside_the_paper(tmp_path: Path) -> None:
     (tmp_path / "paper.tex").write_text("$$a=1$$")
-    (tmp_path / "paper.letters").write_text("# a comment\na : a length [mm]\n")
+    (tmp_path / "paper.letters").write_text(
+        "%% mechproof\n# a comment\na : a length [mm]\n%% end\n"
+    )
     source = read_source(str(tmp_path / "paper.tex"))
     assert [line.string for line in source.lines] == ["a : a length [mm]"]
     assert source.has_block
@@ -69,6 +71,7 @@ WRONG = [
     ("a", "neither a letter"),
     ("7 : number", "has no letter"),
     ("skip (3)", "say why"),
+    ("a_{b;c} : one", "brace too many"),
     ("constraint", "is needed"),
     ("factor", "nothing is said"),
     (r"branch \sigma=2", r"letter=\\pm1"),
@@ -88,6 +91,8 @@ TWICE = [
     ("a : length [furlong]", "furlong"),
     ("a : one {a>1}\n%% where a<0", "no value of a"),
     ("a : one\n%% sizes a>1", "letter=number"),
+    ("a : one [mm]\n%% sizes a=1 m", r"declared in \[mm\]"),
+    ("a : one\n%% branch b=\\pm1", "not declared"),
 ]
 
 

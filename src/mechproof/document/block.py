@@ -106,6 +106,8 @@ def _read_letter(
     text: str, meaning: str, unit: str | None, condition: str, shape: tuple[int, int] | None
 ) -> Declared:
     names = [name.strip() for name in text.split("|")]
+    if any(name.count("{") != name.count("}") for name in names):
+        raise ValueError(f"the name {text.strip()!r} has a brace too many; names have no ; or |")
     if not all(any(sign.isalpha() for sign in name) for name in names):
         raise ValueError(f"the name {text.strip()!r} has no letter")
     running = None if shape else _RUNNING.search(names[0])
@@ -155,8 +157,9 @@ def _modulo(block: Block, rest: str) -> None:
 
 
 def _skip(block: Block, rest: str) -> None:
-    equations, colon, reason = rest.partition(":")
-    if not colon or not reason.strip():
+    equations, *said = _COLON.split(rest, maxsplit=1)
+    reason = said[0] if said else ""
+    if not said or not reason.strip():
         raise ValueError("say why: skip (3): reason")
     block.skipped |= dict.fromkeys(_find_references(equations), reason.strip())
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -26,6 +26,7 @@ from mechproof.record import Equality, Holds, RecordError
 # Seconds for one equation.
 LIMIT = 60.0
 MULTIPLE = "multiple of a constraint"
+GIVEN = "definition"
 
 
 # Where a paper comes from, and the rows of papers that are at work: a process that was forked finds
@@ -113,11 +114,24 @@ def check(
     try:
         rows = _run(_judge, [(key, number) for number in range(len(tasks))], tasks, limit)
         rows |= _follow(key, tasks, rows, limit)
+        rows |= _leave_open(tasks, rows)
     finally:
         del _opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))
     shown = tuple(_show(one) if isinstance(one, Left) else next(judged) for one in found)
     return CheckedPaper(str(path), shown, document.taken, tuple(source.missing))
+
+
+def _leave_open(
+    tasks: Sequence[Task], rows: Mapping[int, CheckedRow]
+) -> Iterator[tuple[int, CheckedRow]]:
+    """Leave open what is compared with another print and differs from it by its letters."""
+    for number, task in enumerate(tasks):
+        found = rows[number].judgement
+        if found and found.rung == GIVEN and task.sign.role in _COMPARED:
+            other = task.sign.first or "the member before"
+            reason = f"it differs from {other}, in its letters too: a constraint, or a misprint?"
+            yield number, _make_row(task, reason)
 
 
 def _open(key: _Key) -> list[Task]:
@@ -159,6 +173,10 @@ def _judge(which: tuple[_Key, int]) -> Judgement | str:
         found = judge(task.row, task.paper)
     except (RecordError, ContradictionError) as error:
         return str(error)
+    if found.verdict is Verdict.REFUTED and task.is_rounded:
+        return "the two sides differ, but a decimal is a rounded number"
+    if found.verdict is Verdict.REFUTED and task.is_alone:
+        return f"another value than at the sizes: {found.reason}"
     if task.sign.first and found.verdict is Verdict.REFUTED and task.asserts:
         return replace(found, reason=f"{found.reason}; compared with {task.sign.first}")
     if task.asserts or found.verdict not in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED):
@@ -184,8 +202,11 @@ def _take_as_given(task: Task, found: Judgement) -> Judgement:
     reason = f"{what}, taken as given: it is not true for all values of its letters"
     if found.verdict is not Verdict.REFUTED:
         reason = f"{what}, taken as given"
-    return replace(found, verdict=Verdict.DEFINITION, rung="definition", reason=reason, evidence=())
+    return replace(found, verdict=Verdict.DEFINITION, rung=GIVEN, reason=reason, evidence=())
 
+
+# What is compared, even if letters that only one side has could make both sides equal.
+_COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 
 # Constraints ------------------------------------------------------------------------------------
 
@@ -193,37 +214,60 @@ def _take_as_given(task: Task, found: Judgement) -> Judgement:
 def _follow(
     key: _Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
 ) -> dict[int, CheckedRow]:
-    """Judge again what was taken as given, beside the constraints that are printed before it."""
-    given = [
-        number
-        for number, task in enumerate(tasks)
-        if task.residual is not None and isinstance(task.row.says, Equality)
-        if rows[number].outcome == Verdict.DEFINITION.value
-    ]
-    numbers = [(key, number, tuple(given[:place])) for place, number in enumerate(given)]
-    found = _run(_compare, numbers[1:], tasks, limit)
-    return {number: row for number, row in found.items() if row.outcome != State.NOT_JUDGED}
+    """Judge again what does not hold by itself, beside the constraints of the paper.
+
+    It may follow from constraints before it; two sides that were said to be equal and are not are
+    left open where any constraint has letters of theirs.
+    """
+    given = [n for n, task in enumerate(tasks) if _is_constraint(task, rows[n])]
+    numbers = []
+    for n, task in enumerate(tasks):
+        if task.is_claimed or not isinstance(task.row.says, Equality):
+            continue
+        common = [g for g in given if g != n and _list_letters(tasks[g]) & _list_letters(task)]
+        if rows[n].outcome == Verdict.DEFINITION.value:
+            common = [g for g in common if g < n]
+        if common and rows[n].outcome in (Verdict.DEFINITION.value, Verdict.REFUTED.value):
+            numbers.append((key, n, tuple(common)))
+    found = _run(_compare, numbers, tasks, limit)
+    return {
+        number: row
+        for number, row in found.items()
+        if row.outcome != State.NOT_JUDGED or rows[number].outcome == Verdict.REFUTED.value
+    }
+
+
+def _is_constraint(task: Task, row: CheckedRow) -> bool:
+    is_given = row.outcome == Verdict.DEFINITION.value and task.sign.role is Role.CONSTRAINT
+    is_equation = isinstance(task.row.says, Equality) and task.residual is not None
+    return is_given and is_equation and not task.is_rounded
+
+
+def _list_letters(task: Task) -> set[sp.Basic]:
+    return set() if task.residual is None else set(task.residual.free_symbols)
 
 
 def _compare(which: tuple[_Key, int, tuple[int, ...]]) -> Judgement | str:
-    """Judge a row by the first constraint before it that it follows from, or contradicts."""
-    key, number, before = which
-    task, domain = (
-        _open(key)[number],
-        Domain.of(_open(key)[number].paper, _open(key)[number].row.on),
-    )
-    for other in before:
-        name, residual = _open(key)[other].row.number, _open(key)[other].residual
-        multiple = find_multiple(task.residual, residual, domain)
-        if multiple is None:
+    """Judge a row by the first constraint that it follows from, or cannot hold together with."""
+    key, number, others = which
+    tasks = _open(key)
+    task = tasks[number]
+    domain = Domain.of(task.paper, task.row.on)
+    for other in others:
+        name = tasks[other].row.number
+        multiple = find_multiple(task.residual, tasks[other].residual, domain)
+        if multiple is None or other > number:
             continue
         factor, rest = multiple
         reason = f"left - right is that of {name} times {factor}"
         if rest == 0:
-            return _decide_by(task, Verdict.PROVED, f"follows from {name}: {reason}")
-        return _decide_by(task, Verdict.REFUTED, f"contradicts {name}: {reason}, plus {rest}")
-    return "neither follows nor contradicts"
+            return _decide_by(task, Verdict.PROVED, MULTIPLE, f"follows from {name}: {reason}")
+        reason = f"cannot hold together with {name}: {reason}, plus {rest}"
+        return _decide_by(task, Verdict.DEFINITION, GIVEN, reason)
+    names = ", ".join(tasks[other].row.number for other in others)
+    return f"the two sides differ, unless {names} makes them equal, which is not decided"
 
 
-def _decide_by(task: Task, verdict: Verdict, reason: str) -> Judgement:
-    return replace(judge(task.row, task.paper), verdict=verdict, rung=MULTIPLE, reason=reason)
+def _decide_by(task: Task, verdict: Verdict, rung: str, reason: str) -> Judgement:
+    found = judge(task.row, task.paper)
+    return replace(found, verdict=verdict, rung=rung, reason=reason, evidence=())

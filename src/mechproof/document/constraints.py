@@ -1,4 +1,4 @@
-"""Constraints between letters: what follows from one, and what contradicts it.
+"""Constraints between letters: what follows from one, and what cannot hold together with it.
 
 A constraint says that its residual, one side minus the other, is zero. An equation follows from it
 if its own residual is a multiple of that one: the multiplier is looked for by a division of
@@ -25,7 +25,8 @@ def find_multiple(
 ) -> tuple[sp.Expr, sp.Expr] | None:
     """Return m and r with residual = m * constraint + r, proved on the domain; None if not found.
 
-    With r = 0 the residual follows from the constraint; another r has no zero: they contradict.
+    With r = 0 the residual follows from the constraint; with another r, which has no zero, both
+    are never zero together.
     """
     for multiplier, rest in _propose(residual, constraint):
         answer = decide(Equality(residual, multiplier * constraint + rest), domain)

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from itertools import count
+from dataclasses import dataclass, field, replace
+from itertools import accumulate, count, pairwise
 
 from mechproof.document.lines import cut_gaps, goes_on, join_lines, split_lines
-from mechproof.document.macros import Macro, expand
+from mechproof.document.macros import Defined, Macro, expand, find_macros
 from mechproof.document.sources import DocumentError
 from mechproof.document.text import Text, join
 
 _NAMES = r"equation\*?|align\*?|alignat\*?|flalign\*?|gather\*?|multline\*?|eqnarray\*?|displaymath"
+_NAMES += r"|IEEEeqnarray\*?|dmath\*?"
 _EVENT = re.compile(
     rf"\\begin\{{(?P<environment>{_NAMES})\}}(?P<body>.*?)\\end\{{(?P=environment)\}}"
     r"|(?<!\\)\\\[(?P<bracket>.*?)\\\]|\$\$(?P<dollars>.*?)\$\$"
@@ -26,6 +27,8 @@ _EVENT = re.compile(
 _SINGLE = ("", "equation", "displaymath", "multline")
 _LEVELS = ("chapter", "section", "subsection")
 _COLUMNS = re.compile(r"\A\s*\{\d+\}")
+# What macros abbreviate that begins or ends a display.
+_FRAMING = re.compile(r"\\(?:begin|end)\s*\{|\\[\[\]]|\$\$")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _TAG = re.compile(r"\\tag(\*?)\s*\{([^{}]*)\}")
 _UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
@@ -54,7 +57,8 @@ class _Counter:
     def step(self) -> str:
         """Return the next number."""
         levels = _LEVELS[: _LEVELS.index(self.within) + 1] if self.within in _LEVELS else ()
-        prefix = "".join(f"{self.sections[level]}." for level in levels if self.sections[level])
+        first = next((n for n, level in enumerate(levels) if self.sections[level]), len(levels) - 1)
+        prefix = "".join(f"{self.sections[level]}." for level in levels[first:])
         if self.letter >= 0:
             self.letter += 1
             return f"({prefix}{self.count}{chr(ord('a') + self.letter - 1)})"
@@ -75,9 +79,13 @@ class _Counter:
         self.letter = 0 if edge == "begin" else -1
 
 
-def find_displays(text: Text, macros: Mapping[str, Macro]) -> Iterator[Printed]:
-    """Yield the equations of a text in their order; those without number are named by theirs."""
+def find_displays(text: Text) -> Iterator[Printed]:
+    """Yield the equations of a text in their order; those without number are named by theirs.
+
+    Raises `DocumentError` for macros in a circle that stand for environments.
+    """
     counter, unnumbered = _Counter(), count(1)
+    defined, text = _expand_frames(*find_macros(text))
     for match in _EVENT.finditer(text.string):
         if match["heading"]:
             if not match["star"]:
@@ -89,7 +97,18 @@ def find_displays(text: Text, macros: Mapping[str, Macro]) -> Iterator[Printed]:
         elif match["count"]:
             counter.count = int(match["count"])
         else:
+            macros = {d.name: d.macro for d in defined if d.place <= match.start()}
             yield from _read_display(text, match, macros, counter, unnumbered)
+
+
+def _expand_frames(defined: Sequence[Defined], text: Text) -> tuple[list[Defined], Text]:
+    """Expand the macros that abbreviate the beginning or the end of a display."""
+    frames = {d.name: d.macro for d in defined if _FRAMING.search(d.macro.body)}
+    cuts = [0, *(d.place for d in defined), len(text)]
+    parts = [expand(text[a:b], frames) for a, b in pairwise(cuts)]
+    places = accumulate(len(part) for part in parts[:-1])
+    moved = [replace(d, place=place) for d, place in zip(defined, places, strict=True)]
+    return moved, join(parts)
 
 
 def _read_display(
@@ -113,14 +132,14 @@ def _read_display(
     lines = split_lines(body)
     groups = [(0, len(lines))] if kind == "multline" else list(_group(lines))
     if kind in _SINGLE:
-        parts = [piece for first, last in groups for piece in _read_lines(lines[first:last])]
+        parts = [p for first, last in groups for p in _read_lines(lines[first:last], kind)]
         named = [(_name(body, is_numbered, counter), body, parts)]
     else:
         names = [_name(line, is_numbered, counter) for line in lines]
         named = [
             (next(filter(None, names[first:last]), ""), join(lines[first:last]), parts)
             for first, last in groups
-            for parts in [list(_read_lines(lines[first:last]))]
+            for parts in [list(_read_lines(lines[first:last], kind))]
         ]
     for name, whole, parts in named:
         labels = tuple(found[1] for found in _LABEL.finditer(whole.string))
@@ -130,9 +149,10 @@ def _read_display(
             yield Printed(shown, latex, labels, fault)
 
 
-def _read_lines(lines: Sequence[Text]) -> Iterator[Text]:
+def _read_lines(lines: Sequence[Text], kind: str) -> Iterator[Text]:
     """Yield the equations of lines that belong together, without what names them."""
-    latex = join_lines([line.replace(_NAMING, lambda _: " ") for line in lines])
+    plain = [line.replace(_NAMING, lambda _: " ") for line in lines]
+    latex = join_lines(plain, has_columns=not kind.endswith("eqnarray"))
     yield from (piece for piece in cut_gaps(latex) if len(piece))
 
 

@@ -17,7 +17,6 @@ from mechproof.document.letters import (
     is_vector,
     name_symbol,
 )
-from mechproof.document.macros import find_macros
 from mechproof.document.sources import Source
 from mechproof.document.units import UnitError, read_unit
 
@@ -46,8 +45,7 @@ class Said:
 
 def draft_block(source: Source) -> str:
     """Return a block of letters for a paper; what was found in its words says where."""
-    macros, text = find_macros(source.text)
-    prints = [printed.latex.string for printed in find_displays(text, macros)]
+    prints = [printed.latex.string for printed in find_displays(source.text)]
     letters, factors = collect_letters(prints)
     said = dict(_find_said(source))
     moved = {_find_moved(letter) for letter in letters}

@@ -16,14 +16,16 @@ _WRAPPING = re.compile(
     r"\\(?:begin|end)\{(?:aligned|split|gathered|alignedat|align\*?|gather\*?|equation\*?)\}"
     r"(?:\{\d+\})?"
 )
-_SPACING = re.compile(r"\s*(?:\[-?[\d.]*\s*(?:px|pt|em|ex|cm|mm)\]|\*)")
+_SPACING = re.compile(r"\s*(?:\[-?[\d.]*\s*(?:px|pt|em|ex|cm|mm|\\[A-Za-z]+)\]|\*)")
+_INTERTEXT = re.compile(r"\\(?:short)?intertext\s*\{[^{}]*\}")
 _STEP = re.compile(
-    r"\\begin\s*\{[^{}]*\}|\\end\s*\{[^{}]*\}|\\left(?![A-Za-z])|\\right(?![A-Za-z])|\\\\"
+    r"\\begin\s*\{[^{}]*\}|\\end\s*\{[^{}]*\}|\\\\"
+    r"|\\(?:left|right)(?![A-Za-z])\s*(?:\\[A-Za-z]+|\\.|.)"
     r"|\\[A-Za-z]+|\\.|.",
     re.DOTALL,
 )
-_OPENING = ("{", r"\left", "(", "[")
-_CLOSING = ("}", r"\right", ")", "]")
+_OPENING = ("{", "(")
+_CLOSING = ("}", ")")
 _EQUALITY = ("=", r"\approx", r"\equiv", r"\simeq", "≈", "≡")
 _RELATIONS = (
     *(*_EQUALITY, "<", ">", "≤", "≥", "≠", r"\le", r"\ge", r"\leq", r"\geq", r"\leqslant"),
@@ -32,12 +34,12 @@ _RELATIONS = (
 _OPERATORS = ("+", "-", "/", "*", "\u2212", "\u00d7", "\u00b7", r"\cdot", r"\times", r"\pm", r"\mp")
 _BLANK = (r"\quad", r"\qquad", r"\,", r"\;", r"\:", r"\!", "\\ ", "&", "~", r"\displaystyle")
 _LEADS = (r"\Rightarrow", r"\implies", r"\therefore", r"\Longrightarrow", r"\iff", r"\to")
-_AND = re.compile(r"\\(?:text|mbox|textrm)\{\s*(?:and|,|;|or)?\s*\}\Z")
+_AND = re.compile(r"\\(?:text|mbox|textrm)\{\s*(?:and|,|;)?\s*\}\Z")
 
 
 def split_lines(body: Text) -> list[Text]:
     r"""Cut a display at its \\, but for those inside of matrices, cases and braces."""
-    body = body.replace(_WRAPPING, lambda _: " ")
+    body = body.replace(_WRAPPING, lambda _: " ").replace(_INTERTEXT, lambda _: r"\\ ")
     lines, start = [], 0
     for sign, place, depth in _walk(body.string):
         if sign == r"\\" and depth == 0:
@@ -53,9 +55,9 @@ def _walk(string: str) -> Iterator[tuple[str, int, int]]:
     depth = 0
     for match in _STEP.finditer(string):
         sign = match[0]
-        if sign.startswith(r"\begin") or sign in _OPENING:
+        if sign.startswith((r"\begin", r"\left")) or sign in _OPENING:
             depth += 1
-        if sign.startswith(r"\end") or sign in _CLOSING:
+        if sign.startswith((r"\end", r"\right")) or sign in _CLOSING:
             depth = max(depth - 1, 0)
         yield sign, match.start(), depth
 
@@ -70,19 +72,25 @@ def goes_on(before: str, line: str) -> bool:
     return signs[0] in _RELATIONS or not has_relation
 
 
-def join_lines(lines: Sequence[Text]) -> Text:
-    """Return lines as one equation, without what aligns them and what leads to them."""
+def join_lines(lines: Sequence[Text], *, has_columns: bool = True) -> Text:
+    """Return lines as one equation, without what aligns them and what leads to them.
+
+    Every second sign that aligns begins a column of its own, but for displays of one.
+    """
     parts: list[Text] = []
     for line in lines:
-        parts += [_drop_leads(join(list(_drop_alignment(line)))), line.put(" ", 0)]
+        parts += [_drop_leads(join(list(_drop_alignment(line, has_columns)))), line.put(" ", 0)]
     return _clean(join(parts))
 
 
-def _drop_alignment(line: Text) -> Iterator[Text]:
-    start = 0
+def _drop_alignment(line: Text, has_columns: bool) -> Iterator[Text]:
+    start, signs = 0, 0
     for sign, place, depth in _walk(line.string):
         if sign == "&" and depth == 0:
+            signs += 1
             yield line[start:place]
+            if has_columns and signs % 2 == 0:
+                yield line.put(r"\qquad ", place)
             start = place + 1
     yield line[start:]
 

@@ -32,17 +32,26 @@ class Macro:
     default: str | None = None
 
 
-def find_macros(text: Text) -> tuple[dict[str, Macro], Text]:
-    """Return the macros that a text defines, and the text without their definitions."""
-    macros: dict[str, Macro] = {}
+@dataclass(frozen=True)
+class Defined:
+    """A macro by its name, and from which place of the text on it is known."""
+
+    name: str
+    macro: Macro
+    place: int
+
+
+def find_macros(text: Text) -> tuple[list[Defined], Text]:
+    """Return the macros that a text defines, in their order, and the text without these."""
+    macros: list[Defined] = []
     parts, last, string = [], 0, text.string
     for match in _DEFINING.finditer(string):
         if match.start() < last:
             continue
         name, macro, end = _read_definition(string, match)
         if macro is not None:
-            macros[name] = macro
             parts.append(text[last : match.start()])
+            macros.append(Defined(name, macro, sum(map(len, parts))))
             last = end
     return macros, join([*parts, text[last:]])
 

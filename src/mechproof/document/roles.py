@@ -16,7 +16,7 @@ import sympy as sp
 from mechproof.document.symbols import Symbols
 from mechproof.latex import ReadingError
 from mechproof.latex.reader import Print
-from mechproof.latex.tree import Add, Chain, Derivation, Letter, Node, Number
+from mechproof.latex.tree import Add, Chain, Derivation, Letter, Node, Number, walk
 from mechproof.latex.values import differentiate
 
 Values = dict[sp.Basic, Any]
@@ -40,7 +40,7 @@ class Role(StrEnum):
 class Sign:
     """One relation sign: its role, the letter that it is about, who printed it first; its sides.
 
-    `number` are the digits of a side that is a number.
+    `number` are the digits of a side that is a number, `value` is the other side then.
     """
 
     role: Role
@@ -48,15 +48,17 @@ class Sign:
     first: str = ""
     sides: tuple[Any, Any] = (None, None)
     number: str = ""
+    value: Any = None
 
 
 @dataclass
 class Known:
-    """What is known of letters: their values, and which equation printed them first."""
+    """What is known of letters: their values, which equation printed them first, which were met."""
 
     symbols: Symbols
     values: Values = field(default_factory=dict)
     printed: dict[sp.Basic, str] = field(default_factory=dict)
+    met: set[sp.Basic] = field(default_factory=set)
 
     def settle(self, expression: Any) -> Any:
         """Put in all values, to the end."""
@@ -72,13 +74,25 @@ class Known:
         self.values[symbol] = value
         self.printed[symbol] = name
         above = symbol
-        by, rates = self.symbols.moving.get(symbol, (symbol, ()))
+        by, rates = self._find_rates(symbol)
         for rate in rates:
             if rate in self.values:
                 break
-            self.values[rate] = differentiate(self.values[above], by, self.symbols.moving)
+            try:
+                self.values[rate] = differentiate(self.values[above], by, self.symbols.moving)
+            except ValueError:
+                # Of its letters no derivative of so high an order has a symbol.
+                break
             self.printed[rate] = name
             above = rate
+
+    def _find_rates(self, symbol: sp.Basic) -> tuple[sp.Basic, tuple[sp.Basic, ...]]:
+        """Return by what a letter, or the derivative of one, is differentiated, and what it is."""
+        for letter, (by, rates) in self.symbols.moving.items():
+            steps = (letter, *rates)
+            if symbol in steps:
+                return by, steps[steps.index(symbol) + 1 :]
+        return symbol, ()
 
 
 def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
@@ -86,11 +100,13 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
 
     Raises `ReadingError` for members that cannot be worked out.
     """
-    return [
+    signs = [
         _find_role(name, read, chain, left, known)
         for chain in read.chains
         for left in range(len(chain.relations))
     ]
+    known.met |= {part.symbol for part in walk(read.chains) if isinstance(part, Letter)}
+    return signs
 
 
 def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:
@@ -104,12 +120,16 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         symbol = node.symbol if isinstance(node, Letter) else symbol
         if not value.free_symbols:
             role = Role.NUMBER if symbol in known.values else Role.SIZE
-            return Sign(role, symbol, sides=sides, number=_find_number(nodes))
+            return Sign(role, symbol, "", sides, *_find_number(nodes, sides))
         is_fit = isinstance(value, sp.MatrixBase) <= isinstance(symbol, sp.MatrixSymbol)
         if not is_fit:
             raise read.source.refuse(
                 node.start, f"{symbol} is a matrix here", "Say its size behind its name: 3x1."
             )
+        if symbol not in known.values and _is_special(symbol, value, chain, known):
+            return Sign(Role.CONSTRAINT, symbol, sides=sides)
+        if symbol not in known.values and chain.condition is not None:
+            return Sign(Role.DEFINITION, symbol, name, sides)
         if symbol not in known.values and symbol not in known.settle(value).free_symbols:
             known.define(symbol, value, name)
             return Sign(Role.DEFINITION, symbol, name)
@@ -121,20 +141,31 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
     if not left:
         return Sign(Role.CONSTRAINT, sides=sides)
     is_number = not (one.free_symbols and other.free_symbols)
-    role = Role.NUMBER if is_number else Role.STEP
-    return Sign(role, sides=sides, number=_find_number(nodes))
+    if is_number:
+        return Sign(Role.NUMBER, None, "", sides, *_find_number(nodes, sides))
+    return Sign(Role.STEP, sides=sides)
 
 
-def _find_number(nodes: tuple[Node, ...]) -> str:
-    """Return the digits of the number that a side is, with its sign."""
-    for node in nodes:
+def _is_special(symbol: sp.Basic, value: Any, chain: Chain, known: Known) -> bool:
+    """Return whether a letter is said to be another one, or both a number, at a special position.
+
+    A letter that is introduced as another one has not been met before.
+    """
+    is_letter = value.is_Symbol or isinstance(value, sp.MatrixSymbol)
+    has_number = any(isinstance(member, Number) for member in chain.members)
+    return is_letter and (symbol in known.met or has_number)
+
+
+def _find_number(nodes: tuple[Node, ...], sides: tuple[Any, Any]) -> tuple[str, Any]:
+    """Return the digits of the side that is a number, with its sign, and the other side."""
+    for node, other in zip(reversed(nodes), sides, strict=True):
         sign, inside = "", node
         if isinstance(node, Add) and len(node.terms) == 1:
             ((_, inside),) = node.terms
             sign = "-"
         if isinstance(inside, Number):
-            return sign + inside.text
-    return ""
+            return sign + inside.text, other
+    return "", None
 
 
 def _compare(symbol: sp.Basic, known: Known) -> Role:

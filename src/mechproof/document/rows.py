@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -10,7 +11,7 @@ from typing import Any, TypeVar
 
 import sympy as sp
 
-from mechproof.document.block import Declared, read_block
+from mechproof.document.block import Block, Declared, read_block
 from mechproof.document.displays import Printed, find_displays
 from mechproof.document.letters import (
     collect_letters,
@@ -19,7 +20,6 @@ from mechproof.document.letters import (
     is_vector,
     name_symbol,
 )
-from mechproof.document.macros import find_macros
 from mechproof.document.roles import Known, Role, Sign, find_roles
 from mechproof.document.sources import Source
 from mechproof.document.symbols import declare
@@ -40,6 +40,10 @@ from mechproof.record import (
 )
 
 T = TypeVar("T")
+_DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
+_DECIMAL = re.compile(r"\d(?:\.|\{,\})\d")
+# One digit, or zeros of which nobody knows whether they are digits.
+_FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
 SYSTEM = "paper"
 UNFIT = "numbers, matrices or their shapes do not fit together, or SymPy cannot put values in"
 # What SymPy raises where values are put in that do not fit.
@@ -71,8 +75,8 @@ class Left:
 class Task:
     """A row to be judged, where it stands, what it does, and the paper that it is judged in.
 
-    `asserts` says whether its sides are claimed to be equal; `residual` is their difference, the
-    values of letters put in.
+    `asserts` says whether its sides are claimed to be equal, `is_claimed` that the block says so;
+    `residual` is their difference, the values of letters put in.
     """
 
     row: Row
@@ -80,7 +84,19 @@ class Task:
     sign: Sign
     paper: Paper
     asserts: bool
+    is_claimed: bool = False
     residual: sp.Expr | None = None
+
+    @property
+    def is_rounded(self) -> bool:
+        """Return whether a decimal stands beside letters: it is a rounded number."""
+        is_number = isinstance(self.row.says, PrintedNumber)
+        return not is_number and bool(_DECIMAL.search(self.row.printed_latex))
+
+    @property
+    def is_alone(self) -> bool:
+        """Return whether it is the number of a letter that is defined elsewhere."""
+        return self.sign.role is Role.NUMBER and self.sign.letter is not None
 
 
 class Document:
@@ -88,9 +104,8 @@ class Document:
 
     def __init__(self, source: Source) -> None:
         """Raise `BlockError`, or `ValueError` for letters that do not go together."""
-        macros, text = find_macros(source.text)
         self.files = source.files
-        self.printed = list(find_displays(text, macros))
+        self.printed = list(find_displays(source.text))
         self.block = read_block(source.lines, source.files)
         letters = (
             [] if source.has_block else collect_letters(p.latex.string for p in self.printed)[0]
@@ -101,6 +116,7 @@ class Document:
             Declared(names, shape=shapes.get(name_symbol(names[0])))
             for names in group_alike(self.taken)
         ]
+        _refuse_unknown(self.block, self.printed)
         self.symbols = declare(self.block)
         self.known = Known(self.symbols)
         self.limit = 0.0
@@ -137,10 +153,23 @@ class Document:
         return self._guard(printed, lambda: self._find_roles(printed, reader))
 
     def _find_roles(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
-        read = reader.parse(printed.latex.string, upper=int(reader.notation.branch is None))
+        latex, branch = printed.latex.string, reader.notation.branch
+        read = reader.parse(latex, upper=int(branch is None))
         if not any(chain.relations for chain in read.chains):
             return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
-        return find_roles(printed.name, read, self.known)
+        double = _DOUBLE.search(latex) if branch is None else None
+        if double is None:
+            return find_roles(printed.name, read, self.known)
+        # What has two signs defines no letter.
+        known = replace(self.known, values={**self.known.values}, printed={**self.known.printed})
+        signs = find_roles(printed.name, read, known)
+        if any(sign.role in (Role.DEFINITION, Role.REPEATED) for sign in signs):
+            raise read.source.refuse(
+                double.start(),
+                "a double sign in what is said of a letter: both signs, or either?",
+                r"Say branch \sigma=\pm1 in the block of letters.",
+            )
+        return signs
 
     def _state(
         self, printed: Printed, signs: Sequence[Sign], reader: Reader
@@ -150,8 +179,9 @@ class Document:
             for s in signs
             if s.role is Role.DERIVATIVE and s.letter is not None
         }
-        free = (Role.SIZE, Role.CONSTRAINT)
-        defines = tuple(s.letter for s in signs if s.role in free and s.letter is not None)
+        bare = {s.letter for s in signs} | {side for s in signs for side in s.sides}
+        defines = tuple(s for s in bare if isinstance(s, sp.Symbol) and s not in derived)
+        defines = tuple(s for s in defines if s not in self.known.values)
         row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
 
         def prepare() -> list[Task | Left]:
@@ -190,16 +220,26 @@ class Document:
         row = replace(row, says=self._split_branches(row.statement))
         turn = _look_up(printed, self.block.modulo)
         if turn and isinstance(row.says, Equality):
-            row = replace(row, says=_modulo(row.says), note=f"Said modulo {turn}.")
+            row = replace(row, says=self._modulo(row.says, turn), note=f"Said modulo {turn}.")
         sides = _list_sides(row, sign, self.known)
         letters = {sign.letter}.union(*(side.free_symbols for side in sides))
-        has_units = not letters & self.symbols.bare and sign.number == ""
+        is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
+        has_units = not (letters & self.symbols.bare or sign.number or is_special)
         paper = self.papers[has_units]
         residual = None
         if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):
             residual = sides[0] - sides[1]
         asserts = self._asserts(printed, sign, sides)
-        return Task(row, place, sign, paper, asserts, residual)
+        is_claimed = _is_listed(printed, [*self.block.identities, *self.block.modulo])
+        return Task(row, place, sign, paper, asserts, is_claimed, residual)
+
+    def _modulo(self, says: Equality, turn: str) -> Conjunction:
+        """State that two angles are equal up to whole turns."""
+        read = self.symbols.reader().parse(turn)
+        whole = read.meaning().of(read.chains[0].members[0])
+        sides = [2 * sp.pi * side / whole for side in (says.printed, says.rebuilt)]
+        parts = (Equality(f(sides[0]), f(sides[1]), says.rebuilt_from) for f in (sp.cos, sp.sin))
+        return Conjunction(tuple(parts))
 
     def _split_branches(self, says: Statement) -> Statement:
         """State an equation for each sign of the letters that are branches."""
@@ -231,9 +271,9 @@ class Document:
 
     def _round(self, sign: Sign) -> PrintedNumber | str:
         """Return what a number says of a letter at the sizes, or why that is not judged."""
-        value = max(map(self.known.settle, sign.sides), key=lambda side: len(side.free_symbols))
-        if not sign.number:
-            return "a special value: nothing says at which sizes"
+        if not sign.number or _FEW_DIGITS.match(sign.number):
+            return "a special value: nothing says at which sizes, or to how many digits"
+        value = self.known.settle(sign.value)
         if missing := sorted(map(str, value.free_symbols - self.symbols.usual.keys())):
             return f"a value for sizes that are not declared: {', '.join(missing)}"
         return PrintedNumber(sign.number, value.xreplace(dict(self.symbols.usual)))
@@ -252,20 +292,20 @@ class Document:
         return Left(printed.name, place, latex, State.NOT_READ, reason, error.remedy)
 
 
+def _refuse_unknown(block: Block, printed: Sequence[Printed]) -> None:
+    """Refuse what is said of equations that are not there."""
+    known = {name for one in printed for name in (one.name, *one.labels)}
+    said = (*block.skipped, *block.constraints, *block.identities, *block.modulo)
+    if unknown := [name for name in said if name not in known]:
+        raise ValueError(f"the block of letters says something of {unknown[0]}: no equation is so")
+
+
 def _look_up(printed: Printed, said: dict[str, str]) -> str:
     return next((said[key] for key in (printed.name, *printed.labels) if key in said), "")
 
 
 def _is_listed(printed: Printed, names: Sequence[str]) -> bool:
     return any(key in names for key in (printed.name, *printed.labels))
-
-
-def _modulo(says: Equality) -> Conjunction:
-    """State that two angles are equal up to whole turns."""
-    parts = (
-        Equality(f(says.printed), f(says.rebuilt), says.rebuilt_from) for f in (sp.cos, sp.sin)
-    )
-    return Conjunction(tuple(parts))
 
 
 def _list_sides(row: Row, sign: Sign, known: Known) -> list[Any]:

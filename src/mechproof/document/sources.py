@@ -20,7 +20,11 @@ _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
 _VERBATIM = re.compile(
     r"\\begin\{(verbatim|lstlisting|comment|minted)\}.*?\\end\{\1\}|\\iffalse\b.*?\\fi\b", re.DOTALL
 )
+_VERB = re.compile(r"\\verb\*?([^A-Za-z*\s]).*?\1")
+_END = re.compile(r"\\end\{document\}|\\endinput(?![A-Za-z])")
 _FENCE = re.compile(r"^(```|~~~).*?^\1\s*$|<!--.*?-->", re.DOTALL | re.MULTILINE)
+# A fenced formula is a display.
+_MATH = re.compile(r"^```math\s*$(.*?)^```\s*$", re.DOTALL | re.MULTILINE)
 # A formula that is a line of its own is a display.
 _ALONE = re.compile(r"^\s*\$(?!\$)([^$\n]+)\$\s*$", re.MULTILINE)
 _INPUT = re.compile(r"\\(?:input|include|subfile)\s*\{([^{}]*)\}")
@@ -84,16 +88,21 @@ def _read(
         source.has_block = True
         _take_lines(text[match.start(1) : match.end(1)], source)
     if is_markdown:
-        return _show_lines(text.replace(_FENCE, lambda match: "\n"))
+        shown = _show(text, _MATH).replace(_FENCE, lambda match: "\n")
+        return _show(shown, _ALONE)
     plain = text.replace(_VERBATIM, lambda match: "\n").replace(_COMMENT, lambda match: match[1])
+    plain = plain.replace(_VERB, lambda match: " ")
+    if last := _END.search(plain.string):
+        plain = plain[: last.start()]
     return _insert(plain, source, folder, (*above, name))
 
 
-def _show_lines(text: Text) -> Text:
+def _show(text: Text, pattern: re.Pattern[str]) -> Text:
+    """Put what a pattern encloses between the dollars of a display."""
     parts, last = [], 0
-    for match in _ALONE.finditer(text.string):
+    for match in pattern.finditer(text.string):
         parts += [text[last : match.start()], text.put("$$", match.start())]
-        parts += [text[match.start(1) : match.end(1)], text.put("$$", match.end(1))]
+        parts += [text[match.start(1) : match.end(1)], text.put("$$", match.end(1) - 1)]
         last = match.end()
     return join([*parts, text[last:]])
 
@@ -103,7 +112,8 @@ def _take_lines(block: Text, source: Source) -> None:
         mark = _MARK.match(match[0].lstrip())
         line = block[match.start() : match.end()].strip()
         line = line[mark.end() :].strip() if mark else line
-        if len(line) and not line.string.startswith("#"):
+        is_edge = line.string in ("mechproof", "end")
+        if len(line) and not (is_edge or line.string.startswith("#")):
             source.lines.append(line)
 
 

@@ -21,7 +21,7 @@ from mechproof.record import NUMBER, Notation, Paper, Variable
 ORDERS = (1, 2)
 TIME = "t"
 # The unit behind a size.
-_UNITS = re.compile(r"(?<=\d)(?:\s|\\,|~)*(?:[A-Za-zµ°/%]+(?:\^?\d)?)+\s*\Z")
+_UNITS = re.compile(r"(?<=\d)(?:\s|\\,|~)*((?:[A-Za-zµ°/%·* ]+(?:\^?-?\d)?)+)\s*\Z")
 _STEM = re.compile(r"(\\[A-Za-z]+|.)(.*)\Z", re.DOTALL)
 
 
@@ -83,6 +83,9 @@ def declare(block: Block) -> Symbols:
     symbols = {name: v.symbol for v in variables for name in v.latex}
     moving = {symbol: (symbols[running], rates) for symbol, (running, rates) in depending.items()}
     notation = Notation(factors=(*block.factors, *block.natural), moving=moving)
+    for name in (*block.branches, *block.natural):
+        if name not in symbols:
+            raise ValueError(f"{name} is said to be a branch or natural: it is not declared")
     if len(block.branches) == 1:
         notation = replace(notation, branch=symbols[block.branches[0]])
     return _say(Symbols(tuple(variables), notation, bare=frozenset(bare)), block)
@@ -158,9 +161,11 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
     variables, where = narrow(symbols.variables, relations)
     usual = {}
     for text in block.sizes:
-        for relation in read_relations(_UNITS.sub("", text), reader):
+        unit = _UNITS.search(text)
+        for relation in read_relations(text[: unit.start()] if unit else text, reader):
             if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
                 raise ValueError(f"sizes: {text}: a size is said as letter=number")
+            _check_size_unit(text, unit[1] if unit else None, relation.lhs, block)
             usual[relation.lhs] = relation.rhs
     notation = symbols.notation
     if block.start:
@@ -168,3 +173,10 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
         limit = read.meaning().of(read.chains[0].members[0])
         notation = replace(notation, lower_limit=limit)
     return replace(symbols, variables=variables, where=where, usual=usual, notation=notation)
+
+
+def _check_size_unit(text: str, unit: str | None, symbol: sp.Basic, block: Block) -> None:
+    """Refuse a size in another unit than that of its letter: nothing is converted."""
+    declared = next((x.unit for x in block.letters if name_symbol(x.names[0]) == str(symbol)), None)
+    if unit is not None and unit.strip() != (declared or ""):
+        raise ValueError(f"sizes: {text}: the letter is declared in [{declared or ''}]")

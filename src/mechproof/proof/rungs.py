@@ -21,7 +21,7 @@ RUNGS = {
     "bisection and derivatives": "an inequality on a closed interval, enclosed on ever smaller "
     "parts, and by its derivatives at an end where it becomes an equality",
     "multiple of a constraint": "the difference of the sides is a multiple of that of a constraint "
-    "that is printed before; with a remainder that has no zero it contradicts it",
+    "that is printed before",
     "evaluation": "no free symbol is left; the numbers are compared by enclosures",
     "recomputation": "a printed number is the exact value rounded to its last place, or is not",
     "separating balls": "at one exact point the enclosures of both sides have nothing in common",
