@@ -93,6 +93,7 @@ def test_a_draft_is_read_again(tmp_path: Path) -> None:
         (["x=x", "y=y"], "alone"),
         (["--draft", "x=x"], "--draft needs a paper"),
         (["--fail-on", "wrong", "x=x"], "--fail-on wrong"),
+        (["x=x", "--json", "paper.tex"], "is a paper by its name"),
     ],
 )
 def test_bad_usage(arguments: list[str], reason: str) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from mechproof.document.block import BlockError, read_block
+from mechproof.document.checking import check
 from mechproof.document.sources import DocumentError, read_source
 from mechproof.document.symbols import declare
 from mechproof.document.units import UnitError, read_unit
@@ -94,6 +95,12 @@ TWICE = [
     ("a : one [mm]\n%% sizes a=1 m", r"declared in \[mm\]"),
     ("a : one\n%% branch b=\\pm1", "not declared"),
 ]
+
+
+def test_what_is_said_of_no_equation_is_told() -> None:
+    content = "%% mechproof\n%% a : one\n%% skip (7): no\n%% end\n$$a=1$$"
+    with pytest.raises(ValueError, match=r"names \(7\): no equation"):
+        check("paper.tex", content)
 
 
 @pytest.mark.parametrize(("lines", "reason"), TWICE)

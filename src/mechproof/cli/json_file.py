@@ -7,12 +7,17 @@ from pathlib import Path
 from mechproof.cli.console import fail, refuse
 from mechproof.files import write_whole
 
+# What would be lost if an option had its value forgotten.
+PAPERS = (".tex", ".md", ".py")
+
 
 def clear_json(file: Path | None) -> None:
     """Refuse what cannot be the file of --json; remove that of an earlier run, which may fail."""
     if file is None:
         return
     folder = file.absolute().parent
+    if file.suffix in PAPERS:
+        refuse(f"--json {file}: is a paper by its name, another file is needed")
     if file.is_dir():
         refuse(f"--json {file}: is a folder, a file is needed")
     if not folder.is_dir():

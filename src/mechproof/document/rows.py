@@ -120,10 +120,7 @@ class Document:
         self.symbols = declare(self.block)
         self.known = Known(self.symbols)
         self.limit = 0.0
-        self.papers = {
-            with_units: self.symbols.paper(SYSTEM, {}, with_units=with_units)
-            for with_units in (True, False)
-        }
+        self.papers: dict[bool, Paper] = {}
 
     def read(self, limit: float) -> list[Task | Left]:
         """Read all equations in their order: first what they define, then what they assert.
@@ -180,8 +177,8 @@ class Document:
             if s.role is Role.DERIVATIVE and s.letter is not None
         }
         bare = {s.letter for s in signs} | {side for s in signs for side in s.sides}
-        defines = tuple(s for s in bare if isinstance(s, sp.Symbol) and s not in derived)
-        defines = tuple(s for s in defines if s not in self.known.values)
+        known = {*derived, *self.known.values}
+        defines = tuple(s for s in bare if isinstance(s, sp.Symbol) and s not in known)
         row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
 
         def prepare() -> list[Task | Left]:
@@ -229,8 +226,8 @@ class Document:
         residual = None
         if len(sides) == 2 and not any(isinstance(s, sp.MatrixBase) for s in sides):
             residual = sides[0] - sides[1]
-        asserts = self._asserts(printed, sign, sides)
         is_claimed = _is_listed(printed, [*self.block.identities, *self.block.modulo])
+        asserts = is_claimed or self._asserts(printed, sign, sides)
         return Task(row, place, sign, paper, asserts, is_claimed, residual)
 
     def _modulo(self, says: Equality, turn: str) -> Conjunction:
@@ -260,8 +257,6 @@ class Document:
 
         Sides of different letters say something of the letters.
         """
-        if _is_listed(printed, [*self.block.identities, *self.block.modulo]):
-            return True
         if _is_listed(printed, self.block.constraints) or sign.role is Role.CONSTRAINT:
             return False
         if sign.role is Role.RELATION or len(sides) < 2:
@@ -297,7 +292,9 @@ def _refuse_unknown(block: Block, printed: Sequence[Printed]) -> None:
     known = {name for one in printed for name in (one.name, *one.labels)}
     said = (*block.skipped, *block.constraints, *block.identities, *block.modulo)
     if unknown := [name for name in said if name not in known]:
-        raise ValueError(f"the block of letters says something of {unknown[0]}: no equation is so")
+        raise ValueError(
+            f"the block of letters names {unknown[0]}: no equation has that name or label"
+        )
 
 
 def _look_up(printed: Printed, said: dict[str, str]) -> str:
