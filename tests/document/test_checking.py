@@ -197,6 +197,12 @@ def test_a_double_sign_without_a_branch_defines_nothing() -> None:
     assert [row.outcome for row in found.rows] == ["not read", "DEFINITION"]
 
 
+def test_values_may_be_said_that_the_paper_says_in_words() -> None:
+    block = "%% let m=\\cos\\alpha, n=\\sin\\alpha\n"
+    assert outcomes("m^2+n^2=1", "m^2-n^2=1", block=block) == ["PROVED", "DEFINITION"]
+    assert outcomes(r"m=\cos\alpha", r"m=\sin\alpha", block=block) == ["DEFINITION", "REFUTED"]
+
+
 def test_angles_may_be_said_modulo_turns() -> None:
     equal = r"\alpha=\alpha+2\pi"
     wrong = r"\alpha=\alpha+\pi"

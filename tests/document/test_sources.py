@@ -8,8 +8,8 @@ import pytest
 
 from mechproof.document.block import BlockError, read_block
 from mechproof.document.checking import check
+from mechproof.document.rows import Document
 from mechproof.document.sources import DocumentError, read_source
-from mechproof.document.symbols import declare
 from mechproof.document.units import UnitError, read_unit
 from mechproof.record import LENGTH, NUMBER, SPEED, Dimension
 
@@ -93,6 +93,8 @@ TWICE = [
     ("a : one {a>1}\n%% where a<0", "no value of a"),
     ("a : one\n%% sizes a>1", "letter=number"),
     ("a : one [mm]\n%% sizes a=1 m", r"declared in \[mm\]"),
+    ("a : one\n%% let a=a+1", "given by itself"),
+    ("a : one\n%% let a>1", "letter=expression"),
     ("a : one\n%% branch b=\\pm1", "not declared"),
 ]
 
@@ -107,7 +109,7 @@ def test_what_is_said_of_no_equation_is_told() -> None:
 def test_letters_that_do_not_go_together_are_told(lines: str, reason: str) -> None:
     source = read_source("paper.tex", f"%% mechproof\n%% {lines}\n%% end\n")
     with pytest.raises(ValueError, match=reason):
-        declare(read_block(source.lines, source.files))
+        Document(source)
 
 
 UNITS = {

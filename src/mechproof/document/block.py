@@ -1,7 +1,7 @@
 r"""The block that declares a paper's letters: its lines -> what they declare.
 
 A line is `name [| alias ...] [; name ...] [3x3] [(t)] : meaning [unit] {0<e<1}`, or begins with a
-word: `factor`, `where`, `branch`, `natural`, `from`, `sizes`, and, of single equations,
+word: `factor`, `where`, `let`, `branch`, `natural`, `from`, `sizes`, and, of single equations,
 `constraint`, `identity`, `modulo 2\pi`, `skip`.
 """
 
@@ -51,6 +51,7 @@ class Block:
     letters: list[Declared] = field(default_factory=list)
     factors: list[str] = field(default_factory=list)
     where: list[str] = field(default_factory=list)
+    values: list[str] = field(default_factory=list)
     branches: list[str] = field(default_factory=list)
     natural: list[str] = field(default_factory=list)
     sizes: list[str] = field(default_factory=list)
@@ -171,6 +172,7 @@ def _start(block: Block, rest: str) -> None:
 _WORDS: dict[str, Callable[[Block, str], None]] = {
     "factor": _add("factors"),
     "where": _add("where"),
+    "let": _add("values"),
     "branch": _branch,
     "natural": _add("natural"),
     "from": _start,

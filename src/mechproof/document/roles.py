@@ -7,12 +7,14 @@ bare number is a size.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
 import sympy as sp
 
+from mechproof.document.relations import read_relations
 from mechproof.document.symbols import Symbols
 from mechproof.latex import ReadingError
 from mechproof.latex.reader import Print
@@ -93,6 +95,18 @@ class Known:
             if symbol in steps:
                 return by, steps[steps.index(symbol) + 1 :]
         return symbol, ()
+
+
+def give_values(texts: Sequence[str], known: Known) -> None:
+    """Take relations, k=a/b, as definitions; `ValueError` for what is none."""
+    reader = known.symbols.reader()
+    for text, relation in ((t, r) for t in texts for r in read_relations(t, reader)):
+        if not (isinstance(relation, sp.Equality) and relation.lhs.is_Symbol):
+            raise ValueError(f"let: {text}: a value is said as letter=expression")
+        symbol, value = relation.args
+        if symbol in known.values or symbol in known.settle(value).free_symbols:
+            raise ValueError(f"let: {text}: it has a value already, or is given by itself")
+        known.define(symbol, value, "the block of letters")
 
 
 def find_roles(name: str, read: Print, known: Known) -> list[Sign]:

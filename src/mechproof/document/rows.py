@@ -20,7 +20,7 @@ from mechproof.document.letters import (
     is_vector,
     name_symbol,
 )
-from mechproof.document.roles import Known, Role, Sign, find_roles
+from mechproof.document.roles import Known, Role, Sign, find_roles, give_values
 from mechproof.document.sources import Source
 from mechproof.document.symbols import declare
 from mechproof.document.text import Place
@@ -119,6 +119,7 @@ class Document:
         _refuse_unknown(self.block, self.printed)
         self.symbols = declare(self.block)
         self.known = Known(self.symbols)
+        give_values(self.block.values, self.known)
         self.limit = 0.0
         self.papers: dict[bool, Paper] = {}
 
