@@ -107,6 +107,15 @@ CASES = {
         [r"a\cos\alpha=b", r"a^2\cos^2\alpha=b^2", r"a\cos^2\alpha=b\cos\alpha"],
         ["DEFINITION", "PROVED", "PROVED"],
     ),
+    "nothing follows where it has no value": (
+        [
+            r"\sin\alpha=0",
+            r"\frac{k\sin\alpha}{1-\cos^2\alpha}=0",
+            r"\frac{m\sin\alpha}{a}=0",
+            r"\frac{m\sin\alpha}{n}=0",
+        ],
+        ["DEFINITION", "DEFINITION", "PROVED", "DEFINITION"],
+    ),
     "constraints that cannot hold together may be two cases": (
         [r"m+n=1", r"m+n=2"],
         ["DEFINITION", "DEFINITION"],

@@ -14,7 +14,7 @@ from mechproof.cli.document import print_checked
 from mechproof.cli.json_file import clear_json, write_json
 from mechproof.cli.ledger import print_details
 from mechproof.cli.outcomes import OUTCOMES, FailOnOption, read_outcomes
-from mechproof.document.checking import CheckedPaper, check as check_paper, rows_to_json
+from mechproof.document.checking import LIMIT, CheckedPaper, check as check_paper, rows_to_json
 from mechproof.document.draft import draft_block
 from mechproof.document.rows import State
 from mechproof.document.sources import STDIN, read_source
@@ -23,7 +23,6 @@ from mechproof.processes import WorkerError
 from mechproof.proof.ledger import Ledger, to_json
 from mechproof.proof.verdict import Verdict
 
-LIMIT = 60.0
 Texts = list[str] | None
 DEFAULTS = (
     "What is not said is taken so: letters are real numbers, a letter up to which a sum goes is "

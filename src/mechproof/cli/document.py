@@ -30,10 +30,10 @@ def print_checked(paper: CheckedPaper, *, show_all: bool) -> None:
         say(f"{place}: {reason}")
     if paper.taken:
         say(
-            "There is no block of letters: each letter is taken as a real number. "
-            "--draft writes a block to be confirmed."
+            "There is no block of letters: each letter is taken as a real number, or as the matrix "
+            "that it is printed to be. --draft writes a block to be confirmed."
         )
-        say(f"  taken as real numbers: {', '.join(paper.taken)}")
+        say(f"  taken so: {', '.join(paper.taken)}")
     counted = Counter(row.outcome for row in paper.rows)
     say(", ".join(f"{outcome} {number}" for outcome, number in sorted(counted.items())))
 

@@ -6,7 +6,6 @@ import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import sympy as sp
 
@@ -27,7 +26,8 @@ from mechproof.record import Equality, Holds, RecordError
 LIMIT = 60.0
 MULTIPLE = "multiple of a constraint"
 GIVEN = "definition"
-
+# What is compared, even if letters that only one side has could make both sides equal.
+_COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 
 # Where a paper comes from, and the rows of papers that are at work: a process that was forked finds
 # here what its parent had. SymPy would work relations out on their way through a pipe.
@@ -112,9 +112,11 @@ def check(
     report(f"judging {len(tasks)} rows")
     _opened[key] = tasks
     try:
-        rows = _run(_judge, [(key, number) for number in range(len(tasks))], tasks, limit)
-        rows |= _follow(key, tasks, rows, limit)
-        rows |= _leave_open(tasks, rows)
+        numbers = [(key, number) for number in range(len(tasks))]
+        answers = run_tasks(_judge, numbers, limit=limit)
+        rows = {number: _make_row(tasks[number], answer) for number, answer in answers}
+        rows |= dict(_follow(key, tasks, rows, limit))
+        rows |= dict(_leave_open(tasks, rows))
     finally:
         del _opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))
@@ -139,19 +141,6 @@ def _open(key: _Key) -> list[Task]:
         found = Document(read_source(*key)).read(LIMIT)
         _opened[key] = [one for one in found if isinstance(one, Task)]
     return _opened[key]
-
-
-def _run(
-    function: Callable[[Any], Judgement | str],
-    numbers: Sequence[Any],
-    tasks: Sequence[Task],
-    limit: float,
-) -> dict[int, CheckedRow]:
-    """Judge rows on all processors; one that hangs or crashes is a row that says so."""
-    return {
-        numbers[place][1]: _make_row(tasks[numbers[place][1]], answer)
-        for place, answer in run_tasks(function, numbers, limit=limit)
-    }
 
 
 def _make_row(task: Task, answer: Judgement | str | WorkerError) -> CheckedRow:
@@ -205,15 +194,12 @@ def _take_as_given(task: Task, found: Judgement) -> Judgement:
     return replace(found, verdict=Verdict.DEFINITION, rung=GIVEN, reason=reason, evidence=())
 
 
-# What is compared, even if letters that only one side has could make both sides equal.
-_COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
-
 # Constraints ------------------------------------------------------------------------------------
 
 
 def _follow(
     key: _Key, tasks: Sequence[Task], rows: Mapping[int, CheckedRow], limit: float
-) -> dict[int, CheckedRow]:
+) -> Iterator[tuple[int, CheckedRow]]:
     """Judge again what does not hold by itself, beside the constraints of the paper.
 
     It may follow from constraints before it; two sides that were said to be equal and are not are
@@ -229,12 +215,15 @@ def _follow(
             common = [g for g in common if g < n]
         if common and rows[n].outcome in (Verdict.DEFINITION.value, Verdict.REFUTED.value):
             numbers.append((key, n, tuple(common)))
-    found = _run(_compare, numbers, tasks, limit)
-    return {
-        number: row
-        for number, row in found.items()
-        if row.outcome != State.NOT_JUDGED or rows[number].outcome == Verdict.REFUTED.value
-    }
+    for place, answer in run_tasks(_compare, numbers, limit=limit):
+        number = numbers[place][1]
+        found = rows[number].judgement
+        if found and isinstance(answer, tuple):
+            verdict, rung, reason = answer
+            new = replace(found, verdict=verdict, rung=rung, reason=reason, evidence=())
+            yield number, _make_row(tasks[number], new)
+        elif rows[number].outcome == Verdict.REFUTED.value:
+            yield number, _make_row(tasks[number], str(answer))
 
 
 def _is_constraint(task: Task, row: CheckedRow) -> bool:
@@ -247,7 +236,7 @@ def _list_letters(task: Task) -> set[sp.Basic]:
     return set() if task.residual is None else set(task.residual.free_symbols)
 
 
-def _compare(which: tuple[_Key, int, tuple[int, ...]]) -> Judgement | str:
+def _compare(which: tuple[_Key, int, tuple[int, ...]]) -> tuple[Verdict, str, str] | str:
     """Judge a row by the first constraint that it follows from, or cannot hold together with."""
     key, number, others = which
     tasks = _open(key)
@@ -261,13 +250,8 @@ def _compare(which: tuple[_Key, int, tuple[int, ...]]) -> Judgement | str:
         factor, rest = multiple
         reason = f"left - right is that of {name} times {factor}"
         if rest == 0:
-            return _decide_by(task, Verdict.PROVED, MULTIPLE, f"follows from {name}: {reason}")
+            return Verdict.PROVED, MULTIPLE, f"follows from {name}: {reason}"
         reason = f"cannot hold together with {name}: {reason}, plus {rest}"
-        return _decide_by(task, Verdict.DEFINITION, GIVEN, reason)
+        return Verdict.DEFINITION, GIVEN, reason
     names = ", ".join(tasks[other].row.number for other in others)
     return f"the two sides differ, unless {names} makes them equal, which is not decided"
-
-
-def _decide_by(task: Task, verdict: Verdict, rung: str, reason: str) -> Judgement:
-    found = judge(task.row, task.paper)
-    return replace(found, verdict=verdict, rung=rung, reason=reason, evidence=())

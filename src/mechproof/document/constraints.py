@@ -13,6 +13,7 @@ import sympy as sp
 
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
+from mechproof.proof.signs import is_nonzero
 from mechproof.proof.verdict import Verdict
 from mechproof.record import Equality
 
@@ -26,16 +27,18 @@ def find_multiple(
     """Return m and r with residual = m * constraint + r, proved on the domain; None if not found.
 
     With r = 0 the residual follows from the constraint; with another r, which has no zero, both
-    are never zero together.
+    are never zero together. What the multiplier is divided by has no zero on the domain: where the
+    constraint holds, a multiplier without value would prove anything.
     """
-    for multiplier, rest in _propose(residual, constraint):
+    for multiplier, rest, below in _propose(residual, constraint):
         answer = decide(Equality(residual, multiplier * constraint + rest), domain)
-        if answer.verdict is Verdict.PROVED:
+        if answer.verdict is Verdict.PROVED and is_nonzero(below, domain):
             return multiplier, rest
     return None
 
 
-def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
+    """Yield a multiplier, what remains, and what both are divided by."""
     if constraint.is_number or residual.count_ops() + constraint.count_ops() > LARGEST:
         return
     (above, below), (own_above, own_below) = map(_to_fraction, (residual, constraint))
@@ -48,7 +51,7 @@ def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, 
         return
     if rest.is_number and first != 0:
         back = {name: function for function, name in names.items()}
-        yield first.xreplace(back) * own_below / below, rest / below
+        yield first.xreplace(back) * own_below / below, rest / below, below
 
 
 def _to_fraction(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
