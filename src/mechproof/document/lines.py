@@ -10,6 +10,8 @@ import re
 from collections.abc import Iterator, Sequence
 
 from mechproof.document.text import Text, join
+from mechproof.latex.relations import RELATIONS
+from mechproof.latex.tokens import same_sign
 
 # What only puts lines below each other; between dollars Markdown has whole displays.
 _WRAPPING = re.compile(
@@ -26,12 +28,9 @@ _STEP = re.compile(
 )
 _OPENING = ("{", "(")
 _CLOSING = ("}", ")")
-_EQUALITY = ("=", r"\approx", r"\equiv", r"\simeq", "≈", "≡")
-_RELATIONS = (
-    *(*_EQUALITY, "<", ">", "≤", "≥", "≠", r"\le", r"\ge", r"\leq", r"\geq", r"\leqslant"),
-    *(r"\geqslant", r"\ne", r"\neq", r"\lt", r"\gt"),
-)
-_OPERATORS = ("+", "-", "/", "*", "\u2212", "\u00d7", "\u00b7", r"\cdot", r"\times", r"\pm", r"\mp")
+_EQUALITY = ("=", r"\approx", r"\equiv", r"\simeq")
+_OPERATORS = ("+", "-", "/", r"\cdot", r"\pm", r"\mp")
+_RELATIONS = (*RELATIONS, *_EQUALITY)
 _BLANK = (r"\quad", r"\qquad", r"\,", r"\;", r"\:", r"\!", "\\ ", "&", "~", r"\displaystyle")
 _LEADS = (r"\Rightarrow", r"\implies", r"\therefore", r"\Longrightarrow", r"\iff", r"\to")
 _AND = re.compile(r"\\(?:text|mbox|textrm)\{\s*(?:and|,|;)?\s*\}\Z")
@@ -51,7 +50,7 @@ def split_lines(body: Text) -> list[Text]:
 
 
 def _walk(string: str) -> Iterator[tuple[str, int, int]]:
-    """Yield the signs of a display, their places, and how deep inside of others they stand."""
+    """Yield the signs of a display as they are read, their places, and how deep they stand."""
     depth = 0
     for match in _STEP.finditer(string):
         sign = match[0]
@@ -59,7 +58,7 @@ def _walk(string: str) -> Iterator[tuple[str, int, int]]:
             depth += 1
         if sign.startswith((r"\end", r"\right")) or sign in _CLOSING:
             depth = max(depth - 1, 0)
-        yield sign, match.start(), depth
+        yield same_sign(sign), match.start(), depth
 
 
 def goes_on(before: str, line: str) -> bool:

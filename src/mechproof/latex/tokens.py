@@ -79,6 +79,12 @@ class Signs:
     groups: tuple[tuple[int, int], ...]
 
 
+def same_sign(sign: str) -> str:
+    r"""Return the sign that one is read as: \le for \leq and for its character."""
+    (first, *others) = spell(sign) if len(sign) == 1 else (sign,)
+    return sign if others else _SAME.get(first, first)
+
+
 def tokenize(latex: str) -> tuple[Token, ...]:
     """Return the signs of a print; `ReadingError` for braces that do not match."""
     return tuple(token for token in read_signs(latex).tokens if token.text not in GAPS)
