@@ -17,7 +17,7 @@ from mechproof.cache import Store, name_place
 from mechproof.proof.cache import UNREAD, read_judgement
 from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ledger import Ledger
-from mechproof.proof.verdict import Verdict
+from mechproof.proof.verdict import Left, Place, State, Verdict
 from mechproof.reads import are_unchanged, digest_program
 
 
@@ -53,6 +53,7 @@ def _write(ledger: Ledger) -> dict[str, Any]:
         "judgements": [asdict(row) for row in ledger.judgements],
         "findings": [found.as_dict() for found in ledger.findings],
         "shipped": sorted(ledger.shipped),
+        "left": [asdict(row) for row in ledger.left],
     }
 
 
@@ -68,7 +69,12 @@ def _read(kept: dict[str, Any]) -> Ledger:
         rows,
         tuple(_read_finding(found) for found in kept["findings"]),
         frozenset(kept["shipped"]),
+        left=tuple(map(_read_left, kept["left"])),
     )
+
+
+def _read_left(kept: dict[str, Any]) -> Left:
+    return Left(**{**kept, "place": Place(**kept["place"]), "state": State(kept["state"])})
 
 
 def _read_finding(kept: dict[str, Any]) -> LedgerFinding:

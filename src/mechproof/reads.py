@@ -80,8 +80,12 @@ def _is_library(file: Path) -> bool:
 
 
 def digest_files(paths: Iterable[Path]) -> dict[str, str]:
-    """Return path -> digest of what is there."""
-    return {str(path): sha256(path.read_bytes()).hexdigest() for path in sorted(paths)}
+    """Return path -> digest of what is there; of what is not, an empty one."""
+    return {str(path): _digest(path) for path in sorted(paths)}
+
+
+def _digest(path: Path) -> str:
+    return sha256(path.read_bytes()).hexdigest() if path.exists() else ""
 
 
 def are_unchanged(digests: Mapping[str, str]) -> bool:

@@ -1,4 +1,7 @@
-"""Verification: the places of derivations -> papers with their judgements, on all processors."""
+"""Verification: the places of papers -> their judgements, on all processors.
+
+A paper is a derivation, or its own source as LaTeX or Markdown.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,8 @@ from pathlib import Path
 
 from mechproof.codegen.forms import form_rows, number_shipped
 from mechproof.derivation import DerivationError, check_names, load_paper, stop_after
+from mechproof.document import checking
+from mechproof.document.sources import BESIDE, SUFFIXES
 from mechproof.ledger_cache import LedgerCache
 from mechproof.processes import START, WorkerError, run_batches
 from mechproof.proof.cache import VerdictCache, row_keys
@@ -17,7 +22,7 @@ from mechproof.proof.findings import follower_rows, list_findings
 from mechproof.proof.judge import judge
 from mechproof.proof.ledger import JudgedPaper, Ledger
 from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.reads import note_reads
+from mechproof.reads import digest_files, note_reads
 from mechproof.record import Paper, Row
 
 # Seconds for a row; beyond, something hangs.
@@ -101,13 +106,15 @@ def judge_derivations(
 ) -> list[JudgedPaper]:
     """Judge every row of the papers, then what follows from findings and the rows of their forms.
 
+    Sources of papers, which have neither, are judged as `mechproof.check` does.
+
     With `only_kernels` the rows on which shipped kernels rest, and no findings.
     `report` is told what has been done. A row that takes longer than `limit` seconds, that is
     wrongly stated or at which the prover fails has no judgement but a failure that names it; the
     other rows are judged all the same. Raises `DerivationError`, also for a derivation that takes
     longer to load.
     """
-    progress: list[_Progress] = []
+    progress: dict[Path, _Progress] = {}
     places: dict[str, Path] = {}
 
     def load(location: Path) -> _Progress:
@@ -116,16 +123,39 @@ def judge_derivations(
         with note_reads() as read, stop_after(limit, location):
             _opened[location] = opened = open_derivation(location)
         check_names(places, opened.paper.system, location)
-        progress.append(_Progress(opened, whole, only_kernels, read))
-        return progress[-1]
+        progress[location] = _Progress(opened, whole, only_kernels, read)
+        return progress[location]
 
+    derivations = [location for location in locations if location.suffix not in SUFFIXES]
     try:
-        _fill([partial(load, location) for location in locations], limit, processes, start, report)
+        _fill([partial(load, one) for one in derivations], limit, processes, start, report)
     finally:
         _opened.clear()
-        for paper in progress if use_cache else ():
+        for paper in progress.values() if use_cache else ():
             paper.save()
-    return [paper.finish() for paper in progress]
+    found = {location: paper.finish() for location, paper in progress.items()}
+    for location in locations:
+        if location not in found:
+            found[location] = _check_source(location, limit, report, use_cache=use_cache)
+            check_names(places, found[location].system, location)
+    return [found[location] for location in locations]
+
+
+def _check_source(
+    location: Path, limit: float, report: Callable[[str], None], *, use_cache: bool
+) -> JudgedPaper:
+    """Judge a paper's own source, and keep its ledger if all that it names was there."""
+    whole = LedgerCache(location)
+    report(f"reading {location}")
+    try:
+        with note_reads() as read:
+            paper = checking.check(location, limit=min(limit, checking.LIMIT), report=report)
+    except ValueError as error:
+        raise DerivationError(str(error)) from error
+    ledger = paper.to_ledger()
+    if use_cache and read and not paper.missing:
+        whole.save(ledger, {**read, **digest_files([location.resolve().with_suffix(BESIDE)])})
+    return ledger
 
 
 class _Progress:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from pathlib import Path
 from typing import Annotated
@@ -16,12 +15,11 @@ from mechproof.cli.ledger import print_details
 from mechproof.cli.outcomes import OUTCOMES, FailOnOption, read_outcomes
 from mechproof.document.checking import LIMIT, CheckedPaper, check as check_paper, rows_to_json
 from mechproof.document.draft import draft_block
-from mechproof.document.rows import State
-from mechproof.document.sources import STDIN, read_source
+from mechproof.document.sources import STDIN, SUFFIXES, read_source
 from mechproof.pasted import Checked, Pasted, PastedError, check_pasted
 from mechproof.processes import WorkerError
 from mechproof.proof.ledger import Ledger, to_json
-from mechproof.proof.verdict import Verdict
+from mechproof.proof.verdict import State, Verdict
 
 Texts = list[str] | None
 DEFAULTS = (
@@ -30,8 +28,6 @@ DEFAULTS = (
 )
 SUCCESS = (Verdict.PROVED, Verdict.DEFINITION, Verdict.CONVENTION, State.SKIPPED)
 DEFAULT = frozenset(OUTCOMES.values()) - {str(outcome.value) for outcome in SUCCESS}
-# What looks like a file.
-SUFFIX = re.compile(r"\.(?:tex|ltx|md|markdown|mmd|txt)\Z")
 REMARKS = {
     Verdict.REFUTED: "REFUTED means: not true for all values of its letters. Where one of them "
     "depends on others (an angle on an angle), say it: --let 'letter=…'; where they are "
@@ -124,7 +120,7 @@ def _find_files(equations: list[str]) -> list[str]:
     if files or len(equations) > 1:
         other = next(text for text in equations if text not in files)
         refuse(f"{other}: there is no such file; an equation is given alone, in quotes")
-    if SUFFIX.search(equations[0]):
+    if equations[0].endswith(SUFFIXES):
         refuse(f"{equations[0]}: there is no such file")
     return []
 

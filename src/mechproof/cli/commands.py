@@ -23,13 +23,14 @@ from mechproof.cli.judging import (
 )
 from mechproof.cli.ledger import print_ledgers
 from mechproof.cli.outcomes import FailOnOption, read_outcomes
-from mechproof.cli.paths import RULE, DerivationsOption, find_locations, find_places
+from mechproof.cli.paths import RULE, DerivationsOption, PapersArgument, find_locations, find_places
 from mechproof.cli.report import report
 from mechproof.cli.welcome import show_welcome
 from mechproof.derivation import DerivationError
+from mechproof.document.sources import SUFFIXES
 from mechproof.made import Change
 from mechproof.proof.ledger import to_json
-from mechproof.proof.verdict import Verdict
+from mechproof.proof.verdict import State, Verdict
 from mechproof.verification import LIMIT
 
 app = typer.Typer(
@@ -43,6 +44,7 @@ app.command(epilog=RULE)(report)
 app.command(epilog=RULE)(figures)
 app.add_typer(emit_app, name="emit")
 
+UNDECIDED = (Verdict.UNDECIDED.value, State.NOT_READ.value, State.NOT_JUDGED.value)
 RootOption = Annotated[
     Path | None,
     typer.Option(
@@ -73,12 +75,7 @@ def _main(
 
 @app.command(epilog=RULE)
 def verify(
-    papers: Annotated[
-        list[str] | None,
-        typer.Argument(
-            help="Systems, files FILE.py or folders of derivations; all systems if none."
-        ),
-    ] = None,
+    papers: PapersArgument = None,
     json_file: Annotated[
         Path | None, typer.Option("--json", help="Also write the rows to this file.")
     ] = None,
@@ -93,20 +90,21 @@ def verify(
 ) -> None:
     """Judge every row of the papers; print what was found, then what is not plainly proved.
 
-    Exit status 0: every row is decided and every kernel is PROVED; 1: a row is UNDECIDED or what
-    --fail-on names instead, a kernel is not PROVED (rivals may be wrong: they are named as such),
-    a row hangs or crashes, or a derivation fails; 2: bad usage.
+    Of a paper's own source (LaTeX or Markdown) what needs no mechanics is judged, as by `check`.
+
+    Exit status 0: every row is decided and every kernel is PROVED; 1: a row is UNDECIDED, not read
+    or not judged, or what --fail-on names instead, a kernel is not PROVED (rivals may be wrong:
+    they are named as such), a row hangs or crashes, or a derivation fails; 2: bad usage.
     """
-    outcomes = read_outcomes(fail_on, (Verdict.UNDECIDED.value,))
-    locations = find_locations(papers or (), find_places(derivations, root))
+    outcomes = read_outcomes(fail_on, UNDECIDED)
+    locations = find_locations(papers or (), find_places(derivations, root), SUFFIXES)
     clear_json(json_file)
     ledgers = read_ledgers(locations, use_cache=not no_cache, limit=limit)
     if not any(ledger.failures for ledger in ledgers):
         write_json(json_file, to_json(ledgers))
     print_ledgers(ledgers, show_all=show_all)
     refuse_failures(ledgers)
-    rows = (row for ledger in ledgers for row in ledger.judgements)
-    if any(row.verdict.value in outcomes for row in rows):
+    if any(ledger.outcomes & outcomes for ledger in ledgers):
         raise typer.Exit(1)
 
 

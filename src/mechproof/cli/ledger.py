@@ -12,7 +12,7 @@ from rich.text import Text
 from mechproof.cli.console import console, say
 from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ledger import COUNTED, PLAIN, Ledger, classify, show_totals
-from mechproof.proof.verdict import Judgement, Verdict
+from mechproof.proof.verdict import Judgement, Left, State, Verdict
 
 STYLES = {
     Verdict.PROVED: "green",
@@ -45,15 +45,18 @@ def print_ledgers(ledgers: Sequence[Ledger], *, show_all: bool) -> None:
     rows = [row for ledger in ledgers for row in ledger.judgements]
     if len(ledgers) > 1:
         _print_sums(rows)
-    counts = (_count(ledgers, "paper"), _count(rows, "row"), _count(findings, "finding"))
+    counts = [count(ledgers, "paper"), count(rows, "row"), count(findings, "finding")]
+    if left := [row for ledger in ledgers for row in ledger.left]:
+        counts.append(f"{count(left, 'row')} without a verdict")
     say(", ".join(counts))
     hidden = [row for row in rows if row.verdict in PLAIN]
     if hidden and not show_all:
-        say(f"{_count(hidden, 'row')} proved or defining not shown: --all shows every row")
+        say(f"{count(hidden, 'row')} proved or defining not shown: --all shows every row")
     say(POINTER)
 
 
-def _count(things: Sequence[object], name: str) -> str:
+def count(things: Sequence[object], name: str) -> str:
+    """Say how many things there are."""
     return f"{len(things)} {name}{'' if len(things) == 1 else 's'}"
 
 
@@ -64,9 +67,25 @@ def _print_paper(ledger: Ledger, show_all: bool) -> None:
     for row in rows if show_all else ():
         if row.verdict not in PLAIN:
             print_details(row)
+    print_left(ledger.left)
     for name, line in show_totals(ledger.judgements).items():
         say(f"{name}: {line}")
     say("")
+
+
+def print_left(rows: Sequence[Left]) -> None:
+    """Print the rows that have no verdict by how far they got, those of one cause together."""
+    for state in (State.NOT_READ, State.NOT_JUDGED, State.SKIPPED):
+        met = [row for row in rows if row.state is state]
+        causes = dict.fromkeys((row.reason, row.remedy) for row in met)
+        if met:
+            say(Text(f"{state.value}: {count(met, 'row')}", style="bold"))
+        for cause in causes:
+            for line in filter(None, cause):
+                say(f"  {line}")
+            for row in met:
+                if (row.reason, row.remedy) == cause:
+                    say(f"    {row.number}  {row.place}  {' '.join(row.printed_latex.split())}")
 
 
 def _print_sums(rows: Sequence[Judgement]) -> None:
@@ -119,17 +138,18 @@ def _print_padded(rows: Sequence[Sequence[str]]) -> None:
         say("  ".join(padded).rstrip())
 
 
-def print_details(row: Judgement, names: tuple[str, str] = ("printed", "rebuilt")) -> None:
+def print_details(row: Judgement, names: tuple[str, str] | None = None) -> None:
     """Print all that the ledger has of a row; `names` are those of its two sides."""
     say(Text(f"{row.number}: ").append(row.verdict, style=STYLES[row.verdict]))
-    lines = [("printed", _plain(row.printed_latex))]
+    lines = [("stands at", str(row.place))] if row.place else []
+    lines += [("printed", _plain(row.printed_latex))]
     lines += [("read as", row.read_as)] if row.read_as else []
     lines += [("compared", row.compared_with)] if row.compared_with else []
     lines += [("reason", row.reason), ("rung", row.rung)]
     for item in row.evidence:
         at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
         sides = [f"at {at}"] if at else []
-        values = zip(names, (item.printed, item.rebuilt), strict=True)
+        values = zip(names or row.sides, (item.printed, item.rebuilt), strict=True)
         sides += [f"{name} {value}" for name, value in values if value]
         lines.append(("evidence", "; ".join([item.what, *sides])))
     if row.corrected_latex:

@@ -8,8 +8,7 @@ from typing import Annotated
 import typer
 
 from mechproof.cli.console import refuse
-from mechproof.document.rows import State
-from mechproof.proof.verdict import Verdict
+from mechproof.proof.verdict import State, Verdict
 
 FailOnOption = Annotated[
     list[str] | None,

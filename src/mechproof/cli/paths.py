@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryFile
@@ -17,6 +17,14 @@ from mechproof.derivation import DerivationError, find_systems, packaged_directo
 DerivationsOption = Annotated[
     Path | None,
     typer.Option("--derivations", metavar="DIR", help="The folder that holds the derivations."),
+]
+PapersArgument = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="[PAPER] ...",
+        help="Systems, files FILE.py, folders of derivations, or papers FILE.tex; all systems if "
+        "none.",
+    ),
 ]
 RULE = (
     "Derivations are those of --derivations DIR (or of ROOT/derivations with --root ROOT), else "
@@ -73,26 +81,31 @@ def read_out(text: str | Path) -> Path:
         refuse(f"--out {folder}: cannot write to {nearest.absolute()}: {error.strerror}")
 
 
-def find_location(name: str, directory: Path) -> Path:
-    """Return the place of a system of a folder, or of a file or a folder named by its path."""
+def find_location(name: str, directory: Path, sources: Sequence[str] = ()) -> Path:
+    """Return the place of a system of a folder, or of a file or a folder named by its path.
+
+    `sources` are the suffixes of papers' own sources, where the command takes them.
+    """
     systems = find_systems(directory)
     if name in systems:
         return systems[name]
     path = Path(name)
-    if (path.suffix == ".py" and path.is_file()) or (path / "__init__.py").is_file():
+    if (path.suffix in (".py", *sources) and path.is_file()) or (path / "__init__.py").is_file():
         return path
     known = ", ".join(systems) or "none"
+    also = " or FILE.tex" if sources else ""
     refuse(
-        f"{name!r} is neither a file FILE.py, nor a folder with an __init__.py, nor one of the "
-        f"systems of {directory}: {known}"
+        f"{name!r} is neither a file FILE.py{also}, nor a folder with an __init__.py, nor one of "
+        f"the systems of {directory}: {known}"
     )
 
 
-def find_locations(names: Iterable[str], places: Places) -> list[Path]:
-    """Return the places of named derivations, of all if none is named."""
+def find_locations(names: Iterable[str], places: Places, sources: Sequence[str] = ()) -> list[Path]:
+    """Return the places of named papers, of all derivations if none is named."""
     try:
         if names:
-            return [find_location(name, places.derivations) for name in dict.fromkeys(names)]
+            found = dict.fromkeys(names)
+            return [find_location(name, places.derivations, sources) for name in found]
         locations = list(find_systems(places.derivations).values())
     except DerivationError as error:
         fail(str(error))

@@ -9,19 +9,21 @@ import typer
 
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.judging import LimitOption, NoCacheOption, judge_papers, refuse_failures
-from mechproof.cli.paths import DerivationsOption, find_locations, find_places, read_out
+from mechproof.cli.paths import (
+    DerivationsOption,
+    PapersArgument,
+    find_locations,
+    find_places,
+    read_out,
+)
 from mechproof.derivation import DerivationError
+from mechproof.document.sources import SUFFIXES
 from mechproof.made import ForeignFileError
 from mechproof.verification import LIMIT
 
 
 def report(
-    papers: Annotated[
-        list[str] | None,
-        typer.Argument(
-            help="Systems, files FILE.py or folders of derivations; all systems if none."
-        ),
-    ] = None,
+    papers: PapersArgument = None,
     out: Annotated[
         Path,
         typer.Option(metavar="FOLDER", help="The folder that the pages go to.", parser=read_out),
@@ -44,7 +46,7 @@ def report(
         check_folder(out)
     except ForeignFileError as error:
         refuse(f"--out {error}")
-    locations = find_locations(papers or (), find_places(derivations, None))
+    locations = find_locations(papers or (), find_places(derivations, None), SUFFIXES)
     ledgers = judge_papers(locations, use_cache=not no_cache, limit=limit)
     try:
         with show_progress("writing the pages") as tell:

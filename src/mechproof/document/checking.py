@@ -12,15 +12,16 @@ import sympy as sp
 from mechproof.arguments.scalars import check_function, check_number, check_text, require
 from mechproof.document.constraints import find_multiple
 from mechproof.document.roles import Role
-from mechproof.document.rows import Document, Left, State, Task
+from mechproof.document.rows import Document, Task
 from mechproof.document.sources import read_source
-from mechproof.document.text import Place
 from mechproof.processes import WorkerError, run_tasks
 from mechproof.proof.domain import Domain
+from mechproof.proof.findings import list_findings
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError, decide
-from mechproof.proof.verdict import Judgement, Verdict
-from mechproof.record import Equality, Holds, RecordError
+from mechproof.proof.ledger import JudgedPaper
+from mechproof.proof.verdict import Judgement, Left, Place, State, Verdict
+from mechproof.record import Equality, Equation, Holds, Paper, RecordError
 
 # Seconds for one equation.
 LIMIT = 60.0
@@ -53,6 +54,10 @@ class CheckedRow:
         """Return the verdict, or the state of what has none."""
         return self.judgement.verdict.value if self.judgement else self.state.value
 
+    def leave(self) -> Left:
+        """Return what the ledger has of a row without a verdict."""
+        return Left(self.name, self.place, self.latex, self.state, self.reason, self.remedy)
+
     def as_dict(self) -> dict[str, object]:
         """Return the JSON row."""
         return {
@@ -69,12 +74,38 @@ class CheckedRow:
 
 @dataclass(frozen=True)
 class CheckedPaper:
-    """The rows of a paper's source, the letters taken as real numbers, and what was not found."""
+    """The rows of a paper's source, the letters taken as real numbers, and what was not found.
+
+    `paper` has the letters, without rows.
+    """
 
     file: str
     rows: tuple[CheckedRow, ...]
+    paper: Paper
     taken: tuple[str, ...] = ()
     missing: tuple[tuple[Place, str], ...] = ()
+
+    def to_ledger(self) -> JudgedPaper:
+        """Return the ledger of the paper: rows of one name are told apart by their places."""
+        names = [row.name for row in self.rows]
+        rows = [
+            row if names.count(row.name) == 1 else replace(row, name=f"{row.name}, {row.place}")
+            for row in self.rows
+        ]
+        judged = tuple(replace(r.judgement, number=r.name) for r in rows if r.judgement)
+        paper = replace(
+            self.paper,
+            citation=Path(self.file).name,
+            rows=tuple(Equation(row.name, row.latex) for row in rows),
+        )
+        return JudgedPaper(
+            paper.system,
+            paper.citation,
+            judged,
+            findings=list_findings(paper, judged),
+            left=tuple(row.leave() for row in rows if not row.judgement),
+            paper=paper,
+        )
 
 
 def rows_to_json(rows: Sequence[CheckedRow]) -> str:
@@ -121,7 +152,8 @@ def check(
         del _opened[key]
     judged = iter(rows[number] for number in range(len(tasks)))
     shown = tuple(_show(one) if isinstance(one, Left) else next(judged) for one in found)
-    return CheckedPaper(str(path), shown, document.taken, tuple(source.missing))
+    paper = document.papers[True]
+    return CheckedPaper(str(path), shown, paper, document.taken, tuple(source.missing))
 
 
 def _leave_open(
@@ -146,12 +178,13 @@ def _open(key: _Key) -> list[Task]:
 def _make_row(task: Task, answer: Judgement | str | WorkerError) -> CheckedRow:
     head = (task.row.number, task.place, task.row.printed_latex)
     if isinstance(answer, Judgement):
-        return CheckedRow(*head, State.JUDGED, task.sign.role, answer, answer.reason)
+        judged = replace(answer, place=task.place)
+        return CheckedRow(*head, State.JUDGED, task.sign.role, judged, answer.reason)
     return CheckedRow(*head, State.NOT_JUDGED, task.sign.role, reason=str(answer))
 
 
 def _show(left: Left) -> CheckedRow:
-    head = (left.name, left.place, left.latex, left.state)
+    head = (left.number, left.place, left.printed_latex, left.state)
     return CheckedRow(*head, reason=left.reason, remedy=left.remedy)
 
 

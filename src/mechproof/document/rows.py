@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from itertools import product
+from pathlib import Path
 from typing import Any, TypeVar
 
 import sympy as sp
@@ -23,10 +23,10 @@ from mechproof.document.letters import (
 from mechproof.document.roles import Known, Role, Sign, find_roles, give_values
 from mechproof.document.sources import Source
 from mechproof.document.symbols import declare
-from mechproof.document.text import Place
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
 from mechproof.processes import limit_time
+from mechproof.proof.verdict import Left, Place, State
 from mechproof.record import (
     Conjunction,
     Definition,
@@ -44,31 +44,9 @@ _DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
 _DECIMAL = re.compile(r"\d(?:\.|\{,\})\d")
 # One digit, or zeros of which nobody knows whether they are digits.
 _FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
-SYSTEM = "paper"
 UNFIT = "numbers, matrices or their shapes do not fit together, or SymPy cannot put values in"
 # What SymPy raises where values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
-
-
-class State(StrEnum):
-    """How far a row got; what is not judged has no verdict."""
-
-    JUDGED = "judged"
-    NOT_JUDGED = "not judged"
-    NOT_READ = "not read"
-    SKIPPED = "skipped"
-
-
-@dataclass(frozen=True)
-class Left:
-    """An equation that is not judged: why, and what can be done."""
-
-    name: str
-    place: Place
-    latex: str
-    state: State
-    reason: str
-    remedy: str = ""
 
 
 @dataclass(frozen=True)
@@ -105,6 +83,7 @@ class Document:
     def __init__(self, source: Source) -> None:
         """Raise `BlockError`, or `ValueError` for letters that do not go together."""
         self.files = source.files
+        self.system = _name_system(source.files.names[0])
         self.printed = list(find_displays(source.text))
         self.block = read_block(source.lines, source.files)
         letters = (
@@ -133,7 +112,7 @@ class Document:
         read = [self._parse(printed, reader) for printed in self.printed]
         values = self.known.values
         self.papers = {
-            with_units: self.symbols.paper(SYSTEM, values, with_units=with_units)
+            with_units: self.symbols.paper(self.system, values, with_units=with_units)
             for with_units in (True, False)
         }
         again = self.symbols.reader(values)
@@ -286,6 +265,12 @@ class Document:
         place = self._locate(printed, error.place)
         latex, reason = printed.latex.string, error.args[0]
         return Left(printed.name, place, latex, State.NOT_READ, reason, error.remedy)
+
+
+def _name_system(file: str) -> str:
+    """Name a paper as its file: letters, digits and underscores."""
+    name = re.sub(r"\W", "_", Path(file).stem).strip("_")
+    return name if name.isidentifier() else f"paper_{name}"
 
 
 def _refuse_unknown(block: Block, printed: Sequence[Printed]) -> None:

@@ -10,11 +10,14 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from mechproof.document.text import Files, Place, Text, join
+from mechproof.document.text import Files, Text, join
+from mechproof.proof.verdict import Place
 
 STDIN = "-"
 BESIDE = ".letters"
 MARKDOWN = (".md", ".markdown", ".mmd")
+# What the files of papers are called.
+SUFFIXES = (".tex", ".ltx", ".txt", *MARKDOWN)
 _DEEPEST = 20
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
 _VERBATIM = re.compile(

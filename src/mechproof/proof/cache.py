@@ -15,7 +15,7 @@ from sympy.external.gmpy import GROUND_TYPES
 
 from mechproof.cache import Store, make_key, name_place
 from mechproof.proof.fingerprint import Fingerprint, NoFingerprintError
-from mechproof.proof.verdict import Evidence, Judgement, Verdict
+from mechproof.proof.verdict import Evidence, Judgement, Place, Verdict
 from mechproof.record import Paper, Row
 
 # Of a row that no rung could read: the reason may be this machine's (memory, depth of recursion).
@@ -69,8 +69,10 @@ def read_judgement(entry: Any) -> Judgement | None:
     """Read what `asdict` wrote of a judgement; None for anything else."""
     try:
         evidence = tuple(Evidence(**item) for item in entry["evidence"])
-        changed = {"verdict": Verdict(entry["verdict"]), "marks": tuple(entry["marks"])}
+        changed: dict[str, Any] = {"verdict": Verdict(entry["verdict"])}
+        changed["marks"] = tuple(entry["marks"])
         changed["singular"] = tuple(entry["singular"])
+        changed["place"] = Place(**entry["place"]) if entry["place"] else None
         return Judgement(**{**entry, **changed, "evidence": evidence})
     except (KeyError, TypeError, ValueError):
         return None

@@ -81,7 +81,7 @@ def follower_rows(paper: Paper) -> tuple[Row, ...]:
 
 
 def list_findings(paper: Paper, judgements: Sequence[Judgement]) -> tuple[LedgerFinding, ...]:
-    """List the findings of a paper in the order of its rows.
+    """List the findings of a paper in the order of its rows; rows without a verdict are none.
 
     Raises `ValueError` for a cause that is not wrong and a follower that does not follow.
     """
@@ -92,9 +92,12 @@ def list_findings(paper: Paper, judgements: Sequence[Judgement]) -> tuple[Ledger
     return tuple(
         _describe(paper, row, named.get(row.number), judged)
         for row in rows
-        if row.number in named
-        or (judged[row.number].verdict in WRONG and row.number not in following)
+        if row.number in named or (_is_wrong(row, judged) and row.number not in following)
     )
+
+
+def _is_wrong(row: Row, judged: Mapping[str, Judgement]) -> bool:
+    return row.number in judged and judged[row.number].verdict in WRONG
 
 
 def _describe(

@@ -12,7 +12,7 @@ from mechproof.notebook import Displayed
 from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ladder import IDENTICAL
 from mechproof.proof.rungs import RUNGS, name_rungs
-from mechproof.proof.verdict import Evidence, Judgement, Verdict
+from mechproof.proof.verdict import Evidence, Judgement, Left, Verdict
 from mechproof.record import MARKS, Paper
 
 PLAIN = (Verdict.PROVED, Verdict.DEFINITION)
@@ -42,7 +42,8 @@ class Ledger:
     """The judgements of the rows of a paper and the findings among them.
 
     `shipped` are the numbers of the rows on which kernels rest; `failures` name the rows that
-    could not be judged: with any, findings are not looked for.
+    could not be judged: with any, findings are not looked for. `left` are those of a paper's own
+    source that were not read or not judged.
     """
 
     system: str
@@ -51,6 +52,12 @@ class Ledger:
     findings: tuple[LedgerFinding, ...] = ()
     shipped: frozenset[str] = frozenset()
     failures: tuple[str, ...] = ()
+    left: tuple[Left, ...] = ()
+
+    @property
+    def outcomes(self) -> set[str]:
+        """Return the verdicts that are met, and the states of what has none."""
+        return {row.verdict.value for row in self.judgements} | {x.state.value for x in self.left}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -88,7 +95,10 @@ def to_json(ledgers: Sequence[Ledger]) -> str:
     """Return the findings and rows of ledgers as JSON, each on a line of its own."""
     findings = [finding.as_dict() for ledger in ledgers for finding in ledger.findings]
     rows = [judgement.as_dict() for ledger in ledgers for judgement in ledger.judgements]
-    return f'{{\n"findings": [{_lines(findings)}],\n"rows": [{_lines(rows)}]\n}}\n'
+    tables = {"findings": findings, "rows": rows}
+    if left := [row.as_dict() for ledger in ledgers for row in ledger.left]:
+        tables["left"] = left
+    return "{\n" + ",\n".join(f'"{name}": [{_lines(t)}]' for name, t in tables.items()) + "\n}\n"
 
 
 def _lines(records: Sequence[dict[str, object]]) -> str:

@@ -1,4 +1,4 @@
-"""What the ladder answers and what the ledger prints (a judgement)."""
+"""What the ladder answers and what the ledger prints: a judgement, or a row left without one."""
 
 from __future__ import annotations
 
@@ -24,6 +24,15 @@ class Verdict(StrEnum):
     UNDECIDED = "UNDECIDED"
 
 
+class State(StrEnum):
+    """How far a row got; what is not judged has no verdict."""
+
+    JUDGED = "judged"
+    NOT_JUDGED = "not judged"
+    NOT_READ = "not read"
+    SKIPPED = "skipped"
+
+
 MEANINGS: Mapping[Verdict, str] = MappingProxyType(
     {
         Verdict.PROVED: "a complete decision procedure, the named rung, says so on the whole "
@@ -44,6 +53,41 @@ MEANINGS: Mapping[Verdict, str] = MappingProxyType(
         Verdict.UNDECIDED: "none of the others, with what could not be shown",
     }
 )
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place in a file; lines and columns are counted from 1."""
+
+    file: str
+    line: int
+    column: int
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}:{self.column}"
+
+
+@dataclass(frozen=True)
+class Left:
+    """A row without a verdict: where it stands, how far it got, why, and what can be done."""
+
+    number: str
+    place: Place
+    printed_latex: str
+    state: State
+    reason: str
+    remedy: str = ""
+
+    def as_dict(self) -> dict[str, object]:
+        """Return the JSON row."""
+        return {
+            "number": self.number,
+            "place": str(self.place),
+            "state": self.state.value,
+            "printed_latex": self.printed_latex,
+            "reason": self.reason,
+            "remedy": self.remedy,
+        }
 
 
 @dataclass(frozen=True)
@@ -77,7 +121,7 @@ class Answer:
 class Judgement(Displayed):
     """One line of the ledger; `on` is the part of the paper's domain that it is said of.
 
-    `compared_with` is the LaTeX of the other side.
+    `compared_with` is the LaTeX of the other side; `place` is where a paper's own source has it.
     """
 
     system: str
@@ -95,12 +139,19 @@ class Judgement(Displayed):
     corrected_latex: str
     corrected_by: str
     compared_with: str
+    place: Place | None = None
+
+    @property
+    def sides(self) -> tuple[str, str]:
+        """Return what the two sides of evidence are: in a paper's own source both are printed."""
+        return ("one side", "other side") if self.place else ("printed", "rebuilt")
 
     def as_dict(self) -> dict[str, object]:
         """Return the JSON row."""
         return {
             "system": self.system,
             "number": self.number,
+            **({"place": str(self.place)} if self.place else {}),
             "kind": self.kind,
             "verdict": self.verdict.value,
             "reason": self.reason,

@@ -11,7 +11,7 @@ from markupsafe import Markup
 from mechproof.proof.comparison_latex import write_latex
 from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ledger import COUNTED, OURS, JudgedPaper, classify
-from mechproof.proof.verdict import Judgement
+from mechproof.proof.verdict import Judgement, Left
 from mechproof.record import Paper, Row, Variable
 from mechproof.report.anchors import find_equation, name_anchors, name_equation
 from mechproof.report.formulas import write_print
@@ -19,12 +19,13 @@ from mechproof.report.mathml import write_formula
 from mechproof.report.rows import (
     RowView,
     describe_failure,
+    describe_left,
     describe_print,
     describe_row,
     name_symbols,
 )
 from mechproof.report.sources import Source
-from mechproof.report.words import LOOKS, NOT_JUDGED, VerdictStyle, look_of, set_prose
+from mechproof.report.words import LEFT, LOOKS, NOT_JUDGED, VerdictStyle, look_of, set_prose
 
 
 @dataclass(frozen=True)
@@ -103,7 +104,8 @@ class Section:
 class PaperView:
     """The page of a paper; `loose` are figures that stand after no row.
 
-    `found` counts the verdicts of what is printed, `ours` those of our own rows.
+    `found` counts the verdicts of what is printed, `ours` those of our own rows, `left` the rows
+    of a paper's own source that have none.
     """
 
     system: str
@@ -112,6 +114,7 @@ class PaperView:
     totals: tuple[Total, ...]
     found: tuple[Count, ...]
     ours: tuple[Count, ...]
+    left: tuple[Count, ...]
     findings: tuple[FindingView, ...]
     failures: tuple[str, ...]
     index: tuple[EquationLink, ...]
@@ -135,6 +138,7 @@ def describe_paper(source: Source, figures: Mapping[str, str]) -> PaperView:
         totals=tuple(count_totals(ledger.judgements)),
         found=count_verdicts([row for row in ledger.judgements if classify(row) != OURS]),
         ours=count_verdicts([row for row in ledger.judgements if classify(row) == OURS]),
+        left=count_left(ledger.left),
         findings=tuple(describe_finding(found, anchors) for found in ledger.findings),
         failures=tuple(_strip_failures(source)),
         index=tuple(_index_equations(sections[0].entries)),
@@ -184,6 +188,12 @@ def count_verdicts(judgements: Sequence[Judgement]) -> tuple[Count, ...]:
     )
 
 
+def count_left(rows: Sequence[Left]) -> tuple[Count, ...]:
+    """Count rows without a verdict by how far they got."""
+    counted = Counter(row.state for row in rows)
+    return tuple(Count(look, counted[state]) for state, look in LEFT.items() if counted[state])
+
+
 def _list_sections(
     source: Source, anchors: Mapping[str, str], figures: Mapping[str, str]
 ) -> Iterator[Section]:
@@ -220,12 +230,13 @@ def _list_sections(
 
 
 def _view_rows(source: Source, anchors: Mapping[str, str]) -> list[RowView]:
-    """View the paper's own rows; of those without a judgement, what failed."""
+    """View the paper's own rows; of those without a judgement, why they have none."""
     ledger, symbols = source.ledger, name_symbols(source.ledger.paper)
-    judged = {j.number: j for j in ledger.judgements}
+    views = {j.number: describe_row(j, anchors[j.number], symbols) for j in ledger.judgements}
+    views |= {row.number: describe_left(row, anchors[row.number]) for row in ledger.left}
     return [
-        describe_row(judged[row.number], anchors[row.number], symbols)
-        if row.number in judged
+        views[row.number]
+        if row.number in views
         else describe_failure(row, anchors[row.number], _find_failure(source, row))
         for row in ledger.paper.rows
     ]
@@ -264,7 +275,7 @@ def _index_equations(entries: Sequence[Entry]) -> Iterator[EquationLink]:
     for entry in entries:
         if "ours" not in entry.row.marks and (equation := find_equation(entry.row.number)):
             groups.setdefault(equation, []).append(entry)
-    order = [NOT_JUDGED, *LOOKS.values()]
+    order = [NOT_JUDGED, *LEFT.values(), *LOOKS.values()]
     for equation, group in groups.items():
         gravest = min((entry.row.look for entry in group), key=order.index)
         yield EquationLink(f"({equation})", group[0].begins or group[0].row.anchor, gravest)

@@ -8,11 +8,12 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from mechproof.proof.ledger import PLAIN
-from mechproof.proof.verdict import Evidence, Judgement
+from mechproof.proof.verdict import Evidence, Judgement, Left, Place
 from mechproof.record import MARKS, Paper, Row
 from mechproof.report.formulas import write_lines, write_print
 from mechproof.report.mathml import write_formula
 from mechproof.report.words import (
+    LEFT,
     NOT_JUDGED,
     VerdictStyle,
     look_of,
@@ -39,7 +40,10 @@ class Witness:
 
 @dataclass(frozen=True)
 class RowView:
-    """One row of a page; without a judgement `failure` says why."""
+    """One row of a page; without a judgement `failure` says why.
+
+    `place` is where it stands in a paper's own source, `sides` are what its two values are.
+    """
 
     anchor: str
     number: str
@@ -58,6 +62,8 @@ class RowView:
     singular: Markup = NOTHING
     rung: str = ""
     failure: str = ""
+    place: str = ""
+    sides: tuple[str, str] = ("", "")
 
 
 def name_symbols(paper: Paper) -> dict[str, str]:
@@ -86,6 +92,8 @@ def describe_row(row: Judgement, anchor: str, symbols: Mapping[str, str]) -> Row
         on=set_prose(row.on),
         singular=set_prose(", ".join(row.singular)),
         rung=row.rung,
+        place=_say_place(row.place),
+        sides=row.sides,
     )
 
 
@@ -95,6 +103,19 @@ def describe_failure(row: Row, anchor: str, failure: str) -> RowView:
     return RowView(
         anchor, row.number, NOT_JUDGED, False, row.marks, printed, row.read_as, failure=failure
     )
+
+
+def describe_left(row: Left, anchor: str) -> RowView:
+    """Return the view of a row of a paper's own source that has no verdict."""
+    look, printed = LEFT[row.state], write_print(row.printed_latex)
+    says = ". ".join(filter(None, (row.reason, row.remedy)))
+    return RowView(
+        anchor, row.number, look, False, (), printed, failure=says, place=_say_place(row.place)
+    )
+
+
+def _say_place(place: Place | None) -> str:
+    return f"line {place.line}" if place else ""
 
 
 def describe_print(row: Row, anchor: str) -> RowView:

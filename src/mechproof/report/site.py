@@ -23,7 +23,7 @@ from mechproof.report.pictures import (
 from mechproof.report.quantities import QuantityView, describe_quantities
 from mechproof.report.rows import MARKED
 from mechproof.report.sources import Source, find_source
-from mechproof.report.words import LOOKS, MEASURED, NOT_JUDGED, VerdictStyle
+from mechproof.report.words import LEFT, LOOKS, MEASURED, NOT_JUDGED, VerdictStyle
 
 INDEX = "index.html"
 # Lists the files of the report, so that the next one knows what it may replace.
@@ -126,8 +126,9 @@ def _find_legend(papers: Sequence[PaperView], quantities: Sequence[QuantityView]
     marks = {mark for row in rows for mark in row.marks}
     joined = [row.rung for row in rows] + [form.rung for form in forms]
     rungs = {rung for names in joined for rung in names.split(", ")}
+    order = (NOT_JUDGED, *LEFT.values(), *LOOKS.values(), MEASURED)
     return Legend(
-        tuple(look for look in (NOT_JUDGED, *LOOKS.values(), MEASURED) if look in looks),
+        tuple(look for look in order if look in looks),
         {name: meaning for name, meaning in MARKED.items() if name in marks},
         {name: meaning for name, meaning in RUNGS.items() if name in rungs},
     )

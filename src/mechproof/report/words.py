@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from markupsafe import Markup, escape
 
-from mechproof.proof.verdict import MEANINGS, Verdict
+from mechproof.proof.verdict import MEANINGS, State, Verdict
 
 
 @dataclass(frozen=True)
@@ -43,6 +43,14 @@ MEASURED = VerdictStyle(
 NOT_JUDGED = VerdictStyle(
     "failed", "not judged", "!", "the row could not be judged: what failed is shown"
 )
+LEFT: Mapping[State, VerdictStyle] = {
+    state: VerdictStyle("undecided", state.value, "!", meaning)
+    for state, meaning in (
+        (State.NOT_READ, "the print could not be read: why, and what would help, is shown"),
+        (State.NOT_JUDGED, "it was read, but nothing can be said of it: why is shown"),
+        (State.SKIPPED, "the block of letters says that it is not to be judged"),
+    )
+}
 ORDER = tuple(LOOKS)
 
 MINUS = " \N{MINUS SIGN} "
