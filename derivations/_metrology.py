@@ -20,7 +20,6 @@ from sympy import (
 from mechproof.record import (
     Claim,
     Equality,
-    Equation,
     Variable,
 )
 
@@ -46,28 +45,6 @@ TYPE_A_VARIABLES = (
 )
 
 
-def mean_row(number: str, note: str = "", marks: tuple[str, ...] = ()) -> Equation:
-    """Introduce the mean of the readings."""
-    return Equation(
-        number,
-        r"\bar q=\frac1n\sum_{k=1}^n q_k",
-        note=note,
-        defines=(qbar,),
-        marks=marks,
-    )
-
-
-def variance_row(number: str, marks: tuple[str, ...] = ()) -> Equation:
-    """Introduce the experimental variance of one reading."""
-    return Equation(
-        number,
-        r"s^2(q_k)=\frac1{n-1}\sum_{k=1}^n(q_k-\bar q)^2",
-        note="Needs n >= 2.",
-        defines=(s2,),
-        marks=marks,
-    )
-
-
 def expected_squares() -> Expr:
     """Return the expected sum of (q_k - mean)^2 over independent readings of one variance."""
     deviations = (KroneckerDelta(i, j) - 1 / n) * (KroneckerDelta(i, m) - 1 / n)
@@ -86,11 +63,6 @@ def unbiased_row(number: str) -> Claim:
     )
 
 
-def variance_of_mean_row(number: str, latex: str, marks: tuple[str, ...] = ()) -> Equation:
-    """Introduce the estimate of the variance of the mean; `latex` is the equation as printed."""
-    return Equation(number, latex, defines=(s2_mean,), marks=marks)
-
-
 def estimate_row(number: str, marks: tuple[str, ...] = ()) -> Claim:
     """State that the estimate of the variance of the mean, `number`, has no bias."""
     return Claim(
@@ -101,17 +73,6 @@ def estimate_row(number: str, marks: tuple[str, ...] = ()) -> Claim:
             n * (n - 1) * Sum(sigma2 * KroneckerDelta(i, j) / n**2, (i, 1, n), (j, 1, n)),
         ),
         note="Written without the divisor n (n - 1), for independent observations of one variance.",
-        marks=marks,
-    )
-
-
-def uncertainty_row(number: str, note: str, marks: tuple[str, ...] = ()) -> Equation:
-    """Introduce the standard uncertainty of the mean."""
-    return Equation(
-        number,
-        r"u(q)=\sqrt{s^2(q)}",
-        note=note,
-        defines=(u_mean,),
         marks=marks,
     )
 

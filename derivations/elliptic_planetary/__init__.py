@@ -8,9 +8,9 @@ from .kernels import QUANTITIES
 from .position_rows import POSITION_ROWS
 from .ratio_rows import RATIO_ROWS
 from .readings import TABLE_CLAIMS
-from .symbols import R1, R2, VARIANTS, e
+from .symbols import PRINT, R1, R2, VARIANTS, e
 from .type_a_rows import TYPE_A_ROWS
-from .variables import NOTATION, VARIABLES
+from .variables import VARIABLES
 
 PAPER = Paper(
     system="elliptic_planetary",
@@ -19,8 +19,9 @@ PAPER = Paper(
         "doi 10.37313/1990-5378-2024-26-3-164-171"
     ),
     variables=VARIABLES,
-    notation=NOTATION,
-    where=(R2 < R1,),
+    notation=PRINT.notation,
+    where=PRINT.where,
+    print=PRINT.file,
     rows=RATIO_ROWS + POSITION_ROWS + POSITION_CLAIMS + TYPE_A_ROWS + TABLE_CLAIMS,
     quantities=QUANTITIES,
     together=(Together("motion", ("position", "ratio", "acceleration")),),

@@ -2,10 +2,10 @@
 
 from sympy import Gt, S, tan
 
-from mechproof.record import ChainLink, Claim, Correction, Definition, Equality, Equation, Holds
+from mechproof.record import ChainLink, Claim, Correction, Definition, Equality, Holds
 
 from .mechanics import position, position_principal
-from .symbols import BELOW_ONE, BRANCH, R1, R2, UP_TO_ONE, U, a1, b1, phi1, phi3, x
+from .symbols import BELOW_ONE, BRANCH, PRINT, R1, R2, UP_TO_ONE, U, a1, b1, phi1, phi3, x
 from .variables import READER
 
 CORRECT_FOURTH = (
@@ -19,10 +19,8 @@ CORRECT_12 = (
     r"\varphi_3=\left(1+\frac{R_1}{R_2}\right)\varphi_1+2\,\mathrm{arctg}"
     r"\frac{e\sin x}{1-e\cos x}"
 )
-EQUATION_12 = Equation(
+EQUATION_12 = PRINT.equation(
     "(12)",
-    r"\varphi_3=\varphi_1+2\cdot\sqrt{\frac{1-e}{1+e}}\;\mathrm{arctg}\left(\mathrm{tg}"
-    r"\left(\frac{R_1}{2R_2}\varphi_1\right)\cdot\sqrt{\frac{1+e}{1-e}}\right)",
     note=(
         "As a1 +- b1 = (1 +- e)^2, the root in (11) is (1+e)/(1-e) itself, but (12) still has "
         "the root of that. Without it the factor before the arctangent is 2 and the quotient "
@@ -44,29 +42,16 @@ DX_SUPPLIED = Claim(
 _, print_12 = READER.members(EQUATION_12)
 
 POSITION_ROWS = (
-    Equation(
+    PRINT.equation(
         "(9)",
-        r"\varphi_3=\varphi_1+(1-e^2)\cdot\int\frac{1}{1+e^2-2e\cos\frac{R_1}{R_2}\varphi_1}"
-        r"\,d\frac{R_1}{R_2}\varphi_1",
         derived={phi3: position},
         note="Read from the initial conditions phi10 = phi30 = 0; holds over all turns.",
     ),
-    *(
-        Equation(f"before (10), {name}", latex, says)
-        for name, latex, says in (
-            ("a_1", "a_1=1+e^2", None),
-            ("b_1", "b_1=2e", None),
-            ("x", r"x=\frac{R_1}{R_2}\varphi_1", Definition(x, R1 / R2 * phi1)),
-        )
-    ),
-    Equation(
+    PRINT.equation("before (10), a_1"),
+    PRINT.equation("before (10), b_1"),
+    PRINT.equation("before (10), x", says=Definition(x, R1 / R2 * phi1)),
+    PRINT.equation(
         "(10)",
-        r"\int\frac{dx}{a_1-b_1\cos x}"
-        r"=\int\frac{dx}{a_1\sin^2\frac x2+a_1\cos^2\frac x2-b_1\cos^2\frac x2+b_1\sin^2\frac x2}"
-        r"=\int\frac{dx}{(a_1+b_1)\sin^2\frac x2+(a_1-b_1)\cos^2\frac x2}"
-        r"=\int\frac{\cos^2\frac x2}{(a_1+b_1)\,\mathrm{tg}^2\frac x2+(a_1-b_1)}"
-        r"=\frac{2}{a_1+b_1}\int\frac{d\,\mathrm{tg}\frac x2}"
-        r"{\mathrm{tg}^2\frac x2+\frac{a_1-b_1}{a_1+b_1}}",
         links={
             3: ChainLink(
                 note="The factor 1/cos^2(x/2) has moved into the numerator and dx is missing.",
@@ -91,9 +76,8 @@ POSITION_ROWS = (
         holds_on=BRANCH,
         marks=("inferred",),
     ),
-    Claim(
+    PRINT.claim(
         "since e <= 1",
-        r"\frac{a_1-b_1}{a_1+b_1}\ge0\text{ since }e\le1",
         on=UP_TO_ONE,
     ),
     Claim(
@@ -105,10 +89,8 @@ POSITION_ROWS = (
         holds_on=BELOW_ONE,
         marks=("ours",),
     ),
-    Equation(
+    PRINT.equation(
         "(11)",
-        rf"{LAST_OF_10}=\frac{{2}}{{a_1+b_1}}\cdot\sqrt{{\frac{{a_1+b_1}}{{a_1-b_1}}}}\cdot"
-        r"\mathrm{arctg}\frac{\mathrm{tg}\frac x2}{\sqrt{\frac{a_1-b_1}{a_1+b_1}}}+C",
         substituted={tan(x / 2): U},
         note="As an integral over tg(x/2) = U; C = 0 for the lower limit 0.",
     ),
@@ -138,10 +120,9 @@ POSITION_ROWS = (
         on=BRANCH,
         marks=("ours",),
     ),
-    Claim(
+    PRINT.claim(
         "(12), initial conditions",
-        r"\varphi_{10}=0,\ \varphi_{30}=0",
-        Equality(print_12.subs(phi1, 0), S.Zero),
+        says=Equality(print_12.subs(phi1, 0), S.Zero),
     ),
     Claim(
         "half-angle arctangent without branches",

@@ -2,7 +2,7 @@
 
 from sympy import Matrix, S
 
-from mechproof.record import ChainLink, Claim, Equality, Equation, Reading
+from mechproof.record import ChainLink, Claim, Equality, Reading
 
 from .mechanics import (
     PLACES,
@@ -18,6 +18,7 @@ from .mechanics import (
 )
 from .symbols import (
     AC,
+    PRINT,
     R1,
     R2,
     VC,
@@ -37,32 +38,26 @@ from .symbols import (
 )
 from .variables import READER
 
-EQUATION_8 = Equation(
+EQUATION_8 = PRINT.equation(
     "(8)",
-    r"\frac{d\varphi_3}{d\varphi_1}=1+\frac{R_1}{R_2}\cdot"
-    r"\left(\frac{1-e^2}{1+e^2-2e\cos\varphi_5}\right)",
     derived={slope: ratio_by_plan},
     marks=("inferred",),
 )
 _, print_8 = READER.members(EQUATION_8)
 
 RATIO_ROWS = (
-    Claim(
+    PRINT.claim(
         "velocity plan, V_C",
-        r"V_C\perp AC",
-        Equality(S.Zero, velocity_c.dot(axis_c)),
+        says=Equality(S.Zero, velocity_c.dot(axis_c)),
     ),
-    Claim(
+    PRINT.claim(
         "velocity plan, B",
-        r"V_B=0:\ B\text{ is the instant centre of the satellite}",
-        Equality(Matrix([0, 0]), velocity_b),
+        says=Equality(Matrix([0, 0]), velocity_b),
         note="V_A and V_E are zero because A and E lie on the fixed axis.",
         marks=("inferred",),
     ),
-    Equation(
+    PRINT.equation(
         "(1)",
-        r"\varphi_3'=\frac{\omega_3}{\omega_1}=\frac{d\varphi_3}{d\varphi_1}"
-        r"=\frac{V_D\cdot AC}{V_C\cdot DE}=\frac{BD\cdot AC}{BC\cdot DE}",
         defines=(ratio_symbol, slope),
         links={
             1: ChainLink(note="Introduces the analogue of the velocity."),
@@ -82,9 +77,8 @@ RATIO_ROWS = (
             ),
         },
     ),
-    Equation(
+    PRINT.equation(
         "(2)",
-        r"AC=R_1-R_2=2a",
         links={
             1: ChainLink(
                 derived={AC: centre_c},
@@ -100,10 +94,9 @@ RATIO_ROWS = (
             ),
         },
     ),
-    Equation("(3)", r"BC=R_2", derived=PLACES, marks=("inferred",)),
-    Equation(
+    PRINT.equation("(3)", derived=PLACES, marks=("inferred",)),
+    PRINT.equation(
         "(4)",
-        r"CD=\rho(\varphi_5)=\frac{a(1-e^2)}{1-e\cos\varphi_5}",
         defines=(rho,),
         links={
             1: ChainLink(note="Introduces the radius of wheel 6 in the direction of D."),
@@ -114,10 +107,9 @@ RATIO_ROWS = (
             ),
         },
     ),
-    Claim(
+    PRINT.claim(
         "(4), phi5",
-        r"\varphi_5=-\frac{R_1}{R_2}\varphi_1\text{ is the rotation of the ellipse}",
-        Equality(-R1 / R2 * phi1, rolling / omega1 * phi1),
+        says=Equality(-R1 / R2 * phi1, rolling / omega1 * phi1),
         readings=(
             Reading(
                 "the rotation against the carrier, not against the frame",
@@ -125,19 +117,16 @@ RATIO_ROWS = (
             ),
         ),
     ),
-    Equation(
-        "(5)", r"BD=BC+CD=R_2+\rho", links={2: ChainLink(derived=PLACES, marks=("inferred",))}
-    ),
-    Equation("(6)", r"DE=AC-CD=2a-\rho", links={2: ChainLink(derived=PLACES, marks=("inferred",))}),
+    PRINT.equation("(5)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}),
+    PRINT.equation("(6)", links={2: ChainLink(derived=PLACES, marks=("inferred",))}),
     Claim(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
         Equality(ratio_by_plan, ratio_by_inversion),
         marks=("ours",),
     ),
-    Equation(
+    PRINT.equation(
         "(7)",
-        r"\varphi_3'=\frac{(R_2+\rho)\cdot 2a}{R_2\cdot(2a-\rho)}",
         derived={ratio_symbol: ratio_by_plan},
         marks=("inferred",),
     ),

@@ -4,30 +4,24 @@ Angles are positive in the direction of the carrier's rotation; distances on the
 positive from A towards C and B; lengths in mm, angles in rad.
 """
 
+from pathlib import Path
+
 from sympy import Eq, Interval, Rational, Symbol, cos, pi, symbols
 
+from mechproof.document.transcription import Transcription
 from mechproof.record import Part
 
 from .._linear import solve_linear
 
-phi1 = Symbol("phi1", real=True)
-R1, R2 = symbols("R1 R2", positive=True)
-e = Symbol("e", real=True)
-a, rho = symbols("a rho", real=True)
-phi5, k, x, a1, b1, nearest = symbols("phi5 k x a1 b1 nearest", real=True)
-omega1, omega3 = symbols("omega1 omega3", real=True)
-VC, VD, AC, BC, BD, CD, DE = symbols("V_C V_D AC BC BD CD DE", real=True)
+PRINT = Transcription(Path(__file__).with_name("paper.tex"))
+phi1, phi3, phi5, R1, R2, e, a, rho, x = PRINT.symbols("phi1 phi3 phi5 R1 R2 e a rho x")
+a1, b1, C, omega1, omega3 = PRINT.symbols("a1 b1 C omega1 omega3")
+AC, BC, CD, BD, DE, VC, VD = PRINT.symbols("AC BC CD BD DE V_C V_D")
+ratio_symbol, slope = PRINT.symbols("phi3' dphi3/dphi1")
+k, nearest, U, tau, T = symbols("k nearest U tau T", real=True)
 at_b, at_c, at_d = symbols("s_B s_C s_D", real=True)
-U = Symbol("U", real=True)
-tau = Symbol("tau", real=True)
 turns = Symbol("m_turns", integer=True)
 nu, E = symbols("nu E", positive=True)
-T = Symbol("T", real=True)
-
-phi3 = Symbol("phi3", real=True)
-ratio_symbol = Symbol("phi3'", real=True)
-slope = Symbol("dphi3/dphi1", real=True)
-C = Symbol("C", real=True)
 
 # Ellipse seen from a focus: the distances to both foci (2 a e apart) add up to 2 a.
 r, theta = symbols("r theta", real=True)

@@ -1,19 +1,15 @@
 """What paper 1 prints of the evaluation of readings: (13) to (16)."""
 
-from .._metrology import (
-    estimate_row,
-    mean_row,
-    unbiased_row,
-    uncertainty_row,
-    variance_of_mean_row,
-    variance_row,
-)
+from .._metrology import estimate_row, qbar, s2, s2_mean, u_mean, unbiased_row
+from .symbols import PRINT
 
 TYPE_A_EQUATIONS = EQUATION_13, EQUATION_14, EQUATION_15, EQUATION_16 = (
-    mean_row("(13)", "The mean of the readings; a definition."),
-    variance_row("(14)"),
-    variance_of_mean_row("(15)", r"s^2(q)=\frac{s^2(q_k)}{n}"),
-    uncertainty_row("(16)", "The GUM's type A standard uncertainty of the mean."),
+    PRINT.equation("(13)", defines=(qbar,), note="The mean of the readings; a definition."),
+    PRINT.equation("(14)", defines=(s2,), note="Needs n >= 2."),
+    PRINT.equation("(15)", defines=(s2_mean,)),
+    PRINT.equation(
+        "(16)", defines=(u_mean,), note="The GUM's type A standard uncertainty of the mean."
+    ),
 )
 TYPE_A_ROWS = (
     EQUATION_13,

@@ -7,6 +7,7 @@ from mechproof.record import (
     Argument,
     Claim,
     Equality,
+    Equation,
     Paper,
     Quantity,
 )
@@ -17,15 +18,14 @@ from .._metrology import (
     i,
     m,
     mean,
-    mean_row,
     n,
     q,
     qbar,
+    s2,
+    s2_mean,
+    u_mean,
     unbiased_row,
-    uncertainty_row,
     variance,
-    variance_of_mean_row,
-    variance_row,
 )
 
 VARIANCE = variance.subs(qbar, mean)
@@ -34,12 +34,22 @@ CORRECTION = Sum(q[m] - mean, (m, 1, n)) / n
 CENTRED_TWICE = Sum((q[i] - mean - CORRECTION) ** 2, (i, 1, n)) / (n - 1)
 
 ROWS = (
-    mean_row("4.2.1, equation (3)"),
-    variance_row("4.2.2, equation (4)"),
+    Equation("4.2.1, equation (3)", r"\bar q=\frac1n\sum_{k=1}^n q_k", defines=(qbar,)),
+    Equation(
+        "4.2.2, equation (4)",
+        r"s^2(q_k)=\frac1{n-1}\sum_{k=1}^n(q_k-\bar q)^2",
+        note="Needs n >= 2.",
+        defines=(s2,),
+    ),
     unbiased_row("4.2.2, equation (4)"),
-    variance_of_mean_row("4.2.3, equation (5)", r"s^2(\bar q)=\frac{s^2(q_k)}{n}"),
+    Equation("4.2.3, equation (5)", r"s^2(\bar q)=\frac{s^2(q_k)}{n}", defines=(s2_mean,)),
     estimate_row("4.2.3, equation (5)"),
-    uncertainty_row("4.2.3", "The type A standard uncertainty of the mean."),
+    Equation(
+        "4.2.3",
+        r"u(q)=\sqrt{s^2(q)}",
+        note="The type A standard uncertainty of the mean.",
+        defines=(u_mean,),
+    ),
     Claim(
         "4.2.2, one pass",
         r"\sum(q_k-\bar q)^2=\sum q_k^2-\frac1n\left(\sum q_k\right)^2",

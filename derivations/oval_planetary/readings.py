@@ -12,6 +12,7 @@ from mechproof.record import (
     Completions,
     Conjunction,
     Equality,
+    Equation,
     Holds,
     PrintedNumber,
     Row,
@@ -20,14 +21,13 @@ from mechproof.record import (
 from .._metrology import (
     estimate_row,
     j,
-    mean_row,
     n,
     q,
     qbar,
+    s2,
+    s2_mean,
+    u_mean,
     unbiased_row,
-    uncertainty_row,
-    variance_of_mean_row,
-    variance_row,
 )
 from .._readings import (
     COVERAGE_OF_MEAN,
@@ -174,15 +174,23 @@ def scatter_rows() -> tuple[Claim, ...]:
 MEAN = sp.Sum(q[j], (j, 1, n)) / n
 
 MEASUREMENT_ROWS: tuple[Row, ...] = (
-    mean_row("(12)", marks=("rebuilt",)),
-    variance_row("(13)", ("rebuilt",)),
+    Equation("(12)", r"\bar q=\frac1n\sum_{k=1}^n q_k", defines=(qbar,), marks=("rebuilt",)),
+    Equation(
+        "(13)",
+        r"s^2(q_k)=\frac1{n-1}\sum_{k=1}^n(q_k-\bar q)^2",
+        note="Needs n >= 2.",
+        defines=(s2,),
+        marks=("rebuilt",),
+    ),
     unbiased_row("(13)"),
-    variance_of_mean_row("(14)", r"s^2(q)=s^2(q_k)/n", ("rebuilt",)),
+    Equation("(14)", r"s^2(q)=s^2(q_k)/n", defines=(s2_mean,), marks=("rebuilt",)),
     estimate_row("(14)", ("rebuilt",)),
-    uncertainty_row(
+    Equation(
         "(15)",
-        "The right-hand side is lost; by its name the type A standard uncertainty.",
-        ("rebuilt", "inferred"),
+        r"u(q)=\sqrt{s^2(q)}",
+        note="The right-hand side is lost; by its name the type A standard uncertainty.",
+        defines=(u_mean,),
+        marks=("rebuilt", "inferred"),
     ),
     resolution_row("table 1", "A 12-bit encoder is inferred.", ("inferred",)),
     *encoder_rows("table 1"),

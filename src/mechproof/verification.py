@@ -133,12 +133,31 @@ def judge_derivations(
         _opened.clear()
         for paper in progress.values() if use_cache else ():
             paper.save()
-    found = {location: paper.finish() for location, paper in progress.items()}
+    found = {location: paper.finish(limit, report) for location, paper in progress.items()}
     for location in locations:
         if location not in found:
             found[location] = _check_source(location, limit, report, use_cache=use_cache)
             check_names(places, found[location].system, location)
     return [found[location] for location in locations]
+
+
+def _add_rest(
+    ledger: JudgedPaper, file: Path, limit: float, report: Callable[[str], None]
+) -> JudgedPaper:
+    """Add what the print of a paper has besides its rows; it needs no mechanics."""
+    numbers = (row.number for row in ledger.paper.rows)
+    try:
+        checked = checking.check_rest(file, numbers, min(limit, checking.LIMIT), report)
+    except ValueError as error:
+        raise DerivationError(str(error)) from error
+    rest = checked.to_ledger(ledger.system)
+    return replace(
+        ledger,
+        judgements=ledger.judgements + rest.judgements,
+        findings=ledger.findings + rest.findings,
+        left=rest.left,
+        paper=replace(ledger.paper, rows=ledger.paper.rows + rest.paper.rows),
+    )
 
 
 def _check_source(
@@ -202,7 +221,7 @@ class _Progress:
         if judged != self.kept:
             self.cache.save(judged)
 
-    def finish(self) -> JudgedPaper:
+    def finish(self, limit: float, report: Callable[[str], None]) -> JudgedPaper:
         """Return the ledger, its rows in their order; `DerivationError` for a wrong finding."""
         paper = self.opened.paper
         ledger = JudgedPaper(
@@ -219,6 +238,8 @@ class _Progress:
             ledger = replace(ledger, findings=list_findings(paper, ledger.judgements))
         except ValueError as error:
             raise DerivationError(f"{self.opened.location}: {error}") from error
+        if paper.print:
+            ledger = _add_rest(ledger, paper.print, limit, report)
         if self.whole and self.read and all(self.keys):
             self.whole.save(ledger, self.read)
         return ledger

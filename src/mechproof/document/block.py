@@ -1,8 +1,8 @@
 r"""The block that declares a paper's letters: its lines -> what they declare.
 
-A line is `name [| alias ...] [; name ...] [3x3] [(t)] : meaning [unit] {0<e<1}`, or begins with a
-word: `factor`, `where`, `let`, `branch`, `natural`, `from`, `sizes`, and, of single equations,
-`constraint`, `identity`, `modulo 2\pi`, `skip`.
+A line is `name [| alias ...] [as symbol] [; name ...] [3x3] [(t)] : meaning [unit] {0<e<1}`, or
+begins with a word: `factor`, `where`, `let`, `branch`, `natural`, `from`, `sizes`, and, of single
+equations, `constraint`, `identity`, `modulo 2\pi`, `skip`.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Declared:
     """A letter: how it is printed, what it means, its unit, what is said of it, its shape.
 
     `running` is the letter that it depends on, and by which it is differentiated; a bracket behind
-    a matrix is part of its name.
+    a matrix is part of its name. `symbol` is the name of its symbol, if said.
     """
 
     names: tuple[str, ...]
@@ -42,6 +42,7 @@ class Declared:
     condition: str = ""
     shape: tuple[int, int] | None = None
     running: str = ""
+    symbol: str = ""
 
 
 @dataclass
@@ -106,6 +107,7 @@ def _read_letters(line: str) -> list[Declared]:
 def _read_letter(
     text: str, meaning: str, unit: str | None, condition: str, shape: tuple[int, int] | None
 ) -> Declared:
+    text, _, symbol = text.partition(" as ")
     names = [name.strip() for name in text.split("|")]
     if any(name.count("{") != name.count("}") for name in names):
         raise ValueError(f"the name {text.strip()!r} has a brace too many; names have no ; or |")
@@ -114,7 +116,8 @@ def _read_letter(
     running = None if shape else _RUNNING.search(names[0])
     if running:
         names[0] = names[0][: running.start()].strip()
-    return Declared(tuple(names), meaning, unit, condition, shape, running[1] if running else "")
+    by = running[1] if running else ""
+    return Declared(tuple(names), meaning, unit, condition, shape, by, symbol.strip())
 
 
 def _add(name: str) -> Callable[[Block, str], None]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -23,6 +24,8 @@ from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Judgement, Left, Place, State, Verdict
 from mechproof.record import Equality, Equation, Holds, Paper, RecordError
 
+# How the row of one sign of a chain is called.
+_SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
 # Seconds for one equation.
 LIMIT = 60.0
 MULTIPLE = "multiple of a constraint"
@@ -30,9 +33,10 @@ GIVEN = "definition"
 # What is compared, even if letters that only one side has could make both sides equal.
 _COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
 
-# Where a paper comes from, and the rows of papers that are at work: a process that was forked finds
-# here what its parent had. SymPy would work relations out on their way through a pipe.
-_Key = tuple[str, str | None]
+# Where a paper comes from, and rows that are judged elsewhere; the rows of papers that are at work:
+# a process that was forked finds here what its parent had. SymPy would work relations out on their
+# way through a pipe.
+_Key = tuple[str, str | None, frozenset[str]]
 _opened: dict[_Key, list[Task]] = {}
 
 
@@ -85,16 +89,23 @@ class CheckedPaper:
     taken: tuple[str, ...] = ()
     missing: tuple[tuple[Place, str], ...] = ()
 
-    def to_ledger(self) -> JudgedPaper:
-        """Return the ledger of the paper: rows of one name are told apart by their places."""
+    def to_ledger(self, system: str = "") -> JudgedPaper:
+        """Return the ledger of the paper: rows of one name are told apart by their places.
+
+        `system` is the name of the paper, left out that of its file.
+        """
         names = [row.name for row in self.rows]
         rows = [
             row if names.count(row.name) == 1 else replace(row, name=f"{row.name}, {row.place}")
             for row in self.rows
         ]
-        judged = tuple(replace(r.judgement, number=r.name) for r in rows if r.judgement)
+        system = system or self.paper.system
+        judged = tuple(
+            replace(row.judgement, system=system, number=row.name) for row in rows if row.judgement
+        )
         paper = replace(
             self.paper,
+            system=system,
             citation=Path(self.file).name,
             rows=tuple(Equation(row.name, row.latex) for row in rows),
         )
@@ -135,10 +146,21 @@ def check(
         check_text("content", content)
     require(check_number("limit", limit) > 0, "limit", limit, "must be positive")
     check_function("report", report)
-    key = (str(path), content)
-    source = read_source(*key)
+    return _check((str(path), content, frozenset()), limit, report)
+
+
+def check_rest(
+    path: Path, numbers: Iterable[str], limit: float, report: Callable[[str], None]
+) -> CheckedPaper:
+    """Judge what a paper's source has besides the rows of these numbers, as `check` does."""
+    return _check((str(path), None, frozenset(numbers)), limit, report)
+
+
+def _check(key: _Key, limit: float, report: Callable[[str], None]) -> CheckedPaper:
+    path, content, elsewhere = key
+    source = read_source(path, content)
     document = Document(source)
-    found = document.read(limit)
+    found = _leave_out(document.read(limit), elsewhere)
     tasks = [one for one in found if isinstance(one, Task)]
     report(f"judging {len(tasks)} rows")
     _opened[key] = tasks
@@ -153,7 +175,17 @@ def check(
     judged = iter(rows[number] for number in range(len(tasks)))
     shown = tuple(_show(one) if isinstance(one, Left) else next(judged) for one in found)
     paper = document.papers[True]
-    return CheckedPaper(str(path), shown, paper, document.taken, tuple(source.missing))
+    return CheckedPaper(path, shown, paper, document.taken, tuple(source.missing))
+
+
+def _leave_out(rows: Sequence[Task | Left], numbers: Collection[str]) -> list[Task | Left]:
+    """Return the rows that are judged nowhere else; of what is not read the signs are not known."""
+    equations = {_SIGN.sub("", number) for number in numbers}
+    return [
+        row
+        for row in rows
+        if (row.row.number not in numbers if isinstance(row, Task) else row.number not in equations)
+    ]
 
 
 def _leave_open(
@@ -170,7 +202,8 @@ def _leave_open(
 
 def _open(key: _Key) -> list[Task]:
     if key not in _opened:
-        found = Document(read_source(*key)).read(LIMIT)
+        path, content, elsewhere = key
+        found = _leave_out(Document(read_source(path, content)).read(LIMIT), elsewhere)
         _opened[key] = [one for one in found if isinstance(one, Task)]
     return _opened[key]
 

@@ -79,9 +79,10 @@ class _Counter:
         self.letter = 0 if edge == "begin" else -1
 
 
-def find_displays(text: Text) -> Iterator[Printed]:
+def find_displays(text: Text, *, cut: bool = True) -> Iterator[Printed]:
     """Yield the equations of a text in their order; those without number are named by theirs.
 
+    Without `cut` equations beside each other in one display stay together.
     Raises `DocumentError` for macros in a circle that stand for environments.
     """
     counter, unnumbered = _Counter(), count(1)
@@ -98,7 +99,7 @@ def find_displays(text: Text) -> Iterator[Printed]:
             counter.count = int(match["count"])
         else:
             macros = {d.name: d.macro for d in defined if d.place <= match.start()}
-            yield from _read_display(text, match, macros, counter, unnumbered)
+            yield from _read_display(text, match, macros, counter, unnumbered, cut=cut)
 
 
 def _expand_frames(defined: Sequence[Defined], text: Text) -> tuple[list[Defined], Text]:
@@ -117,6 +118,8 @@ def _read_display(
     macros: Mapping[str, Macro],
     counter: _Counter,
     unnumbered: Iterator[int],
+    *,
+    cut: bool,
 ) -> Iterator[Printed]:
     environment = match["environment"] or ""
     kind = environment.rstrip("*")
@@ -132,14 +135,14 @@ def _read_display(
     lines = split_lines(body)
     groups = [(0, len(lines))] if kind == "multline" else list(_group(lines))
     if kind in _SINGLE:
-        parts = [p for first, last in groups for p in _read_lines(lines[first:last], kind)]
+        parts = [p for first, last in groups for p in _read_lines(lines[first:last], kind, cut=cut)]
         named = [(_name(body, is_numbered, counter), body, parts)]
     else:
         names = [_name(line, is_numbered, counter) for line in lines]
         named = [
             (next(filter(None, names[first:last]), ""), join(lines[first:last]), parts)
             for first, last in groups
-            for parts in [list(_read_lines(lines[first:last], kind))]
+            for parts in [list(_read_lines(lines[first:last], kind, cut=cut))]
         ]
     for name, whole, parts in named:
         labels = tuple(found[1] for found in _LABEL.finditer(whole.string))
@@ -149,11 +152,11 @@ def _read_display(
             yield Printed(shown, latex, labels, fault)
 
 
-def _read_lines(lines: Sequence[Text], kind: str) -> Iterator[Text]:
+def _read_lines(lines: Sequence[Text], kind: str, *, cut: bool) -> Iterator[Text]:
     """Yield the equations of lines that belong together, without what names them."""
     plain = [line.replace(_NAMING, lambda _: " ") for line in lines]
     latex = join_lines(plain, has_columns=not kind.endswith("eqnarray"))
-    yield from (piece for piece in cut_gaps(latex) if len(piece))
+    yield from (piece for piece in (cut_gaps(latex) if cut else [latex.strip()]) if len(piece))
 
 
 def _group(lines: Sequence[Text]) -> Iterator[tuple[int, int]]:

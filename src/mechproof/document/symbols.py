@@ -65,14 +65,18 @@ class Symbols:
         return Paper(system, "", tuple(variables), (), tuple(where), usual=self.usual)
 
 
-def declare(block: Block) -> Symbols:
-    """Make symbols of the letters of a block; `ValueError` for what is said of them twice."""
+def declare(block: Block, *, assume: bool = False) -> Symbols:
+    """Make symbols of the letters of a block; `ValueError` for what is said of them twice.
+
+    With `assume` SymPy is told which are positive: of these no equation of the paper may say what
+    they are.
+    """
     letters = _add_running(block.letters)
     variables: list[Variable] = []
     depending: dict[sp.Basic, tuple[str, tuple[sp.Basic, ...]]] = {}
     bare: set[sp.Basic] = set()
     for letter in letters:
-        own = list(_make(letter, letters, block))
+        own = list(_make(letter, letters, block, assume=assume))
         variables += own
         if letter.running:
             depending[own[0].symbol] = letter.running, tuple(v.symbol for v in own[1:])
@@ -98,30 +102,36 @@ def _add_running(letters: Sequence[Declared]) -> list[Declared]:
     return [*letters, *(Declared((name,), unit="s" if name == TIME else None) for name in new)]
 
 
-def _make(letter: Declared, letters: Sequence[Declared], block: Block) -> Iterator[Variable]:
+def _name(letter: Declared) -> str:
+    return letter.symbol or name_symbol(letter.names[0])
+
+
+def _make(
+    letter: Declared, letters: Sequence[Declared], block: Block, *, assume: bool
+) -> Iterator[Variable]:
     """Yield the variable of a letter, and one for each of its derivatives."""
     first, *others = letter.names
-    name = name_symbol(first)
+    name = _name(letter)
     dimension = NUMBER if letter.unit is None else read_unit(letter.unit)
+    meaning, _, convention = letter.meaning.partition("; ")
     if letter.shape:
-        yield Variable(
-            sp.MatrixSymbol(name, *letter.shape), letter.meaning, dimension, latex=letter.names
-        )
+        yield Variable(sp.MatrixSymbol(name, *letter.shape), meaning, dimension, latex=letter.names)
         return
     printed = (first, *others, *((f"{first}({letter.running})",) if letter.running else ()))
     within: sp.Set = sp.S.Reals
-    symbol = sp.Symbol(name, real=True)
+    is_positive = assume and letter.condition == f"{first}>0"
+    symbol = sp.Symbol(name, positive=True) if is_positive else sp.Symbol(name, real=True)
     if first in block.natural:
         symbol, within = sp.Symbol(name, integer=True, positive=True), sp.S.Naturals
     if first in block.branches:
         within = sp.FiniteSet(-1, 1)
-    yield Variable(symbol, letter.meaning, dimension, within, latex=printed)
+    yield Variable(symbol, meaning, dimension, within, sign=convention, latex=printed)
     unit = next((x.unit for x in letters if letter.running in x.names), None)
     step = NUMBER if unit is None else read_unit(unit)
     for order in ORDERS if letter.running else ():
         yield Variable(
             sp.Symbol(f"d{order if order > 1 else ''}{name}", real=True),
-            f"derivative of {letter.meaning or first} by {letter.running}, order {order}",
+            f"derivative of {meaning or first} by {letter.running}, order {order}",
             dimension / step**order,
             latex=tuple(_print_rate(first, letter.running, order)),
         )
@@ -177,6 +187,6 @@ def _say(symbols: Symbols, block: Block) -> Symbols:
 
 def _check_size_unit(text: str, unit: str | None, symbol: sp.Basic, block: Block) -> None:
     """Refuse a size in another unit than that of its letter: nothing is converted."""
-    declared = next((x.unit for x in block.letters if name_symbol(x.names[0]) == str(symbol)), None)
+    declared = next((x.unit for x in block.letters if _name(x) == str(symbol)), None)
     if unit is not None and unit.strip() != (declared or ""):
         raise ValueError(f"sizes: {text}: the letter is declared in [{declared or ''}]")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from types import MappingProxyType
 
 import sympy as sp
@@ -45,7 +46,8 @@ class Paper(Displayed):
     """A paper: its symbols, its rows in printed order, the quantities shipped from it.
 
     `usual` are sizes as in practice of symbols that have no printed one: they decide nothing, but
-    a difference is shown at them first.
+    a difference is shown at them first. `print` is the file of the paper's own source: what it has
+    besides the rows is judged as far as that needs no mechanics.
     """
 
     system: str
@@ -60,6 +62,7 @@ class Paper(Displayed):
     conventions: str = ""
     notation: Notation = field(default_factory=Notation)
     usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=lambda: MappingProxyType({}))
+    print: Path | None = None
 
     def __post_init__(self) -> None:
         check_name("paper: system", self.system)

@@ -1,0 +1,142 @@
+"""The file of a paper's print: letters and rows that a derivation takes from it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import sympy as sp
+
+from mechproof.derivation import DerivationError, load_paper
+from mechproof.document.block import BlockError
+from mechproof.document.transcription import Transcription
+from mechproof.proof.verdict import State, Verdict
+from mechproof.record import ANGLE, Claim, Equation
+from mechproof.verification import judge_derivations
+
+PAPER = r"""
+%% mechproof
+%% \varphi_1 as phi1 : angle of the crank; positive to the left [rad]
+%% R_1 as R1 : its radius [mm] {R_1>0}
+%% e : eccentricity [1] {0\le e<1}
+%% \lambda | \frac{e}{2} : half of it
+%% factor R_1
+%% where e<R_1
+%% end
+\begin{equation}x=R_1\cos\varphi_1,\quad y=R_1\sin\varphi_1\tag{1}\label{place}\end{equation}
+\[e\ge0\tag*{the domain}\]
+"""
+MODULE = """
+from pathlib import Path
+from sympy import Symbol, cos, sin
+from mechproof.document.transcription import Transcription
+from mechproof.record import LENGTH, Paper, Variable
+
+PRINT = Transcription(Path(__file__).with_name("paper.tex"))
+r, phi, c, s = PRINT.symbols("r phi c s")
+PAPER = Paper(
+    system="crank",
+    citation="my notes",
+    variables=PRINT.give({c: r * cos(phi)}),
+    rows=(PRINT.equation("(2)", derived={s: r * sin(phi)}),),
+    print=PRINT.file,
+)
+"""
+CRANK = r"""
+%% mechproof
+%% r : a length [mm]
+%% \varphi as phi : an angle [rad]
+%% c ; s : coordinates [mm]
+%% end
+\[\cos^2\varphi+\sin^2\varphi=1\tag{1}\]
+\[s=r\sin\varphi\tag{2}\]
+\[c=r\cos\varphi\tag{3}\]
+\[q=r\tag{4}\]
+\[c=r\sin\varphi\tag{5}\]
+"""
+Write = Callable[[str], Transcription]
+
+
+@pytest.fixture
+def write(tmp_path: Path) -> Write:
+    def make(content: str) -> Transcription:
+        file = tmp_path / "paper.tex"
+        file.write_text(content)
+        return Transcription(file)
+
+    return make
+
+
+def test_letters_have_the_names_meanings_and_sets_of_the_block(write: Write) -> None:
+    paper = write(PAPER)
+    phi1, radius, e = paper.symbols("phi1 R1 e")
+    angle, length, *_ = paper.variables
+    assert (angle.symbol, angle.dimension) == (phi1, ANGLE)
+    assert (angle.meaning, angle.sign) == ("angle of the crank", "positive to the left")
+    assert (radius.is_positive, length.within) == (True, sp.Interval.open(0, sp.oo))
+    assert e.is_nonnegative is None
+    assert paper.where == (e < radius,)
+
+
+def test_rows_have_the_whole_print_of_their_display(write: Write) -> None:
+    paper = write(PAPER)
+    row = paper.equation("(1)", note="both")
+    assert isinstance(row, Equation)
+    assert row == Equation("(1)", r"x=R_1\cos\varphi_1,\quad y=R_1\sin\varphi_1", note="both")
+    assert paper.equation("place").printed_latex == row.printed_latex
+    assert paper.claim("the domain") == Claim("the domain", r"e\ge0")
+
+
+def test_values_are_given_to_letters_of_the_block_only(write: Write) -> None:
+    paper = write(PAPER)
+    e, half = paper.symbols("e lambda")
+    given = {v.symbol: v.given for v in paper.give({half: e / 2})}
+    assert given[half] == e / 2
+    assert given[e] is None
+    with pytest.raises(ValueError, match=r"its block declares no k$"):
+        paper.give({sp.Symbol("k"): e})
+
+
+@pytest.mark.parametrize(
+    ("ask", "told"),
+    [
+        (lambda paper: paper.symbols("phi1 psi k"), r"its block declares no psi, k$"),
+        (lambda paper: paper.equation("(2)"), r"it has no display \(2\)$"),
+    ],
+)
+def test_what_is_not_there_is_refused(
+    write: Write, ask: Callable[[Transcription], object], told: str
+) -> None:
+    with pytest.raises(ValueError, match=told):
+        ask(write(PAPER))
+
+
+def test_two_displays_of_one_name_are_refused(write: Write) -> None:
+    with pytest.raises(ValueError, match=r"two displays are called \(1\)"):
+        write(r"$$a=b\tag{1}$$ $$b=c\tag{1}$$")
+    with pytest.raises(BlockError, match="neither a letter"):
+        write("%% mechproof\n%% no colon\n%% end\n")
+
+
+def test_what_the_module_has_no_row_for_is_judged_without_mechanics(tmp_path: Path) -> None:
+    (tmp_path / "paper.tex").write_text(CRANK)
+    module = tmp_path / "crank.py"
+    module.write_text(MODULE)
+    (ledger,) = judge_derivations([module], use_cache=False)
+    assert {row.number: row.verdict for row in ledger.judgements} == {
+        "(2)": Verdict.PROVED,
+        "(1)": Verdict.PROVED,
+        "(3)": Verdict.DEFINITION,
+        "(5)": Verdict.REFUTED,
+    }
+    assert [(row.number, row.state) for row in ledger.left] == [("(4)", State.NOT_READ)]
+    assert [finding.number for finding in ledger.findings] == ["(5)"]
+    assert {row.system for row in ledger.judgements} == {"crank"}
+
+
+def test_a_print_that_cannot_be_read_is_an_error_of_the_derivation(tmp_path: Path) -> None:
+    (tmp_path / "paper.tex").write_text("%% mechproof\n%% no colon\n%% end\n")
+    (tmp_path / "crank.py").write_text(MODULE)
+    with pytest.raises(DerivationError, match=r"paper\.tex:2:4"):
+        load_paper(tmp_path / "crank.py")
