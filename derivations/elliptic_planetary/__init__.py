@@ -2,15 +2,12 @@
 
 from mechproof.record import Paper, PublishedSizes, Together
 
-from .claims import POSITION_CLAIMS
 from .findings import FINDINGS
 from .kernels import QUANTITIES
-from .position_rows import POSITION_ROWS
+from .position_rows import POSITION_CLAIMS, POSITION_ROWS
 from .ratio_rows import RATIO_ROWS
-from .readings import TABLE_CLAIMS
-from .symbols import PRINT, R1, R2, VARIANTS, e
-from .type_a_rows import TYPE_A_ROWS
-from .variables import VARIABLES
+from .readings import TABLE_CLAIMS, TYPE_A_ROWS
+from .symbols import PRINT, R1, R2, VARIABLES, VARIANTS, e
 
 PAPER = Paper(
     system="elliptic_planetary",

@@ -6,8 +6,7 @@ from mechproof.record import Cost, Finding
 
 from .position_rows import DX_SUPPLIED
 from .readings import HALF_WIDTHS, LIMITS, READINGS, implied_scatter
-from .symbols import R1, R2, VARIANTS, e, phi1
-from .variables import READER
+from .symbols import R1, R2, READER, VARIANTS, e, phi1
 
 DEGREE = pi / 180
 

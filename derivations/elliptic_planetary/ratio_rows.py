@@ -21,6 +21,7 @@ from .symbols import (
     PRINT,
     R1,
     R2,
+    READER,
     VC,
     VD,
     at_b,
@@ -36,7 +37,6 @@ from .symbols import (
     slope,
     theta,
 )
-from .variables import READER
 
 EQUATION_8 = PRINT.equation(
     "(8)",

@@ -18,7 +18,7 @@ from mechproof.record import (
     PrintedNumber,
 )
 
-from .._metrology import n, q, qbar, u_mean
+from .._metrology import estimate_row, n, q, qbar, s2, s2_mean, u_mean, unbiased_row
 from .._readings import (
     COVERAGE_OF_MEAN,
     FULL_SCALE_LINEARITY,
@@ -35,11 +35,26 @@ from .._readings import (
     two_encoders,
 )
 from .._relations import less
-from .claims import of_variant
 from .mechanics import largest, non_uniformity
-from .symbols import R1, R2, VARIANTS, e, k
-from .type_a_rows import TYPE_A_EQUATIONS
-from .variables import READER
+from .position_rows import of_variant
+from .symbols import PRINT, R1, R2, READER, VARIANTS, e, k
+
+TYPE_A_EQUATIONS = EQUATION_13, EQUATION_14, EQUATION_15, EQUATION_16 = (
+    PRINT.equation("(13)", defines=(qbar,), note="The mean of the readings; a definition."),
+    PRINT.equation("(14)", defines=(s2,), note="Needs n >= 2."),
+    PRINT.equation("(15)", defines=(s2_mean,)),
+    PRINT.equation(
+        "(16)", defines=(u_mean,), note="The GUM's type A standard uncertainty of the mean."
+    ),
+)
+TYPE_A_ROWS = (
+    EQUATION_13,
+    EQUATION_14,
+    unbiased_row("(14)"),
+    EQUATION_15,
+    estimate_row("(15)"),
+    EQUATION_16,
+)
 
 # Table 3: n, mean error and u in degrees; and the half-width of the printed interval.
 READINGS = {

@@ -1,4 +1,4 @@
-"""Symbols of paper 1, parts of its domain and the sizes of its table 1.
+"""Symbols of paper 1, what they are given by, parts of its domain and the sizes of its table 1.
 
 Angles are positive in the direction of the carrier's rotation; distances on the line A-C are
 positive from A towards C and B; lengths in mm, angles in rad.
@@ -6,12 +6,15 @@ positive from A towards C and B; lengths in mm, angles in rad.
 
 from pathlib import Path
 
-from sympy import Eq, Interval, Rational, Symbol, cos, pi, symbols
+from sympy import Eq, Interval, Rational, S, Symbol, cos, oo, pi, symbols
 
 from mechproof.document.transcription import Transcription
-from mechproof.record import Part
+from mechproof.latex import Reader
+from mechproof.record import ANGLE, LENGTH, Part, Variable
 
 from .._linear import solve_linear
+from .._metrology import TYPE_A_VARIABLES
+from .._readings import ENCODER_VARIABLES
 
 PRINT = Transcription(Path(__file__).with_name("paper.tex"))
 phi1, phi3, phi5, R1, R2, e, a, rho, x = PRINT.symbols("phi1 phi3 phi5 R1 R2 e a rho x")
@@ -27,6 +30,40 @@ nu, E = symbols("nu E", positive=True)
 r, theta = symbols("r theta", real=True)
 second_focus_squared = r**2 - 4 * a * e * r * cos(theta) + 4 * a**2 * e**2
 focal_radius = solve_linear(Eq((2 * a - r) ** 2, second_focus_squared), r)
+
+VARIABLES = (
+    *PRINT.give(
+        {
+            a: (R1 - R2) / 2,
+            phi5: -R1 / R2 * phi1,
+            x: k * phi1,
+            a1: 1 + e**2,
+            b1: 2 * e,
+            rho: focal_radius.subs(theta, phi5),
+            AC: at_c,
+            BC: at_b - at_c,
+            CD: at_c - at_d,
+            BD: at_b - at_d,
+            DE: at_d,
+            VC: omega1 * at_c,
+            VD: omega3 * at_d,
+            C: S.Zero,
+        }
+    ),
+    *TYPE_A_VARIABLES,
+    *ENCODER_VARIABLES,
+    Variable(k, "ratio of the cylindrical radii", given=R1 / R2),
+    Variable(nearest, "least focal distance over a, a sum of its own", given=1 - e),
+    Variable(at_b, "coordinate of B on the line A-C", LENGTH),
+    Variable(at_c, "coordinate of C", LENGTH, Interval.open(0, oo)),
+    Variable(at_d, "coordinate of D", LENGTH),
+    Variable(U, "tg(x/2) as a variable of integration's limit"),
+    Variable(turns, "whole turns of x", within=S.Naturals0),
+    Variable(nu, "number of terms of a series", within=Interval.open(0, oo)),
+    Variable(E, "e**nu", within=Interval.open(0, oo)),
+    Variable(T, "nu*x", ANGLE),
+)
+READER = Reader(VARIABLES, PRINT.notation)
 
 BRANCH = Part("|x| < pi, the first branch of the half-angle", {x: Interval.open(-pi, pi)})
 UP_TO_ONE = Part("0 <= e <= 1", {e: Interval(0, 1)})
