@@ -19,7 +19,7 @@ FOLDERS = {
     "generated": "mechproof/kernels",
     "derivations": "mechproof/derivations",
 }
-DATA = ("templates/*", "measured/*.json", "certificates/*.json", "py.typed")
+DATA = ("*.tex", "*.txt", "templates/*", "measured/*.json", "certificates/*.json", "py.typed")
 BUILD = "import sys; from setuptools import build_meta as b; getattr(b, sys.argv[1])(sys.argv[2])"
 
 

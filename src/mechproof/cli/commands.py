@@ -22,6 +22,7 @@ from mechproof.cli.judging import (
     refuse_failures,
 )
 from mechproof.cli.ledger import print_ledgers
+from mechproof.cli.new import new
 from mechproof.cli.outcomes import FailOnOption, read_outcomes
 from mechproof.cli.paths import RULE, DerivationsOption, PapersArgument, find_locations, find_places
 from mechproof.cli.report import report
@@ -40,6 +41,7 @@ app = typer.Typer(
 )
 app.command()(chart)
 app.command()(check)
+app.command()(new)
 app.command(epilog=RULE)(report)
 app.command(epilog=RULE)(figures)
 app.add_typer(emit_app, name="emit")

@@ -17,7 +17,8 @@ from mechproof.measured import FOLDER
 EXAMPLES = {
     "verify": "judge all papers: findings first",
     "verify SYSTEM": "judge one, with --all every row",
-    "verify FILE.py": "judge a paper of your own",
+    "new FILE.py": "begin a paper of your own, or FILE.tex",
+    "verify FILE.py": "judge it",
     "report": "all of it as pages for a browser",
     r"check '\sin 2x=2\sin x'": "judge one equation",
     "figures": "the papers' figures, redrawn",

@@ -1,0 +1,67 @@
+"""The command `new`: what it writes verifies, is regenerated, and overwrites nothing."""
+
+from __future__ import annotations
+
+from contextlib import chdir
+from pathlib import Path
+
+import pytest
+from command import run
+
+from mechproof.cache import VARIABLE
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv(VARIABLE, str(tmp_path / "cache"))
+    (tmp_path / "derivations").mkdir()
+    return tmp_path
+
+
+def run_in(folder: Path, *arguments: str) -> str:
+    with chdir(folder):
+        done = run(*arguments)
+    assert done.exit_code == 0, done.output
+    return done.output
+
+
+def test_a_paper_and_the_derivation_of_it_verify(folder: Path) -> None:
+    run_in(folder, "new", "crank.tex")
+    assert "1 PROVED, 2 DEFINITION" in run_in(folder, "verify", "crank.tex")
+    assert "line 24" in run_in(folder, "check", "crank.tex")
+    run_in(folder, "new", "crank.py")
+    assert 'PRINT.symbols("r l varphi' in (folder / "crank.py").read_text()
+    assert "1 PROVED, 2 DEFINITION" in run_in(folder, "verify", "crank.py")
+
+
+def test_a_derivation_of_its_own_is_proved_and_its_kernel_written(folder: Path) -> None:
+    run_in(folder, "new", "derivations/slider_crank.py")
+    output = run_in(folder, "regenerate")
+    assert "wrote slider_crank.py" in output
+    assert "REFUTED" not in (folder / "generated" / "LEDGER.md").read_text()
+
+
+@pytest.mark.parametrize(
+    ("file", "told"),
+    [
+        ("crank.tex", "is there already"),
+        ("crank.txt", "a paper is FILE.tex"),
+        ("two words.py", "a derivation FILE.py"),
+        ("kernels.py", "none of compiled, forms, kernels"),
+    ],
+)
+def test_nothing_is_overwritten_and_bad_names_are_refused(
+    folder: Path, file: str, told: str
+) -> None:
+    (folder / "crank.tex").write_text("mine")
+    with chdir(folder):
+        done = run("new", file)
+    assert (done.exit_code, told in done.output) == (2, True), done.output
+    assert (folder / "crank.tex").read_text() == "mine"
+
+
+def test_a_source_that_cannot_be_read_is_refused(folder: Path) -> None:
+    (folder / "crank.tex").write_text("%% mechproof\n%% no colon\n%% end\n")
+    with chdir(folder):
+        done = run("new", "crank.py")
+    assert (done.exit_code, "crank.tex:2:4" in done.output) == (2, True), done.output
