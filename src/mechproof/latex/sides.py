@@ -48,7 +48,8 @@ def says_nothing(left: Any, right: Any) -> bool:
     sides = (left, right)
     if any(isinstance(side, sp.MatrixSymbol) for side in sides):
         return True
-    if all(side.has(sp.MatrixSymbol) for side in sides) and left.is_Matrix == right.is_Matrix:
+    unknown = [side.has(sp.MatrixSymbol) for side in sides]
+    if not any(unknown) or (all(unknown) and left.is_Matrix == right.is_Matrix):
         return False
     entries = [_list_entries(name_entries(side)) for side in sides]
     if len(entries[0]) != len(entries[1]):
