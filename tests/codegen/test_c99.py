@@ -23,13 +23,13 @@ from c_libraries import (
     render,
 )
 from compiled import grouped
+from derived import declared_paper_of
 from quantities import KERNELS, find_subject
 from typer.testing import CliRunner
 from weights import first_of
 
 from mechproof.cli.commands import app
 from mechproof.codegen.backends.c99 import BLOCK, render_c
-from mechproof.derivations.elliptic_planetary import PAPER
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
 from mechproof.lab.sampling.points import choose_evenly, join
 from mechproof.lab.search import draw_sets, find_worst, scaled_errors
@@ -206,7 +206,7 @@ def test_sums_take_pointers_and_the_number_of_terms(
 
 def test_a_header_of_c_is_no_name() -> None:
     with pytest.raises(ValueError, match=r"^Math: C has a header math\.h, kernels need"):
-        render_c(replace(PAPER, system="Math"))
+        render_c(replace(declared_paper_of("elliptic_planetary"), system="Math"))
 
 
 @pytest.mark.parametrize("single", [False, True])

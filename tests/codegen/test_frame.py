@@ -7,6 +7,7 @@ from functools import cache
 
 import pytest
 import sympy as sp
+from derived import declared_paper_of
 from trial import paper_of, quantity_of, x
 
 from mechproof.codegen.backends.numba import (
@@ -19,18 +20,17 @@ from mechproof.codegen.backends.numpy import render_modules
 from mechproof.codegen.forms import form_rows
 from mechproof.codegen.kernel_reading import read_module
 from mechproof.codegen.reading import SourceError
-from mechproof.derivations.elliptic_planetary import PAPER
 from mechproof.programs.scalar import list_scalars
 
 
 @cache
 def numpy_source() -> str:
-    return render_modules(PAPER)["elliptic_planetary.py"]
+    return render_modules(declared_paper_of("elliptic_planetary"))["elliptic_planetary.py"]
 
 
 @cache
 def compiled_source() -> str:
-    (source,) = render_compiled(PAPER).values()
+    (source,) = render_compiled(declared_paper_of("elliptic_planetary")).values()
     return source
 
 
@@ -83,11 +83,12 @@ def test_a_numpy_module_whose_names_are_others_is_refused(
 def test_a_compiled_module_whose_parts_do_not_meet_is_refused(
     right: str, wrong: str, told: str
 ) -> None:
-    source, kernels = compiled_source(), list_scalars(PAPER)
-    check_translation(source, kernels, PAPER.together)
+    paper = declared_paper_of("elliptic_planetary")
+    source, kernels = compiled_source(), list_scalars(paper)
+    check_translation(source, kernels, paper.together)
     assert right in source
     with pytest.raises(SourceError, match=told):
-        check_translation(source.replace(right, wrong, 1), kernels, PAPER.together)
+        check_translation(source.replace(right, wrong, 1), kernels, paper.together)
 
 
 @pytest.mark.parametrize("name", ["short_term", "row_of_x", "sum_1", "value"])

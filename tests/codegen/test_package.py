@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import dataclasses
 
+from derived import declared_paper_of
+
 from mechproof.codegen.backends.numpy import REGENERATED
 from mechproof.codegen.regenerate import render_package
-from mechproof.derivations import elliptic_planetary
 from mechproof.record import Paper
 
 
 def test_package_has_modules_for_systems_with_forms_and_no_others() -> None:
-    paper = dataclasses.replace(elliptic_planetary.PAPER, system="system")
+    paper = dataclasses.replace(declared_paper_of("elliptic_planetary"), system="system")
     bare = Paper("bare", "", (), ())
     files = render_package([paper, bare])
     folders = ("", "forms/", "compiled/")

@@ -7,16 +7,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
+from quantities import BOUNDED, find_subject
 
 from mechproof.lab.accuracy_domain import mark_accuracy_domain
-from mechproof.lab.subject import Subject, find_subjects
+from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Array
 from mechproof.measured import read_record
 from mechproof.record import Accuracy, Argument, Form, Paper, Quantity, Variable
 
 a, b = sp.symbols("a b", real=True)
 MEASURED = Path(__file__).parents[2] / "generated" / "measured"
-SUBJECTS = {s.name: s for s in find_subjects() if s.quantity.accuracy}
 
 
 def test_alternatives_of_arguments_of_several_shapes() -> None:
@@ -37,15 +37,15 @@ def mark_point(subject: Subject, point: tuple[object, ...]) -> Array:
     return mark_accuracy_domain(subject, tuple(np.array([value]) for value in point))
 
 
-@pytest.mark.parametrize("name", SUBJECTS)
+@pytest.mark.parametrize("name", BOUNDED)
 def test_worst_points_of_records_lie_where_the_bound_is_stated(name: str) -> None:
     record = read_record(MEASURED / f"{name}.json")
-    assert all(mark_point(SUBJECTS[name], found.at).all() for found in record.searched)
+    assert all(mark_point(find_subject(name), found.at).all() for found in record.searched)
 
 
 def test_a_worst_point_beyond_the_statement_is_seen() -> None:
     """The radius of a track is judged up to 2**26 turned waves."""
-    subject = SUBJECTS["track_wheel.radius"]
+    subject = find_subject("track_wheel.radius")
     (found, *_) = read_record(MEASURED / "track_wheel.radius.json").searched
     _, *others, z = found.at
     assert isinstance(z, float)
