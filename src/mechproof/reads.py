@@ -60,22 +60,24 @@ def _find_helpers() -> set[Path]:
 
     A derivation may use them without opening them, where another one did before.
     """
-    files = {
-        Path(file)
+    loaded = {
+        file
         for name, module in list(sys.modules.items())
         if not name.startswith(OWN) and (file := getattr(module, "__file__", None))
     }
     # Finding out where each of some thousand links leads takes longer than most papers.
-    resolved = {file.resolve() for file in files if not _is_library(file)}
+    resolved = {Path(file).resolve() for file in loaded if not _is_library(file)}
     return {file for file in resolved if _is_own(file)}
 
 
 def _is_own(file: Path) -> bool:
-    return file.is_file() and (file.is_relative_to(HERE) or not _is_library(file))
+    return file.is_file() and (file.is_relative_to(HERE) or not _is_library(str(file)))
 
 
-def _is_library(file: Path) -> bool:
+@cache
+def _is_library(name: str) -> bool:
     """Say whether a file changes with the version of what is installed only."""
+    file = Path(name)
     return file.is_relative_to(STANDARD) or not INSTALLED.isdisjoint(file.parts)
 
 
