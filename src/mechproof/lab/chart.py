@@ -185,7 +185,9 @@ def _write_names(
 
     What is proved stands below the others, where the worst of all points is.
     """
-    figure.draw_without_rendering()
+    layout = figure.get_layout_engine()
+    assert layout is not None
+    layout.execute(figure)
     figure.set_layout_engine("none")
     for axes, marks in zip(rows, panels, strict=True):
         told = proved if axes is rows[-1] else {}
