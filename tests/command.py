@@ -6,11 +6,14 @@ import os
 import signal
 import subprocess
 import sys
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 from typer.testing import CliRunner, Result
 
 from mechproof.cli import app
+from mechproof.processes import WorkerError, _answer
 
 HEAD = """
 from sympy import Function, Integral, Interval, S, Symbol, cos, gamma, oo, pi, sin, symbols
@@ -38,6 +41,15 @@ def in_process(*arguments: str, **variables: str) -> subprocess.CompletedProcess
     command = [sys.executable, "-m", "mechproof", *arguments]
     environment = {**os.environ, **variables}
     return subprocess.run(command, capture_output=True, text=True, env=environment)
+
+
+def answer_here(
+    function: Callable[[Any], Any], tasks: Sequence[Any], *, limit: float
+) -> Iterator[tuple[int, Any]]:
+    """Yield the answers that `run_tasks` yields, without its processes and its limit."""
+    for number, task in enumerate(tasks):
+        succeeded, answer = _answer(function, task)
+        yield number, answer if succeeded else WorkerError(answer)
 
 
 def hear_hangups() -> None:

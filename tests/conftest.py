@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from zlib import crc32
 
@@ -82,3 +83,22 @@ def cache_apart(request: pytest.FixtureRequest) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv(VARIABLE, str(cache.mkdir("mechproof")))
         yield
+
+
+@pytest.fixture(autouse=True, scope="session")
+def commands_built_once() -> Iterator[None]:
+    """Build the commands of an app once, not for each call: that takes longer than most calls."""
+    from typer.main import get_command
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("typer.testing._get_command", cache(get_command))
+        yield
+
+
+@pytest.fixture
+def judged_here(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Judge equations and papers in this process: to start another takes longer than most."""
+    from command import answer_here
+
+    for module in ("pasted", "document.checking"):
+        monkeypatch.setattr(f"mechproof.{module}.run_tasks", answer_here)

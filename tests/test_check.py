@@ -112,6 +112,7 @@ def test_the_answer_says_where_it_is_judged(tmp_path: Path) -> None:
     assert "on y > 0 and x>y" in done.output
 
 
+@pytest.mark.usefixtures("judged_here")
 @pytest.mark.parametrize(("arguments", "verdicts"), CHECKED, ids=[c[0][0] for c in CHECKED])
 def test_an_equation_is_judged(arguments: list[str], verdicts: list[str], tmp_path: Path) -> None:
     file = tmp_path / "rows.json"
@@ -124,6 +125,7 @@ def test_an_equation_is_judged(arguments: list[str], verdicts: list[str], tmp_pa
     assert "What is not said is taken so" in done.output
 
 
+@pytest.mark.usefixtures("judged_here")
 def test_what_a_letter_is_taken_for_is_told() -> None:
     done = run(r"\frac1n\sum_{k=1}^n x=x", "--where", "0<x<1")
     assert "taken as  n: a natural number" in done.output
@@ -196,6 +198,7 @@ LEFT_OPEN = [
 ]
 
 
+@pytest.mark.usefixtures("judged_here")
 @pytest.mark.parametrize(("latex", "told"), first_of(LEFT_OPEN))
 def test_what_is_left_open_says_why_in_a_sentence(latex: str, told: str) -> None:
     done = run(latex)
@@ -204,6 +207,7 @@ def test_what_is_left_open_says_why_in_a_sentence(latex: str, told: str) -> None
     assert "Error" not in done.output
 
 
+@pytest.mark.usefixtures("judged_here")
 @pytest.mark.parametrize(("arguments", "told"), REFUSED, ids=[" ".join(r[0]) for r in REFUSED])
 def test_what_cannot_be_read_without_a_guess_is_refused(arguments: list[str], told: str) -> None:
     done = run(*arguments)
@@ -211,6 +215,7 @@ def test_what_cannot_be_read_without_a_guess_is_refused(arguments: list[str], to
     assert told in done.output
 
 
+@pytest.mark.usefixtures("judged_here")
 def test_what_refuted_means_is_told() -> None:
     done = run(r"c^2=a^2+b^2-2ab\cos\gamma")
     assert "REFUTED means: not true for all values of its letters" in done.output

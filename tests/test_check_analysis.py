@@ -6,6 +6,8 @@ import pytest
 from test_check import run
 from weights import make_thorough
 
+pytestmark = pytest.mark.usefixtures("judged_here")
+
 PAIRS = [
     (r"(a\pm b)^2=a^2\pm 2ab+b^2", r"(a\pm b)^2=a^2\mp 2ab+b^2", ()),
     (r"\cos(a\pm b)=\cos a\cos b\mp\sin a\sin b", r"\cos(a\pm b)=\cos a\cos b\pm\sin a\sin b", ()),

@@ -7,6 +7,8 @@ import pytest
 from mechproof.document.checking import CheckedPaper, check
 from mechproof.document.roles import Role
 
+pytestmark = pytest.mark.usefixtures("judged_here")
+
 LETTERS = r"""%% mechproof
 %% r ; l : crank and rod [mm] {r>0}
 %% \lambda : their ratio [1]
