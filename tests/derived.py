@@ -5,7 +5,9 @@ from __future__ import annotations
 import sys
 from functools import cache
 
-from mechproof import derivation
+import pytest
+
+from mechproof import derivation, verification
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.lab.subject import find_subjects
 from mechproof.proof.verdict import Judgement
@@ -32,7 +34,9 @@ def declared_paper_of(system: str) -> Paper:
 @cache
 def judge_all(system: str) -> dict[str, Judgement]:
     """Return the judgements of all rows of a paper, by their numbers."""
-    (ledger,) = find_ledgers([SYSTEMS[system]])
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(verification, "open_derivation", lambda place: opened(system))
+        (ledger,) = find_ledgers([SYSTEMS[system]])
     assert ledger.failures == ()
     return {judgement.number: judgement for judgement in ledger.judgements}
 
