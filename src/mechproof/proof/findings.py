@@ -7,7 +7,7 @@ in the place of its print the statement is proved.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from decimal import Decimal
 from typing import Any
@@ -121,11 +121,21 @@ def _describe(
         marks=about.marks,
         printed_latex=about.printed_latex,
         wrong=finding.wrong,
-        costs=tuple(_compare(cost, about.verdict, row, paper) for cost in finding.costs),
+        costs=tuple(_compare(cost, about.verdict, row, paper) for cost in finding.costs)
+        or tuple(_show_witness(about)),
         corrected_latex=about.corrected_latex,
         corrected_by=about.corrected_by,
         follows=tuple(follower.row for follower in finding.followers),
     )
+
+
+def _show_witness(row: Judgement) -> Iterator[str]:
+    """Show the values of both sides where they were first found to differ."""
+    for item in row.evidence[:1]:
+        at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
+        sides = zip(row.sides, (item.printed, item.rebuilt), strict=True)
+        values = ", ".join(f"{name} {value}" for name, value in sides if value)
+        yield f"at {at}: {values}" if at else item.what
 
 
 def _compare(cost: Cost, verdict: Verdict, row: Row, paper: Paper) -> str:
