@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import math
+import pickle
 import re
 import shutil
 import subprocess
@@ -18,7 +19,7 @@ import numpy as np
 import pytest
 from command import run
 
-from mechproof import choose
+from mechproof import choose, tailor
 
 OWN = Path(__file__).parent / "own_paper" / "derivations"
 EPS = float(np.finfo(float).eps)
@@ -94,8 +95,38 @@ def test_measured_quantities_are_offered_and_charted(workshop: Path) -> None:
     assert "misprinted" not in {choice.way, *(other.way for other in choice.others)}
     assert choose("ratio", error=1e-6, beta=(0, 0.5), measured=measured) == choice
     assert choice.quantity == "universal_joint.ratio"
+    ways = {way.function for way in (choice, *choice.others)}
+    assert "generated.universal_joint.ratio" in ways
+    assert not any(way.startswith("mechproof.kernels") for way in ways)
     run_in(workshop, "chart", "--measured", str(measured), "--out", "charts")
     assert list((workshop / "charts").glob("universal_joint.ratio*.svg"))
+
+
+@pytest.mark.xdist_group("workshop")
+def test_a_kernel_is_tailored_to_sizes_and_written_in_c(workshop: Path) -> None:
+    place = workshop / "derivations"
+    sizes = {"theta": (-4, 4), "beta": 0.5}
+    kernel = tailor("universal_joint.ratio", error=1e-6, derivations=place, **sizes)
+    again = pickle.loads(pickle.dumps(kernel))
+    for theta in (-3.0, 0.0, 1.0, 4.0):
+        right = mp.cos(0.5) / (1 - (mp.sin(0.5) * mp.cos(theta)) ** 2)
+        assert abs(kernel(theta) - right) <= kernel.bound <= 1e-6
+        assert again(theta) == kernel(theta)
+    ask = ["emit", "c", "universal_joint.ratio", "--error", "1e-6", "--let", "beta=0.5"]
+    ask += ["--let", "theta=0:6"]
+    run_in(workshop, *ask, "--out", "c")
+    assert (workshop / "c" / "universal_joint_tailored.h").is_file()
+
+
+@pytest.mark.parametrize(
+    ("folder", "told"),
+    [("nowhere", "must be the path of a folder"), (OWN, "has no kernels of universal_joint")],
+)
+def test_without_a_derivation_or_its_kernels_nothing_is_tailored(
+    folder: str | Path, told: str
+) -> None:
+    with pytest.raises(ValueError, match=f"derivations = .*{told}"):
+        tailor("universal_joint.ratio", error=1e-6, derivations=folder, beta=0.5)
 
 
 @pytest.mark.xdist_group("workshop")

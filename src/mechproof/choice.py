@@ -24,7 +24,16 @@ from mechproof.arguments.scalars import (
     refuse,
     require,
 )
-from mechproof.measured import KERNELS, Cell, MeasuredWay, Record, Timing, find_files, read_record
+from mechproof.measured import (
+    FOLDER as MEASURED,
+    KERNELS,
+    Cell,
+    MeasuredWay,
+    Record,
+    Timing,
+    find_files,
+    read_record,
+)
 
 __all__ = ["Choice", "choose"]
 
@@ -46,12 +55,13 @@ class Choice:
 
     `error` is in the unit of the quantity: the larger of the worst measured and the proved bound;
     `bound` is the latter, rounding apart, None without. `function` is the dotted name under which
-    a form of the package is imported, or the call that tailors it, empty for other libraries and
-    the like; `needs` are the extras that it is installed with, between commas. `asked` is the
-    largest error permitted. `time` is nanoseconds per point at `count` points on the machine of
-    the record, the median of rounds with these `quartiles`. `better` is the cheapest way with at
-    most half the error, `faster` the cheapest one that needs an extra which is not installed, if
-    it is faster than what is; `others` are all ways that could have been chosen, cheapest first.
+    a form is imported (of an own paper, from the folder above `generated`), or the call that
+    tailors it, empty for other libraries and the like; `needs` are the extras that it is installed
+    with, between commas. `asked` is the largest error permitted. `time` is nanoseconds per point
+    at `count` points on the machine of the record, the median of rounds with these `quartiles`.
+    `better` is the cheapest way with at most half the error, `faster` the cheapest one that needs
+    an extra which is not installed, if it is faster than what is; `others` are all ways that could
+    have been chosen, cheapest first.
     """
 
     quantity: str
@@ -157,8 +167,9 @@ def choose(
     check_count("size", size)
     pairs = _as_pairs(record, ranges)
     cells = list(_overlapping(record, pairs))
-    rated = list(_rate_ways(record, cells, size, error))
-    rated += _rate_tailored(record, pairs, size, error)
+    home = KERNELS if measured is None else _find_home(Path(measured))
+    rated = list(_rate_ways(record, cells, size, error, home))
+    rated += _rate_tailored(record, pairs, size, error, home)
     ways = sorted(filter(_is_installed, rated), key=lambda c: c.time)
     good = [way for way in ways if way.error <= error]
     if not good:
@@ -177,7 +188,7 @@ def choose(
 
 
 def _rate_tailored(
-    record: Record, pairs: Mapping[str, tuple[float, float]], size: int, asked: float
+    record: Record, pairs: Mapping[str, tuple[float, float]], size: int, asked: float, home: str
 ) -> Iterator[Choice]:
     """Rate the tailored kernel that is made for no larger an error, if sizes are fixed numbers.
 
@@ -186,7 +197,9 @@ def _rate_tailored(
     _, *parameters = record.ranges
     if any(name not in pairs or pairs[name][0] != pairs[name][1] for name in parameters):
         return
-    fixed = ", ".join(f"{name}={pairs[name][0]!r}" for name in parameters)
+    fixed = [f"{name}={pairs[name][0]!r}" for name in parameters]
+    own = [] if home == KERNELS else ["derivations='derivations'"]
+    said = ", ".join([f"{record.quantity!r}", f"error={asked!r}", *own, *fixed])
     for found in sorted(record.tailored, key=lambda t: -t.asked):
         timed = _find_time(record, found.name, size)
         if timed is not None and found.asked <= asked:
@@ -200,7 +213,7 @@ def _rate_tailored(
                 count=timed.count,
                 unit=record.unit,
                 asked=asked,
-                function=f"mechproof.tailor({record.quantity!r}, error={asked!r}, {fixed})",
+                function=f"mechproof.tailor({said})",
                 needs=TAILORING,
             )
             return
@@ -293,7 +306,22 @@ def _overlap(edges: Sequence[float], pair: tuple[float, float], least: float) ->
     return low < upper and high > lower
 
 
-def _rate_ways(record: Record, cells: list[int], size: int, asked: float) -> Iterator[Choice]:
+def _find_home(folder: Path) -> str:
+    """Return the package of the kernels that records in a folder are of.
+
+    The folder is `measured` of the generated files, or `quick` in it.
+    """
+    place = folder.resolve()
+    generated = place.parent if place.name == MEASURED else place.parent.parent
+    known = find_spec(KERNELS)
+    packaged = known.submodule_search_locations if known else None
+    is_packaged = any(Path(path).resolve() == generated for path in packaged or ())
+    return KERNELS if is_packaged else generated.name
+
+
+def _rate_ways(
+    record: Record, cells: list[int], size: int, asked: float, home: str
+) -> Iterator[Choice]:
     """Rate every way that is the quantity, or is bounded, and that lost nothing in the cells."""
     errors = {(found.way, found.cell): found for found in record.cell_errors}
     for way in filter(lambda way: _is_the_quantity(way, record.ways[0]), record.ways):
@@ -316,18 +344,18 @@ def _rate_ways(record: Record, cells: list[int], size: int, asked: float) -> Ite
             count=timed.count,
             unit=record.unit,
             asked=asked,
-            function=_locate(record.quantity, way),
+            function=_locate(record.quantity, way, home),
             needs=way.needs,
         )
 
 
-def _locate(quantity: str, way: MeasuredWay) -> str:
+def _locate(quantity: str, way: MeasuredWay, home: str) -> str:
     """Return the dotted name of a generated function; empty for what is none."""
     system, _, name = quantity.partition(".")
     if way.kind == "form":
-        return f"{KERNELS}.forms.{system}.{name}_{way.key}"
+        return f"{home}.forms.{system}.{name}_{way.key}"
     if way.kind == "kernel":
-        return f"{KERNELS}.{FOLDERS[way.needs]}{system}.{name}"
+        return f"{home}.{FOLDERS[way.needs]}{system}.{name}"
     return ""
 
 

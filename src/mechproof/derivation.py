@@ -14,6 +14,7 @@ import sys
 import traceback
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from hashlib import sha256
 from importlib.abc import MetaPathFinder
 from importlib.machinery import FileFinder, ModuleSpec, SourceFileLoader
 from itertools import count
@@ -22,6 +23,7 @@ from types import CodeType, ModuleType
 from typing import Literal, NoReturn
 
 from mechproof.latex import read_paper
+from mechproof.measured import KERNELS
 from mechproof.processes import limit_time
 from mechproof.proof.dimensions import check_derived
 from mechproof.record import Paper
@@ -130,6 +132,35 @@ def load_part(location: Path, part: Literal["peers", "points", "pictures"]) -> M
     if place not in _modules:
         load_paper(place)
     return _import(f"{_modules[place]}.{part}", place)
+
+
+def load_kernels(name: str, generated: Path | None) -> ModuleType | None:
+    """Import a generated module, of the package or of a folder; None where there is none.
+
+    Compiled code is kept beside a file with the name of its module, which must be found by it. A
+    file with the text of the package's is that module, unless that was loaded before, perhaps
+    from an older text.
+    """
+    full = f"{KERNELS}.{name}"
+    packaged = importlib.util.find_spec(full)
+    if generated is None:
+        return importlib.import_module(full) if packaged is not None else None
+    file = generated.joinpath(*name.split(".")).with_suffix(".py")
+    if not file.is_file():
+        return None
+    known = Path(packaged.origin) if packaged and packaged.origin else None
+    if known and file.samefile(known):
+        return importlib.import_module(full)
+    if known and full not in sys.modules and file.read_bytes() == known.read_bytes():
+        return importlib.import_module(full)
+    own = f"_mechproof_kernels_{sha256(str(file.resolve()).encode()).hexdigest()[:16]}"
+    spec = importlib.util.spec_from_file_location(own, file)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[own] = module
+    spec.loader.exec_module(module)
+    return module
 
 
 def check_names(places: dict[str, Path], system: str, place: Path) -> None:

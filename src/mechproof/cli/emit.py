@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 from mechproof.cli.console import fail, refuse, say
 from mechproof.cli.judging import judge_papers, refuse_failures
-from mechproof.cli.paths import DerivationsOption, find_locations, find_places, read_out
+from mechproof.cli.paths import DerivationsOption, Places, find_locations, find_places, read_out
 from mechproof.derivation import find_systems, packaged_directory
 from mechproof.files import write_whole
 from mechproof.record import Paper
@@ -73,9 +73,10 @@ def emit_c(
     if error is None and (let or name is not None):
         refuse(f"{'--let' if let else '--name'} goes with --error")
     if error is not None:
-        if float32 or derivations:
-            refuse("--error goes neither with --float32 nor with --derivations")
-        _emit_tailored(systems or [], error, _read_sizes(let or []), out, name)
+        if float32:
+            refuse("--error does not go with --float32")
+        folder = _find_folder(systems or [], find_places(derivations, None))
+        _emit_tailored(systems or [], error, _read_sizes(let or []), out, name, folder)
         return
     _refuse_quantities(systems or [])
     locations = find_locations(systems or (), find_places(derivations, None))
@@ -113,15 +114,27 @@ def _refuse_quantities(names: list[str]) -> None:
             )
 
 
+def _find_folder(names: list[str], places: Places) -> Path | None:
+    """Return the folder of the derivation that is tailored, None for one of the package."""
+    if len(names) != 1:
+        refuse("--error goes with one SYSTEM.QUANTITY")
+    is_there = names[0].partition(".")[0] in find_systems(places.derivations)
+    return places.derivations if is_there and not places.is_packaged else None
+
+
 def _emit_tailored(
-    names: list[str], error: float, sizes: Sizes, out: Path, called: str | None
+    names: list[str],
+    error: float,
+    sizes: Sizes,
+    out: Path,
+    called: str | None,
+    folder: Path | None,
 ) -> None:
     from mechproof.tailoring import tailor
 
-    if len(names) != 1:
-        refuse("--error goes with one SYSTEM.QUANTITY")
+    arguments: dict[str, Any] = {**sizes}
     try:
-        kernel = tailor(names[0], error=error, **sizes)
+        kernel = tailor(names[0], error=error, derivations=folder, **arguments)
     except (ValueError, TypeError) as wrong:
         refuse(str(wrong))
     say(repr(kernel))

@@ -7,13 +7,10 @@ sets that cannot be said by equations.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache, cached_property, lru_cache, partial
-from hashlib import sha256
-from importlib import import_module
-from importlib.util import find_spec, module_from_spec, spec_from_file_location
+from importlib.util import find_spec
 from pathlib import Path
 from pickle import PicklingError
 from types import ModuleType
@@ -23,12 +20,18 @@ import numpy as np
 import sympy as sp
 
 from mechproof.codegen.forms import form_rows
-from mechproof.derivation import find_systems, load_paper, load_part, packaged_directory
+from mechproof.derivation import (
+    find_systems,
+    load_kernels,
+    load_paper,
+    load_part,
+    packaged_directory,
+)
 from mechproof.lab.sampling.points import PointSet
 from mechproof.lab.sampling.sizes import Sides
 from mechproof.lab.sampling.stated_sizes import Facts
 from mechproof.lab.ways import Arguments, Compute, Way, list_ways
-from mechproof.measured import KERNELS, goes_by
+from mechproof.measured import goes_by
 from mechproof.proof.domain import Domain
 from mechproof.record import Paper, Peer, Quantity, Row
 
@@ -84,6 +87,11 @@ class Subject:
     def name(self) -> str:
         """Return system.quantity."""
         return f"{self.paper.system}.{self.quantity.name}"
+
+    @property
+    def folder(self) -> Path | None:
+        """Return the folder of the derivation, if it is none of the package."""
+        return self.origin[0].parent if self.origin and self.origin[1] else None
 
     @cached_property
     def domain(self) -> Domain:
@@ -182,8 +190,8 @@ def make_subjects(paper: Paper, place: Path, generated: Path | None) -> Iterator
     if surplus := sorted({*peers, *getattr(points, "POINTS", {})} - names):
         raise ValueError(f"peers and points of {paper.system}: no quantities {surplus}")
     modules = (
-        _load_kernels(paper.system, generated),
-        _load_kernels(f"forms.{paper.system}", generated),
+        load_kernels(paper.system, generated),
+        load_kernels(f"forms.{paper.system}", generated),
     )
     load_compiled = cache(partial(_load_compiled, paper.system, generated))
     for quantity in paper.quantities:
@@ -201,33 +209,4 @@ def make_subjects(paper: Paper, place: Path, generated: Path | None) -> Iterator
 
 def _load_compiled(system: str, generated: Path | None) -> ModuleType | None:
     """Import compiled kernels where numba is installed."""
-    return _load_kernels(f"compiled.{system}", generated) if find_spec("numba") else None
-
-
-def _load_kernels(name: str, generated: Path | None) -> ModuleType | None:
-    """Import a generated module, of the package or of a folder; None where there is none.
-
-    Compiled code is kept beside a file with the name of its module, which must be found by it. A
-    file with the text of the package's is that module, unless that was loaded before, perhaps
-    from an older text.
-    """
-    full = f"{KERNELS}.{name}"
-    packaged = find_spec(full)
-    if generated is None:
-        return import_module(full) if packaged is not None else None
-    file = generated.joinpath(*name.split(".")).with_suffix(".py")
-    if not file.is_file():
-        return None
-    known = Path(packaged.origin) if packaged and packaged.origin else None
-    if known and file.samefile(known):
-        return import_module(full)
-    if known and full not in sys.modules and file.read_bytes() == known.read_bytes():
-        return import_module(full)
-    own = f"_mechproof_kernels_{sha256(str(file.resolve()).encode()).hexdigest()[:16]}"
-    spec = spec_from_file_location(own, file)
-    assert spec is not None
-    assert spec.loader is not None
-    module = module_from_spec(spec)
-    sys.modules[own] = module
-    spec.loader.exec_module(module)
-    return module
+    return load_kernels(f"compiled.{system}", generated) if find_spec("numba") else None

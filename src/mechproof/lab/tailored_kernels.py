@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from importlib.util import find_spec
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -41,9 +42,10 @@ def _tailor(subject: Subject, workload: str, call: Arguments) -> Iterator[Tailor
         return
     ends = float(running.min()), float(running.max())
     sizes = {a.name: float(number) for a, number in zip(others, numbers, strict=True)}
+    arguments: dict[str, Any] = {first.name: ends, **sizes}
     for asked in ASKED:
         try:
-            kernel = tailor(subject.name, error=asked, **{first.name: ends}, **sizes)
+            kernel = tailor(subject.name, error=asked, derivations=subject.folder, **arguments)
         except (TypeError, ValueError):
             return
         yield _describe(kernel, workload, ends, sizes), _as_way(kernel)

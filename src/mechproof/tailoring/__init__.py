@@ -10,6 +10,7 @@ bounds from Sollya. What differs is that any quantity of a paper is taken, its p
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any
 
 from mechproof.executors import BALLS
@@ -21,7 +22,13 @@ if TYPE_CHECKING:
 __all__ = ["tailor"]
 
 
-def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
+def tailor(
+    name: str,
+    *,
+    error: float,
+    derivations: str | os.PathLike[str] | None = None,
+    **arguments: Any,
+) -> Tailored:
     """Return a kernel for fixed parameters and a stated error.
 
     Parameters
@@ -30,6 +37,9 @@ def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
         system.quantity, a number that depends on numbers alone.
     error : float
         The largest error permitted, absolute, in the unit of the quantity (rad, mm).
+    derivations : path, optional
+        The folder of derivations that has the system, whose kernels lie in `generated` beside it;
+        left out: those of the package.
     arguments : float
         The parameters, by name. Of the running variable, the first argument of the quantity, the
         range as a pair (lowest, highest). Where the quantity repeats in it, the range may be left
@@ -74,5 +84,5 @@ def tailor(name: str, *, error: float, **arguments: Any) -> Tailored:
 
     # Precision and length of series belong to the process.
     with BALLS:
-        request = read_request(name, error, arguments)
+        request = read_request(name, error, arguments, derivations)
         return make_kernel(request, build(request))

@@ -166,12 +166,17 @@ def _hash(program: Program) -> str:
     return sha256(repr(program).encode()).hexdigest()
 
 
+def _name_derivation(request: Request) -> str:
+    system = request.paper.system
+    return f"the derivation {system}" if request.folder else f"mechproof.derivations.{system}"
+
+
 def _describe(request: Request, bound: float) -> tuple[str, ...]:
     sizes = ", ".join(f"{name} = {value!r}" for name, value in request.values.items())
     return (
         f"`{request.name}` tailored to {sizes}: off by at most {round_up(bound)}.",
         "",
-        f"Generated from mechproof.derivations.{request.paper.system} by `mechproof.tailor`.",
+        f"Generated from {_name_derivation(request)} by `mechproof.tailor`.",
     )
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import import_module
-from types import MappingProxyType
+from pathlib import Path
+from types import MappingProxyType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -15,7 +17,7 @@ from flint import arb
 from mechproof.arguments.scalars import check_items, check_real, refuse, require
 from mechproof.arithmetic.balls import Ball
 from mechproof.arithmetic.series import TaylorExpression, working
-from mechproof.derivation import find_systems, packaged_directory
+from mechproof.derivation import find_systems, load_kernels, load_paper, packaged_directory
 from mechproof.mechanisms.facts import check_domain
 from mechproof.record import Paper, Quantity
 from mechproof.tailoring.design import Array
@@ -30,18 +32,23 @@ CLOSER = 60
 
 @dataclass(frozen=True)
 class Request:
-    """A quantity at fixed parameters, the range of its variable (None: as far as can be)."""
+    """A quantity at fixed parameters, the range of its variable (None: as far as can be).
+
+    `module` has the shipped kernels; `folder` the derivation, if it is none of the package.
+    """
 
     paper: Paper
     quantity: Quantity
     values: Mapping[str, float]
     error: float
     ends: tuple[float, float] | None
+    module: ModuleType
+    folder: Path | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Send what was asked for: the functions of a paper cannot be sent."""
         ends = {} if self.ends is None else {self.variable: self.ends}
-        return read_request, (self.name, self.error, {**self.values, **ends})
+        return read_request, (self.name, self.error, {**self.values, **ends}, self.folder)
 
     @property
     def name(self) -> str:
@@ -61,9 +68,8 @@ class Request:
 
     def kernel(self, points: Array) -> Array:
         """Return values of the shipped kernel, NaN where it has none."""
-        module = import_module(f"mechproof.kernels.{self.paper.system}")
         with np.errstate(all="ignore"):
-            found: Array = getattr(module, self.quantity.name)(points, **self.values)
+            found: Array = getattr(self.module, self.quantity.name)(points, **self.values)
         return found
 
     def repetition(self) -> Repetition | None:
@@ -118,12 +124,15 @@ def _close_in(definition: TaylorExpression, low: float, high: float, sign: int) 
     return high
 
 
-def read_request(name: Any, error: Any, arguments: Mapping[str, Any]) -> Request:
+def read_request(
+    name: Any, error: Any, arguments: Mapping[str, Any], derivations: Any = None
+) -> Request:
     """Check what is asked for.
 
     Raises TypeError or ValueError "name = value: what is allowed".
     """
-    paper, quantity = _find_quantity(name)
+    folder = None if derivations is None else _check_folder(derivations)
+    paper, quantity = _find_quantity(name, folder)
     error = check_real("error", error)
     require(error > 0, "error", error, "must be more than 0")
     names = [a.name for a in quantity.arguments]
@@ -131,14 +140,26 @@ def read_request(name: Any, error: Any, arguments: Mapping[str, Any]) -> Request
         require(given in names, given, value, f"{name} has no such argument: {', '.join(names)}")
     first, *others = quantity.arguments
     values = {a.name: _read_size(name, a.name, a.default, arguments) for a in others}
-    module = import_module(f"mechproof.kernels.{paper.system}")
-    conditions = [c for c in module.DOMAIN if quantity.name in c.quantities]
+    generated = None if folder is None else folder.parent / "generated"
+    module = load_kernels(paper.system, generated)
+    if module is None:
+        none = f"{generated} has no kernels of {paper.system}: `mechproof regenerate` writes them"
+        refuse("derivations", derivations, none)
+    conditions = [c for c in vars(module)["DOMAIN"] if quantity.name in c.quantities]
     check_domain(conditions, values)
     ends = _read_range(first.name, arguments[first.name]) if first.name in arguments else None
     if ends is None and quantity.repeats is None:
         refuse(first.name, None, "the range must be given, a pair (lowest, highest)")
     # One kernel is everybody's that unpickles it.
-    return Request(paper, quantity, MappingProxyType(values), error, ends)
+    return Request(paper, quantity, MappingProxyType(values), error, ends, module, folder)
+
+
+def _check_folder(derivations: Any) -> Path:
+    allowed = "must be the path of a folder of derivations"
+    is_path = isinstance(derivations, str | os.PathLike)
+    require(is_path, "derivations", derivations, allowed, TypeError)
+    require(Path(derivations).is_dir(), "derivations", derivations, allowed)
+    return Path(derivations).resolve()
 
 
 def _read_size(
@@ -157,14 +178,18 @@ def _read_range(name: str, value: Any) -> tuple[float, float]:
     return ends
 
 
-def _find_quantity(name: Any) -> tuple[Paper, Quantity]:
-    """Find a quantity of the package by system.quantity."""
+def _find_quantity(name: Any, folder: Path | None) -> tuple[Paper, Quantity]:
+    """Find a quantity by system.quantity, of the package or of a folder of derivations."""
     require(isinstance(name, str), "name", name, "must be a text, system.quantity", TypeError)
     system, _, wanted = name.partition(".")
-    systems = find_systems(packaged_directory())
+    systems = find_systems(folder or packaged_directory())
     if system not in systems:
         refuse("name", name, f"the system must be one of {', '.join(systems)}")
-    paper: Paper = import_module(f"mechproof.derivations.{system}").PAPER
+    paper: Paper = (
+        load_paper(systems[system])
+        if folder
+        else import_module(f"mechproof.derivations.{system}").PAPER
+    )
     possible = {q.name: q for q in paper.quantities if _is_possible(q)}
     if wanted not in possible:
         allowed = ", ".join(possible) or "none can be tailored"
