@@ -192,8 +192,11 @@ def _blame(figure: Figure) -> Iterator[None]:
 
 def write_svg(canvas: Canvas, title: str) -> str:
     """Write a drawing in the style that is in use as an element that a page can hold."""
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
+
     text = StringIO()
-    canvas.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
+    # Unlike `savefig`, this draws once.
+    FigureCanvasSVG(canvas).print_svg(text, metadata={"Date": None, "Creator": None})
     return strip_svg(text.getvalue(), title)
 
 
