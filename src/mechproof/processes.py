@@ -6,6 +6,7 @@ to end get an executor, and `executors` spreads them.
 
 from __future__ import annotations
 
+import gc
 import multiprocessing
 import os
 import signal
@@ -233,6 +234,8 @@ def _serve(function: Callable[[Task], Result], pipe: Connection) -> None:
     """Answer tasks until the parent ends this process, or is ended itself."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     end_with_parent()
+    # What a fork shares with its parent stays shared as long as nobody looks for garbage in it.
+    gc.freeze()
     while True:
         pipe.send(_answer(function, pipe.recv()))
 
