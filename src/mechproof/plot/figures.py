@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from html import escape
 from io import BytesIO, StringIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from mechproof.arguments.scalars import check_real, require
 from mechproof.plot.canvas import COLUMN, make_canvas, use_style
@@ -196,7 +196,8 @@ def write_svg(canvas: Canvas, title: str) -> str:
 
     text = StringIO()
     # Unlike `savefig`, this draws once.
-    FigureCanvasSVG(canvas).print_svg(text, metadata={"Date": None, "Creator": None})
+    drawing: Any = FigureCanvasSVG(canvas)
+    drawing.print_svg(text, metadata={"Date": None, "Creator": None})
     return strip_svg(text.getvalue(), title)
 
 
