@@ -167,7 +167,7 @@ def choose(
     check_count("size", size)
     pairs = _as_pairs(record, ranges)
     cells = list(_overlapping(record, pairs))
-    home = KERNELS if measured is None else _find_home(Path(measured))
+    home = KERNELS if measured is None else _find_home(Path(measured), record)
     rated = list(_rate_ways(record, cells, size, error, home))
     rated += _rate_tailored(record, pairs, size, error, home)
     ways = sorted(filter(_is_installed, rated), key=lambda c: c.time)
@@ -306,8 +306,8 @@ def _overlap(edges: Sequence[float], pair: tuple[float, float], least: float) ->
     return low < upper and high > lower
 
 
-def _find_home(folder: Path) -> str:
-    """Return the package of the kernels that records in a folder are of.
+def _find_home(folder: Path, record: Record) -> str:
+    """Return the package of the kernels that a record is of: that beside it, if it has them.
 
     The folder is `measured` of the generated files, or `quick` in it.
     """
@@ -316,7 +316,8 @@ def _find_home(folder: Path) -> str:
     known = find_spec(KERNELS)
     packaged = known.submodule_search_locations if known else None
     is_packaged = any(Path(path).resolve() == generated for path in packaged or ())
-    return KERNELS if is_packaged else generated.name
+    is_there = (generated / f"{record.quantity.partition('.')[0]}.py").is_file()
+    return generated.name if is_there and not is_packaged else KERNELS
 
 
 def _rate_ways(
