@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
-from sympy.core.relational import Relational
-from sympy.solvers.inequalities import solve_poly_inequality
 
 from mechproof.codegen.backends.numpy import FORMS, render_modules
 from mechproof.codegen.kernel_reading import check_module
@@ -23,8 +21,8 @@ from mechproof.record import (
     Part,
     Quantity,
     Row,
-    Statement,
 )
+from mechproof.record.relations import solve
 
 # Ends the number of the row that says that the rewrites of a form are legal.
 LEGAL = ", legal"
@@ -77,7 +75,7 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
     rewrites = ", ".join(form.rewrites) or "none"
     bound = "" if form.bound is None else f"; off by at most {form.bound}"
     definition = _write_out(quantity.definition, paper)
-    states = form.states or (lambda code: equal_on_branches(code.output(), definition))
+    states = form.states or (lambda code: Equality(code.output(), definition))
     on = _join_parts(quantity, form, paper)
     note = f" {form.note[:1].upper()}{form.note[1:]}." if form.note else ""
     yield Claim(
@@ -126,50 +124,7 @@ def _as_part(condition: sp.Basic, sets: Mapping[sp.Basic, sp.Set]) -> Part:
     symbols = condition.free_symbols & sets.keys()
     if len(symbols) == 1 == len(condition.free_symbols):
         (symbol,) = symbols
-        narrowed = sets[symbol].intersect(_solve(condition, symbol))
+        narrowed = sets[symbol].intersect(solve(condition, symbol))
         if isinstance(narrowed, sp.Interval):
             return Part(str(condition), {symbol: narrowed})
     return Part(str(condition), where=(condition,))
-
-
-def _solve(condition: sp.Basic, symbol: sp.Symbol) -> sp.Set:
-    """Return where a condition on one symbol holds.
-
-    Of a polynomial SymPy is spared the search for a period, which costs a tenth of loading a paper.
-    """
-    if isinstance(condition, Relational):
-        gap = condition.lhs - condition.rhs
-        if gap.is_polynomial(symbol):
-            pieces = solve_poly_inequality(sp.Poly(gap, symbol), condition.rel_op)
-            return sp.Union(*pieces)
-    return condition.as_set()
-
-
-def equal_on_branches(form: sp.Basic, definition: sp.Basic) -> Statement:
-    """State an equality for each branch v >= 0 of a form, where the sign of v is known."""
-    values = sorted(_branch_values(form), key=sp.default_sort_key)
-    if not values:
-        return Equality(form, definition)
-    (value,) = values
-    return Conjunction(
-        tuple(Equality(_take_branch(form, value, sign), definition) for sign in (1, -1))
-    )
-
-
-def _branch_values(form: sp.Basic) -> set[sp.Expr]:
-    """Collect the values v of the branches v >= 0."""
-    conditions = {piece.args[0].cond for piece in form.atoms(sp.Piecewise)}
-    for condition in conditions:
-        if not (isinstance(condition, sp.GreaterThan) and condition.rhs == 0):
-            raise NotImplementedError(f"a branch on {condition}; only v >= 0 is known")
-    return {condition.lhs for condition in conditions}
-
-
-def _take_branch(form: sp.Basic, value: sp.Expr, sign: int) -> sp.Basic:
-    """Take the branch of one sign, in which |value| is sign*value."""
-    absolutes = {node: sign * value for node in form.atoms(sp.Abs) if node.args[0] == value}
-    pieces = {
-        piece: piece.args[0 if sign > 0 else 1].expr.xreplace(absolutes)
-        for piece in form.atoms(sp.Piecewise)
-    }
-    return form.xreplace(pieces).xreplace(absolutes)

@@ -14,6 +14,7 @@ from mechproof.proof import bisection
 from mechproof.proof.algebra import decide_equal, explain_unequal
 from mechproof.proof.antiderivative import decide_by_derivative, explain_break
 from mechproof.proof.bisection import holds_on_interval
+from mechproof.proof.cases import decide_by_pieces, decide_by_values
 from mechproof.proof.definedness import list_unshown, need_the_same, tell
 from mechproof.proof.domain import Domain
 from mechproof.proof.limits import settle_limits
@@ -142,9 +143,12 @@ def _prove_equal(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str | No
     printed, rebuilt = take_values(printed), take_values(rebuilt)
     if printed == rebuilt:
         return IDENTICAL
+    if printed.has(sp.Piecewise) or rebuilt.has(sp.Piecewise):
+        return decide_by_pieces((printed, rebuilt), domain, _prove_equal)
     printed, rebuilt = prepare(printed), prepare(rebuilt)
     rungs = (decide_equal, decide_by_argument, decide_by_derivative)
-    return next(filter(None, (rung(printed, rebuilt, domain) for rung in rungs)), None)
+    found = next(filter(None, (rung(printed, rebuilt, domain) for rung in rungs)), None)
+    return found or decide_by_values((printed, rebuilt), domain, _prove_equal)
 
 
 def _cross_examine(printed: sp.Expr, rebuilt: sp.Expr, domain: Domain) -> str:

@@ -31,6 +31,7 @@ RUNGS = {
     "definition": "the print introduces a symbol, so there is nothing to prove",
     "well-formedness": "the print has no value: a differential, an index or an argument is missing",
     "dimensions": "quantities of unlike dimension are added: the value changes with the units",
+    "case by case": "a side has pieces, or a symbol few values: both sides are equal in each case",
     "none": "no rung can read the statement",
 }
 

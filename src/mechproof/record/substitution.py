@@ -1,14 +1,20 @@
-"""Substitution that captures nothing: a bound symbol gives way to a free one of the same name."""
+"""Substitution that captures nothing: a bound symbol gives way to a free one of the same name.
+
+Sums of a few terms are written out here, too.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import sympy as sp
 from sympy.concrete.expr_with_limits import ExprWithLimits
 
 from mechproof.record.exactness import RecordError
 from mechproof.record.parts import find_free, find_parts
+
+# A sum of more terms is not written out.
+MOST_TERMS = 64
 
 
 def substitute(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> sp.Basic:
@@ -50,3 +56,17 @@ def _rename(node: ExprWithLimits, names: set[sp.Basic]) -> list[sp.Basic]:
             inner = [(b, *(end.subs(bound, fresh) for end in es)) for b, *es in limits[:place]]
             limits = [*inner, (fresh, *ends), *limits[place + 1 :]]
     return [body, *(sp.Tuple(*limit) for limit in limits)]
+
+
+def write_sums_out(
+    expression: sp.Basic, is_meant: Callable[[sp.Sum], bool] = lambda total: True
+) -> sp.Basic:
+    """Write out the sums whose limits are numbers, none of many terms."""
+
+    def is_short(node: sp.Basic) -> bool:
+        if not isinstance(node, sp.Sum) or not is_meant(node):
+            return False
+        counts = [high - low + 1 for _, low, high in node.limits]
+        return all(count.is_Integer and count <= MOST_TERMS for count in counts)
+
+    return expression.replace(is_short, lambda total: total.doit())
