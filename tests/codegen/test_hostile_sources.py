@@ -67,7 +67,7 @@ def ask(times: int) -> str:
         ("def _form_of_f(", "@_square\ndef _form_of_f(", "_form_of_f is decorated by _square"),
         ("def _form_of_f(", "@cache\ndef _form_of_f(", "'cache' is not defined"),
         ("_np.cos(x)", "cos(x)", "'cos' is not defined"),
-        ("_np.cos(x)", "_np.cosh(x)", "no operation is written numpy.cosh"),
+        ("_np.cos(x)", "_np.log2(x)", "no operation is written numpy.log2"),
         ("_np.cos(x)", "_np.cos(eval('x'))", "'eval' is not defined"),
         ("_np.cos(x)", "_np.cos(x.__class__)", "is no value"),
         ("_np.cos(x)", "_np.cos(x, x)", "_form_of_f is not as meant"),

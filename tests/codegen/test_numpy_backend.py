@@ -46,16 +46,17 @@ def test_bad_quantities_are_refused(quantity: Quantity, message: str) -> None:
         render_modules(paper_of(quantity, Variable(b, "a number")))
 
 
-def test_a_domain_needs_a_parameter_to_mask() -> None:
-    quantity = quantity_of(sp.Matrix([a, b]), a, b)
+def test_outside_the_domain_every_entry_is_nan(tmp_path: Path) -> None:
+    quantity = quantity_of(sp.Matrix([a, b, 1]), a, b)
     positive = sp.Interval.open(0, sp.oo)
-    with pytest.raises(ValueError, match="no parameter through which"):
-        render_modules(paper_of(quantity, Variable(b, "a number", within=positive)))
+    kernels = load_paper(paper_of(quantity, Variable(b, "a number", within=positive)), tmp_path)
+    assert kernels.f([3.0, 4.0], 2.0).tolist() == [[3.0, 2.0, 1.0], [4.0, 2.0, 1.0]]
+    assert np.isnan(kernels.f(3.0, [-2.0, 0.0, np.nan, np.inf])).all()
 
 
 def test_sets_without_relations_are_refused() -> None:
-    with pytest.raises(ValueError, match="Interval, Naturals or Reals"):
-        set_relations(x, sp.FiniteSet(1, 2))
+    with pytest.raises(ValueError, match="Interval, FiniteSet, Naturals or Reals"):
+        set_relations(x, sp.S.Integers)
 
 
 def test_template_keys_are_the_data_keys(tmp_path: Path) -> None:

@@ -28,7 +28,12 @@ EPS = 2.0**-52
 EPS = 2.0**-52
 POINT = (0.71875, 0.40625, 0.28125)
 DECIDES = {"choose": (True, 0.25, 0.5), "both": (True, False), "either": (True, False)}
-OTHERS = {"maximum": POINT[:2], "minimum": POINT[:2], "small_tangent": (2.0**-54,)}
+OTHERS = {
+    "maximum": POINT[:2],
+    "minimum": POINT[:2],
+    "small_tangent": (2.0**-54,),
+    "arccosh": (1.71875,),
+}
 # What rounding left, of operands that are no result: rests are those of results alone.
 RESTS = {k: tuple(map(float, values)) for k, values in {
     "product_rest": (1 / 3, 1 / 7, 1 / 3 * (1 / 7)),

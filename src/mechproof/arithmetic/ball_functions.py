@@ -52,6 +52,8 @@ FUNCTIONS: dict[type[sp.Basic], Callable[..., Ball]] = {
     sp.erfc: lambda x: x.erfc(),
     sp.factorial: lambda x: (x + 1).gamma(),
     ValueWhere: lambda value, needed: value,
+    sp.sinc: lambda x: x.sinc(),
+    sp.Mod: lambda x, y: x - y * (x / y).floor(),
     sp.floor: lambda x: x.floor(),
     sp.ceiling: lambda x: x.ceil(),
     sp.Abs: abs,

@@ -44,7 +44,8 @@ def write_program(program: Program, syntax: Syntax) -> Text:
             writer.written[operation.result] = text, level
         else:
             steps.append((syntax.name(operation.result), text))
-    return Text(tuple(steps), tuple(writer.show(output)[0] for output in program.outputs))
+    outputs = (float(o) if isinstance(o, int) else o for o in program.outputs)
+    return Text(tuple(steps), tuple(writer.show(output)[0] for output in outputs))
 
 
 class _Writer:

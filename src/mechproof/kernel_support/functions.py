@@ -10,6 +10,7 @@ import numpy as np
 from mechproof.kernel_support.arrays import BOOLS, PLAIN, SCALARS
 from mechproof.kernel_support.domains import find_extremes
 
+SMALLEST = float(np.finfo(float).smallest_subnormal)
 NUMBERS = frozenset({float, np.float64})
 
 
@@ -59,6 +60,12 @@ def floor(a: Any) -> Any:
     if type(a) is not float:
         return np.floor(a)
     return a // 1.0 if -inf < a < inf else a
+
+
+def sinc(a: Any) -> Any:
+    """Return np.sin(a)/a, and 1 at 0: the sine of the smallest double is that double."""
+    moved = choose_where(a == 0, SMALLEST, a)
+    return np.sin(moved) / moved
 
 
 def tangent_quotient(y: Any, a: Any, b: Any) -> Any:

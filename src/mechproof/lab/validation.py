@@ -5,7 +5,7 @@ program can give; a shipped kernel has to compute its definition, whatever its r
 to keep its accuracy bound against the oracle as well. The first alone would pass a low word that is
 dropped: it is smaller than what rounding may do. The points lie on both sides of every condition,
 alone and in arrays longer than every block. Compiled kernels are held to the same bound, each of
-their loops, where numba is installed.
+their loops, where numba is installed; to the balls of their programs where there is no bound.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ from mechproof.lab.subject import Subject
 from mechproof.lab.ways import Arguments, Compute
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.kernel import Kernel, list_functions
+from mechproof.programs.scalar import list_scalars
 from mechproof.record import Form
 
 # Of the first set so many points are enclosed, of every set so many go to the oracle.
@@ -40,6 +41,8 @@ ROW = 3
 SHARE = 0.05
 # Of a value and its ball: a ball wider than this part of the value says nothing.
 TELLING = 1e-6
+# What a zero that is computed may be off by.
+UNDERFLOW = 2.0**-1022
 
 
 def validate(subjects: Iterator[Subject]) -> None:
@@ -55,6 +58,7 @@ def validate(subjects: Iterator[Subject]) -> None:
                     _check_rounding(subject, kernel, getattr(module, kernel.name))
         if subject.quantity.forms and subject.modules[0] is not None:
             _check_meaning(subject)
+            _check_compiled(subject)
         if subject.quantity.forms and subject.quantity.accuracy:
             _check_accuracy(subject)
 
@@ -70,7 +74,7 @@ def _check_rounding(subject: Subject, kernel: Kernel, compute: Compute) -> None:
             values = np.ravel(result)
             for value, ball in zip(values, balls, strict=True):
                 _require_inside(kernel.name, point, float(value), ball)
-        telling += all(ball.rad() <= TELLING * abs(ball).upper() for ball in balls)
+        telling += all(ball.rad() <= TELLING * abs(ball).upper() + UNDERFLOW for ball in balls)
     if not telling:
         raise TranslationError(f"{kernel.name}: rounding explains every value at every point")
 
@@ -95,6 +99,17 @@ def _check_meaning(subject: Subject) -> None:
                     f"{quantity.name}({shown}): its program gives {ball.str(20)}, its definition "
                     f"{float(value)!r}"
                 )
+
+
+def _check_compiled(subject: Subject) -> None:
+    """Compare a compiled kernel that is held to no bound with the balls of its program."""
+    quantity = subject.quantity
+    compiled = getattr(subject.load_compiled(), quantity.name, None)
+    if compiled is None or quantity.accuracy:
+        return
+    (kernel,) = (k for k in list_scalars(subject.paper) if k.quantity is quantity)
+    if not kernel.code.indexed:
+        _check_rounding(subject, kernel, compiled)
 
 
 def _bound_of(form: Form, subject: Subject, values: Mapping[sp.Basic, Any]) -> arb:

@@ -39,15 +39,18 @@ def can_be_left(quantity: Quantity, paper: Paper, checked: tuple[sp.Basic, ...])
 
 
 def set_relations(item: sp.Expr, values: sp.Set) -> list[sp.Basic]:
-    """State that `item` is in an interval or a natural number; infinity is outside."""
+    """State that `item` is in an interval or a finite set, or natural; infinity is outside."""
     if values == sp.S.Reals:
         return []
     if values == sp.S.Naturals:
         # Unevaluated, because a symbol that is declared an integer is its own floor.
         whole = sp.Eq(item, sp.floor(item, evaluate=False), evaluate=False)
         return [*set_relations(item, sp.Interval(1, sp.oo)), whole]
+    if isinstance(values, sp.FiniteSet):
+        return [sp.Or(*(sp.Eq(item, value) for value in values.args))]
     if not isinstance(values, sp.Interval):
-        raise ValueError(f"{item}: no relations for the set {values}; Interval, Naturals or Reals")
+        known = "Interval, FiniteSet, Naturals or Reals"
+        raise ValueError(f"{item}: no relations for the set {values}; {known}")
     low = sp.Lt if values.left_open else sp.Le
     high = sp.Lt if values.right_open else sp.Le
     return [

@@ -11,6 +11,7 @@ import sympy as sp
 
 from mechproof.record import Argument, Form, Paper, Quantity
 from mechproof.record.parts import find_free, find_parts
+from mechproof.record.substitution import write_sums_out
 
 Step = tuple[sp.Symbol, sp.Expr]
 
@@ -87,7 +88,7 @@ def start_evaluation(quantity: Quantity, form: Form, paper: Paper) -> Evaluation
     """
     inputs = frozenset(s for argument in quantity.arguments for s in argument.symbols)
     steps = [(s, g) for s, g in paper.given.items() if s not in inputs]
-    evaluation = arrange(inputs, steps, map_entries(sp.sympify, form.expression))
+    evaluation = arrange(inputs, steps, map_entries(_write_out, form.expression))
     used = input_symbols(evaluation.output).union(
         *(input_symbols(value) for _, value in evaluation.steps)
     )
@@ -99,6 +100,11 @@ def start_evaluation(quantity: Quantity, form: Form, paper: Paper) -> Evaluation
     if idle and form not in quantity.rivals:
         raise ValueError(f"{where}: arguments that do not occur: {[a.name for a in idle]}")
     return _carry_along(evaluation, [s for argument in idle for s in argument.symbols])
+
+
+def _write_out(entry: sp.Expr) -> sp.Expr:
+    """Write sums out but those over arguments."""
+    return write_sums_out(sp.sympify(entry), lambda total: not total.has(sp.Indexed))
 
 
 def _carry_along(evaluation: Evaluation, symbols: Iterable[sp.Symbol]) -> Evaluation:
@@ -147,6 +153,35 @@ def trace_inputs(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> s
         found |= met
         waiting += [values[symbol] for symbol in met & values.keys()]
     return found - values.keys()
+
+
+def find_carried(expression: sp.Basic, values: Mapping[sp.Basic, sp.Basic]) -> set[sp.Basic]:
+    """Find the inputs whose NaN an expression has for certain.
+
+    Where the conditions of pieces are about NaN, none but the last holds; else one piece is taken.
+    """
+    if isinstance(expression, sp.Piecewise):
+        return _find_carried_by_pieces(expression, values)
+    if isinstance(expression, sp.Pow) and not expression.exp.is_number:
+        return set()
+    if expression in values:
+        return find_carried(values[expression], values)
+    if not expression.has(sp.Piecewise, sp.Pow, *values):
+        return input_symbols(expression)
+    return set().union(*(find_carried(part, values) for part in expression.args))
+
+
+def _find_carried_by_pieces(
+    pieces: sp.Piecewise, values: Mapping[sp.Basic, sp.Basic]
+) -> set[sp.Basic]:
+    carried = [find_carried(piece, values) for piece, _ in pieces.args if piece != sp.nan]
+    always = set.intersection(*carried)
+    if any(condition.has(sp.Ne) for _, condition in pieces.args):
+        return always
+    asked = set().union(*(trace_inputs(condition, values) for _, condition in pieces.args))
+    otherwise, last = pieces.args[-1]
+    is_nan = last != sp.true or otherwise == sp.nan
+    return always | (asked if is_nan else asked & carried[-1])
 
 
 def count_axes(argument: Argument, quantity: Quantity) -> int:

@@ -7,23 +7,27 @@ the same code.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
 
 import sympy as sp
 
 from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.domain import can_be_left, checked_relations
 from mechproof.programs.evaluation import (
+    Alongside,
     Evaluation,
     count_axes,
     entries,
+    find_carried,
     input_symbols,
+    map_entries,
     result_shape,
     start_evaluation,
     trace_inputs,
 )
-from mechproof.programs.lowering import lower_conditions, lower_steps
+from mechproof.programs.lowering import KNOWN, lower_conditions, lower_steps
 from mechproof.programs.names import PUBLIC_IN_MODULES, is_free
 from mechproof.programs.program import NOTHING
 from mechproof.programs.rewrites import apply_rewrites
@@ -67,9 +71,15 @@ def list_functions(paper: Paper) -> tuple[Kernel, ...]:
 
 
 def _build(quantity: Quantity, paper: Paper) -> Iterator[Kernel]:
-    yield build_kernel(quantity.name, quantity, quantity.shipped, paper)
-    for form in quantity.rivals:
-        yield build_kernel(name_rival(quantity, form), quantity, (form,), paper)
+    try:
+        yield build_kernel(quantity.name, quantity, quantity.shipped, paper)
+        for form in quantity.rivals:
+            yield build_kernel(name_rival(quantity, form), quantity, (form,), paper)
+    except NotImplementedError as error:
+        raise NotImplementedError(
+            f"quantity {quantity.name}: {error}; known are powers, Piecewise, Max, Min, {KNOWN}: "
+            "write its forms by these, or leave them out for no kernel of it"
+        ) from error
 
 
 def name_rival(quantity: Quantity, form: Form) -> str:
@@ -90,11 +100,15 @@ def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: 
     """
     if not is_free(name, PUBLIC_IN_MODULES) or name.endswith("_"):
         raise ValueError(f"{paper.system}: {name!r} cannot name a kernel")
-    evaluations = [evaluate_form(quantity, form, paper) for form in forms]
+    checked = checked_relations(quantity, paper)
+    evaluations = [
+        _carry_nan(evaluate_form(quantity, form, paper), _list_masked(quantity, checked))
+        for form in forms
+    ]
     used = set().union(*map(_used_symbols, evaluations))
     running = quantity.arguments[0].symbols
     # Of the parameters first: one number with one number, and with all points only once.
-    conditions = tuple(sorted(checked_relations(quantity, paper), key=lambda r: r.has(*running)))
+    conditions = tuple(sorted(checked, key=lambda r: r.has(*running)))
     names = input_names(quantity)
     affine = len(forms) == 1 and _affine_coefficients(quantity, evaluations[0]) is not None
     vectors = _name_vectors(quantity, used, affine)
@@ -111,13 +125,15 @@ def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: 
             if isinstance(a.symbols[0], sp.IndexedBase)
         ),
         inside=lower_conditions(names, scalars, conditions) if conditions else None,
-        masked=_choose_masked(quantity, conditions, evaluations[-1]),
+        masked=tuple(names[s] for s in _list_masked(quantity, checked)),
         stages=tuple(
             _build_stage(quantity, form, evaluation, scalars, vectors)
             for form, evaluation in zip(forms, evaluations, strict=True)
         ),
         shape=result_shape(evaluations[0].output),
-        quiet=can_be_left(quantity, paper, conditions),
+        quiet=can_be_left(quantity, paper, conditions)
+        # Pieces are computed everywhere, also where another one is taken.
+        or any(f.expression.has(sp.Piecewise) for f in forms),
     )
     started = [start_evaluation(quantity, form, paper) for form in forms]
     obligations = tuple(evaluation.obligations for evaluation in evaluations)
@@ -210,22 +226,26 @@ def _point_sized(quantity: Quantity, evaluation: Evaluation) -> frozenset[sp.Bas
     return frozenset(large)
 
 
-def _choose_masked(
-    quantity: Quantity, conditions: tuple[sp.Basic, ...], evaluation: Evaluation
-) -> tuple[str, ...]:
-    """List the parameters of the conditions: none of them is computed with outside the domain.
+def _list_masked(quantity: Quantity, conditions: Iterable[sp.Basic]) -> list[sp.Symbol]:
+    """List the parameters of the conditions: none of them is computed with outside the domain."""
+    met = set().union(*map(input_symbols, conditions))
+    return [s for a in quantity.arguments for s in a.symbols if s in met and s.is_Symbol]
 
-    Raises ValueError if an output depends on none of them and would not become NaN.
+
+def _carry_nan(evaluation: Evaluation, masked: Sequence[sp.Symbol]) -> Evaluation:
+    """Let every output be NaN where a number that it depends on is, and outside the domain.
+
+    Where one of the masked parameters is NaN, all of them become NaN.
     """
-    if not conditions:
-        return ()
-    names = input_names(quantity)
-    checked = set().union(*map(input_symbols, conditions))
-    masked = {s for s in checked if isinstance(s, sp.Symbol)}
     steps = dict(evaluation.steps)
-    if any(masked.isdisjoint(trace_inputs(e, steps)) for e in entries(evaluation.output)):
-        raise ValueError(f"{quantity.name}: no parameter through which an output can become NaN")
-    return tuple(names[s] for a in quantity.arguments for s in a.symbols if s in masked)
+
+    def carry(entry: sp.Expr) -> sp.Expr:
+        carried = find_carried(entry, steps)
+        lost = trace_inputs(entry, steps) - carried - {*masked}
+        alongside = [*sorted(lost, key=str), *(masked[-1:] if carried.isdisjoint(masked) else ())]
+        return reduce(Alongside, alongside, entry)
+
+    return evaluation.rearrange(evaluation.steps, map_entries(carry, evaluation.output))
 
 
 def _name_vectors(

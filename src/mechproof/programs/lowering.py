@@ -19,9 +19,10 @@ import sympy as sp
 from mechproof.programs import program
 from mechproof.programs.evaluation import Alongside, unused_name
 from mechproof.programs.names import sort_positive_first, suggest_name
-from mechproof.programs.operations import KINDS, Kind
+from mechproof.programs.operations import KINDS, SYMBOLIC, Kind
 from mechproof.programs.program import TEMPORARY, Operand, Operation, Program
 from mechproof.record.relations import is_strict
+from mechproof.record.substitution import MOST_TERMS
 
 
 def _name_head(row: Kind) -> str:
@@ -34,6 +35,8 @@ def _name_head(row: Kind) -> str:
 FUNCTIONS: Mapping[str, str] = MappingProxyType(
     {head: kind for kind, row in KINDS.items() if (head := _name_head(row))}
 )
+# What papers may have: functions by SymPy's own names.
+KNOWN = ", ".join(sorted(head for head, kind in FUNCTIONS.items() if not KINDS[kind].head))
 CONSTANTS: Mapping[sp.Basic, str] = MappingProxyType({v: n for n, v in program.CONSTANTS.items()})
 
 
@@ -116,17 +119,22 @@ class Lowering:
         name = function.func.__name__
         if name not in FUNCTIONS:
             raise NotImplementedError(f"no operation for {name}: {function}")
-        return self._add(FUNCTIONS[name], *map(self.lower, function.args))
+        row = KINDS[FUNCTIONS[name]]
+        if row.is_composed:
+            assert row.meaning is not None
+            return self.lower(row.meaning(SYMBOLIC, *function.args))
+        return self._add(row.name, *map(self.lower, function.args))
 
     def _alongside(self, alongside: Alongside) -> Operand:
         value, argument = map(self.lower, alongside.args)
         return self._add("add", value, self._add("multiply", 0, argument))
 
-    def _maximum(self, maximum: sp.Max) -> Operand:
-        first, *others = maximum.args
+    def _extreme(self, extreme: sp.Max | sp.Min) -> Operand:
+        first, *others = extreme.args
         result = self.lower(first)
         for other in others:
-            result = self._add("maximum", result, self.lower(other))
+            kind = "maximum" if isinstance(extreme, sp.Max) else "minimum"
+            result = self._add(kind, result, self.lower(other))
         return result
 
     def _sum(self, total: sp.Add) -> Operand:
@@ -175,6 +183,8 @@ class Lowering:
         if (2 * exponent).is_Integer:
             root = self._name_last(self.lower(sp.sqrt(base)), suggest_name(sp.sqrt(base), "root"))
             return self._raise(root, int(2 * exponent))
+        if exponent == sp.Rational(1, 3) and base.is_nonnegative:
+            return self._add("cbrt", self.lower(base))
         return self._add("power", self.lower(base), self.lower(exponent))
 
     def _whole_power(self, base: sp.Expr, exponent: int) -> Operand:
@@ -217,12 +227,15 @@ class Lowering:
         (value, condition), *rest = piecewise.args
         if condition == sp.true:
             return self.lower(value)
-        if not rest:
-            raise NotImplementedError(f"no operation for a value without an otherwise: {piecewise}")
-        parts = condition, value, sp.Piecewise(*rest)
+        parts = condition, value, sp.Piecewise(*rest) if rest else sp.nan
         return self._add("choose", *map(self.lower, parts))
 
     def _total(self, total: sp.Sum, form: str = "quadratic_form") -> Operand:
+        if not total.has(sp.Indexed):
+            most = f"up to {MOST_TERMS} terms"
+            raise NotImplementedError(
+                f"no operation for {total}, but for axes of arguments and {most}"
+            )
         # The outermost index of a double sum stands last in `limits` and first among the axes.
         self._axes = tuple(index for index, *_ in reversed(total.limits))
         parts = _split_quadratic(total.function, self._axes)
@@ -282,7 +295,8 @@ _METHODS: tuple[tuple[type, Callable[[Lowering, sp.Basic], Operand]], ...] = (
     (sp.Add, Lowering._sum),
     (sp.Mul, Lowering._product),
     (sp.Pow, Lowering._power),
-    (sp.Max, Lowering._maximum),
+    (sp.Max, Lowering._extreme),
+    (sp.Min, Lowering._extreme),
     (sp.Piecewise, Lowering._piecewise),
     (sp.Sum, Lowering._total),
     (sp.Indexed, Lowering._element),

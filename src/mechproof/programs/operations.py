@@ -73,7 +73,8 @@ class Kind:
     """What is known of a kind of operation.
 
     It means `sympy`, or what `meaning` puts together in an arithmetic; what acts on axes of arrays
-    has neither. `head` is its name in expressions, if that is no function of SymPy's own.
+    has neither. With both, expressions have the first, and an arithmetic that does not know it the
+    second. `head` is its name in expressions, if that is no function of SymPy's own.
     Languages that have no spelling take the function of `elementary`.
     """
 
@@ -85,6 +86,11 @@ class Kind:
     numba: Spelling | None = None
     c: Spelling | None = None
     head: str = ""
+
+    @property
+    def is_composed(self) -> bool:
+        """Say whether programs have the operations that it means in its place."""
+        return self.sympy is not None and self.meaning is not None and self.numpy is None
 
 
 class Arithmetic:
@@ -129,6 +135,15 @@ def _tangent_quotient(on: Arithmetic, y: Any, a: Any, b: Any) -> Any:
     return t / (a + b * on.square(t))
 
 
+def _take_multiple_off(on: Arithmetic, a: Any, b: Any) -> Any:
+    quotient = a / b
+    return a - b * on.sign(quotient) * on.floor(on.absolute(quotient))
+
+
+def _sinc(on: Arithmetic, a: Any) -> Any:
+    return on.choose(on.equal(a, on.number(0)), on.number(1), on.sin(a) / a)
+
+
 def _function(name: str, sympy: Callable[..., sp.Basic]) -> Kind:
     """Return a function that NumPy has and that is compiled from arithmetic."""
     return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}")
@@ -137,6 +152,11 @@ def _function(name: str, sympy: Callable[..., sp.Basic]) -> Kind:
 def _library(name: str, sympy: Callable[..., sp.Basic], c: str) -> Kind:
     """Return a function of the libraries of all languages."""
     return Kind(name, LIBRARY, sympy, numpy=f"_np.{name}", numba=f"_math.{c}", c=c)
+
+
+def _composed(name: str, sympy: Callable[..., sp.Basic], meaning: Callable[..., Any]) -> Kind:
+    """Return a function that programs do not have: they have the operations that it means."""
+    return Kind(name, LIBRARY, sympy, meaning)
 
 
 def _near_one(name: str, meaning: Callable[..., Any]) -> Kind:
@@ -179,6 +199,7 @@ _ROWS = (
     Kind("sqrt", NEAREST, sp.sqrt, None, "_np.sqrt", "_np.sqrt", "sqrt"),
     Kind("absolute", EXACT, sp.Abs, None, "_abs", "_abs", "fabs"),
     Kind("sign", EXACT, sp.sign, None, "_np.sign"),
+    Kind("fmod", EXACT, None, _take_multiple_off, "_np.fmod", "_np.fmod", "fmod"),
     Kind("copysign", EXACT, None, lambda on, a, b: on.absolute(a) * on.sign(b),
          "_np.copysign", "_copysign", "copysign"),
     Kind("floor", EXACT, sp.floor, None, Support("functions", "floor"), "_floor", "floor"),
@@ -187,7 +208,7 @@ _ROWS = (
          None, "_power_of_two", f"{HELPER}power_of_two"),
     Kind("maximum", EXACT, sp.Max, None,
          Support("functions", "maximum"), "_maximum", f"{HELPER}maximum"),
-    Kind("minimum", EXACT, sp.Min),
+    Kind("minimum", EXACT, sp.Min, None, "_np.minimum"),
     Kind("copy", EXACT, None, _keep),
     # What is off by an approximation.
     Kind("approximate", EXACT, None, _keep),
@@ -219,9 +240,25 @@ _ROWS = (
     _library("arcsin", sp.asin, "asin"),
     _library("arccos", sp.acos, "acos"),
     _library("log", sp.log, "log"),
+    _library("sinh", sp.sinh, "sinh"),
+    _library("cosh", sp.cosh, "cosh"),
+    _library("tanh", sp.tanh, "tanh"),
+    _library("arcsinh", sp.asinh, "asinh"),
+    _library("arccosh", sp.acosh, "acosh"),
+    _library("arctanh", sp.atanh, "atanh"),
+    _library("power", sp.Pow, "pow"),
+    Kind("cbrt", LIBRARY, sp.cbrt, None, "_np.cbrt", "_np.cbrt", "cbrt"),
+    Kind("mod", NEAREST, sp.Mod, None, "_np.mod"),
+    Kind("sinc", LIBRARY, sp.sinc, _sinc, Support("functions", "sinc")),
+    # What is computed by others.
+    _composed("sec", sp.sec, lambda on, a: on.number(1) / on.cos(a)),
+    _composed("csc", sp.csc, lambda on, a: on.number(1) / on.sin(a)),
+    _composed("cot", sp.cot, lambda on, a: on.number(1) / on.tan(a)),
+    _composed("sech", sp.sech, lambda on, a: on.number(1) / on.cosh(a)),
+    _composed("csch", sp.csch, lambda on, a: on.number(1) / on.sinh(a)),
+    _composed("coth", sp.coth, lambda on, a: on.number(1) / on.tanh(a)),
     _near_one("expm1", lambda on, a: on.exp(a) - on.number(1)),
     _near_one("log1p", lambda on, a: on.log(on.number(1) + a)),
-    Kind("power", LIBRARY, sp.Pow, None, Pattern("{} ** {}", ATOM, POWER)),
     Kind("hypot", LIBRARY, None, lambda on, a, b: on.sqrt(a * a + b * b),
          Support("functions", "hypot"), head="hypot"),
     Kind("normal_tail", LIBRARY, lambda a: sp.erfc(sp.Abs(a) / sp.sqrt(2)) / 2),

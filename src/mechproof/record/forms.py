@@ -8,6 +8,7 @@ from typing import Any, Protocol
 
 import sympy as sp
 
+from mechproof.record.exactness import make_exact
 from mechproof.record.statements import Statement
 from mechproof.record.variables import Part
 
@@ -68,6 +69,9 @@ class Form:
     charts: tuple[Chart, ...] = ()
     mirrors: tuple[tuple[sp.Basic, ...], ...] = ()
     proved: str = ""
+
+    def __post_init__(self) -> None:
+        make_exact(self, "expression")
 
 
 @dataclass(frozen=True)

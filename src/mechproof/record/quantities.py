@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from mechproof.record.exactness import make_exact
 from mechproof.record.forms import Form
 from mechproof.record.texts import check_name, is_name
 from mechproof.record.variables import Part
@@ -118,6 +119,7 @@ class Quantity:
 
     def __post_init__(self) -> None:
         check_name("quantity: name", self.name)
+        make_exact(self, "definition")
         if self.forms and all(form.when is not None for form in self.forms):
             raise ValueError(f"quantity {self.name!r}: every form has a condition")
         keys = [form.key for form in self.rivals]

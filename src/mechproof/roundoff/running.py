@@ -70,6 +70,7 @@ _OF_BALLS: Mapping[Any, Callable[..., Any]] = MappingProxyType(
         **COMPARED,
         **CONNECTIVES,
         sp.sqrt: lambda a: a.sqrt(),
+        sp.cbrt: lambda a: a.root(3),
         sp.Pow: operator.pow,
     }
 )

@@ -103,7 +103,9 @@ def _point_any_way(facts: Facts, rng: Rng, symbols: tuple[sp.Symbol, ...], sizes
 
 
 def sign_randomly(facts: Facts, rng: Rng, symbol: sp.Symbol, sizes: Array) -> Array:
-    """Give sizes both signs where the domain has both; whole numbers for counts."""
+    """Give sizes both signs where the domain has both; values for sizes where there are few."""
+    if values := facts.region.list_values(symbol):
+        return rng.choice(values, len(sizes))
     if facts.region.is_count(symbol):
         return np.rint(sizes)
     low, high = facts.region.ends(symbol)
@@ -139,7 +141,7 @@ def draw_about_published(facts: Facts, rng: Rng, count: int) -> Columns:
     columns = draw_published(facts, rng, count)
     spread = rng.choice([0.02, 0.5], count)
     return {
-        s: np.rint(c) if facts.region.is_count(s) else c * (1 + rng.uniform(-1, 1, count) * spread)
+        s: c if facts.region.is_discrete(s) else c * (1 + rng.uniform(-1, 1, count) * spread)
         for s, c in columns.items()
     }
 
@@ -151,6 +153,8 @@ def draw_wide(facts: Facts, rng: Rng, count: int) -> Columns:
         low, high = facts.region.ends(symbol)
         if facts.region.is_count(symbol):
             columns[symbol] = np.rint(10 ** rng.uniform(0, np.log10(MOST_COUNTED), count))
+        elif facts.region.is_discrete(symbol):
+            continue
         elif np.isfinite([low, high]).all():
             columns[symbol] = _draw_bounded(rng, count, low, high)
         elif symbol not in facts.usual:

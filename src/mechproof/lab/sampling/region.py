@@ -7,6 +7,7 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 import sympy as sp
+from sympy.core.relational import Relational
 
 from mechproof.arithmetic import balls
 from mechproof.lab.sampling.roots import Columns, call
@@ -32,10 +33,13 @@ class Region:
 
     @cached_property
     def relations(self) -> tuple[sp.Basic, ...]:
-        """Return the relations that decide: ends of intervals, whole numbers, limits."""
+        """Return the relations that decide: ends of intervals, whole numbers, limits.
+
+        Those of finite sets are values.
+        """
         own = set(self.symbols)
         sets = (r for s in self.symbols for r in set_relations(s, self.domain.set_of(s)))
-        ends = (r for r in sets if not any(side.is_infinite for side in r.args))
+        ends = (r for r in sets if isinstance(r, Relational) and not _is_endless(r))
         return (*ends, *(r for r in self.domain.where if r.free_symbols <= own))
 
     @cached_property
@@ -62,6 +66,15 @@ class Region:
         """Return whether a symbol takes whole numbers only."""
         return self.domain.set_of(symbol) in COUNTS
 
+    def list_values(self, symbol: sp.Symbol) -> list[float]:
+        """List the values of a symbol that has so many, none for any other."""
+        values = self.domain.set_of(symbol)
+        return [float(value) for value in values.args] if values.is_FiniteSet else []
+
+    def is_discrete(self, symbol: sp.Symbol) -> bool:
+        """Return whether next to a value of a symbol there is no other."""
+        return self.is_count(symbol) or bool(self.list_values(symbol))
+
     def mark_inside(self, columns: Columns) -> Array:
         """Mark the points that lie inside, as doubles and for certain.
 
@@ -77,9 +90,16 @@ class Region:
     def mark_near(self, columns: Columns, margin: float = -ROUGHLY) -> Array:
         """Mark the points that are inside by a relative margin; a negative one lets some out."""
         kept: Array = np.all([np.isfinite(columns[s]) for s in self.symbols], axis=0)
+        for symbol in self.symbols:
+            if values := self.list_values(symbol):
+                kept = kept & np.isin(columns[symbol], values)
         for relation in self.relations:
             kept = kept & _holds(relation, columns, margin)
         return kept
+
+
+def _is_endless(relation: sp.Basic) -> bool:
+    return any(side.is_infinite for side in relation.args)
 
 
 def _holds(relation: sp.Basic, columns: Columns, margin: float) -> Array:

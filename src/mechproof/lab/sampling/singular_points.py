@@ -61,12 +61,12 @@ def list_point_sets(facts: Facts) -> tuple[PointSet, ...]:
 
 
 def list_targets(facts: Facts, places: tuple[Place, ...]) -> list[SingularTarget]:
-    """List every argument that can be moved onto one of the places; counts cannot."""
+    """List every argument that can be moved onto one of the places by any distance."""
     return [
         SingularTarget(place, symbol)
         for place in places
         for symbol in facts.symbols
-        if symbol in place.symbols and not facts.region.is_count(symbol)
+        if symbol in place.symbols and not facts.region.is_discrete(symbol)
     ]
 
 

@@ -97,6 +97,8 @@ def _middle(facts: Facts, symbol: sp.Symbol) -> float:
     fullest = max(facts.printed, key=len, default={})
     if symbol in fullest:
         return fullest[symbol][0]
+    if values := facts.region.list_values(symbol):
+        return values[-1]
     edges = facts.usual.get(symbol)
     return edges[len(edges) // 2] if edges else sum(_unknown(facts, symbol)) / 2
 

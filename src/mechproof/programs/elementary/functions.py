@@ -65,6 +65,10 @@ def _far_quotient(y: Value, a: Value, b: Value) -> Value:
     return t / (a + b * t * t)
 
 
+def _far_sinc(y: Value) -> Value:
+    return y.apply("sin", y) / y
+
+
 def _far(kind: str) -> Body:
     return lambda y: y.apply(kind, y)
 
@@ -266,6 +270,27 @@ class _Maker:
         )
         x, y = one * factor, other * factor
         return root(fma(x, x, y * y)) / factor
+
+    @_body()
+    def sign(self, y: Value) -> Value:
+        """Return 1 for y > 0, -1 for y < 0, else y."""
+        return choose(y > 0.0, 1.0, choose(y < 0.0, -1.0, y))
+
+    @_body()
+    def minimum(self, a: Value, b: Value) -> Value:
+        """Return the smaller number, NaN if one is."""
+        return -maximum(-a, -b)
+
+    @_body()
+    def mod(self, a: Value, b: Value) -> Value:
+        """Return a less a whole multiple of b, between 0 and b."""
+        rest = a.apply("fmod", a, b)
+        return choose(rest * copysign(1.0, b) < 0.0, rest + b, rest)
+
+    @_body(_far_sinc)
+    def sinc(self, y: Value) -> Value:
+        """Return sin(y)/y, 1 at 0."""
+        return choose(y == 0.0, 1.0, self.sin(y) / y)
 
     @_body()
     def product_rest(self, a: Value, b: Value, p: Value) -> Value:
