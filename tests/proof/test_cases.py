@@ -1,0 +1,55 @@
+"""Sides by pieces, and letters with few values, are proved equal case by case."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+import sympy as sp
+
+from mechproof.proof.cases import narrow
+from mechproof.proof.domain import Domain
+from mechproof.proof.ladder import decide
+from mechproof.proof.verdict import Verdict
+from mechproof.record import Equality
+
+x, y, s = (sp.Symbol(name, real=True) for name in "xys")
+DOMAIN = Domain({x: sp.Interval(-3, 3), y: sp.S.Reals, s: sp.FiniteSet(-1, 1)}, (), {})
+PIECES = sp.Piecewise((1 - x, x < 1), ((x - 1) ** 2, True))
+
+
+@pytest.mark.parametrize(
+    ("printed", "rebuilt", "verdict"),
+    [
+        # Other seams, where both are the same.
+        (PIECES, sp.Piecewise((1 - x, x <= 1), (x**2 - 2 * x + 1, True)), Verdict.PROVED),
+        (PIECES, sp.Piecewise((1 - x, x < 2), ((x - 1) ** 2, True)), Verdict.REFUTED),
+        (
+            PIECES,
+            sp.Piecewise((1 - x, x < 1), ((x - 1) ** 2 + sp.Rational(1, 99), True)),
+            Verdict.REFUTED,
+        ),
+        # True in its piece only.
+        (sp.Piecewise((x, x >= 0), (-x, True)), sp.sqrt(x**2), Verdict.PROVED),
+        (sp.Piecewise((x - y, x >= y), (y - x, True)), sp.Abs(x - y), Verdict.PROVED),
+        (sp.Piecewise((x, x >= 0), (x, True)), sp.sqrt(x**2), Verdict.REFUTED),
+        # A piece that nothing of the domain lies in.
+        (sp.Piecewise((x, x < 5), (y, True)), x, Verdict.PROVED),
+        (s**2 * x + 1 / s, x + s, Verdict.PROVED),
+        (s**2 * x + 1 / s, x - s, Verdict.REFUTED),
+        (sp.Sum(x**y, (y, 1, 3)), x**3 + x**2 + x, Verdict.PROVED),
+    ],
+)
+def test_equal_by_cases(printed: sp.Expr, rebuilt: sp.Expr, verdict: Verdict) -> None:
+    assert decide(Equality(printed, rebuilt), DOMAIN).verdict is verdict
+
+
+def test_the_part_of_a_condition() -> None:
+    def part(relation: sp.Basic) -> sp.Set | None:
+        narrowed = narrow(DOMAIN, relation)
+        return narrowed and narrowed.within[x]
+
+    assert part(x < 1) == sp.Interval.Ropen(-3, 1)
+    assert part(sp.pi * x >= 1) == sp.Interval(1 / sp.pi, 3)
+    assert part(x > 4) is None
+    assert narrow(DOMAIN, x < y) == replace(DOMAIN, where=(x < y,))
