@@ -32,11 +32,15 @@ __all__ = [
     "cos",
     "exp",
     "hypot",
+    "minimum",
+    "mod",
     "nonnegative",
     "normal_tail",
     "product_rest",
     "quotient_rest",
+    "sign",
     "sin",
+    "sinc",
     "small_arctan",
     "small_tangent",
     "sum_rest",
@@ -746,6 +750,95 @@ def hypot(a, b):
     v5 = v1 * v4
     v6 = v2 * v4
     return _np.sqrt(_fma(v5, v5, v6 * v6)) / v4
+
+
+@_scalar
+def sign(y):
+    """Return 1 for y > 0, -1 for y < 0, else y."""
+    return _choose(y > 0.0, 1.0, _choose(y < 0.0, -1.0, y))
+
+
+@_scalar
+def minimum(a, b):
+    """Return the smaller number, NaN if one is."""
+    return -_maximum(-a, -b)
+
+
+@_scalar
+def mod(a, b):
+    """Return a less a whole multiple of b, between 0 and b."""
+    v1 = _np.fmod(a, b)
+    return _choose(v1 * _copysign(1.0, b) < 0.0, v1 + b, v1)
+
+
+# (sin(r)/r - 1)/r**2 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.104 eps
+# (cos(r) - 1 + r**2/2)/r**4 in powers of r**2, |r| <= pi/4: the whole is off by at most 0.006 eps
+@_scalar
+def sinc(y, _exact):
+    """Return sin(y)/y, 1 at 0."""
+    v1 = _rint(y * 0.6366197723675814)
+    v2 = _fma(
+        v1,
+        1.4973849048591698e-33,
+        _fma(v1, -6.123233995736766e-17, _fma(v1, -1.5707963267948966, y)),
+    )
+    v3 = v2 * v2
+    v4 = v3 * 0.5
+    v5 = 1.0 - v4
+    v6 = v1 * 0.5
+    v7 = _choose(
+        _rint(v6) == v6,
+        _fma(
+            v2 * v3,
+            _fma(
+                v3,
+                _fma(
+                    v3,
+                    _fma(
+                        v3,
+                        _fma(
+                            v3,
+                            _fma(v3, 1.5918129027234826e-10, -2.505113184128889e-08),
+                            2.7557316102534617e-06,
+                        ),
+                        -0.0001984126983675854,
+                    ),
+                    0.008333333333330948,
+                ),
+                -0.16666666666666666,
+            ),
+            v2,
+        ),
+        v5
+        + _fma(
+            v3 * v3,
+            _fma(
+                v3,
+                _fma(
+                    v3,
+                    _fma(
+                        v3,
+                        _fma(
+                            v3,
+                            _fma(v3, -1.1382632258093615e-11, 2.087614626607931e-09),
+                            -2.7557317271718644e-07,
+                        ),
+                        2.4801587298765665e-05,
+                    ),
+                    -0.0013888888888887398,
+                ),
+                0.041666666666666664,
+            ),
+            1.0 - v5 - v4,
+        ),
+    )
+    v8 = _floor(v6) * 0.5
+    _value = _choose(y == 0.0, 1.0, _choose(_floor(v8) == v8, v7, -v7) / y)
+    if _abs(y) <= _LARGEST:
+        return _value
+    if _exact is None:
+        return _math.nan
+    return _math.sin(y) / y
 
 
 @_scalar

@@ -238,7 +238,12 @@ def clearance_printed(x5: ArrayLike, l_GH: ArrayLike, *, out: NDArray[Any] | Non
     x5, l_GH = _as_floats("x5 l_GH", x5, l_GH)
     (l_GH,) = _nan_outside(_check_of_clearance_printed, l_GH)
     return _in_blocks(
-        _form_of_clearance_printed, (x5,), _prepare_of_clearance_printed, (l_GH,), out=out
+        _form_of_clearance_printed,
+        (x5,),
+        _prepare_of_clearance_printed,
+        (l_GH,),
+        out=out,
+        quiet=True,
     )
 
 
