@@ -17,7 +17,8 @@ from mechproof.record.relations import find_slack, solve
 from mechproof.record.substitution import substitute
 
 Sides = tuple[sp.Expr, sp.Expr]
-Prove = Callable[[sp.Expr, sp.Expr, Domain], str | None]
+# Of both sides and the domain.
+Prove = Callable[..., str | None]
 RUNG = "case by case"
 
 
