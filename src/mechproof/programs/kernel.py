@@ -165,8 +165,8 @@ def _build_stage(
     if affine is not None:
         prepare = lower_steps(names, large, given, evaluation.steps, affine)
         return Stage(when, dict(vectors)[quantity.arguments[0].name], given, prepare, None)
-    before = [step for step in evaluation.steps if step[0] not in large]
-    after = [step for step in evaluation.steps if step[0] in large]
+    before = [step for step in evaluation.steps if given and step[0] not in large]
+    after = [step for step in evaluation.steps if step not in before]
     last = [value for _, value in after] + list(outputs)
     wanted = set().union(*(input_symbols(value) for value in last))
     passed = [s for s in (*parameters, *(s for s, _ in before)) if s in wanted]

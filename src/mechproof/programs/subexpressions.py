@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from operator import methodcaller
 
 import sympy as sp
@@ -58,8 +59,13 @@ def _merge_steps(evaluation: Evaluation) -> Evaluation:
     """Use a step wherever its value occurs outside it."""
     names = {value: symbol for symbol, value in evaluation.steps if not value.is_Atom}
     steps = [
-        (symbol, value.func(*(argument.xreplace(names) for argument in value.args)))
-        for symbol, value in evaluation.steps
+        (symbol, _rebuild(value, names)) for symbol, value in evaluation.steps
     ]
     output = map_entries(lambda e: e.xreplace(names), evaluation.output)
     return evaluation.rearrange(steps, output)
+
+
+def _rebuild(value: sp.Expr, names: Mapping[sp.Expr, sp.Symbol]) -> sp.Expr:
+    if value.is_Atom:
+        return value
+    return value.func(*(argument.xreplace(names) for argument in value.args))

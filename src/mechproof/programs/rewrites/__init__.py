@@ -15,6 +15,7 @@ from mechproof.programs.evaluation import Evaluation
 from mechproof.programs.rewrites.arctangent import positive_atan2
 from mechproof.programs.rewrites.clenshaw import clenshaw, in_single
 from mechproof.programs.rewrites.coefficients import name_coefficients
+from mechproof.programs.rewrites.differences import difference_of_functions, difference_of_roots
 from mechproof.programs.rewrites.exponentials import expm1_log1p
 from mechproof.programs.rewrites.half_angle import (
     cosine_minus_one,
@@ -33,7 +34,9 @@ REWRITES: Mapping[str, Rewrite] = MappingProxyType(
     {
         function.__name__: function
         for function in (
+            name_coefficients,
             positive_atan2,
+            difference_of_functions,
             low_word,
             low_product,
             half_angle_tangent,
@@ -41,9 +44,9 @@ REWRITES: Mapping[str, Rewrite] = MappingProxyType(
             cosine_minus_one,
             hypotenuse,
             conjugate_root,
+            difference_of_roots,
             difference_of_squares,
             expm1_log1p,
-            name_coefficients,
             clenshaw,
             in_single,
         )

@@ -42,8 +42,14 @@ class Factors:
         return self.multiply(polynomial, convert)
 
     def multiply(self, polynomial: sp.Expr, convert: Callable[[sp.Expr], sp.Expr]) -> sp.Expr:
-        """Multiply the converted factors, their signs as people write them."""
-        number, factors = sp.factor_list(polynomial)
+        """Multiply the converted factors, their signs as people write them.
+
+        Raises ValueError for what is no polynomial.
+        """
+        try:
+            number, factors = sp.factor_list(polynomial)
+        except sp.PolynomialError as error:
+            raise ValueError(f"factors: {polynomial} is no polynomial") from error
         # The number is multiplied last: 2*(1 - e) with one sum only would become 2 - 2*e in SymPy.
         sign, result = sp.sign(number), sp.S.One
         for base, power in factors:

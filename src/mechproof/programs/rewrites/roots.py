@@ -91,5 +91,10 @@ def difference_of_squares(evaluation: Evaluation) -> Evaluation:
 
 
 def _is_square(term: sp.Expr) -> bool:
-    number, factors = sp.factor_list(term)
+    if term.is_Rational:
+        return bool(sp.sqrt(term).is_rational)
+    try:
+        number, factors = sp.factor_list(term)
+    except sp.PolynomialError:
+        return False
     return bool(sp.sqrt(number).is_rational) and all(power % 2 == 0 for _, power in factors)

@@ -1,0 +1,139 @@
+"""Candidates: a definition with named rewrites, computed in doubles and compared with the truth."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from sympy import IndexedBase
+
+from mechproof.lab.accuracy_domain import mark_accuracy_domain
+from mechproof.lab.error import ALL_BITS, Errors, find_errors
+from mechproof.lab.oracle import Truth, find_truth
+from mechproof.lab.sampling.points import choose_evenly, join
+from mechproof.lab.search import draw_sets
+from mechproof.lab.subject import Subject
+from mechproof.lab.ways import Arguments, Array, Compute
+from mechproof.programs.code import Stage
+from mechproof.programs.kernel import Kernel, build_kernel
+from mechproof.programs.scalar import map_affinely
+from mechproof.record import Form, Quantity
+from mechproof.roundoff.running import IN_DOUBLES, run
+from mechproof.roundoff.steps import flatten_stage
+
+# Of each set of points such a part is drawn, and no more than so many are compared.
+SHARE, MOST = 0.1, 24
+# A double has no more digits to lose.
+ALL_DIGITS = 16
+
+
+@dataclass(frozen=True)
+class Points:
+    """Points on which a quantity hurts, and its values there."""
+
+    arguments: Arguments
+    truth: Truth
+    counts: Array
+
+
+@dataclass(frozen=True)
+class Loss:
+    """What a way of computing loses on points: the worst of them, and bits on the average."""
+
+    worst: float
+    bits: float
+    at: tuple[Any, ...]
+
+    @property
+    def digits(self) -> float:
+        """Return the decimal digits that are lost at the worst point."""
+        return float(np.clip(np.log10(max(self.worst, 1.0)), 0, ALL_DIGITS))
+
+    @property
+    def level(self) -> tuple[int, float]:
+        """Return what is compared: whole digits, then half bits; the rest is the points' chance."""
+        return round(self.digits), round(2 * self.bits) / 2
+
+
+def draw(subject: Subject, seed: int) -> Points:
+    """Draw some points of every set, as far as the accuracy of the quantity is stated there."""
+    sets = (
+        tuple(column[choose_evenly(len(column), MOST)] for column in drawn)
+        for drawn in draw_sets(subject, seed, SHARE)
+    )
+    arguments = join(*sets)
+    truth = find_truth(subject, arguments)
+    return Points(arguments, truth, mark_accuracy_domain(subject, arguments) & truth.decided)
+
+
+def measure_loss(compute: Compute, points: Points) -> Loss:
+    """Compare what is computed with the truth."""
+    with np.errstate(all="ignore"):
+        errors: Errors = find_errors(compute(*points.arguments), points.truth)
+    scaled = np.where(points.counts, errors.scaled, 0.0)
+    bits = np.minimum(np.log2(1 + scaled), ALL_BITS)[points.counts]
+    worst = int(np.argmax(scaled))
+    at = tuple(argument[worst].tolist() for argument in points.arguments)
+    return Loss(float(scaled[worst]), float(bits.mean()) if bits.size else 0.0, at)
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """The definition of a quantity with rewrites."""
+
+    subject: Subject
+    rewrites: tuple[str, ...]
+
+    @cached_property
+    def form(self) -> Form:
+        """Return the form."""
+        name = ", ".join(name.replace("_", " ") for name in self.rewrites) or "as defined"
+        return Form(name, self.subject.quantity.definition, self.rewrites)
+
+    @cached_property
+    def quantity(self) -> Quantity:
+        """Return the quantity with this form alone."""
+        return replace(self.subject.quantity, forms=(self.form,))
+
+    @cached_property
+    def kernel(self) -> Kernel:
+        """Return the code; ValueError or NotImplementedError where a rewrite does not fit."""
+        return build_kernel(self.quantity.name, self.quantity, (self.form,), self.subject.paper)
+
+    @property
+    def operations(self) -> int:
+        """Count the operations."""
+        return self.kernel.code.count_operations()[-1]
+
+    def compute(self, *arguments: Array) -> Array:
+        """Compute the form in doubles, as its kernel does."""
+        (stage,), shape = self.kernel.code.stages, self.kernel.code.shape
+        with np.errstate(all="ignore"):
+            straight = flatten_stage(_spell_out(stage), {})
+            found = run(straight, self._name(arguments), IN_DOUBLES)
+        values = np.stack([np.broadcast_to(v, len(arguments[0])) for v in found], -1)
+        return values.reshape(len(values), *shape)
+
+    def _name(self, arguments: Arguments) -> Mapping[str, Array]:
+        given: dict[str, Array] = {}
+        vectors = dict(self.kernel.code.vectors)
+        for argument, array in zip(self.quantity.arguments, arguments, strict=True):
+            if len(argument.symbols) == 1:
+                given[argument.name] = array
+            else:
+                given |= zip(map(str, argument.symbols), array.T, strict=True)
+                given |= zip(vectors[argument.name], array.T, strict=True)
+        return given
+
+
+def _spell_out(stage: Stage) -> Stage:
+    return replace(stage, evaluate=map_affinely(stage.running)) if stage.affine else stage
+
+
+def can_be_searched(quantity: Quantity) -> bool:
+    """Say whether a quantity is computed point by point; sums over axes are not rewritten."""
+    symbols = [s for argument in quantity.arguments for s in argument.symbols]
+    return bool(quantity.forms) and not any(isinstance(s, IndexedBase) for s in symbols)

@@ -1,0 +1,51 @@
+"""The search: rewrites in the order of their table, each tried on the best that was found so far.
+
+What a rewrite does not change is dropped, and so is what computes the same as another candidate. A
+rewrite that gains nothing by itself, as the low word of an angle, is kept for those after it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from mechproof.improvement.candidates import Candidate, Loss, Points, measure_loss
+from mechproof.lab.subject import Subject
+from mechproof.programs.rewrites import REWRITES
+
+# So many candidates are kept after each rewrite.
+KEPT = 8
+# What no loss of digits mends: it makes other forms for speed, or in float32.
+FOR_SPEED = ("clenshaw", "in_single")
+# Why a rewrite does not fit: what it needs is not there, or has no operation.
+UNFIT = (ValueError, NotImplementedError)
+
+Found = tuple[Loss, Candidate]
+
+
+def search(subject: Subject, points: Points) -> list[Found]:
+    """Return the best candidates, the one that loses least on the points first."""
+    plain = Candidate(subject, ())
+    found = [(measure_loss(plain.compute, points), plain)]
+    for name in REWRITES:
+        if name not in FOR_SPEED:
+            found = sorted([*found, *_grow(found, name, points)], key=_rank)[:KEPT]
+    return found
+
+
+def _rank(found: Found) -> tuple[tuple[int, float], int]:
+    loss, candidate = found
+    return loss.level, candidate.operations
+
+
+def _grow(found: list[Found], name: str, points: Points) -> Iterator[Found]:
+    """Yield what the rewrite makes of each candidate, if it changes it."""
+    known = {candidate.kernel.code.stages for _, candidate in found}
+    for _, candidate in found:
+        grown = Candidate(candidate.subject, (*candidate.rewrites, name))
+        try:
+            stages = grown.kernel.code.stages
+        except UNFIT:
+            continue
+        if stages not in known:
+            known.add(stages)
+            yield measure_loss(grown.compute, points), grown
