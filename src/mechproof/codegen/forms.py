@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 
 import sympy as sp
 
 from mechproof.codegen.backends.numpy import FORMS, render_modules
 from mechproof.codegen.kernel_reading import check_module
 from mechproof.programs.code import Stage
+from mechproof.programs.evaluation import Enclosure
 from mechproof.programs.kernel import Kernel, list_functions, name_rival
 from mechproof.programs.raising import WrittenForm
 from mechproof.record import (
@@ -21,11 +23,15 @@ from mechproof.record import (
     Part,
     Quantity,
     Row,
+    Statement,
+    Written,
 )
 from mechproof.record.relations import solve
 
 # Ends the number of the row that says that the rewrites of a form are legal.
 LEGAL = ", legal"
+# Ends the number of the row that says how near a polynomial is to what it stands for.
+NEAR_ZERO = ", near 0"
 
 
 def form_rows(paper: Paper) -> tuple[Row, ...]:
@@ -65,7 +71,7 @@ def number_form(quantity: Quantity, form: Form) -> str:
 def number_shipped(paper: Paper) -> frozenset[str]:
     """Return the numbers of the rows on which the kernels of a paper rest."""
     numbers = (number_form(q, form) for q in paper.quantities for form in q.shipped)
-    return frozenset(f"{number}{end}" for number in numbers for end in ("", LEGAL))
+    return frozenset(f"{number}{end}" for number in numbers for end in ("", LEGAL, NEAR_ZERO))
 
 
 def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Iterator[Row]:
@@ -75,14 +81,16 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
     rewrites = ", ".join(form.rewrites) or "none"
     bound = "" if form.bound is None else f"; off by at most {form.bound}"
     definition = _write_out(quantity.definition, paper)
-    states = form.states or (lambda code: Equality(code.output(), definition))
+    enclosures = kernel.enclosures[place]
+    states = form.states or partial(_equal_but_enclosures, enclosures, definition)
+    written = WrittenForm(quantity, kernel.code, stage)
     on = _join_parts(quantity, form, paper)
     note = f" {form.note[:1].upper()}{form.note[1:]}." if form.note else ""
     yield Claim(
         number,
         rf"\text{{the source of {shown} computes "
         + (r"its definition}" if form.bound is None else r"its definition to a bound}"),
-        states(WrittenForm(quantity, kernel.code, stage)),
+        states(written),
         note=f"Read back from the source: {form.name}; rewrites: {rewrites}{bound}.{note}",
         on=on,
         holds_on=form.holds_on,
@@ -98,6 +106,44 @@ def _state_form(kernel: Kernel, place: int, stage: Stage, paper: Paper) -> Itera
             on=on,
             marks=("ours",),
         )
+    for enclosure in enclosures:
+        yield Claim(
+            f"{number}{NEAR_ZERO}",
+            rf"\text{{the polynomial of {shown} is off by less than a rounding}}",
+            _state_enclosure(written, enclosure),
+            note="Beyond it what it stands for is computed.",
+            on=Part(
+                f"|{enclosure.symbol}| <= {enclosure.limit}",
+                {enclosure.symbol: sp.Interval(-enclosure.limit, enclosure.limit)},
+            ),
+            marks=("ours",),
+        )
+
+
+def _equal_but_enclosures(
+    enclosures: Sequence[Enclosure], definition: sp.Basic, code: Written
+) -> Statement:
+    """State an equality with what is enclosed in place of the steps that enclose it."""
+    exact = {enclosure.step: enclosure.exact for enclosure in enclosures}
+    return Equality(code.output(*exact).xreplace(exact), definition)
+
+
+def _state_enclosure(code: Written, enclosure: Enclosure) -> Statement:
+    """State how near the polynomial of a step is, and that its other branch is exact."""
+    value = code.step(enclosure.step)
+
+    def take(place: int) -> sp.Expr:
+        return value.replace(
+            lambda node: isinstance(node, sp.Piecewise) and node.args[0].cond == enclosure.inside,
+            lambda node: node.args[place].expr,
+        )
+
+    return Conjunction(
+        (
+            Holds(sp.Le(sp.Abs(take(0) - enclosure.exact), enclosure.bound)),
+            Equality(take(1), enclosure.exact),
+        )
+    )
 
 
 def _write_out(definition: sp.Basic, paper: Paper) -> sp.Basic:

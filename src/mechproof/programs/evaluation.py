@@ -23,16 +23,38 @@ class Alongside(sp.Function):  # type: ignore[misc]
 
 
 @dataclass(frozen=True)
+class Enclosure:
+    """A step that is `exact` but for a `bound` where |symbol| <= limit, and exact beyond."""
+
+    step: sp.Symbol
+    exact: sp.Expr
+    symbol: sp.Symbol
+    limit: sp.Rational
+    bound: sp.Expr
+
+    @property
+    def inside(self) -> sp.Basic:
+        """Return where the step is enclosed."""
+        return sp.Le(sp.Abs(self.symbol), self.limit)
+
+
+@dataclass(frozen=True)
 class Evaluation:
     """Named steps, each of inputs and the steps before it, and the output computed from them.
 
-    `obligations` are the relations on the inputs under which the rewrites so far are legal.
+    `obligations` are the relations on the inputs under which the rewrites so far are legal;
+    `enclosures` the steps that are no more than enclosed.
     """
 
     inputs: frozenset[sp.Basic]
     steps: tuple[Step, ...]
     output: sp.Basic
     obligations: tuple[sp.Basic, ...] = ()
+    enclosures: tuple[Enclosure, ...] = ()
+
+    def enclose(self, enclosures: Iterable[Enclosure]) -> Evaluation:
+        """Add steps that a rewrite encloses."""
+        return replace(self, enclosures=(*self.enclosures, *enclosures))
 
     def oblige(self, relations: Iterable[sp.Basic]) -> Evaluation:
         """Add relations under which a rewrite is legal, their steps inserted."""

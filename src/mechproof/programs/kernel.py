@@ -17,6 +17,7 @@ from mechproof.programs.code import KernelCode, Stage
 from mechproof.programs.domain import can_be_left, checked_relations
 from mechproof.programs.evaluation import (
     Alongside,
+    Enclosure,
     Evaluation,
     count_axes,
     entries,
@@ -39,7 +40,8 @@ from mechproof.record import Argument, Form, Paper, Quantity
 class Kernel:
     """A function to be printed: its forms, tried in order, and its code.
 
-    `obligations` are the relations under which the rewrites of each form are legal.
+    `obligations` are the relations under which the rewrites of each form are legal, `enclosures`
+    the steps of each that are computed to a bound.
     """
 
     name: str
@@ -48,6 +50,7 @@ class Kernel:
     digest: str
     code: KernelCode
     obligations: tuple[tuple[sp.Basic, ...], ...]
+    enclosures: tuple[tuple[Enclosure, ...], ...]
 
     @property
     def is_shipped(self) -> bool:
@@ -137,7 +140,8 @@ def build_kernel(name: str, quantity: Quantity, forms: tuple[Form, ...], paper: 
     )
     started = [start_evaluation(quantity, form, paper) for form in forms]
     obligations = tuple(evaluation.obligations for evaluation in evaluations)
-    return Kernel(name, quantity, forms, hash_expressions(started), code, obligations)
+    enclosures = tuple(evaluation.enclosures for evaluation in evaluations)
+    return Kernel(name, quantity, forms, hash_expressions(started), code, obligations, enclosures)
 
 
 def _build_stage(

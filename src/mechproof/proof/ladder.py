@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 
 from mechproof.arithmetic import balls
-from mechproof.proof import bisection
+from mechproof.proof import bisection, taylor
 from mechproof.proof.algebra import decide_equal, explain_unequal
 from mechproof.proof.antiderivative import decide_by_derivative, explain_break
 from mechproof.proof.bisection import holds_on_interval
@@ -30,6 +30,7 @@ from mechproof.proof.refutation import (
 )
 from mechproof.proof.signs import is_nonzero, is_shown
 from mechproof.proof.vector_angles import decide_by_argument
+from mechproof.proof.taylor import holds_near_zero
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.witness_text import show_plainly
 from mechproof.record import (
@@ -240,6 +241,8 @@ def _decide_exact(relation: sp.Basic, sides: tuple[sp.Expr, ...], sign: str) -> 
 
 
 def _prove_relation(relation: sp.Basic, domain: Domain) -> str | None:
+    if holds_near_zero(relation, domain):
+        return taylor.RUNG
     if holds_on_interval(relation, domain):
         return bisection.RUNG
     return "sign in positive coordinates" if _holds_by_sign(relation, domain) else None

@@ -1,9 +1,9 @@
 """Rewrites: in, an evaluation; out, one with the same exact value that computes better.
 
-Every rewrite is exact where it is legal. Where that is not everywhere it obliges the prover: the
-relations under which it is legal go along with the evaluation and are rows of the ledger. A form
-names its rewrites; `REWRITES` resolves the names. Herbie (Panchekha et al. 2015) searches sequences
-of rules for what is accurate on samples; here a person names them, and the result is bounded.
+Every rewrite is exact where it is legal, or to less than a rounding. Where that is not everywhere
+it obliges the prover: the relations under which it is legal, and what it encloses, go along with
+the evaluation and are rows of the ledger. A form names its rewrites; `REWRITES` resolves the names.
+A person names them, or `improvement` finds them, which tries them in the order of the table.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ from mechproof.programs.rewrites.half_angle import (
 from mechproof.programs.rewrites.low_product import low_product
 from mechproof.programs.rewrites.low_word import low_word
 from mechproof.programs.rewrites.roots import conjugate_root, difference_of_squares, hypotenuse
+from mechproof.programs.rewrites.taylor import taylor
 
 __all__ = ["REWRITES", "apply_rewrites"]
 
@@ -47,6 +48,7 @@ REWRITES: Mapping[str, Rewrite] = MappingProxyType(
             difference_of_roots,
             difference_of_squares,
             expm1_log1p,
+            taylor,
             clenshaw,
             in_single,
         )

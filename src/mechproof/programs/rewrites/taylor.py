@@ -1,0 +1,84 @@
+"""Sums that vanish at zero faster than their terms: near zero by their Taylor polynomials.
+
+No identity gives tan x - x without a difference. Below a limit the value is a polynomial that is
+off by less than a rounding, which the prover shows; beyond it few digits cancel.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from mechproof.programs.evaluation import Enclosure, Evaluation, Step
+from mechproof.programs.exact_series import ORDER, expand_at_zero
+
+# The polynomial is off by no more than this part of its first term, and has no more terms.
+PART, MOST_TERMS = sp.Rational(1, 2**56), 20
+# A polynomial serves up to the first of these that its terms suffice for.
+LIMITS = (sp.Integer(2), sp.Integer(1), sp.Rational(1, 2), sp.Rational(1, 4), sp.Rational(1, 8))
+
+
+def taylor(evaluation: Evaluation) -> Evaluation:
+    """Rewrite sums of one input, whose first terms cancel at 0, to a polynomial near 0.
+
+    Not exact: that the polynomial is within `PART` of its first term is a row of the ledger.
+    """
+    steps: list[Step] = []
+    enclosures: list[Enclosure] = []
+
+    def convert(total: sp.Expr) -> sp.Expr:
+        symbols = total.free_symbols & evaluation.inputs
+        if not (total.is_Add and len(total.free_symbols) == len(symbols) == 1):
+            return total.func(*map(convert, total.args)) if total.args else total
+        (x,) = symbols
+        found = _choose_polynomial(total, x)
+        if found is None:
+            return total.func(*map(convert, total.args))
+        limit, terms = found
+        first = next(k for k, c in enumerate(terms) if c)
+        bound = PART * abs(terms[first]) * sp.Abs(x) ** first
+        enclosure = Enclosure(evaluation.new_symbol("value", steps), total, x, limit, bound)
+        near = evaluation.add_step("near", sp.Piecewise((x, enclosure.inside), (0, True)), steps)
+        polynomial = evaluation.add_step("polynomial", _nest(terms, near), steps)
+        value = sp.Piecewise((polynomial, enclosure.inside), (total, True))
+        steps.append((enclosure.step, value))
+        enclosures.append(enclosure)
+        return enclosure.step
+
+    return evaluation.transform(convert, steps).enclose(enclosures)
+
+
+def _choose_polynomial(
+    total: sp.Add, x: sp.Symbol
+) -> tuple[sp.Rational, list[sp.Rational]] | None:
+    """Return the limit and the coefficients, None where nothing cancels or no polynomial serves."""
+    terms = expand_at_zero(total, x)
+    parts = [expand_at_zero(part, x) for part in total.args]
+    if terms is None or any(part is None for part in parts) or total.is_polynomial(x):
+        return None
+    first = next((k for k, c in enumerate(terms) if c), ORDER)
+    if not any(c for part in parts for c in (part or ())[:first]) or first == ORDER:
+        return None
+    for limit in LIMITS:
+        rest = sp.S.Zero
+        for count in range(ORDER, first, -1):
+            rest += abs(terms[count - 1]) * limit ** (count - 1 - first)
+            if rest > PART * abs(terms[first]) / 2:
+                if sum(map(bool, terms[:count])) <= MOST_TERMS and count < ORDER:
+                    return limit, [_shorten(c) for c in terms[:count]]
+                break
+    return None
+
+
+def _shorten(coefficient: sp.Rational) -> sp.Rational:
+    """Return a quotient of whole numbers that are doubles, or else the nearest double."""
+    is_short = max(abs(coefficient.p), coefficient.q) < 2**53
+    return coefficient if is_short else sp.Rational(float(coefficient))
+
+
+def _nest(terms: list[sp.Rational], x: sp.Symbol) -> sp.Expr:
+    """Return the polynomial in Horner's form: x**3*(c3 + x**2*(c5 + ...))."""
+    powers = [k for k, c in enumerate(terms) if c]
+    value = terms[powers[-1]]
+    for power, above in zip(powers[-2::-1], powers[:0:-1], strict=True):
+        value = terms[power] + sp.Mul(x ** (above - power), value, evaluate=False)
+    return sp.Mul(x ** powers[0], value, evaluate=False)
