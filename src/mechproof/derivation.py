@@ -22,6 +22,7 @@ from pathlib import Path
 from types import CodeType, ModuleType
 from typing import Literal, NoReturn
 
+from mechproof.chosen import choose_forms
 from mechproof.latex import read_paper
 from mechproof.measured import KERNELS
 from mechproof.processes import limit_time
@@ -115,7 +116,7 @@ def load_paper(location: Path) -> Paper:
         )
     try:
         check_derived(paper)
-        return read_paper(paper)
+        return choose_forms(read_paper(paper), place)
     except ValueError as error:
         raise DerivationError(f"{module.__file__}: {error}") from error
 

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from mechproof.cache import Store, name_place
+from mechproof.chosen import find_file
 from mechproof.proof.cache import UNREAD, read_judgement
 from mechproof.proof.findings import LedgerFinding
 from mechproof.proof.ledger import Ledger
@@ -29,13 +30,16 @@ class LedgerCache:
 
     def __init__(self, location: Path) -> None:
         self.program = digest_program()
+        self.chosen = find_file(location.resolve())
         self.store = Store(f"ledgers/{name_place(location)}.json")
 
     def load(self) -> Ledger | None:
         """Return the ledger if nothing has changed; what cannot be read is as good as absent."""
         kept = self.store.read().get(self.program, {})
         with suppress(ValueError, KeyError, TypeError):
-            if are_unchanged(kept["read"]):
+            # A file that was not there could not be read.
+            is_new = self.chosen.exists() and str(self.chosen) not in kept["read"]
+            if not is_new and are_unchanged(kept["read"]):
                 return _read(kept["ledger"])
         return None
 

@@ -14,6 +14,7 @@ from mechproof.cli.check import check
 from mechproof.cli.console import fail, refuse, say, show_progress
 from mechproof.cli.emit import app as emit_app
 from mechproof.cli.figures import figures
+from mechproof.cli.improve import SEARCH_LIMIT, improve, offer_forms
 from mechproof.cli.json_file import clear_json, write_json
 from mechproof.cli.judging import (
     LimitOption,
@@ -24,7 +25,14 @@ from mechproof.cli.judging import (
 from mechproof.cli.ledger import print_ledgers
 from mechproof.cli.new import new
 from mechproof.cli.outcomes import FailOnOption, read_outcomes
-from mechproof.cli.paths import RULE, DerivationsOption, PapersArgument, find_locations, find_places
+from mechproof.cli.paths import (
+    RULE,
+    DerivationsOption,
+    PapersArgument,
+    RootOption,
+    find_locations,
+    find_places,
+)
 from mechproof.cli.report import report
 from mechproof.cli.welcome import show_welcome
 from mechproof.derivation import DerivationError
@@ -44,15 +52,10 @@ app.command()(check)
 app.command()(new)
 app.command(epilog=RULE)(report)
 app.command(epilog=RULE)(figures)
+app.command(epilog=RULE)(improve)
 app.add_typer(emit_app, name="emit")
 
 UNDECIDED = (Verdict.UNDECIDED.value, State.NOT_READ.value, State.NOT_JUDGED.value)
-RootOption = Annotated[
-    Path | None,
-    typer.Option(
-        "--root", metavar="ROOT", help="The folder that holds derivations/ and generated/."
-    ),
-]
 
 
 def _print_version(asked: bool) -> None:
@@ -115,6 +118,10 @@ def regenerate(
     check: Annotated[
         bool, typer.Option("--check", help="Write nothing; fail on any difference.")
     ] = False,
+    better: Annotated[
+        bool,
+        typer.Option("--improve", help="First search for better forms, as improve --write does."),
+    ] = False,
     derivations: DerivationsOption = None,
     root: RootOption = None,
     no_cache: NoCacheOption = False,
@@ -135,6 +142,10 @@ def regenerate(
     places = find_places(derivations, root)
     if not (derivations or root) and not Path("derivations").is_dir():
         refuse("there is no folder derivations: run it where it lies, or give --derivations DIR")
+    if better and check:
+        refuse("--improve and --check: give one of them, a check writes nothing")
+    if better:
+        offer_forms((), places, write=True, limit=SEARCH_LIMIT)
     from mechproof import pipeline
 
     try:

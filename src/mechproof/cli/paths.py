@@ -26,6 +26,12 @@ PapersArgument = Annotated[
         "none.",
     ),
 ]
+RootOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--root", metavar="ROOT", help="The folder that holds derivations/ and generated/."
+    ),
+]
 RULE = (
     "Derivations are those of --derivations DIR (or of ROOT/derivations with --root ROOT), else "
     "those of the folder ./derivations if there is one, else those that come with the package. "

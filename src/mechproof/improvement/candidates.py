@@ -53,9 +53,9 @@ class Loss:
         return float(np.clip(np.log10(max(self.worst, 1.0)), 0, ALL_DIGITS))
 
     @property
-    def level(self) -> tuple[int, float]:
-        """Return what is compared: whole digits, then half bits; the rest is the points' chance."""
-        return round(self.digits), round(2 * self.bits) / 2
+    def level(self) -> tuple[int, int]:
+        """Return what is compared: whole digits, then whole bits; the rest is chance."""
+        return round(self.digits), int(self.bits)
 
 
 def draw(subject: Subject, seed: int) -> Points:
@@ -82,16 +82,10 @@ def measure_loss(compute: Compute, points: Points) -> Loss:
 
 @dataclass(frozen=True)
 class Candidate:
-    """The definition of a quantity with rewrites."""
+    """A form of a quantity."""
 
     subject: Subject
-    rewrites: tuple[str, ...]
-
-    @cached_property
-    def form(self) -> Form:
-        """Return the form."""
-        name = ", ".join(name.replace("_", " ") for name in self.rewrites) or "as defined"
-        return Form(name, self.subject.quantity.definition, self.rewrites)
+    form: Form
 
     @cached_property
     def quantity(self) -> Quantity:

@@ -7,7 +7,9 @@ rewrite that gains nothing by itself, as the low word of an angle, is kept for t
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
+from mechproof.chosen import rewrite_definition
 from mechproof.improvement.candidates import Candidate, Loss, Points, measure_loss
 from mechproof.lab.subject import Subject
 from mechproof.programs.rewrites import REWRITES
@@ -24,7 +26,7 @@ Found = tuple[Loss, Candidate]
 
 def search(subject: Subject, points: Points) -> list[Found]:
     """Return the best candidates, the one that loses least on the points first."""
-    plain = Candidate(subject, ())
+    plain = Candidate(subject, rewrite_definition(subject.quantity, ()))
     found = [(measure_loss(plain.compute, points), plain)]
     for name in REWRITES:
         if name not in FOR_SPEED:
@@ -32,16 +34,17 @@ def search(subject: Subject, points: Points) -> list[Found]:
     return found
 
 
-def _rank(found: Found) -> tuple[tuple[int, float], int]:
+def _rank(found: Found) -> tuple[tuple[int, int], int, int]:
     loss, candidate = found
-    return loss.level, candidate.operations
+    return loss.level, candidate.operations, len(candidate.form.rewrites)
 
 
 def _grow(found: list[Found], name: str, points: Points) -> Iterator[Found]:
     """Yield what the rewrite makes of each candidate, if it changes it."""
     known = {candidate.kernel.code.stages for _, candidate in found}
     for _, candidate in found:
-        grown = Candidate(candidate.subject, (*candidate.rewrites, name))
+        rewrites = (*candidate.form.rewrites, name)
+        grown = replace(candidate, form=rewrite_definition(candidate.quantity, rewrites))
         try:
             stages = grown.kernel.code.stages
         except UNFIT:

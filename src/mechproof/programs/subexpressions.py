@@ -58,9 +58,7 @@ def _is_worth_naming(expression: sp.Basic) -> bool:
 def _merge_steps(evaluation: Evaluation) -> Evaluation:
     """Use a step wherever its value occurs outside it."""
     names = {value: symbol for symbol, value in evaluation.steps if not value.is_Atom}
-    steps = [
-        (symbol, _rebuild(value, names)) for symbol, value in evaluation.steps
-    ]
+    steps = [(symbol, _rebuild(value, names)) for symbol, value in evaluation.steps]
     output = map_entries(lambda e: e.xreplace(names), evaluation.output)
     return evaluation.rearrange(steps, output)
 

@@ -29,8 +29,8 @@ from mechproof.proof.refutation import (
     find_violation,
 )
 from mechproof.proof.signs import is_nonzero, is_shown
-from mechproof.proof.vector_angles import decide_by_argument
 from mechproof.proof.taylor import holds_near_zero
+from mechproof.proof.vector_angles import decide_by_argument
 from mechproof.proof.verdict import Answer, Evidence, Verdict
 from mechproof.proof.witness_text import show_plainly
 from mechproof.record import (

@@ -47,9 +47,7 @@ def taylor(evaluation: Evaluation) -> Evaluation:
     return evaluation.transform(convert, steps).enclose(enclosures)
 
 
-def _choose_polynomial(
-    total: sp.Add, x: sp.Symbol
-) -> tuple[sp.Rational, list[sp.Rational]] | None:
+def _choose_polynomial(total: sp.Add, x: sp.Symbol) -> tuple[sp.Rational, list[sp.Rational]] | None:
     """Return the limit and the coefficients, None where nothing cancels or no polynomial serves."""
     terms = expand_at_zero(total, x)
     parts = [expand_at_zero(part, x) for part in total.args]

@@ -1,0 +1,83 @@
+"""The command that searches for forms that lose fewer digits than the shipped ones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from mechproof.chosen import add_chosen
+from mechproof.cli.console import fail, refuse, say, show_progress
+from mechproof.cli.paths import DerivationsOption, Places, RootOption, find_places
+from mechproof.derivation import DerivationError
+from mechproof.processes import WorkerError
+
+# Seconds for a quantity.
+SEARCH_LIMIT = 300.0
+
+
+def improve(
+    quantities: Annotated[
+        list[str] | None,
+        typer.Argument(help="Quantities, systems, system.quantity or a file FILE.py; all if none."),
+    ] = None,
+    write: Annotated[
+        bool,
+        typer.Option("--write", help="Keep what is found beside the derivation, to be shipped."),
+    ] = False,
+    derivations: DerivationsOption = None,
+    root: RootOption = None,
+    limit: Annotated[
+        float,
+        typer.Option(
+            "--limit", metavar="SECONDS", min=0, help="A search that takes longer is given up."
+        ),
+    ] = SEARCH_LIMIT,
+) -> None:
+    """Search the named rewrites for forms that lose fewer digits than those that are shipped.
+
+    Each shipped form is compared with its definition, rewritten, on points chosen to hurt. A form
+    is offered only if its source is PROVED to compute the definition, and is measured on other
+    points than it was chosen on. --write keeps what is offered in FILE.forms.json beside the
+    derivation (forms.json in a folder), from where `regenerate` takes it; what was shipped becomes
+    a rival. `mechproof regenerate --improve` does both.
+
+    Exit status 0: searched; 1: a search fails or takes too long, or a derivation fails; 2: bad
+    usage.
+    """
+    places, names = find_places(derivations, root), list(quantities or ())
+    if len(names) == 1 and Path(names[0]).suffix == ".py":
+        file = Path(names[0])
+        if not file.is_file():
+            refuse(f"{file}: there is no such file")
+        places, names = replace(places, derivations=file.absolute().parent), [file.stem]
+    if not offer_forms(names, places, write=write, limit=limit):
+        raise typer.Exit(1)
+
+
+def offer_forms(names: Sequence[str], places: Places, *, write: bool, limit: float) -> bool:
+    """Print a line for each quantity, and keep the forms if told; return whether none failed."""
+    from mechproof.improvement.offers import Offer, find_offers
+
+    directory = None if places.is_packaged else places.derivations
+    succeeded = True
+    try:
+        with show_progress("searching for better forms") as report:
+            offers = list(find_offers(names, directory, limit=limit, report=report))
+        for subject, offer in offers:
+            if not isinstance(offer, Offer):
+                say(f"{subject.name}: {offer}")
+                succeeded &= not isinstance(offer, WorkerError)
+                continue
+            say(offer.describe())
+            if write and offer.found and subject.origin:
+                chosen = {subject.quantity.name: offer.rewrites}
+                say(f"wrote {add_chosen(subject.origin[0], chosen)}")
+    except DerivationError as error:
+        fail(str(error))
+    except ValueError as error:
+        refuse(str(error))
+    return succeeded
