@@ -37,12 +37,12 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     {"arithmetic": ("arithmetic",)},
     {"proof": ("proof",), "roundoff": ("roundoff",), "emission": ("codegen",)},
     {"documents": ("document",)},
-    {"loading": ("derivation",)},
+    {"loading": ("chosen", "derivation")},
     {"tolerance": ("tolerance",)},
     {"mechanisms": ("mechanisms",)},
     {"tailoring": ("tailoring",)},
     {"laboratory": ("lab",), "figures": ("plot",)},
-    {"report": ("report",), "derivations": ("derivations",)},
+    {"report": ("report",), "derivations": ("derivations",), "improvement": ("improvement",)},
     {
         "pipeline": (
             "certification",

@@ -11,6 +11,7 @@ from mechproof.proof import (
     antiderivative,
     bisection,
     printed_number,
+    taylor,
     vector_angles,
 )
 from mechproof.proof.ladder import IDENTICAL
@@ -23,7 +24,7 @@ EXPECTED = [
     for line in file.read_text(encoding="utf-8").splitlines()
 ]
 NAMED = [antiderivative.RUNG, vector_angles.RUNG, bisection.RUNG, printed_number.RUNG, IDENTICAL]
-NAMED += [MULTIPLE]
+NAMED += [MULTIPLE, taylor.RUNG]
 
 
 def test_every_rung_that_occurs_is_explained() -> None:

@@ -28,6 +28,8 @@ from mechproof.proof.verdict import Verdict
 
 # So many of the best candidates are tried to be proved.
 TRIED = 4
+# The level of a form that loses less than a digit, and less than a bit on the average.
+NOTHING = (0, 0)
 
 
 @dataclass(frozen=True)
@@ -84,6 +86,8 @@ def find_offer(subject: Subject) -> Offer:
     shipped = measure_loss(stated.compute, tuning)
     names = tuple(argument.name for argument in quantity.arguments)
     offer = Offer(subject.name, measure_loss(stated.compute, report), stated.operations, names)
+    if shipped.level == offer.shipped.level == NOTHING:
+        return replace(offer, why="there is nothing to gain")
     better = [c for loss, c in search(subject, tuning) if loss.level < shipped.level]
     if not better:
         return replace(offer, why="no rewrite is better")

@@ -50,7 +50,7 @@ class Kernel:
     digest: str
     code: KernelCode
     obligations: tuple[tuple[sp.Basic, ...], ...]
-    enclosures: tuple[tuple[Enclosure, ...], ...]
+    enclosures: tuple[tuple[Enclosure, ...], ...] = ((),)
 
     @property
     def is_shipped(self) -> bool:

@@ -20,6 +20,9 @@ RUNGS = {
     "a change to coordinates that are positive exactly on the domain",
     "bisection and derivatives": "an inequality on a closed interval, enclosed on ever smaller "
     "parts, and by its derivatives at an end where it becomes an equality",
+    "Taylor series with its remainder in balls": "what is small near 0 is bounded by its series: "
+    "the first coefficients vanish exactly, the others and the remainder add up to no more than "
+    "the bound",
     "multiple of a constraint": "the difference of the sides is a multiple of that of a constraint "
     "that is printed before",
     "evaluation": "no free symbol is left; the numbers are compared by enclosures",

@@ -20,15 +20,14 @@ from mechproof.programs.rewrites.products import Factors
 Theorem = Callable[[sp.Expr, sp.Expr, sp.Expr], tuple[sp.Expr, tuple[sp.Expr, ...]]]
 THEOREMS: Mapping[type[sp.Function], Theorem] = MappingProxyType(
     {
-        sp.sin: lambda a, b, d: (2 * sp.cos(_expand(b + d / 2)) * sp.sin(d / 2), ()),
-        sp.cos: lambda a, b, d: (-2 * sp.sin(_expand(b + d / 2)) * sp.sin(d / 2), ()),
+        sp.sin: lambda a, b, d: (2 * sp.cos(sp.expand(b + d / 2)) * sp.sin(d / 2), ()),
+        sp.cos: lambda a, b, d: (-2 * sp.sin(sp.expand(b + d / 2)) * sp.sin(d / 2), ()),
         sp.tan: lambda a, b, d: (sp.sin(d) / (sp.cos(a) * sp.cos(b)), ()),
         sp.exp: lambda a, b, d: (sp.exp(b) * expm1(d), ()),
         sp.log: lambda a, b, d: (log1p(d / b), (a, b)),
         sp.atan: lambda a, b, d: (sp.atan(d / (1 + a * b)), (1 + a * b,)),
     }
 )
-_expand = sp.expand
 
 
 def difference_of_functions(evaluation: Evaluation) -> Evaluation:

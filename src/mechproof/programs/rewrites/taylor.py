@@ -6,6 +6,9 @@ off by less than a rounding, which the prover shows; beyond it few digits cancel
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 import sympy as sp
 
 from mechproof.programs.evaluation import Enclosure, Evaluation, Step
@@ -38,7 +41,7 @@ def taylor(evaluation: Evaluation) -> Evaluation:
         bound = PART * abs(terms[first]) * sp.Abs(x) ** first
         enclosure = Enclosure(evaluation.new_symbol("value", steps), total, x, limit, bound)
         near = evaluation.add_step("near", sp.Piecewise((x, enclosure.inside), (0, True)), steps)
-        polynomial = evaluation.add_step("polynomial", _nest(terms, near), steps)
+        polynomial = _nest(terms, near, partial(evaluation.add_step, "part", steps=steps))
         value = sp.Piecewise((polynomial, enclosure.inside), (total, True))
         steps.append((enclosure.step, value))
         enclosures.append(enclosure)
@@ -73,10 +76,10 @@ def _shorten(coefficient: sp.Rational) -> sp.Rational:
     return coefficient if is_short else sp.Rational(float(coefficient))
 
 
-def _nest(terms: list[sp.Rational], x: sp.Symbol) -> sp.Expr:
-    """Return the polynomial in Horner's form: x**3*(c3 + x**2*(c5 + ...))."""
+def _nest(terms: list[sp.Rational], x: sp.Symbol, add: Callable[[sp.Expr], sp.Symbol]) -> sp.Expr:
+    """Return the polynomial in Horner's form, x**3*(c3 + x**2*(c5 + ...)), each sum a step."""
     powers = [k for k, c in enumerate(terms) if c]
     value = terms[powers[-1]]
     for power, above in zip(powers[-2::-1], powers[:0:-1], strict=True):
-        value = terms[power] + sp.Mul(x ** (above - power), value, evaluate=False)
-    return sp.Mul(x ** powers[0], value, evaluate=False)
+        value = add(terms[power] + x ** (above - power) * value)
+    return x ** powers[0] * value
