@@ -12,8 +12,8 @@ import sympy as sp
 from flint import ctx, fmpq, fmpq_series
 from sympy.codegen.cfunctions import expm1, log1p
 
-# So many coefficients are carried.
-ORDER = 64
+# So many coefficients are carried: one fewer than in balls, which enclose the remainder.
+ORDER = 63
 Series = Any
 _FUNCTIONS: Mapping[type[sp.Basic], Callable[[Series], Series]] = MappingProxyType(
     {

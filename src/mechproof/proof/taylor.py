@@ -9,7 +9,7 @@ from __future__ import annotations
 import sympy as sp
 from flint import arb, arb_series, fmpq
 
-from mechproof.arithmetic.series import TaylorExpression, list_terms, working
+from mechproof.arithmetic.series import LONGEST, NAN, TaylorExpression, list_terms, working
 from mechproof.programs.exact_series import ORDER, expand_at_zero
 from mechproof.proof.domain import Domain
 
@@ -57,14 +57,19 @@ def _find_reach(values: sp.Set) -> sp.Rational | None:
 def _enclose_remainder(value: sp.Expr, x: sp.Symbol, reach: sp.Rational) -> arb:
     """Bound the coefficient after the last one at every place of the range."""
     expression = TaylorExpression(value, x, {}, {})
-    largest = arb(0)
+    sizes: list[arb] = []
+    assert ORDER < LONGEST
     with working(ORDER + 1, BITS):
         half = _ball(reach / PARTS)
         for part in range(PARTS):
             middle = _ball(reach * sp.Rational(2 * part + 1 - PARTS, PARTS))
             place = arb_series([middle + half * arb(0, 1), 1])
-            largest = max(largest, abs(list_terms(expression.expand(place))[ORDER]).abs_upper())
-    return largest
+            terms = list_terms(expression.expand(place))
+            # What is not finite is in no order with numbers.
+            if not all(term.is_finite() for term in terms):
+                return NAN
+            sizes.append(terms[ORDER].abs_upper())
+    return max(sizes)
 
 
 def _ball(number: sp.Rational) -> arb:
