@@ -107,7 +107,7 @@ def find_offer(subject: Subject) -> Offer:
 
 def prove(candidate: Candidate) -> tuple[str, ...]:
     """Return the rungs that prove all that the emitted source of a form claims, none otherwise."""
-    paper = replace(candidate.subject.paper, quantities=(candidate.quantity,))
+    paper = replace(candidate.subject.paper, quantities=(candidate.quantity,), together=())
     try:
         rows = form_rows(paper)
     except UNFIT:

@@ -37,6 +37,8 @@ from mechproof.measured import (
 
 # Simulations and solvers are measured on this many points of a set.
 SLOW_SAMPLE = 30
+# Of every set such a part is drawn for cells and searches where only some points are wanted.
+PART = 0.1
 
 Report = Callable[[str], None]
 
@@ -67,7 +69,9 @@ def measure_accuracy(
     """
     sets, cells, shipped = map(len, (list_sets(subject), list_cells(subject), subject.shipped))
     # The searches take longest: they begin first.
-    tasks: list[Callable[[], Any]] = [partial(_search, subject, i, rounds) for i in range(shipped)]
+    tasks: list[Callable[[], Any]] = [
+        partial(_search, subject, i, points, rounds) for i in range(shipped)
+    ]
     tasks += [partial(_measure_set, subject, index, points) for index in range(sets)]
     tasks += [partial(_measure_cell, subject, place, points) for place in range(cells)]
     done: list[Any] = []
@@ -152,8 +156,9 @@ def _measure_cell(
     drawn = _thin(subject, drawn, points)
     spans = [_span(argument) for argument in drawn]
     sizes = [sides.get(a.name, s) for a, s in zip(subject.quantity.arguments, spans, strict=True)]
-    sets = (_take_inside(sizes, part) for part in draw_sets(subject, REPORT, 1.0))
-    arguments = join(drawn, *(_thin(subject, part, points) for part in sets))
+    sets = (_take_inside(sizes, part) for part in _draw_once(subject, _share(points)))
+    inside = join(drawn, *sets)
+    arguments = inside if points is None else _thin(subject, inside, 2 * points)
     truth = find_truth(subject, arguments)
     named = {name: (float(low), float(high)) for name, (low, high) in sides.items()}
     errors = [
@@ -162,6 +167,18 @@ def _measure_cell(
         if not way.ordered
     ]
     return Cell(named, len(truth.high), truth.undecided), errors, spans
+
+
+# The points of the sets that were drawn last: all cells of a subject look for theirs among them.
+_drawn: list[tuple[Subject, float, tuple[Arguments, ...]]] = []
+
+
+def _draw_once(subject: Subject, share: float) -> tuple[Arguments, ...]:
+    for known, part, sets in _drawn:
+        if known is subject and part == share:
+            return sets
+    _drawn[:] = [(subject, share, tuple(draw_sets(subject, REPORT, share)))]
+    return _drawn[0][2]
 
 
 def _take_inside(sizes: Sequence[Span], arguments: Arguments) -> Arguments:
@@ -207,9 +224,13 @@ def _measure_in_cell(
     )
 
 
-def _search(subject: Subject, index: int, rounds: int) -> Searched:
+def _share(points: int | None) -> float:
+    return 1.0 if points is None else PART
+
+
+def _search(subject: Subject, index: int, points: int | None, rounds: int) -> Searched:
     way = subject.shipped[index]
-    found = find_worst(subject, way.compute, rounds)
+    found = find_worst(subject, way.compute, rounds, share=_share(points), most=points)
     return Searched(way.name, round_up(found.scaled), found.tried, _as_point(found.arguments))
 
 
