@@ -34,7 +34,7 @@ class Depth:
     effort: Effort
 
 
-DEPTHS = {False: Depth(None, 20, FULL), True: Depth(24, 2, QUICK)}
+DEPTHS = {False: Depth(None, 20, FULL), True: Depth(24, 1, QUICK)}
 
 
 def measure(
