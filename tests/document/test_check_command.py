@@ -86,6 +86,21 @@ def test_a_draft_is_read_again(tmp_path: Path) -> None:
     assert "DEFINITION 1, PROVED 1" in result.output
 
 
+def test_a_draft_says_which_equations_show_no_letters(tmp_path: Path) -> None:
+    file = tmp_path / "paper.tex"
+    file.write_text("$$a=b$$\n$$y=\\frac{p}{$$\n$$q(x)=\\unknown{r}$$\n")
+    block = run("--draft", str(file)).output
+    assert "%% a :" in block
+    assert "%% # display 2, line 2: its letters are not listed:" in block
+    assert "%% # display 3, line 3" in block
+    file.write_text(block + file.read_text())
+    assert [row.outcome for row in mechproof.check(file).rows] == [
+        "DEFINITION",
+        "not read",
+        "not read",
+    ]
+
+
 @pytest.mark.parametrize(
     ("arguments", "reason"),
     [

@@ -192,6 +192,33 @@ CASES = {
     "a derivative that is not declared": ([r"\frac{dk}{dm}=0"], ["not read"]),
     "an expression": ([r"a+b"], ["not judged"]),
 }
+SLIDER = (r"r\cos\varphi+l\cos\alpha=x", r"r\sin\varphi=l\sin\alpha")
+FOLLOWING = {
+    r"x^2-2rx\cos\varphi+r^2=l^2": "PROVED",
+    r"x^2-2rx\sin\varphi+r^2=l^2": "DEFINITION",
+    r"l^2=r^2+x^2+2rx\cos\varphi": "DEFINITION",
+    r"r\dot\varphi\cos\varphi=l\dot\alpha\cos\alpha": "PROVED",
+    r"r\dot\varphi\cos\varphi=l\dot\alpha\sin\alpha": "DEFINITION",
+    r"\dot x\cos\alpha+r\dot\varphi\sin(\varphi+\alpha)=0": "PROVED",
+    r"\dot x\cos\alpha+r\dot\varphi\sin(\varphi-\alpha)=0": "DEFINITION",
+    r"\ddot x+r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi"
+    r"+l\ddot\alpha\sin\alpha+l\dot\alpha^2\cos\alpha=0": "PROVED",
+    r"\ddot x+r\ddot\varphi\sin\varphi+r\dot\varphi^2\cos\varphi"
+    r"+l\ddot\alpha\sin\alpha-l\dot\alpha^2\cos\alpha=0": "DEFINITION",
+    r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi-l\sin\alpha)=0": "PROVED",
+    r"m(x-r\cos\varphi-l\cos\alpha)+n(r\sin\varphi+l\sin\alpha)=0": "DEFINITION",
+}
+
+
+@pytest.mark.parametrize("latex", FOLLOWING)
+def test_equations_follow_from_constraints_together(latex: str) -> None:
+    letters = "%% r ; l : lengths\n%% x(t) : position\n%% \\varphi(t) ; \\alpha(t) : angles\n"
+    block = f"%% mechproof\n{letters}%% m ; n : numbers\n%% factor m, n\n%% end\n"
+    equations = "".join(f"$${one}$$\n" for one in (*SLIDER, latex))
+    rows = check("paper.tex", block + equations).rows
+    assert rows[-1].outcome == FOLLOWING[latex], rows[-1].reason
+
+
 # What a block says besides.
 SAID = {"an identity may be claimed": "%% identity (1)\n"}
 
@@ -228,6 +255,49 @@ def test_numbers_are_compared_at_the_sizes() -> None:
     assert found == ["DEFINITION", "PROVED", "DEFINITION", "REFUTED"]
     assert outcomes(r"\lambda=\frac rl", r"\lambda=0.34", block=sizes)[1] == "not judged"
     assert outcomes(r"\lambda=\frac rl", r"\lambda=0", block=sizes)[1] == "not judged"
+
+
+def test_numbers_are_compared_in_the_units_of_their_letters() -> None:
+    block = "%% w : speed [m/s]\n%% \\omega : speed [rpm]\n%% \\delta : angle [deg]\n"
+    sizes = "%% sizes r=20 mm, \\omega=30\\,rpm, \\delta=30\n"
+    right = outcomes(r"w=r\omega=0.0628", r"x=r\sin\delta=10.0", block=block + sizes)
+    assert right == ["DEFINITION", "PROVED", "DEFINITION", "PROVED"]
+    wrong = outcomes(r"w=r\omega=0.0728", r"x=r\sin\delta=11.0", block=block + sizes)
+    assert wrong == ["DEFINITION", "REFUTED", "DEFINITION", "REFUTED"]
+    numbers = outcomes(r"\omega=\frac{30k}{\pi}=95.5", block=block + "%% sizes k=10\n")
+    assert numbers == ["DEFINITION", "PROVED"]
+
+
+UNITS = {
+    r"\lambda=\frac rl\approx0.333": ["DEFINITION", "PROVED"],
+    r"\lambda=\frac rl\approx0.343": ["DEFINITION", "REFUTED"],
+    r"x=r\cos\alpha=17.6\,\mathrm{mm}": ["DEFINITION", "PROVED"],
+    r"x=r\cos\alpha=\SI{1.76}{\centi\metre}": ["DEFINITION", "PROVED"],
+    r"x=r\cos\alpha=\qty{1.76}{mm}": ["DEFINITION", "REFUTED"],
+    r"\beta=\arcsin\frac rl=19.5^\circ": ["DEFINITION", "PROVED"],
+    r"\beta=\arcsin\frac rl=-19.5^\circ": ["DEFINITION", "REFUTED"],
+    r"r=20\,\text{mm},\quad l=\num{60}~\mathrm{mm}": ["DEFINITION", "DEFINITION"],
+    r"r>10\,\mathrm{mm}": ["not read"],
+    r"x=3\,\mathrm{mm}\cos\alpha": ["not read"],
+    r"x=r\cos\alpha=17.6\,\mathrm{apples}": ["not read"],
+    r"\cos30^\circ\approx0.866": ["PROVED"],
+    r"x\approx r": ["not judged"],
+    r"k\approx3.52": ["DEFINITION"],
+    r"l\approx0.06\,\mathrm m": ["DEFINITION"],
+}
+
+
+@pytest.mark.parametrize("latex", UNITS)
+def test_numbers_may_have_units(latex: str) -> None:
+    block = "%% sizes r=20 mm, l=60 mm, \\alpha=0.5\n"
+    assert outcomes(latex, block=block) == UNITS[latex]
+
+
+def test_a_letter_with_a_size_and_a_formula_may_be_either() -> None:
+    block = "%% sizes r=20 mm, l=60 mm, \\beta=0.5\n"
+    numbers = [r"h=r\cos\beta=17.55", r"h=r\cos\beta=18.86", r"h=r\cos\beta=18.0"]
+    found = outcomes(r"\beta=\arcsin\frac rl", *numbers, block=block)
+    assert found[2::2] == ["PROVED", "PROVED", "REFUTED"]
 
 
 def test_equations_are_skipped_or_constrained_by_name_or_label() -> None:

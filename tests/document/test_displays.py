@@ -43,6 +43,38 @@ DISPLAYS = {
         [("(1.1)", "a=1"), ("(2.1)", "b=2")],
     ),
     "a counter": (r"\setcounter{equation}{6}" + E % "a=1", [("(7)", "a=1")]),
+    "a counter that goes on": (
+        E % "a=1" + r"\addtocounter{equation}{-1}" + E % "b=2",
+        [("(1)", "a=1"), ("(1)", "b=2")],
+    ),
+    "a number of another shape": (
+        r"\renewcommand{\theequation}{S\arabic{equation}}" + E % "a=1",
+        [("(S1)", "a=1")],
+    ),
+    "a number within a section": (
+        r"\renewcommand{\theequation}{\thesection.\alph{equation}}\section{A}" + E % "a=1",
+        [("(1.a)", "a=1")],
+    ),
+    "an appendix": (
+        r"\numberwithin{equation}{section}\section{A}"
+        + E % "a=1"
+        + r"\appendix\section{B}"
+        + E % "b=2",
+        [("(1.1)", "a=1"), ("(A.1)", "b=2")],
+    ),
+    "a tag with braces": (E % r"a=1 \tag{\textit{A}.3}", [(r"(\textit{A}.3)", "a=1")]),
+    "what is false is no text": (
+        r"\iffalse $$a=1 \iff b$$ \iftrue $$b=2$$ \fi $$c=3$$ \fi $$d=4$$",
+        [("display 1", "d=4")],
+    ),
+    "two formulas in a line are no display": (
+        r"Both $a$$b$ and $c$ $$d=4$$",
+        [("display 1", "d=4")],
+    ),
+    "prices are no formulas": (
+        r"It costs \$5 or $6: $$a=1$$ and \$6 $$b=2$$",
+        [("display 1", "a=1"), ("display 2", "b=2")],
+    ),
     "a matrix is whole": (
         E % r"A=\begin{pmatrix}1&2\\3&4\end{pmatrix}",
         [("(1)", r"A=\begin{pmatrix}1&2\\3&4\end{pmatrix}")],

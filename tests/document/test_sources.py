@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+import sympy as sp
 
 from mechproof.document.block import BlockError, read_block
 from mechproof.document.checking import check
@@ -127,7 +128,14 @@ UNITS = {
 
 @pytest.mark.parametrize("text", UNITS)
 def test_units_have_dimensions(text: str) -> None:
-    assert read_unit(text) == UNITS[text]
+    assert read_unit(text).dimension == UNITS[text]
+
+
+def test_units_have_sizes() -> None:
+    assert read_unit("N mm").scale == sp.Rational(1, 1000)
+    assert read_unit("km/h").scale == sp.Rational(5, 18)
+    assert read_unit("deg/s").scale == sp.pi / 180
+    assert read_unit("rpm").scale == sp.pi / 30
 
 
 def test_an_unknown_unit_is_told() -> None:

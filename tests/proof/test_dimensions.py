@@ -144,3 +144,15 @@ def test_the_witness_is_turned_back_by_the_dimension_of_the_other_side():
 def test_a_witness_is_given_when_both_sides_are_mixed():
     (fault,) = find_faults(Equality(a + b**2, b + a**2), KNOWN, DOMAIN)
     assert fault.evidence.printed != fault.evidence.rebuilt
+
+
+def test_the_letter_of_a_limit_has_the_dimension_that_fits() -> None:
+    a, b = sp.symbols("a b", positive=True)
+    running = sp.Dummy("c", real=True)
+    known = {a: LENGTH, b: NUMBER}
+    assert infer(sp.Limit(a + running, running, 0), known) == LENGTH
+    assert infer(sp.Limit(a / (b + running), running, 0), known) == LENGTH
+    with pytest.raises(DimensionError):
+        infer(sp.Limit((a + running) / (a + running**2), running, 0), known)
+    with pytest.raises(DimensionError):
+        infer(sp.Limit(a + running, running, b), known)

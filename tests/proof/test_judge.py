@@ -177,3 +177,26 @@ def test_every_wrong_entry_of_a_matrix_is_told() -> None:
     ]
     one = judge(row(Equality(printed[:, :2], rebuilt[:, :2])), PAPER)
     assert one.reason == "entry (1, 2): the two sides differ"
+
+
+@pytest.mark.parametrize(
+    ("error", "told"),
+    [
+        (RecursionError("maximum recursion depth"), "nested too deeply"),
+        (ZeroDivisionError("division by zero"), "divides by zero"),
+        (AttributeError("'Foo' object has no attribute 'bar'"), "no rule for a part of it"),
+        (NotImplementedError("a Sum inside a root"), "a Sum inside a root"),
+    ],
+)
+def test_errors_are_told_in_words(
+    monkeypatch: pytest.MonkeyPatch, error: Exception, told: str
+) -> None:
+    def fail(*_: object) -> None:
+        raise error
+
+    monkeypatch.setattr("mechproof.proof.judge.decide", fail)
+    judged = judge(row(FALSE), PAPER)
+    assert judged.verdict is Verdict.UNDECIDED
+    assert told in judged.reason
+    assert "Error" not in judged.reason
+    assert "Foo" not in judged.reason

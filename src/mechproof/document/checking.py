@@ -11,10 +11,11 @@ from pathlib import Path
 import sympy as sp
 
 from mechproof.arguments.scalars import check_function, check_number, check_text, require
-from mechproof.document.constraints import find_multiple
+from mechproof.document.constraints import find_combination, find_multiple
 from mechproof.document.roles import Role
-from mechproof.document.rows import Document, Task
+from mechproof.document.rows import Document
 from mechproof.document.sources import read_source
+from mechproof.document.tasks import Task
 from mechproof.processes import WorkerError, run_tasks
 from mechproof.proof.domain import Domain
 from mechproof.proof.findings import list_findings
@@ -29,6 +30,7 @@ _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
 # Seconds for one equation.
 LIMIT = 60.0
 MULTIPLE = "multiple of a constraint"
+COMBINATION = "combination of constraints"
 GIVEN = "definition"
 # What is compared, even if letters that only one side has could make both sides equal.
 _COMPARED = (Role.REPEATED, Role.DERIVATIVE, Role.STEP)
@@ -175,7 +177,8 @@ def _check(key: _Key, limit: float, report: Callable[[str], None]) -> CheckedPap
     judged = iter(rows[number] for number in range(len(tasks)))
     shown = tuple(_show(one) if isinstance(one, Left) else next(judged) for one in found)
     paper = document.papers[True]
-    return CheckedPaper(path, shown, paper, document.taken, tuple(source.missing))
+    missing = (*source.missing, *document.told)
+    return CheckedPaper(path, shown, paper, document.taken, missing)
 
 
 def _leave_out(rows: Sequence[Task | Left], numbers: Collection[str]) -> list[Task | Left]:
@@ -233,7 +236,8 @@ def _judge(which: tuple[_Key, int]) -> Judgement | str:
     if found.verdict is Verdict.REFUTED and task.is_alone:
         return f"another value than at the sizes: {found.reason}"
     if task.sign.first and found.verdict is Verdict.REFUTED and task.asserts:
-        return replace(found, reason=f"{found.reason}; compared with {task.sign.first}")
+        reason = f"{found.reason.removesuffix('.')}; compared with {task.sign.first}"
+        return replace(found, reason=reason)
     if task.asserts or found.verdict not in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED):
         return found
     if found.verdict is Verdict.REFUTED and _is_nowhere_true(task):
@@ -303,7 +307,7 @@ def _list_letters(task: Task) -> set[sp.Basic]:
 
 
 def _compare(which: tuple[_Key, int, tuple[int, ...]]) -> tuple[Verdict, str, str] | str:
-    """Judge a row by the first constraint that it follows from, or cannot hold together with."""
+    """Judge a row by the constraints that it follows from, or cannot hold together with."""
     key, number, others = which
     tasks = _open(key)
     task = tasks[number]
@@ -319,5 +323,37 @@ def _compare(which: tuple[_Key, int, tuple[int, ...]]) -> tuple[Verdict, str, st
             return Verdict.PROVED, MULTIPLE, f"follows from {name}: {reason}"
         reason = f"cannot hold together with {name}: {reason}, plus {rest}"
         return Verdict.DEFINITION, GIVEN, reason
+    if found := _combine(task, [tasks[other] for other in others if other < number], domain):
+        return found
     names = ", ".join(tasks[other].row.number for other in others)
     return f"the two sides differ, unless {names} makes them equal, which is not decided"
+
+
+def _combine(task: Task, others: Sequence[Task], domain: Domain) -> tuple[Verdict, str, str] | None:
+    """Return that a row follows from several constraints, or from the derivative of some."""
+    alone = [other for other in others if other.row.on is None and other.residual is not None]
+    given = {other.row.number: other.residual for other in alone}
+    for known in (given, *_list_rates(task, alone)):
+        multipliers = find_combination(task.residual, list(known.values()), domain)
+        if multipliers is not None:
+            parts = [
+                f"{name} times {m}" for name, m in zip(known, multipliers, strict=True) if m != 0
+            ]
+            reason = f"follows from constraints: left - right is {', plus '.join(parts)}"
+            return Verdict.PROVED, COMBINATION, reason
+    return None
+
+
+def _list_rates(task: Task, others: Sequence[Task]) -> Iterator[dict[str, sp.Expr]]:
+    """Yield the first derivatives of constraints, and with them the second ones."""
+    found: dict[str, sp.Expr] = {}
+    for order, name in enumerate(("the derivative", "the second derivative")):
+        new = {
+            f"{name} of {other.row.number}": other.rates[order]
+            for other in others
+            if len(other.rates) > order
+            and other.rates[order].free_symbols & _list_letters(task) - _list_letters(other)
+        }
+        if new:
+            found |= new
+            yield found

@@ -1,15 +1,18 @@
-"""Constraints between letters: what follows from one, and what cannot hold together with it.
+"""Constraints between letters: what follows from some, and what cannot hold together with one.
 
 A constraint says that its residual, one side minus the other, is zero. An equation follows from it
 if its own residual is a multiple of that one: the multiplier is looked for by a division of
-polynomials in the sines and cosines and letters, and what is found is left to the prover.
+polynomials in the sines and cosines and letters. It follows from several if its residual is a sum
+of multiples: multipliers with the monomials of the constraints are looked for by linear equations
+for their coefficients. What is found is left to the prover.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 import sympy as sp
+from sympy.polys.matrices import DomainMatrix
 
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
@@ -19,6 +22,8 @@ from mechproof.record import Equality
 
 # Operations of residuals beyond which no multiplier is looked for.
 LARGEST = 1000
+# Products of constraints with monomials beyond which no sum is looked for.
+MOST_PRODUCTS = 300
 
 
 def find_multiple(
@@ -35,6 +40,93 @@ def find_multiple(
         if answer.verdict is Verdict.PROVED and is_nonzero(below, domain):
             return multiplier, rest
     return None
+
+
+def find_combination(
+    residual: sp.Expr, constraints: Sequence[sp.Expr], domain: Domain
+) -> tuple[sp.Expr, ...] | None:
+    """Return multipliers of which the residual is the sum, proved on the domain; None if not found.
+
+    What they are divided by has no zero on the domain.
+    """
+    total = residual.count_ops() + sum(one.count_ops() for one in constraints)
+    if total > LARGEST:
+        return None
+    (above, below), *others = map(_to_fraction, (residual, *constraints))
+    names = _name_functions((above, *(one for one, _ in others)))
+    polynomials = [e.xreplace(names) for e in (above, *(one for one, _ in others))]
+    found = _combine(polynomials[0], polynomials[1:], [e.xreplace(names) for e in _circles(names)])
+    if found is None:
+        return None
+    back = {name: function for function, name in names.items()}
+    multipliers = tuple(
+        multiplier.xreplace(back) * own_below / below
+        for multiplier, (_, own_below) in zip(found, others, strict=True)
+    )
+    total = sp.Add(*(m * c for m, c in zip(multipliers, constraints, strict=True)))
+    answer = decide(Equality(residual, total), domain)
+    is_shown = answer.verdict is Verdict.PROVED and is_nonzero(below, domain)
+    return multipliers if is_shown else None
+
+
+def _combine(
+    target: sp.Expr, parts: Sequence[sp.Expr], circles: Sequence[sp.Expr]
+) -> list[sp.Expr] | None:
+    """Return polynomials of which the sum of the products with parts is the target, by circles."""
+    symbols = set().union(*(p.free_symbols for p in (target, *parts, *circles)))
+    ring = sorted(symbols, key=str)
+    try:
+        terms = {sp.Mul(*map(sp.Pow, ring, m)) for p in parts for m in sp.Poly(p, *ring).monoms()}
+        factors = sorted({sp.S.One, *ring, *terms}, key=sp.default_sort_key)
+        degree = {p: sp.Poly(p, *ring).total_degree() for p in (target, *parts, *factors)}
+        products = [
+            (n, f)
+            for n, part in enumerate(parts)
+            for f in factors
+            if degree[f] + degree[part] <= degree[target]
+        ]
+        if len(products) > MOST_PRODUCTS:
+            return None
+        columns = [_reduce(parts[n] * f, circles, ring) for n, f in products]
+        wanted = _reduce(target, circles, ring)
+    except (sp.PolynomialError, sp.CoercionFailed):
+        return None
+    solved = _solve(columns, wanted)
+    if solved is None:
+        return None
+    return [
+        sp.Add(*(x * f for x, (m, f) in zip(solved, products, strict=True) if m == n))
+        for n in range(len(parts))
+    ]
+
+
+def _reduce(
+    polynomial: sp.Expr, circles: Sequence[sp.Expr], ring: Sequence[sp.Symbol]
+) -> dict[tuple[int, ...], sp.Expr]:
+    """Return the coefficients of what remains of a polynomial after division by circles."""
+    rest = sp.reduced(polynomial, circles, *ring)[1] if circles else polynomial
+    found: dict[tuple[int, ...], sp.Expr] = sp.Poly(rest, *ring).as_dict()
+    if not all(value.is_Rational for value in found.values()):
+        raise sp.PolynomialError("a coefficient that is no fraction")
+    return found
+
+
+def _solve(
+    columns: Sequence[dict[tuple[int, ...], sp.Expr]], wanted: dict[tuple[int, ...], sp.Expr]
+) -> list[sp.Expr] | None:
+    """Return coefficients with which the columns add up to what is wanted, None without any."""
+    places = {m: n for n, m in enumerate(sorted({*wanted, *(m for c in columns for m in c)}))}
+    last, rows = len(columns), dict[int, dict[int, sp.Expr]]()
+    for number, column in enumerate((*columns, wanted)):
+        for monomial, value in column.items():
+            rows.setdefault(places[monomial], {})[number] = sp.QQ.from_sympy(value)
+    shape = (len(places), last + 1)
+    reduced, pivots = DomainMatrix(rows, shape, sp.QQ).to_sparse().rref()
+    if last in pivots:
+        return None
+    right = reduced.to_dok()
+    values = {p: right.get((n, last), sp.QQ.zero) for n, p in enumerate(pivots)}
+    return [sp.QQ.to_sympy(values.get(n, sp.QQ.zero)) for n in range(last)]
 
 
 def _propose(residual: sp.Expr, constraint: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:

@@ -17,10 +17,15 @@ _NAMES += r"|IEEEeqnarray\*?|dmath\*?"
 _EVENT = re.compile(
     rf"\\begin\{{(?P<environment>{_NAMES})\}}(?P<body>.*?)\\end\{{(?P=environment)\}}"
     r"|(?<!\\)\\\[(?P<bracket>.*?)\\\]|\$\$(?P<dollars>.*?)\$\$"
+    r"|(?<![\\$])\$(?P<inline>[^$\n]+\$\$[^$\n]+)\$(?!\$)"
     r"|\\(?P<edge>begin|end)\{subequations\}"
     r"|\\(?P<heading>section|subsection|chapter)(?P<star>\*?)(?![A-Za-z])"
     r"|\\numberwithin\s*\{equation\}\s*\{(?P<within>\w+)\}"
-    r"|\\setcounter\s*\{equation\}\s*\{(?P<count>\d+)\}",
+    r"|\\(?:counterwithin\*?\s*\{equation\}|@addtoreset\s*\{equation\})\s*\{(?P<reset>\w+)\}"
+    r"|\\renewcommand\*?\s*\{?\s*\\theequation\s*\}?\s*(?P<shown>\{(?:[^{}]|\{[^{}]*\})*\})"
+    r"|\\setcounter\s*\{equation\}\s*\{(?P<count>\d+)\}"
+    r"|\\addtocounter\s*\{equation\}\s*\{(?P<more>-?\d+)\}"
+    r"|\\(?P<appendix>appendix)(?![A-Za-z])",
     re.DOTALL,
 )
 # Displays that are one equation with one number, however many lines they have.
@@ -30,7 +35,11 @@ _COLUMNS = re.compile(r"\A\s*\{\d+\}")
 # What macros abbreviate that begins or ends a display.
 _FRAMING = re.compile(r"\\(?:begin|end)\s*\{|\\[\[\]]|\$\$")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
-_TAG = re.compile(r"\\tag(\*?)\s*\{([^{}]*)\}")
+_TAG = re.compile(r"\\tag(\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
+_SHOWN = re.compile(
+    r"\\(?P<kind>arabic|Alph|alph|Roman|roman)\s*\{(?P<counter>\w+)\}|\\the(?P<the>[a-z]+)"
+)
+_ROMAN = ("", "i", "ii", "iii", "iv", "v", "vi", "vii", "viii", "ix", "x", "xi", "xii", "xiii")
 _UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
 _NAMING = re.compile("|".join(p.pattern for p in (_LABEL, _TAG, _UNNUMBERED)))
 
@@ -52,18 +61,45 @@ class _Counter:
     count: int = 0
     letter: int = -1
     within: str = ""
+    shown: str = ""
+    first: str = ""
     sections: dict[str, int] = field(default_factory=lambda: dict.fromkeys(_LEVELS, 0))
 
     def step(self) -> str:
         """Return the next number."""
-        levels = _LEVELS[: _LEVELS.index(self.within) + 1] if self.within in _LEVELS else ()
-        first = next((n for n, level in enumerate(levels) if self.sections[level]), len(levels) - 1)
-        prefix = "".join(f"{self.sections[level]}." for level in levels[first:])
         if self.letter >= 0:
             self.letter += 1
-            return f"({prefix}{self.count}{chr(ord('a') + self.letter - 1)})"
+            return f"({self._show_count()}{chr(ord('a') + self.letter - 1)})"
         self.count += 1
-        return f"({prefix}{self.count})"
+        return f"({self._show_count()})"
+
+    def _show_count(self) -> str:
+        if self.shown:
+            return _SHOWN.sub(self._show, self.shown).replace("{", "").replace("}", "")
+        prefix = self._show_section(self.within) + "." if self.within in _LEVELS else ""
+        return f"{prefix}{self.count}"
+
+    def _show(self, match: re.Match[str]) -> str:
+        r"""Return what stands for a counter in what \theequation was defined to be."""
+        name = match["the"] or match["counter"]
+        if match["the"] and name in _LEVELS:
+            return self._show_section(name)
+        number = self.count if name == "equation" else self.sections.get(name, 0)
+        return _print_count(number, match["kind"] or "arabic")
+
+    def _show_section(self, level: str) -> str:
+        """Return the number of a section, that of what it lies in before it."""
+        levels = _LEVELS[: _LEVELS.index(level) + 1]
+        first = next((n for n, one in enumerate(levels) if self.sections[one]), len(levels) - 1)
+        numbers = [str(self.sections[one]) for one in levels[first:]]
+        if self.first and levels[first] == self.first:
+            numbers[0] = _print_count(self.sections[self.first], "Alph")
+        return ".".join(numbers)
+
+    def begin_appendix(self) -> None:
+        """Count the sections of the appendix by letters."""
+        self.first = "chapter" if self.sections["chapter"] else "section"
+        self.sections = dict.fromkeys(_LEVELS, 0)
 
     def enter(self, level: str) -> None:
         """Begin a section; numbers that are counted within it begin anew."""
@@ -77,6 +113,16 @@ class _Counter:
         """Enter equations that have one number and a letter each, or leave them."""
         self.count += edge == "begin"
         self.letter = 0 if edge == "begin" else -1
+
+
+def _print_count(number: int, kind: str) -> str:
+    """Return a number as LaTeX prints a counter."""
+    if kind in ("Alph", "alph"):
+        letter = chr(ord("a") + number - 1) if number else ""
+        return letter.upper() if kind == "Alph" else letter
+    if kind in ("Roman", "roman") and number < len(_ROMAN):
+        return _ROMAN[number].upper() if kind == "Roman" else _ROMAN[number]
+    return str(number)
 
 
 def find_displays(text: Text, *, cut: bool = True) -> Iterator[Printed]:
@@ -93,10 +139,16 @@ def find_displays(text: Text, *, cut: bool = True) -> Iterator[Printed]:
                 counter.enter(match["heading"])
         elif match["edge"]:
             counter.group(match["edge"])
-        elif match["within"]:
-            counter.within = match["within"]
-        elif match["count"]:
-            counter.count = int(match["count"])
+        elif match["within"] or match["reset"]:
+            counter.within = match["within"] or match["reset"]
+        elif match["shown"]:
+            counter.shown = match["shown"]
+        elif match["appendix"]:
+            counter.begin_appendix()
+        elif match["count"] or match["more"]:
+            counter.count = int(match["count"] or counter.count + int(match["more"]))
+        elif match["inline"] is not None:
+            continue
         else:
             macros = {d.name: d.macro for d in defined if d.place <= match.start()}
             yield from _read_display(text, match, macros, counter, unnumbered, cut=cut)

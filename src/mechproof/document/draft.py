@@ -45,8 +45,10 @@ class Said:
 
 def draft_block(source: Source) -> str:
     """Return a block of letters for a paper; what was found in its words says where."""
-    prints = [printed.latex.string for printed in find_displays(source.text)]
-    letters, factors = collect_letters(prints)
+    displays = list(find_displays(source.text))
+    prints = [printed.latex.string for printed in displays]
+    collected = collect_letters(prints)
+    letters, factors = collected.letters, collected.factors
     said = dict(_find_said(source))
     moved = {_find_moved(letter) for letter in letters}
     shapes = dict(find_shapes(prints))
@@ -73,6 +75,10 @@ def draft_block(source: Source) -> str:
         )
         lines.append("# with their brackets as one letter, f(x).")
         lines += [f"# factor {name}" for name in factors]
+    for number, reason in collected.unread.items():
+        place = source.files.locate(displays[number].latex.offsets[0])
+        lines.append(f"# {displays[number].name}, line {place.line}: its letters are not listed:")
+        lines.append(f"#   {' '.join(reason.split())}")
     return "\n".join(["%% mechproof", *(f"%% {line}" for line in lines), "%% end", ""])
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 
+from mechproof.document.cells import name_unit
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.errors import Remedies
 from mechproof.latex.left_scripts import LEFT, VECTORS
@@ -41,26 +43,46 @@ def group_alike(letters: Iterable[str]) -> list[tuple[str, ...]]:
     return [tuple(group) for group in groups.values()]
 
 
-def collect_letters(printed: Iterable[str]) -> tuple[list[str], list[str]]:
-    """Return the letters of prints that are not declared, and those before a bracket."""
+@dataclass(frozen=True)
+class Collected:
+    """Letters that are not declared, those before a bracket, and why some prints show none.
+
+    What could not be read is keyed by the number of its print.
+    """
+
+    letters: list[str]
+    factors: list[str]
+    unread: Mapping[int, str]
+
+
+def collect_letters(printed: Iterable[str]) -> Collected:
+    """Collect the letters of prints."""
     letters: dict[str, None] = {}
     factors: dict[str, None] = {}
-    for latex in printed:
-        letters |= dict.fromkeys(_collect_from(latex, factors))
-    return [x for x in letters if "#" not in x], list(factors)
+    unread: dict[int, str] = {}
+    for number, latex in enumerate(printed):
+        found = _collect_from(latex, factors)
+        if isinstance(found, str):
+            unread[number] = found
+        else:
+            letters |= dict.fromkeys(found)
+    return Collected([x for x in letters if "#" not in x], list(factors), unread)
 
 
-def _collect_from(latex: str, factors: dict[str, None]) -> list[str]:
+def _collect_from(latex: str, factors: dict[str, None]) -> list[str] | str:
+    """Return the letters of a print, or why it cannot be read."""
     while True:
         try:
-            return Reader((), Notation(factors=tuple(factors)), REMEDIES).collect(latex)
+            return Reader(
+                (), Notation(factors=tuple(factors), name_unit=name_unit), REMEDIES
+            ).collect(latex)
         except ReadingError as error:
             asks = _ASKS.search(error.args[0])
             if asks is None or asks[1] in factors:
-                return []
+                return str(error.args[0])
             factors[asks[1]] = None
         except RecursionError:
-            return []
+            return "it is nested too deeply"
 
 
 def is_vector(letter: str) -> bool:

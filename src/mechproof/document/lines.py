@@ -40,7 +40,7 @@ def split_lines(body: Text) -> list[Text]:
     r"""Cut a display at its \\, but for those inside of matrices, cases and braces."""
     body = body.replace(_WRAPPING, lambda _: " ").replace(_INTERTEXT, lambda _: r"\\ ")
     lines, start = [], 0
-    for sign, place, depth in _walk(body.string):
+    for sign, place, depth in walk_signs(body.string):
         if sign == r"\\" and depth == 0:
             lines.append(body[start:place])
             spacing = _SPACING.match(body.string, place + 2)
@@ -49,7 +49,7 @@ def split_lines(body: Text) -> list[Text]:
     return kept or [body]
 
 
-def _walk(string: str) -> Iterator[tuple[str, int, int]]:
+def walk_signs(string: str) -> Iterator[tuple[str, int, int]]:
     """Yield the signs of a display as they are read, their places, and how deep they stand."""
     depth = 0
     for match in _STEP.finditer(string):
@@ -63,11 +63,11 @@ def _walk(string: str) -> Iterator[tuple[str, int, int]]:
 
 def goes_on(before: str, line: str) -> bool:
     """Return whether a line belongs to the one before it."""
-    signs = [sign for sign, _, _ in _walk(line) if not (sign.isspace() or sign in _BLANK)]
-    ending = [sign for sign, _, _ in _walk(before) if not (sign.isspace() or sign in _BLANK)]
+    signs = [sign for sign, _, _ in walk_signs(line) if not (sign.isspace() or sign in _BLANK)]
+    ending = [sign for sign, _, _ in walk_signs(before) if not (sign.isspace() or sign in _BLANK)]
     if not signs or not ending or ending[-1] in (*_RELATIONS, *_OPERATORS):
         return True
-    has_relation = any(sign in _RELATIONS for sign, _, depth in _walk(line) if depth == 0)
+    has_relation = any(sign in _RELATIONS for sign, _, depth in walk_signs(line) if depth == 0)
     return signs[0] in _RELATIONS or not has_relation
 
 
@@ -84,7 +84,7 @@ def join_lines(lines: Sequence[Text], *, has_columns: bool = True) -> Text:
 
 def _drop_alignment(line: Text, has_columns: bool) -> Iterator[Text]:
     start, signs = 0, 0
-    for sign, place, depth in _walk(line.string):
+    for sign, place, depth in walk_signs(line.string):
         if sign == "&" and depth == 0:
             signs += 1
             yield line[start:place]
@@ -96,7 +96,7 @@ def _drop_alignment(line: Text, has_columns: bool) -> Iterator[Text]:
 
 def _drop_leads(latex: Text) -> Text:
     """Drop blanks and arrows before an equation."""
-    for sign, place, _ in _walk(latex.string):
+    for sign, place, _ in walk_signs(latex.string):
         if not (sign.isspace() or sign in _LEADS or sign in _BLANK):
             return latex[place:]
     return latex[len(latex) :]
@@ -112,7 +112,7 @@ def _clean(latex: Text) -> Text:
 
 def cut_gaps(latex: Text) -> Iterator[Text]:
     """Yield the equations of a line that wide gaps part."""
-    signs = list(_walk(latex.string))
+    signs = list(walk_signs(latex.string))
     places = [n for n, (sign, _, depth) in enumerate(signs) if sign in _BLANK[:2] and depth == 0]
     start = 0
     for gap in places:
@@ -132,7 +132,7 @@ def _drop_and(latex: Text) -> Text:
 
 def _until_gap(string: str) -> str:
     """Return what stands between a gap and the next one."""
-    signs = list(_walk(string))
+    signs = list(walk_signs(string))
     first = next((n for n, s in enumerate(signs) if not (s[0].isspace() or s[0] in _BLANK)), 0)
     ends = (place for sign, place, depth in signs[first:] if sign in _BLANK[:2] and depth == 0)
     return string[: next(ends, len(string))][signs[first][1] if signs else 0 :]
@@ -141,4 +141,4 @@ def _until_gap(string: str) -> str:
 def _is_equation(string: str) -> bool:
     """Return whether a piece has an equals sign of its own and begins with no word."""
     is_word = string.lstrip().startswith((r"\text", r"\mbox", r"\mathrm{if", r"\mathrm{for"))
-    return not is_word and any(s in _EQUALITY and not d for s, _, d in _walk(string))
+    return not is_word and any(s in _EQUALITY and not d for s, _, d in walk_signs(string))

@@ -49,7 +49,8 @@ def find_macros(text: Text) -> tuple[list[Defined], Text]:
         if match.start() < last:
             continue
         name, macro, end = _read_definition(string, match)
-        if macro is not None:
+        # What numbers look like is read where equations are counted.
+        if macro is not None and name != r"\theequation":
             parts.append(text[last : match.start()])
             macros.append(Defined(name, macro, sum(map(len, parts))))
             last = end

@@ -7,7 +7,7 @@ bare number is a size.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
@@ -18,7 +18,19 @@ from mechproof.document.relations import read_relations
 from mechproof.document.symbols import Symbols
 from mechproof.latex import ReadingError
 from mechproof.latex.reader import Print
-from mechproof.latex.tree import Add, Chain, Derivation, Letter, Node, Number, walk
+from mechproof.latex.tree import (
+    Add,
+    Approach,
+    At,
+    Chain,
+    Degrees,
+    Derivation,
+    Letter,
+    Measure,
+    Node,
+    Number,
+    walk,
+)
 from mechproof.latex.values import differentiate
 
 Values = dict[sp.Basic, Any]
@@ -34,6 +46,7 @@ class Role(StrEnum):
     DERIVATIVE = "derivative"
     STEP = "step"
     NUMBER = "number"
+    VALUE = "value at a place"
     CONSTRAINT = "constraint"
     RELATION = "relation"
 
@@ -42,7 +55,8 @@ class Role(StrEnum):
 class Sign:
     """One relation sign: its role, the letter that it is about, who printed it first; its sides.
 
-    `number` are the digits of a side that is a number, `value` is the other side then.
+    `number` are the digits of a side that is a number, `unit` is that behind them and `value` the
+    other side then.
     """
 
     role: Role
@@ -51,6 +65,7 @@ class Sign:
     sides: tuple[Any, Any] = (None, None)
     number: str = ""
     value: Any = None
+    unit: str = ""
 
 
 @dataclass
@@ -62,10 +77,10 @@ class Known:
     printed: dict[sp.Basic, str] = field(default_factory=dict)
     met: set[sp.Basic] = field(default_factory=set)
 
-    def settle(self, expression: Any) -> Any:
-        """Put in all values, to the end."""
+    def settle(self, expression: Any, stop: Collection[sp.Basic] = ()) -> Any:
+        """Put in all values, to the end, but for those of the letters `stop`."""
         for _ in range(len(self.values) + 1):
-            met = self.values.keys() & expression.free_symbols
+            met = (self.values.keys() & expression.free_symbols) - {*stop}
             if not met:
                 break
             expression = expression.xreplace({symbol: self.values[symbol] for symbol in met})
@@ -124,14 +139,24 @@ def find_roles(name: str, read: Print, known: Known) -> list[Sign]:
 
 
 def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) -> Sign:
-    if chain.relations[left] not in EQUAL:
-        return Sign(Role.RELATION)
     nodes = chain.members[left : left + 2]
-    sides = one, other = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
+    is_rounded = chain.relations[left] == r"\approx" and _is_number(nodes[1])
+    if chain.relations[left] not in EQUAL and not is_rounded:
+        return Sign(Role.RELATION)
+    has_place = any(isinstance(part, At | Approach) for part in walk(nodes))
+    try:
+        sides = one, other = _work_out(read, nodes[0], known), _work_out(read, nodes[1], known)
+    except ReadingError:
+        if has_place:
+            # What it is a value of may be printed behind it.
+            return Sign(Role.VALUE)
+        raise
     for node, symbol, value in ((nodes[0], one, other), (nodes[1], other, one)):
         if not _is_bare(node):
             continue
         symbol = node.symbol if isinstance(node, Letter) else symbol
+        if has_place and symbol in known.met:
+            return Sign(Role.VALUE, sides=sides)
         if not value.free_symbols:
             role = Role.NUMBER if symbol in known.values else Role.SIZE
             return Sign(role, symbol, "", sides, *_find_number(nodes, sides))
@@ -150,6 +175,8 @@ def _find_role(name: str, read: Print, chain: Chain, left: int, known: Known) ->
         if symbol in known.values:
             return Sign(_compare(symbol, known), symbol, known.printed[symbol], sides)
         return Sign(Role.CONSTRAINT, symbol, sides=sides)
+    if has_place:
+        return Sign(Role.VALUE, sides=sides)
     if any(isinstance(node, Derivation) for node in nodes):
         return Sign(Role.DERIVATIVE, sides=sides)
     if not left:
@@ -166,20 +193,31 @@ def _is_special(symbol: sp.Basic, value: Any, chain: Chain, known: Known) -> boo
     A letter that is introduced as another one has not been met before.
     """
     is_letter = value.is_Symbol or isinstance(value, sp.MatrixSymbol)
-    has_number = any(isinstance(member, Number) for member in chain.members)
+    has_number = any(isinstance(member, Number | Measure) for member in chain.members)
     return is_letter and (symbol in known.met or has_number)
 
 
-def _find_number(nodes: tuple[Node, ...], sides: tuple[Any, Any]) -> tuple[str, Any]:
-    """Return the digits of the side that is a number, with its sign, and the other side."""
+def _find_number(nodes: tuple[Node, ...], sides: tuple[Any, Any]) -> tuple[str, Any, str]:
+    """Return the digits of the side that is a number, with its sign, the other side, the unit."""
     for node, other in zip(reversed(nodes), sides, strict=True):
-        sign, inside = "", node
-        if isinstance(node, Add) and len(node.terms) == 1:
-            ((_, inside),) = node.terms
-            sign = "-"
+        sign, inside = _split_sign(node)
         if isinstance(inside, Number):
-            return sign + inside.text, other
-    return "", None
+            return sign + inside.text, other, ""
+        if isinstance(inside, Measure):
+            return sign + inside.number.text, other, inside.unit
+        if isinstance(inside, Degrees) and isinstance(inside.number, Number):
+            return sign + inside.number.text, other, "°"
+    return "", None, ""
+
+
+def _split_sign(node: Node) -> tuple[str, Node]:
+    if isinstance(node, Add) and len(node.terms) == 1:
+        return "-", node.terms[0][1]
+    return "", node
+
+
+def _is_number(node: Node) -> bool:
+    return isinstance(_split_sign(node)[1], Number | Measure | Degrees)
 
 
 def _compare(symbol: sp.Basic, known: Known) -> Role:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-from itertools import product
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -20,11 +19,23 @@ from mechproof.document.letters import (
     is_vector,
     name_symbol,
 )
-from mechproof.document.roles import Known, Role, Sign, find_roles, give_values
+from mechproof.document.roles import EQUAL, Known, Role, Sign, find_roles, give_values
+from mechproof.document.size_tables import SizeTables
 from mechproof.document.sources import Source
+from mechproof.document.special_cases import (
+    list_rates,
+    round_at_sizes,
+    specialise,
+    split_branches,
+    state_modulo,
+)
 from mechproof.document.symbols import declare
+from mechproof.document.tabulars import find_tabulars
+from mechproof.document.tasks import Task
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
+from mechproof.latex.reader import Print
+from mechproof.latex.tree import Measure, walk
 from mechproof.processes import limit_time
 from mechproof.proof.verdict import Left, Place, State
 from mechproof.record import (
@@ -35,46 +46,14 @@ from mechproof.record import (
     Paper,
     PrintedNumber,
     Row,
-    Statement,
     ValueWhere,
 )
 
 T = TypeVar("T")
 _DOUBLE = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|[±∓]")
-_DECIMAL = re.compile(r"\d(?:\.|\{,\})\d")
-# One digit, or zeros of which nobody knows whether they are digits.
-_FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
 UNFIT = "numbers, matrices or their shapes do not fit together, or SymPy cannot put values in"
 # What SymPy raises where values are put in that do not fit.
 _UNFIT = (TypeError, ValueError, AttributeError, NotImplementedError)
-
-
-@dataclass(frozen=True)
-class Task:
-    """A row to be judged, where it stands, what it does, and the paper that it is judged in.
-
-    `asserts` says whether its sides are claimed to be equal, `is_claimed` that the block says so;
-    `residual` is their difference, the values of letters put in.
-    """
-
-    row: Row
-    place: Place
-    sign: Sign
-    paper: Paper
-    asserts: bool
-    is_claimed: bool = False
-    residual: sp.Expr | None = None
-
-    @property
-    def is_rounded(self) -> bool:
-        """Return whether a decimal stands beside letters: it is a rounded number."""
-        is_number = isinstance(self.row.says, PrintedNumber)
-        return not is_number and bool(_DECIMAL.search(self.row.printed_latex))
-
-    @property
-    def is_alone(self) -> bool:
-        """Return whether it is the number of a letter that is defined elsewhere."""
-        return self.sign.role is Role.NUMBER and self.sign.letter is not None
 
 
 class Document:
@@ -85,9 +64,13 @@ class Document:
         self.files = source.files
         self.system = _name_system(source.files.names[0])
         self.printed = list(find_displays(source.text))
+        self.tables = list(find_tabulars(source.text))
+        self.told: list[tuple[Place, str]] = []
         self.block = read_block(source.lines, source.files)
         letters = (
-            [] if source.has_block else collect_letters(p.latex.string for p in self.printed)[0]
+            []
+            if source.has_block
+            else collect_letters(p.latex.string for p in self.printed).letters
         )
         shapes = dict(find_shapes(p.latex.string for p in self.printed))
         self.taken = tuple(x for x in letters if not is_vector(x) or name_symbol(x) in shapes)
@@ -116,11 +99,15 @@ class Document:
             for with_units in (True, False)
         }
         again = self.symbols.reader(values)
-        return [
+        tables = SizeTables(self.known, self.files, self.papers[False])
+        compared = list(tables.read(self.tables))
+        self.told = tables.told
+        equations = [
             row
             for printed, found in zip(self.printed, read, strict=True)
             for row in ([found] if isinstance(found, Left) else self._state(printed, found, again))
         ]
+        return [*equations, *compared]
 
     def _parse(self, printed: Printed, reader: Reader) -> list[Sign] | Left:
         if printed.fault:
@@ -134,6 +121,7 @@ class Document:
         read = reader.parse(latex, upper=int(branch is None))
         if not any(chain.relations for chain in read.chains):
             return self._leave(printed, State.NOT_JUDGED, "it has no relation sign")
+        _refuse_units(read)
         double = _DOUBLE.search(latex) if branch is None else None
         if double is None:
             return find_roles(printed.name, read, self.known)
@@ -156,14 +144,17 @@ class Document:
             for s in signs
             if s.role is Role.DERIVATIVE and s.letter is not None
         }
-        bare = {s.letter for s in signs} | {side for s in signs for side in s.sides}
+        said = [s for s in signs if s.role is not Role.VALUE]
+        bare = {s.letter for s in said} | {side for s in said for side in s.sides}
         known = {*derived, *self.known.values}
         defines = tuple(s for s in bare if isinstance(s, sp.Symbol) and s not in known)
         row = Equation(printed.name, printed.latex.string, derived=derived, defines=defines)
 
+        own = next((s.letter for s in signs if s.letter is not None), None)
+
         def prepare() -> list[Task | Left]:
             rows = read_row(row, reader)
-            return [self._prepare(printed, *pair) for pair in zip(rows, signs, strict=True)]
+            return [self._prepare(printed, *pair, own) for pair in zip(rows, signs, strict=True)]
 
         found = self._guard(printed, prepare)
         return [found] if isinstance(found, Left) else found
@@ -185,19 +176,28 @@ class Document:
             known = reason.partition(":")[0] if reason.startswith("nothing is known") else reason
             return self._leave(printed, State.NOT_JUDGED, known if told else UNFIT)
 
-    def _prepare(self, printed: Printed, row: Row, sign: Sign) -> Task | Left:
+    def _prepare(self, printed: Printed, row: Row, sign: Sign, own: sp.Basic | None) -> Task | Left:
+        """Make a task of a row; `own` is the letter that its chain is about."""
         place = self._locate(printed)
-        if isinstance(row.says, Definition) and sign.role not in (Role.DEFINITION, Role.SIZE):
-            row = replace(row, says=Equality(*sign.sides, "member"))
+        says = row.says
+        if isinstance(says, Definition) and sign.role not in (Role.DEFINITION, Role.SIZE):
+            members = (says.symbol, says.printed) if None in sign.sides else sign.sides
+            row = replace(row, says=Equality(*members, "member"))
+        if isinstance(says, PrintedNumber) and sign.role is Role.SIZE:
+            values = [side for side in sign.sides if not side.free_symbols]
+            row = replace(row, says=Definition(sign.letter, values[0]))
+        row = specialise(row, self.known)
         if sign.role is Role.NUMBER:
-            number = self._round(sign)
+            number = round_at_sizes(sign, own, self.known)
             if isinstance(number, str):
                 return Left(row.number, place, row.printed_latex, State.NOT_JUDGED, number)
             row = replace(row, says=number)
-        row = replace(row, says=self._split_branches(row.statement))
+        row = replace(row, says=split_branches(row.statement, self.known))
         turn = _look_up(printed, self.block.modulo)
         if turn and isinstance(row.says, Equality):
-            row = replace(row, says=self._modulo(row.says, turn), note=f"Said modulo {turn}.")
+            row = replace(
+                row, says=state_modulo(row.says, turn, self.known), note=f"Said modulo {turn}."
+            )
         sides = _list_sides(row, sign, self.known)
         letters = {sign.letter}.union(*(side.free_symbols for side in sides))
         is_special = sign.role is Role.CONSTRAINT and sign.letter is not None
@@ -208,29 +208,8 @@ class Document:
             residual = sides[0] - sides[1]
         is_claimed = _is_listed(printed, [*self.block.identities, *self.block.modulo])
         asserts = is_claimed or self._asserts(printed, sign, sides)
-        return Task(row, place, sign, paper, asserts, is_claimed, residual)
-
-    def _modulo(self, says: Equality, turn: str) -> Conjunction:
-        """State that two angles are equal up to whole turns."""
-        read = self.symbols.reader().parse(turn)
-        whole = read.meaning().of(read.chains[0].members[0])
-        sides = [2 * sp.pi * side / whole for side in (says.printed, says.rebuilt)]
-        parts = (Equality(f(sides[0]), f(sides[1]), says.rebuilt_from) for f in (sp.cos, sp.sin))
-        return Conjunction(tuple(parts))
-
-    def _split_branches(self, says: Statement) -> Statement:
-        """State an equation for each sign of the letters that are branches."""
-        if not isinstance(says, Equality):
-            return says
-        one, other = self.known.settle(says.printed), self.known.settle(says.rebuilt)
-        letters = one.free_symbols | other.free_symbols
-        branches = [v for v in self.symbols.variables if v.within.is_FiniteSet]
-        signs = [[(v.symbol, value) for value in v.within] for v in branches if v.symbol in letters]
-        if not signs:
-            return says
-        choices = map(dict, product(*signs))
-        parts = (Equality(one.subs(c), other.subs(c), says.rebuilt_from) for c in choices)
-        return Conjunction(tuple(parts))
+        rates = () if residual is None else tuple(list_rates(residual, self.known))
+        return Task(row, place, sign, paper, asserts, is_claimed, residual, rates)
 
     def _asserts(self, printed: Printed, sign: Sign, sides: Sequence[Any]) -> bool:
         """Return whether the sides are claimed to be equal wherever their letters lie.
@@ -241,17 +220,8 @@ class Document:
             return False
         if sign.role is Role.RELATION or len(sides) < 2:
             return sign.role is not Role.RELATION
-        one, other = (side.replace(ValueWhere, lambda value, _: value) for side in sides)
-        return bool(one.free_symbols == other.free_symbols)
-
-    def _round(self, sign: Sign) -> PrintedNumber | str:
-        """Return what a number says of a letter at the sizes, or why that is not judged."""
-        if not sign.number or _FEW_DIGITS.match(sign.number):
-            return "a special value: nothing says at which sizes, or to how many digits"
-        value = self.known.settle(sign.value)
-        if missing := sorted(map(str, value.free_symbols - self.symbols.usual.keys())):
-            return f"a value for sizes that are not declared: {', '.join(missing)}"
-        return PrintedNumber(sign.number, value.xreplace(dict(self.symbols.usual)))
+        one, other = map(_list_letters, sides)
+        return bool(one == other)
 
     def _locate(self, printed: Printed, place: int = 0) -> Place:
         offsets = printed.latex.offsets
@@ -273,6 +243,21 @@ def _name_system(file: str) -> str:
     return name if name.isidentifier() else f"paper_{name}"
 
 
+def _refuse_units(read: Print) -> None:
+    """Refuse a unit in what is no number of a letter: its other side says nothing of units."""
+    for chain in read.chains:
+        limits = {n for n, sign in enumerate(chain.relations) if sign not in (*EQUAL, r"\approx")}
+        beside = {0 if chain.relations else -1, *limits, *(n + 1 for n in limits)}
+        for part in (chain.condition, *(m for n, m in enumerate(chain.members) if n in beside)):
+            for node in walk(part):
+                if isinstance(node, Measure):
+                    raise read.source.refuse(
+                        node.start,
+                        f"a unit, {node.unit}, beside no letter whose number it is",
+                        "Print the number alone, in the unit of the letters.",
+                    )
+
+
 def _refuse_unknown(block: Block, printed: Sequence[Printed]) -> None:
     """Refuse what is said of equations that are not there."""
     known = {name for one in printed for name in (one.name, *one.labels)}
@@ -289,6 +274,16 @@ def _look_up(printed: Printed, said: dict[str, str]) -> str:
 
 def _is_listed(printed: Printed, names: Sequence[str]) -> bool:
     return any(key in names for key in (printed.name, *printed.labels))
+
+
+def _list_letters(side: Any) -> set[sp.Basic]:
+    """Return the letters of which a side is a function, as far as it is seen without a proof."""
+    shown = side.replace(ValueWhere, lambda value, _: value)
+    for limit in shown.atoms(sp.Limit):
+        there = limit.args[0].subs(limit.args[1], limit.args[2])
+        if not there.has(sp.nan, sp.zoo, sp.oo):
+            shown = shown.xreplace({limit: there})
+    return set(shown.free_symbols)
 
 
 def _list_sides(row: Row, sign: Sign, known: Known) -> list[Any]:

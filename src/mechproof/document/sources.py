@@ -20,9 +20,9 @@ MARKDOWN = (".md", ".markdown", ".mmd")
 SUFFIXES = (".tex", ".ltx", ".txt", *MARKDOWN)
 _DEEPEST = 20
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*")
-_VERBATIM = re.compile(
-    r"\\begin\{(verbatim|lstlisting|comment|minted)\}.*?\\end\{\1\}|\\iffalse\b.*?\\fi\b", re.DOTALL
-)
+_VERBATIM = re.compile(r"\\begin\{(verbatim|lstlisting|comment|minted)\}.*?\\end\{\1\}", re.DOTALL)
+# A branch of TeX, and its end.
+_BRANCH = re.compile(r"\\(?:(?!iff\b|ifthenelse)if[a-zA-Z]*|fi)(?![a-zA-Z])")
 _VERB = re.compile(r"\\verb\*?([^A-Za-z*\s]).*?\1")
 _END = re.compile(r"\\end\{document\}|\\endinput(?![A-Za-z])")
 _FENCE = re.compile(r"^(```|~~~).*?^\1\s*$|<!--.*?-->", re.DOTALL | re.MULTILINE)
@@ -94,10 +94,23 @@ def _read(
         shown = _show(text, _MATH).replace(_FENCE, lambda match: "\n")
         return _show(shown, _ALONE)
     plain = text.replace(_VERBATIM, lambda match: "\n").replace(_COMMENT, lambda match: match[1])
-    plain = plain.replace(_VERB, lambda match: " ")
+    plain = _drop_false(plain.replace(_VERB, lambda match: " "))
     if last := _END.search(plain.string):
         plain = plain[: last.start()]
     return _insert(plain, source, folder, (*above, name))
+
+
+def _drop_false(text: Text) -> Text:
+    r"""Leave out what stands between \iffalse and its \fi, with the branches inside."""
+    parts, last, depth = [], 0, 0
+    for match in _BRANCH.finditer(text.string):
+        if depth == 0 and match[0] == r"\iffalse":
+            parts.append(text[last : match.start()])
+            depth = 1
+        elif depth:
+            depth += -1 if match[0] == r"\fi" else 1
+            last = match.end()
+    return text if depth else join([*parts, text[last:]])
 
 
 def _show(text: Text, pattern: re.Pattern[str]) -> Text:

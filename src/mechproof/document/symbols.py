@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import product
 from typing import Any
 
 import sympy as sp
 
 from mechproof.document.block import Block, Declared
+from mechproof.document.cells import name_unit
 from mechproof.document.letters import REMEDIES, name_symbol
 from mechproof.document.relations import narrow, read_relations
-from mechproof.document.units import read_unit
+from mechproof.document.units import ONE, Unit, read_unit
 from mechproof.latex import Reader
 from mechproof.latex.values import Moving
-from mechproof.record import NUMBER, Notation, Paper, Variable
+from mechproof.record import NUMBER, Dimension, Notation, Paper, Variable
 
 # Derivatives of a letter that have prints of their own.
 ORDERS = (1, 2)
@@ -29,7 +31,7 @@ _STEM = re.compile(r"(\\[A-Za-z]+|.)(.*)\Z", re.DOTALL)
 class Symbols:
     """What the letters of a paper are.
 
-    `bare` are the symbols of which no unit is declared.
+    `bare` are the symbols of which no unit is declared; `scales` are the sizes of declared ones.
     """
 
     variables: tuple[Variable, ...]
@@ -37,11 +39,28 @@ class Symbols:
     where: tuple[sp.Basic, ...] = ()
     usual: Mapping[sp.Basic, sp.Expr] = field(default_factory=dict)
     bare: frozenset[sp.Basic] = frozenset()
+    scales: Mapping[sp.Basic, sp.Expr] = field(default_factory=dict)
 
     @property
     def moving(self) -> Moving:
         """Return the letters that depend on another, and their derivatives by it."""
         return self.notation.moving
+
+    @property
+    def branches(self) -> tuple[sp.Basic, ...]:
+        """Return the letters that are one of a few numbers, 1 or -1."""
+        return tuple(v.symbol for v in self.variables if v.within.is_FiniteSet)
+
+    def list_branches(self, letters: Collection[sp.Basic]) -> list[dict[sp.Basic, sp.Expr]]:
+        """Return the choices of the branches among letters: one without any if there is none."""
+        sets = {v.symbol: v.within for v in self.variables if v.symbol in self.branches}
+        chosen = [[(s, value) for value in sets[s]] for s in sets if s in letters]
+        return [dict(choice) for choice in product(*chosen)]
+
+    def find_dimension(self, symbol: sp.Basic) -> Dimension | None:
+        """Return the dimension of a letter, None where no unit is declared."""
+        declared = (v.dimension for v in self.variables if v.symbol == symbol)
+        return next(declared) if symbol in self.scales else None
 
     def reader(self, given: Mapping[sp.Basic, Any] | None = None) -> Reader:
         """Return the reader of the paper's prints, with the values of letters that are defined."""
@@ -75,9 +94,12 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     variables: list[Variable] = []
     depending: dict[sp.Basic, tuple[str, tuple[sp.Basic, ...]]] = {}
     bare: set[sp.Basic] = set()
+    scales: dict[sp.Basic, sp.Expr] = {}
     for letter in letters:
-        own = list(_make(letter, letters, block, assume=assume))
+        units = _list_units(letter, letters)
+        own = list(_make(letter, units, block, assume=assume))
         variables += own
+        scales |= {v.symbol: unit.scale for v, unit in zip(own, units, strict=False)}
         if letter.running:
             depending[own[0].symbol] = letter.running, tuple(v.symbol for v in own[1:])
         has_no_unit = {x.names[0] for x in letters if x.unit is None}
@@ -86,13 +108,16 @@ def declare(block: Block, *, assume: bool = False) -> Symbols:
     _refuse_twins(variables)
     symbols = {name: v.symbol for v in variables for name in v.latex}
     moving = {symbol: (symbols[running], rates) for symbol, (running, rates) in depending.items()}
-    notation = Notation(factors=(*block.factors, *block.natural), moving=moving)
+    factors = (*block.factors, *block.natural)
+    phases = frozenset(_find_phases(variables, {by for by, _ in moving.values()}, bare))
+    notation = Notation(factors=factors, moving=moving, name_unit=name_unit, phases=phases)
     for name in (*block.branches, *block.natural):
         if name not in symbols:
             raise ValueError(f"{name} is said to be a branch or natural: it is not declared")
     if len(block.branches) == 1:
         notation = replace(notation, branch=symbols[block.branches[0]])
-    return _say(Symbols(tuple(variables), notation, bare=frozenset(bare)), block)
+    known = {symbol: scale for symbol, scale in scales.items() if symbol not in bare}
+    return _say(Symbols(tuple(variables), notation, bare=frozenset(bare), scales=known), block)
 
 
 def _add_running(letters: Sequence[Declared]) -> list[Declared]:
@@ -106,13 +131,20 @@ def _name(letter: Declared) -> str:
     return letter.symbol or name_symbol(letter.names[0])
 
 
+def _list_units(letter: Declared, letters: Sequence[Declared]) -> list[Unit]:
+    """Return the units of a letter and of its derivatives; what is not declared counts as 1."""
+    by = next((x.unit for x in letters if letter.running in x.names), None)
+    unit, step = (ONE if text is None else read_unit(text) for text in (letter.unit, by))
+    return [unit / step**order for order in (0, *ORDERS)]
+
+
 def _make(
-    letter: Declared, letters: Sequence[Declared], block: Block, *, assume: bool
+    letter: Declared, units: Sequence[Unit], block: Block, *, assume: bool
 ) -> Iterator[Variable]:
     """Yield the variable of a letter, and one for each of its derivatives."""
     first, *others = letter.names
     name = _name(letter)
-    dimension = NUMBER if letter.unit is None else read_unit(letter.unit)
+    dimension = units[0].dimension
     meaning, _, convention = letter.meaning.partition("; ")
     if letter.shape:
         yield Variable(sp.MatrixSymbol(name, *letter.shape), meaning, dimension, latex=letter.names)
@@ -126,15 +158,24 @@ def _make(
     if first in block.branches:
         within = sp.FiniteSet(-1, 1)
     yield Variable(symbol, meaning, dimension, within, sign=convention, latex=printed)
-    unit = next((x.unit for x in letters if letter.running in x.names), None)
-    step = NUMBER if unit is None else read_unit(unit)
     for order in ORDERS if letter.running else ():
         yield Variable(
             sp.Symbol(f"d{order if order > 1 else ''}{name}", real=True),
             f"derivative of {meaning or first} by {letter.running}, order {order}",
-            dimension / step**order,
+            units[order].dimension,
             latex=tuple(_print_rate(first, letter.running, order)),
         )
+
+
+def _find_phases(
+    variables: Sequence[Variable], running: Collection[sp.Basic], bare: Collection[sp.Basic]
+) -> Iterator[tuple[sp.Basic, sp.Basic]]:
+    r"""Yield letters with a unit whose product with one that runs has none: \omega t."""
+    known = [v for v in variables if v.symbol not in bare and v.dimension != NUMBER]
+    for by in (v for v in known if v.symbol in running):
+        for v in known:
+            if v.dimension * by.dimension == NUMBER:
+                yield v.symbol, by.symbol
 
 
 def _print_rate(latex: str, by: str, order: int) -> Iterator[str]:

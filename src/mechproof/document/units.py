@@ -1,28 +1,85 @@
-"""Units as they are written in brackets -> physical dimensions."""
+"""Units as they are written in brackets -> physical dimensions, and how large they are."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
 
 from mechproof.record import ANGLE, LENGTH, NUMBER, Dimension
 
+
+@dataclass(frozen=True)
+class Unit:
+    """A physical dimension, and the size of the unit in that of SI (rad for angles)."""
+
+    dimension: Dimension
+    scale: sp.Expr = sp.S.One
+
+    def __mul__(self, other: Unit) -> Unit:
+        return Unit(self.dimension * other.dimension, self.scale * other.scale)
+
+    def __pow__(self, power: int) -> Unit:
+        return Unit(self.dimension**power, self.scale**power)
+
+    def __truediv__(self, other: Unit) -> Unit:
+        return self * other**-1
+
+
+ONE = Unit(NUMBER)
 _TIME, _MASS = Dimension(time=1), Dimension(mass=1)
 _FORCE = _MASS * LENGTH / _TIME**2
-_BASE: Mapping[str, Dimension] = {
-    **dict.fromkeys(("", "1", "-", "%"), NUMBER),
-    **dict.fromkeys(("rad", "deg", "°", "mrad", "'", '"'), ANGLE),
-    **dict.fromkeys(("m", "mm", "cm", "dm", "km", "um", "µm", "nm", "in", "ft"), LENGTH),
-    **dict.fromkeys(("s", "ms", "us", "µs", "min", "h"), _TIME),
-    **dict.fromkeys(("kg", "g", "t", "mg"), _MASS),
-    **dict.fromkeys(("K", "°C"), Dimension(temperature=1)),
-    **dict.fromkeys(("Hz", "kHz"), NUMBER / _TIME),
-    **dict.fromkeys(("rpm", "r/min"), ANGLE / _TIME),
-    **dict.fromkeys(("N", "kN", "mN", "MN"), _FORCE),
-    **dict.fromkeys(("Nm", "kNm", "Nmm", "J", "kJ"), _FORCE * LENGTH),
-    **dict.fromkeys(("Pa", "kPa", "MPa", "GPa", "bar"), _FORCE / LENGTH**2),
-    **dict.fromkeys(("W", "kW"), _FORCE * LENGTH / _TIME),
+_TURN, _TEN = 2 * sp.pi, sp.Integer(10)
+_DEGREE = sp.pi / 180
+_SCALES: Mapping[Dimension, Mapping[str, sp.Expr]] = {
+    LENGTH: {
+        **{"m": _TEN**0, "mm": _TEN**-3, "cm": _TEN**-2, "dm": _TEN**-1, "km": _TEN**3},
+        **{"um": _TEN**-6, "µm": _TEN**-6, "μm": _TEN**-6, "nm": _TEN**-9},
+        **{"in": sp.Rational("0.0254"), "ft": sp.Rational("0.3048")},
+    },
+    _TIME: {
+        **{"s": _TEN**0, "ms": _TEN**-3, "us": _TEN**-6, "µs": _TEN**-6},
+        **{"min": sp.Integer(60), "h": sp.Integer(3600)},
+    },
+    _MASS: {"kg": _TEN**0, "g": _TEN**-3, "t": _TEN**3, "mg": _TEN**-6},
+    Dimension(temperature=1): {"K": _TEN**0},
+    NUMBER / _TIME: {"Hz": _TEN**0, "kHz": _TEN**3},
+    _FORCE: {"N": _TEN**0, "kN": _TEN**3, "mN": _TEN**-3, "MN": _TEN**6},
+    _FORCE * LENGTH: {
+        **{"Nm": _TEN**0, "kNm": _TEN**3, "Nmm": _TEN**-3, "J": _TEN**0, "kJ": _TEN**3},
+    },
+    _FORCE / LENGTH**2: {
+        **{"Pa": _TEN**0, "kPa": _TEN**3, "MPa": _TEN**6, "GPa": _TEN**9, "bar": _TEN**5},
+    },
+    _FORCE * LENGTH / _TIME: {"W": _TEN**0, "kW": _TEN**3},
 }
+# Angles and numbers have one dimension here.
+_ANGLES = {
+    **{"rad": _TEN**0, "mrad": _TEN**-3, "deg": _DEGREE, "°": _DEGREE},
+    **{"'": _DEGREE / 60, '"': _DEGREE / 3600},
+}
+_BASE: Mapping[str, Unit] = {
+    **dict.fromkeys(("", "1", "-"), ONE),
+    "%": Unit(NUMBER, _TEN**-2),
+    # No multiple of K: its zero is another.
+    "°C": Unit(Dimension(temperature=1), sp.nan),
+    **{name: Unit(ANGLE, scale) for name, scale in _ANGLES.items()},
+    **dict.fromkeys(("rpm", "r/min", "1/min", "min^-1"), Unit(ANGLE / _TIME, _TURN / 60)),
+    **{name: Unit(d, scale) for d, units in _SCALES.items() for name, scale in units.items()},
+}
+# Macros of siunitx, and of LaTeX itself.
+_SPELLED: Mapping[str, str] = {
+    **{"metre": "m", "meter": "m", "second": "s", "gram": "g", "newton": "N", "radian": "rad"},
+    **{"degree": "°", "pascal": "Pa", "joule": "J", "watt": "W", "hertz": "Hz", "kelvin": "K"},
+    **{"minute": "min", "hour": "h", "tonne": "t", "celsius": "°C", "percent": "%"},
+    **{"milli": "m", "centi": "c", "deci": "d", "kilo": "k", "micro": "µ", "nano": "n"},
+    **{"mega": "M", "giga": "G", "mu": "µ", "per": "/", "cdot": "·", "squared": "^2"},
+    **{"cubed": "^3", "kilogram": "kg", "mm": "mm", "cm": "cm", "kg": "kg", "rad": "rad"},
+}
+_PREFIXES = ("milli", "centi", "deci", "kilo", "micro", "nano", "mega", "giga", "per", "mu")
+_MACRO = re.compile(r"\\([A-Za-z]+)\s*")
 _FACTOR = re.compile(r"(?P<unit>[^\s·*/^()\d-][^\s·*/^()\d-]*|1)(?:\^?\{?(?P<power>-?\d+)\}?)?\s*")
 _SIGN = re.compile(r"\s*([·*/]?)\s*")
 
@@ -31,14 +88,25 @@ class UnitError(ValueError):
     """A unit that is not known."""
 
 
-def read_unit(text: str) -> Dimension:
-    """Return the dimension of a unit such as mm, m/s^2, N m or 1/s.
+def spell_unit(text: str) -> str:
+    r"""Return a unit without macros: mm/s for \milli\metre\per\second."""
+
+    def spell(match: re.Match[str]) -> str:
+        name = match[1]
+        known = _SPELLED.get(name, match[0])
+        return known if name in _PREFIXES or known[0] in "/^·" else f"{known} "
+
+    return re.sub(r"\s+(?=[\^/])", "", _MACRO.sub(spell, text)).strip()
+
+
+def read_unit(text: str) -> Unit:
+    """Return a unit such as mm, m/s^2, N m or 1/s.
 
     Raises `UnitError` naming what is not known of it.
     """
     if text.strip() in _BASE:
         return _BASE[text.strip()]
-    found, place, sign = NUMBER, 0, ""
+    found, place, sign = ONE, 0, ""
     while place < len(text):
         factor = _FACTOR.match(text, place)
         if factor is None or factor["unit"] not in _BASE:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from mechproof.latex import calculus, derivatives, letters, tables
+from mechproof.latex import calculus, derivatives, letters, places, tables
 from mechproof.latex.characters import is_digit
+from mechproof.latex.measures import read_measure
 from mechproof.latex.numerals import read_number
 from mechproof.latex.tokens import DOTS
 from mechproof.latex.tree import (
@@ -38,7 +39,7 @@ def read_atom(parser: Parser) -> Node:
     start = parser.start
     text = parser.text
     if is_digit(text):
-        return read_number(parser)
+        return read_measure(parser)
     if match := parser.names.match(parser.tokens, parser.place):
         return letters.read_letter(parser, match)
     if text == r"\frac" and derivatives.is_derivative(parser):
@@ -51,6 +52,8 @@ def read_atom(parser: Parser) -> Node:
         return _read_bracket(parser, start)
     if text == "|":
         return _read_magnitude(parser, start)
+    if text == places.LEFT:
+        return places.read_enclosed(parser)
     if text == r"\lvert":
         inside = parser.read_inside(r"\lvert", parser.read_sum, r"\rvert")
         return _enclose(parser, inside, start)

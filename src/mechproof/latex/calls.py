@@ -156,14 +156,26 @@ def _read_short(parser: Parser) -> Node:
     """Read a number times one name, fraction or root."""
     start = parser.start
     number = parser.read_factor()
+    if _is_phase(parser, number):
+        return Product((number, parser.read_factor()), start=start, end=parser.end)
     if not isinstance(number, Number) or parser.ends_product() or is_function(parser):
         return number
     if parser.text in ("/", *DOTS):
         return number
     factor = parser.read_factor()
+    if _is_phase(parser, factor):
+        return Product((number, factor, parser.read_factor()), start=start, end=parser.end)
     if not isinstance(factor, Letter | Constant) and parser.text not in ("",):
         _check_reach(parser)
     return Product((number, factor), start=start, end=parser.end)
+
+
+def _is_phase(parser: Parser, node: Node) -> bool:
+    """Return whether a letter stands next whose product with the one before it is an angle."""
+    match = parser.names.match(parser.tokens, parser.place)
+    if match is None or not isinstance(node, Letter):
+        return False
+    return (node.symbol, match.name.symbol) in parser.notation.phases
 
 
 def _is_matrix_next(parser: Parser) -> bool:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from mechproof.latex import undeclared
+from mechproof.latex import places, undeclared
 from mechproof.latex.characters import is_digit
 from mechproof.latex.functions import CONSTANTS
 from mechproof.latex.names import Match
@@ -96,13 +96,16 @@ def _read_name(parser: Parser, match: Match) -> Node:
     parser.place = match.end
     latex = parser.source.latex[start : parser.end]
     _refuse_continuation(parser, latex, place)
+    text = "".join([token.text for token in parser.tokens[place : match.end]])
+    letter = Letter(match.name.symbol, text, indices, start=start, end=parser.end)
+    if places.is_value(parser, letter):
+        return places.read_value(parser, letter)
     if parser.text == "(" and (other := parser.names.longer(match.name, "(")):
         raise parser.refuse(
             f"{other.latex} is a declared name, this is another: an argument or a factor?",
             parser.remedies.name.format(f"{latex}(…)"),
         )
-    text = "".join(token.text for token in parser.tokens[place : match.end])
-    return Letter(match.name.symbol, text, indices, start=start, end=parser.end)
+    return letter
 
 
 def _refuse_running_index(parser: Parser, match: Match) -> None:

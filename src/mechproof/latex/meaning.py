@@ -24,6 +24,7 @@ from mechproof.latex.products import is_matrix
 from mechproof.latex.tree import (
     Add,
     Approach,
+    At,
     Bracket,
     Call,
     Cases,
@@ -36,6 +37,7 @@ from mechproof.latex.tree import (
     Integration,
     Letter,
     Magnitude,
+    Measure,
     Node,
     Number,
     Power,
@@ -280,6 +282,22 @@ class Meaning:
         inside = settle(term, self.values, {variable: running})
         return sp.Limit(inside, running, point, node.side)
 
+    def _at(self, node: At) -> sp.Expr:
+        variable, point = self._letter(node.by), self.of(node.point)
+        term = self._take_number(node.term, self.side(node.term))
+        value = settle(term, self.values, {variable: point})
+        moving = {
+            r for s, (by, rates) in self.moving.items() if by == variable for r in (s, *rates)
+        }
+        unknown = moving & value.free_symbols or {value} & {term}
+        if unknown and (value.is_Symbol or not unknown <= {value}):
+            raise self.source.refuse(
+                node.start,
+                f"nothing says what {min(map(str, unknown))} is for {variable} = {point}",
+                "What is given there is a letter of its own: declare it.",
+            )
+        return value
+
     def _bind(
         self, node: Integration, integrand: sp.Expr, variable: sp.Expr
     ) -> tuple[sp.Dummy, sp.Expr]:
@@ -315,6 +333,7 @@ def _any_matrix(parts: list[Any]) -> bool:
 
 _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Number: lambda meaning, node: sp.Rational(node.text),
+    Measure: lambda meaning, node: sp.Rational(node.number.text),
     Constant: lambda meaning, node: node.value,
     Letter: Meaning._letter,
     Bracket: lambda meaning, node: meaning.of(node.inside),
@@ -328,6 +347,7 @@ _RULES: Mapping[type, Callable[[Meaning, Any], Any]] = {
     Integration: Meaning._integration,
     Derivation: Meaning._derivation,
     Approach: Meaning._approach,
+    At: Meaning._at,
     Table: give_table,
     Entries: give_entries,
     Excerpt: give_excerpt,

@@ -12,7 +12,16 @@ from typing import TypeVar
 
 import sympy as sp
 
-from mechproof.latex import atoms, calculus, calls, conditions, derivatives, layout, letters
+from mechproof.latex import (
+    atoms,
+    calculus,
+    calls,
+    conditions,
+    derivatives,
+    layout,
+    letters,
+    places,
+)
 from mechproof.latex.characters import EITHER, find_alike, is_digit, name_character
 from mechproof.latex.errors import MODULE, PrintedText, ReadingError, Remedies
 from mechproof.latex.functions import FUNCTIONS
@@ -275,10 +284,12 @@ class Parser:
         """Read an atom and the power it is raised to."""
         if calls.is_function(self):
             return calls.read_call(self)
-        start = self.start
+        start, place = self.start, self.place
         atom = self.read_atom()
         if atoms.is_excerpt(self):
             atom = atoms.read_excerpt(self, atom, start)
+        if places.is_bar(self):
+            return places.read_bar(self, atom, place)
         if self.text == "!":
             return derivatives.read_factorial(self, atom)
         if self.text != "^":

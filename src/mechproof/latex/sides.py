@@ -8,7 +8,7 @@ import sympy as sp
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 from mechproof.latex.products import is_matrix, show_entries
-from mechproof.latex.tree import Add, Bracket, Degrees, Entries, Node, Number
+from mechproof.latex.tree import Add, Bracket, Degrees, Entries, Measure, Node, Number
 from mechproof.record import PrintedNumber, family_of
 
 _PLACES = 2
@@ -86,4 +86,6 @@ def round_to(node: Node, value: Any) -> PrintedNumber | None:
         sign = "-"
     if isinstance(node, Degrees):
         node, value = node.number, value * 180 / sp.pi
+    if isinstance(node, Measure):
+        node = node.number
     return PrintedNumber(sign + node.text, value) if isinstance(node, Number) else None

@@ -11,6 +11,7 @@ import sympy as sp
 from mechproof.latex.tree import (
     Add,
     Approach,
+    At,
     Bracket,
     Call,
     Cases,
@@ -23,6 +24,7 @@ from mechproof.latex.tree import (
     Integration,
     Letter,
     Magnitude,
+    Measure,
     Node,
     Number,
     Power,
@@ -162,6 +164,7 @@ def _chain(node: Chain) -> str:
 
 _RULES: Mapping[type, Callable[[Any], str]] = {
     Number: lambda node: str(node.text),
+    Measure: lambda node: f"{node.number.text} {node.unit}",
     Constant: lambda node: "oo" if node.value is sp.oo else str(node.text),
     Letter: _letter,
     Bracket: lambda node: write(node.inside),
@@ -175,6 +178,7 @@ _RULES: Mapping[type, Callable[[Any], str]] = {
     Integration: _integration,
     Derivation: _derivation,
     Approach: _approach,
+    At: lambda node: f"({write(node.term)} at {write(node.by)} = {write(node.point)})",
     Table: _table,
     Entries: lambda node: f"({', '.join(map(write, node.parts))})",
     Excerpt: _excerpt,

@@ -35,6 +35,7 @@ _OPENING = (r"\left", r"\bigl", r"\Bigl", r"\biggl", r"\Biggl")
 _CLOSING = (r"\right", r"\bigr", r"\Bigr", r"\biggr", r"\Biggr")
 # A bar whose size says whether it opens or closes; a plain one does not say it.
 _BARS = {
+    **{(size, "."): r"\left." for size in _OPENING},
     **{(size, bar): r"\lvert" for size in _OPENING for bar in ("|", r"\vert")},
     **{(size, bar): r"\rvert" for size in _CLOSING for bar in ("|", r"\vert")},
 }
@@ -59,6 +60,8 @@ _SAME = {
 DOTS = (r"\cdot", r"\times")
 _ARGUMENTS = {r"\frac": 2, r"\sqrt": 1}
 _PRIME = r"\prime"
+# Numbers with units, and units, of siunitx.
+QUANTITIES = (r"\SI", r"\qty", r"\si", r"\unit")
 _DEGREE = ("°", r"\degree")
 
 
@@ -208,6 +211,10 @@ class _Normaliser:
             return inner
         if first.text in ("_", "^"):
             raise self.source.refuse(first.start, f"nothing stands before this {first.text}")
+        if first.text == r"\num":
+            return self._read_argument()[1:-1]
+        if first.text in QUANTITIES:
+            return self._read_quantity(first)
         if first.text in UPRIGHT:
             return [self._read_upright(first)]
         if first.text in TEXT:
@@ -218,6 +225,13 @@ class _Normaliser:
             return [self._read_environment(first)]
         text = _SAME.get(first.text, first.text)
         return self._read_arguments(Token(text, first.start, first.end))
+
+    def _read_quantity(self, first: Token) -> list[Token]:
+        r"""Read \SI{66}{mm} as a number with a unit in upright letters behind it."""
+        number = self._read_argument()[1:-1] if first.text in QUANTITIES[:2] else []
+        start = self.raw[self.place].start if number and self.place < len(self.raw) else first.start
+        words, end = self._read_words()
+        return [*number, Token(rf"\mathrm{{{words}}}", start, end)]
 
     def _read_environment(self, first: Token) -> Token:
         """Read a beginning or an end; an array is a matrix, whatever its columns are."""

@@ -24,6 +24,14 @@ class Number(Node):
 
 
 @dataclass(frozen=True)
+class Measure(Node):
+    """A number with its unit as it is printed; the expression that it is does not show the unit."""
+
+    number: Number
+    unit: str
+
+
+@dataclass(frozen=True)
 class Constant(Node):
     """A number with a name: pi, infinity."""
 
@@ -144,6 +152,15 @@ class Approach(Node):
     by: Letter
     point: Node
     side: str
+
+
+@dataclass(frozen=True)
+class At(Node):
+    """The value of an expression where a letter has a value."""
+
+    term: Node
+    by: Letter
+    point: Node
 
 
 @dataclass(frozen=True)

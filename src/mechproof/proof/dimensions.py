@@ -8,6 +8,7 @@ sides no longer scale alike.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import repeat
@@ -98,7 +99,9 @@ def infer(expression: sp.Basic, known: Dimensions) -> Dimension | None:
         for part in expression.args:
             infer(part, known)
         return NUMBER
-    if isinstance(expression, ValueWhere | sp.Limit):
+    if isinstance(expression, sp.Limit):
+        return _of_limit(expression, known)
+    if isinstance(expression, ValueWhere):
         return infer(expression.args[0], known)
     if isinstance(expression, sp.sign):
         infer(expression.args[0], known)
@@ -182,6 +185,19 @@ def _of_sum_or_integral(node: sp.Basic, known: Dimensions) -> Dimension | None:
     for _, *limits in node.limits:
         result = result * (_common(tuple(limits), known) or NUMBER)
     return result
+
+
+def _of_limit(node: sp.Limit, known: Dimensions) -> Dimension | None:
+    """Return the dimension of a limit whose letter has one of those that are known.
+
+    What the letter goes to may be zero, which has every dimension.
+    """
+    body, variable, point, _ = node.args
+    own = None if point.is_infinite else infer(point, known)
+    for dimension in dict.fromkeys((own or NUMBER, *([] if own else known.values()))):
+        with suppress(DimensionError):
+            return infer(body, {**known, variable: dimension})
+    return infer(body, {**known, variable: own or NUMBER})
 
 
 def _of_pieces(node: sp.Piecewise, known: Dimensions) -> Dimension | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -19,6 +20,13 @@ from mechproof.proof.wellformed import find_faults
 from mechproof.record import Paper, Part, RecordError, Row, Statement
 
 AS_TYPED = "as typed"
+# What SymPy's own errors mean to somebody who reads a paper.
+_TOLD: Mapping[type[Exception], str] = {
+    RecursionError: "it is nested too deeply",
+    ZeroDivisionError: "a part of it divides by zero",
+    OverflowError: "a number in it is too large",
+    MemoryError: "it takes more memory than there is",
+}
 _OPEN = (Verdict.ENCLOSED, Verdict.UNDECIDED)
 
 
@@ -59,11 +67,12 @@ def judge(row: Row, paper: Paper) -> Judgement:
 
 
 def _explain(error: Exception) -> str:
-    """Say what was too much: our own refusals are sentences, any other error is named only."""
+    """Say what was too much: our own refusals are sentences, other errors have words of ours."""
     told = str(error)
     if isinstance(error, NotImplementedError) and told and "\n" not in told:
         return told
-    return f"it cannot be worked out: SymPy or the prover fails on it ({type(error).__name__})"
+    known = (words for kind, words in _TOLD.items() if isinstance(error, kind))
+    return f"it cannot be worked out: {next(known, 'SymPy has no rule for a part of it')}"
 
 
 def _marks(row: Row) -> tuple[str, ...]:

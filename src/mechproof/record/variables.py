@@ -59,7 +59,9 @@ class Notation:
     on one side only it says whether the upper one is meant. `indices` are the symbols of index
     letters (left out: an integer symbol of that name). `scopes` are letters used twice. `moving`
     are letters that depend on another: that one, and the symbols of their derivatives by it, the
-    first one first.
+    first one first. `name_unit` returns the unit that is printed so, nothing for what is none:
+    units are read behind numbers then. `phases` are pairs of letters whose product is an angle: a
+    function without brackets takes both, `\cos\omega t`.
     """
 
     factors: tuple[str, ...] = ()
@@ -73,6 +75,8 @@ class Notation:
     moving: Mapping[sp.Basic, tuple[sp.Basic, tuple[sp.Basic, ...]]] = field(
         default_factory=lambda: MappingProxyType({})
     )
+    name_unit: Callable[[str], str] | None = None
+    phases: frozenset[tuple[sp.Basic, sp.Basic]] = frozenset()
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,167 @@
+"""Cells of tables: a head that is a letter with its unit, a cell that is a number."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.document.units import Unit, UnitError, read_unit, spell_unit
+from mechproof.latex import Reader, ReadingError
+from mechproof.latex.tree import Letter
+
+_UPRIGHT = re.compile(r"\\(?:mathrm|text|textrm|si|unit|mathsf|SI|qty)\s*\{([^{}]*)\}")
+_SINGLE = re.compile(r"\\(?:mathrm|text|rm)\s+(?=[A-Za-z])")
+_DEGREE = re.compile(r"\^?\s*\{?\s*\\(?:circ|degree)(?![A-Za-z])\s*\}?|º")
+_BLANK = re.compile(r"\\[,;:! ]|~|\$|\\(?:quad|left|right)(?![A-Za-z])")
+_UNIT = re.compile(
+    r"(?:[\s~$]|\\[,; ])*(?:[\[(](?P<a>[^\[\]()]*)[\])]|[,;](?P<b>[^,;]+)|/(?P<c>[^/]+)"
+    r"|\bin\b(?P<d>.+))[\s$]*\Z",
+    re.DOTALL,
+)
+_WORDS = re.compile(r"(?P<before>[^$]*)\$(?P<letter>[^$]+)\$(?P<behind>[^$]*)\Z")
+_NUMBER = re.compile(
+    r"(?P<sign>[-+\u2212]?)(?P<digits>\d+(?:\.\d+)?)"
+    r"(?:(?:\\cdot|\\times|[x\u00d7·])10\^?\{?(?P<ten>[-+\u2212]?\d+)\}?|[eE](?P<power>[-+]?\d+))?"
+    r"(?P<unit>[^\d].*)?\Z"
+)
+# What an empty cell holds.
+NOTHING = "-$ {}\u2212\u2013\u2014"
+_COMMA = re.compile(r"(?<=\d)(?:\{,\}|,)(?=\d)")
+_THOUSANDS = re.compile(r"[-+\u2212]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d+)?")
+
+
+@dataclass(frozen=True)
+class Head:
+    """What a column holds: a letter, its unit where one is printed, and words around it."""
+
+    symbol: sp.Basic
+    printed: str
+    unit: Unit | None
+    words: str = ""
+
+
+@dataclass(frozen=True)
+class Numeral:
+    """A number of a cell: its digits, what they count (a power of ten), and its unit."""
+
+    digits: str
+    factor: sp.Expr
+    unit: Unit | None = None
+
+    @property
+    def value(self) -> sp.Expr:
+        """Return the number, without its unit."""
+        return sp.Rational(self.digits) * self.factor
+
+    @property
+    def half_place(self) -> sp.Expr:
+        """Return half of the last place of the digits; zeros that end a whole number are none."""
+        whole, _, decimals = self.digits.partition(".")
+        places = len(decimals) if decimals else len(whole.rstrip("0")) - len(whole)
+        return sp.Rational(1, 2) * sp.Integer(10) ** -places
+
+    @property
+    def is_decimal(self) -> bool:
+        """Return whether it has decimal places: it may have been rounded."""
+        return "." in self.digits
+
+
+def name_unit(text: str) -> str:
+    r"""Return the unit that is printed so, mm for \,\mathrm{mm}; nothing for what is none."""
+    shown = _DEGREE.sub("°", _BLANK.sub(" ", text).replace(r"\%", "%"))
+    while (inside := _UPRIGHT.sub(r"\1", shown)) != shown:
+        shown = inside
+    shown = _SINGLE.sub("", shown)
+    shown = spell_unit(shown.strip(" {}[]()")).replace("{", "").replace("}", "")
+    try:
+        read_unit(shown)
+    except UnitError:
+        return ""
+    return shown
+
+
+def find_unit(text: str) -> Unit | None:
+    """Return the unit that is printed so, None for what is none."""
+    name = name_unit(text)
+    return read_unit(name) if name else None
+
+
+def read_head(text: str, reader: Reader) -> Head | None:
+    """Return what a head says, None where it is no declared letter."""
+    text = text.strip()
+    if text.startswith("{") and text.endswith("}"):
+        text = text[1:-1].strip()
+    if letter := _find_letter(text, reader):
+        return Head(letter, text.strip("$ "), None)
+    plain = _DEGREE.search(text)
+    if plain and not text[plain.end() :].strip("$ "):
+        before = text[: plain.start()].rstrip(" ,[($")
+        if letter := _find_letter(before, reader):
+            return Head(letter, before.strip("$ "), read_unit("°"))
+    if (unit := _UNIT.search(text)) and (letter := _find_letter(text[: unit.start()], reader)):
+        known = find_unit(next(filter(None, unit.groups()), ""))
+        return Head(letter, text[: unit.start()].strip("$ "), known) if known else None
+    return _read_among_words(text, reader)
+
+
+def _read_among_words(text: str, reader: Reader) -> Head | None:
+    words = _WORDS.match(text)
+    letter = _find_letter(words["letter"], reader) if words else None
+    if words is None or letter is None:
+        return None
+    behind = words["behind"]
+    unit = _UNIT.search(behind)
+    known = find_unit(next(filter(None, unit.groups()), "")) if unit else None
+    rest = behind[: unit.start()] if unit and known else behind
+    said = " ".join(f"{words['before']} {rest}".replace("~", " ").split()).strip(" ,:")
+    return Head(letter, words["letter"].strip(), known, said)
+
+
+def _find_letter(text: str, reader: Reader) -> sp.Basic | None:
+    try:
+        (chain, *others) = reader.parse(text.strip(" $~")).chains
+    except ReadingError:
+        return None
+    (member, *more) = chain.members
+    is_alone = not (others or more or chain.condition)
+    is_number = isinstance(member, Letter) and isinstance(member.symbol, sp.Symbol)
+    return member.symbol if is_alone and is_number and isinstance(member, Letter) else None
+
+
+def is_unit_or_empty(text: str) -> bool:
+    """Return whether a cell below a head says a unit or nothing."""
+    has_digits = any(sign.isdigit() for sign in text)
+    return not text.strip(NOTHING) or (not has_digits and find_unit(text) is not None)
+
+
+def finds_decimal_commas(texts: Iterable[str]) -> bool | None:
+    """Return whether the commas of a table are decimal, None where they may part thousands."""
+    shown = [_clean(text) for text in texts]
+    commas = [text for text in shown if _COMMA.search(text)]
+    if any("{,}" in text or not _THOUSANDS.fullmatch(text) for text in commas):
+        return True
+    has_points = any(re.search(r"\d\.\d", text) for text in shown)
+    return False if has_points or not commas else None
+
+
+def _clean(text: str) -> str:
+    wrapped = re.sub(r"\\(?:num|SI|qty|mathbf|bm)\s*\{([^{}]*)\}", r"\1", text)
+    return re.sub(r"\s", "", _BLANK.sub("", wrapped))
+
+
+def read_numeral(text: str, *, decimal_comma: bool) -> Numeral | None:
+    """Return the number of a cell, None for what is none."""
+    shown = _clean(text).strip("{}") if text.strip().startswith("{") else _clean(text)
+    shown = _COMMA.sub("." if decimal_comma else "", shown)
+    found = _NUMBER.match(shown)
+    if found is None:
+        return None
+    unit = find_unit(found["unit"]) if found["unit"] else None
+    if found["unit"] and unit is None:
+        return None
+    ten = (found["ten"] or found["power"] or "0").replace("\u2212", "-")
+    sign = "" if found["sign"] in ("", "+") else "-"
+    return Numeral(sign + found["digits"], sp.Integer(10) ** int(ten), unit)

@@ -1,0 +1,150 @@
+"""Numbers at sizes: what a formula gives for the printed sizes of its letters, in their units."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.arithmetic import balls
+from mechproof.document.cells import Head, Numeral
+from mechproof.document.symbols import Symbols
+from mechproof.document.units import Unit
+from mechproof.proof.printed_number import decide_number
+from mechproof.proof.verdict import Verdict
+from mechproof.record import NUMBER, PrintedNumber
+
+_DEGREE = sp.pi / 180
+_ARCS = (sp.asin, sp.acos, sp.atan, sp.atan2)
+_TURNING = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
+
+
+@dataclass(frozen=True)
+class Size:
+    """A size of a line in the unit of its letter, and half of its last place if it is rounded."""
+
+    value: sp.Expr
+    half: sp.Expr = sp.S.Zero
+
+
+@dataclass(frozen=True)
+class Result:
+    """A number that a formula gives: its name and place, what it counts, the sizes of its line."""
+
+    name: str
+    offset: int
+    head: Head
+    number: Numeral
+    factor: sp.Expr
+    sizes: Mapping[sp.Basic, Size]
+
+    @property
+    def text(self) -> str:
+        """Return the print of the result as an equation."""
+        return f"{self.head.printed}={self.number.digits}"
+
+    def describe(self) -> str:
+        """Say at which sizes the number is meant."""
+        sizes = ", ".join(f"{symbol} = {size.value}" for symbol, size in self.sizes.items())
+        return f"{self.head.symbol} = {self.number.digits} at {sizes or 'the declared sizes'}"
+
+    def state(self, formula: sp.Expr) -> PrintedNumber:
+        """State that a formula has the number that is printed."""
+        values = {symbol: size.value for symbol, size in self.sizes.items()}
+        return PrintedNumber(self.number.digits, formula.xreplace(values) / self.factor)
+
+    def choose(self, reading: Sequence[sp.Expr]) -> sp.Expr | None:
+        """Return the branch of a reading that gives the number, None if no one is shown to."""
+        return next((f for f in reading if agrees(self.state(f))), None)
+
+    def is_near(self, formula: sp.Expr) -> bool:
+        """Return whether the number may be that of sizes that round to those of the line."""
+        values = {symbol: _spread(size.value, size.half) for symbol, size in self.sizes.items()}
+        found = balls.evaluate(formula / self.factor, values)
+        printed = _spread(sp.Rational(self.number.digits), self.number.half_place)
+        return not found.is_finite() or bool(found.overlaps(printed))
+
+
+def agrees(says: PrintedNumber) -> bool:
+    """Return whether a number is shown to be the rounded value."""
+    return decide_number(says, says.value).verdict is Verdict.PROVED
+
+
+def _spread(value: sp.Expr, half: sp.Expr) -> balls.Ball:
+    return balls.to_ball(value - half).union(balls.to_ball(value + half))
+
+
+class Scales:
+    """The units of letters, as the block declares them or else as the heads of a table show them.
+
+    A letter without any counts as it stands.
+    """
+
+    def __init__(self, symbols: Symbols, heads: Iterable[Head] = ()) -> None:
+        self.symbols = symbols
+        shown = {h.symbol: h.unit for h in heads if h.unit and h.unit.dimension != NUMBER}
+        self.known = {s: unit.scale for s, unit in shown.items()} | {**symbols.scales}
+        self.shown = {h.symbol for h in heads if h.unit}
+
+    def convert(self, symbol: sp.Basic | None, unit: Unit | None) -> sp.Expr:
+        """Return what a unit is in that of a letter; a letter without any has it."""
+        if unit is None or (symbol not in self.known and unit.dimension != NUMBER):
+            return sp.S.One
+        return unit.scale / self.known.get(symbol, sp.S.One)
+
+    def size(self, head: Head, number: Numeral) -> Size:
+        """Return the size that a cell says."""
+        factor = self.convert(head.symbol, number.unit or head.unit)
+        half = number.half_place * number.factor * factor if number.is_decimal else sp.S.Zero
+        return Size(number.value * factor, half)
+
+    def are_known(self, letters: Iterable[sp.Basic]) -> bool:
+        """Return whether all units are said by the block or by heads."""
+        return {*letters} <= {*self.known, *self.shown, *self.symbols.branches}
+
+    def list_readings(self, formula: sp.Expr, own: sp.Basic | None) -> list[tuple[sp.Expr, ...]]:
+        """Return what a formula of a letter may give, by numbers in the units of their letters.
+
+        Without a letter it is a number, or in the unit of SI. Each reading has one expression for
+        every choice of the branches.
+        """
+        readings = []
+        for turned in self._read_degrees(formula, own):
+            readings.append(turned)
+            letters = {*turned.free_symbols, own} - {None, *self.symbols.branches}
+            if letters <= self.known.keys():
+                scales = {s: s * scale for s, scale in self.known.items()}
+                readings.append(turned.xreplace(scales) / self.known.get(own, sp.S.One))
+        choices = self.symbols.list_branches(formula.free_symbols)
+        turns = self._list_turns(formula, own)
+        return [
+            tuple(reading.xreplace(c) + turn for c in choices for turn in turns)
+            for reading in readings
+        ]
+
+    def _list_turns(self, formula: sp.Expr, own: sp.Basic | None) -> list[sp.Expr]:
+        """Return by what an angle may differ: a turn, half of one where an arc tangent gives it."""
+        dimension = None if own is None else self.symbols.find_dimension(own)
+        if dimension is None or not dimension.is_angle or not formula.has(*_ARCS):
+            return [sp.S.Zero]
+        step = sp.pi if formula.has(sp.atan) else 2 * sp.pi
+        return [sp.S.Zero, *(sign * n * step / self.known[own] for n in (1, 2) for sign in (1, -1))]
+
+    def _read_degrees(self, formula: sp.Expr, own: sp.Basic | None) -> Iterator[sp.Expr]:
+        """Yield a formula of angles in radians, and in degrees where no unit is shown."""
+        turning = {s for f in formula.atoms(*_TURNING) for s in f.free_symbols}
+        angles = {s: s * _DEGREE for s in formula.free_symbols if self._may_turn(s, s in turning)}
+        is_angle = self._may_turn(own, formula.has(*_ARCS))
+        for values in ({}, angles) if angles else ({},):
+            turned = formula.xreplace(values)
+            yield turned
+            if is_angle:
+                yield turned / _DEGREE
+
+    def _may_turn(self, symbol: sp.Basic | None, is_bare_angle: bool) -> bool:
+        """Return whether a letter may be an angle in degrees."""
+        if symbol is None or symbol in self.shown:
+            return False
+        dimension = self.symbols.find_dimension(symbol)
+        return is_bare_angle if dimension is None else dimension.is_angle

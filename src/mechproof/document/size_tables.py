@@ -1,0 +1,220 @@
+"""Tables of sizes and results -> rows: each result is the number of its formula at its sizes.
+
+A letter of which nobody knows the unit may be read in degrees, and sizes in different units as the
+numbers that they are or as lengths, times and so on: what most lines agree with is meant. A number
+that is another one only if the sizes of its line are no rounded ones is not accused.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from mechproof.document.cells import (
+    NOTHING,
+    Head,
+    Numeral,
+    find_unit,
+    finds_decimal_commas,
+    is_unit_or_empty,
+    read_head,
+    read_numeral,
+)
+from mechproof.document.roles import Known, Role, Sign
+from mechproof.document.scales import Result, Scales, Size
+from mechproof.document.tabulars import Cell, Tabular
+from mechproof.document.tasks import Task
+from mechproof.document.text import Files
+from mechproof.latex import Reader
+from mechproof.proof.verdict import Left, Place, State
+from mechproof.record import Equation, Paper
+
+# Rows in which the heads may stand: above them those of groups of columns.
+_HEAD_ROWS = 3
+_COMMA = "1,234 in a table: a decimal comma, or thousands?"
+_NONE_AGREES = "few lines agree with the formula: other units, or other sizes, than are declared?"
+_NEAR = "it differs from the recomputed number, but not beyond the rounding of the sizes"
+Numbers = Sequence[Mapping[int, Numeral | None]]
+
+
+@dataclass(frozen=True)
+class Grid:
+    """The heads of a table by their columns, and the lines below; a table may lie on its side."""
+
+    name: str
+    heads: Mapping[int, Head]
+    lines: Sequence[Sequence[Cell]]
+
+
+def find_grid(name: str, table: Tabular, reader: Reader) -> Grid | None:
+    """Return a table with two letters in its head, or in its first column; None for another."""
+    for first, row in enumerate(table.rows[:_HEAD_ROWS]):
+        if len(heads := _read_heads(row, reader)) > 1:
+            return _take_units(Grid(name, heads, table.rows[first + 1 :]))
+    columns = [*zip(*table.rows, strict=True)]
+    heads = _read_heads(columns[0], reader)
+    return _take_units(Grid(name, heads, columns[1:])) if len(heads) > 1 else None
+
+
+def _read_heads(cells: Sequence[Cell], reader: Reader) -> dict[int, Head]:
+    found = {n: read_head(cell.string, reader) for n, cell in enumerate(cells)}
+    return {n: head for n, head in found.items() if head is not None}
+
+
+def _take_units(grid: Grid) -> Grid:
+    """Take a line that holds nothing but units to the heads."""
+    for number, line in enumerate(grid.lines):
+        cells = {n: line[n].string for n in grid.heads}
+        units = {n: find_unit(text) for n, text in cells.items()}
+        if any(units.values()) and all(map(is_unit_or_empty, cells.values())):
+            heads = {n: replace(h, unit=h.unit or units[n]) for n, h in grid.heads.items()}
+            return Grid(grid.name, heads, [*grid.lines[:number], *grid.lines[number + 1 :]])
+    return grid
+
+
+class SizeTables:
+    """The tables of a paper, read with what its equations say of its letters."""
+
+    def __init__(self, known: Known, files: Files, paper: Paper) -> None:
+        self.known = known
+        self.files = files
+        self.paper = paper
+        self.told: list[tuple[Place, str]] = []
+
+    def read(self, tables: Sequence[Tabular]) -> Iterator[Task | Left]:
+        """Yield a row for each result; a table without any is told."""
+        reader = self.known.symbols.reader()
+        for number, table in enumerate(tables, start=1):
+            grid = find_grid(f"table {number}", table, reader)
+            found = list(self._read_grid(grid)) if grid else []
+            yield from found
+            if not found:
+                what = "numbers of a letter that a formula gives" if grid else "two letters"
+                reason = f"this table shows no {what}: it is not compared"
+                self.told.append((self.files.locate(table.offset), reason))
+
+    def _read_grid(self, grid: Grid) -> Iterator[Task | Left]:
+        texts = [line[n].string for line in grid.lines for n in grid.heads]
+        comma = finds_decimal_commas(texts)
+        numbers: Numbers = [
+            {n: read_numeral(line[n].string, decimal_comma=bool(comma)) for n in grid.heads}
+            for line in grid.lines
+        ]
+        for column, head in grid.heads.items():
+            is_result = head.symbol in self.known.values
+            if not is_result or not any(line[column] for line in numbers):
+                continue
+            if reason := self._refuse(head, grid) or (_COMMA if comma is None else ""):
+                name = f"{grid.name}, {head.printed}"
+                yield self._leave(name, grid.lines[0][column], reason)
+            else:
+                yield from self._read_column(grid, column, numbers)
+
+    def _refuse(self, head: Head, grid: Grid) -> str:
+        """Say why a column is not compared, nothing if it is."""
+        symbols = self.known.symbols
+        if head.words:
+            return f"beside the letter stands {head.words!r}: is it computed, or measured?"
+        if sum(other.symbol == head.symbol for other in grid.heads.values()) > 1:
+            return "two columns of one letter: which is computed?"
+        for other in grid.heads.values():
+            declared = symbols.find_dimension(other.symbol)
+            if other.unit is None or declared is None:
+                continue
+            if other.unit.dimension != declared:
+                return f"the unit of {other.printed} is another one in the block of letters"
+            if declared.time and other.unit.dimension.angle != declared.angle:
+                return f"the unit of {other.printed}: turns, or radians?"
+        return ""
+
+    def _read_column(self, grid: Grid, column: int, numbers: Numbers) -> Iterator[Task | Left]:
+        """Yield the rows of the results of one letter, grouped by the formula that gives them."""
+        head, groups = grid.heads[column], dict[tuple[sp.Expr, ...], list[Result]]()
+        missing: dict[str, Cell] = {}
+        for count, (line, found) in enumerate(zip(grid.lines, numbers, strict=True), start=1):
+            name, number = f"{grid.name}, line {count}, {head.printed}", found[column]
+            if number is None:
+                if any(found.values()) and line[column].string.strip(NOTHING):
+                    yield self._leave(name, line[column], "this cell is not read: no number")
+                continue
+            scales = Scales(self.known.symbols, grid.heads.values())
+            sizes = {
+                h.symbol: scales.size(h, one)
+                for n, h in grid.heads.items()
+                if n != column and (one := found[n])
+            }
+            formulas, lacks = self._find_formulas(head.symbol, sizes)
+            if lacks:
+                missing.setdefault(lacks, line[column])
+                continue
+            factor = number.factor * scales.convert(head.symbol, number.unit or head.unit)
+            usual = {s: Size(v) for s, v in self.known.symbols.usual.items()}
+            letters = set().union(*(formula.free_symbols for formula in formulas))
+            used = {s: v for s, v in {**usual, **sizes}.items() if s in letters}
+            result = Result(name, line[column].offset, head, number, factor, used)
+            groups.setdefault(formulas, []).append(result)
+        for formulas, results in groups.items():
+            yield from self._compare(formulas, results, grid)
+        for lacks, cell in missing.items():
+            reason = f"the formula needs {lacks}, no column of the table and no declared size"
+            yield self._leave(f"{grid.name}, {head.printed}", cell, reason)
+
+    def _find_formulas(
+        self, symbol: sp.Basic, sizes: Mapping[sp.Basic, Size]
+    ) -> tuple[tuple[sp.Expr, ...], str]:
+        """Return what gives a letter by the sizes of a line, or which letters it lacks.
+
+        A letter that has a formula of its own may be computed or be taken, rounded, from the table.
+        """
+        usual = self.known.symbols.usual
+        have = {*sizes, *usual, *self.known.symbols.branches} - {symbol}
+        value = self.known.values[symbol]
+        whole = self.known.settle(value)
+        part = self.known.settle(value, stop=sizes.keys() - {symbol})
+        found = tuple(
+            formula
+            for formula in dict.fromkeys((whole, part))
+            if formula.free_symbols <= have and not isinstance(formula, sp.MatrixBase)
+        )
+        lacks = ", ".join(sorted(map(str, part.free_symbols - have))) or "other letters"
+        return found, "" if found else lacks
+
+    def _compare(
+        self, formulas: Sequence[sp.Expr], results: Sequence[Result], grid: Grid
+    ) -> Iterator[Task | Left]:
+        """Yield the rows of results, by the reading of the formula that most of them agree with."""
+        scales, own = Scales(self.known.symbols, grid.heads.values()), results[0].head.symbol
+        first, *others = (scales.list_readings(formula, own) for formula in formulas)
+        also = [branch for readings in others for reading in readings for branch in reading]
+        readings = [(*reading, *also) for reading in first]
+        chosen = [[result.choose(reading) for result in results] for reading in readings]
+        best = max(range(len(readings)), key=lambda n: len([*filter(None, chosen[n])]))
+        letters = set().union(*(formula.free_symbols for formula in formulas))
+        are_told = letters <= {head.symbol for head in grid.heads.values()}
+        pairs = zip(results, chosen[best], strict=True)
+        # Zeros agree in any unit.
+        telling = [found for result, found in pairs if result.number.value != 0] or chosen[best]
+        agreeing = len([*filter(None, telling)])
+        if 2 * agreeing < len(telling) and not (are_told and scales.are_known({*letters, own})):
+            name = f"{grid.name}, {results[0].head.printed}"
+            yield self._leave(name, Cell(results[0].text, results[0].offset), _NONE_AGREES)
+            return
+        every = [branch for reading in readings for branch in reading]
+        for result, found in zip(results, chosen[best], strict=True):
+            if found is None and any(map(result.is_near, every)):
+                yield self._leave(result.name, Cell(result.text, result.offset), _NEAR)
+            else:
+                yield self._make_task(result, found or readings[best][0])
+
+    def _make_task(self, result: Result, formula: sp.Expr) -> Task:
+        first = self.known.printed[result.head.symbol]
+        row = Equation(
+            result.name, result.text, says=result.state(formula), read_as=result.describe()
+        )
+        sign = Sign(Role.NUMBER, None, first)
+        return Task(row, self.files.locate(result.offset), sign, self.paper, asserts=True)
+
+    def _leave(self, name: str, cell: Cell, reason: str) -> Left:
+        return Left(name, self.files.locate(cell.offset), cell.string, State.NOT_JUDGED, reason)

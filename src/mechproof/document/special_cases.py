@@ -1,0 +1,90 @@
+"""What an equation says in a special case: under a condition, up to turns, for each branch."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+import sympy as sp
+
+from mechproof.document.roles import Known, Sign
+from mechproof.document.scales import Scales, agrees
+from mechproof.document.symbols import ORDERS
+from mechproof.document.units import read_unit
+from mechproof.latex.values import differentiate
+from mechproof.record import Conjunction, Equality, PrintedNumber, Row, Statement
+
+# One digit, or zeros of which nobody knows whether they are digits.
+_FEW_DIGITS = re.compile(r"-?(?:\d|[1-9]\d*0)\Z")
+
+
+def specialise(row: Row, known: Known) -> Row:
+    """Put the values of letters that a condition says, e=0, into what is compared there."""
+    if row.on is None or not isinstance(row.says, Equality):
+        return row
+    said = [r for r in row.on.where if isinstance(r, sp.Equality) and r.lhs.is_Symbol]
+    values = {r.lhs: r.rhs for r in said if r.lhs not in {*known.values, *r.rhs.atoms()}}
+    one, other = map(known.settle, (row.says.printed, row.says.rebuilt))
+    for _ in values:
+        one, other = one.xreplace(values), other.xreplace(values)
+    if not values or any(side.has(sp.nan, sp.zoo, sp.oo) for side in (one, other)):
+        return row
+    where = tuple(r for r in row.on.where if r not in said or r.lhs not in values)
+    on = replace(row.on, where=where) if where else None
+    note = f"{row.note} Compared for {row.on.text}.".strip()
+    return replace(row, says=replace(row.says, printed=one, rebuilt=other), on=on, note=note)
+
+
+def state_modulo(says: Equality, turn: str, known: Known) -> Conjunction:
+    """State that two angles are equal up to whole turns."""
+    read = known.symbols.reader().parse(turn)
+    whole = read.meaning().of(read.chains[0].members[0])
+    sides = [2 * sp.pi * side / whole for side in (says.printed, says.rebuilt)]
+    parts = (Equality(f(sides[0]), f(sides[1]), says.rebuilt_from) for f in (sp.cos, sp.sin))
+    return Conjunction(tuple(parts))
+
+
+def split_branches(says: Statement, known: Known) -> Statement:
+    """State an equation for each sign of the letters that are branches."""
+    if not isinstance(says, Equality):
+        return says
+    one, other = known.settle(says.printed), known.settle(says.rebuilt)
+    choices = known.symbols.list_branches(one.free_symbols | other.free_symbols)
+    if choices == [{}]:
+        return says
+    parts = (Equality(one.subs(c), other.subs(c), says.rebuilt_from) for c in choices)
+    return Conjunction(tuple(parts))
+
+
+def round_at_sizes(sign: Sign, own: sp.Basic | None, known: Known) -> PrintedNumber | str:
+    """Return what a number says of a letter at the sizes, or why that is not judged."""
+    if not sign.number or _FEW_DIGITS.match(sign.number):
+        return "a special value: nothing says at which sizes, or to how many digits"
+    usual = dict(known.symbols.usual)
+    value = known.settle(sign.value)
+    # A letter that has a size, too, may be meant by either.
+    formulas = dict.fromkeys((value, known.settle(sign.value, stop=usual)))
+    if missing := sorted(map(str, value.free_symbols - usual.keys())):
+        return f"a value for sizes that are not declared: {', '.join(missing)}"
+    scales = Scales(known.symbols)
+    factor = scales.convert(own, read_unit(sign.unit)) if sign.unit else sp.S.One
+    readings = [r for formula in formulas for r in scales.list_readings(formula, own)]
+    values = [one.xreplace(usual) / factor for reading in readings for one in reading]
+    stated = [PrintedNumber(sign.number, one) for one in values]
+    return next(filter(agrees, stated), stated[0])
+
+
+def list_rates(residual: sp.Expr, known: Known) -> Iterator[sp.Expr]:
+    """Yield the derivatives of a residual by the letters on which others depend."""
+    moving = known.symbols.moving
+    for by in dict.fromkeys(by for by, _ in moving.values()):
+        rate = residual
+        for _ in ORDERS:
+            try:
+                rate = known.settle(differentiate(rate, by, moving))
+            except ValueError:
+                break
+            if rate == 0:
+                break
+            yield rate

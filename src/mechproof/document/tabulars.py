@@ -1,0 +1,155 @@
+r"""Tables of a text, LaTeX or Markdown -> rows of cells, with the places of these.
+
+Rules are left out, cells that span columns or rows stand where they begin, and what
+`\multirow` holds in the rows below, too.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from mechproof.document.lines import split_lines, walk_signs
+from mechproof.document.macros import expand, find_brace, find_macros
+from mechproof.document.sources import DocumentError
+from mechproof.document.text import Text
+
+_BEGIN = re.compile(r"\\begin\{(tabular\*?|tabularx|tabulary|longtable|longtabu|tabu)\}")
+_OPTION = re.compile(r"\s*\[[^\]]*\]|\s*(?=\{)")
+# Arguments in braces before the rows.
+_ARGUMENTS = {"tabular*": 2, "tabularx": 2, "tabulary": 2}
+_RULES = re.compile(
+    r"\\(?:hline|toprule|midrule|bottomrule|endhead|endfirsthead|endfoot|endlastfoot|centering)"
+    r"(?![A-Za-z])(?:\[[^\]]*\])?"
+    r"|\\(?:cline|cmidrule|specialrule|addlinespace|rowcolor|cellcolor|arrayrulecolor)(?![A-Za-z])"
+    r"(?:\([^)]*\)|\[[^\]]*\]|\{[^{}]*\})*"
+    r"|\\(?:caption|label)\*?\s*\{[^{}]*\}"
+)
+_SPAN = re.compile(r"\\multicolumn\s*\{(\d+)\}\s*\{[^{}]*\}\s*\{(.*)\}\Z", re.DOTALL)
+_DOWN = re.compile(r"\\multirow\*?\s*(?:\[[^\]]*\])?\{(\d+)\}\s*\{[^{}]*\}\s*\{(.*)\}\Z", re.DOTALL)
+_WRAPPED = re.compile(
+    r"\\(?:textbf|textit|textrm|emph|makecell|thead|bfseries|itshape|boldmath|small|footnotesize)"
+    r"(?![A-Za-z])\s*"
+)
+_PIPES = re.compile(
+    r"^[^\n]*\|[^\n]*\n[ \t]*\|?[ \t]*:?-+:?[ \t]*(?:\|[ \t]*:?-+:?[ \t]*)*\|?[ \t]*\n"
+    r"(?:[^\n]*\|[^\n]*(?:\n|\Z))+",
+    re.MULTILINE,
+)
+_RULE = re.compile(r"[ \t]*\|?[ \t:|-]*\Z")
+_PIPE = re.compile(r"\$[^$]*\$|\\.|\|")
+
+
+@dataclass(frozen=True)
+class Cell:
+    """What stands in a cell, and where that is in all that was read."""
+
+    string: str
+    offset: int
+
+
+@dataclass(frozen=True)
+class Tabular:
+    """A table: where it begins, and its rows; all of them have the same number of cells."""
+
+    offset: int
+    rows: tuple[tuple[Cell, ...], ...]
+
+
+def find_tabulars(text: Text) -> Iterator[Tabular]:
+    """Yield the tables of a text that have a head and a row, in their order."""
+    defined, plain = find_macros(text)
+    found = [(match.start(), _read_pipes(plain, match)) for match in _PIPES.finditer(plain.string)]
+    for match in _BEGIN.finditer(plain.string):
+        macros = {d.name: d.macro for d in defined if d.place <= match.start()}
+        body = _find_body(plain, match)
+        try:
+            body = expand(body, macros)
+        except DocumentError:
+            continue
+        found.append((match.start(), [_cut(line) for line in _split(body)]))
+    for place, rows in sorted(found, key=lambda pair: pair[0]):
+        square = _fill(rows)
+        if len(square) > 1:
+            yield Tabular(plain.offsets[place], tuple(map(tuple, square)))
+
+
+def _find_body(text: Text, match: re.Match[str]) -> Text:
+    """Return what stands in an environment behind its arguments."""
+    kind, place, string = match[1], match.end(), text.string
+    for _ in range(_ARGUMENTS.get(kind, 1)):
+        option = _OPTION.match(string, place)
+        place = option.end() if option else place
+        close = find_brace(string, place) if string[place : place + 1] == "{" else None
+        place = place if close is None else close + 1
+    end = string.find(rf"\end{{{kind}}}", place)
+    return text[place : len(text) if end < 0 else end]
+
+
+def _split(body: Text) -> Iterator[Text]:
+    for line in split_lines(body.replace(_RULES, lambda _: " ")):
+        if line.string.strip():
+            yield line
+
+
+def _cut(line: Text) -> list[Cell]:
+    """Cut a line at its &."""
+    cells, start = [], 0
+    for sign, place, depth in walk_signs(line.string):
+        if sign == "&" and depth == 0:
+            cells += _make(line[start:place])
+            start = place + 1
+    return [*cells, *_make(line[start:])]
+
+
+def _make(text: Text) -> list[Cell]:
+    """Return a cell, and empty ones for the further columns that it spans."""
+    bare = text.strip()
+    if not len(bare):
+        return [Cell("", text.offsets[0] if len(text) else 0)]
+    span = _SPAN.match(bare.string)
+    if span is None:
+        return [Cell(bare.string, bare.offsets[0])]
+    empty = Cell("", bare.offsets[0])
+    return [Cell(span[2].strip(), bare.offsets[0]), *[empty] * (int(span[1]) - 1)]
+
+
+def _read_pipes(text: Text, match: re.Match[str]) -> list[list[Cell]]:
+    rows, place = [], match.start()
+    for line in match[0].splitlines(keepends=True):
+        if not _RULE.match(line.rstrip("\n")):
+            rows.append(list(_cut_pipes(text[place : place + len(line)].strip())))
+        place += len(line)
+    return rows
+
+
+def _cut_pipes(line: Text) -> Iterator[Cell]:
+    start, end = 0, len(line)
+    places = [m.start() for m in _PIPE.finditer(line.string) if m[0] == "|"]
+    if places[:1] == [0]:
+        start, places = 1, places[1:]
+    if places[-1:] == [end - 1]:
+        end, places = end - 1, places[:-1]
+    for place in (*places, end):
+        yield from _make(line[start:place])
+        start = place + 1
+
+
+def _fill(rows: Sequence[Sequence[Cell]]) -> list[list[Cell]]:
+    """Return rows of one width, what a cell holds in rows below it put into them."""
+    width = max(map(len, rows), default=0)
+    held: dict[int, tuple[int, Cell]] = {}
+    filled = []
+    for row in rows:
+        cells = [*row, *[Cell("", row[-1].offset)] * (width - len(row))]
+        for column, cell in enumerate(cells):
+            if down := _DOWN.match(cell.string):
+                cells[column] = Cell(down[2].strip(), cell.offset)
+                held[column] = int(down[1]) - 1, cells[column]
+            elif not cell.string and held.get(column, (0, cell))[0] > 0:
+                left, above = held[column]
+                cells[column] = Cell(above.string, cell.offset)
+                held[column] = left - 1, above
+        filled.append([Cell(_WRAPPED.sub("", c.string).strip(), c.offset) for c in cells])
+    return filled

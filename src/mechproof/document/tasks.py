@@ -1,0 +1,43 @@
+"""What becomes of an equation or a cell that is read: a row to be judged."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+import sympy as sp
+
+from mechproof.document.roles import Role, Sign
+from mechproof.proof.verdict import Place
+from mechproof.record import Paper, PrintedNumber, Row
+
+_DECIMAL = re.compile(r"\d(?:\.|\{,\})\d")
+
+
+@dataclass(frozen=True)
+class Task:
+    """A row to be judged, where it stands, what it does, and the paper that it is judged in.
+
+    `asserts` says whether its sides are claimed to be equal, `is_claimed` that the block says so;
+    `residual` is their difference, the values of letters put in, `rates` are its derivatives.
+    """
+
+    row: Row
+    place: Place
+    sign: Sign
+    paper: Paper
+    asserts: bool
+    is_claimed: bool = False
+    residual: sp.Expr | None = None
+    rates: tuple[sp.Expr, ...] = ()
+
+    @property
+    def is_rounded(self) -> bool:
+        """Return whether a decimal stands beside letters: it is a rounded number."""
+        is_number = isinstance(self.row.says, PrintedNumber)
+        return not is_number and bool(_DECIMAL.search(self.row.printed_latex))
+
+    @property
+    def is_alone(self) -> bool:
+        """Return whether it is the number of a letter that is defined elsewhere."""
+        return self.sign.role is Role.NUMBER and self.sign.letter is not None

@@ -1,0 +1,65 @@
+r"""Numbers with a unit: `66\,\mathrm{mm}`, `\SI{66}{mm}`, where a member of a relation is one."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from mechproof.latex.left_scripts import TEXT, UPRIGHT
+from mechproof.latex.numerals import read_number
+from mechproof.latex.relations import RELATIONS
+from mechproof.latex.tokens import GAPS, QUANTITIES
+from mechproof.latex.tree import Measure, Number
+from mechproof.latex.words import AND, ELSE, IF
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
+
+_COMMAND = re.compile(r"\\[A-Za-z]+\*?|\{")
+_BETWEEN = ("/", "^", "{", "}", "-", r"\cdot", r"\circ", r"\%")
+_ENDS = (*RELATIONS, *GAPS.values(), ",", ";", "&", r"\\", AND, *IF, *ELSE)
+
+
+def read_measure(parser: Parser) -> Number | Measure:
+    """Read a number, and the unit behind it if it is a member of its own."""
+    is_first = begins_member(parser, parser.place)
+    number, name_unit = read_number(parser), parser.notation.name_unit
+    if not is_first or name_unit is None:
+        return number
+    last = _find_end(parser)
+    unit = name_unit(parser.source.latex[number.end : parser.tokens[last - 1].end])
+    if last == parser.place or not unit:
+        return number
+    parser.place = last
+    return Measure(number, unit, start=number.start, end=parser.end)
+
+
+def begins_member(parser: Parser, place: int) -> bool:
+    """Return whether a relation stands before a place, or before the sign there."""
+    if place and parser.tokens[place - 1].text in ("-", "+"):
+        place -= 1
+    return place == 0 or parser.tokens[place - 1].text in (*_ENDS, *RELATIONS)
+
+
+def _find_end(parser: Parser) -> int:
+    """Return the place behind the signs of a unit that end a member, else where it begins."""
+    place, has_unit = parser.place, False
+    while place < len(parser.tokens) and parser.tokens[place].text not in _ENDS:
+        is_unit = _is_upright(parser, place)
+        if not (is_unit or parser.tokens[place].text in _BETWEEN or _is_power(parser, place)):
+            return parser.place
+        has_unit, place = has_unit or is_unit, place + 1
+    return place if has_unit else parser.place
+
+
+def _is_upright(parser: Parser, place: int) -> bool:
+    command = _COMMAND.match(parser.source.latex, parser.tokens[place].start)
+    is_word = command is not None and command[0] in (*UPRIGHT, *TEXT, *QUANTITIES, "{")
+    text = parser.tokens[place].text
+    return text in (r"\%", "°") or (
+        is_word and text.startswith("\\") and not parser.names.match(parser.tokens, place)
+    )
+
+
+def _is_power(parser: Parser, place: int) -> bool:
+    return parser.tokens[place].text.isdigit() and parser.tokens[place - 1].text in ("{", "-")

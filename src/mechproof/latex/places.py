@@ -1,0 +1,91 @@
+r"""Values at a place: `y|_{x=0}`, `\left.y\right|_{x=0}`, and `y(0)` of a letter that depends."""
+
+from __future__ import annotations
+
+from itertools import takewhile
+from typing import TYPE_CHECKING
+
+from mechproof.latex.characters import is_digit
+from mechproof.latex.measures import begins_member
+from mechproof.latex.tree import At, Letter, Node
+
+if TYPE_CHECKING:
+    from mechproof.latex.parser import Parser
+
+LEFT = r"\left."
+_BARS = ("|", r"\rvert")
+_NUMERIC = (r"\pi", r"\frac", "{", "}", "/", "-", ".", r"\cdot")
+
+
+def read_enclosed(parser: Parser) -> Node:
+    r"""Read \left.…\right|_{x=0}."""
+    start = parser.start
+    inside = parser.read_inside(LEFT, parser.read_sum, r"\rvert")
+    if parser.text != "_":
+        raise parser.refuse("a bar without the place where the value is meant", place=start)
+    return _read_place(parser, inside)
+
+
+def is_bar(parser: Parser) -> bool:
+    """Return whether a bar with a place stands here, and none that closes another one."""
+    follows = [token.text for token in parser.tokens[parser.place + 1 : parser.place + 3]]
+    before = [token.text for token in parser.tokens[: parser.place]]
+    is_closing = before.count(LEFT) + before.count(r"\lvert") > before.count(r"\rvert")
+    is_closing = bool(parser.bars) if parser.text == "|" else is_closing
+    return parser.text in _BARS and not is_closing and follows == ["_", "{"]
+
+
+def read_bar(parser: Parser, term: Node, place: int) -> Node:
+    """Read a bar behind a factor, which begins at a place among the signs."""
+    bar = parser.take()
+    if not begins_member(parser, place):
+        raise parser.refuse(
+            "how far does the bar reach?", r"Print \left. where it begins.", bar.start
+        )
+    return _read_place(parser, term)
+
+
+def _read_place(parser: Parser, term: Node) -> Node:
+    parser.take("_")
+    return parser.read_inside("{", lambda: _read_values(parser, term), "}")
+
+
+def _read_values(parser: Parser, term: Node) -> Node:
+    """Read x=0,y=0: one value after the other."""
+    start = term.start
+    while True:
+        by = parser.read_atom()
+        if not isinstance(by, Letter) or by.indices:
+            raise parser.refuse("a place is said by a letter: x=0", place=by.start)
+        parser.take("=")
+        point = parser.read_sum()
+        if not parser.skip(","):
+            return At(term, by, point, start=start, end=parser.end)
+        term = At(term, by, point, start=start, end=start)
+
+
+def is_value(parser: Parser, letter: Letter) -> bool:
+    """Return whether numbers in a bracket stand behind a letter that depends on another one."""
+    if parser.text != "(" or letter.text in parser.factors or _find_running(parser, letter) is None:
+        return False
+    texts = [token.text for token in parser.rest[1:]]
+    inside = list(takewhile(lambda text: text not in ("(", ")", ""), texts))
+    has_number = any(is_digit(text) or text == r"\pi" for text in inside)
+    ends = texts[len(inside) : len(inside) + 1] == [")"]
+    return ends and has_number and all(is_digit(text) or text in _NUMERIC for text in inside)
+
+
+def _find_running(parser: Parser, letter: Letter) -> Letter | None:
+    """Return the letter that a letter depends on."""
+    for symbol, (by, rates) in parser.notation.moving.items():
+        if letter.symbol in (symbol, *rates):
+            return Letter(by, str(by), start=letter.start, end=letter.end)
+    return None
+
+
+def read_value(parser: Parser, letter: Letter) -> Node:
+    """Read x(0), the value of a letter that depends on another one."""
+    point = parser.read_inside("(", parser.read_sum, ")")
+    running = _find_running(parser, letter)
+    assert running is not None
+    return At(letter, running, point, start=letter.start, end=parser.end)

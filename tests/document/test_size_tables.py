@@ -1,0 +1,248 @@
+"""Tables of sizes and results: which are read, what each result becomes, who is not accused."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.cells import find_unit, finds_decimal_commas, read_numeral
+from mechproof.document.checking import CheckedPaper, check
+from mechproof.document.units import read_unit
+
+LETTERS = r"""%% mechproof
+%% a ; b : sides [mm] {a>0}
+%% h : height [mm]
+%% k : their ratio [1]
+%% v : speed [m/s]
+%% \beta(t) : angle [rad]
+%% \delta : angle [rad]
+%% \omega : speed of rotation [rad/s]
+%% m ; n ; p ; q ; \gamma : numbers
+%% \sigma : branch
+%% branch \sigma=\pm1
+%% factor b
+%% end
+$$k=\frac ab$$ $$h=b\sin\beta$$ $$v=a\omega$$ $$m=\sin\gamma$$ $$n=b(1+\sigma)$$ $$p=100k$$
+$$q=20\gamma$$ $$\delta=\arctan\frac ab$$
+"""
+
+
+def run(table: str, name: str = "paper.tex") -> CheckedPaper:
+    return check(name, LETTERS + table)
+
+
+def outcomes(table: str) -> list[str]:
+    return [row.outcome for row in run(table).rows[8:]]
+
+
+def tabular(head: str, *rows: str, kind: str = "tabular", columns: str = "{cccc}") -> str:
+    lines = " \\\\\n".join((head, *rows))
+    return f"\\begin{{{kind}}}{columns}\n\\toprule\n{lines} \\\\\n\\bottomrule\n\\end{{{kind}}}\n"
+
+
+TABLES = {
+    "each result": (
+        tabular(r"No. & $a$ & $b$ & $k$", "1 & 2 & 4 & 0.5", "2 & 2 & 3 & 0.67", "3 & 1 & 3 & 0.3"),
+        ["PROVED", "PROVED", "PROVED"],
+    ),
+    "a wrong result": (
+        tabular(r"$a$ & $b$ & $k$", "2 & 4 & 0.5", "2 & 3 & 0.76"),
+        ["PROVED", "REFUTED"],
+    ),
+    "units in the head": (
+        tabular(r"$a$, cm & $b$ (mm) & $k$ [\%]", "2 & 40 & 50", "2 & 80 & 52"),
+        ["PROVED", "REFUTED"],
+    ),
+    "units in a row of their own": (
+        tabular(r"{$a$} & {$b$} & {$k$}", r"{\si{\cm}} & {mm} & {--}", "2 & 40 & 0.5"),
+        ["PROVED"],
+    ),
+    "units in the cells": (
+        tabular(r"$b$ & $\beta$ & $h$", r"\SI{4}{cm} & $30^\circ$ & \SI{20}{\milli\metre}"),
+        ["PROVED"],
+    ),
+    "degrees that nothing says": (
+        tabular(r"$b$ & $\beta$ & $h$", "40 & 30 & 20", "40 & 90 & 40", "40 & 60 & 43.64"),
+        ["PROVED", "PROVED", "REFUTED"],
+    ),
+    "degrees of a letter without unit": (
+        tabular(r"$\gamma$ & $m$", "30 & 0.5", "90 & 1"),
+        ["PROVED", "PROVED"],
+    ),
+    "sizes in other units than their product": (
+        tabular(r"$a$ & $\omega$ & $v$", "20 & 10 & 0.2", "30 & 10 & 0.4"),
+        ["PROVED", "REFUTED"],
+    ),
+    "decimal commas": (
+        tabular("$a$ & $b$ & $k$", "0,5 & 2 & 0{,}25", "1,5 & 2 & 0,85"),
+        ["PROVED", "REFUTED"],
+    ),
+    "powers of ten": (
+        tabular(
+            "$a$ & $b$ & $k$", r"$2\cdot10^3$ & 4e2 & 5", r"2 & $4\times10^{3}$ & $5\cdot10^{-4}$"
+        ),
+        ["PROVED", "PROVED"],
+    ),
+    "rounded sizes accuse nobody": (
+        tabular("$a$ & $b$ & $k$", "0.33 & 2 & 0.1667", "0.33 & 2 & 0.1767"),
+        ["not judged", "REFUTED"],
+    ),
+    "zeros that end a whole number": (
+        tabular("$a$ & $b$ & $k$", "1234 & 1 & 1200", "1234 & 1 & 1300"),
+        ["not judged", "REFUTED"],
+    ),
+    "a table on its side": (
+        tabular("$a$ [mm] & 2 & 3", "$b$ [mm] & 4 & 4", "$k$ & 0.5 & 0.76"),
+        ["PROVED", "REFUTED"],
+    ),
+    "symbols, meanings, values, units": (
+        tabular(
+            "Symbol & meaning & value & unit",
+            "$a$ & side & 3 & cm",
+            "$b$ & side & 40 & mm",
+            "$k$ & ratio & 0.75 & --",
+        ),
+        ["PROVED"],
+    ),
+    "cells of several rows and columns": (
+        tabular(
+            r"\multicolumn{2}{c}{sizes} & result",
+            "$a$ & $b$ & $k$",
+            r"\multirow{2}{*}{2} & 4 & 0.5",
+            " & 5 & 0.5",
+        ),
+        ["PROVED", "REFUTED"],
+    ),
+    "an environment with a width": (
+        tabular("$a$ & $b$ & $k$", "2 & 4 & 0.5", kind="tabularx", columns=r"{\textwidth}{ccX}"),
+        ["PROVED"],
+    ),
+    "either branch": (
+        tabular(r"$b$ & $n$", "2 & 4", "3 & 0", "4 & 4"),
+        ["PROVED", "PROVED", "REFUTED"],
+    ),
+    "what is measured is not compared": (
+        tabular("$a$ & $b$ & measured $k$", "2 & 4 & 0.6"),
+        ["not judged"],
+    ),
+    "a letter in two columns": (
+        tabular("$a$ & $b$ & $k$ & $k$", "2 & 4 & 0.5 & 0.6"),
+        ["not judged"] * 2,
+    ),
+    "sizes are missing": (tabular("$a$ & $k$", "2 & 0.5", "3 & 0.7"), ["not judged"]),
+    "an empty result says nothing": (tabular("$a$ & $b$ & $k$", "2 & 4 & --", "2 & 4 & "), []),
+    "a word for a number": (
+        tabular("$a$ & $b$ & $k$", "2 & 4 & large", "2 & 4 & 0.5"),
+        ["not judged", "PROVED"],
+    ),
+    "another dimension": (tabular("$a$ [kg] & $b$ & $k$", "2 & 4 & 0.6"), ["not judged"]),
+    "units that nothing says": (tabular(r"$\gamma$ [1] & $m$ [1]", "2 & 7"), ["REFUTED"]),
+    "a rounded number of the table goes into the next": (
+        tabular("$a$ & $b$ & $k$ & $p$", "47 & 18 & 2.61 & 261.0", "47 & 18 & 2.61 & 262.0"),
+        ["PROVED", "PROVED", "PROVED", "REFUTED"],
+    ),
+    "angles are meant up to turns": (
+        tabular(r"$a$ & $b$ & $\delta$, $^\circ$", "1 & 1 & 45", "1 & -1 & 135", "1 & 2 & 207"),
+        ["PROVED", "PROVED", "PROVED"],
+    ),
+    "angles are no others": (
+        tabular(r"$a$ & $b$ & $\delta$, $^\circ$", "1 & 1 & 45", "1 & 2 & 33", "1 & 2 & -26.6"),
+        ["PROVED", "REFUTED", "REFUTED"],
+    ),
+    "zeros agree in any unit": (
+        tabular(r"$\gamma$ & $q$", "0 & 0", "3 & 0.06", "4 & 0.08"),
+        ["not judged"],
+    ),
+    "turns or radians": (
+        tabular(r"$a$ & $\omega$ [1/s] & $v$", "20 & 10 & 0.2", "20 & 10 & 1.26"),
+        ["not judged"],
+    ),
+    "turns by the minute": (
+        tabular(r"$a$ & $\omega$ [min$^{-1}$] & $v$", "20 & 100 & 0.209", "20 & 100 & 0.3"),
+        ["PROVED", "REFUTED"],
+    ),
+    "meanings are no numbers": (tabular("$a$ & first side", "$k$ & ratio"), []),
+}
+
+
+@pytest.mark.parametrize("case", TABLES)
+def test_every_result_has_its_outcome(case: str) -> None:
+    table, expected = TABLES[case]
+    assert outcomes(table) == expected
+
+
+def test_markdown_has_tables() -> None:
+    letters = "\n".join(line.removeprefix("%% ") for line in LETTERS.splitlines() if "%%" in line)
+    block = letters.replace("mechproof\n", "<!-- mechproof\n", 1).replace("\nend", "\n-->")
+    table = "| $a$ | $b$ | $k$ |\n|---|:-:|--:|\n| 2 | 4 | 0.5 |\n| 2 | 5 | 0.5 |\n"
+    rows = check("paper.md", f"{block}\n\n$$k=\\frac ab$$\n\n{table}").rows
+    assert [row.outcome for row in rows] == ["DEFINITION", "PROVED", "REFUTED"]
+
+
+def test_results_say_where_they_stand_and_what_gives_them() -> None:
+    row = run(tabular("$a$ & $b$ & $k$", "2 & 4 & 0.7")).rows[-1]
+    assert row.name == "table 1, line 1, k"
+    assert (row.place.line, row.latex) == (19, "k=0.7")
+    assert row.reason.endswith("compared with display 1")
+
+
+def test_another_table_is_told() -> None:
+    found = run(tabular("Material & Price", "steel & 12"))
+    assert len(found.rows) == 8
+    ((place, reason),) = found.missing
+    assert (place.line, "no two letters" in reason) == (16, True)
+
+
+def test_sizes_of_the_block_that_are_not_those_of_the_table_accuse_nobody() -> None:
+    with_size = LETTERS.replace("%% end", "%% sizes b=4 mm\n%% end")
+    right = check("paper.tex", with_size + tabular("$a$ & $k$", "2 & 0.5", "3 & 0.9")).rows[8:]
+    assert [row.outcome for row in right] == ["PROVED", "REFUTED"]
+    other = check("paper.tex", with_size + tabular("$a$ & $k$", "2 & 0.4", "3 & 0.6")).rows[8:]
+    assert [row.outcome for row in other] == ["not judged"]
+
+
+NUMERALS = {
+    "1.25": "5/4",
+    "$-0.5$": "-1/2",
+    "\u22120.5": "-1/2",
+    r"\num{1.5e-3}": "3/2000",
+    r"1\,234.5": "2469/2",
+    "+3": "3",
+}
+
+
+@pytest.mark.parametrize("text", NUMERALS)
+def test_cells_are_numbers(text: str) -> None:
+    found = read_numeral(text, decimal_comma=False)
+    assert found is not None
+    assert str(found.value) == NUMERALS[text]
+
+
+@pytest.mark.parametrize("text", ["n/a", "", "1.2 ± 0.1", "2--3", "1.23(4)", "3 apples", "1/2"])
+def test_other_cells_are_none(text: str) -> None:
+    assert read_numeral(text, decimal_comma=False) is None
+
+
+def test_commas_are_decimal_or_part_thousands() -> None:
+    assert finds_decimal_commas(["0,5", "1,234"]) is True
+    assert finds_decimal_commas(["1,234", "0.5"]) is False
+    assert finds_decimal_commas(["1,234", "2,345"]) is None
+    assert finds_decimal_commas(["1", "2"]) is False
+
+
+UNITS = {
+    r"\milli\metre\per\second": "mm/s",
+    r"\metre\per\second\squared": "m/s^2",
+    r"$\mathrm{mm}$": "mm",
+    r"$^\circ$": "°",
+    r"\%": "%",
+}
+
+
+@pytest.mark.parametrize("text", UNITS)
+def test_units_are_read_as_they_are_printed(text: str) -> None:
+    assert find_unit(text) == read_unit(UNITS[text])
+
+
+@pytest.mark.parametrize("text", ["", "cm2x", "apples", "k"])
+def test_other_texts_are_no_units(text: str) -> None:
+    assert find_unit(text) is None

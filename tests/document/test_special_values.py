@@ -1,0 +1,80 @@
+"""Limits, values at a place, special cases, and phases: what holds, and what is refused."""
+
+from __future__ import annotations
+
+import pytest
+
+from mechproof.document.checking import check
+
+LETTERS = r"""%% mechproof
+%% a : length [mm] {a>0}
+%% b : length [mm] {b>0}
+%% c ; d : lengths [mm]
+%% h(\psi) : lift [mm]
+%% \psi ; \alpha : angles [rad]
+%% z(t) : position [mm]
+%% w(t) : another position [mm]
+%% \nu : frequency of rotation [rad/s]
+%% v : speed [mm/s]
+%% k ; p ; q : numbers
+%% where c>=0
+%% end
+$$h=a\cos\psi+\sqrt{b^2+(c\sin\psi)^2}$$
+$$z=a\sin\nu t$$
+"""
+CASES = {
+    r"h=a\cos\psi+b\quad\text{for }c=0": ["PROVED"],
+    r"h=a\cos\psi-b\quad\text{for }c=0": ["REFUTED"],
+    r"h=a\cos\psi+b\quad(c=0)": ["PROVED"],
+    r"h=a+b\quad\text{for }\psi=0": ["PROVED"],
+    r"h=2a+b\quad\text{for }\psi=0": ["REFUTED"],
+    r"h=a+b\quad\text{for }c=\psi=0": ["PROVED"],
+    r"h=a-b\quad\text{for }c=\psi=0": ["REFUTED"],
+    r"h=b\quad\text{for }a=0": ["not judged"],
+    r"\lim_{c\to0}h=a\cos\psi+b": ["PROVED"],
+    r"\lim_{c\to0}h=a\sin\psi+b": ["REFUTED"],
+    r"\lim_{\psi\to0}\frac{h-a}{b}=1": ["PROVED"],
+    r"\lim_{\psi\to0}\frac{h-a}{b}=2": ["DEFINITION"],
+    r"\lim_{\psi\to0}h=a+b": ["PROVED"],
+    r"\lim_{\psi\to0}h=a-b": ["REFUTED"],
+    r"\lim_{\psi\to0}\frac{\sin\psi}{2\psi}=\frac12": ["PROVED"],
+    r"\lim_{\psi\to0}\frac{\sin\psi}{2\psi}=\frac13": ["REFUTED"],
+    r"h(0)=a+b": ["PROVED"],
+    r"h(0)=a-b": ["REFUTED"],
+    r"h\left(\frac{\pi}{2}\right)=\sqrt{b^2+c^2}": ["PROVED"],
+    r"h(-\pi/2)=\sqrt{b^2-c^2}": ["REFUTED"],
+    r"h'(0)=0": ["PROVED"],
+    r"h'(0)=2a": ["REFUTED"],
+    r"k=h(0)=a+b": ["DEFINITION", "PROVED"],
+    r"h|_{\psi=0}=a+b": ["PROVED"],
+    r"\left.h\right|_{\psi=0}=a+b": ["PROVED"],
+    r"\Bigl.\frac{dh}{d\psi}\Bigr|_{\psi=0}=0": ["PROVED"],
+    r"\left.\frac{dh}{d\psi}\right|_{\psi=0}=2a": ["REFUTED"],
+    r"\left.h+a\right|_{\psi=0,c=0}=2a+b": ["PROVED"],
+    r"\left.h+a\right|_{\psi=0,c=0}=a+b": ["REFUTED"],
+    r"ah|_{\psi=0}=a^2": ["not read"],
+    r"\left.h\right|=a": ["not read"],
+    r"w(0)=0": ["not read"],
+    r"\dot w(0)=v": ["not read"],
+    r"z(0)=0": ["PROVED"],
+    r"\dot z(0)=a\nu": ["PROVED"],
+    r"\dot z(0)=-a\nu": ["REFUTED"],
+    r"h(\alpha)=a": ["not read"],
+    r"\dot z=a\nu\cos\nu t": ["PROVED"],
+    r"\dot z=-a\nu\cos\nu t": ["REFUTED"],
+    r"\sin2\nu t=2\sin\nu t\cos\nu t": ["PROVED"],
+    r"p=v\cos\alpha t": ["not read"],
+    r"p=\cos\nu\alpha": ["not read"],
+}
+
+
+@pytest.mark.parametrize("latex", CASES)
+def test_special_values_have_their_outcome(latex: str) -> None:
+    rows = check("paper.tex", f"{LETTERS}$${latex}$$").rows[2:]
+    assert [row.outcome for row in rows] == CASES[latex]
+
+
+def test_a_value_may_be_printed_before_what_it_is_a_value_of() -> None:
+    block, _, equations = LETTERS.partition("%% end\n")
+    rows = check("paper.tex", f"{block}%% end\n$$z(0)=0$$ $$z(0)=2a$$ {equations}").rows
+    assert [row.outcome for row in rows] == ["PROVED", "REFUTED", "DEFINITION", "DEFINITION"]
