@@ -145,9 +145,8 @@ def _add_rest(
     ledger: JudgedPaper, file: Path, limit: float, report: Callable[[str], None]
 ) -> JudgedPaper:
     """Add what the print of a paper has besides its rows; it needs no mechanics."""
-    numbers = (row.number for row in ledger.paper.rows)
     try:
-        checked = checking.check_rest(file, numbers, min(limit, checking.LIMIT), report)
+        checked = checking.check_rest(file, ledger.paper.rows, min(limit, checking.LIMIT), report)
     except ValueError as error:
         raise DerivationError(str(error)) from error
     rest = checked.to_ledger(ledger.system)

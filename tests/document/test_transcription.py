@@ -79,6 +79,20 @@ def test_letters_have_the_names_meanings_and_sets_of_the_block(write: Write) -> 
     assert paper.where == (e < radius,)
 
 
+def test_a_condition_may_have_braces_of_its_own(write: Write) -> None:
+    paper = write(r"""
+%% mechproof
+%% l_{AB} as l : length of \vec{AB} [mm] {l_{AB}>0}
+%% \alpha_{1} as alpha : angle [rad] {0<\alpha_{1}<\frac{\pi}{\sqrt{4}}}
+%% v : velocity of \vec{AB}
+%% end
+""")
+    length, angle, velocity = paper.variables
+    assert (length.meaning, length.symbol.is_positive) == (r"length of \vec{AB}", True)
+    assert angle.within == sp.Interval.open(0, sp.pi / 2)
+    assert velocity.meaning == r"velocity of \vec{AB}"
+
+
 def test_rows_have_the_whole_print_of_their_display(write: Write) -> None:
     paper = write(PAPER)
     row = paper.equation("(1)", note="both")
@@ -133,6 +147,17 @@ def test_what_the_module_has_no_row_for_is_judged_without_mechanics(tmp_path: Pa
     assert [(row.number, row.state) for row in ledger.left] == [("(4)", State.NOT_READ)]
     assert [finding.number for finding in ledger.findings] == ["(5)"]
     assert {row.system for row in ledger.judgements} == {"crank"}
+
+
+def test_a_row_of_another_name_is_known_by_its_print(tmp_path: Path) -> None:
+    (tmp_path / "paper.tex").write_text(CRANK)
+    module = tmp_path / "crank.py"
+    row = 'PRINT.equation("(2)", derived={s: r * sin(phi)})'
+    renamed = f'replace({row}, number="(2), as meant")'
+    module.write_text("from dataclasses import replace" + MODULE.replace(row, renamed))
+    (ledger,) = judge_derivations([module], use_cache=False)
+    numbers = [judged.number for judged in ledger.judgements]
+    assert sorted(numbers) == ["(1)", "(2), as meant", "(3)", "(5)"]
 
 
 def test_a_print_that_cannot_be_read_is_an_error_of_the_derivation(tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -23,7 +23,7 @@ from mechproof.proof.judge import judge
 from mechproof.proof.ladder import ContradictionError, decide
 from mechproof.proof.ledger import JudgedPaper
 from mechproof.proof.verdict import Judgement, Left, Place, State, Verdict
-from mechproof.record import Equality, Equation, Holds, Paper, RecordError
+from mechproof.record import Equality, Equation, Holds, Paper, RecordError, Row
 
 # How the row of one sign of a chain is called.
 _SIGN = re.compile(r", [\w-]+ (?:equals )?sign\Z")
@@ -152,17 +152,18 @@ def check(
 
 
 def check_rest(
-    path: Path, numbers: Iterable[str], limit: float, report: Callable[[str], None]
+    path: Path, rows: Iterable[Row], limit: float, report: Callable[[str], None]
 ) -> CheckedPaper:
-    """Judge what a paper's source has besides the rows of these numbers, as `check` does."""
-    return _check((str(path), None, frozenset(numbers)), limit, report)
+    """Judge what a paper's source has besides the numbers and prints of rows, as `check` does."""
+    elsewhere = frozenset(text for row in rows for text in (row.number, row.printed_latex))
+    return _check((str(path), None, elsewhere), limit, report)
 
 
 def _check(key: _Key, limit: float, report: Callable[[str], None]) -> CheckedPaper:
     path, content, elsewhere = key
     source = read_source(path, content)
     document = Document(source)
-    found = _leave_out(document.read(limit), elsewhere)
+    found = tuple(_leave_out(document.read(limit), elsewhere))
     tasks = [one for one in found if isinstance(one, Task)]
     report(f"judging {len(tasks)} rows")
     _opened[key] = tasks
@@ -181,14 +182,13 @@ def _check(key: _Key, limit: float, report: Callable[[str], None]) -> CheckedPap
     return CheckedPaper(path, shown, paper, document.taken, missing)
 
 
-def _leave_out(rows: Sequence[Task | Left], numbers: Collection[str]) -> list[Task | Left]:
-    """Return the rows that are judged nowhere else; of what is not read the signs are not known."""
-    equations = {_SIGN.sub("", number) for number in numbers}
-    return [
-        row
-        for row in rows
-        if (row.row.number not in numbers if isinstance(row, Task) else row.number not in equations)
-    ]
+def _leave_out(rows: Sequence[Task | Left], elsewhere: frozenset[str]) -> Iterator[Task | Left]:
+    """Yield the rows that are judged nowhere else; of what is not read the signs are not known."""
+    equations = {_SIGN.sub("", number) for number in elsewhere}
+    for one in rows:
+        row, judged = (one.row, elsewhere) if isinstance(one, Task) else (one, equations)
+        if not judged & {row.number, row.printed_latex}:
+            yield one
 
 
 def _leave_open(
