@@ -13,11 +13,9 @@ from mechproof.arithmetic import balls
 from mechproof.codegen.forms import form_rows
 from mechproof.derivations.wedge_linkage import (
     boundaries,
+    chain,
     mechanics,
-    prints,
     sizes,
-    slopes,
-    steps,
     symbols,
 )
 from mechproof.proof.domain import Domain
@@ -85,11 +83,11 @@ def test_what_rests_on_the_reconstructions_is_marked() -> None:
 
 
 WRONG = {
-    "(3)": prints.print_3.subs(symbols.phi3, -symbols.phi3),
-    "(10)": prints.print_10 + 2 * symbols.l_LM * sp.sin(symbols.alpha_LM),
-    "(8)": prints.print_7.subs(symbols.R, symbols.l_KL * mechanics.cosine_of_sigma),
-    "(1)": prints.print_1.subs(symbols.l_CD, symbols.l_AB),
-    "sensitivity of varphi3 to x1": -slopes.lever_slopes[symbols.x1],
+    "(3)": symbols.print_3.subs(symbols.phi3, -symbols.phi3),
+    "(10)": symbols.print_10 + 2 * symbols.l_LM * sp.sin(symbols.alpha_LM),
+    "(8)": symbols.print_7.subs(symbols.R, symbols.l_KL * mechanics.cosine_of_sigma),
+    "(1)": symbols.print_1.subs(symbols.l_CD, symbols.l_AB),
+    "sensitivity of varphi3 to x1": -mechanics.lever_slopes[symbols.x1],
 }
 
 
@@ -169,24 +167,24 @@ def judge_form(paper: Paper) -> Verdict:
 
 # The quantity in which a step is met first, and what stands in its place.
 NEARLY = sp.Rational(1025, 1024)
-IN_CONTACT = steps.l_LM * steps.cos_wedge / steps.rise
+IN_CONTACT = chain.l_LM * chain.cos_wedge / chain.rise
 WRONG_STEPS = {
-    steps.arm: ("position", NEARLY * steps.STEPS[steps.arm]),
-    steps.sin_DE: ("position", sp.cos(symbols.alpha_DE)),
-    steps.to_right: ("position", NEARLY * steps.STEPS[steps.to_right]),
-    steps.to_left: ("position", steps.STEPS[steps.to_right]),
-    steps.start_height: ("position", NEARLY * steps.STEPS[steps.start_height]),
-    steps.guide_length: ("position", NEARLY * steps.STEPS[steps.guide_length]),
-    steps.guide_sum: ("position", NEARLY * steps.STEPS[steps.guide_sum]),
-    steps.lever_square: ("position", steps.guide_sum**2 - symbols.x1**2),
-    steps.run: ("position", -steps.STEPS[steps.run]),
-    steps.push: ("position", sp.Max(0, steps.run - 2 * symbols.l_GH)),
-    steps.rise: ("position", NEARLY * steps.STEPS[steps.rise]),
-    steps.roller_square: ("position", NEARLY * steps.STEPS[steps.roller_square]),
-    steps.cos_lever: ("velocity", NEARLY * steps.STEPS[steps.cos_lever]),
-    steps.sin_arm: ("velocity", NEARLY * steps.STEPS[steps.sin_arm]),
-    steps.cos_wedge: ("velocity", NEARLY * steps.STEPS[steps.cos_wedge]),
-    steps.gain: ("velocity", sp.Piecewise((0, steps.run >= symbols.l_GH), (IN_CONTACT, True))),
+    chain.arm: ("position", NEARLY * chain.STEPS[chain.arm]),
+    chain.sin_DE: ("position", sp.cos(symbols.alpha_DE)),
+    chain.to_right: ("position", NEARLY * chain.STEPS[chain.to_right]),
+    chain.to_left: ("position", chain.STEPS[chain.to_right]),
+    chain.start_height: ("position", NEARLY * chain.STEPS[chain.start_height]),
+    chain.guide_length: ("position", NEARLY * chain.STEPS[chain.guide_length]),
+    chain.guide_sum: ("position", NEARLY * chain.STEPS[chain.guide_sum]),
+    chain.lever_square: ("position", chain.guide_sum**2 - symbols.x1**2),
+    chain.run: ("position", -chain.STEPS[chain.run]),
+    chain.push: ("position", sp.Max(0, chain.run - 2 * symbols.l_GH)),
+    chain.rise: ("position", NEARLY * chain.STEPS[chain.rise]),
+    chain.roller_square: ("position", NEARLY * chain.STEPS[chain.roller_square]),
+    chain.cos_lever: ("velocity", NEARLY * chain.STEPS[chain.cos_lever]),
+    chain.sin_arm: ("velocity", NEARLY * chain.STEPS[chain.sin_arm]),
+    chain.cos_wedge: ("velocity", NEARLY * chain.STEPS[chain.cos_wedge]),
+    chain.gain: ("velocity", sp.Piecewise((0, chain.run >= symbols.l_GH), (IN_CONTACT, True))),
 }
 
 
@@ -206,16 +204,16 @@ def test_a_wrong_step_is_refuted(step: sp.Symbol) -> None:
 def test_a_wrong_sensitivity_is_refuted(size: sp.Symbol) -> None:
     form = shipped("sensitivities")
     entries = list(form.expression)
-    entries[list(steps.SENSITIVITY_FORMS).index(size)] *= NEARLY
+    entries[list(chain.SENSITIVITY_FORMS).index(size)] *= NEARLY
     wrong = dataclasses.replace(form, expression=sp.ImmutableDenseMatrix(entries))
     assert judge_form(with_form("sensitivities", wrong)) is Verdict.REFUTED
 
 
 R = symbols.R
 OTHER_CASES = {
-    "(7) where R < 0": ((prints.print_7, R < 0), (prints.print_8, R > 0)),
-    "half a turn": ((prints.print_7, R > 0), (prints.print_8 + sp.pi, R < 0)),
-    "R > l_KL/2": ((prints.print_7, symbols.l_KL < 2 * R), (prints.print_8, R < 0)),
+    "(7) where R < 0": ((symbols.print_7, R < 0), (symbols.print_8, R > 0)),
+    "half a turn": ((symbols.print_7, R > 0), (symbols.print_8 + sp.pi, R < 0)),
+    "R > l_KL/2": ((symbols.print_7, symbols.l_KL < 2 * R), (symbols.print_8, R < 0)),
 }
 
 
@@ -225,6 +223,6 @@ def test_a_wrong_case_is_refuted(cases: str) -> None:
         q for q in paper_of("wedge_linkage").quantities if q.name == "roller_lever_angle"
     )
     form = next(f for f in quantity.forms if f.key == "printed")
-    expression = sp.Piecewise(*OTHER_CASES[cases], (sp.nan, True)).subs(R, prints.PRINTED_R)
+    expression = sp.Piecewise(*OTHER_CASES[cases], (sp.nan, True)).subs(R, symbols.PRINTED_R)
     wrong = dataclasses.replace(form, expression=expression)
     assert judge_form(with_form("roller_lever_angle", wrong)) is Verdict.REFUTED

@@ -1,6 +1,6 @@
 """Boundary curves of the range of paper 4, by the printed chain, and what is said of them."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import cache, partial
 from typing import TypeAlias
 
@@ -15,14 +15,14 @@ from mechproof.record import (
     PrintedNumber,
     PublishedSizes,
     Statement,
-    Toleranced,
 )
 
 from .._relations import less, not_above
 from .mechanics import driven
-from .prints import PRINTED_Q, PRINTED_R, print_1, print_1_bottom, print_3, print_10
-from .sizes import FIRST_SET, SECOND_SET
+from .sizes import FIRST_SET, SECOND_SET, Signs, limits
 from .symbols import (
+    PRINTED_Q,
+    PRINTED_R,
     Q,
     alpha_DE,
     alpha_KL,
@@ -36,12 +36,14 @@ from .symbols import (
     overlap,
     phi3,
     phi7,
-    radicand,
+    print_1,
+    print_1_bottom,
+    print_3,
+    print_10,
     x1,
     x5,
 )
 
-Signs = Mapping[sp.Symbol, int]
 Displacement: TypeAlias = "sp.Rational | int | str"
 
 # Printed of the figure: where it begins, where III and IV cross (mm), and the deviation there (%).
@@ -54,16 +56,6 @@ BOUNDARY_II = {
 }  # fmt: skip
 BOUNDARY_III = {size: -sign for size, sign in BOUNDARY_II.items()}
 BOUNDARY_IV = {**BOUNDARY_III, alpha_KL: 1}
-
-
-def limits(table: PublishedSizes, signs: Signs) -> dict[sp.Symbol, sp.Expr]:
-    """Return the exact sizes of a combination: nominal, or at the limit its sign names."""
-    sizes = {}
-    for size, value in table.sizes.items():
-        assert isinstance(value, Toleranced)
-        deviation = {1: value.upper, -1: value.lower}.get(signs.get(size, 0), sp.S.Zero)
-        sizes[size] = value.nominal + deviation
-    return sizes
 
 
 def angles_of(
@@ -199,12 +191,6 @@ def differ(statement: Callable[[PublishedSizes], Statement]) -> Completions:
         Completion(FIRST_SET.source, statement(FIRST_SET)),
         Completion(SECOND_SET.source, statement(SECOND_SET)),
     )
-
-
-def radicand_of(displacement: int | str, guide: str) -> sp.Expr:
-    """Return the radicand of Q over l_BC**2 at the legible sizes and the length `guide` of BC."""
-    sizes = {**limits(FIRST_SET, {}), l_BC: Rational(guide), x1: Rational(displacement)}
-    return radicand.subs(sizes)
 
 
 def influence(size: sp.Symbol) -> Conjunction:

@@ -1,27 +1,22 @@
-"""The chain of paper 4 by its printed equations, and its derivatives from the stages' slopes."""
+"""The chain of paper 4: by its printed equations, with its derivatives from the stages' slopes.
+
+The kernels compute it by the half-angle forms: x5 by x1 and the sum of both lengths of BC, x5' by
+Max, y9 by x5' and the sum of both heights of K over L. No cancellation at x1 = 0, at the start of
+contact or at R = 0, and no sine or cosine but those of the sizes. What the sizes alone decide is a
+step of its own, computed once for all x1.
+"""
 
 from functools import cache
 from typing import NamedTuple
 
 import sympy as sp
-from sympy import sqrt
+from sympy import Max, Piecewise, cos, sin, sqrt
 
 from mechproof.record import LENGTH, Variable
 
-from .half_angles import half_3
-from .prints import (
-    PRINTED_R,
-    print_1,
-    print_1_bottom,
-    print_1_top,
-    print_3,
-    print_4,
-    print_7,
-    print_8,
-    print_10,
-)
-from .slopes import lever_slopes, roller_slopes
+from .mechanics import half_3, lever_slopes, roller_slopes
 from .symbols import (
+    PRINTED_R,
     R,
     alpha_DE,
     alpha_KL,
@@ -35,6 +30,14 @@ from .symbols import (
     l_LM,
     phi3,
     phi7,
+    print_1,
+    print_1_bottom,
+    print_1_top,
+    print_3,
+    print_4,
+    print_7,
+    print_8,
+    print_10,
     radicand,
     reach,
     x1,
@@ -74,15 +77,15 @@ def link(
         chain.contact: pushed.subs(x5, chain.travel),
         chain.offset: PRINTED_R.subs(x5, chain.contact),
         chain.roller: direction.subs(R, chain.offset),
-        chain.engaged: sp.Piecewise((0, chain.travel < l_GH), (1, True)),
+        chain.engaged: Piecewise((0, chain.travel < l_GH), (1, True)),
     }
 
 
 # Equations (4), (7) and (8) as they are meant and as they are printed: R = 0 is in neither case.
-PUSHED = sp.Max(0, x5 - l_GH)
-PUSHED_IN_PRINT = sp.Piecewise(print_4.args[0], (print_4.args[1].expr, True))
+PUSHED = Max(0, x5 - l_GH)
+PUSHED_IN_PRINT = Piecewise(print_4.args[0], (print_4.args[1].expr, True))
 DIRECTION = sp.atan2(sqrt(l_KL**2 - R**2), R) - alpha_KL
-DIRECTION_IN_PRINT = sp.Piecewise((print_7, R > 0), (print_8, R < 0), (sp.nan, True))
+DIRECTION_IN_PRINT = Piecewise((print_7, R > 0), (print_8, R < 0), (sp.nan, True))
 ROLLER = DIRECTION.subs(R, PRINTED_R)
 
 MEANT, BY_ATAN2, IN_PRINT = name_chain(), name_chain("_atan2"), name_chain("_printed")
@@ -127,8 +130,63 @@ DRIVEN = MEANT.engaged * POSITION  # before contact no size has an influence
 VELOCITY = chain_slope(DRIVEN, x1)
 SENSITIVITIES = sp.ImmutableDenseMatrix([chain_slope(DRIVEN, size) for size in SIZES])
 
-LENGTH_STEPS = {extended, *(s for c in (MEANT, BY_ATAN2, IN_PRINT) for s in c[1:4])}
+# Steps of the kernels ---------------------------------------------------------------------------
+
+arm, guide_length, guide_sum = sp.symbols("arm guide_length guide_sum", real=True)
+run, push, rise, rise_sum = sp.symbols("run push rise rise_sum", real=True)
+lever_square, roller_square = sp.symbols("lever_square roller_square", real=True)
+cos_lever, sin_arm, cos_wedge, gain = sp.symbols("cos_lever sin_arm cos_wedge gain", real=True)
+sin_DE, cos_DE, sin_LM, cos_LM = sp.symbols("sin_DE cos_DE sin_LM cos_LM", real=True)
+start_height, to_right, to_left = sp.symbols("start_height to_right to_left", real=True)
+
+STEPS = {
+    arm: l_AB + l_CD,
+    sin_DE: sin(alpha_DE),
+    cos_DE: cos(alpha_DE),
+    sin_LM: sin(alpha_LM),
+    cos_LM: cos(alpha_LM),
+    start_height: l_KL * sin(alpha_KL),
+    to_right: 2 * l_KL * sin(alpha_KL / 2) ** 2,
+    to_left: 2 * l_KL * cos(alpha_KL / 2) ** 2,
+    guide_length: sqrt(l_BC**2 + x1 * (2 * arm + x1)),
+    guide_sum: l_BC + guide_length,
+    lever_square: guide_sum**2 + x1**2,
+    run: 2 * l_DE * x1 * (guide_sum * sin_DE - x1 * cos_DE) / lever_square,
+    push: Max(0, run - l_GH),
+    rise: sqrt((to_right + push) * (to_left - push)),
+    rise_sum: start_height + rise,
+    roller_square: rise_sum**2 + push**2,
+    # guide_sum**2 - x1**2 without the difference of near values far to the left.
+    cos_lever: 2 * (l_BC * guide_sum + arm * x1) / lever_square,
+    sin_arm: cos_lever * sin_DE - 2 * guide_sum * x1 * cos_DE / lever_square,
+    cos_wedge: ((rise_sum - push) * (rise_sum + push) * cos_LM - 2 * rise_sum * push * sin_LM)
+    / roller_square,
+    # A product, so that NaN of an angle stays NaN before contact.
+    gain: Piecewise((0, run < l_GH), (l_LM, True)) * cos_wedge / rise,
+}
+LENGTHS = {
+    *(extended, *(s for c in (MEANT, BY_ATAN2, IN_PRINT) for s in c[1:4])),
+    *(arm, guide_length, guide_sum, run, push, rise, rise_sum, start_height, to_right, to_left),
+}
+SQUARES = {lever_square, roller_square}
 VARIABLES = tuple(
-    Variable(s, "step of the chain", LENGTH ** (s in LENGTH_STEPS), given=value)
-    for s, value in LINKS.items()
+    Variable(s, text, LENGTH ** ((s in LENGTHS) + 2 * (s in SQUARES)), given=value)
+    for text, steps in (("step of the kernels", STEPS), ("step of the chain", LINKS))
+    for s, value in steps.items()
 )
+
+POSITION_FORM = 2 * l_LM * push * (rise_sum * cos_LM - push * sin_LM) / roller_square
+VELOCITY_FORM = gain * l_DE * sin_arm * cos_lever / guide_length
+BY_ARM = -2 * gain * l_DE * sin_arm * x1**2 / (lever_square * guide_length)
+SENSITIVITY_FORMS = {
+    l_AB: BY_ARM,
+    l_BC: -2 * gain * l_DE * sin_arm * guide_sum * x1 / (lever_square * guide_length),
+    l_CD: BY_ARM,
+    l_DE: gain * run / l_DE,
+    l_GH: -gain,
+    l_KL: -gain * push / l_KL,
+    l_LM: POSITION_FORM / l_LM,
+    alpha_DE: 2 * gain * l_DE * x1 * (guide_sum * cos_DE + x1 * sin_DE) / lever_square,
+    alpha_KL: gain * push * (push - to_left + to_right) / rise_sum,
+    alpha_LM: -2 * l_LM * push * (rise_sum * sin_LM + push * cos_LM) / roller_square,
+}

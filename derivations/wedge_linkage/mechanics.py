@@ -1,9 +1,16 @@
-"""The groups of paper 4, rebuilt from their vector equations, each with its assembly branch."""
+"""The groups of paper 4, rebuilt from their vector equations, each with its assembly branch.
+
+Slopes and half-angle forms of their solutions, and what the symbols are given by.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+
 import sympy as sp
 from sympy import cos, pi, sin, sqrt
+
+from mechproof.record import ANGLE, LENGTH, Part, Variable
 
 from .._linear import solve_linear
 from .symbols import (
@@ -18,32 +25,58 @@ from .symbols import (
     KL,
     LM,
     MN,
+    NOT_NEGATIVE,
     NP,
+    POSITIVE,
+    PRINT,
+    PRINTED_Q,
+    PRINTED_R,
+    Q,
+    alpha_1,
+    alpha_2,
     alpha_DE,
     alpha_KL,
     alpha_LM,
+    apart,
+    beyond,
+    combinations,
+    crossing_place,
     dBC,
     dFG,
     dHI,
     dPN,
+    elements,
+    error,
+    guide_square,
+    h3,
+    h7,
+    height,
+    height_square,
+    kappa,
     l_AB,
     l_BC,
     l_CD,
     l_DE,
     l_EF,
     l_FG,
+    l_GH,
     l_HI,
     l_IK,
     l_KL,
     l_LM,
     l_MN,
     l_NP,
+    millimetre,
     overlap,
+    own_error,
     phi3,
     phi7,
+    radicand,
     reach,
     sigma,
+    stage_ratio,
     tau,
+    tolerances,
     x1,
     x5,
     x5_driven,
@@ -132,3 +165,108 @@ POLYGON_SIDES = {
         NP: (l_NP + dPN) * RIGHT,
     }.items()
 }
+
+
+# Half-angle forms, which the kernels compute, and parts of the domain ---------------------------
+
+half_3 = -x1 / (l_BC + sqrt(radicand))
+half_7 = x5 / (l_KL * sin(alpha_KL) + height)
+root_7 = sqrt(l_KL**2 - PRINTED_R**2)
+
+
+def by_half_angle(expression: sp.Expr, angle: sp.Symbol, tangent: sp.Expr) -> sp.Expr:
+    """Put the tangent of half an angle into sines and cosines of sums with it."""
+    expanded = sp.expand_trig(expression)
+    cosine, sine = (1 - tangent**2) / (1 + tangent**2), 2 * tangent / (1 + tangent**2)
+    return expanded.subs({cos(angle): cosine, sin(angle): sine})
+
+
+def upright(expression: sp.Expr) -> sp.Expr:
+    """Give alpha_KL by the tangent kappa of its half, as the direction of KL by tau."""
+    placed = expression.subs({x5: displacement[tau], height: l_KL * sine_of_tau})
+    by_tangent = by_half_angle(placed, alpha_KL, kappa)
+    return by_tangent.subs(alpha_KL, 2 * sp.atan(kappa))
+
+
+MOVABLE = Part("the radicand of Q is positive", where=(radicand > 0,))
+BEFORE_PIVOT = Part(
+    "the radicand of Q is positive and x1 > -(l_AB + l_CD), A has not passed D",
+    where=(x1 > -l_AB - l_CD, radicand > 0),
+)
+FIRST_QUADRANT = Part("R > 0", {tau: sp.Interval.Ropen(0, 1)})
+SECOND_QUADRANT = Part("R < 0", {sigma: sp.Interval.Ropen(0, 1)})
+
+
+# Slopes of the stages, closed and from the differentiated projections --------------------------
+
+lever_slopes = {
+    x1: -cos(phi3) / reach,
+    l_AB: (1 - cos(phi3)) / reach,
+    l_CD: (1 - cos(phi3)) / reach,
+    l_BC: -sin(phi3) / reach,
+}
+roller_slopes = {
+    x5: 1 / (l_KL * sin(alpha_KL + phi7)),
+    l_KL: (cos(alpha_KL + phi7) - cos(alpha_KL)) / (l_KL * sin(alpha_KL + phi7)),
+    alpha_KL: sin(alpha_KL) / sin(alpha_KL + phi7) - 1,
+}
+
+
+rod_slopes = {
+    phi3: -l_DE * sin(alpha_DE + phi3),
+    l_DE: cos(alpha_DE + phi3) - cos(alpha_DE),
+    alpha_DE: l_DE * (sin(alpha_DE) - sin(alpha_DE + phi3)),
+}
+wedge_slopes = {
+    phi7: l_LM * cos(alpha_LM + phi7),
+    l_LM: sin(alpha_LM + phi7) - sin(alpha_LM),
+}
+
+
+def slope_by_projections(
+    projections: Iterable[sp.Expr], unknowns: Sequence[sp.Symbol], size: sp.Symbol
+) -> sp.Expr:
+    """Return the derivative of the first unknown, from the differentiated equations."""
+    equations = sp.Matrix(list(projections))
+    rates = equations.jacobian(list(unknowns)).cramer_solve(-equations.diff(size))
+    return sp.expand(sp.cancel(rates[0]))
+
+
+def lever_slope(size: sp.Symbol) -> sp.Expr:
+    """Return the derivative of varphi3 from both projections of group 1."""
+    return slope_by_projections(group_1.subs(dBC, reach - l_BC), (phi3, reach), size)
+
+
+def roller_slope(size: sp.Symbol) -> sp.Expr:
+    """Return the derivative of varphi7 from the projection of group 3 on Ox."""
+    return slope_by_projections([group_3[0].subs(x5_driven, x5)], (phi7,), size)
+
+
+VARIABLES = (
+    *PRINT.give({Q: PRINTED_Q, **POLYGON_SIDES}),
+    *(
+        Variable(side, f"length of {str(side)[2:]} at x1 = 0", LENGTH, POSITIVE)
+        for side in (l_FG, l_HI, l_NP)
+    ),
+    Variable(millimetre, "the unit of length", LENGTH, POSITIVE),
+    Variable(tau, "tangent of half the direction of KL", within=NOT_NEGATIVE),
+    Variable(sigma, "cotangent of half the direction of KL", within=NOT_NEGATIVE),
+    Variable(kappa, "tangent of half of alpha_KL", within=NOT_NEGATIVE),
+    Variable(overlap, "x5 less the clearance", LENGTH, given=x5 - l_GH),
+    Variable(reach, "present length of BC", LENGTH, POSITIVE),
+    Variable(h3, "sum of both lengths of BC", LENGTH, POSITIVE),
+    Variable(h7, "sum of both heights of K over L", LENGTH, POSITIVE),
+    Variable(height, "height of K over L", LENGTH, POSITIVE),
+    Variable(guide_square, "square of the present length of BC", LENGTH**2, given=radicand),
+    Variable(height_square, "square of the height", LENGTH**2, given=l_KL**2 - PRINTED_R**2),
+    Variable(error, "error that a stage takes in, in amount", LENGTH, POSITIVE),
+    Variable(stage_ratio, "ratio of a stage, in amount", within=POSITIVE),
+    Variable(own_error, "error that a stage adds, in amount", LENGTH, NOT_NEGATIVE),
+    *(Variable(a, "a direction of KL at x1 = 0", ANGLE) for a in (alpha_1, alpha_2)),
+    Variable(apart, "distance of x5 from the start of contact, in amount", LENGTH, POSITIVE),
+    Variable(elements, "number of elements", within=sp.S.Naturals),
+    Variable(tolerances, "number of sizes with tolerances", within=sp.S.Naturals),
+    Variable(combinations, "number of combinations of limits", within=sp.S.Naturals),
+    Variable(crossing_place, "displacement at which the curves III and IV cross", LENGTH),
+    Variable(beyond, "half of what varphi7 exceeds pi - 2 alpha_KL by", ANGLE),
+)

@@ -15,8 +15,8 @@ from mechproof.plot.canvas import LineStyle, label, write
 from mechproof.tolerance import certified_range, corner_range
 
 from . import boundaries
-from .boundaries import BOUNDARY_II, BOUNDARY_III, BOUNDARY_IV, Signs
-from .sizes import LEGIBLE
+from .boundaries import BOUNDARY_II, BOUNDARY_III, BOUNDARY_IV
+from .sizes import LEGIBLE, Signs
 
 SETS = {number: WedgeLinkage.published_sizes(number) for number in (1, 2)}
 START, CROSSING, PRINTED_DEVIATION = map(

@@ -20,9 +20,25 @@ from mechproof.record import (
     Written,
 )
 
-from .chain import DIRECTION, LINKS, MEANT, POSITION, ROLLER, Chain, extended, in_chain
-from .half_angles import FIRST_QUADRANT, SECOND_QUADRANT, by_half_angle
+from .chain import (
+    DIRECTION,
+    LINKS,
+    MEANT,
+    POSITION,
+    ROLLER,
+    Chain,
+    cos_lever,
+    extended,
+    gain,
+    guide_length,
+    in_chain,
+    push,
+    run,
+)
 from .mechanics import (
+    FIRST_QUADRANT,
+    SECOND_QUADRANT,
+    by_half_angle,
     cosine_of_sigma,
     cosine_of_tau,
     direction_sigma,
@@ -30,13 +46,13 @@ from .mechanics import (
     lever_angle,
     lever_by_reach,
     rod,
+    roller_slopes,
     sine_of_tau,
 )
-from .prints import PRINTED_Q, PRINTED_R, print_10
-from .slopes import roller_slopes
-from .steps import cos_lever, gain, guide_length, push, run
 from .symbols import (
     POSITIVE,
+    PRINTED_Q,
+    PRINTED_R,
     Q,
     R,
     alpha_KL,
@@ -47,6 +63,7 @@ from .symbols import (
     l_KL,
     phi3,
     phi7,
+    print_10,
     reach,
     tau,
     x1,

@@ -1,4 +1,4 @@
-"""Sizes of paper 4, legible and reconstructed, and what the printed chain makes of them."""
+"""Sizes of paper 4, legible and reconstructed, and the rows on its table of sizes."""
 
 from collections.abc import Mapping
 
@@ -8,6 +8,13 @@ from sympy import Rational, pi
 from mechproof.record import (
     ANGLE,
     LENGTH,
+    Claim,
+    Completion,
+    Completions,
+    Conjunction,
+    Datum,
+    Definition,
+    Holds,
     PublishedSizes,
     Toleranced,
     Variable,
@@ -27,7 +34,12 @@ from .symbols import (
     l_KL,
     l_LM,
     l_MN,
+    millimetre,
+    radicand,
+    x1,
 )
+
+Signs = Mapping[sp.Symbol, int]
 
 # Upper and lower limit deviation (mm, degrees) as far as they are legible.
 DEVIATIONS = {
@@ -94,6 +106,23 @@ def reconstruct(table: Mapping[sp.Symbol, tuple[str, str, str]]) -> PublishedSiz
 
 FIRST_SET, SECOND_SET = reconstruct(FIRST_SIZES), reconstruct(SECOND_SIZES)
 
+
+def limits(table: PublishedSizes, signs: Signs) -> dict[sp.Symbol, sp.Expr]:
+    """Return the exact sizes of a combination: nominal, or at the limit its sign names."""
+    sizes = {}
+    for size, value in table.sizes.items():
+        assert isinstance(value, Toleranced)
+        deviation = {1: value.upper, -1: value.lower}.get(signs.get(size, 0), sp.S.Zero)
+        sizes[size] = value.nominal + deviation
+    return sizes
+
+
+def radicand_of(displacement: int | str, guide: str) -> sp.Expr:
+    """Return the radicand of Q over l_BC**2 at the legible sizes and the length `guide` of BC."""
+    sizes = {**limits(FIRST_SET, {}), l_BC: Rational(guide), x1: Rational(displacement)}
+    return radicand.subs(sizes)
+
+
 DEVIATION_SYMBOLS = {size: sp.symbols(f"ES_{size} EI_{size}", real=True) for size in DEVIATIONS}
 VARIABLES = tuple(
     Variable(symbol, f"{which} limit deviation of {size}", ANGLE if size in ANGLES else LENGTH)
@@ -120,4 +149,70 @@ LEGIBLE_ANGLES = (
 LOST = (
     (l_IK, r"l_{IK}=z1_{-0.3}", "Digits and upper deviation lost; without influence."),
     (l_MN, r"l_{MN}=\dots^{+0.00}_{-0.17}", "Digits lost; without influence."),
+)
+
+
+def measured(size: sp.Symbol, text: str) -> sp.Expr:
+    """Return a number of the table with its unit."""
+    return Rational(text) * (unit(size) if size in ANGLES else millimetre)
+
+
+def define_deviations(size: sp.Symbol) -> tuple[Definition, ...]:
+    """Introduce the limit deviations of a size, as far as they are legible."""
+    texts = zip(DEVIATION_SYMBOLS.get(size, ()), DEVIATIONS.get(size, ()), strict=True)
+    return tuple(Definition(symbol, measured(size, text)) for symbol, text in texts if text)
+
+
+def datum_row(symbol: sp.Symbol, latex: str, value: str, note: str, uncertain: bool) -> Datum:
+    """Record a size of the table, as far as it is legible."""
+    return Datum(
+        f"sizes, {symbol}",
+        latex,
+        Conjunction((Definition(symbol, measured(symbol, value)), *define_deviations(symbol))),
+        note=note or "A datum.",
+        marks=("uncertain",) if uncertain else (),
+    )
+
+
+SIZE_ROWS = (
+    *(datum_row(*row) for row in LEGIBLE),
+    *(datum_row(*row, "", False) for row in LEGIBLE_ANGLES),
+    *(
+        Datum(
+            f"sizes, {symbol}",
+            latex,
+            Conjunction(define_deviations(symbol)),
+            note=note,
+            marks=("uncertain",),
+        )
+        for symbol, latex, note in LOST
+    ),
+    Claim(
+        "sizes, domain of Fig. 4",
+        r"Q\text{ is real on }x_1\in[-40,0]",
+        Completions(
+            "digits of l_BC and l_CD",
+            Completion(
+                "the legible digits l_BC = 19.75, l_CD = 38, at x1 = -40 mm",
+                Holds(sp.Ge(radicand_of(-40, "19.75"), 0, evaluate=False)),
+            ),
+            Completion(
+                "one digit changed, l_BC = 49.75, at x1 = -40 mm",
+                Holds(sp.Ge(radicand_of(-40, "49.75"), 0, evaluate=False)),
+            ),
+        ),
+        note="The curve of Fig. 4 cannot have been computed with the legible digits.",
+        marks=("uncertain", "inferred", "calibrated"),
+    ),
+    Claim(
+        "sizes, end of the legible ones",
+        r"Q\text{ of the legible sizes ends between }x_1=-4.66\text{ and }-4.65",
+        Conjunction(
+            (
+                Holds(sp.Lt(radicand_of("-4.66", "19.75"), 0, evaluate=False)),
+                Holds(sp.Gt(radicand_of("-4.65", "19.75"), 0, evaluate=False)),
+            )
+        ),
+        marks=("ours", "uncertain"),
+    ),
 )

@@ -33,7 +33,6 @@ from .boundaries import (
     ten_percent,
 )
 from .mechanics import displacement, lever_cosine, lever_sine, rod, wedge
-from .prints import left_of_2, print_1, print_3, print_7, print_8, print_10, right_of_2
 from .sizes import FIRST_SET, SECOND_SET
 from .symbols import (
     combinations,
@@ -46,8 +45,15 @@ from .symbols import (
     l_KL,
     l_LM,
     l_MN,
+    left_of_2,
     millimetre,
     own_error,
+    print_1,
+    print_3,
+    print_7,
+    print_8,
+    print_10,
+    right_of_2,
     stage_ratio,
     tau,
     tolerances,

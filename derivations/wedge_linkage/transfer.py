@@ -8,12 +8,26 @@ from sympy import cos, pi, sin, sqrt
 from mechproof.record import Claim, Conjunction, Equality, Part
 
 from .._linear import solve_linear
-from .half_angles import MOVABLE, by_half_angle, half_3, half_7, root_7
-from .mechanics import group_3, lever_cosine, rod, wedge
-from .prints import PRINTED_R
-from .slopes import lever_slope, lever_slopes, rod_slopes, roller_slope, roller_slopes, wedge_slopes
+from .mechanics import (
+    MOVABLE,
+    by_half_angle,
+    group_3,
+    half_3,
+    half_7,
+    lever_cosine,
+    lever_slope,
+    lever_slopes,
+    rod,
+    rod_slopes,
+    roller_slope,
+    roller_slopes,
+    root_7,
+    wedge,
+    wedge_slopes,
+)
 from .symbols import (
     POSITIVE,
+    PRINTED_R,
     alpha_1,
     alpha_2,
     alpha_DE,

@@ -1,0 +1,323 @@
+"""Rows of paper 4 on its structure and on the groups: equations (1) to (10)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+from sympy import sqrt
+
+from mechproof.record import (
+    Claim,
+    Completion,
+    Completions,
+    Conjunction,
+    Correction,
+    Datum,
+    Definition,
+    Equality,
+    Part,
+    Reading,
+)
+
+from .chain import PUSHED_IN_PRINT
+from .mechanics import (
+    BEFORE_PIVOT,
+    FIRST_QUADRANT,
+    SECOND_QUADRANT,
+    cosine_of_sigma,
+    cosine_of_tau,
+    direction_sigma,
+    direction_tau,
+    displacement,
+    driven,
+    group_1,
+    group_2,
+    group_3,
+    group_4,
+    guide_squared,
+    half_3,
+    half_7,
+    lever_angle,
+    lever_cosine,
+    lever_sine,
+    rod,
+    upright,
+    wedge,
+)
+from .proofs import push_by
+from .symbols import (
+    AD,
+    DG,
+    HL,
+    LP,
+    POSITIVE,
+    PRINT,
+    PRINTED_Q,
+    Q,
+    R,
+    alpha_KL,
+    apart,
+    elements,
+    kappa,
+    l_AB,
+    l_BC,
+    l_CD,
+    l_GH,
+    l_KL,
+    overlap,
+    phi2,
+    phi3,
+    phi7,
+    print_1,
+    print_3,
+    print_6_ox,
+    print_7,
+    print_8,
+    print_10,
+    tau,
+    x1,
+    x5,
+    x5_driven,
+    y9,
+)
+
+GROUPS, LINKS_OF_GROUP, PAIRS_OF_GROUP = 4, 2, 3
+
+
+def mobility(links: int, pairs: int) -> sp.Integer:
+    """Degrees of freedom of a plane linkage with lower pairs only (Chebyshev)."""
+    return sp.Integer(3 * links - 2 * pairs)
+
+
+DRIVEN = {x5_driven: driven.subs(overlap, x5 - l_GH)}
+IN_CONTACT = Equality(print_6_ox.subs(x5, x5 - l_GH), group_3[0].subs(x5_driven, x5 - l_GH))
+
+GROUP_ROWS = (
+    Datum(
+        "five elements",
+        r"\text{pusher, accelerating lever, rod, lever with rollers, wedge: 5 elements}",
+        Definition(elements, sp.Integer(5)),
+        note="Of Fig. 1.",
+    ),
+    Claim(
+        "links 1 to 9",
+        r"\text{links }1\text{ to }9\text{: the pusher and four Assur groups}",
+        Equality(sp.Integer(9), sp.Integer(1 + GROUPS * LINKS_OF_GROUP)),
+        note="Of Fig. 2, a group having two links and three lower pairs. The link 5', behind the "
+        "clearance, is counted with the rod 5.",
+        marks=("inferred",),
+    ),
+    Claim(
+        "Assur groups, zero mobility",
+        r"W=3\cdot2-2\cdot3=0",
+        Equality(sp.S.Zero, mobility(LINKS_OF_GROUP, PAIRS_OF_GROUP)),
+        note="What makes two links with three lower pairs a group of Assur.",
+        marks=("ours", "inferred"),
+    ),
+    Claim(
+        "linkage, mobility",
+        r"W=3\cdot9-2(1+4\cdot3)=1",
+        Equality(
+            sp.S.One,
+            mobility(1 + GROUPS * LINKS_OF_GROUP, 1 + GROUPS * PAIRS_OF_GROUP),
+        ),
+        note="In contact: the pusher's guide and four groups, one input. Before contact the link "
+        "5' is a tenth link in a guide of its own, and W = 3*10 - 2*14 = 2.",
+        marks=("ours", "inferred"),
+    ),
+    PRINT.equation(
+        "group 1",
+        defines=(AD,),
+        note="A polygon of any four points closes; AD, from A on the pusher to the fixed D, is "
+        "what closes it. Judged are its projections.",
+    ),
+    PRINT.equation(
+        "group 1, Ox",
+        residual=group_1[0],
+        note="Left minus right against the turned vectors minus AD.",
+    ),
+    PRINT.equation(
+        "group 1, Oy",
+        residual=group_1[1],
+        note="The last pi of the left side is lost in print.",
+        marks=("rebuilt",),
+    ),
+    PRINT.equation(
+        "(1), Q",
+        derived={Q: l_BC * sqrt(guide_squared)},
+        note="Q is l_BC (l_BC + delta_BC); the exponents are rebuilt.",
+        marks=("rebuilt",),
+    ),
+    PRINT.equation(
+        "(1)",
+        derived={phi3: lever_angle},
+        note="Against the two-argument arctangent of the solved projections. It holds "
+        "farther, up to a right angle of the lever, which no size within its limits reaches; see "
+        "the next row.",
+        on=BEFORE_PIVOT,
+        marks=("rebuilt",),
+    ),
+    Claim(
+        "(1), where the arctangent is right",
+        r"(l_{AB}+l_{CD})(l_{AB}+l_{CD}+x_1)+Q=\left[(l_{AB}+l_{CD}+x_1)^2+l_{BC}^2\right]"
+        r"\cos\varphi_3",
+        Equality(
+            (l_AB + l_CD) * (l_AB + l_CD + x1) + PRINTED_Q,
+            ((l_AB + l_CD + x1) ** 2 + l_BC**2) * lever_cosine,
+        ),
+        note="The denominator of (1) has the sign of the cosine: (1) holds exactly where it is "
+        "positive and is off by pi beyond. On Fig. 4 it is positive for all sizes within their "
+        "limits, see 'boundaries, directions of the arms'.",
+        marks=("rebuilt", "ours"),
+    ),
+    Claim(
+        "(1), half-angle form",
+        r"\varphi_3=-2\arctan\frac{x_1}{l_{BC}+\sqrt{l_{BC}^2+x_1(2l_{AB}+2l_{CD}+x_1)}}",
+        Equality(
+            sp.Matrix([2 * half_3 / (1 + half_3**2), (1 - half_3**2) / (1 + half_3**2)]),
+            sp.Matrix([lever_sine, lever_cosine]),
+        ),
+        note="Sine and cosine of the form are those of the solution; twice an arctangent keeps "
+        "inside (-pi, pi), so no turn is lost, wherever the radicand is not negative.",
+        marks=("ours",),
+    ),
+    PRINT.equation(
+        "group 2",
+        defines=(DG,),
+        note="See group 1; DG, from the fixed D to the guide of the rod.",
+    ),
+    PRINT.equation("(2), Ox", residual=group_2[0]),
+    PRINT.equation("(2), Oy", residual=group_2[1]),
+    PRINT.equation(
+        "(3)",
+        derived={x5: rod},
+        marks=("rebuilt",),
+    ),
+    replace(
+        PRINT.equation(
+            "(4)",
+            derived=DRIVEN,
+            substituted={x5: l_GH - apart},
+            note="A link that is only pushed; x5 is short of the clearance by apart > 0.",
+            marks=("rebuilt",),
+        ),
+        number="(4), before contact",
+    ),
+    replace(
+        PRINT.equation(
+            "(4)",
+            derived=DRIVEN,
+            substituted={x5: l_GH + apart},
+            note="x5 exceeds the clearance. At the start of contact, which is in neither case, "
+            "both give 0, so that < and <= would say the same.",
+            marks=("rebuilt", "uncertain"),
+        ),
+        number="(4), in contact",
+    ),
+    Claim(
+        "(4), argument",
+        r"x_5(\varphi_2)",
+        Completions(
+            "the damaged letter of the angle",
+            Completion("the letter is varphi3", Equality(print_3, rod)),
+            Completion("the letter is varphi2", Equality(print_3.subs(phi3, phi2), rod)),
+        ),
+        note="Printed three times, where all else has the lever's angle.",
+        marks=("rebuilt", "uncertain"),
+    ),
+    PRINT.equation(
+        "(5)",
+        defines=(HL,),
+        note="See group 1; HL, from H on the link 5' to the fixed L. Its projections are (6).",
+    ),
+    PRINT.equation(
+        "(6), Ox",
+        residual=IN_CONTACT.rebuilt,
+        corrected=Correction(
+            r"l_{KL}\cos(\alpha_{KL}+\varphi_7)=l_{KL}\cos\alpha_{KL}-x_{5'}",
+            IN_CONTACT,
+        ),
+        note="In contact, the link 5' lags behind the rod by the clearance. The print may have "
+        "lost a prime. The one letter stands in (7), (8) and R, too, which are judged with the "
+        "link 5'.",
+        readings=(
+            Reading(
+                "x5 is the displacement of the link 5' after the clearance",
+                IN_CONTACT,
+            ),
+        ),
+        marks=("inferred", "uncertain"),
+    ),
+    PRINT.equation("(6), Oy", residual=group_3[1]),
+    PRINT.equation(
+        "(7)",
+        derived={phi7: direction_tau - alpha_KL},
+        substituted={R: l_KL * cosine_of_tau},
+        on=FIRST_QUADRANT,
+        note="R, the projection of KL, by the direction 2 arctan(tau) of KL.",
+        marks=("rebuilt", "inferred"),
+    ),
+    PRINT.equation(
+        "(8)",
+        derived={phi7: direction_sigma - alpha_KL},
+        substituted={R: l_KL * cosine_of_sigma},
+        on=SECOND_QUADRANT,
+        note="R, the projection of KL, by the direction pi - 2 arctan(sigma) of KL.",
+        marks=("rebuilt", "inferred"),
+    ),
+    PRINT.equation(
+        "(7) and (8), R",
+        derived={R: l_KL * cosine_of_tau},
+        substituted={x5: displacement[tau]},
+        note="R is the projection of KL on Ox, so |R| <= l_KL; R = 0 lies in neither formula. x5 "
+        "is that of the link 5'.",
+        marks=("inferred",),
+    ),
+    Claim(
+        "(7) and (8), one form",
+        r"\varphi_7=2\arctan\frac{x_5}{l_{KL}\sin\alpha_{KL}+\sqrt{l_{KL}^2-R^2}}",
+        Equality(upright(2 * sp.atan(half_7)), direction_tau - 2 * sp.atan(kappa)),
+        note="Without a hole at R = 0, for 0 < alpha_KL < pi and KL pointing upwards; equal to "
+        "the same right side as (7) and (8).",
+        on=Part(
+            "alpha_KL = 2 arctan(kappa) in [0, pi), KL upwards",
+            {kappa: sp.Interval(0, sp.oo), tau: POSITIVE},
+        ),
+        marks=("ours",),
+    ),
+    PRINT.equation(
+        "group 4",
+        defines=(LP,),
+        note="See group 1; LP, from the fixed L to the guide of the wedge.",
+    ),
+    PRINT.equation("(9), Ox", residual=group_4[0]),
+    PRINT.equation("(9), Oy", residual=group_4[1]),
+    PRINT.equation(
+        "(10)",
+        derived={y9: wedge},
+        marks=("rebuilt",),
+    ),
+    Claim(
+        "(1), (3), (4), (7), (8), (10), substituted",
+        r"\text{substituting (1), (3), (4), (7), (8), (10) successively gives }y_9(x_1)",
+        Conjunction(
+            (
+                Equality(print_1, lever_angle),
+                Equality(print_3, rod),
+                *push_by(PUSHED_IN_PRINT),
+                Equality(print_7.subs(R, l_KL * cosine_of_tau), direction_tau - alpha_KL),
+                Equality(print_8.subs(R, l_KL * cosine_of_sigma), direction_sigma - alpha_KL),
+                Equality(print_10, wedge),
+            )
+        ),
+        note="Each stage against its group. (7) and (8) take x5' of (4) for their x5, see '(6), "
+        "Ox'; else (4) would be left out. R = 0 is in neither case.",
+        on=Part(
+            f"{BEFORE_PIVOT.text}; R > 0 for (7), R < 0 for (8)",
+            {**FIRST_QUADRANT.within, **SECOND_QUADRANT.within},
+            BEFORE_PIVOT.where,
+        ),
+        marks=("rebuilt", "inferred", "uncertain"),
+    ),
+)
