@@ -9,18 +9,14 @@ from sympy import Abs, Le, Rational
 
 from mechproof.record import Paper
 
-from .curve import amplitude, radius
 from .curve_rows import CURVE_ROWS
 from .error_rows import ERROR_ROWS
-from .errors import thermal
 from .figures import FIGURE_ROWS
 from .findings import FINDINGS
 from .frame_rows import FRAME_ROWS
-from .kernels_of_poses import POSES
-from .kernels_of_sums import SUMS
-from .kernels_of_tracks import TRACKS
-from .prints import NOTATION, VARIABLES
+from .kernels import QUANTITIES
 from .sizes import DATA_ROWS, TABLE_1
+from .symbols import NOTATION, PRINT, VARIABLES, amplitude, radius, thermal
 from .table import TABLE_ROWS
 
 PAPER = Paper(
@@ -29,8 +25,9 @@ PAPER = Paper(
     "doi 10.24412/2079-7958-2022-1-43-52",
     variables=VARIABLES,
     notation=NOTATION,
+    print=PRINT.file,
     rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + DATA_ROWS + TABLE_ROWS + FIGURE_ROWS,
-    quantities=POSES + TRACKS + SUMS,
+    quantities=QUANTITIES,
     published=(TABLE_1,),
     # About the share of the total in Table 1, all K = 1.
     usual={thermal: Rational(11, 1000)},

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.record import (
+    ChainLink,
     Claim,
     Conjunction,
     Correction,
@@ -18,19 +19,24 @@ from mechproof.record import (
 )
 
 from .._relations import less, not_above
-from .curve import (
+from .mechanics import on_track, radius_by_sine_rule
+from .symbols import (
+    PRINT,
+    PRINTED_16,
+    SURFACE_POINT,
     THETA,
     amplitude,
     any_radius,
     any_shift,
+    dummy,
     periods,
     phi,
+    planar_error,
+    printed_radius,
     radius,
-    radius_by_sine_rule,
     radius_vector,
+    spatial_error,
 )
-from .errors import dummy
-from .prints import EQUATION_16, EQUATION_17, EQUATION_18, PRINTED_16, printed_radius
 
 
 def squared_distance_from_centre(count: int) -> sp.Expr:
@@ -40,7 +46,15 @@ def squared_distance_from_centre(count: int) -> sp.Expr:
 
 
 CURVE_ROWS: tuple[Row, ...] = (
-    EQUATION_16,
+    PRINT.equation(
+        "(16)",
+        derived=dict(zip(SURFACE_POINT[:2], on_track(radius_by_sine_rule(THETA)), strict=False)),
+        defines=(SURFACE_POINT[2],),
+        note="Rebuilt by the sine rule in the triangle of pole, centre and point.",
+        on=Part("|A| <= R", where=(sp.Le(sp.Abs(amplitude), radius),)),
+        singular=("A = R: the circle passes through the pole and the track has corners there",),
+        links={3: ChainLink(note="Names the height of the points.")},
+    ),
     Claim(
         "(16), a radius at every angle",
         r"R^2-A^2\sin^2(z\varphi)\ge0",
@@ -180,6 +194,11 @@ CURVE_ROWS: tuple[Row, ...] = (
         "the circle, and R is also the quadratic mean of the radius vector.",
         marks=("ours",),
     ),
-    EQUATION_17,
-    EQUATION_18,
+    PRINT.equation(
+        "(17)",
+        defines=(planar_error,),
+        note="The position error of one point; not the scatter field that (3)-(7) call "
+        "Delta_Sigma.",
+    ),
+    PRINT.equation("(18)", defines=(spatial_error,), note="As (17), in space."),
 )

@@ -12,14 +12,13 @@ from mechproof.record import (
     Correction,
     Definition,
     Equality,
-    Equation,
     Holds,
     Reading,
     Row,
     sum_distinct,
 )
 
-from .error_sums import (
+from .mechanics import (
     DEVIATIONS,
     DEVIATIONS_T,
     FULLY_CORRELATED,
@@ -30,7 +29,10 @@ from .error_sums import (
     propagate,
     propagate_groups,
 )
-from .errors import (
+from .symbols import (
+    AT_TIME,
+    PRINT,
+    PRINTED_5,
     correlations,
     correlations_t,
     dummy,
@@ -49,41 +51,28 @@ from .errors import (
     sigma,
     thermal,
     total,
-    total_t,
 )
-from .prints import EQUATION_5, PRINTED_5
 
-LATEX_SUM = (
-    r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_iS_iT_i)^2"
-    r"+\sum_{i=1}^n\sum_{%s=1,%s\ne i}^n(K_iK_jS_iS_jT_iT_jR_{ij})}"
-)
-LATEX_GROUPS = (
-    r"\Delta_\Sigma%(t)s=\frac1K\sqrt{(K_i\Delta_\phi%(t)s)^2+\sum_{i=1}^n(K_i\Delta_y%(t)s)^2"
-    r"+\sum_{i=1}^n(K_i\Delta_\delta%(t)s)^2+(K_i\Delta_n%(t)s)^2+(K_i\Delta_u%(t)s)^2"
-    r"+\Delta_T%(t)s}"
-)
 LATEX_CORRECTED_GROUPS = (
     r"\Delta_\Sigma%(t)s=\frac1K\sqrt{(K_\phi\Delta_\phi%(t)s)^2"
     r"+\sum_{i=1}^{n_y}(K_{y,i}\Delta_{y,i}%(t)s)^2"
     r"+\sum_{i=1}^{n_\delta}(K_{\delta,i}\Delta_{\delta,i}%(t)s)^2"
     r"+(K_n\Delta_n%(t)s)^2+(K_u\Delta_u%(t)s)^2+(K_T\Delta_T%(t)s)^2}"
 )
-LATEX_GROUPS_AND_THERMAL = (LATEX_GROUPS % {"t": ""}).replace(r"+\Delta_T}", r"}+\Delta_T")
+LATEX_GROUPS_AND_THERMAL = PRINT.prints["(6)"].replace(r"+\Delta_T}", r"}+\Delta_T")
 LATEX_CORRECTED_GROUPS_AND_THERMAL = (LATEX_CORRECTED_GROUPS % {"t": ""}).replace(
     r"+(K_T\Delta_T)^2}", r"}+\Delta_T"
 )
 
 
 ERROR_ROWS: tuple[Row, ...] = (
-    Equation(
+    PRINT.equation(
         "(1)",
-        r"Y=f(X_1,\dots,X_i,\dots,X_n)",
         defines=(output,),
         note="Names the output and its parameters; everything after it uses f to first order.",
     ),
-    Equation(
+    PRINT.equation(
         "(2)",
-        r"\Delta_i=(X_i-X_0)",
         defines=(error,),
         note="The nominal value X_0 should carry the index i, since each parameter has its own.",
     ),
@@ -119,11 +108,10 @@ ERROR_ROWS: tuple[Row, ...] = (
         note="Chosen by who uses (3): h is half the field that the reliability asks for. By the "
         "normal law K = 1 for 99.73 %, K = 3/1.96 for 95 %.",
     ),
-    Equation(
+    PRINT.equation(
         "(3)",
-        LATEX_SUM % ("k", "k"),
         derived={total: propagate(DEVIATIONS, correlations[i, j], influences[i])},
-        corrected=Correction(LATEX_SUM % ("j", "j")),
+        corrected=Correction(PRINT.prints["(3)"].replace("k", "j")),
         note="The inner sum runs over k while its terms carry j; the list of symbols names i, j "
         "as the pair and (4) sums over j, so j is meant.",
     ),
@@ -141,10 +129,8 @@ ERROR_ROWS: tuple[Row, ...] = (
         "the radicand negative. The matrix of the R_ij must be positive semidefinite.",
         marks=("ours",),
     ),
-    Equation(
+    PRINT.equation(
         "(4)",
-        r"\Delta_\Sigma=\frac1K\sqrt{\sum_{i=1}^n(K_i(t)S_iT_i(t))^2"
-        r"+\sum_{i=1}^n\sum_{j=1,j\ne i}^n(K_i(t)K_j(t)S_iS_jT_i(t)T_j(t)R_{ij}(t))}",
         derived={total: propagate(DEVIATIONS_T, correlations_t[i, j], influences[i])},
         note="Holds at each instant t; the left side is then a function of t too.",
     ),
@@ -163,7 +149,11 @@ ERROR_ROWS: tuple[Row, ...] = (
         note="A licence for calculations. It is not implied by independence, which removes the "
         "correlation terms but says nothing about the sensitivities.",
     ),
-    EQUATION_5,
+    PRINT.equation(
+        "(5)",
+        derived={total: propagate(DEVIATIONS, UNCORRELATED, UNIT_INFLUENCE)},
+        note="True under both stated premises together: independent errors and S_i = 1.",
+    ),
     Claim(
         "after (5), usual conditions",
         r"\text{(5) may be used for machining blanks on machine tools in usual production"
@@ -181,9 +171,8 @@ ERROR_ROWS: tuple[Row, ...] = (
         ),
         note="The paper gives neither the correlations nor the sensitivities of usual conditions.",
     ),
-    Equation(
+    PRINT.equation(
         "(6)",
-        LATEX_GROUPS % {"t": ""},
         derived={total: propagate_groups(SINGLES, mountings, elastics)},
         corrected=Correction(LATEX_CORRECTED_GROUPS % {"t": ""}),
         note="The index i is free outside the sums, and the length Delta_T is added to squares of "
@@ -200,10 +189,9 @@ ERROR_ROWS: tuple[Row, ...] = (
         "adds as it is. The lengths then agree; the index i stays free.",
         marks=("ours", "uncertain"),
     ),
-    Equation(
+    PRINT.equation(
         "(7)",
-        LATEX_GROUPS % {"t": "(t)"},
-        derived={total_t: propagate_groups(SINGLES_T, mountings_t, elastics_t)},
+        derived={AT_TIME[total]: propagate_groups(SINGLES_T, mountings_t, elastics_t)},
         corrected=Correction(LATEX_CORRECTED_GROUPS % {"t": "(t)"}),
         note="As (6), at each instant t; the K_i are printed without t and kept so.",
     ),

@@ -15,12 +15,30 @@ from mechproof.record import (
 )
 
 from .._relations import less, not_above
-from .curve import error_x, error_y, error_z, phi, thickness
-from .error_sums import CORRECTED_6, SUM_OF_SQUARES
-from .errors import elastic, form, kept, level, mounting, place, share, spread, wear
-from .frame import SHIFT, SURFACE_POINT, ZERO_ANGLES
-from .prints import PRINTED_15, PRINTED_16, PRINTED_17, PRINTED_18
+from .mechanics import CORRECTED_6, SUM_OF_SQUARES, ZERO_ANGLES
 from .sizes import PRINTED_VALUES, SUM_OF_PRINTED_SQUARES
+from .symbols import (
+    PRINTED_15,
+    PRINTED_16,
+    PRINTED_17,
+    PRINTED_18,
+    SHIFT,
+    SURFACE_POINT,
+    elastic,
+    error_x,
+    error_y,
+    error_z,
+    form,
+    kept,
+    level,
+    mounting,
+    phi,
+    place,
+    share,
+    spread,
+    thickness,
+    wear,
+)
 
 
 def position_error_at_crest(values: dict[sp.Symbol, sp.Expr]) -> sp.Expr:

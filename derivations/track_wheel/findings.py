@@ -6,14 +6,19 @@ import sympy as sp
 
 from mechproof.record import Cost, Finding, Follower
 
-from .curve import amplitude, periods, radius
-from .errors import (
+from .mechanics import product_of
+from .sizes import PRINTED_VALUES, SUM_OF_PRINTED_SQUARES, THERMAL_SHARE
+from .symbols import (
+    ANGLES,
+    AT_TIME,
+    ERROR_FIELDS,
+    PRINTED_K,
+    amplitude,
     elastic,
-    elastic_t,
     elastics,
     elastics_t,
     form,
-    form_t,
+    gamma,
     i,
     k_elastic,
     k_form,
@@ -21,23 +26,17 @@ from .errors import (
     k_setting,
     k_wear,
     mounting,
-    mounting_t,
     mountings,
     mountings_t,
     n,
     n_delta,
     n_y,
+    periods,
+    radius,
     scatters,
     setting,
-    setting_t,
-    thermal,
-    thermal_t,
     wear,
-    wear_t,
 )
-from .frame import ANGLES, gamma
-from .prints import PRINTED_K, product_of
-from .sizes import PRINTED_VALUES, SUM_OF_PRINTED_SQUARES, THERMAL_SHARE
 from .table import total_by_corrected_sum, total_by_printed_sum
 
 RIGHT_TOTAL = total_by_corrected_sum(sp.Integer(1)).subs(PRINTED_VALUES)
@@ -46,13 +45,8 @@ LIKE_TABLE_1 = {symbol: PRINTED_VALUES[symbol] for symbol in (radius, amplitude,
 TEN_DEGREES = {**LIKE_TABLE_1, **dict.fromkeys(ANGLES, sp.pi / 18)}
 
 # What (7) calls the errors of (6).
-AT_TIME = {
-    form: form_t,
-    mounting: mounting_t,
-    elastic: elastic_t,
-    setting: setting_t,
-    wear: wear_t,
-    thermal: thermal_t,
+RENAMED = {
+    **{error: AT_TIME[error] for error in ERROR_FIELDS},
     mountings: mountings_t,
     elastics: elastics_t,
 }
@@ -113,7 +107,7 @@ FINDINGS = (
         ),
         follows=(
             Follower("(6), Delta_T outside the root", parts=own_coefficients()),
-            Follower("(7)", renamed=AT_TIME),
+            Follower("(7)", renamed=RENAMED),
         ),
     ),
     Finding(

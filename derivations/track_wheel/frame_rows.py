@@ -7,6 +7,7 @@ from itertools import permutations
 import sympy as sp
 
 from mechproof.record import (
+    ChainLink,
     Claim,
     Conjunction,
     Correction,
@@ -17,53 +18,49 @@ from mechproof.record import (
     Row,
 )
 
-from .frame import (
-    ANGLES,
-    ELEMENTS,
+from .mechanics import (
     FROM_ORIGIN,
     IDENTITY,
     IN_ORDER,
-    MACHINE_POINT,
-    MATRIX_A,
     MATRIX_B,
     MATRIX_C,
-    PART_POINT,
-    SHIFT,
-    SURFACE_POINT,
     TURNED_BY_ALPHA,
     TURNED_PART,
     UNIT_VECTORS,
-    alpha,
-    beta,
     compose,
     cross_product_matrix,
-    gamma,
-    parameter,
+    product_of,
     project,
     see_from_turned_frame,
     turn,
     turn_about_fixed_axes,
     turn_by_vector,
 )
-from .prints import (
-    ALONG_LINE,
-    EQUATION_8,
-    EQUATION_14,
-    EQUATION_15,
+from .symbols import (
+    ANGLES,
+    ELEMENTS,
+    MACHINE_POINT,
+    MATRIX_A,
+    MATRIX_K,
+    PART_POINT,
+    POSITION_ERROR,
+    PRINT,
     PRINTED_15,
     PRINTED_A,
     PRINTED_K,
-    product_of,
+    SHIFT,
+    SURFACE_POINT,
+    alpha,
+    beta,
+    gamma,
+    parameter,
 )
 
 
-def coordinate_row(number: str, name: str, row: int) -> Equation:
+def coordinate_row(number: str, row: int) -> Equation:
     """One of (9)-(11): the vector from O_1 to N along one turned axis."""
-    elements = [f"a_{{{row + 1}{column}}}" for column in (1, 2, 3)]
-    return Equation(
+    return PRINT.equation(
         number,
-        rf"{name}_{{1N}}=(x_{{0N}}-a){elements[0]}+(y_{{0N}}-b){elements[1]}"
-        rf"+(z_{{0N}}-c){elements[2]}",
         derived={PART_POINT[row]: compose(UNIT_VECTORS, ELEMENTS[row, :]).dot(FROM_ORIGIN)},
         note="The other side is the dot product with a unit vector whose projections are the "
         "elements. It holds whatever they are: those that are 0 in (8) hide no factor.",
@@ -76,8 +73,19 @@ def displaced(point: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
     return error + point
 
 
+ALONG_LINE = PRINTED_K.subs({angle: parameter * angle for angle in ANGLES}, simultaneous=True)
+
 FRAME_ROWS: tuple[Row, ...] = (
-    EQUATION_8,
+    PRINT.equation(
+        "(8)",
+        links={
+            2: ChainLink(
+                derived=dict(zip(ELEMENTS, see_from_turned_frame(0, alpha), strict=True)),
+                note="Rebuilt from the turn of space backwards that an observer in the turned "
+                "frame sees.",
+            )
+        },
+    ),
     Claim(
         "before (8), direction",
         r"\text{turning by }\alpha\text{ in the positive direction (counter-clockwise)}",
@@ -96,21 +104,19 @@ FRAME_ROWS: tuple[Row, ...] = (
         Equality(PRINTED_A, project(TURNED_BY_ALPHA)),
         note="Row: axis of the turned frame; column: unit vector of the frame that stays.",
     ),
-    coordinate_row("(9)", "x", 0),
-    coordinate_row("(10)", "y", 1),
-    coordinate_row("(11)", "z", 2),
-    Equation(
+    coordinate_row("(9)", 0),
+    coordinate_row("(10)", 1),
+    coordinate_row("(11)", 2),
+    PRINT.equation(
         "(12)",
-        r"(x_{1N},y_{1N},z_{1N})^T=A\,(x_{0N}-a,\;y_{0N}-b,\;z_{0N}-c)^T",
         derived={
             MATRIX_A: PRINTED_A,
             **dict(zip(PART_POINT, turn(FROM_ORIGIN, UNIT_VECTORS[0], -alpha), strict=True)),
         },
         note="Rebuilt by turning the vector from O_1 to N backwards.",
     ),
-    Equation(
+    PRINT.equation(
         "(13)",
-        r"(x_{0N},y_{0N},z_{0N})^T=A^T(x_{1N},y_{1N},z_{1N})^T+(a,b,c)^T",
         derived={
             MATRIX_A: PRINTED_A,
             **dict(zip(MACHINE_POINT, SHIFT + compose(TURNED_BY_ALPHA, PART_POINT), strict=True)),
@@ -180,7 +186,11 @@ FRAME_ROWS: tuple[Row, ...] = (
         ),
         marks=("ours",),
     ),
-    EQUATION_14,
+    PRINT.equation(
+        "(14)",
+        derived={MATRIX_K: project(TURNED_PART)},
+        note="Rebuilt by turning a triad about its own axes x10, y11, z12 and projecting.",
+    ),
     Claim(
         "(14), rotation",
         r"KK^T=I,\ \det K=1",
@@ -211,7 +221,21 @@ FRAME_ROWS: tuple[Row, ...] = (
         "first order, which with the angles of Table 1 is wrong by 2.4e-5 mm at the distance R + A "
         "from O_1: see Table 1, rotation vector.",
     ),
-    EQUATION_15,
+    PRINT.equation(
+        "(15)",
+        derived={
+            MATRIX_K: PRINTED_K,
+            **dict(
+                zip(
+                    POSITION_ERROR,
+                    SHIFT + compose(TURNED_PART, SURFACE_POINT) - SURFACE_POINT,
+                    strict=True,
+                )
+            ),
+        },
+        note="Where the point is after the displacement minus where it should be: the same three "
+        "numbers serve as coordinates in the part and as nominal place from O_1.",
+    ),
     Claim(
         "(15), rigid motion",
         r"|p'-q'|=|p-q|,\ p'=K^Tp+(a,b,c)^T",

@@ -20,26 +20,33 @@ from mechproof.record import (
     Written,
 )
 
-from .curve import POSITION_ERROR, error_x, error_y, error_z
-from .frame import (
-    ANGLES,
-    AXIS,
+from .mechanics import (
+    FACTORS,
     IDENTITY,
-    SHIFT,
-    SURFACE_POINT,
     UNIT_QUATERNION,
     UNIT_VECTORS,
-    alpha,
-    beta,
     cross_product_matrix,
     first_order_remainder,
+    see_from_turned_frame,
+)
+from .symbols import (
+    ANGLES,
+    AXIS,
+    POSITION_ERROR,
+    PRINTED_15,
+    PRINTED_K,
+    SHIFT,
+    SURFACE_POINT,
+    alpha,
+    beta,
+    error_x,
+    error_y,
+    error_z,
     gamma,
     parameter,
     scale,
-    see_from_turned_frame,
     w,
 )
-from .prints import FACTORS, PRINTED_15, PRINTED_K
 
 a, b, c = SHIFT
 turns = sp.Symbol("turns", integer=True)

@@ -13,9 +13,9 @@ from mechproof.mechanisms import TrackWheel
 from mechproof.plot import Figure
 from mechproof.plot.canvas import LineStyle, label, write
 
-from .error_sums import FIVE_ERRORS, SUM_OF_SQUARES
-from .errors import elastic, form, mounting, setting, share, wear
+from .mechanics import FIVE_ERRORS, SUM_OF_SQUARES
 from .sizes import PRINTED_VALUES
+from .symbols import elastic, form, mounting, setting, share, wear
 from .table import total_by_printed_sum
 
 # Not printed: the number of periods, the thickness and the shift. Chosen, without shift.

@@ -4,20 +4,25 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import (
-    Datum,
-    Definition,
-    PublishedSizes,
-    Row,
-)
+from mechproof.record import Datum, Definition, PublishedSizes, Row
 
-from .curve import amplitude, ball_radius, millimetre, radius
-from .error_sums import SUM_OF_SQUARES
-from .errors import elastic, form, mounting, setting, share, thermal, total, wear
-from .frame import (
+from .mechanics import SUM_OF_SQUARES
+from .symbols import (
     alpha,
+    amplitude,
+    ball_radius,
     beta,
+    elastic,
+    form,
     gamma,
+    millimetre,
+    mounting,
+    radius,
+    setting,
+    share,
+    thermal,
+    total,
+    wear,
 )
 
 PRINTED_VALUES = {

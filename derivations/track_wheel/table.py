@@ -17,21 +17,33 @@ from mechproof.record import (
 )
 
 from .._relations import less, not_above
-from .curve import amplitude, ball_radius, periods, phi, radius
-from .error_sums import FIVE_ERRORS, SUM_OF_SQUARES
-from .errors import form, mounting, setting, share, total
-from .frame import (
-    alpha,
-    beta,
+from .mechanics import (
+    FIVE_ERRORS,
+    SUM_OF_SQUARES,
     first_order_remainder,
-    gamma,
     project,
     turn_about_fixed_axes,
     turn_about_own_axes,
     turn_by_vector,
 )
-from .prints import PRINTED_16, PRINTED_K
 from .sizes import PRINTED_VALUES, SUM_OF_PRINTED_SQUARES, THERMAL_SHARE
+from .symbols import (
+    PRINTED_16,
+    PRINTED_K,
+    alpha,
+    amplitude,
+    ball_radius,
+    beta,
+    form,
+    gamma,
+    mounting,
+    periods,
+    phi,
+    radius,
+    setting,
+    share,
+    total,
+)
 
 
 def crest_radius_of_curvature() -> sp.Expr:

@@ -1,4 +1,4 @@
-"""What can be computed of elementary errors: their sums."""
+"""What can be computed of paper 5: poses, the track and its points, sums of elementary errors."""
 
 from __future__ import annotations
 
@@ -18,19 +18,81 @@ from mechproof.record import (
 )
 
 from .._sizes import POWER, is_moderate, is_zero_or_moderate
-from .error_sums import CORRECTED_5, CROSS, SQUARES
-from .errors import (
+from .kernels_of_poses import POSES, SOURCE, turns
+from .mechanics import CORRECTED_5, CROSS, SQUARES
+from .symbols import (
+    PRINTED_16,
+    THETA,
+    amplitude,
     correlations,
     i,
     influences,
     j,
     k_thermal,
     n,
+    periods,
+    phi,
+    printed_radius,
+    radius,
     scatter,
     scatters,
     share,
+    thickness,
     tolerances,
 )
+
+# The track --------------------------------------------------------------------------------------
+
+RADIUS = printed_radius(THETA)
+# Seen from the pole the points of the circle lie between these, whatever the sign of A.
+LARGEST, SMALLEST = radius + sp.Abs(amplitude), radius - sp.Abs(amplitude)
+TRACK = sp.ImmutableDenseMatrix([RADIUS * sp.cos(phi), RADIUS * sp.sin(phi), thickness])
+SHIFTED_INSIDE = Part("A of either sign", {amplitude: sp.S.Reals})
+root, rho = sp.symbols("root rho", real=True)
+
+# Accuracy, in eps: 1/2 for an arithmetic operation, 1 for sin, cos and hypot.
+# radius: u 1.5, w 1.5, its root 1.25, q 3.25 relative, w/q 5.25; the rounding of z*phi 1/2, which
+# the second term of the scale pays for.
+RADIUS_ULP = 6
+# track: the radius, a sine and a product.
+TRACK_ULP = RADIUS_ULP + 1.5
+RUNNING = Scale(
+    "the radius and what eps*z*phi makes of it",
+    sp.Abs(rho) * (1 + sp.Abs(THETA * amplitude * sp.sin(THETA) / root)),
+    where=(
+        (root, sp.sqrt(radius**2 - amplitude**2 * sp.sin(THETA) ** 2)),
+        (rho, root + amplitude * sp.cos(THETA)),
+    ),
+)
+
+PASSES_POLE = Singular(
+    sp.Eq(sp.Abs(amplitude), radius),
+    "the circle passes through the pole and the track has corners there",
+)
+SINGULAR = (
+    Singular(sp.Eq(THETA, sp.pi * turns)),
+    Singular(sp.Eq(THETA, sp.pi / 2 + sp.pi * turns)),
+    Singular(sp.Eq(amplitude, 0)),
+    PASSES_POLE,
+)
+CIRCLE = (
+    Argument("phi", (phi,), "polar angle", "rad", usual=(0, 7, 1e5)),
+    Argument("R", (radius,), "radius of the shifted circle", "mm", usual=(1, 100)),
+    Argument("A", (amplitude,), "shift of the circle, amplitude of the track", "mm", usual=(0, 10)),
+    Argument("z", (periods,), "number of periods, a natural number", usual=(1, 6, 20)),
+)
+HEIGHT = Argument("H", (thickness,), "thickness of the part", "mm", usual=(1, 100))
+# Between these sizes (R - A)*(R + A) is a normal double, down to R - A = eps*R. The scale is of
+# first order in eps*z*phi: up to here its square is no more than eps.
+IN_RANGE = (
+    radius >= sp.Rational(1, 10**140),
+    radius <= 10**150,
+    sp.Abs(THETA) <= 2**26,
+)
+LOADS = (("N angles, one wheel", ("phi",)),)
+TRACK_SOURCE = f"{SOURCE}, equation (16)"
+
+# Sums of errors ---------------------------------------------------------------------------------
 
 PAIR = CROSS * correlations[i, j]
 DOUBLE_SUM = sp.Sum(PAIR, (j, 1, n), (i, 1, n))
@@ -94,7 +156,7 @@ CONDITIONED = Scale(
     SOLVED * scatter / (scatter - k_thermal * share),
 )
 
-ERRORS = (
+SUMMANDS = (
     Argument(
         "tolerances",
         (tolerances,),
@@ -116,13 +178,73 @@ THERMAL_SCATTER = Argument(
     (k_thermal,),
     "relative-scatter coefficient of the temperature error",
 )
-SOURCE = "Kapitonov, Yakubovsky 2022"
 
-SUMS = (
+QUANTITIES = (
+    *POSES,
+    Quantity(
+        "radius",
+        "Compute the radius vector of the track, a shifted circle repeated z times.",
+        CIRCLE,
+        RADIUS,
+        (
+            Form("conjugate root", RADIUS, ("conjugate_root",)),
+            Form("printed (16)", RADIUS, key="printed", source=TRACK_SOURCE),
+        ),
+        TRACK_SOURCE,
+        unit="mm",
+        on=SHIFTED_INSIDE,
+        accuracy=Accuracy(RADIUS_ULP, RUNNING, IN_RANGE),
+        singular=SINGULAR,
+        workloads=LOADS,
+    ),
+    Quantity(
+        "track",
+        "Compute points of the track.",
+        (*CIRCLE, HEIGHT),
+        TRACK,
+        (
+            Form("conjugate root", TRACK, ("conjugate_root",)),
+            Form(
+                "printed (16)",
+                sp.ImmutableDenseMatrix(PRINTED_16),
+                key="printed",
+                source=TRACK_SOURCE,
+            ),
+        ),
+        TRACK_SOURCE,
+        unit="mm",
+        on=SHIFTED_INSIDE,
+        accuracy=Accuracy(TRACK_ULP, RUNNING, IN_RANGE),
+        singular=SINGULAR,
+        workloads=LOADS,
+    ),
+    Quantity(
+        "largest_radius",
+        "Compute the largest radius vector of the track.",
+        CIRCLE[1:3],
+        LARGEST,
+        (Form("sum", LARGEST),),
+        f"extremes of {TRACK_SOURCE}",
+        unit="mm",
+        on=SHIFTED_INSIDE,
+        accuracy=Accuracy(0.5),
+    ),
+    Quantity(
+        "smallest_radius",
+        "Compute the smallest radius vector of the track.",
+        CIRCLE[1:3],
+        SMALLEST,
+        (Form("difference", SMALLEST),),
+        f"extremes of {TRACK_SOURCE}",
+        unit="mm",
+        on=SHIFTED_INSIDE,
+        accuracy=Accuracy(0.5),
+        singular=(PASSES_POLE,),
+    ),
     Quantity(
         "error_sum_correlated",
         "Compute the total error of correlated elementary errors.",
-        (*ERRORS, CORRELATION, TOTAL),
+        (*SUMMANDS, CORRELATION, TOTAL),
         CORRELATED,
         (Form("double sum", CORRELATED, states=compare_squares),),
         f"{SOURCE}, equation (3) with its indices corrected",
@@ -140,7 +262,7 @@ SUMS = (
     Quantity(
         "error_sum",
         "Compute the total error of independent elementary errors.",
-        (*ERRORS, TOTAL),
+        (*SUMMANDS, TOTAL),
         CORRECTED_5,
         (Form("sum of squares", CORRECTED_5),),
         f"{SOURCE}, equation (5) with sensitivities",
@@ -152,7 +274,7 @@ SUMS = (
     Quantity(
         "error_sum_thermal",
         "Compute the total error with a temperature error in fixed proportion to the total itself.",
-        (*ERRORS, TOTAL, SHARE, THERMAL_SCATTER),
+        (*SUMMANDS, TOTAL, SHARE, THERMAL_SCATTER),
         SOLVED,
         (
             Form("solved for the total", SOLVED, ("difference_of_squares",)),

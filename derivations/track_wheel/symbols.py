@@ -1,0 +1,190 @@
+"""Letters and prints of paper 5, and the symbols that its proofs and kernels need besides.
+
+Letters that the paper uses twice are kept apart: K (scatter coefficient) and the matrix K,
+A (amplitude) and the matrix A, z (number of periods) and the coordinate.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import sympy as sp
+
+from mechproof.document.transcription import Transcription
+from mechproof.latex import Reader
+from mechproof.record import LENGTH, NUMBER, Dimension, Scope, Variable
+
+PRINT = Transcription(Path(__file__).with_name("paper.tex"))
+POSITIVE, UNIT_INTERVAL = sp.Interval.open(0, sp.oo), sp.Interval(-1, 1)
+
+# Errors of machining ---------------------------------------------------------------------------
+
+output, actual, nominal, error = PRINT.symbols("Y X_i X_0 Delta_i")
+n, scatter, total = PRINT.symbols("n K Delta_Sigma")
+ERROR_FIELDS = form, mounting, elastic, setting, wear, thermal = PRINT.symbols(
+    "Delta_phi Delta_y Delta_delta Delta_n Delta_u Delta_T"
+)
+AT_TIME = {x: sp.Symbol(f"{x}(t)", positive=True) for x in (total, *ERROR_FIELDS)}
+i, j, k, n_y, n_delta = sp.symbols("i j k n_y n_delta", integer=True, positive=True)
+function_value, offset, dummy = sp.symbols("f_X x u", real=True)
+sigma, half_width, level = sp.symbols("sigma h m", positive=True)
+k_form, k_setting, k_wear, k_thermal = sp.symbols("K_phi K_n K_u K_T", positive=True)
+share = sp.Symbol("tau", nonnegative=True)
+kept, spread, place, other_place = sp.symbols("lambda eta v_1 v_2", real=True)
+
+influences = sp.IndexedBase("S_i", real=True)
+correlations, correlations_t = (sp.IndexedBase(name, real=True) for name in ("R_ij", "R_ij(t)"))
+# Positive in the paper; the kernels take zeros.
+tolerances = sp.IndexedBase("T_i", nonnegative=True)
+scatters, scatters_t, tolerances_t, k_mounting, k_elastic = (
+    sp.IndexedBase(name, positive=True) for name in ("K_i", "K_i(t)", "T_i(t)", "K_yi", "K_deltai")
+)
+mountings, elastics, mountings_t, elastics_t = (
+    sp.IndexedBase(name, positive=True)
+    for name in ("Delta_yi", "Delta_deltai", "Delta_yi(t)", "Delta_deltai(t)")
+)
+
+# The frame of the part -------------------------------------------------------------------------
+
+ANGLES = alpha, beta, gamma = PRINT.symbols("alpha beta gamma")
+SHIFT = sp.ImmutableMatrix(PRINT.symbols("a b c"))
+MACHINE_POINT = sp.ImmutableMatrix(PRINT.symbols("x_0N y_0N z_0N"))
+PART_POINT = sp.ImmutableMatrix(PRINT.symbols("x_1N y_1N z_1N"))
+SURFACE_POINT = sp.ImmutableMatrix(PRINT.symbols("x_13 y_13 z_13"))
+POSITION_ERROR = error_x, error_y, error_z = PRINT.symbols("Delta_x0 Delta_y0 Delta_z0")
+ELEMENTS = sp.ImmutableMatrix(3, 3, PRINT.symbols("a_11 a_12 a_13 a_21 a_22 a_23 a_31 a_32 a_33"))
+MATRIX_A, MATRIX_K = sp.MatrixSymbol("matrix_A", 3, 3), sp.MatrixSymbol("matrix_K", 3, 3)
+parameter = sp.Symbol("s", real=True)
+# The turns about X0, Y0 and Z0 one after the other, as quaternions over the cosines of the half
+# angles: the vector v vanishes only with the turn itself, without cancellation.
+HALF_TANGENTS = sp.symbols("t_alpha t_beta t_gamma", real=True)
+AXIS = sp.Matrix(sp.symbols("v_x v_y v_z", real=True))
+w, scale = sp.symbols("w scale", real=True)
+QUATERNION = (
+    sp.Quaternion(1, HALF_TANGENTS[0], 0, 0)
+    * sp.Quaternion(1, 0, HALF_TANGENTS[1], 0)
+    * sp.Quaternion(1, 0, 0, HALF_TANGENTS[2])
+)
+
+# The track -------------------------------------------------------------------------------------
+
+radius, thickness, amplitude, periods, phi = PRINT.symbols("R H_s A z phi")
+radius_vector, planar_error, spatial_error = PRINT.symbols("rho Delta_Sigma^XY Delta_Sigma^XYZ")
+ball_radius, millimetre, any_radius = sp.symbols("r_b mm R_any", positive=True)
+any_shift = sp.Symbol("A_any", real=True)
+THETA = periods * phi
+
+# Meanings and prints of what the block does not declare ----------------------------------------
+
+Table = dict[Any, tuple[str, ...]]
+LENGTHS: Table = {
+    **{
+        AT_TIME[v.symbol]: (f"{v.meaning} at time t", f"{v.latex[0]}(t)")
+        for v in PRINT.variables
+        if v.symbol in AT_TIME
+    },
+    sigma: ("standard deviation of the output",),
+    tolerances: ("tolerances", "T"),
+    tolerances_t: ("tolerances at time t", "T_#(t)"),
+    mountings: ("mounting errors", r"\Delta_{y,#}"),
+    elastics: ("errors from elastic deformations", r"\Delta_{\delta,#}"),
+    mountings_t: ("mounting errors at time t", r"\Delta_{y,#}(t)"),
+    elastics_t: ("errors from elastic deformations at time t", r"\Delta_{\delta,#}(t)"),
+    half_width: ("half width of a uniform law",),
+    level: ("level of the elastic deformation",),
+    ball_radius: ("radius of the ball",),
+    millimetre: ("the unit of length",),
+    any_radius: ("radius of any circle",),
+}
+COORDINATES: Table = {
+    function_value: (
+        "value of the function f at (X_1, ..., X_n)",
+        r"f(X_1,\dots,X_i,\dots,X_n)",
+    ),
+    offset: ("deviation from the middle of a tolerance",),
+    any_shift: ("shift of any circle",),
+}
+COEFFICIENTS: Table = {
+    scatters: ("relative-scatter coefficients of the inputs", "K"),
+    scatters_t: ("relative-scatter coefficients of the inputs at time t", "K_#(t)"),
+    k_form: ("relative-scatter coefficient of the form error", r"K_\phi"),
+    k_mounting: ("relative-scatter coefficients of the mounting errors", "K_{y,#}"),
+    k_elastic: ("relative-scatter coefficients of the elastic deformations", r"K_{\delta,#}"),
+    k_setting: ("relative-scatter coefficient of the machine setting", "K_n"),
+    k_wear: ("relative-scatter coefficient of the tool wear", "K_u"),
+    k_thermal: ("relative-scatter coefficient of the temperature deformation", "K_T"),
+}
+COUNTS: Table = {
+    n_y: ("number of mounting errors", "n_y"),
+    n_delta: ("number of elastic deformations", r"n_\delta"),
+}
+NUMBERS: Table = {
+    influences: ("absolute sensitivities; all inputs and the output are lengths", "S"),
+    parameter: ("parameter of the line (s alpha, s beta, s gamma)",),
+    MATRIX_K: ("matrix of the three turns",),
+}
+SHARES: Table = {
+    correlations: ("correlation coefficients", "R"),
+    correlations_t: ("correlation coefficients at time t", "R_#(t)"),
+    place: ("relative change at a place / largest one",),
+    other_place: ("the same at another place",),
+}
+PARTS: Table = {
+    share: ("temperature error / total error",),
+    spread: ("largest relative change of the deformation",),
+}
+TABLES: tuple[tuple[Table, Dimension, sp.Set], ...] = (
+    (LENGTHS, LENGTH, POSITIVE),
+    (COORDINATES, LENGTH, sp.S.Reals),
+    (COEFFICIENTS, NUMBER, POSITIVE),
+    (COUNTS, NUMBER, sp.S.Naturals),
+    (NUMBERS, NUMBER, sp.S.Reals),
+    (SHARES, NUMBER, UNIT_INTERVAL),
+    (PARTS, NUMBER, sp.Interval.open(0, 1)),
+)
+VARIABLES = (
+    *PRINT.variables,
+    *(
+        Variable(symbol, meaning, dimension, within, latex=tuple(prints))
+        for table, dimension, within in TABLES
+        for symbol, (meaning, *prints) in table.items()
+    ),
+    Variable(kept, "elastic error after / before", within=sp.Interval.Ropen(0, 1)),
+    Variable(MATRIX_A, "matrix of the turn by alpha", given=ELEMENTS),
+    *(
+        Variable(symbol, f"tangent of {angle}/2", given=sp.tan(angle / 2))
+        for symbol, angle in zip(HALF_TANGENTS, ANGLES, strict=True)
+    ),
+    *(
+        Variable(symbol, "part of the turn's quaternion", given=value)
+        for symbol, value in zip((w, *AXIS), QUATERNION.args, strict=True)
+    ),
+    Variable(scale, "2/|quaternion|^2", given=2 / sp.prod(1 + t**2 for t in HALF_TANGENTS)),
+)
+NOTATION = replace(
+    PRINT.notation,
+    indices=(i, j, k),
+    scopes=(
+        Scope(("(8)", "(12)", "(13)"), {"A": MATRIX_A}),
+        Scope(("(14)", "(15)"), {"K": MATRIX_K}),
+    ),
+)
+READER = Reader(VARIABLES, NOTATION)
+
+
+def read(number: str) -> tuple[Any, ...]:
+    """Read the members of a printed equation."""
+    return READER.members(PRINT.equation(number))
+
+
+(_, PRINTED_5), (_, PRINTED_17), (_, PRINTED_18) = map(read, ("(5)", "(17)", "(18)"))
+(*_, PRINTED_A), (_, PRINTED_K) = read("(8)"), read("(14)")
+PRINTED_15 = read("(15)")[1].subs(MATRIX_K, PRINTED_K).doit()
+PRINTED_16 = sp.ImmutableMatrix(read("(16)")[1::2])
+
+
+def printed_radius(theta: sp.Expr) -> sp.Expr:
+    """Bracket printed in (16), at theta = z varphi."""
+    return (PRINTED_16[0] / sp.cos(phi)).subs(THETA, theta)
