@@ -15,9 +15,8 @@ from .figures import FIGURE_ROWS
 from .findings import FINDINGS
 from .frame_rows import FRAME_ROWS
 from .kernels import QUANTITIES
-from .sizes import DATA_ROWS, TABLE_1
 from .symbols import NOTATION, PRINT, VARIABLES, amplitude, radius, thermal
-from .table import TABLE_ROWS
+from .table import TABLE_1, TABLE_ROWS
 
 PAPER = Paper(
     system="track_wheel",
@@ -26,7 +25,7 @@ PAPER = Paper(
     variables=VARIABLES,
     notation=NOTATION,
     print=PRINT.file,
-    rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + DATA_ROWS + TABLE_ROWS + FIGURE_ROWS,
+    rows=ERROR_ROWS + FRAME_ROWS + CURVE_ROWS + TABLE_ROWS + FIGURE_ROWS,
     quantities=QUANTITIES,
     published=(TABLE_1,),
     # About the share of the total in Table 1, all K = 1.

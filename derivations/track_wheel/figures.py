@@ -16,7 +16,6 @@ from mechproof.record import (
 
 from .._relations import less, not_above
 from .mechanics import CORRECTED_6, SUM_OF_SQUARES, ZERO_ANGLES
-from .sizes import PRINTED_VALUES, SUM_OF_PRINTED_SQUARES
 from .symbols import (
     PRINTED_15,
     PRINTED_16,
@@ -39,6 +38,7 @@ from .symbols import (
     thickness,
     wear,
 )
+from .table import PRINTED_VALUES, SUM_OF_PRINTED_SQUARES
 
 
 def position_error_at_crest(values: dict[sp.Symbol, sp.Expr]) -> sp.Expr:

@@ -7,7 +7,6 @@ import sympy as sp
 from mechproof.record import Cost, Finding, Follower
 
 from .mechanics import product_of
-from .sizes import PRINTED_VALUES, SUM_OF_PRINTED_SQUARES, THERMAL_SHARE
 from .symbols import (
     ANGLES,
     AT_TIME,
@@ -37,7 +36,13 @@ from .symbols import (
     setting,
     wear,
 )
-from .table import total_by_corrected_sum, total_by_printed_sum
+from .table import (
+    PRINTED_VALUES,
+    SUM_OF_PRINTED_SQUARES,
+    THERMAL_SHARE,
+    total_by_corrected_sum,
+    total_by_printed_sum,
+)
 
 RIGHT_TOTAL = total_by_corrected_sum(sp.Integer(1)).subs(PRINTED_VALUES)
 SYSTEMATIC_TOTAL = sp.sqrt(SUM_OF_PRINTED_SQUARES) / (1 - THERMAL_SHARE)

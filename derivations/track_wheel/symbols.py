@@ -21,8 +21,7 @@ POSITIVE, UNIT_INTERVAL = sp.Interval.open(0, sp.oo), sp.Interval(-1, 1)
 
 # Errors of machining ---------------------------------------------------------------------------
 
-output, actual, nominal, error = PRINT.symbols("Y X_i X_0 Delta_i")
-n, scatter, total = PRINT.symbols("n K Delta_Sigma")
+output, error, n, scatter, total = PRINT.symbols("Y Delta_i n K Delta_Sigma")
 ERROR_FIELDS = form, mounting, elastic, setting, wear, thermal = PRINT.symbols(
     "Delta_phi Delta_y Delta_delta Delta_n Delta_u Delta_T"
 )
@@ -32,7 +31,7 @@ function_value, offset, dummy = sp.symbols("f_X x u", real=True)
 sigma, half_width, level = sp.symbols("sigma h m", positive=True)
 k_form, k_setting, k_wear, k_thermal = sp.symbols("K_phi K_n K_u K_T", positive=True)
 share = sp.Symbol("tau", nonnegative=True)
-kept, spread, place, other_place = sp.symbols("lambda eta v_1 v_2", real=True)
+kept, spread, place = sp.symbols("lambda eta v_1", real=True)
 
 influences = sp.IndexedBase("S_i", real=True)
 correlations, correlations_t = (sp.IndexedBase(name, real=True) for name in ("R_ij", "R_ij(t)"))
@@ -129,7 +128,6 @@ SHARES: Table = {
     correlations: ("correlation coefficients", "R"),
     correlations_t: ("correlation coefficients at time t", "R_#(t)"),
     place: ("relative change at a place / largest one",),
-    other_place: ("the same at another place",),
 }
 PARTS: Table = {
     share: ("temperature error / total error",),

@@ -1,4 +1,4 @@
-"""Part three: what follows from the data of Table 1."""
+"""Part three: the data of Table 1, and what follows from them."""
 
 from __future__ import annotations
 
@@ -9,9 +9,12 @@ from mechproof.record import (
     Completion,
     Completions,
     Conjunction,
+    Datum,
+    Definition,
     Distinct,
     Equality,
     PrintedNumber,
+    PublishedSizes,
     Reading,
     Row,
 )
@@ -26,24 +29,56 @@ from .mechanics import (
     turn_about_own_axes,
     turn_by_vector,
 )
-from .sizes import PRINTED_VALUES, SUM_OF_PRINTED_SQUARES, THERMAL_SHARE
 from .symbols import (
+    PRINT,
     PRINTED_16,
     PRINTED_K,
     alpha,
     amplitude,
     ball_radius,
     beta,
+    elastic,
     form,
     gamma,
+    millimetre,
     mounting,
     periods,
     phi,
     radius,
     setting,
     share,
+    thermal,
     total,
+    wear,
 )
+
+MM, RAD = r"~\mathrm{mm}", r"~\mathrm{rad}"
+# What is said of a size, its symbol, and how the number that is printed stands between the rest.
+TABLE = (
+    ("form error", form, r"\Delta_\phi=", "0.016", MM),
+    ("mounting error", mounting, r"\Delta_y=", "0.05", MM),
+    ("elastic error", elastic, r"\Delta_\delta=", "0.042", MM),
+    ("setting error", setting, r"\Delta_u=", "0.01", MM),
+    ("tool wear", wear, r"\Delta_u=", "0.021", MM),
+    ("radius", radius, "R=", "41.5", MM),
+    ("amplitude", amplitude, "A=", "3.75", MM),
+    ("ball radius", ball_radius, "", "7.5", MM),
+    ("turn about X", alpha, r"\alpha=", "0.00103", RAD),
+    ("turn about Y", beta, r"\beta=", "0.00103", RAD),
+    ("turn about Z", gamma, r"\gamma=", "0", ""),
+)
+REMARKS = {
+    setting: "The symbol may be misread: as transcribed it is the one used for the wear in the "
+    "next line; the words say machine setting, so Delta_n of (6) is taken.",
+    ball_radius: "It enters none of the printed formulas, so no printed result depends on it.",
+}
+THERMAL_SHARE = sp.Rational("0.15")
+PRINTED_VALUES = {
+    **{symbol: sp.Rational(number) for _, symbol, _, number, _ in TABLE},
+    share: THERMAL_SHARE,
+}
+TABLE_1 = PublishedSizes("Table 1", PRINTED_VALUES)
+SUM_OF_PRINTED_SQUARES = SUM_OF_SQUARES.subs(PRINTED_VALUES)
 
 
 def crest_radius_of_curvature() -> sp.Expr:
@@ -102,6 +137,21 @@ ROTATION_VECTOR_ERROR = (radius + amplitude).subs(PRINTED_VALUES) * sp.sqrt(
 
 
 TABLE_ROWS: tuple[Row, ...] = (
+    *(
+        Datum(
+            f"Table 1, {what}",
+            f"{before}{number}{unit}",
+            Definition(symbol, sp.Rational(number) * (millimetre if unit == MM else 1)),
+            note=REMARKS.get(symbol, ""),
+            marks=("uncertain",) if symbol == setting else (),
+        )
+        for what, symbol, before, number, unit in TABLE
+    ),
+    PRINT.datum(
+        "Table 1, temperature error",
+        says=Definition(thermal, THERMAL_SHARE * total),
+        note="The error is given by the total of which it is a part: (6) becomes an equation.",
+    ),
     Claim(
         "Table 1, shift within the circle",
         r"A\le R",

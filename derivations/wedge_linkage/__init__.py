@@ -73,12 +73,10 @@ PAPER = Paper(
         "Bazuev, Koksharov, Naichuk 2021, transfer function of a rod semi-automatic, "
         "doi 10.15593/2224-9982/2021.64.07"
     ),
-    variables=(
-        *mechanics.VARIABLES,
-        *chain.VARIABLES,
-        *conditioning.VARIABLES,
-        *proofs.VARIABLES,
-        *sizes.VARIABLES,
+    variables=tuple(
+        variable
+        for module in (mechanics, chain, conditioning, proofs, sizes)
+        for variable in module.VARIABLES
     ),
     notation=PRINT.notation,
     print=PRINT.file,

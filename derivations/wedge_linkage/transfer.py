@@ -55,6 +55,32 @@ def displacement_by(direction: sp.Symbol) -> sp.Expr:
     return solve_linear(group_3[0], x5_driven).subs(alpha_KL, direction)
 
 
+# How it is called and printed, its slopes, what they are proved from.
+SLOPES = (
+    (
+        ("varphi3", r"\varphi_3"),
+        lever_slopes,
+        lever_slope,
+        Part("the guide has a length", {reach: POSITIVE}),
+        "From both differentiated projections; reach is l_BC + delta_BC.",
+    ),
+    (
+        ("varphi7", r"\varphi_7"),
+        roller_slopes,
+        roller_slope,
+        None,
+        "From the differentiated projection on Ox.",
+    ),
+    (
+        ("x5", " x_5"),
+        rod_slopes,
+        rod.diff,
+        None,
+        "From the projection of group 2 on Ox; l_GH is taken off, see (4).",
+    ),
+    (("y9", " y_9"), wedge_slopes, wedge.diff, None, "From the projection of group 4 on Oy."),
+)
+
 TRANSFER_ROWS = (
     Claim(
         "chain, rod by half-angle",
@@ -78,44 +104,15 @@ TRANSFER_ROWS = (
     ),
     *(
         Claim(
-            f"sensitivity of varphi3 to {size}",
-            rf"\partial\varphi_3/\partial {sp.latex(size)}={sp.latex(slope)}",
-            Equality(slope, lever_slope(size)),
-            note="From both differentiated projections; reach is l_BC + delta_BC.",
-            on=Part("the guide has a length", {reach: POSITIVE}),
+            f"sensitivity of {name} to {size}",
+            rf"\partial{output}/\partial {sp.latex(size)}={sp.latex(slope)}",
+            Equality(slope, differentiate(size)),
+            note=note,
+            on=on,
             marks=("ours",),
         )
-        for size, slope in lever_slopes.items()
-    ),
-    *(
-        Claim(
-            f"sensitivity of varphi7 to {size}",
-            rf"\partial\varphi_7/\partial {sp.latex(size)}={sp.latex(slope)}",
-            Equality(slope, roller_slope(size)),
-            note="From the differentiated projection on Ox.",
-            marks=("ours",),
-        )
-        for size, slope in roller_slopes.items()
-    ),
-    *(
-        Claim(
-            f"sensitivity of x5 to {size}",
-            rf"\partial x_5/\partial {sp.latex(size)}={sp.latex(slope)}",
-            Equality(slope, sp.diff(rod, size)),
-            note="From the projection of group 2 on Ox; l_GH is taken off, see (4).",
-            marks=("ours",),
-        )
-        for size, slope in rod_slopes.items()
-    ),
-    *(
-        Claim(
-            f"sensitivity of y9 to {size}",
-            rf"\partial y_9/\partial {sp.latex(size)}={sp.latex(slope)}",
-            Equality(slope, sp.diff(wedge, size)),
-            note="From the projection of group 4 on Oy.",
-            marks=("ours",),
-        )
-        for size, slope in wedge_slopes.items()
+        for (name, output), slopes, differentiate, on, note in SLOPES
+        for size, slope in slopes.items()
     ),
     Claim(
         "sensitivity of varphi7 to alpha_KL, sign",
