@@ -15,8 +15,8 @@ from .figures import FIGURE_ROWS
 from .findings import FINDINGS
 from .frame_rows import FRAME_ROWS
 from .kernels import QUANTITIES
-from .symbols import NOTATION, PRINT, VARIABLES, amplitude, radius, thermal
-from .table import TABLE_1, TABLE_ROWS
+from .symbols import NOTATION, PRINT, TABLE_1, VARIABLES, amplitude, radius, thermal
+from .table import TABLE_ROWS
 
 PAPER = Paper(
     system="track_wheel",

@@ -21,6 +21,7 @@ from .symbols import (
     PRINTED_16,
     PRINTED_17,
     PRINTED_18,
+    PRINTED_VALUES,
     SHIFT,
     SURFACE_POINT,
     elastic,
@@ -38,7 +39,7 @@ from .symbols import (
     thickness,
     wear,
 )
-from .table import PRINTED_VALUES, SUM_OF_PRINTED_SQUARES
+from .table import SUM_OF_PRINTED_SQUARES
 
 
 def position_error_at_crest(values: dict[sp.Symbol, sp.Expr]) -> sp.Expr:

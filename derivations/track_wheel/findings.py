@@ -12,6 +12,8 @@ from .symbols import (
     AT_TIME,
     ERROR_FIELDS,
     PRINTED_K,
+    PRINTED_VALUES,
+    THERMAL_SHARE,
     amplitude,
     elastic,
     elastics,
@@ -36,13 +38,7 @@ from .symbols import (
     setting,
     wear,
 )
-from .table import (
-    PRINTED_VALUES,
-    SUM_OF_PRINTED_SQUARES,
-    THERMAL_SHARE,
-    total_by_corrected_sum,
-    total_by_printed_sum,
-)
+from .table import SUM_OF_PRINTED_SQUARES, total_by_corrected_sum, total_by_printed_sum
 
 RIGHT_TOTAL = total_by_corrected_sum(sp.Integer(1)).subs(PRINTED_VALUES)
 SYSTEMATIC_TOTAL = sp.sqrt(SUM_OF_PRINTED_SQUARES) / (1 - THERMAL_SHARE)

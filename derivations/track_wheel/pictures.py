@@ -14,8 +14,8 @@ from mechproof.plot import Figure
 from mechproof.plot.canvas import LineStyle, label, write
 
 from .mechanics import FIVE_ERRORS, SUM_OF_SQUARES
-from .symbols import elastic, form, mounting, setting, share, wear
-from .table import PRINTED_VALUES, total_by_printed_sum
+from .symbols import PRINTED_VALUES, elastic, form, mounting, setting, share, wear
+from .table import total_by_printed_sum
 
 # Not printed: the number of periods, the thickness and the shift. Chosen, without shift.
 PERIODS, THICKNESSES, THICKNESS = 8, (10.0, 20.0, 30.0), 20.0

@@ -14,7 +14,7 @@ import sympy as sp
 
 from mechproof.document.transcription import Transcription
 from mechproof.latex import Reader
-from mechproof.record import LENGTH, NUMBER, Dimension, Scope, Variable
+from mechproof.record import LENGTH, NUMBER, Dimension, PublishedSizes, Scope, Variable
 
 PRINT = Transcription(Path(__file__).with_name("paper.tex"))
 POSITIVE, UNIT_INTERVAL = sp.Interval.open(0, sp.oo), sp.Interval(-1, 1)
@@ -77,76 +77,71 @@ THETA = periods * phi
 
 # Meanings and prints of what the block does not declare ----------------------------------------
 
-Table = dict[Any, tuple[str, ...]]
-LENGTHS: Table = {
-    **{
-        AT_TIME[v.symbol]: (f"{v.meaning} at time t", f"{v.latex[0]}(t)")
-        for v in PRINT.variables
-        if v.symbol in AT_TIME
+TABLES: dict[tuple[Dimension, sp.Set], dict[Any, tuple[str, ...]]] = {
+    (NUMBER, sp.S.Naturals): {
+        n_y: ("number of mounting errors", "n_y"),
+        n_delta: ("number of elastic deformations", r"n_\delta"),
     },
-    sigma: ("standard deviation of the output",),
-    tolerances: ("tolerances", "T"),
-    tolerances_t: ("tolerances at time t", "T_#(t)"),
-    mountings: ("mounting errors", r"\Delta_{y,#}"),
-    elastics: ("errors from elastic deformations", r"\Delta_{\delta,#}"),
-    mountings_t: ("mounting errors at time t", r"\Delta_{y,#}(t)"),
-    elastics_t: ("errors from elastic deformations at time t", r"\Delta_{\delta,#}(t)"),
-    half_width: ("half width of a uniform law",),
-    level: ("level of the elastic deformation",),
-    ball_radius: ("radius of the ball",),
-    millimetre: ("the unit of length",),
-    any_radius: ("radius of any circle",),
+    (NUMBER, POSITIVE): {
+        scatters: ("relative-scatter coefficients of the inputs", "K"),
+        scatters_t: ("relative-scatter coefficients of the inputs at time t", "K_#(t)"),
+        k_form: ("relative-scatter coefficient of the form error", r"K_\phi"),
+        k_mounting: ("relative-scatter coefficients of the mounting errors", "K_{y,#}"),
+        k_elastic: (
+            "relative-scatter coefficients of the elastic deformations",
+            r"K_{\delta,#}",
+        ),
+        k_setting: ("relative-scatter coefficient of the machine setting", "K_n"),
+        k_wear: ("relative-scatter coefficient of the tool wear", "K_u"),
+        k_thermal: ("relative-scatter coefficient of the temperature deformation", "K_T"),
+    },
+    (NUMBER, sp.S.Reals): {
+        influences: ("absolute sensitivities; all inputs and the output are lengths", "S"),
+        parameter: ("parameter of the line (s alpha, s beta, s gamma)",),
+        MATRIX_K: ("matrix of the three turns",),
+    },
+    (NUMBER, UNIT_INTERVAL): {
+        correlations: ("correlation coefficients", "R"),
+        correlations_t: ("correlation coefficients at time t", "R_#(t)"),
+        place: ("relative change at a place / largest one",),
+    },
+    (LENGTH, POSITIVE): {
+        **{
+            AT_TIME[v.symbol]: (f"{v.meaning} at time t", f"{v.latex[0]}(t)")
+            for v in PRINT.variables
+            if v.symbol in AT_TIME
+        },
+        sigma: ("standard deviation of the output",),
+        tolerances: ("tolerances", "T"),
+        tolerances_t: ("tolerances at time t", "T_#(t)"),
+        mountings: ("mounting errors", r"\Delta_{y,#}"),
+        elastics: ("errors from elastic deformations", r"\Delta_{\delta,#}"),
+        mountings_t: ("mounting errors at time t", r"\Delta_{y,#}(t)"),
+        elastics_t: ("errors from elastic deformations at time t", r"\Delta_{\delta,#}(t)"),
+        half_width: ("half width of a uniform law",),
+        level: ("level of the elastic deformation",),
+        ball_radius: ("radius of the ball",),
+        millimetre: ("the unit of length",),
+        any_radius: ("radius of any circle",),
+    },
+    (LENGTH, sp.S.Reals): {
+        function_value: (
+            "value of the function f at (X_1, ..., X_n)",
+            r"f(X_1,\dots,X_i,\dots,X_n)",
+        ),
+        offset: ("deviation from the middle of a tolerance",),
+        any_shift: ("shift of any circle",),
+    },
+    (NUMBER, sp.Interval.open(0, 1)): {
+        share: ("temperature error / total error",),
+        spread: ("largest relative change of the deformation",),
+    },
 }
-COORDINATES: Table = {
-    function_value: (
-        "value of the function f at (X_1, ..., X_n)",
-        r"f(X_1,\dots,X_i,\dots,X_n)",
-    ),
-    offset: ("deviation from the middle of a tolerance",),
-    any_shift: ("shift of any circle",),
-}
-COEFFICIENTS: Table = {
-    scatters: ("relative-scatter coefficients of the inputs", "K"),
-    scatters_t: ("relative-scatter coefficients of the inputs at time t", "K_#(t)"),
-    k_form: ("relative-scatter coefficient of the form error", r"K_\phi"),
-    k_mounting: ("relative-scatter coefficients of the mounting errors", "K_{y,#}"),
-    k_elastic: ("relative-scatter coefficients of the elastic deformations", r"K_{\delta,#}"),
-    k_setting: ("relative-scatter coefficient of the machine setting", "K_n"),
-    k_wear: ("relative-scatter coefficient of the tool wear", "K_u"),
-    k_thermal: ("relative-scatter coefficient of the temperature deformation", "K_T"),
-}
-COUNTS: Table = {
-    n_y: ("number of mounting errors", "n_y"),
-    n_delta: ("number of elastic deformations", r"n_\delta"),
-}
-NUMBERS: Table = {
-    influences: ("absolute sensitivities; all inputs and the output are lengths", "S"),
-    parameter: ("parameter of the line (s alpha, s beta, s gamma)",),
-    MATRIX_K: ("matrix of the three turns",),
-}
-SHARES: Table = {
-    correlations: ("correlation coefficients", "R"),
-    correlations_t: ("correlation coefficients at time t", "R_#(t)"),
-    place: ("relative change at a place / largest one",),
-}
-PARTS: Table = {
-    share: ("temperature error / total error",),
-    spread: ("largest relative change of the deformation",),
-}
-TABLES: tuple[tuple[Table, Dimension, sp.Set], ...] = (
-    (LENGTHS, LENGTH, POSITIVE),
-    (COORDINATES, LENGTH, sp.S.Reals),
-    (COEFFICIENTS, NUMBER, POSITIVE),
-    (COUNTS, NUMBER, sp.S.Naturals),
-    (NUMBERS, NUMBER, sp.S.Reals),
-    (SHARES, NUMBER, UNIT_INTERVAL),
-    (PARTS, NUMBER, sp.Interval.open(0, 1)),
-)
 VARIABLES = (
     *PRINT.variables,
     *(
         Variable(symbol, meaning, dimension, within, latex=tuple(prints))
-        for table, dimension, within in TABLES
+        for (dimension, within), table in TABLES.items()
         for symbol, (meaning, *prints) in table.items()
     ),
     Variable(kept, "elastic error after / before", within=sp.Interval.Ropen(0, 1)),
@@ -186,3 +181,28 @@ PRINTED_16 = sp.ImmutableMatrix(read("(16)")[1::2])
 def printed_radius(theta: sp.Expr) -> sp.Expr:
     """Bracket printed in (16), at theta = z varphi."""
     return (PRINTED_16[0] / sp.cos(phi)).subs(THETA, theta)
+
+
+# Table 1 ----------------------------------------------------------------------------------------
+
+MM, RAD = r"~\mathrm{mm}", r"~\mathrm{rad}"
+# What is said of a size, its symbol, and how the number that is printed stands between the rest.
+TABLE = (
+    ("form error", form, r"\Delta_\phi=", "0.016", MM),
+    ("mounting error", mounting, r"\Delta_y=", "0.05", MM),
+    ("elastic error", elastic, r"\Delta_\delta=", "0.042", MM),
+    ("setting error", setting, r"\Delta_u=", "0.01", MM),
+    ("tool wear", wear, r"\Delta_u=", "0.021", MM),
+    ("radius", radius, "R=", "41.5", MM),
+    ("amplitude", amplitude, "A=", "3.75", MM),
+    ("ball radius", ball_radius, "", "7.5", MM),
+    ("turn about X", alpha, r"\alpha=", "0.00103", RAD),
+    ("turn about Y", beta, r"\beta=", "0.00103", RAD),
+    ("turn about Z", gamma, r"\gamma=", "0", ""),
+)
+THERMAL_SHARE = sp.Rational("0.15")
+PRINTED_VALUES = {
+    **{symbol: sp.Rational(number) for _, symbol, _, number, _ in TABLE},
+    share: THERMAL_SHARE,
+}
+TABLE_1 = PublishedSizes("Table 1", PRINTED_VALUES)

@@ -14,7 +14,6 @@ from mechproof.record import (
     Distinct,
     Equality,
     PrintedNumber,
-    PublishedSizes,
     Reading,
     Row,
 )
@@ -30,14 +29,17 @@ from .mechanics import (
     turn_by_vector,
 )
 from .symbols import (
+    MM,
     PRINT,
     PRINTED_16,
     PRINTED_K,
+    PRINTED_VALUES,
+    TABLE,
+    THERMAL_SHARE,
     alpha,
     amplitude,
     ball_radius,
     beta,
-    elastic,
     form,
     gamma,
     millimetre,
@@ -49,35 +51,13 @@ from .symbols import (
     share,
     thermal,
     total,
-    wear,
 )
 
-MM, RAD = r"~\mathrm{mm}", r"~\mathrm{rad}"
-# What is said of a size, its symbol, and how the number that is printed stands between the rest.
-TABLE = (
-    ("form error", form, r"\Delta_\phi=", "0.016", MM),
-    ("mounting error", mounting, r"\Delta_y=", "0.05", MM),
-    ("elastic error", elastic, r"\Delta_\delta=", "0.042", MM),
-    ("setting error", setting, r"\Delta_u=", "0.01", MM),
-    ("tool wear", wear, r"\Delta_u=", "0.021", MM),
-    ("radius", radius, "R=", "41.5", MM),
-    ("amplitude", amplitude, "A=", "3.75", MM),
-    ("ball radius", ball_radius, "", "7.5", MM),
-    ("turn about X", alpha, r"\alpha=", "0.00103", RAD),
-    ("turn about Y", beta, r"\beta=", "0.00103", RAD),
-    ("turn about Z", gamma, r"\gamma=", "0", ""),
-)
 REMARKS = {
     setting: "The symbol may be misread: as transcribed it is the one used for the wear in the "
     "next line; the words say machine setting, so Delta_n of (6) is taken.",
     ball_radius: "It enters none of the printed formulas, so no printed result depends on it.",
 }
-THERMAL_SHARE = sp.Rational("0.15")
-PRINTED_VALUES = {
-    **{symbol: sp.Rational(number) for _, symbol, _, number, _ in TABLE},
-    share: THERMAL_SHARE,
-}
-TABLE_1 = PublishedSizes("Table 1", PRINTED_VALUES)
 SUM_OF_PRINTED_SQUARES = SUM_OF_SQUARES.subs(PRINTED_VALUES)
 
 
