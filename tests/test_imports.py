@@ -75,6 +75,10 @@ LOADED = {
         *("sympy", "flint", "mechproof.cache", "mechproof.notebook", "mechproof.arithmetic"),
         *("mechproof.proof", "mechproof.record"),
     },
+    # The exact coefficients of a series are those from which its polynomial is printed.
+    "proof.taylor": {
+        *("sympy", "flint", "mechproof.arithmetic", "mechproof.programs", "mechproof.proof"),
+    },
     "codegen": {
         *("sympy", "jinja2", "mechproof.codegen", "mechproof.programs", "mechproof.record"),
     },
