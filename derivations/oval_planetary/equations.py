@@ -1,6 +1,8 @@
-"""The equations (1)-(11) of paper 2, and what is found beside each."""
+"""The equations (1)-(11) of paper 2, read, and what is found beside each."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import sympy as sp
 
@@ -10,7 +12,6 @@ from mechproof.record import (
     Conjunction,
     Correction,
     Equality,
-    Equation,
     Holds,
     Part,
     Reading,
@@ -18,57 +19,69 @@ from mechproof.record import (
 )
 
 from .mechanics import (
-    PLACES,
-    cos_6,
-    focal_radius,
-    integrate,
-    omega_satellite,
-    oval_radius,
-    point_b,
-    point_d,
-    ratio_by_inversion,
-    ratio_by_plan,
-    roll,
-    roll_reduced,
-    sun_radius,
-)
-from .positions import E_SERIES, position_of_one
-from .printed import (
-    EQUATION_2,
-    EQUATION_5,
-    EQUATION_7,
-    EQUATION_10,
-    RATIO_OF_10,
-    print_3_by_6,
-    print_5,
-    print_7,
-    print_10,
-    print_radius,
-)
-from .symbols import (
+    E_SERIES,
     EC,
+    PLACES,
+    PRINT,
+    READER,
     VC,
     VD,
     a,
+    cos_6,
     driven_angle,
     e,
     e1,
     e2,
+    focal_radius,
+    integrate,
+    omega_satellite,
+    oval_radius,
     phi,
     phi1,
     phi3,
     phi5,
     phi6,
+    point_b,
+    point_d,
+    position_of_one,
+    ratio_by_inversion,
+    ratio_by_plan,
     ratio_symbol,
     rho,
     rho5,
     rho6,
+    roll,
+    roll_reduced,
     sB,
     sC,
     sD,
     start,
+    sun_radius,
     theta,
 )
+
+
+# What is printed, for claims and kernels.
+def read(number: str) -> Any:
+    """Return the right-hand side of an equation as printed."""
+    return READER.members(PRINT.equation(number))[1]
+
+
+print_2, print_5, print_7, print_10 = map(read, ("(2)", "(5)", "(7)", "(10)"))
+
+
+def print_radius(eccentricity: sp.Expr, angle: sp.Expr) -> sp.Expr:
+    """Right-hand side of (2), and with other letters of (3) and (4)."""
+    return print_2.subs({e: eccentricity, phi: angle}, simultaneous=True)
+
+
+def print_3_by_6(cosine: sp.Expr) -> sp.Expr:
+    """Right-hand side of (3) with (6), by the cosine of twice the angle of wheel 6."""
+    return print_2.subs({e: e1, sp.cos(2 * phi): -cosine}, simultaneous=True)
+
+
+# (10) with the radii of two oval pairs.
+RATIO_OF_10 = print_10.subs({rho5: print_3_by_6(cos_6), rho6: oval_radius(e2, cos_6)})
 
 oval = print_radius(e, phi)
 slope = sp.diff(oval, phi)
@@ -79,10 +92,8 @@ mate_cosine, _ = roll(e, phi)
 mate = oval_radius(e, -mate_cosine)
 
 EQUATION_ROWS: tuple[Row, ...] = (
-    Equation(
+    PRINT.equation(
         "(1)",
-        r"\varphi_3'=\frac{\omega_3}{\omega_1}=\frac{v_D\cdot AC}{v_C\cdot DE}"
-        r"=\frac{BD\cdot AC}{BC\cdot DE}",
         defines=(ratio_symbol,),
         marks=("rebuilt",),
         links={
@@ -101,7 +112,12 @@ EQUATION_ROWS: tuple[Row, ...] = (
             ),
         },
     ),
-    EQUATION_2,
+    PRINT.equation(
+        "(2)",
+        derived={rho: focal_radius.subs(theta, 2 * phi)},
+        note="The oval has at half the polar angle the focal radius of its ellipse.",
+        marks=("rebuilt", "uncertain", "inferred"),
+    ),
     Claim(
         "(2), semi-axes",
         r"a(1-e)\le\rho\le a(1+e)",
@@ -124,21 +140,25 @@ EQUATION_ROWS: tuple[Row, ...] = (
         on=Part("e > 1/3", {e: sp.Interval.open(sp.Rational(1, 3), 1)}),
         marks=("ours",),
     ),
-    Equation(
+    PRINT.equation(
         "(3)",
-        r"BC=\rho_5=\frac{a(1-e_1^2)}{1-e_1\cos2\varphi_5}",
         defines=(rho5,),
         links={2: ChainLink(derived={rho5: focal_radius.subs({e: e1, theta: 2 * phi5})})},
         marks=("rebuilt", "inferred"),
     ),
-    Equation(
+    PRINT.equation(
         "(4)",
-        r"CD=\rho_6=\frac{a(1-e_2^2)}{1-e_2\cos2\varphi_6}",
         defines=(rho6,),
         links={2: ChainLink(derived={rho6: focal_radius.subs({e: e2, theta: 2 * phi6})})},
         marks=("rebuilt", "inferred"),
     ),
-    EQUATION_5,
+    PRINT.equation(
+        "(5)",
+        derived={phi6: integrate(sun_radius / (2 * a - sun_radius))},
+        note="Seen from the carrier: wheel 5 turns by rho4/rho5, the sun's major axis on the line "
+        "of centres at the lower limit 0.",
+        marks=("rebuilt", "uncertain", "inferred"),
+    ),
     Claim(
         "(5), constant",
         r"\rho_4(0)+\rho_5\left(\tfrac\pi2-c\right)-2a"
@@ -170,9 +190,8 @@ EQUATION_ROWS: tuple[Row, ...] = (
         ),
         marks=("ours",),
     ),
-    Equation(
+    PRINT.equation(
         "(6)",
-        r"\varphi_5=\frac{\pi}{2}-\varphi_6",
         defines=(phi5,),
         note="How wheels 5 and 6 are mounted on their shaft.",
         marks=("rebuilt", "uncertain"),
@@ -193,10 +212,15 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="Nothing depends on the sign that may be the bar of a fraction.",
         marks=("ours",),
     ),
-    EQUATION_7,
-    Equation(
+    PRINT.equation(
+        "(7)",
+        derived=PLACES,
+        note="From D to B, in the order that is legible in (10): the output's side counts against "
+        "the carrier.",
+        marks=("rebuilt", "inferred"),
+    ),
+    PRINT.equation(
         "(8)",
-        r"AC=EC=2a",
         defines=(EC,),
         links={
             1: ChainLink(
@@ -217,17 +241,21 @@ EQUATION_ROWS: tuple[Row, ...] = (
         note="The arcs are equal: congruent ovals roll without slip.",
         marks=("ours",),
     ),
-    Equation("(9)", r"DE=2a-\rho_6", derived=PLACES, marks=("rebuilt", "inferred")),
+    PRINT.equation("(9)", derived=PLACES, marks=("rebuilt", "inferred")),
     Claim(
         "two routes",
         r"\text{velocity plan}=\text{method of inversion}",
         Equality(ratio_by_plan, ratio_by_inversion),
         marks=("ours", "inferred"),
     ),
-    EQUATION_10,
-    Equation(
+    PRINT.equation(
+        "(10)",
+        derived={ratio_symbol: -ratio_by_plan},
+        note="The output counted against the carrier.",
+        marks=("rebuilt", "inferred"),
+    ),
+    PRINT.equation(
         "(11)",
-        r"\varphi_3(\varphi_1)=\int\varphi_3'\,d\varphi_1",
         derived={phi3: -position_of_one(E_SERIES), ratio_symbol: RATIO_OF_10},
         note="From phi3(0) = 0, with (10) and (3)-(6), the output counted against the carrier; in "
         "closed form phi3 = arctan(E sin(2 phi1)/(1 - E cos(2 phi1))), "
@@ -236,7 +264,7 @@ EQUATION_ROWS: tuple[Row, ...] = (
     ),
     Claim(
         "(1)-(11), sense of the output",
-        r"BD=\rho_6-\rho_5,\ \varphi_3'=\frac{(\rho_6-\rho_5)\,2a}{\rho_5\,(2a-\rho_6)}",
+        rf"{PRINT.prints['(7)']},\ {PRINT.prints['(10)']}",
         Conjunction(
             (
                 Equality(print_7, point_d - point_b),

@@ -6,106 +6,139 @@ import sympy as sp
 
 from mechproof.record import (
     Accuracy,
-    Conjunction,
-    Equality,
+    Argument,
     Form,
-    Part,
     Quantity,
     Repeats,
-    Statement,
-    Written,
+    Singular,
 )
 
-from .accuracy import (
+from .equations import print_10, print_radius
+from .forms import (
     ACCELERATION_CYLINDRICAL_SCALE,
+    ACCELERATION_FORM,
     ACCELERATION_SCALE,
+    BRANCH_OF_X,
+    BRANCHES,
+    DOUBLE,
     LEAD,
     LOW_WORD,
     NO_UNDERFLOW,
     NO_UNDERFLOW_OF_LEAD,
     NO_UNDERFLOW_OF_QUOTIENT,
+    PLAIN_PRODUCT,
     POSITION_CYLINDRICAL_SCALE,
+    POSITION_FORM,
     POSITION_SCALE,
+    PRINTED_RADII,
     RATIO_CYLINDRICAL_SCALE,
     RATIO_SCALE,
     SQUARE_OF_SPEED,
-)
-from .arguments import OF_CYLINDERS, OF_OVALS, SINGULAR_CYLINDERS, SINGULAR_OVALS
-from .forms_of_ovals import (
-    ACCELERATION_FORM,
-    BRANCHES,
-    DOUBLE,
-    POSITION_FORM,
-    PRINTED_RADII,
     WHEEL_3_FORM,
     acceleration_by_map,
     acceleration_by_parts,
     as_printed,
     over_branches,
+    over_turns,
     position_by_map,
     position_by_parts,
     ratio_by_map,
     ratio_by_parts,
     through_pairs,
 )
-from .positions import (
+from .mechanics import (
     ACCELERATION,
     ACCELERATION_CYLINDRICAL,
     POSITION,
     POSITION_CYLINDRICAL,
-    RATIO,
-    RATIO_CYLINDRICAL,
-    ratio_of_map,
-    t,
-)
-from .printed import print_10, print_radius
-from .symbols import (
     R4,
     R5,
+    RATIO,
+    RATIO_CYLINDRICAL,
     a,
     alpha_double,
     beta_double,
     count_branches,
-    driven_angle,
+    e1,
     e2,
     gamma_double,
     k,
     lead,
+    m,
     mount,
     mount_counted,
     nearest,
     phi1,
     phi6_closed,
     phi6_counted,
+    ratio_of_map,
     rho5,
     rho6,
-    turns,
+    t,
     x,
 )
 
-# Without it x = 2*k*phi1 is off by two roundings, eps*|x|. The slope of the arctangent in x lies
-# between -e2/(1 + e2) and e2/(1 - e2), so the plain product costs at most 2*k*e2/(1 - e2) eps of
-# |phi1|. Where k*e2/(1 - e2) <= |1 - k| that is half the bound, whatever phi1. The ratio and the
-# acceleration lose some |x|*e2/(1 - e2) eps, however small the eccentricity: they have no such
-# threshold but e2 = 0.
-PLAIN_PRODUCT = R4 * e2 <= sp.Abs(R5 - R4) * (1 - e2)
+ECCENTRICITIES = (0, 0.28, 0.5, 0.9, 0.99, 1)
+CARRIER = Argument(
+    "phi1", (phi1,), "carrier angle, any number of turns", "rad", usual=(0, 10, 1000)
+)
+OVAL_63 = Argument("e2", (e2,), "eccentricity of the oval pair 6-3", usual=ECCENTRICITIES)
+OF_OVALS = (
+    CARRIER,
+    Argument("e1", (e1,), "eccentricity of the oval pair 4-5", usual=(0, 0.5, 1)),
+    OVAL_63,
+    Argument(
+        "mount",
+        (mount,),
+        "turn of wheel 6 on its shaft, forward from its place in the paper",
+        "rad",
+        0.0,
+        usual=(0, 0.4, float(sp.pi)),
+    ),
+)
+OF_CYLINDERS = (
+    CARRIER,
+    Argument("R4", (R4,), "radius of the cylindrical sun 4", "mm"),
+    Argument("R5", (R5,), "radius of the cylindrical wheel 5", "mm"),
+    OVAL_63,
+)
 
-BRANCH_OF_X = Part("|x| < pi, the first branch", {x: sp.Interval.open(-sp.pi, sp.pi)})
-
-
-def over_turns(code: Written) -> Statement:
-    """State the form at x + 2*pi*m for |x| < pi, where its floor is m."""
-    form = code.output(x)
-    (count,) = form.atoms(sp.floor)
-    whole = phi1 - driven_angle(e2, x / 2)
-    at_turn = {x: x + 2 * sp.pi * turns}
-    return Conjunction(
+# A wheel makes quarter turns; the major axes of the pair 6-3 meet, where the ratio is steep; wheel
+# 6 is mounted along an axis; equal ovals; round and flat ones.
+SINGULAR_OVALS = tuple(
+    map(
+        Singular,
         (
-            Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn)),
-            Equality(whole, POSITION_CYLINDRICAL),
-        )
+            sp.Eq(phi1, sp.pi / 2 * m),
+            sp.Eq(
+                (1 + e1) * sp.sin(phi1) * sp.cos(mount) + (1 - e1) * sp.cos(phi1) * sp.sin(mount), 0
+            ),
+            sp.Eq(mount, sp.pi / 2 * m),
+            sp.Eq(e1, e2),
+            sp.Eq(e1, 0),
+            sp.Eq(e2, 0),
+            sp.Eq(e1, 1),
+            sp.Eq(e2, 1),
+        ),
     )
+)
 
+# The ratio is farthest from 1 and nearest to it; equal circles; double zeros of the ratio; the
+# round and the flat oval.
+SINGULAR_CYLINDERS = tuple(
+    map(
+        Singular,
+        (
+            sp.Eq(x, 2 * sp.pi * m),
+            sp.Eq(x, sp.pi + 2 * sp.pi * m),
+            sp.Eq(R4, R5),
+            sp.Eq(k * (1 - e2), 1 + e2),
+            sp.Eq(k * (1 + e2), 1 - e2),
+            sp.Eq(e2, 0),
+            sp.Eq(e2, 1),
+        ),
+    )
+)
 
 SOURCE = "Prikhodko et al. 2024 (oval wheels)"
 HALF_ANGLE = (1 - e2) ** 2 + 4 * e2 * sp.sin(x / 2) ** 2

@@ -1,16 +1,71 @@
-"""Mechanics of paper 2: velocity plan, inversion, ovals, two pairs in series."""
+"""Symbols of paper 2, its mechanics, and what follows: ratio, position and acceleration.
+
+Conventions: angles are positive in the direction of the carrier's rotation; distances on the
+line A-C are positive from A towards C; at phi1 = 0 a major axis of the sun 4 points to C and the
+major axes of the satellite's wheels 5 and 6 stand at right angles, that of 6 along the line A-C.
+"""
 
 from __future__ import annotations
 
 from functools import cache
+from pathlib import Path
 
 import sympy as sp
 
+from mechproof.document.transcription import Transcription
+from mechproof.latex import Reader
+from mechproof.record import ANGLE, LENGTH, Variable, list_given
+
 from .._linear import solve_linear
-from .symbols import a, e, e1, e2, mount, omega1, phi1, r, rho5, rho6, sB, sC, sD, tau, theta
+from .._metrology import TYPE_A_VARIABLES
+from .._readings import ENCODER_VARIABLES
+
+# What the paper prints: its letters.
+PRINT = Transcription(Path(__file__).with_name("paper.tex"))
+phi1, phi3, phi, phi5, phi6 = PRINT.symbols("phi1 varphi3 varphi varphi5 varphi6")
+e, e1, e2, a, rho, rho5, rho6 = PRINT.symbols("e e1 e2 a rho rho5 rho6")
+omega1, omega3, VC, VD = PRINT.symbols("omega1 omega3 v_C v_D")
+AC, EC, BC, BD, CD, DE = PRINT.symbols("AC EC BC BD CD DE")
+(ratio_symbol,) = PRINT.symbols("varphi3'")
+
+# What the mechanics, the forms and the proofs need besides.
+mount, k, x, theta, r, tau, start = sp.symbols("mount k x theta r tau c", real=True)
+R3, R4, R5, R6, rho3, rho4, span = sp.symbols("R3 R4 R5 R6 rho3 rho4 L", positive=True)
+s, sB, sC, sD, omega_satellite, omega_out = sp.symbols("s s_B s_C s_D omega_5 omega_3", real=True)
+acceleration_symbol = sp.Symbol("varphi3''", real=True)
+alpha, beta, gamma, delta = sp.symbols("alpha beta gamma delta", real=True)
+alpha_double, beta_double, gamma_double = sp.symbols(
+    "alpha_double beta_double gamma_double", real=True
+)
+both, less, swing, lever, shift, rise, y, nearest = sp.symbols(
+    "both less swing lever shift rise y nearest", real=True
+)
+phi6_closed, phi6_counted, mount_counted = sp.symbols("phi6 phi6_counted mount_counted", real=True)
+lam, mu, width, eta = sp.symbols("lambda mu T eta", positive=True)
+nu, xi, tangent, lowest, highest = sp.symbols("nu xi U q_min q_max", real=True)
+m, index, turns = sp.symbols("m k m_turns", integer=True)
+POSITIVE = sp.Interval.open(0, sp.oo)
+# A proper oval or ellipse, not a circle.
+OVAL = sp.Interval.open(0, 1)
+
+
+def lead(eccentricity: sp.Expr, driver: sp.Expr) -> sp.Expr:
+    """By how much the driven wheel of an oval pair is ahead of its driver."""
+    return sp.atan2(eccentricity * sp.sin(2 * driver), 1 - eccentricity * sp.cos(2 * driver))
+
+
+def driven_angle(eccentricity: sp.Expr, driver: sp.Expr) -> sp.Expr:
+    """Angle of the driven wheel of an oval pair, 0 where that of the driver is 0."""
+    return driver + lead(eccentricity, driver)
+
+
+def count_branches(eccentricity: sp.Expr, driver: sp.Expr) -> sp.Expr:
+    """Angle of the driven wheel by one arctangent, its branches counted by floor."""
+    branch = sp.atan((1 + eccentricity) / (1 - eccentricity) * sp.tan(driver))
+    return branch + sp.pi * sp.floor(driver / sp.pi + sp.S.Half)
+
 
 # Velocity plan on the line A-C at one instant, the sun 4 at rest: the satellite turns about B.
-s, omega_satellite, omega_out = sp.symbols("s omega_5 omega_3", real=True)
 point_c = 2 * a
 point_b = point_c - rho5
 point_d = point_c - rho6
@@ -79,3 +134,163 @@ wheel_3_rate = pair_ratio(e1, COS_4) * pair_ratio(e2, cos_mounted)
 def integrate(ratio: sp.Expr) -> sp.Integral:
     """Integral of a ratio from phi1 = 0, where phi3 = 0."""
     return sp.Integral(ratio.subs(phi1, tau), (tau, 0, phi1))
+
+
+# What letters are given by, on the line A-C and by its mechanics.
+VARIABLES = (
+    *PRINT.give(
+        {
+            AC: sC,
+            BC: sC - sB,
+            BD: sB - sD,
+            CD: sC - sD,
+            EC: sC,
+            DE: sD,
+            VC: omega1 * sC,
+            VD: omega3 * sD,
+        }
+    ),
+    Variable(
+        mount, "turn of wheel 6 on its shaft, from its place in the paper", ANGLE, sign="as phi1"
+    ),
+    Variable(R4, "radius of a cylindrical sun 4", LENGTH, POSITIVE),
+    Variable(R5, "radius of a cylindrical wheel 5", LENGTH, POSITIVE),
+    Variable(R3, "radius of a cylindrical wheel 3", LENGTH, POSITIVE),
+    Variable(R6, "radius of a cylindrical wheel 6", LENGTH, POSITIVE),
+    Variable(k, "ratio of the cylindrical wheels 4 and 5", given=R4 / R5),
+    Variable(x, "twice the turn of the satellite against the carrier", ANGLE, given=2 * k * phi1),
+    Variable(
+        alpha,
+        "coefficient of tan(chi) = alpha*t/(beta + gamma*t), t = tan(phi1)",
+        given=(1 + e1) * (1 + e2) * (1 - e2),
+    ),
+    Variable(
+        beta,
+        "coefficient of tan(chi)",
+        given=(1 - e1) * ((1 - e2) ** 2 * sp.cos(mount) ** 2 + (1 + e2) ** 2 * sp.sin(mount) ** 2),
+    ),
+    Variable(
+        gamma,
+        "coefficient of tan(chi)",
+        given=4 * (1 + e1) * e2 * sp.sin(mount) * sp.cos(mount),
+    ),
+    Variable(
+        delta,
+        "alpha - beta",
+        given=2
+        * ((e1 + e2) * (1 - e2) * sp.cos(mount) ** 2 + (e1 - e2) * (1 + e2) * sp.sin(mount) ** 2),
+    ),
+    Variable(alpha_double, "alpha, multiplied out", given=(1 + e1) * (1 - e2**2)),
+    Variable(
+        beta_double,
+        "beta by the double mount",
+        given=(1 - e1) * (1 + e2**2 - 2 * e2 * sp.cos(2 * mount)),
+    ),
+    Variable(gamma_double, "gamma by it", given=2 * (1 + e1) * e2 * sp.sin(2 * mount)),
+    Variable(both, "alpha/(1 - e2)", given=(1 + e1) * (1 + e2)),
+    Variable(less, "what beta/(1 - e2) has without a turn of wheel 6", given=(1 - e1) * (1 - e2)),
+    Variable(lever, "part of shift and rise", given=4 * e2 * sp.sin(mount) / (1 - e2)),
+    Variable(shift, "the rest of beta/(1 - e2)", given=lever * (1 - e1) * sp.sin(mount)),
+    Variable(rise, "gamma/(1 - e2)", given=lever * (1 + e1) * sp.cos(mount)),
+    Variable(swing, "both - less", given=2 * (e1 + e2)),
+    Variable(y, "what the turn of wheel 6 adds", given=shift + rise * sp.tan(phi1)),
+    Variable(nearest, "least focal distance over a, a sum of its own", given=1 - e2),
+    Variable(lam, "alpha, any positive number", within=POSITIVE),
+    Variable(mu, "beta, any positive number", within=POSITIVE),
+    Variable(nu, "gamma, any real number"),
+    Variable(xi, "part of beta, any real number"),
+    Variable(tangent, "tg(phi1) as a variable of its own"),
+    Variable(phi6_closed, "the integral (5)", ANGLE, given=driven_angle(e1, phi1)),
+    Variable(phi6_counted, "the same, branches counted", ANGLE, given=count_branches(e1, phi1)),
+    Variable(
+        mount_counted,
+        "turn of wheel 3 by the mount, branches counted",
+        ANGLE,
+        given=count_branches(e2, mount),
+    ),
+    Variable(turns, "half turns", within=sp.S.Naturals0),
+    Variable(start, "constant of the integral (5)", ANGLE),
+    Variable(rho3, "radius of wheel 3 at D", LENGTH, POSITIVE),
+    Variable(rho4, "radius of wheel 4 at B", LENGTH, POSITIVE),
+    Variable(span, "distance of two fixed axes", LENGTH, POSITIVE),
+    Variable(sB, "coordinate of B on the line A-C", LENGTH),
+    Variable(sC, "coordinate of C", LENGTH, POSITIVE),
+    Variable(sD, "coordinate of D", LENGTH),
+    Variable(
+        acceleration_symbol,
+        "analogue of the angular acceleration",
+        sign="positive against the carrier's direction of rotation",
+    ),
+    Variable(theta, "x as a variable of its own", ANGLE),
+    Variable(width, "tangent of half the angle x from the double zero", within=POSITIVE),
+    Variable(eta, "ratio up to which the output counts as at rest", within=POSITIVE),
+    Variable(lowest, "smallest possible measurement error"),
+    Variable(highest, "largest possible measurement error"),
+    *TYPE_A_VARIABLES,
+    *ENCODER_VARIABLES,
+)
+READER = Reader(VARIABLES, PRINT.notation)
+
+
+# Both pairs are Moebius maps of tangents, and so is their composition:
+# tan(chi) = lambda*t/(mu + nu*t), t = tan(phi1), chi the turn of wheel 3 against the carrier,
+# reversed. mu*cos(phi1) + nu*sin(phi1) + i*lambda*sin(phi1) has the argument chi.
+def ratio_of_map(p: sp.Expr, q_: sp.Expr, g: sp.Expr) -> sp.Expr:
+    """1 - d chi/d phi1 for the coefficients lambda, mu, nu = p, q_, g."""
+    square = q_**2 * (1 + COS_4) + 2 * q_ * g * sp.sin(2 * phi1) + (p**2 + g**2) * (1 - COS_4)
+    return 1 - 2 * p * q_ / square
+
+
+def position_of_map(p: sp.Expr, q_: sp.Expr, g: sp.Expr, difference: sp.Expr) -> sp.Expr:
+    """phi1 - chi as one argument; `difference` is p - q_."""
+    return sp.atan2(
+        g * (1 - COS_4) - difference * sp.sin(2 * phi1),
+        p + q_ + (q_ - p) * COS_4 + g * sp.sin(2 * phi1),
+    )
+
+
+# The same as the argument of a constant vector and of one that turns about 1, as for one pair.
+square_sum = (lam + mu) ** 2 + nu**2
+along, across = lam**2 - mu**2 + nu**2, -2 * mu * nu
+position_by_one_pair = -sp.atan2(-nu, lam + mu) - sp.atan2(
+    along * sp.sin(2 * phi1) - across * COS_4,
+    square_sum - along * COS_4 - across * sp.sin(2 * phi1),
+)
+GIVEN = list_given(VARIABLES)
+COEFFICIENTS = tuple(GIVEN[s] for s in (alpha_double, beta_double, gamma_double))
+
+t = sp.tan(phi1)
+POSITION = position_of_map(alpha, beta, gamma, delta)
+RATIO = ratio_of_map(alpha, beta, gamma)
+ACCELERATION = sp.diff(RATIO, phi1)
+
+# Mounted as in the paper the two eccentricities act as one.
+E_SERIES = (e1 + e2) / (1 + e1 * e2)
+E_ALIGNED = (e1 - e2) / (1 - e1 * e2)
+
+
+def position_of_one(eccentricity: sp.Expr) -> sp.Expr:
+    """Position function of two pairs that act like one."""
+    return phi1 - driven_angle(eccentricity, phi1)
+
+
+def ratio_of_one(eccentricity: sp.Expr) -> sp.Expr:
+    """Transmission ratio of two pairs that act like one."""
+    return 1 - pair_ratio(eccentricity, COS_4)
+
+
+# Pair 4-5 cylindrical: the satellite turns by (R4/R5) phi1 against the carrier.
+RATIO_CYLINDRICAL = 1 - k * (1 - e2**2) / (1 + e2**2 - 2 * e2 * sp.cos(x))
+POSITION_CYLINDRICAL = (R5 - R4) / R5 * phi1 - sp.atan2(e2 * sp.sin(x), 1 - e2 * sp.cos(x))
+ACCELERATION_CYLINDRICAL = sp.diff(RATIO_CYLINDRICAL, x) * 2 * k
+AXES_45 = {a: (R4 + R5) / 2, rho5: R5}
+ratio_with_cylinders_45 = ratio_by_plan.subs(AXES_45).subs(
+    rho6, oval_radius(e2, sp.cos(2 * R4 / R5 * phi1)).subs(AXES_45)
+)
+explicit = {x: 2 * R4 / R5 * phi1, k: R4 / R5}
+ratio_45, position_45 = (f.subs(explicit) for f in (RATIO_CYLINDRICAL, POSITION_CYLINDRICAL))
+
+# Pair 3-6 cylindrical.
+AXES_36 = {a: (R3 + R6) / 2, rho6: R6}
+ratio_with_cylinders_36 = ratio_by_plan.subs(AXES_36).subs(rho5, (2 * a - sun_radius).subs(AXES_36))
+position_36 = phi1 - R6 / R3 * driven_angle(e1, phi1)

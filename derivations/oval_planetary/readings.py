@@ -12,7 +12,6 @@ from mechproof.record import (
     Completions,
     Conjunction,
     Equality,
-    Equation,
     Holds,
     PrintedNumber,
     Row,
@@ -43,9 +42,8 @@ from .._readings import (
     two_encoders,
 )
 from .._relations import less, not_above
-from .cylindrical_pairs import fastest
-from .positions import ratio_45
-from .symbols import highest, index, lowest, phi1
+from .mechanics import PRINT, highest, index, lowest, phi1, ratio_45
+from .pairs import fastest
 from .variants import ratio_1, with_cylinders
 
 # Table 2: n, mean error and u in degrees; and the half-widths of the printed intervals.
@@ -174,20 +172,18 @@ def scatter_rows() -> tuple[Claim, ...]:
 MEAN = sp.Sum(q[j], (j, 1, n)) / n
 
 MEASUREMENT_ROWS: tuple[Row, ...] = (
-    Equation("(12)", r"\bar q=\frac1n\sum_{k=1}^n q_k", defines=(qbar,), marks=("rebuilt",)),
-    Equation(
+    PRINT.equation("(12)", defines=(qbar,), marks=("rebuilt",)),
+    PRINT.equation(
         "(13)",
-        r"s^2(q_k)=\frac1{n-1}\sum_{k=1}^n(q_k-\bar q)^2",
         note="Needs n >= 2.",
         defines=(s2,),
         marks=("rebuilt",),
     ),
     unbiased_row("(13)"),
-    Equation("(14)", r"s^2(q)=s^2(q_k)/n", defines=(s2_mean,), marks=("rebuilt",)),
+    PRINT.equation("(14)", defines=(s2_mean,), marks=("rebuilt",)),
     estimate_row("(14)", ("rebuilt",)),
-    Equation(
+    PRINT.equation(
         "(15)",
-        r"u(q)=\sqrt{s^2(q)}",
         note="The right-hand side is lost; by its name the type A standard uncertainty.",
         defines=(u_mean,),
         marks=("rebuilt", "inferred"),

@@ -22,30 +22,13 @@ from mechproof.record import (
 
 from .._readings import millimetre
 from .._relations import less
+from .equations import RATIO_OF_10, print_5, print_10
 from .mechanics import (
-    COS_4,
-    integrate,
-    oval_radius,
-    pair_ratio,
-    ratio_by_plan,
-    satellite_against_carrier,
-    wheel_3_rate,
-)
-from .oval_pairs import advances
-from .positions import (
     ACCELERATION_CYLINDRICAL,
     AXES_45,
+    COS_4,
     E_ALIGNED,
     E_SERIES,
-    explicit,
-    position_45,
-    position_of_one,
-    ratio_45,
-    ratio_of_one,
-    ratio_with_cylinders_45,
-)
-from .printed import RATIO_OF_10, print_5, print_10
-from .symbols import (
     OVAL,
     R4,
     R5,
@@ -53,13 +36,26 @@ from .symbols import (
     e,
     e1,
     e2,
+    explicit,
+    integrate,
     mount,
+    oval_radius,
+    pair_ratio,
     phi1,
     phi6,
+    position_45,
+    position_of_one,
+    ratio_45,
+    ratio_by_plan,
+    ratio_of_one,
+    ratio_with_cylinders_45,
     rho3,
     rho6,
+    satellite_against_carrier,
     span,
+    wheel_3_rate,
 )
+from .pairs import advances
 
 VARIANTS = {
     1: {e1: sp.Rational("0.2"), e2: sp.Rational("0.2")},

@@ -1,32 +1,51 @@
-"""Forms of two oval pairs, and the statements that prove them from their emitted sources."""
+"""Forms, their proofs and the accuracy of the kernels of paper 2."""
 
 from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Conjunction, Equality, Part, Statement, Written
+from mechproof.record import (
+    Conjunction,
+    Equality,
+    Part,
+    Scale,
+    Statement,
+    Written,
+)
 
-from .mechanics import COS_4, cos_6, pair_ratio, sin_6
-from .positions import ACCELERATION, POSITION, RATIO, t
-from .printed import print_radius
-from .symbols import (
+from .equations import print_radius
+from .mechanics import (
+    ACCELERATION,
+    ACCELERATION_CYLINDRICAL,
+    COS_4,
+    GIVEN,
+    POSITION,
+    POSITION_CYLINDRICAL,
+    R4,
+    R5,
+    RATIO,
+    RATIO_CYLINDRICAL,
     alpha,
     alpha_double,
     beta,
     beta_double,
     both,
+    cos_6,
     delta,
     driven_angle,
     e1,
     e2,
     gamma,
     gamma_double,
+    k,
     lam,
     less,
+    lever,
     mount,
     mount_counted,
     mu,
     nu,
+    pair_ratio,
     phi1,
     phi6,
     phi6_closed,
@@ -35,10 +54,13 @@ from .symbols import (
     rho6,
     rise,
     shift,
+    sin_6,
     swing,
+    t,
     tangent,
     tau,
     turns,
+    x,
     xi,
     y,
 )
@@ -186,3 +208,121 @@ PRINTED_RADII = {
     rho5: print_radius(e1, sp.pi / 2 - phi6_closed),
     rho6: print_radius(e2, phi6_closed + mount),
 }
+
+# Accuracy. The terms of y = shift + rise*t are rounded, and where they cancel the value makes of
+# that what no evaluation from a rounded tangent is spared: up to 1/(1 - e2), where the major axes
+# of the pair 6-3 meet away from phi1 = 0. So the scales are the largest term, and added to it what
+# the value makes of y with its terms changed against each other, 0 without a mount; at the peak of
+# the ratio, where less + y vanishes, that is of second order in eps. The rest is some 20
+# operations; the bounds lie above what long searches for the worst input find, compiled.
+# At its peak the acceleration goes with the cube of (1 - e1)*(1 - e2), three roundings where both
+# eccentricities are below 1/2: 4 eps that the rest of the product saves. Beside a mounted wheel two
+# terms of like size meet, each with roundings of its own.
+EPS = sp.Rational(1, 2**52)
+T, R, S, W, Z, VALUE = sp.symbols("t R S W Z value", real=True)
+OF_T = {t: T}
+STEPS = (
+    (T, t),
+    *((step, GIVEN[step]) for step in (both, less, lever, rise, shift)),
+    (y, GIVEN[y].xreplace(OF_T)),
+    (S, SPREAD_FORM.xreplace(OF_T)),
+)
+WHEEL_3 = (W, both * (less + shift) * (1 + T**2) / S)
+CHANGE = rise * T - shift
+RATIO_SCALE = Scale(
+    "the larger of 1 and W, and what the roundings of y make of it",
+    sp.Max(1, W) + sp.Abs(W * (less + y) * CHANGE / S) + EPS * W * CHANGE**2 / S,
+    (*STEPS, WHEEL_3),
+)
+POSITION_SCALE = Scale(
+    "the value or its largest term, and what the roundings of y make of it",
+    sp.Max(sp.Abs(VALUE), sp.Abs(y * sp.sin(phi1)) / R, swing * sp.Abs(sp.sin(phi1)) / R)
+    + sp.Abs(both * T * CHANGE) / (2 * S),
+    (*STEPS, (swing, GIVEN[swing]), (R, sp.sqrt(S)), (VALUE, POSITION_FORM.xreplace(OF_T))),
+)
+ACCELERATION_SCALE = Scale(
+    "the value or its largest term, and what the roundings of y make of it",
+    W
+    / S
+    * (
+        2
+        * sp.Max(
+            sp.Abs(Z),
+            sp.Abs(y * (rise - shift * T)),
+            less * sp.Abs(rise) * (1 + T**2),
+            swing * (less + both) * sp.Abs(T),
+            2 * less * shift * sp.Abs(T),
+            sp.Abs(y * (rise + shift * T)) / 2,
+        )
+        + sp.Abs((rise - shift * T - 4 * (less + y) * Z / S) * CHANGE)
+    ),
+    (*STEPS, WHEEL_3, (swing, GIVEN[swing]), (Z, sum(TILT).xreplace(OF_T))),
+)
+
+# Products with an eccentricity and the angle or the mount stay above the subnormals, with all
+# their digits.
+NO_UNDERFLOW = (
+    sp.Or(
+        sp.Eq(phi1, 0),
+        sp.Eq(e1 + e2, 0),
+        sp.Ge(sp.Abs(phi1) * (e1 + e2), sp.Rational(1, 2**960)),
+    ),
+    sp.Or(sp.Eq(mount, 0), sp.Eq(e2, 0), sp.Ge(sp.Abs(mount) * e2, sp.Rational(1, 2**830))),
+)
+
+# With the low word, x is known to eps**2 relative, and what is left are the roundings of some 20
+# operations, tan and atan within an ulp; the bounds lie above what searches find, as before.
+# What the error of x itself makes, eps**2*|x| times the slope, counts where the acceleration passes
+# through zero, and beside it only far away near e2 = 1. The slope of the acceleration has the
+# envelope of |sin x|, |cos x| <= 1.
+LOW_WORD = (sp.Abs(x) <= 2**26,)
+NO_UNDERFLOW_OF_LEAD = (
+    sp.Or(sp.Eq(phi1, 0), sp.Eq(e2, 0), sp.Ge(sp.Abs(phi1) * e2, sp.Rational(1, 2**960))),
+)
+
+# Beside half turns of x the acceleration divides by a power of the tangent before it multiplies.
+NO_UNDERFLOW_OF_QUOTIENT = (sp.Or(sp.Eq(e2, 0), sp.Ge(e2, sp.Rational(1, 2**330))),)
+# k**2, times a tiny e2, and divided by what is tiny where e2 is next to 1.
+SQUARE_OF_SPEED = (R4 >= R5 / 10**45, R4 <= 10**130 * R5)
+EPS_X = EPS * sp.Abs(x)
+OF_X = ((k, GIVEN[k]), (x, GIVEN[x]))
+LEAD = sp.atan2(e2 * sp.sin(x), 1 - e2 * sp.cos(x))
+RATIO_CYLINDRICAL_SCALE = Scale(
+    "the larger of 1 and 1 - value, and what eps*x makes of it",
+    sp.Max(1, 1 - RATIO_CYLINDRICAL) + EPS_X * sp.Abs(sp.diff(RATIO_CYLINDRICAL, x)),
+    OF_X,
+)
+POSITION_CYLINDRICAL_SCALE = Scale(
+    "the larger of both terms, and what eps*x makes of the second",
+    sp.Max(sp.Abs((R5 - R4) / R5 * phi1), sp.Abs(LEAD)) + EPS_X * sp.Abs(sp.diff(LEAD, x)),
+    OF_X,
+)
+ACCELERATION_CYLINDRICAL_SCALE = Scale(
+    "the value and what eps*x makes of it",
+    sp.Abs(ACCELERATION_CYLINDRICAL)
+    + EPS_X * 4 * e2 * k**2 * (1 - e2**2) / (1 + e2**2 - 2 * e2 * sp.cos(x)) ** 2,
+    OF_X,
+)
+
+# Without it x = 2*k*phi1 is off by two roundings, eps*|x|. The slope of the arctangent in x lies
+# between -e2/(1 + e2) and e2/(1 - e2), so the plain product costs at most 2*k*e2/(1 - e2) eps of
+# |phi1|. Where k*e2/(1 - e2) <= |1 - k| that is half the bound, whatever phi1. The ratio and the
+# acceleration lose some |x|*e2/(1 - e2) eps, however small the eccentricity: they have no such
+# threshold but e2 = 0.
+PLAIN_PRODUCT = R4 * e2 <= sp.Abs(R5 - R4) * (1 - e2)
+
+BRANCH_OF_X = Part("|x| < pi, the first branch", {x: sp.Interval.open(-sp.pi, sp.pi)})
+
+
+def over_turns(code: Written) -> Statement:
+    """State the form at x + 2*pi*m for |x| < pi, where its floor is m."""
+    form = code.output(x)
+    (count,) = form.atoms(sp.floor)
+    whole = phi1 - driven_angle(e2, x / 2)
+    at_turn = {x: x + 2 * sp.pi * turns}
+    return Conjunction(
+        (
+            Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn)),
+            Equality(whole, POSITION_CYLINDRICAL),
+        )
+    )
