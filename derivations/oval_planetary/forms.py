@@ -4,14 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import (
-    Conjunction,
-    Equality,
-    Part,
-    Scale,
-    Statement,
-    Written,
-)
+from mechproof.record import Accuracy, Conjunction, Equality, Part, Scale, Statement, Written
 
 from .equations import print_radius
 from .mechanics import (
@@ -20,7 +13,6 @@ from .mechanics import (
     COS_4,
     GIVEN,
     POSITION,
-    POSITION_CYLINDRICAL,
     R4,
     R5,
     RATIO,
@@ -311,18 +303,17 @@ ACCELERATION_CYLINDRICAL_SCALE = Scale(
 # threshold but e2 = 0.
 PLAIN_PRODUCT = R4 * e2 <= sp.Abs(R5 - R4) * (1 - e2)
 
-BRANCH_OF_X = Part("|x| < pi, the first branch", {x: sp.Interval.open(-sp.pi, sp.pi)})
-
-
-def over_turns(code: Written) -> Statement:
-    """State the form at x + 2*pi*m for |x| < pi, where its floor is m."""
-    form = code.output(x)
-    (count,) = form.atoms(sp.floor)
-    whole = phi1 - driven_angle(e2, x / 2)
-    at_turn = {x: x + 2 * sp.pi * turns}
-    return Conjunction(
-        (
-            Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn)),
-            Equality(whole, POSITION_CYLINDRICAL),
-        )
-    )
+ACCURACY = {
+    "ratio": Accuracy(10, RATIO_SCALE),
+    "position": Accuracy(7, POSITION_SCALE, NO_UNDERFLOW),
+    "acceleration": Accuracy(15, ACCELERATION_SCALE, NO_UNDERFLOW),
+    "ratio_cylindrical": Accuracy(10, RATIO_CYLINDRICAL_SCALE, LOW_WORD),
+    "position_cylindrical": Accuracy(
+        7, POSITION_CYLINDRICAL_SCALE, (*LOW_WORD, *NO_UNDERFLOW_OF_LEAD)
+    ),
+    "acceleration_cylindrical": Accuracy(
+        16,
+        ACCELERATION_CYLINDRICAL_SCALE,
+        (*LOW_WORD, *SQUARE_OF_SPEED, *NO_UNDERFLOW_OF_LEAD, *NO_UNDERFLOW_OF_QUOTIENT),
+    ),
+}

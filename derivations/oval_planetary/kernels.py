@@ -5,41 +5,33 @@ from __future__ import annotations
 import sympy as sp
 
 from mechproof.record import (
-    Accuracy,
     Argument,
+    Conjunction,
+    Equality,
     Form,
+    Part,
     Quantity,
     Repeats,
     Singular,
+    Statement,
+    Written,
 )
 
 from .equations import print_10, print_radius
 from .forms import (
-    ACCELERATION_CYLINDRICAL_SCALE,
     ACCELERATION_FORM,
-    ACCELERATION_SCALE,
-    BRANCH_OF_X,
+    ACCURACY,
     BRANCHES,
     DOUBLE,
     LEAD,
-    LOW_WORD,
-    NO_UNDERFLOW,
-    NO_UNDERFLOW_OF_LEAD,
-    NO_UNDERFLOW_OF_QUOTIENT,
     PLAIN_PRODUCT,
-    POSITION_CYLINDRICAL_SCALE,
     POSITION_FORM,
-    POSITION_SCALE,
     PRINTED_RADII,
-    RATIO_CYLINDRICAL_SCALE,
-    RATIO_SCALE,
-    SQUARE_OF_SPEED,
     WHEEL_3_FORM,
     acceleration_by_map,
     acceleration_by_parts,
     as_printed,
     over_branches,
-    over_turns,
     position_by_map,
     position_by_parts,
     ratio_by_map,
@@ -59,6 +51,7 @@ from .mechanics import (
     alpha_double,
     beta_double,
     count_branches,
+    driven_angle,
     e1,
     e2,
     gamma_double,
@@ -75,8 +68,26 @@ from .mechanics import (
     rho5,
     rho6,
     t,
+    turns,
     x,
 )
+
+BRANCH_OF_X = Part("|x| < pi, the first branch", {x: sp.Interval.open(-sp.pi, sp.pi)})
+
+
+def over_turns(code: Written) -> Statement:
+    """State the form at x + 2*pi*m for |x| < pi, where its floor is m."""
+    form = code.output(x)
+    (count,) = form.atoms(sp.floor)
+    whole = phi1 - driven_angle(e2, x / 2)
+    at_turn = {x: x + 2 * sp.pi * turns}
+    return Conjunction(
+        (
+            Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn)),
+            Equality(whole, POSITION_CYLINDRICAL),
+        )
+    )
+
 
 ECCENTRICITIES = (0, 0.28, 0.5, 0.9, 0.99, 1)
 CARRIER = Argument(
@@ -168,7 +179,7 @@ QUANTITIES = (
             ),
         ),
         f"{SOURCE}, equation (10)",
-        accuracy=Accuracy(10, RATIO_SCALE),
+        accuracy=ACCURACY["ratio"],
         singular=SINGULAR_OVALS,
         repeats=Repeats(sp.pi),
     ),
@@ -207,7 +218,7 @@ QUANTITIES = (
         ),
         f"{SOURCE}, integral (11)",
         unit="rad",
-        accuracy=Accuracy(7, POSITION_SCALE, NO_UNDERFLOW),
+        accuracy=ACCURACY["position"],
         singular=SINGULAR_OVALS,
         period=sp.pi,
         repeats=Repeats(sp.pi),
@@ -232,7 +243,7 @@ QUANTITIES = (
             ),
         ),
         f"{SOURCE}, derivative of (10)",
-        accuracy=Accuracy(15, ACCELERATION_SCALE, NO_UNDERFLOW),
+        accuracy=ACCURACY["acceleration"],
         singular=SINGULAR_OVALS,
         repeats=Repeats(sp.pi),
     ),
@@ -257,7 +268,7 @@ QUANTITIES = (
             Form("half-angle sine", 1 - k * (1 - e2) * (1 + e2) / HALF_ANGLE, key="half_angle"),
         ),
         f"{SOURCE}, equation (10), pair 4-5 cylindrical",
-        accuracy=Accuracy(10, RATIO_CYLINDRICAL_SCALE, LOW_WORD),
+        accuracy=ACCURACY["ratio_cylindrical"],
         singular=SINGULAR_CYLINDERS,
         repeats=Repeats(sp.pi / k),
     ),
@@ -296,7 +307,7 @@ QUANTITIES = (
         ),
         f"{SOURCE}, integral (11), pair 4-5 cylindrical",
         unit="rad",
-        accuracy=Accuracy(7, POSITION_CYLINDRICAL_SCALE, (*LOW_WORD, *NO_UNDERFLOW_OF_LEAD)),
+        accuracy=ACCURACY["position_cylindrical"],
         singular=SINGULAR_CYLINDERS,
         period=sp.pi,
         repeats=Repeats(sp.pi / k, sp.pi * (1 - k) / k),
@@ -315,11 +326,7 @@ QUANTITIES = (
             Form("1 + e**2 - 2 e cos x", ACCELERATION_CYLINDRICAL, key="direct"),
         ),
         f"{SOURCE}, derivative of (10), pair 4-5 cylindrical",
-        accuracy=Accuracy(
-            16,
-            ACCELERATION_CYLINDRICAL_SCALE,
-            (*LOW_WORD, *SQUARE_OF_SPEED, *NO_UNDERFLOW_OF_LEAD, *NO_UNDERFLOW_OF_QUOTIENT),
-        ),
+        accuracy=ACCURACY["acceleration_cylindrical"],
         singular=SINGULAR_CYLINDERS,
         repeats=Repeats(sp.pi / k),
     ),

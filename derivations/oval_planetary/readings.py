@@ -17,17 +17,7 @@ from mechproof.record import (
     Row,
 )
 
-from .._metrology import (
-    estimate_row,
-    j,
-    n,
-    q,
-    qbar,
-    s2,
-    s2_mean,
-    u_mean,
-    unbiased_row,
-)
+from .._metrology import estimate_row, j, n, q, qbar, s2, s2_mean, u_mean, unbiased_row
 from .._readings import (
     COVERAGE_OF_MEAN,
     FULL_SCALE_LINEARITY,
