@@ -9,7 +9,7 @@ from derived import paper_of
 from sympy import Interval, Rational, oo
 from weights import make_thorough
 
-from mechproof.derivations.tooth_thickness import geometry, influence, shares, symbols
+from mechproof.derivations.tooth_thickness import influence, mechanics
 from mechproof.proof.domain import Domain
 from mechproof.proof.judge import judge
 from mechproof.proof.ladder import decide
@@ -23,11 +23,11 @@ def row(number: str) -> Row:
 
 # Where the claim is said to hold, a little too much.
 TOO_WIDE = {
-    "(b)": {symbols.gauge_um: Interval.open(Rational("2.453"), oo)},
-    "(1), influence 0.7284": {symbols.tilt: Interval(0, 3 * influence.NARROW)},
-    "step 6, influence of the involute": {symbols.tilt: Interval(0, 3 * influence.NARROW)},
-    "smallest deviation, guaranteed side clearance": {symbols.mate: Interval(0, oo)},
-    "(a), rise with the limit error": {symbols.above: Interval.open(0, oo)},
+    "(b)": {mechanics.gauge_um: Interval.open(Rational("2.453"), oo)},
+    "(1), influence 0.7284": {mechanics.tilt: Interval(0, 3 * mechanics.NARROW)},
+    "step 6, influence of the involute": {mechanics.tilt: Interval(0, 3 * mechanics.NARROW)},
+    "smallest deviation, guaranteed side clearance": {mechanics.mate: Interval(0, oo)},
+    "(a), rise with the limit error": {mechanics.above: Interval.open(0, oo)},
 }
 
 
@@ -43,7 +43,7 @@ def test_a_claim_does_not_hold_on_more(number: str) -> None:
 
 
 def test_another_crossover_is_refuted() -> None:
-    says = PrintedNumber("5.0", 2 * shares.crossover(6))
+    says = PrintedNumber("5.0", 2 * mechanics.crossover(6))
     assert decide(says, Domain.of(paper_of("tooth_thickness"))).verdict is Verdict.REFUTED
 
 
@@ -63,7 +63,8 @@ def test_step_5_is_refuted_with_either_sign() -> None:
 
 def test_a_wrong_turn_of_the_flanks_refutes_the_reading() -> None:
     wrong = (
-        geometry.reading + geometry.chord_by_thinning.subs(symbols.thinning, symbols.E_true) / 10
+        mechanics.reading
+        + mechanics.chord_by_thinning.subs(mechanics.thinning, mechanics.E_true) / 10
     )
     step_8 = row("step 8")
     says = dataclasses.replace(step_8.statement, rebuilt=wrong)

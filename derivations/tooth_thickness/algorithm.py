@@ -13,16 +13,21 @@ from mechproof.record import (
     Definition,
     Distinct,
     Equality,
-    Equation,
     PrintedNumber,
     Reading,
 )
 
 from .._metrology import normal_between
 from .._relations import less, not_above
-from .geometry import height_deviation, height_towards_tip, influence, measured_change, reading
-from .shares import NORMAL_SHARE, THREE_SIGMA, error_variance
-from .symbols import (
+from .mechanics import (
+    GAUGE_UM,
+    GRADES,
+    NORMAL_SHARE,
+    PRINT,
+    RANGE,
+    THREE_SIGMA,
+    TIP_DIAMETER,
+    TOLERANCE_UNIT,
     E_measured,
     E_true,
     K,
@@ -33,8 +38,14 @@ from .symbols import (
     ds_gauge,
     ds_height,
     e_tip,
+    error_variance,
     f_measured,
     f_true,
+    height_deviation,
+    height_towards_tip,
+    influence,
+    measured_change,
+    reading,
     rightly_accepted,
     rightly_rejected,
     sigma_tip,
@@ -42,7 +53,6 @@ from .symbols import (
     wrongly_rejected,
     z,
 )
-from .wheel import GAUGE_UM, GRADES, RANGE, TIP_DIAMETER, TOLERANCE_UNIT
 
 SHARES_OF_TOOTH = {
     rightly_accepted: f_true * f_measured,
@@ -67,9 +77,8 @@ HALF_OF_THE_DEVIATION = Conjunction(
 )
 
 ALGORITHM_ROWS = (
-    Claim(
+    PRINT.claim(
         "step 1",
-        r"K=T_c/\sigma",
         defines=(K,),
         note="The ratio of the tolerance field to the standard deviation, in words.",
     ),
@@ -99,9 +108,8 @@ ALGORITHM_ROWS = (
         ),
         note="No law is legible, and no value of the expectation is printed.",
     ),
-    Equation(
+    PRINT.equation(
         "step 2",
-        r"f_u=1\text{ if }E_{csu}<E_{cs}\text{ and }E_{csu}>(E_{cs}-T_c),\text{ else }0",
         defines=(f_true,),
         note="For the sign of E_cs see 'smallest deviation'.",
         marks=("rebuilt",),
@@ -182,9 +190,8 @@ ALGORITHM_ROWS = (
         ),
         note="Neither the multiple nor the kind of interval is printed.",
     ),
-    Equation(
+    PRINT.equation(
         "step 5",
-        r"\Delta h=e_{dau}+\Delta h_c",
         derived={dh: height_towards_tip},
         readings=(
             Reading(
@@ -261,18 +268,16 @@ ALGORITHM_ROWS = (
         note="With the text's meaning in step 8 the height would be counted twice.",
         marks=("ours", "rebuilt"),
     ),
-    Equation(
+    PRINT.equation(
         "step 8",
-        r"E_{cs0}=E_{csu}+\Delta S_{ca}+\Delta S_c",
         derived={E_measured: reading},
         substituted={ds_height: K_m * dh},
         note="The indication less the nominal chord, to first order: a tooth whose flanks are "
         "turned to its true deviation, along a line deeper by Delta h; step 6 is put in.",
         marks=("rebuilt",),
     ),
-    Equation(
+    PRINT.equation(
         "step 9",
-        r"f_0=1\text{ if }E_{cs0}<E_{cs}\text{ and }E_{cs0}>(E_{cs}-T_c),\text{ else }0",
         defines=(f_measured,),
         note="Acceptance limits equal to the tolerance limits: no guard band.",
         marks=("rebuilt",),

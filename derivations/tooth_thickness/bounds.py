@@ -25,8 +25,20 @@ from sympy import (
 
 from mechproof.record import Conjunction, Equality, Holds, Part, Scale, Singular, Statement, Written
 
-from .geometry import linearisation_bound, linearisation_root, thickness_change
-from .symbols import alpha, dh, incline, m, r_b, t_c, tilt, y_c, z
+from .mechanics import (
+    alpha,
+    dh,
+    incline,
+    linearisation_bound,
+    linearisation_root,
+    m,
+    r_b,
+    t_c,
+    thickness_change,
+    tilt,
+    y_c,
+    z,
+)
 
 ABOVE_BASE_CIRCLE = Part(
     "the chord lies no deeper than the base circle and no higher than the tip",

@@ -16,30 +16,31 @@ from mechproof.record import (
 )
 
 from .._relations import less
-from .geometry import influence
-from .shares import (
+from .mechanics import (
+    GAUGE_UM,
+    GRADES,
+    POSITIVE,
+    RECOMMENDED_UM,
+    TOLERANCE_UM,
     VARIANCE_BY_SLOPE,
+    K_m,
+    above,
+    below,
     chance_to_accept,
     crossover,
     error_variance,
     gauge_spread,
-    rejected_by,
-    tip_spread,
-    wrongly_rejected,
-)
-from .symbols import (
-    POSITIVE,
-    K_m,
-    above,
-    below,
     gauge_um,
+    good_but_rejected,
+    influence,
+    rejected_by,
     sigma,
     sigma_height,
     sigma_thickness,
     sigma_tip,
+    tip_spread,
     width,
 )
-from .wheel import GAUGE_UM, GRADES, RECOMMENDED_UM, TOLERANCE_UM
 
 # Grade, multiple of sigma, limit error (um) at the crossover: as printed, by the geometry.
 CROSSOVERS = (
@@ -214,8 +215,8 @@ CLAIM_ROWS = (
         "(e)",
         r"\text{with a zero limit error of the gauge the shares depend only on the tip's grade}",
         Equality(
-            wrongly_rejected(tip_spread(6), 6),
-            wrongly_rejected(tip_spread(6), 4),
+            good_but_rejected(tip_spread(6), 6),
+            good_but_rejected(tip_spread(6), 4),
         ),
         readings=(
             Reading(

@@ -1,8 +1,8 @@
-"""Rows of paper 3 on the design data, the smallest deviation and the measuring base."""
+"""Rows of paper 3 on design data, smallest deviation, measuring base, controlled parameters."""
 
 from __future__ import annotations
 
-from sympy import Expr, Interval, Rational, S, acos, atan, cos, diff, oo, pi, sqrt
+from sympy import Expr, Interval, Rational, S, acos, atan, cos, diff, oo, pi, sqrt, tan
 
 from mechproof.record import (
     Claim,
@@ -10,54 +10,66 @@ from mechproof.record import (
     Completions,
     Conjunction,
     Correction,
-    Datum,
     Definition,
+    Distinct,
     Equality,
     Part,
     PrintedNumber,
     Reading,
 )
 
+from .._metrology import normal_between
 from .._relations import less, not_above
-from .geometry import (
+from .mechanics import (
+    DECREASE_UM,
+    GAUGE_UM,
+    HEIGHTS_TO_1_MM,
+    MODULE,
+    NORMAL_SHARE,
+    PRINT,
+    PROFILE_ANGLE,
+    TEETH,
+    THREE_SIGMA,
+    TOLERANCE_UM,
+    E_cs,
+    E_true,
+    K_m,
+    T_c,
+    accepted_by,
+    alpha,
+    at_angle,
+    centre_change,
     chord_by_thinning,
+    chord_height,
+    dh,
+    dh_gauge,
+    ds_gauge,
+    e_tip,
+    good_but_rejected,
     height_change,
+    height_deviation,
+    incline,
     involute_chord,
     involute_distance,
     line_actual,
-    nominal_height,
-    rack_chord,
-    rack_height,
-    side_clearance,
-    thickness_change,
-    tip_radius,
-)
-from .symbols import (
-    E_cs,
-    T_c,
-    alpha,
-    centre_change,
-    chord_height,
-    dh_gauge,
-    e_tip,
-    incline,
     m,
     mate,
+    measurement_spread,
     millimetre,
+    nominal_height,
+    of_wheel,
     place,
+    rack_chord,
+    rack_height,
+    reading,
+    rejected_by,
     s_c,
+    side_clearance,
+    thickness_change,
     thinning,
     tilt,
-)
-from .wheel import (
-    DECREASE_UM,
-    HEIGHTS_TO_1_MM,
-    MODULE,
-    PROFILE_ANGLE,
-    TEETH,
-    TOLERANCE_UM,
-    at_angle,
-    of_wheel,
+    tip_radius,
+    tip_spread,
 )
 
 
@@ -68,23 +80,17 @@ def of_pair(too_long: int) -> Expr:
 
 
 DESIGN_ROWS = (
-    Claim(
-        "data, pitch diameter",
-        r"d=150~\mathrm{mm}\quad(m=3~\mathrm{mm},\ z=50)",
-        PrintedNumber("150", MODULE * S(TEETH)),
-    ),
-    Datum(
+    PRINT.claim("data, pitch diameter", says=PrintedNumber("150", MODULE * S(TEETH))),
+    PRINT.datum(
         "data, constant chord",
-        r"\bar S_c=4.161~\mathrm{mm}",
-        Definition(s_c, Rational("4.161") * millimetre),
+        says=Definition(s_c, Rational("4.161") * millimetre),
         note="A datum. The profile angle, which is not printed, is fitted to it: 20 deg, see "
         "'data, profile angle'.",
         marks=("fitted",),
     ),
-    Claim(
+    PRINT.claim(
         "data, height to the constant chord",
-        r"\bar h_c=2.243~\mathrm{mm}",
-        PrintedNumber("2.243", at_angle(rack_height, 20)),
+        says=PrintedNumber("2.243", at_angle(rack_height, 20)),
         note="With 20 deg from the constant chord and an addendum of one module.",
         marks=("calibrated",),
     ),
@@ -138,18 +144,12 @@ DESIGN_ROWS = (
         note="From the rack and from the involute, addendum of one module.",
         marks=("ours",),
     ),
-    Datum(
+    PRINT.datum(
         "data, smallest deviation",
-        rf"E_{{cs}}={DECREASE_UM}~\mu\mathrm{{m}}",
         defines=(E_cs,),
         note="A datum; its sign is a matter of 'smallest deviation'.",
     ),
-    Datum(
-        "data, tolerance",
-        rf"T_c={TOLERANCE_UM}~\mu\mathrm{{m}}",
-        defines=(T_c,),
-        note="A datum.",
-    ),
+    PRINT.datum("data, tolerance", defines=(T_c,), note="A datum."),
     Claim(
         "smallest deviation, smallest prescribed decrease",
         r"E_{cs}\text{ is the smallest prescribed decrease; good: }"
@@ -263,5 +263,73 @@ DESIGN_ROWS = (
         note="On the involute of this wheel, the thickness is off by half as much at least; deeper "
         "is thicker, so a larger tip diameter makes the measured tooth thinner.",
         marks=("calibrated",),
+    ),
+)
+
+GAUGE_LIMIT = Rational(GAUGE_UM, 2)
+SHARE = good_but_rejected(tip_spread(6))
+
+PARAMETER_ROWS = (
+    Claim(
+        "controlled parameters, grade of the tip diameter",
+        r"\text{the IT grade of the tip diameter}",
+        less(measurement_spread(6, S.Zero), measurement_spread(7, S.Zero)),
+        note="Steps 3, 5 and 6 as printed: the grade changes the error of measurement.",
+    ),
+    Claim(
+        "controlled parameters, accuracy degree",
+        r"\text{the accuracy degree of the wheel changes the shares}",
+        Completions(
+            "what the degree sets",
+            Completion(
+                f"not T_c, which goes with the mating: {TOLERANCE_UM} um stay",
+                Distinct(good_but_rejected(tip_spread(6), tolerance=TOLERANCE_UM), SHARE),
+            ),
+            Completion(
+                "T_c: 56 um for degree 7",
+                Distinct(good_but_rejected(tip_spread(6), tolerance=56), SHARE),
+            ),
+        ),
+        note="No formula has the degree; it can act through T_c alone, printed for degree 6 only. "
+        "Perfect gauge, tip of IT6, normal laws, centred.",
+        marks=("inferred",),
+    ),
+    Claim(
+        "controlled parameters, expectation of the thickness",
+        r"\text{the expectation of the thickness deviation}",
+        less(normal_between(S.One, S.One, -THREE_SIGMA, THREE_SIGMA), NORMAL_SHARE),
+        note="A sixth of the field off its middle, fewer teeth are good.",
+    ),
+    Claim(
+        "controlled parameters, expectation of the instrument's error",
+        r"\text{the expectation of the instrument's error}",
+        less(accepted_by(6, GAUGE_LIMIT, expected=GAUGE_LIMIT), accepted_by(6, GAUGE_LIMIT)),
+        note="A gauge that reads off by as much as its limit error on the average accepts fewer "
+        "teeth; half of 50 um, 3 sigma, tip of IT6, normal laws, centred.",
+    ),
+    Claim(
+        "controlled parameters, expectation of the error",
+        r"\text{steps 5 to 8: the mean error is }K_m(\mu_d+\mu_h)+\mu_S",
+        Equality(
+            K_m * (e_tip + dh_gauge) + ds_gauge,
+            (reading - E_true).subs(dh, height_deviation),
+        ),
+        corrected=Correction(
+            r"\mathrm{tg}\,\alpha\,(2\mu_h-\mu_d)+\mu_S",
+            Equality(
+                tan(alpha) * (2 * dh_gauge - e_tip) + ds_gauge,
+                (reading - E_true).subs(dh, height_deviation),
+            ),
+        ),
+        note="With the expectations for the errors, as the mean is linear. Where an expectation "
+        "is not zero the sign of step 5 matters.",
+        marks=("ours",),
+    ),
+    Claim(
+        "controlled parameters, what is not among them",
+        r"\text{the limit error of the gauge changes the shares, too}",
+        less(rejected_by(6, 0), rejected_by(6, 10)),
+        note="The printed list has four parameters; Figs. 4 and 5 are drawn over this fifth one.",
+        marks=("ours",),
     ),
 )

@@ -16,9 +16,13 @@ from mechproof.record import (
 )
 
 from .._relations import less
-from .geometry import height_deviation, reading
-from .shares import NORMAL_SHARE
-from .symbols import (
+from .mechanics import (
+    GAUGE_UM,
+    GRADES,
+    NORMAL_SHARE,
+    PRINT,
+    TEETH,
+    TOLERANCE_UM,
     E_true,
     K,
     K_m,
@@ -28,11 +32,12 @@ from .symbols import (
     dh_gauge,
     ds_gauge,
     e_tip,
+    height_deviation,
     interval,
     millimetre,
+    reading,
     tip_tolerance,
 )
-from .wheel import GAUGE_UM, GRADES, K_PRINTED, TEETH, TOLERANCE_UM
 
 EXAMPLE_ROWS = (
     Datum(
@@ -49,9 +54,8 @@ EXAMPLE_ROWS = (
         "from GOST 1643; the paper names no standard.",
         marks=("inferred",),
     ),
-    Datum(
+    PRINT.datum(
         "Table 1, ratio of tolerance and standard deviation",
-        rf"K={K_PRINTED}",
         defines=(K,),
         note="A datum, called the normal accuracy of the technology in step 1.",
     ),

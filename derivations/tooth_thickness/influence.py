@@ -2,58 +2,56 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from sympy import Expr, Interval, Rational, S, atan, cos, diff, sin, tan
 
-from mechproof.record import (
-    Claim,
-    Conjunction,
-    Correction,
-    Equality,
-    Equation,
-    Holds,
-    Part,
-    PrintedNumber,
-)
+from mechproof.record import Claim, Conjunction, Correction, Equality, Holds, Part, PrintedNumber
 
 from .._relations import less, not_above
-from .geometry import (
-    across,
-    chord_distance,
-    chord_half,
-    curvature_of_thickness,
-    distance,
-    half_tooth,
-    height_change,
-    influence,
-    involute_chord,
-    involute_distance,
-    linearisation_bound,
-    linearisation_root,
-    rack_chord,
-    rack_height,
-    roll,
-    slope_of_thickness,
-    thickness,
-    thickness_change,
-)
-from .symbols import READER, K_m, alpha, delta, dh, incline, m, r_b, s_c, t_c, tilt, y_c, z
-from .wheel import (
-    EQUATION_1,
+from .mechanics import (
     GRADES,
     HEIGHTS_TO_0_1_MM,
     HEIGHTS_TO_1_MM,
     MODULE,
     NARROW,
+    PRINT,
     PRINTED_INFLUENCE,
     WIDE,
+    K_m,
+    across,
+    alpha,
+    chord_distance,
+    chord_half,
+    curvature_of_thickness,
+    delta,
+    dh,
+    distance,
     excess_of_wheel,
+    half_tooth,
+    height_change,
+    incline,
+    influence,
+    involute_chord,
+    involute_distance,
+    linearisation_bound,
+    linearisation_root,
+    m,
     of_wheel,
+    r_b,
+    rack_chord,
+    rack_height,
+    read,
+    roll,
+    s_c,
+    slope_of_thickness,
+    t_c,
+    thickness,
+    thickness_change,
+    tilt,
+    y_c,
+    z,
 )
 
-STEP_6 = Equation("step 6, influence of the involute", r"\Delta S_{ca}=K_m\cdot\Delta h")
-in_print = READER.members(STEP_6)[1].subs(dh, height_change)
+in_print = read("step 6, influence of the involute").subs(dh, height_change)
 excess_in_print = of_wheel(in_print - thickness_change)
 excess_of_0_7284 = of_wheel(PRINTED_INFLUENCE * height_change - thickness_change)
 rack_chord_by_slope, rack_height_by_slope = (
@@ -79,8 +77,8 @@ def rounds_at(size: Expr, end: Rational, influence_there: Rational) -> tuple[Hol
 
 
 INFLUENCE_ROWS = (
-    replace(
-        EQUATION_1,
+    PRINT.equation(
+        "(1), influence 0.7284",
         says=Conjunction(
             tuple(
                 not_above(*(side.subs(tilt, tilt * way) for side in sides))
@@ -166,8 +164,8 @@ INFLUENCE_ROWS = (
         note="For heights that are off by up to 0.1 mm; the third digit does no harm.",
         marks=("ours", "calibrated"),
     ),
-    replace(
-        STEP_6,
+    PRINT.equation(
+        "step 6, influence of the involute",
         says=Conjunction(
             (
                 not_above(excess_in_print, -of_wheel(height_change) / 100),

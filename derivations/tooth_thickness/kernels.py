@@ -33,16 +33,27 @@ from .bounds import (
     first_order,
     within_a_hundredth,
 )
-from .geometry import (
+from .mechanics import (
+    PRINTED_INFLUENCE,
+    K_m,
+    alpha,
+    chord,
     chord_distance,
     chord_half,
+    chord_height,
+    dh,
+    dh_gauge,
+    e_tip,
     half_tooth,
     height_change,
     linearisation_bound,
+    m,
+    r_b,
+    t_c,
     thickness_change,
+    tilt,
+    z,
 )
-from .symbols import K_m, alpha, chord, chord_height, dh, dh_gauge, e_tip, m, r_b, t_c, tilt, z
-from .wheel import PRINTED_INFLUENCE
 
 MODULE = Argument("m", (m,), "module", "mm", usual=(0, 10))
 TEETH = Argument("z", (z,), "number of teeth, a natural number", usual=(4, 100, 1000))

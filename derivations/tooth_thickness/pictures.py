@@ -15,7 +15,7 @@ from mechproof.mechanisms.tooth_thickness_inspection import IT_120_TO_180, PUBLI
 from mechproof.plot import Figure, shares
 from mechproof.plot.canvas import LineStyle, label
 
-from .wheel import GAUGE_UM, K_PRINTED, RECOMMENDED_UM
+from .mechanics import GAUGE_UM, K_PRINTED, RECOMMENDED_UM
 
 # The paper's curves, by the grades of the tip diameter.
 CURVES = {6: 1, 7: 2}

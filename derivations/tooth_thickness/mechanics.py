@@ -1,0 +1,325 @@
+"""Letters of paper 3, its geometry, rebuilt, its wheel in numbers, and the shares of its parts.
+
+Conventions: lengths in mm, angles in rad. The tooth's axis points from the wheel's centre to the
+tip. Heights grow from the tip towards the centre, deviations of thickness are positive for a
+thicker tooth. Letters that the paper uses twice are kept apart: `Delta h_c` and `Delta S_c` are the
+gauge's errors of the flow chart; `K` is T/sigma and `K_m` the influence of the height.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from sympy import (
+    Abs,
+    Eq,
+    Expr,
+    Integral,
+    Interval,
+    Matrix,
+    Rational,
+    S,
+    Symbol,
+    cos,
+    diff,
+    exp,
+    oo,
+    pi,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+)
+
+from mechproof.document.transcription import Transcription
+from mechproof.latex import Reader
+from mechproof.record import ANGLE, LENGTH, Notation, Part, Scope, Variable, list_given
+
+from .._linear import solve_linear
+from .._metrology import normal_between, normal_outside
+
+# Letters of the paper, and what the proofs need besides -------------------------------------------
+
+PRINT = Transcription(Path(__file__).with_name("paper.tex"))
+m, z, s_c, sigma, K, K_m, E_cs, T_c = PRINT.symbols("m z s_c sigma K K_m E_cs T_c")
+dh, dh_gauge, ds_gauge, ds_height = PRINT.symbols("Delta_h Delta_hc Delta_Sc Delta_Sca")
+e_tip, E_true, E_measured, f_true, f_measured = PRINT.symbols("e_dau E_csu E_cs0 f_u f_0")
+alpha, psi, place, width, degree = symbols("alpha psi p w degree", positive=True)
+incline, gauge_um, millimetre = symbols("tan_alpha sigma_gauge mm", positive=True)
+sigma_tip, sigma_height, sigma_thickness = symbols("sigma_d sigma_h sigma_S", positive=True)
+tip_tolerance, interval = symbols("IT_d U", positive=True)
+clearance = Symbol("j_n", nonnegative=True)
+delta, tilt, start, turn, thinning = symbols("delta tilt delta_0 turn Delta_s", real=True)
+r_b, t_c, y_c, above, below = symbols("r_b t_c y_c q_1 q_2", real=True)
+mate, centre_change, micrometre = symbols("E_mate Delta_a um", real=True)
+rightly_accepted, wrongly_accepted, rightly_rejected, wrongly_rejected = symbols(
+    "rightly_accepted wrongly_accepted rightly_rejected wrongly_rejected", real=True
+)
+POSITIVE = Interval.open(0, oo)
+
+# The design: the constant chord and its height below the tip, addendum of one module.
+chord = pi * m * cos(alpha) ** 2 / 2
+chord_height = m * (1 - pi * sin(2 * alpha) / 8)
+
+VARIABLES = (
+    *PRINT.give({s_c: chord, K_m: 2 * tan(alpha)}),
+    Variable(
+        alpha,
+        "profile angle of the basic rack",
+        ANGLE,
+        within=Interval.open(0, pi / 4),
+        latex=(r"\alpha",),
+    ),
+    Variable(incline, "tangent of the profile angle", within=Interval.open(0, 1)),
+    Variable(
+        delta, "angle of the flank's tangent with the tooth's axis", ANGLE, latex=(r"\delta",)
+    ),
+    Variable(
+        tilt,
+        "angle between the tangents at a chord's end and at the constant chord's",
+        ANGLE,
+        latex=(r"\varepsilon",),
+    ),
+    Variable(start, "angle of the flank's tangent with the tooth's axis at a first chord", ANGLE),
+    Variable(r_b, "base radius", LENGTH, POSITIVE, given=m * z * cos(alpha) / 2, latex=("r_b",)),
+    Variable(
+        t_c,
+        "roll angle at the constant chord",
+        ANGLE,
+        given=tan(alpha) + pi / (2 * z),
+        latex=("t_c",),
+    ),
+    Variable(
+        y_c,
+        "from the wheel's centre to the constant chord",
+        LENGTH,
+        given=m * (z / 2 + pi * sin(2 * alpha) / 8),
+    ),
+    Variable(psi, "half the tooth's angle at the base circle", ANGLE, within=POSITIVE),
+    Variable(thinning, "change of thickness on the pitch circle", LENGTH),
+    Variable(millimetre, "the unit of length", LENGTH, POSITIVE, latex=(r"\mathrm{mm}",)),
+    Variable(
+        micrometre, "a thousandth of it", LENGTH, given=millimetre / 1000, latex=(r"\mu\mathrm{m}",)
+    ),
+    Variable(rightly_accepted, "share of good teeth that are accepted", within=Interval(0, 1)),
+    Variable(wrongly_accepted, "share of bad teeth that are accepted", within=Interval(0, 1)),
+    Variable(rightly_rejected, "share of bad teeth that are rejected", within=Interval(0, 1)),
+    Variable(wrongly_rejected, "share of good teeth that are rejected", within=Interval(0, 1)),
+    Variable(place, "place in the tolerance field, from its upper end", within=Interval.open(0, 1)),
+    Variable(
+        sigma_tip, "standard deviation of the tip diameter", LENGTH, POSITIVE, latex=(r"\sigma_d",)
+    ),
+    Variable(sigma_height, "standard deviation of the gauge in height", LENGTH, POSITIVE),
+    Variable(sigma_thickness, "standard deviation of the gauge in thickness", LENGTH, POSITIVE),
+    Variable(above, "from the expected reading of a tooth to the upper limit", LENGTH),
+    Variable(below, "from the lower limit to the expected reading of a tooth", LENGTH),
+    Variable(width, "standard deviation of the measurement error times sqrt(2)", LENGTH, POSITIVE),
+    Variable(degree, "accuracy degree", within=POSITIVE),
+    Variable(mate, "decrease of the mate's tooth thickness", LENGTH),
+    Variable(centre_change, "deviation of the centre distance", LENGTH, sign="positive: too long"),
+    Variable(clearance, "guaranteed side clearance", LENGTH, Interval(0, oo)),
+    Variable(tip_tolerance, "tolerance of the tip diameter", LENGTH, POSITIVE),
+    Variable(interval, "interval measure of the gauge's uncertainty", LENGTH, POSITIVE),
+    Variable(gauge_um, "standard deviation of the gauge in um", within=POSITIVE),
+)
+# Letters printed twice: Delta S_c of (1) is the thickness that follows from the height.
+NOTATION = Notation(
+    factors=("m", "mz", "t_c"),
+    scopes=(Scope(rows=("(1)",), names={r"\Delta S_c": ds_height}),),
+)
+READER = Reader(VARIABLES, NOTATION)
+
+# Basic rack, involute, gauge on the tip circle ----------------------------------------------------
+
+# Basic rack, symmetric about its tooth space's axis; the pitch point is the origin, y points to
+# the tip of the wheel's tooth. The rack's flank cuts the pitch line half a tooth from the axis;
+# the common normal goes through the pitch point, so contact is at the foot of the perpendicular.
+flank_point = Matrix([pi * m / 4, 0])
+flank_normal = Matrix([cos(alpha), sin(alpha)])
+contact = flank_normal * flank_point.dot(flank_normal)
+rack_chord = 2 * contact[0]
+rack_height = m - contact[1]
+
+# Clearance along both normals, the mate being such a rack: the tooth is thinner by E_cs, the mate
+# by its own decrease, and the mate is withdrawn by the deviation of the centre distance.
+withdrawal = Matrix([mate / 2, centre_change]) - Matrix([-E_cs / 2, 0])
+side_clearance = 2 * flank_normal.dot(withdrawal)
+
+# Involute of the base circle: in the frame of the tangent the chord's end has the coordinates
+# r_b (radius to the tangency point) and r_b t (along the generating line, t the roll angle).
+# The tangent of the flank is parallel to that radius, at the angle delta to the tooth's axis.
+
+
+def chord_half(slope: Expr, half_angle: Expr, radius: Expr = r_b) -> Expr:
+    """Half the chord's length where the flank's tangent has the angle `slope` to the axis."""
+    return radius * ((slope + half_angle) * cos(slope) - sin(slope))
+
+
+def chord_distance(slope: Expr, half_angle: Expr, radius: Expr = r_b) -> Expr:
+    """Distance of that chord from the wheel's centre."""
+    return radius * (cos(slope) + (slope + half_angle) * sin(slope))
+
+
+roll = delta + psi
+thickness, distance = 2 * chord_half(delta, psi), chord_distance(delta, psi)
+slope_of_thickness = diff(thickness, delta) / diff(-distance, delta)
+curvature_of_thickness = diff(slope_of_thickness, delta) / diff(-distance, delta)
+
+# Half the angle of the tooth at the base circle: half of pi/z at the pitch circle, plus inv(alpha).
+half_tooth = pi / (2 * z) + tan(alpha) - alpha
+involute_chord = 2 * chord_half(alpha, half_tooth)
+involute_distance = chord_distance(alpha, half_tooth)
+tip_radius = m * z / 2 + m
+nominal_height = tip_radius - involute_distance
+
+# From the constant chord to a chord where the tangent has turned by `tilt`: the integrals of
+# r_b t along and across the first tangent.
+along = (t_c + tilt) * sin(tilt) - (1 - cos(tilt))
+across = t_c * (1 - cos(tilt)) + sin(tilt) - tilt * cos(tilt)
+height_change = r_b * (across * sin(alpha) - along * cos(alpha))
+thickness_change = -2 * r_b * (along * sin(alpha) + across * cos(alpha))
+linearisation_root = (r_b * t_c) ** 2 - dh * (2 * y_c - dh)
+linearisation_bound = (
+    dh**2 * (y_c + Abs(dh)) ** 3 / (r_b**3 * sqrt(linearisation_root.subs(dh, Abs(dh))))
+)
+
+# The gauge stands on the actual tip circle, its line h_c + Delta h_c below.
+line_nominal = tip_radius - nominal_height
+line_actual = tip_radius + e_tip / 2 - (nominal_height + dh_gauge)
+height_deviation = line_nominal - line_actual
+# Counted towards the tip instead, the gauge's error as well.
+height_towards_tip = (line_actual - line_nominal).subs(dh_gauge, -dh_gauge)
+influence = slope_of_thickness.subs(delta, alpha)
+measured_change = influence * height_deviation
+
+# A flank turned about the wheel's centre by -turn: the change of its half chord at fixed height.
+half_moved = (
+    chord_half(alpha, half_tooth)
+    - turn * chord_distance(alpha, half_tooth)
+    + tan(alpha) * turn * chord_half(alpha, half_tooth)
+)
+turn_by_thinning = solve_linear(Eq(2 * turn * m * z / 2, thinning), turn)
+chord_by_thinning = 2 * (chord_half(alpha, half_tooth) - half_moved).subs(turn, turn_by_thinning)
+
+# The indication less the nominal chord, to first order: the tooth, thicker by its true deviation,
+# along the gauge's line, `dh` deeper than the nominal one.
+gauge_line = line_nominal - dh
+chord_at_line = involute_chord + influence * (involute_distance - gauge_line)
+reading = chord_at_line - chord_by_thinning.subs(thinning, -E_true) + ds_gauge - involute_chord
+
+# The wheel in numbers (mm, unless said otherwise), and ISO tolerances -----------------------------
+
+PROFILE_ANGLE = pi / 9
+MODULE, TEETH = 3, 50
+WHEEL = {m: S(MODULE), z: S(TEETH), alpha: PROFILE_ANGLE}
+
+
+def read(number: str) -> Any:
+    """Return the right-hand side of a row as printed."""
+    return READER.members(PRINT.equation(number))[1]
+
+
+PRINTED_INFLUENCE = read("(1), influence 0.7284").coeff(dh)
+DECREASE_UM = int(read("data, smallest deviation") / micrometre)
+TOLERANCE_UM = int(read("data, tolerance") / micrometre)
+K_PRINTED = int(read("Table 1, ratio of tolerance and standard deviation"))
+GAUGE_UM, RECOMMENDED_UM = 50, 2
+PRINTED_SIZES = {
+    **WHEEL,
+    E_cs: Rational(DECREASE_UM, 1000),
+    T_c: Rational(TOLERANCE_UM, 1000),
+    interval: Rational(GAUGE_UM, 1000),
+    K: S(K_PRINTED),
+    clearance: S.Zero,
+    millimetre: S.One,
+}
+
+# Tilts (rad) that turn the tangent over 1 mm and over 0.1 mm of height.
+WIDE, NARROW = Rational(1, 20), Rational(1, 260)
+HEIGHTS_TO_1_MM = Part("heights off by up to 1 mm, tilts of both signs", {tilt: Interval(0, WIDE)})
+HEIGHTS_TO_0_1_MM = Part("heights off by up to 0.1 mm", {tilt: Interval(0, NARROW)})
+
+# ISO 286-1: i = 0.45 D^(1/3) + 0.001 D (um; D in mm, the geometric mean of the range 120 to 180).
+RANGE = (120, 180)
+TIP_DIAMETER = MODULE * (TEETH + 2)
+RANGE_MEAN = sqrt(RANGE[0] * RANGE[1])
+TOLERANCE_UNIT = Rational("0.45") * RANGE_MEAN ** Rational(1, 3) + Rational("0.001") * RANGE_MEAN
+GRADES = {6: (10, 25), 7: (16, 40), 8: (25, 63)}
+
+
+def of_wheel(expression: Expr) -> Expr:
+    """Put the printed wheel into an expression."""
+    return expression.subs(list_given(VARIABLES)).subs(WHEEL)
+
+
+def at_angle(expression: Expr, degrees: int | str) -> Expr:
+    """Put the printed module and a profile angle in degrees into an expression."""
+    return expression.subs({m: MODULE, alpha: Rational(degrees) * pi / 180})
+
+
+excess_of_wheel = of_wheel(m * z * across)
+
+
+# Shares of parts, accepted and rejected, good and bad, by normal laws -----------------------------
+
+GEOMETRIES = {
+    "printed": (PRINTED_INFLUENCE, PRINTED_INFLUENCE),
+    "involute": (tan(PROFILE_ANGLE), 2 * tan(PROFILE_ANGLE)),
+}
+
+
+# Share of good teeth, normal law centred on its field of K = 6 standard deviations.
+THREE_SIGMA = Rational(K_PRINTED, 2)
+NORMAL_SHARE = normal_between(S.Zero, S.One, -THREE_SIGMA, THREE_SIGMA)
+
+
+def tip_spread(grade: int, geometry: str = "printed") -> Expr:
+    """Give the standard deviation (um) of thickness from the tip diameter, IT/sigma = K."""
+    return GEOMETRIES[geometry][0] * Rational(GRADES[grade][1], K_PRINTED)
+
+
+def gauge_spread(gauge: Expr, geometry: str = "printed") -> Expr:
+    """Give the standard deviation of thickness from that of the gauge, in height and thickness."""
+    return sqrt(1 + GEOMETRIES[geometry][1] ** 2) * gauge
+
+
+def measurement_spread(grade: int, gauge: Expr, geometry: str = "printed") -> Expr:
+    """Give the standard deviation (um) of the whole error, from tip and gauge."""
+    return sqrt(tip_spread(grade, geometry) ** 2 + gauge_spread(gauge, geometry) ** 2)
+
+
+def crossover(grade: int, geometry: str = "printed") -> Expr:
+    """Give the standard deviation of the gauge (um) that disturbs as much as the tip."""
+    return tip_spread(grade, geometry) / gauge_spread(S.One, geometry)
+
+
+def good_but_rejected(spread: Expr, ratio: int = K_PRINTED, tolerance: int = TOLERANCE_UM) -> Expr:
+    """Share of good teeth rejected; normal laws, centred, T/sigma = ratio."""
+    y = Symbol("y", real=True)
+    half, spread_true = Rational(tolerance, 2), Rational(tolerance, ratio)
+    density = exp(-(y**2) / (2 * spread_true**2)) / (spread_true * sqrt(2 * pi))
+    return Integral(density * normal_outside(y, spread**2, -half, half), (y, -half, half))
+
+
+def rejected_by(
+    grade: int, limit_error: int | Rational, multiple: int = 3, geometry: str = "printed"
+) -> Expr:
+    """Share of good teeth rejected with a tip of a grade and a gauge."""
+    return good_but_rejected(measurement_spread(grade, Rational(limit_error) / multiple, geometry))
+
+
+def accepted_by(grade: int, limit_error: Rational, expected: Expr = S.Zero) -> Expr:
+    """Share of all teeth accepted; limit error 3 sigma, the indication off by `expected` (um)."""
+    half, spread_true = Rational(TOLERANCE_UM, 2), Rational(TOLERANCE_UM, K_PRINTED)
+    spread = measurement_spread(grade, limit_error / 3)
+    return normal_between(expected, spread_true**2 + spread**2, -half, half)
+
+
+def error_variance(tip: Expr, height: Expr) -> Expr:
+    """Variance of the measured thickness about the true one."""
+    return (tip * sigma_tip) ** 2 + (height * sigma_height) ** 2 + sigma_thickness**2
+
+
+VARIANCE_BY_SLOPE = error_variance(2 * incline, 2 * incline)
+chance_to_accept = normal_between(S.Zero, width**2 / 2, -below, above)
