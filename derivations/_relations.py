@@ -1,8 +1,13 @@
-"""Relations of numbers that the ladder is to decide: SymPy is kept from deciding them by itself."""
+"""Statements of several parts, and relations of numbers, which SymPy is kept from deciding."""
 
 from sympy import Expr, Le, Lt
 
-from mechproof.record import Holds
+from mechproof.record import Conjunction, Holds, Statement
+
+
+def all_of(*parts: Statement) -> Conjunction:
+    """State that every part is true."""
+    return Conjunction(parts)
 
 
 def less(left: Expr, right: Expr) -> Holds:

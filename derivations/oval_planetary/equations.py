@@ -6,18 +6,9 @@ from typing import Any
 
 import sympy as sp
 
-from mechproof.record import (
-    ChainLink,
-    Claim,
-    Conjunction,
-    Correction,
-    Equality,
-    Holds,
-    Part,
-    Reading,
-    Row,
-)
+from mechproof.record import ChainLink, Claim, Correction, Equality, Holds, Part, Reading, Row
 
+from .._relations import all_of
 from .mechanics import (
     E_SERIES,
     EC,
@@ -182,8 +173,8 @@ EQUATION_ROWS: tuple[Row, ...] = (
         "(5), double angle",
         r"\cos2\varphi_6=\frac{(1+e^2)\cos2\varphi_1-2e}{1+e^2-2e\cos2\varphi_1},\ "
         r"\sin2\varphi_6=\frac{(1-e^2)\sin2\varphi_1}{1+e^2-2e\cos2\varphi_1}",
-        Conjunction(
-            tuple(
+        all_of(
+            *(
                 Equality(one, two)
                 for one, two in zip(roll_reduced(e, phi1), roll(e, phi1), strict=True)
             )
@@ -265,34 +256,28 @@ EQUATION_ROWS: tuple[Row, ...] = (
     Claim(
         "(1)-(11), sense of the output",
         rf"{PRINT.prints['(7)']},\ {PRINT.prints['(10)']}",
-        Conjunction(
-            (
-                Equality(print_7, point_d - point_b),
-                Equality(print_10, ratio_by_plan),
-                Equality(integrate(RATIO_OF_10), position_of_one(E_SERIES)),
-            )
+        all_of(
+            Equality(print_7, point_d - point_b),
+            Equality(print_10, ratio_by_plan),
+            Equality(integrate(RATIO_OF_10), position_of_one(E_SERIES)),
         ),
         readings=(
             Reading(
                 "the output counted against the carrier's direction of rotation throughout: "
                 "omega3, v_D, BD from D to B, phi3",
-                Conjunction(
-                    (
-                        Equality(print_7, point_b - point_d),
-                        Equality(print_10, -ratio_by_plan),
-                        Equality(integrate(RATIO_OF_10), -position_of_one(E_SERIES)),
-                    )
+                all_of(
+                    Equality(print_7, point_b - point_d),
+                    Equality(print_10, -ratio_by_plan),
+                    Equality(integrate(RATIO_OF_10), -position_of_one(E_SERIES)),
                 ),
             ),
         ),
         corrected=Correction(
             r"BD=\rho_5-\rho_6,\ \varphi_3'=\frac{(\rho_5-\rho_6)\,2a}{\rho_5\,(2a-\rho_6)}",
-            Conjunction(
-                (
-                    Equality(-print_7, point_d - point_b),
-                    Equality(-print_10, ratio_by_plan),
-                    Equality(-integrate(RATIO_OF_10), position_of_one(E_SERIES)),
-                )
+            all_of(
+                Equality(-print_7, point_d - point_b),
+                Equality(-print_10, ratio_by_plan),
+                Equality(-integrate(RATIO_OF_10), position_of_one(E_SERIES)),
             ),
         ),
         note="No direction of phi3 survives in the text. One choice makes the whole chain true; "

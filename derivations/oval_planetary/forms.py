@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Accuracy, Conjunction, Equality, Part, Scale, Statement, Written
+from mechproof.record import Accuracy, Equality, Part, Scale, Statement, Written
 
+from .._relations import all_of
 from .equations import print_radius
 from .mechanics import (
     ACCELERATION,
@@ -98,20 +99,20 @@ def of_parts(code: Written, *unused: sp.Symbol) -> tuple[Equality, ...]:
 def ratio_by_parts(code: Written) -> Statement:
     """State the ratio of the parts, and the parts."""
     form = code.output(*PARTS).xreplace(PARTS)
-    return Conjunction((Equality(form, RATIO.xreplace(SCALED_MAP)), *of_parts(code, swing)))
+    return all_of(Equality(form, RATIO.xreplace(SCALED_MAP)), *of_parts(code, swing))
 
 
 def acceleration_by_parts(code: Written) -> Statement:
     """State the acceleration of the parts, and the parts."""
     form = code.output(*PARTS).xreplace(PARTS)
-    return Conjunction((Equality(form, ACCELERATION.xreplace(SCALED_MAP)), *of_parts(code)))
+    return all_of(Equality(form, ACCELERATION.xreplace(SCALED_MAP)), *of_parts(code))
 
 
 def position_by_parts(code: Written) -> Statement:
     """State the position of the parts, by the tangent, and the parts."""
     form = code.output(*PARTS).xreplace({**PARTS, t: tangent})
     position = POSITION.xreplace(SCALED_MAP).xreplace(BY_TANGENT)
-    return Conjunction((Equality(form, position), *TANGENT, *of_parts(code)))
+    return all_of(Equality(form, position), *TANGENT, *of_parts(code))
 
 
 def of_double(code: Written) -> tuple[Equality, ...]:
@@ -123,20 +124,20 @@ def of_double(code: Written) -> tuple[Equality, ...]:
 def ratio_by_map(code: Written) -> Statement:
     """State the ratio of any map, and the coefficients."""
     form = code.output(*DOUBLE).xreplace(DOUBLE)
-    return Conjunction((Equality(form, RATIO.xreplace(ANY_MAP)), *of_double(code)))
+    return all_of(Equality(form, RATIO.xreplace(ANY_MAP)), *of_double(code))
 
 
 def acceleration_by_map(code: Written) -> Statement:
     """State the acceleration of any map, and the coefficients."""
     form = code.output(*DOUBLE).xreplace(DOUBLE)
-    return Conjunction((Equality(form, ACCELERATION.xreplace(ANY_MAP)), *of_double(code)))
+    return all_of(Equality(form, ACCELERATION.xreplace(ANY_MAP)), *of_double(code))
 
 
 def position_by_map(code: Written) -> Statement:
     """State the position of any map, by the tangent, and the coefficients."""
     form = code.output(*DOUBLE).xreplace({**DOUBLE, t: tangent})
     position = POSITION.xreplace(ANY_MAP).xreplace(BY_TANGENT)
-    return Conjunction((Equality(form, position), *TANGENT, *of_double(code)))
+    return all_of(Equality(form, position), *TANGENT, *of_double(code))
 
 
 # The double angle of wheel 6, by which the row on any mount puts the two pairs in series.
@@ -151,12 +152,10 @@ def through_pairs(code: Written) -> Statement:
     form = code.output(phi6_closed).xreplace({phi6_closed: phi6})
     of_first = pair_ratio(e1, COS_4).subs(phi1, tau)
     of_second = pair_ratio(e2, sp.cos(2 * (tau + mount)))
-    return Conjunction(
-        (
-            Equality(code.step(phi6_closed), sp.Integral(of_first, (tau, 0, phi1))),
-            Equality(form, phi1 - sp.Integral(of_second, (tau, 0, phi6))),
-            *WHEEL_6,
-        )
+    return all_of(
+        Equality(code.step(phi6_closed), sp.Integral(of_first, (tau, 0, phi1))),
+        Equality(form, phi1 - sp.Integral(of_second, (tau, 0, phi6))),
+        *WHEEL_6,
     )
 
 
@@ -164,12 +163,10 @@ def over_branches(code: Written) -> Statement:
     """State each pair at its angle + pi*m, |angle| < pi/2, where its floor is m."""
     form = code.output(phi6_counted, mount_counted).xreplace({phi6_counted: phi6})
     of_second = phi1 - driven_angle(e2, phi6 + mount) + mount_counted
-    return Conjunction(
-        (
-            on_branch(code.step(phi6_counted), driven_angle(e1, phi1), phi1, phi1),
-            on_branch(code.step(mount_counted), driven_angle(e2, mount), mount, mount),
-            on_branch(form, of_second, phi6, phi6 - mount),
-        )
+    return all_of(
+        on_branch(code.step(phi6_counted), driven_angle(e1, phi1), phi1, phi1),
+        on_branch(code.step(mount_counted), driven_angle(e2, mount), mount, mount),
+        on_branch(form, of_second, phi6, phi6 - mount),
     )
 
 
@@ -184,13 +181,11 @@ def as_printed(code: Written) -> Statement:
     """State the speed of wheel 3 through both pairs at any angle of wheel 6, and that angle."""
     form = code.output(phi6_closed).xreplace({phi6_closed: phi6})
     second = pair_ratio(e2, sp.cos(2 * (phi6 + mount)))
-    return Conjunction(
-        (
-            Equality(1 - form, second / pair_ratio(e1, -sp.cos(2 * phi6))),
-            Equality(1 / pair_ratio(e1, -cos_6), pair_ratio(e1, COS_4)),
-            Equality(code.step(phi6_closed), phi6_closed),
-            *WHEEL_6,
-        )
+    return all_of(
+        Equality(1 - form, second / pair_ratio(e1, -sp.cos(2 * phi6))),
+        Equality(1 / pair_ratio(e1, -cos_6), pair_ratio(e1, COS_4)),
+        Equality(code.step(phi6_closed), phi6_closed),
+        *WHEEL_6,
     )
 
 

@@ -6,7 +6,6 @@ import sympy as sp
 
 from mechproof.record import (
     Argument,
-    Conjunction,
     Equality,
     Form,
     Part,
@@ -17,6 +16,7 @@ from mechproof.record import (
     Written,
 )
 
+from .._relations import all_of
 from .equations import print_10, print_radius
 from .forms import (
     ACCELERATION_FORM,
@@ -81,11 +81,9 @@ def over_turns(code: Written) -> Statement:
     (count,) = form.atoms(sp.floor)
     whole = phi1 - driven_angle(e2, x / 2)
     at_turn = {x: x + 2 * sp.pi * turns}
-    return Conjunction(
-        (
-            Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn)),
-            Equality(whole, POSITION_CYLINDRICAL),
-        )
+    return all_of(
+        Equality(form.xreplace({count: turns}).subs(at_turn), whole.subs(at_turn)),
+        Equality(whole, POSITION_CYLINDRICAL),
     )
 
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mechproof.record import Claim, Conjunction, Equality, Holds, Part, Row
+from mechproof.record import Claim, Equality, Holds, Part, Row
 
+from .._relations import all_of
 from .mechanics import (
     COEFFICIENTS,
     COS_4,
@@ -57,14 +58,12 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
         "two eccentricities as one",
         r"\frac{1+E}{1-E}=\frac{1+e_1}{1-e_1}\cdot\frac{1+e_2}{1-e_2},\ "
         r"E=\frac{e_1+e_2}{1+e_1e_2}",
-        Conjunction(
-            (
-                Equality(
-                    (1 + E_SERIES) / (1 - E_SERIES),
-                    (1 + e1) / (1 - e1) * (1 + e2) / (1 - e2),
-                ),
-                Equality(ratio_of_one(E_SERIES), 1 - wheel_3_rate.subs(mount, 0)),
-            )
+        all_of(
+            Equality(
+                (1 + E_SERIES) / (1 - E_SERIES),
+                (1 + e1) / (1 - e1) * (1 + e2) / (1 - e2),
+            ),
+            Equality(ratio_of_one(E_SERIES), 1 - wheel_3_rate.subs(mount, 0)),
         ),
         note="Two oval pairs in series are one oval pair; eccentricities add like velocities.",
         marks=("ours", "inferred"),
@@ -88,8 +87,8 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
     Claim(
         "coefficients without cancellation",
         r"\alpha,\beta,\gamma=\lambda,\mu,\nu;\ \delta=\alpha-\beta",
-        Conjunction(
-            tuple(
+        all_of(
+            *(
                 Equality(kernel, coefficient)
                 for kernel, coefficient in zip(
                     (alpha, beta, gamma, delta),
@@ -124,11 +123,9 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
     Claim(
         "amplitude",
         r"|\sin\varphi_3|\le E,\ \varphi_3=-\arcsin E\text{ at }\cos2\varphi_1=E",
-        Conjunction(
-            (
-                Holds(e**2 - e**2 * sp.sin(theta) ** 2 / (1 + e**2 - 2 * e * sp.cos(theta)) >= 0),
-                Equality(sp.atan2(e * sp.sqrt(1 - e**2), 1 - e**2), sp.asin(e)),
-            )
+        all_of(
+            Holds(e**2 - e**2 * sp.sin(theta) ** 2 / (1 + e**2 - 2 * e * sp.cos(theta)) >= 0),
+            Equality(sp.atan2(e * sp.sqrt(1 - e**2), 1 - e**2), sp.asin(e)),
         ),
         note="sin(phi3)^2 = E^2 sin(x)^2/(1 + E^2 - 2 E cos(x)); E written e.",
         marks=("ours",),
@@ -136,11 +133,9 @@ OVAL_PAIR_ROWS: tuple[Row, ...] = (
     Claim(
         "reciprocating, oval pairs",
         r"0<E<1:\ \varphi_3'(0)<0<\varphi_3'(\tfrac\pi2)",
-        Conjunction(
-            (
-                Holds(ratio_of_one(e).subs(phi1, 0) < 0),
-                Holds(ratio_of_one(e).subs(phi1, sp.pi / 2) > 0),
-            )
+        all_of(
+            Holds(ratio_of_one(e).subs(phi1, 0) < 0),
+            Holds(ratio_of_one(e).subs(phi1, sp.pi / 2) > 0),
         ),
         note="With no drift: two oval pairs always reciprocate unless E = 0, when they rest.",
         on=Part("0 < e < 1", {e: OVAL}),
@@ -204,7 +199,7 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         "extremes, cylindrical pair 4-5",
         r"1-\tfrac{R_4}{R_5}\tfrac{1+e_2}{1-e_2}\le\varphi_3'"
         r"\le1-\tfrac{R_4}{R_5}\tfrac{1-e_2}{1+e_2}",
-        Conjunction((Holds(1 - fastest <= ratio_45), Holds(1 - slowest >= ratio_45))),
+        all_of(Holds(1 - fastest <= ratio_45), Holds(1 - slowest >= ratio_45)),
         note="Reached at x = 0 and x = pi.",
         marks=("ours", "inferred"),
     ),
@@ -241,15 +236,13 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         "intermittent, against the carrier",
         r"\tfrac{R_4}{R_5}=\tfrac{1+e_2}{1-e_2}\Rightarrow"
         r"\varphi_3'=-\frac{2e_2(1+\cos x)}{1+e_2^2-2e_2\cos x}\le0",
-        Conjunction(
-            (
-                Equality(
-                    limit_ratio,
-                    -2 * e2 * (1 + sp.cos(theta)) / (1 + e2**2 - 2 * e2 * sp.cos(theta)),
-                ),
-                Holds(limit_ratio <= 0),
-                Holds(sp.diff(limit_ratio, theta, 2).subs(theta, sp.pi) < 0),
-            )
+        all_of(
+            Equality(
+                limit_ratio,
+                -2 * e2 * (1 + sp.cos(theta)) / (1 + e2**2 - 2 * e2 * sp.cos(theta)),
+            ),
+            Holds(limit_ratio <= 0),
+            Holds(sp.diff(limit_ratio, theta, 2).subs(theta, sp.pi) < 0),
         ),
         note="A double zero at x = pi. The ratio is analytic and vanishes on no interval: a dwell "
         "is a double zero.",
@@ -260,14 +253,12 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         "intermittent, with the carrier",
         r"\tfrac{R_4}{R_5}=\tfrac{1-e_2}{1+e_2}\Rightarrow"
         r"\varphi_3'=\frac{2e_2(1-\cos x)}{1+e_2^2-2e_2\cos x}\ge0",
-        Conjunction(
-            (
-                Equality(
-                    1 - (1 - e2) / (1 + e2) * pair_ratio(e2, sp.cos(theta)),
-                    2 * e2 * (1 - sp.cos(theta)) / (1 + e2**2 - 2 * e2 * sp.cos(theta)),
-                ),
-                Holds(1 - (1 - e2) / (1 + e2) * pair_ratio(e2, sp.cos(theta)) >= 0),
-            )
+        all_of(
+            Equality(
+                1 - (1 - e2) / (1 + e2) * pair_ratio(e2, sp.cos(theta)),
+                2 * e2 * (1 - sp.cos(theta)) / (1 + e2**2 - 2 * e2 * sp.cos(theta)),
+            ),
+            Holds(1 - (1 - e2) / (1 + e2) * pair_ratio(e2, sp.cos(theta)) >= 0),
         ),
         note="A double zero at x = 0.",
         on=PROPER_45,
@@ -277,11 +268,9 @@ CYLINDRICAL_PAIR_ROWS: tuple[Row, ...] = (
         "width of a dwell",
         r"|\varphi_3'|\le\eta\iff|x-\pi|\le2\,\mathrm{arctg}\,T,\ "
         r"T^2=\frac{\eta(1+e_2)^2}{4e_2-\eta(1-e_2)^2}",
-        Conjunction(
-            (
-                Equality(ratio_beside.subs(width, edge), -eta),
-                Holds(sp.diff(ratio_beside, width) < 0),
-            )
+        all_of(
+            Equality(ratio_beside.subs(width, edge), -eta),
+            Holds(sp.diff(ratio_beside, width) < 0),
         ),
         note="For R4/R5 = (1+e2)/(1-e2), where the ratio falls on both sides of x = pi; in the "
         "carrier's angle the dwell is 2 (R5/R4) arctan(T) wide.",

@@ -31,7 +31,7 @@ from .._readings import (
     resolution_row,
     two_encoders,
 )
-from .._relations import less, not_above
+from .._relations import all_of, less, not_above
 from .mechanics import PRINT, highest, index, lowest, phi1, ratio_45
 from .pairs import fastest
 from .variants import ratio_1, with_cylinders
@@ -66,9 +66,7 @@ def interval_row(variant: int) -> Claim:
 
 def beyond(limits: Mapping[int, sp.Expr]) -> Conjunction:
     """State |mean error| > limit for the variants of `limits`."""
-    return Conjunction(
-        tuple(less(limit, abs(READINGS[variant].mean)) for variant, limit in limits.items())
-    )
+    return all_of(*(less(limit, abs(READINGS[variant].mean)) for variant, limit in limits.items()))
 
 
 def scatter_rows() -> tuple[Claim, ...]:
@@ -77,7 +75,7 @@ def scatter_rows() -> tuple[Claim, ...]:
         Claim(
             "table 2, scatter and resolution",
             r"s(q_k)=u\sqrt n>6\cdot0.088^\circ",
-            Conjunction(tuple(less(6 * RESOLUTION, READINGS[v].least_scatter) for v in (1, 3, 4))),
+            all_of(*(less(6 * RESOLUTION, READINGS[v].least_scatter) for v in (1, 3, 4))),
             note="In variants 1, 3 and 4 single readings scatter by more than six steps of the "
             "encoder, u taken at the lower end of its rounding; one step spreads 0.088/sqrt(12).",
             marks=("ours",),
@@ -92,15 +90,13 @@ def scatter_rows() -> tuple[Claim, ...]:
             "largest scatter in a range",
             r"\textstyle\sum(q_k-\bar q)^2=n(M-\bar q)(\bar q-m)-\sum(M-q_k)(q_k-m),\ "
             r"(M-\bar q)(\bar q-m)\le\tfrac14(M-m)^2",
-            Conjunction(
-                (
-                    Equality(
-                        sp.Sum((q[index] - MEAN) ** 2, (index, 1, n)),
-                        n * (highest - MEAN) * (MEAN - lowest)
-                        - sp.Sum((highest - q[index]) * (q[index] - lowest), (index, 1, n)),
-                    ),
-                    Holds(sp.Ge((highest - lowest) ** 2 / 4, (highest - qbar) * (qbar - lowest))),
-                )
+            all_of(
+                Equality(
+                    sp.Sum((q[index] - MEAN) ** 2, (index, 1, n)),
+                    n * (highest - MEAN) * (MEAN - lowest)
+                    - sp.Sum((highest - q[index]) * (q[index] - lowest), (index, 1, n)),
+                ),
+                Holds(sp.Ge((highest - lowest) ** 2 / 4, (highest - qbar) * (qbar - lowest))),
             ),
             note="Readings between m and M have s <= (M - m)/2 sqrt(n/(n - 1)).",
             marks=("ours",),
@@ -108,8 +104,8 @@ def scatter_rows() -> tuple[Claim, ...]:
         Claim(
             "table 2, largest ratios",
             r"\max|\varphi_3'|=1.25,\ 0.50,\ 1.25,\ 1.67",
-            Conjunction(
-                tuple(
+            all_of(
+                *(
                     statement
                     for variant, printed in enumerate(("1.25", "0.50", "1.25", "1.67"), start=1)
                     for statement in (
@@ -147,8 +143,8 @@ def scatter_rows() -> tuple[Claim, ...]:
         Claim(
             "table 2, scatter of variants 2, 3 and 4",
             r"u\sqrt n<\sqrt{\tfrac n{n-1}\left(M^2-\bar q^2\right)}",
-            Conjunction(
-                tuple(
+            all_of(
+                *(
                     less(READINGS[v].least_scatter, READINGS[v].scatter_within(LIMITS[v]))
                     for v in (2, 3, 4)
                 )
@@ -195,8 +191,8 @@ MEASUREMENT_ROWS: tuple[Row, ...] = (
     Claim(
         "largest mean errors",
         r"\text{the mean errors of variants 1 and 3 are the large ones}",
-        Conjunction(
-            tuple(
+        all_of(
+            *(
                 less(abs(READINGS[small].mean), abs(READINGS[large].mean))
                 for small in (2, 4)
                 for large in (1, 3)

@@ -8,7 +8,6 @@ from mechproof.record import (
     Claim,
     Completion,
     Completions,
-    Conjunction,
     Correction,
     Datum,
     Definition,
@@ -21,7 +20,7 @@ from mechproof.record import (
 )
 
 from .._readings import millimetre
-from .._relations import less
+from .._relations import all_of, less
 from .equations import RATIO_OF_10, print_5, print_10
 from .mechanics import (
     ACCELERATION_CYLINDRICAL,
@@ -98,7 +97,7 @@ def variant_row(number: int, printed: str, pair_45: dict[sp.Symbol, sp.Expr]) ->
     return Datum(
         f"variant {number}, sizes",
         rf"{printed},\ e_2=0.2",
-        Conjunction((*sizes, Definition(e2, VARIANTS[number][e2]))),
+        all_of(*sizes, Definition(e2, VARIANTS[number][e2])),
         note="The pair 3-6 is oval with e = 0.2 in every variant.",
     )
 
@@ -116,8 +115,8 @@ VARIANT_ROWS: tuple[Row, ...] = (
     Claim(
         "centre distance of the variants",
         r"R_4+R_5=50\text{ mm in variants 2, 3 and 4}",
-        Conjunction(
-            tuple(
+        all_of(
+            *(
                 Holds(sp.Eq(with_cylinders(R4 + R5, v), with_cylinders(R4 + R5, 2), evaluate=False))
                 for v in (3, 4)
             )
@@ -128,12 +127,10 @@ VARIANT_ROWS: tuple[Row, ...] = (
     Claim(
         "variant 1, reciprocating",
         r"\text{variant 1 gives reciprocating rotation of the output shaft}",
-        Conjunction(
-            (
-                Equality(position_1, integrate(1 - wheel_3_rate.subs(mount, 0)).subs(VARIANTS[1])),
-                advances(position_1, sp.pi, sp.S.Zero),
-                *reverses(ratio_1, sp.S.Zero, sp.pi / 2),
-            )
+        all_of(
+            Equality(position_1, integrate(1 - wheel_3_rate.subs(mount, 0)).subs(VARIANTS[1])),
+            advances(position_1, sp.pi, sp.S.Zero),
+            *reverses(ratio_1, sp.S.Zero, sp.pi / 2),
         ),
         note="E = 5/13: the output swings by 2 arcsin(5/13), twice for each turn of the carrier.",
         marks=("inferred",),
@@ -141,11 +138,9 @@ VARIANT_ROWS: tuple[Row, ...] = (
     Claim(
         "variant 2, reciprocating",
         r"\text{variant 2 gives reciprocating rotation of the output shaft}",
-        Conjunction(
-            (
-                advances(with_cylinders(position_45, 2), sp.pi, sp.S.Zero),
-                *reverses(with_cylinders(ratio_45, 2), sp.S.Zero, sp.pi / 2),
-            )
+        all_of(
+            advances(with_cylinders(position_45, 2), sp.pi, sp.S.Zero),
+            *reverses(with_cylinders(ratio_45, 2), sp.S.Zero, sp.pi / 2),
         ),
         note="R4 = R5: no drift; the amplitude is arcsin(0.2).",
         marks=("inferred",),
@@ -153,13 +148,11 @@ VARIANT_ROWS: tuple[Row, ...] = (
     Claim(
         "variant 3, intermittent",
         r"\text{variant 3 gives intermittent rotation of the output shaft}",
-        Conjunction(
-            (
-                Holds(with_cylinders(ratio_45, 3) <= 0),
-                Equality(with_cylinders(ratio_45, 3).subs(phi1, DWELL_3), sp.S.Zero),
-                less(sp.diff(with_cylinders(ratio_45, 3), phi1, 2).subs(phi1, DWELL_3), sp.S.Zero),
-                advances(with_cylinders(position_45, 3), 2 * DWELL_3, -DWELL_3),
-            )
+        all_of(
+            Holds(with_cylinders(ratio_45, 3) <= 0),
+            Equality(with_cylinders(ratio_45, 3).subs(phi1, DWELL_3), sp.S.Zero),
+            less(sp.diff(with_cylinders(ratio_45, 3), phi1, 2).subs(phi1, DWELL_3), sp.S.Zero),
+            advances(with_cylinders(position_45, 3), 2 * DWELL_3, -DWELL_3),
         ),
         note="30/20 = (1 + 0.2)/(1 - 0.2) exactly: a double zero at every odd multiple of pi/3.",
         marks=("inferred",),
@@ -167,11 +160,9 @@ VARIANT_ROWS: tuple[Row, ...] = (
     Claim(
         "variant 4, one-way",
         r"\text{variant 4 gives one-way non-uniform rotation}",
-        Conjunction(
-            (
-                Holds(with_cylinders(ratio_45, 4) < 0),
-                Distinct(with_cylinders(ratio_45, 4), with_cylinders(ratio_45, 4).subs(phi1, 0)),
-            )
+        all_of(
+            Holds(with_cylinders(ratio_45, 4) < 0),
+            Distinct(with_cylinders(ratio_45, 4), with_cylinders(ratio_45, 4).subs(phi1, 0)),
         ),
         note="32/18 > 3/2; the output turns against the carrier.",
         marks=("inferred",),
@@ -197,7 +188,7 @@ VARIANT_ROWS: tuple[Row, ...] = (
     Claim(
         "special case, kinds of motion",
         r"\text{the kinds of variants 3 and 4 do not depend on how fast wheel 6 turns}",
-        Conjunction((Holds(with_radii(3, phi6) <= 0), Holds(with_radii(4, phi6) < 0))),
+        all_of(Holds(with_radii(3, phi6) <= 0), Holds(with_radii(4, phi6) < 0)),
         note="For every angle of wheel 6 the sign is that of rho5 - rho6.",
         marks=("ours", "inferred"),
     ),
@@ -209,11 +200,9 @@ VARIANT_ROWS: tuple[Row, ...] = (
             Completion(
                 "the curves of Fig. 2: those of (11) for wheels that do not slip, variant 1 with "
                 "(5), a cylindrical pair 4-5 with wheel 6 turned by (R4/R5) phi1",
-                Conjunction(
-                    (
-                        Equality(integrate(RATIO_OF_10), -position_of_one(E_SERIES)),
-                        Equality(drawn_by_11(R4 / R5 * phi1), -position_45),
-                    )
+                all_of(
+                    Equality(integrate(RATIO_OF_10), -position_of_one(E_SERIES)),
+                    Equality(drawn_by_11(R4 / R5 * phi1), -position_45),
                 ),
             ),
             Completion(
@@ -261,11 +250,9 @@ VARIANT_ROWS: tuple[Row, ...] = (
     Claim(
         "fixed axes, non-uniform",
         r"\text{the rotation on fixed axes is non-uniform}",
-        Conjunction(
-            (
-                Equality(wheel_3_rate.subs(mount, sp.pi / 2), pair_ratio(E_ALIGNED, COS_4)),
-                Holds(pair_ratio(e, sp.S.One) - pair_ratio(e, -sp.S.One) > 0),
-            )
+        all_of(
+            Equality(wheel_3_rate.subs(mount, sp.pi / 2), pair_ratio(E_ALIGNED, COS_4)),
+            Holds(pair_ratio(e, sp.S.One) - pair_ratio(e, -sp.S.One) > 0),
         ),
         note="Two pairs of ovals in series, the major axes on the middle shaft parallel, act as "
         "one with E = (e1 - e2)/(1 - e1 e2), written e: equal ones, E = 0, turn uniformly again.",
@@ -282,16 +269,14 @@ VARIANT_ROWS: tuple[Row, ...] = (
     Claim(
         "acceleration by the model",
         r"\varphi_3''=\frac{d\varphi_3'}{d\varphi_1}",
-        Conjunction(
-            (
-                Equality(
-                    sp.diff(ratio_of_one(e), phi1),
-                    4 * e * (1 - e**2) * sp.sin(2 * phi1) / (1 + e**2 - 2 * e * COS_4) ** 2,
-                ),
-                Equality(
-                    sp.diff(ratio_with_cylinders_45, phi1), ACCELERATION_CYLINDRICAL.subs(explicit)
-                ),
-            )
+        all_of(
+            Equality(
+                sp.diff(ratio_of_one(e), phi1),
+                4 * e * (1 - e**2) * sp.sin(2 * phi1) / (1 + e**2 - 2 * e * COS_4) ** 2,
+            ),
+            Equality(
+                sp.diff(ratio_with_cylinders_45, phi1), ACCELERATION_CYLINDRICAL.subs(explicit)
+            ),
         ),
         note="For two oval pairs (E written e) and for a cylindrical pair 4-5, the output counted "
         "with the carrier.",

@@ -8,7 +8,6 @@ from mechproof.record import (
     Claim,
     Completion,
     Completions,
-    Conjunction,
     Correction,
     Definition,
     Distinct,
@@ -18,7 +17,7 @@ from mechproof.record import (
 )
 
 from .._metrology import normal_between
-from .._relations import less, not_above
+from .._relations import all_of, less, not_above
 from .mechanics import (
     GAUGE_UM,
     GRADES,
@@ -69,11 +68,9 @@ def variance_of_wheel_mean(covariance: Expr) -> Expr:
 
 
 # Counted towards the centre, and towards the tip.
-HALF_OF_THE_DEVIATION = Conjunction(
-    (
-        Equality(dh_gauge - e_tip / 2, height_deviation),
-        Equality(dh_gauge + e_tip / 2, height_towards_tip),
-    )
+HALF_OF_THE_DEVIATION = all_of(
+    Equality(dh_gauge - e_tip / 2, height_deviation),
+    Equality(dh_gauge + e_tip / 2, height_towards_tip),
 )
 
 ALGORITHM_ROWS = (
@@ -155,11 +152,9 @@ ALGORITHM_ROWS = (
     Claim(
         "step 3, range of ISO 286-1",
         r"120<d_a=m(z+2)=156\le180~\mathrm{mm}",
-        Conjunction(
-            (
-                less(S(RANGE[0]), S(TIP_DIAMETER)),
-                not_above(S(TIP_DIAMETER), S(RANGE[1])),
-            )
+        all_of(
+            less(S(RANGE[0]), S(TIP_DIAMETER)),
+            not_above(S(TIP_DIAMETER), S(RANGE[1])),
         ),
         note="Addendum of one module, as the height to the constant chord shows.",
         marks=("ours", "calibrated"),
@@ -286,9 +281,7 @@ ALGORITHM_ROWS = (
         "step 10",
         r"\text{rightly accepted }(f_u=1,f_0=1)\text{, wrongly accepted }(f_u=0,f_0=1)"
         r"\text{, rightly rejected }(f_u=0,f_0=0)\text{, wrongly rejected }(f_u=1,f_0=0)",
-        Conjunction(
-            tuple(Definition(share, of_tooth) for share, of_tooth in SHARES_OF_TOOTH.items())
-        ),
+        all_of(*(Definition(share, of_tooth) for share, of_tooth in SHARES_OF_TOOTH.items())),
         note="Wrongly accepted is the consumer's risk of JCGM 106, wrongly rejected the "
         "producer's.",
     ),

@@ -23,11 +23,14 @@ from sympy import (
     tan,
 )
 
-from mechproof.record import Conjunction, Equality, Holds, Part, Scale, Singular, Statement, Written
+from mechproof.record import Accuracy, Equality, Holds, Part, Scale, Statement, Written
 
+from .._relations import all_of
 from .mechanics import (
     alpha,
     dh,
+    dh_gauge,
+    e_tip,
     incline,
     linearisation_bound,
     linearisation_root,
@@ -36,38 +39,9 @@ from .mechanics import (
     t_c,
     thickness_change,
     tilt,
-    y_c,
     z,
 )
 
-ABOVE_BASE_CIRCLE = Part(
-    "the chord lies no deeper than the base circle and no higher than the tip",
-    where=(Abs(dh) <= y_c - r_b,),
-)
-ALONG_THE_FLANK = (
-    Singular(Eq(tilt, 0)),
-    Singular(Eq(alpha + tilt, 0)),
-    Singular(Eq(alpha + tilt, pi / 2)),
-)
-ONE_WHEEL = (("N tilts, one wheel", ("tilt",)),)
-# Accuracy, in eps, from 1/2 for an arithmetic operation, 1 for sin and cos, 4 for tan.
-# constant_chord: the cosine squared 2.5, two products, the double pi 1/2.
-CHORD_ULP = 4
-# chord_height: sine 1, pi 1/2, two products 1, at most pi/8 of m, the value at least 0.6 m: 1.7;
-# difference and product 1.
-HEIGHT_ULP = 3
-# thickness_change_linear: tangent 4, two products.
-LINEAR_ULP = 5
-# thickness_error: the same and a difference of terms on its scale.
-ERROR_ULP = 6
-# height_change, thickness_change, in units of r_b |tilt| (1 + t_c + |tilt|), the terms with t_c
-# being the largest; t = |tilt|: t_c 4.5, cos(alpha) 1.54, r_b 2.54. `along` 7 of t_c |sin(tilt)|
-# and 3.5 of t**2, `across` 8 of t_c (1 - cos(tilt)), 2 of t and 2.3 of t**2. Of the products with
-# sin(alpha) 1.5 and with cos(alpha) 2.04, the sum and r_b 3.54 more. The height: at most
-# 12.6 sin(t)/t + 9.2 (1 - cos(t))/t <= 15 for t_c; the thickness twice
-# 8.5 sin(t)/t + 13.6 (1 - cos(t))/t <= 14.2. Searches find a tenth of it: roundings do not add
-# up, and no tangent was met that loses 4 eps.
-HEIGHT_CHANGE_ULP, THICKNESS_CHANGE_ULP = 15, 29
 ROLLING = Scale("the way that the chord's end rolls", r_b * Abs(tilt) * (1 + t_c + Abs(tilt)))
 # Below that, subnormal numbers have fewer digits.
 NORMAL_TILT = (
@@ -75,10 +49,6 @@ NORMAL_TILT = (
     Ge(m, Rational(1, 10**30)),
     Le(m * z, 10**300),
 )
-# linearisation_bound, in units of value * (1 + (r_b t_c)**2/radicand): under the root (r_b t_c)**2
-# with 2 * 8.5 and as much at most of |dh| (2 y_c - |dh|) with 5, halved; cubes 3 * 3 and 3 * 3;
-# squares, products and quotient 4.
-BOUND_ULP = 32
 value, radicand = symbols("value radicand", positive=True)
 CANCELLING = Scale(
     "the value times what its root's difference loses",
@@ -91,6 +61,34 @@ SQUARES_IN_RANGE = (
     Ge(m, Rational(1, 10**30)),
     Le(m * z, 10**50),
 )
+
+# In eps, from 1/2 for an arithmetic operation, 1 for sin and cos, 4 for tan.
+ACCURACY = {
+    # The cosine squared 2.5, two products, the double pi 1/2.
+    "constant_chord": Accuracy(4),
+    # Sine 1, pi 1/2, two products 1, at most pi/8 of m, the value at least 0.6 m: 1.7; difference
+    # and product 1.
+    "chord_height": Accuracy(3),
+    # In units of r_b |tilt| (1 + t_c + |tilt|), the terms with t_c being the largest; t = |tilt|:
+    # t_c 4.5, cos(alpha) 1.54, r_b 2.54. `along` 7 of t_c |sin(tilt)| and 3.5 of t**2, `across` 8
+    # of t_c (1 - cos(tilt)), 2 of t and 2.3 of t**2. Of the products with sin(alpha) 1.5 and with
+    # cos(alpha) 2.04, the sum and r_b 3.54 more. The height: at most
+    # 12.6 sin(t)/t + 9.2 (1 - cos(t))/t <= 15 for t_c; the thickness twice
+    # 8.5 sin(t)/t + 13.6 (1 - cos(t))/t <= 14.2. Searches find a tenth of it: roundings do not add
+    # up, and no tangent was met that loses 4 eps.
+    "height_change": Accuracy(15, ROLLING, NORMAL_TILT),
+    "thickness_change": Accuracy(29, ROLLING, NORMAL_TILT),
+    # Tangent 4, two products.
+    "thickness_change_linear": Accuracy(5),
+    # In units of value * (1 + (r_b t_c)**2/radicand): under the root (r_b t_c)**2 with 2 * 8.5 and
+    # as much at most of |dh| (2 y_c - |dh|) with 5, halved; cubes 3 * 3 and 3 * 3; squares,
+    # products and quotient 4.
+    "linearisation_bound": Accuracy(32, CANCELLING, SQUARES_IN_RANGE),
+    # As to first order, and a difference of terms on its scale.
+    "thickness_error": Accuracy(
+        6, Scale("the sum of its terms' sizes", 2 * tan(alpha) * (Abs(dh_gauge) + Abs(e_tip) / 2))
+    ),
+}
 
 # First order in the tilt. Taylor: |change - slope*tilt| <= max |curvature| tilt**2/2, and with
 # |sin|, |cos| <= 1 the curvature of the height is below r_b (1 + t_c + |tilt|), that of the
@@ -107,13 +105,11 @@ def first_order(change: Expr, curvature: Expr) -> Callable[[Written], Statement]
 
     def states(code: Written) -> Statement:
         slope = diff(change, tilt)
-        return Conjunction(
-            (
-                Equality(change.subs(tilt, 0), S.Zero),
-                Equality(code.output(), slope.subs(tilt, 0) * tilt),
-                Equality(diff(slope, tilt), curvature),
-                Holds(Le(r_b * (1 + t_c), m * (2 * z + pi / 2) / 2)),
-            )
+        return all_of(
+            Equality(change.subs(tilt, 0), S.Zero),
+            Equality(code.output(), slope.subs(tilt, 0) * tilt),
+            Equality(diff(slope, tilt), curvature),
+            Holds(Le(r_b * (1 + t_c), m * (2 * z + pi / 2) / 2)),
         )
 
     return states
@@ -127,11 +123,9 @@ MODEL_BOUND = m * tilt**2 * (pi / 4 + z / 2 + z * Abs(tilt) / 3)
 def by_height(code: Written) -> Statement:
     """State how much of the thickness the product with the height leaves out."""
     missing = thickness_change - code.output()
-    return Conjunction(
-        (
-            Equality(missing.subs(tilt, 0), S.Zero),
-            Equality(diff(missing, tilt), -m * z * (t_c + tilt) * sin(tilt)),
-        )
+    return all_of(
+        Equality(missing.subs(tilt, 0), S.Zero),
+        Equality(diff(missing, tilt), -m * z * (t_c + tilt) * sin(tilt)),
     )
 
 
@@ -144,10 +138,8 @@ TWENTY_DEGREES = Part(
 def within_a_hundredth(code: Written) -> Statement:
     """State that a form is off by a hundredth of the height at most: on a line through 0, of 1."""
     off = (code.output() - 2 * dh * tan(alpha)).subs(alpha, atan(incline))
-    return Conjunction(
-        (
-            Equality(off, off.subs(dh, 1) * dh),
-            Holds(Le(off.subs(dh, 1), Rational(1, 100), evaluate=False)),
-            Holds(Ge(off.subs(dh, 1), -Rational(1, 100), evaluate=False)),
-        )
+    return all_of(
+        Equality(off, off.subs(dh, 1) * dh),
+        Holds(Le(off.subs(dh, 1), Rational(1, 100), evaluate=False)),
+        Holds(Ge(off.subs(dh, 1), -Rational(1, 100), evaluate=False)),
     )

@@ -4,18 +4,9 @@ from __future__ import annotations
 
 from sympy import Interval, Rational, S, diff, oo, pi, sqrt
 
-from mechproof.record import (
-    Claim,
-    Completion,
-    Completions,
-    Conjunction,
-    Equality,
-    Part,
-    PrintedNumber,
-    Reading,
-)
+from mechproof.record import Claim, Completion, Completions, Equality, Part, PrintedNumber, Reading
 
-from .._relations import less
+from .._relations import all_of, less
 from .mechanics import (
     GAUGE_UM,
     GRADES,
@@ -118,11 +109,9 @@ CLAIM_ROWS = (
             f"(b), crossover, IT{grade}, {multiple} sigma",
             rf"\text{{tip of IT{grade} and gauge disturb alike at a limit error of }}"
             rf"{printed}~\mu\mathrm{{m}},\text{{ by the geometry }}{involute}~\mu\mathrm{{m}}",
-            Conjunction(
-                (
-                    PrintedNumber(printed, multiple * crossover(grade)),
-                    PrintedNumber(involute, multiple * crossover(grade, "involute")),
-                )
+            all_of(
+                PrintedNumber(printed, multiple * crossover(grade)),
+                PrintedNumber(involute, multiple * crossover(grade, "involute")),
             ),
             note=f"Limit error {multiple} sigma. Printed: steps 5 and 6.",
             marks=("ours", "calibrated"),
@@ -179,20 +168,16 @@ CLAIM_ROWS = (
             "criterion of the recommendation",
             Completion(
                 "at most 2 % wrongly rejected with a perfect gauge",
-                Conjunction(
-                    (
-                        less(Rational("0.02"), rejected_by(8, 0)),
-                        less(rejected_by(7, 0), Rational("0.02")),
-                    )
+                all_of(
+                    less(Rational("0.02"), rejected_by(8, 0)),
+                    less(rejected_by(7, 0), Rational("0.02")),
                 ),
             ),
             Completion(
                 "at most 4 %",
-                Conjunction(
-                    (
-                        less(Rational("0.04"), rejected_by(8, 0)),
-                        less(rejected_by(7, 0), Rational("0.04")),
-                    )
+                all_of(
+                    less(Rational("0.04"), rejected_by(8, 0)),
+                    less(rejected_by(7, 0), Rational("0.04")),
                 ),
             ),
         ),
@@ -234,13 +219,11 @@ CLAIM_ROWS = (
         "(e), what remains",
         r"\text{perfect gauge, IT6: }0.3\text{ to }0.4~\%\text{ wrongly rejected as printed, "
         r"}0.1\text{ to }0.2~\%\text{ by the geometry}",
-        Conjunction(
-            (
-                less(Rational("0.003"), rejected_by(6, 0)),
-                less(rejected_by(6, 0), Rational("0.004")),
-                less(Rational("0.001"), rejected_by(6, 0, geometry="involute")),
-                less(rejected_by(6, 0, geometry="involute"), Rational("0.002")),
-            )
+        all_of(
+            less(Rational("0.003"), rejected_by(6, 0)),
+            less(rejected_by(6, 0), Rational("0.004")),
+            less(Rational("0.001"), rejected_by(6, 0, geometry="involute")),
+            less(rejected_by(6, 0, geometry="involute"), Rational("0.002")),
         ),
         note="K = 6 for tooth and tip, normal laws, centred.",
         marks=("ours", "calibrated"),

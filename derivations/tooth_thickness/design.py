@@ -8,7 +8,6 @@ from mechproof.record import (
     Claim,
     Completion,
     Completions,
-    Conjunction,
     Correction,
     Definition,
     Distinct,
@@ -19,7 +18,7 @@ from mechproof.record import (
 )
 
 from .._metrology import normal_between
-from .._relations import less, not_above
+from .._relations import all_of, less, not_above
 from .mechanics import (
     DECREASE_UM,
     GAUGE_UM,
@@ -103,18 +102,16 @@ DESIGN_ROWS = (
     Claim(
         "data, no other profile angle",
         r"4.161\text{ and }2.243\text{, rounded, leave }19.99^\circ<\alpha<20.01^\circ",
-        Conjunction(
-            (
-                Equality(rack_chord.subs(alpha, atan(incline)), pi * m / 2 / (1 + incline**2)),
-                less(diff(pi * m / 2 / (1 + incline**2), incline), S.Zero),
-                Equality(
-                    rack_height.subs(alpha, atan(incline)),
-                    m * (1 - pi / 4 * incline / (1 + incline**2)),
-                ),
-                less(diff(m * (1 - pi / 4 * incline / (1 + incline**2)), incline), S.Zero),
-                less(Rational("4.1615"), at_angle(rack_chord, "19.99")),
-                less(at_angle(rack_height, "20.01"), Rational("2.2425")),
-            )
+        all_of(
+            Equality(rack_chord.subs(alpha, atan(incline)), pi * m / 2 / (1 + incline**2)),
+            less(diff(pi * m / 2 / (1 + incline**2), incline), S.Zero),
+            Equality(
+                rack_height.subs(alpha, atan(incline)),
+                m * (1 - pi / 4 * incline / (1 + incline**2)),
+            ),
+            less(diff(m * (1 - pi / 4 * incline / (1 + incline**2)), incline), S.Zero),
+            less(Rational("4.1615"), at_angle(rack_chord, "19.99")),
+            less(at_angle(rack_height, "20.01"), Rational("2.2425")),
         ),
         note=(
             "Chord and height both fall as the angle grows (to 45 deg). At 19.99 deg the chord "
@@ -135,11 +132,9 @@ DESIGN_ROWS = (
     Claim(
         "height to the constant chord",
         r"\bar h_c=m\left(1-\frac\pi8\sin2\alpha\right)",
-        Conjunction(
-            (
-                Equality(chord_height, rack_height),
-                Equality(rack_height, nominal_height),
-            )
+        all_of(
+            Equality(chord_height, rack_height),
+            Equality(rack_height, nominal_height),
         ),
         note="From the rack and from the involute, addendum of one module.",
         marks=("ours",),
@@ -181,7 +176,7 @@ DESIGN_ROWS = (
     Claim(
         "smallest deviation, nominal tooth",
         r"E_{csu}=0\text{ is good by step 2 with }E_{cs}=12,\ T_c=45~\mu\mathrm{m}",
-        Conjunction((less(S.Zero, S(DECREASE_UM)), less(S(DECREASE_UM - TOLERANCE_UM), S.Zero))),
+        all_of(less(S.Zero, S(DECREASE_UM)), less(S(DECREASE_UM - TOLERANCE_UM), S.Zero)),
         note="A tooth with no decrease at all passes, though 12 um is the smallest prescribed one.",
         marks=("ours",),
     ),
@@ -250,8 +245,8 @@ DESIGN_ROWS = (
     Claim(
         "measuring base, thickness",
         r"\text{the error of the height leads to an error of the thickness}",
-        Conjunction(
-            tuple(
+        all_of(
+            *(
                 not_above(*(side.subs(tilt, tilt * way) for side in sides))
                 for way, sides in (
                     (1, (-of_wheel(height_change) / 2, -of_wheel(thickness_change))),

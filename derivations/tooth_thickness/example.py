@@ -8,14 +8,13 @@ from mechproof.record import (
     Claim,
     Completion,
     Completions,
-    Conjunction,
     Datum,
     Definition,
     Equality,
     PrintedNumber,
 )
 
-from .._relations import less
+from .._relations import all_of, less
 from .mechanics import (
     GAUGE_UM,
     GRADES,
@@ -126,11 +125,9 @@ EXAMPLE_ROWS = (
     Claim(
         "Table 1, 50 of 50, what it is compatible with",
         r"p^{50}\ge0.05\text{ down to }p=94.2~\%",
-        Conjunction(
-            (
-                less(Rational(1, 20), Rational("0.942") ** 50),
-                less(Rational("0.941") ** 50, Rational(1, 20)),
-            )
+        all_of(
+            less(Rational(1, 20), Rational("0.942") ** 50),
+            less(Rational("0.941") ** 50, Rational(1, 20)),
         ),
         note="Clopper and Pearson: the one-sided 95 % bound lies between 94.1 and 94.2 % good.",
         marks=("ours",),
@@ -138,11 +135,9 @@ EXAMPLE_ROWS = (
     Claim(
         "Table 1, 50 of 50, how often",
         r"0.87<\mathrm{erf}(3/\sqrt2)^{50}<0.88",
-        Conjunction(
-            (
-                less(Rational("0.87"), NORMAL_SHARE**50),
-                less(NORMAL_SHARE**50, Rational("0.88")),
-            )
+        all_of(
+            less(Rational("0.87"), NORMAL_SHARE**50),
+            less(NORMAL_SHARE**50, Rational("0.88")),
         ),
         note="The chance of 50 good teeth in 50 at K = 6, centred.",
         marks=("ours",),

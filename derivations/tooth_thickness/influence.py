@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from sympy import Expr, Interval, Rational, S, atan, cos, diff, sin, tan
 
-from mechproof.record import Claim, Conjunction, Correction, Equality, Holds, Part, PrintedNumber
+from mechproof.record import Claim, Correction, Equality, Holds, Part, PrintedNumber
 
-from .._relations import less, not_above
+from .._relations import all_of, less, not_above
 from .mechanics import (
     GRADES,
     HEIGHTS_TO_0_1_MM,
@@ -79,8 +79,8 @@ def rounds_at(size: Expr, end: Rational, influence_there: Rational) -> tuple[Hol
 INFLUENCE_ROWS = (
     PRINT.equation(
         "(1), influence 0.7284",
-        says=Conjunction(
-            tuple(
+        says=all_of(
+            *(
                 not_above(*(side.subs(tilt, tilt * way) for side in sides))
                 for way in (1, -1)
                 for sides in (
@@ -100,13 +100,11 @@ INFLUENCE_ROWS = (
     Claim(
         "(1), profile angles that the data leave",
         r"\bar h_c=2.243\text{ leaves }K_m\le0.72823;\ \bar S_c=4.161\text{ alone }K_m\le0.72842",
-        Conjunction(
-            (
-                less(diff(rack_chord_by_slope, incline), S.Zero),
-                less(diff(rack_height_by_slope, incline), S.Zero),
-                *rounds_at(rack_height_by_slope, Rational("2.2425"), Rational("0.72823")),
-                *rounds_at(rack_chord_by_slope, Rational("4.1605"), Rational("0.72842")),
-            )
+        all_of(
+            less(diff(rack_chord_by_slope, incline), S.Zero),
+            less(diff(rack_height_by_slope, incline), S.Zero),
+            *rounds_at(rack_height_by_slope, Rational("2.2425"), Rational("0.72823")),
+            *rounds_at(rack_chord_by_slope, Rational("4.1605"), Rational("0.72842")),
         ),
         note="K_m = 2 tan(alpha), and both fall as the angle grows: 2.2425 mm, where 2.243 ends, "
         "belongs to 0.72823 < K_m < 0.72824, 4.1605 mm to 0.72842 < K_m < 0.72843. The chord "
@@ -116,11 +114,9 @@ INFLUENCE_ROWS = (
     Claim(
         "(1), exact derivative",
         r"\frac{dS}{dh}=2\,\mathrm{tg}\,\delta,\quad\delta=\alpha\text{ at the constant chord}",
-        Conjunction(
-            (
-                Equality(slope_of_thickness, 2 * tan(delta)),
-                Equality(K_m, influence),
-            )
+        all_of(
+            Equality(slope_of_thickness, 2 * tan(delta)),
+            Equality(K_m, influence),
         ),
         note=(
             "On the involute itself; delta is the angle of the flank's tangent with the tooth's "
@@ -131,21 +127,19 @@ INFLUENCE_ROWS = (
     Claim(
         "(1), where the flank has the slope 0.7284",
         r"2\,\mathrm{tg}\,\delta=0.7284\text{ 5 to 6 }\mu\mathrm{m}\text{ nearer the tip}",
-        Conjunction(
-            (
-                less(
-                    Rational("0.005"),
-                    of_wheel(
-                        chord_distance(atan(PRINTED_INFLUENCE / 2), half_tooth) - involute_distance
-                    ),
+        all_of(
+            less(
+                Rational("0.005"),
+                of_wheel(
+                    chord_distance(atan(PRINTED_INFLUENCE / 2), half_tooth) - involute_distance
                 ),
-                less(
-                    of_wheel(
-                        chord_distance(atan(PRINTED_INFLUENCE / 2), half_tooth) - involute_distance
-                    ),
-                    Rational("0.006"),
+            ),
+            less(
+                of_wheel(
+                    chord_distance(atan(PRINTED_INFLUENCE / 2), half_tooth) - involute_distance
                 ),
-            )
+                Rational("0.006"),
+            ),
         ),
         note="The graphic construction was off by as little as that; a secant from the constant "
         "chord has the slope about twice as far from it, well inside IT6.",
@@ -155,38 +149,32 @@ INFLUENCE_ROWS = (
         "(1), cost of 0.7284",
         r"2\,\mathrm{tg}\,20^\circ=0.7279,\ "
         r"|0.7284-2\,\mathrm{tg}\,20^\circ|\cdot 0.1~\mathrm{mm}<0.05~\mu\mathrm{m}",
-        Conjunction(
-            (
-                PrintedNumber("0.7279", of_wheel(K_m)),
-                less((PRINTED_INFLUENCE - of_wheel(K_m)) * 100, Rational("0.05")),
-            )
+        all_of(
+            PrintedNumber("0.7279", of_wheel(K_m)),
+            less((PRINTED_INFLUENCE - of_wheel(K_m)) * 100, Rational("0.05")),
         ),
         note="For heights that are off by up to 0.1 mm; the third digit does no harm.",
         marks=("ours", "calibrated"),
     ),
     PRINT.equation(
         "step 6, influence of the involute",
-        says=Conjunction(
-            (
-                not_above(excess_in_print, -of_wheel(height_change) / 100),
-                not_above(
-                    *(
-                        side.subs(tilt, -tilt)
-                        for side in (excess_in_print, of_wheel(height_change) / 100)
-                    )
-                ),
-            )
+        says=all_of(
+            not_above(excess_in_print, -of_wheel(height_change) / 100),
+            not_above(
+                *(
+                    side.subs(tilt, -tilt)
+                    for side in (excess_in_print, of_wheel(height_change) / 100)
+                )
+            ),
         ),
         on=HEIGHTS_TO_1_MM,
         holds_on=HEIGHTS_TO_0_1_MM,
         corrected=Correction(
             r"\Delta S_{ca}=K_m\,\Delta h-mz\left[t_c(1-\cos\varepsilon)+\sin\varepsilon"
             r"-\varepsilon\cos\varepsilon\right],\ t_c=\mathrm{tg}\,\alpha+\frac\pi{2z}",
-            Conjunction(
-                (
-                    Equality(K_m * height_change - m * z * across, thickness_change),
-                    Equality(of_wheel(m * z * across), excess_in_print),
-                )
+            all_of(
+                Equality(K_m * height_change - m * z * across, thickness_change),
+                Equality(of_wheel(m * z * across), excess_in_print),
             ),
         ),
         note=(
@@ -201,17 +189,15 @@ INFLUENCE_ROWS = (
         "step 6, tilt as parameter",
         r"\Delta h(\varepsilon)=y(\alpha)-y(\alpha+\varepsilon),\ "
         r"\Delta S(\varepsilon)=S(\alpha+\varepsilon)-S(\alpha)",
-        Conjunction(
-            (
-                Equality(
-                    height_change,
-                    involute_distance - chord_distance(alpha + tilt, half_tooth),
-                ),
-                Equality(
-                    thickness_change,
-                    2 * chord_half(alpha + tilt, half_tooth) - involute_chord,
-                ),
-            )
+        all_of(
+            Equality(
+                height_change,
+                involute_distance - chord_distance(alpha + tilt, half_tooth),
+            ),
+            Equality(
+                thickness_change,
+                2 * chord_half(alpha + tilt, half_tooth) - involute_chord,
+            ),
         ),
         note="The closed forms of the kernels against the involute.",
         marks=("ours",),
@@ -241,15 +227,13 @@ INFLUENCE_ROWS = (
         "step 6, excess of the linear model",
         r"K_m\Delta h-\Delta S=mz\,N,\ N(0)=0,\ \frac{dN}{d\varepsilon}="
         r"(t_c+\varepsilon)\sin\varepsilon",
-        Conjunction(
-            (
-                Equality(m * z * across, K_m * height_change - thickness_change),
-                Equality(across.subs(tilt, 0), S.Zero),
-                Equality(diff(across, tilt), (t_c + tilt) * sin(tilt)),
-                Equality(s_c, involute_chord),
-                Equality(y_c, involute_distance),
-                Equality(linearisation_root, (y_c - dh) ** 2 + s_c**2 / 4 - r_b**2),
-            )
+        all_of(
+            Equality(m * z * across, K_m * height_change - thickness_change),
+            Equality(across.subs(tilt, 0), S.Zero),
+            Equality(diff(across, tilt), (t_c + tilt) * sin(tilt)),
+            Equality(s_c, involute_chord),
+            Equality(y_c, involute_distance),
+            Equality(linearisation_root, (y_c - dh) ** 2 + s_c**2 / 4 - r_b**2),
         ),
         note=(
             "N is the bracket of step 6. With 'curvature', 'distance of the tangent' and 'radius "
@@ -262,13 +246,11 @@ INFLUENCE_ROWS = (
         "step 6, excess of the linear model, this wheel",
         r"|\varepsilon|\le\tfrac1{20}\text{ (over 1 mm either way): }"
         r"0\le K_m\Delta h-\Delta S\le\frac{\Delta h^2}{20~\mathrm{mm}}",
-        Conjunction(
-            (
-                not_above(S.Zero, excess_of_wheel),
-                not_above(excess_of_wheel, of_wheel(height_change) ** 2 / 20),
-                *reaches(WIDE, S.One),
-                *reaches(NARROW, Rational(1, 10)),
-            )
+        all_of(
+            not_above(S.Zero, excess_of_wheel),
+            not_above(excess_of_wheel, of_wheel(height_change) ** 2 / 20),
+            *reaches(WIDE, S.One),
+            *reaches(NARROW, Rational(1, 10)),
         ),
         on=Part("over 1 mm of height either way", {tilt: Interval(-WIDE, WIDE)}),
         note="The other parts: 1/20 of a radian is over 1 mm, 1/260 over 0.1 mm, either way.",

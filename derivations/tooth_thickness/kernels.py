@@ -4,29 +4,16 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sympy import Abs, Eq, Expr, Rational, S, cos, sin, tan
+from sympy import Abs, Eq, Expr, Rational, S, cos, pi, sin, tan
 
-from mechproof.record import Accuracy, Argument, Form, Quantity, Scale, Singular
+from mechproof.record import Argument, Form, Part, Quantity, Singular
 
 from .bounds import (
-    ABOVE_BASE_CIRCLE,
-    ALONG_THE_FLANK,
-    BOUND_ULP,
-    CANCELLING,
-    CHORD_ULP,
-    ERROR_ULP,
+    ACCURACY,
     HEIGHT_BOUND,
-    HEIGHT_CHANGE_ULP,
     HEIGHT_CURVATURE,
-    HEIGHT_ULP,
-    LINEAR_ULP,
     MODEL_BOUND,
-    NORMAL_TILT,
-    ONE_WHEEL,
-    ROLLING,
-    SQUARES_IN_RANGE,
     TAYLOR,
-    THICKNESS_CHANGE_ULP,
     THICKNESS_CURVATURE,
     TWENTY_DEGREES,
     by_height,
@@ -52,6 +39,7 @@ from .mechanics import (
     t_c,
     thickness_change,
     tilt,
+    y_c,
     z,
 )
 
@@ -75,6 +63,16 @@ GAUGE = Argument(
     usual=(0, 0.1),
 )
 FLANK = (TILT, MODULE, TEETH, ANGLE)
+ABOVE_BASE_CIRCLE = Part(
+    "the chord lies no deeper than the base circle and no higher than the tip",
+    where=(Abs(dh) <= y_c - r_b,),
+)
+ALONG_THE_FLANK = (
+    Singular(Eq(tilt, 0)),
+    Singular(Eq(alpha + tilt, 0)),
+    Singular(Eq(alpha + tilt, pi / 2)),
+)
+ONE_WHEEL = (("N tilts, one wheel", ("tilt",)),)
 
 
 def distance(slope: Expr) -> Expr:
@@ -122,7 +120,7 @@ QUANTITIES = (
         (Form("squared cosine", chord), handbook("1.387")),
         f"{SOURCE}, design data; basic rack",
         unit="mm",
-        accuracy=Accuracy(CHORD_ULP),
+        accuracy=ACCURACY["constant_chord"],
     ),
     Quantity(
         "chord_height",
@@ -133,7 +131,7 @@ QUANTITIES = (
         (Form("double angle", chord_height), handbook("0.7476")),
         f"{SOURCE}, design data; basic rack",
         unit="mm",
-        accuracy=Accuracy(HEIGHT_ULP),
+        accuracy=ACCURACY["chord_height"],
     ),
     Quantity(
         "height_change",
@@ -158,7 +156,7 @@ QUANTITIES = (
         ),
         f"{SOURCE}, step 6, on the involute",
         unit="mm",
-        accuracy=Accuracy(HEIGHT_CHANGE_ULP, ROLLING, NORMAL_TILT),
+        accuracy=ACCURACY["height_change"],
         singular=ALONG_THE_FLANK,
         workloads=ONE_WHEEL,
     ),
@@ -197,7 +195,7 @@ QUANTITIES = (
         ),
         f"{SOURCE}, step 6, on the involute",
         unit="mm",
-        accuracy=Accuracy(THICKNESS_CHANGE_ULP, ROLLING, NORMAL_TILT),
+        accuracy=ACCURACY["thickness_change"],
         singular=ALONG_THE_FLANK,
         workloads=ONE_WHEEL,
     ),
@@ -221,7 +219,7 @@ QUANTITIES = (
         ),
         f"{SOURCE}, equation (1) with the exact derivative",
         unit="mm",
-        accuracy=Accuracy(LINEAR_ULP),
+        accuracy=ACCURACY["thickness_change_linear"],
         singular=(Singular(Eq(dh, 0)),),
     ),
     Quantity(
@@ -232,7 +230,7 @@ QUANTITIES = (
         (Form("Taylor's remainder", linearisation_bound),),
         f"{SOURCE}, step 6, second derivative on the involute",
         unit="mm",
-        accuracy=Accuracy(BOUND_ULP, CANCELLING, SQUARES_IN_RANGE),
+        accuracy=ACCURACY["linearisation_bound"],
         on=ABOVE_BASE_CIRCLE,
         singular=(Singular(Eq(dh, 0)),),
         workloads=(("N depths, one wheel", ("dh",)),),
@@ -255,13 +253,7 @@ QUANTITIES = (
         ),
         f"{SOURCE}, steps 5 and 6 corrected",
         unit="mm",
-        accuracy=Accuracy(
-            ERROR_ULP,
-            Scale(
-                "the sum of its terms' sizes",
-                2 * tan(alpha) * (Abs(dh_gauge) + Abs(e_tip) / 2),
-            ),
-        ),
+        accuracy=ACCURACY["thickness_error"],
         singular=(Singular(Eq(dh_gauge, e_tip / 2)),),
         workloads=(("N errors, one wheel", ("e_tip", "height_error")),),
     ),
