@@ -30,7 +30,7 @@ AC, EC, BC, BD, CD, DE = PRINT.symbols("AC EC BC BD CD DE")
 
 # What the mechanics, the forms and the proofs need besides.
 mount, k, x, theta, r, tau, start = sp.symbols("mount k x theta r tau c", real=True)
-R3, R4, R5, R6, rho3, rho4, span = sp.symbols("R3 R4 R5 R6 rho3 rho4 L", positive=True)
+R3, R4, R5, R6, rho3, span = sp.symbols("R3 R4 R5 R6 rho3 L", positive=True)
 s, sB, sC, sD, omega_satellite, omega_out = sp.symbols("s s_B s_C s_D omega_5 omega_3", real=True)
 acceleration_symbol = sp.Symbol("varphi3''", real=True)
 alpha, beta, gamma, delta = sp.symbols("alpha beta gamma delta", real=True)
@@ -136,8 +136,11 @@ def integrate(ratio: sp.Expr) -> sp.Integral:
     return sp.Integral(ratio.subs(phi1, tau), (tau, 0, phi1))
 
 
-# What letters are given by, on the line A-C and by its mechanics.
+# What letters are given by, on the line A-C and by its mechanics; the kernels state the domain in
+# this order.
 VARIABLES = (
+    Variable(R4, "radius of a cylindrical sun 4", LENGTH, POSITIVE),
+    Variable(R5, "radius of a cylindrical wheel 5", LENGTH, POSITIVE),
     *PRINT.give(
         {
             AC: sC,
@@ -153,8 +156,6 @@ VARIABLES = (
     Variable(
         mount, "turn of wheel 6 on its shaft, from its place in the paper", ANGLE, sign="as phi1"
     ),
-    Variable(R4, "radius of a cylindrical sun 4", LENGTH, POSITIVE),
-    Variable(R5, "radius of a cylindrical wheel 5", LENGTH, POSITIVE),
     Variable(R3, "radius of a cylindrical wheel 3", LENGTH, POSITIVE),
     Variable(R6, "radius of a cylindrical wheel 6", LENGTH, POSITIVE),
     Variable(k, "ratio of the cylindrical wheels 4 and 5", given=R4 / R5),
@@ -211,7 +212,6 @@ VARIABLES = (
     Variable(turns, "half turns", within=sp.S.Naturals0),
     Variable(start, "constant of the integral (5)", ANGLE),
     Variable(rho3, "radius of wheel 3 at D", LENGTH, POSITIVE),
-    Variable(rho4, "radius of wheel 4 at B", LENGTH, POSITIVE),
     Variable(span, "distance of two fixed axes", LENGTH, POSITIVE),
     Variable(sB, "coordinate of B on the line A-C", LENGTH),
     Variable(sC, "coordinate of C", LENGTH, POSITIVE),

@@ -50,7 +50,7 @@ incline, gauge_um, millimetre = symbols("tan_alpha sigma_gauge mm", positive=Tru
 sigma_tip, sigma_height, sigma_thickness = symbols("sigma_d sigma_h sigma_S", positive=True)
 tip_tolerance, interval = symbols("IT_d U", positive=True)
 clearance = Symbol("j_n", nonnegative=True)
-delta, tilt, start, turn, thinning = symbols("delta tilt delta_0 turn Delta_s", real=True)
+delta, tilt, turn, thinning = symbols("delta tilt turn Delta_s", real=True)
 r_b, t_c, y_c, above, below = symbols("r_b t_c y_c q_1 q_2", real=True)
 mate, centre_change, micrometre = symbols("E_mate Delta_a um", real=True)
 rightly_accepted, wrongly_accepted, rightly_rejected, wrongly_rejected = symbols(
@@ -62,7 +62,22 @@ POSITIVE = Interval.open(0, oo)
 chord = pi * m * cos(alpha) ** 2 / 2
 chord_height = m * (1 - pi * sin(2 * alpha) / 8)
 
+# The kernels list what is given in this order.
 VARIABLES = (
+    Variable(r_b, "base radius", LENGTH, POSITIVE, given=m * z * cos(alpha) / 2, latex=("r_b",)),
+    Variable(
+        t_c,
+        "roll angle at the constant chord",
+        ANGLE,
+        given=tan(alpha) + pi / (2 * z),
+        latex=("t_c",),
+    ),
+    Variable(
+        y_c,
+        "from the wheel's centre to the constant chord",
+        LENGTH,
+        given=m * (z / 2 + pi * sin(2 * alpha) / 8),
+    ),
     *PRINT.give({s_c: chord, K_m: 2 * tan(alpha)}),
     Variable(
         alpha,
@@ -80,21 +95,6 @@ VARIABLES = (
         "angle between the tangents at a chord's end and at the constant chord's",
         ANGLE,
         latex=(r"\varepsilon",),
-    ),
-    Variable(start, "angle of the flank's tangent with the tooth's axis at a first chord", ANGLE),
-    Variable(r_b, "base radius", LENGTH, POSITIVE, given=m * z * cos(alpha) / 2, latex=("r_b",)),
-    Variable(
-        t_c,
-        "roll angle at the constant chord",
-        ANGLE,
-        given=tan(alpha) + pi / (2 * z),
-        latex=("t_c",),
-    ),
-    Variable(
-        y_c,
-        "from the wheel's centre to the constant chord",
-        LENGTH,
-        given=m * (z / 2 + pi * sin(2 * alpha) / 8),
     ),
     Variable(psi, "half the tooth's angle at the base circle", ANGLE, within=POSITIVE),
     Variable(thinning, "change of thickness on the pitch circle", LENGTH),
