@@ -135,7 +135,8 @@ def _show_witness(row: Judgement) -> Iterator[str]:
         at = ", ".join(f"{name} = {value}" for name, value in item.at.items())
         sides = zip(row.sides, (item.printed, item.rebuilt), strict=True)
         values = ", ".join(f"{name} {value}" for name, value in sides if value)
-        yield f"at {at}: {values}" if at else item.what
+        if at:
+            yield f"at {at}: {values}"
 
 
 def _compare(cost: Cost, verdict: Verdict, row: Row, paper: Paper) -> str:
