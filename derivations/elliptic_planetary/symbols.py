@@ -32,6 +32,7 @@ second_focus_squared = r**2 - 4 * a * e * r * cos(theta) + 4 * a**2 * e**2
 focal_radius = solve_linear(Eq((2 * a - r) ** 2, second_focus_squared), r)
 
 VARIABLES = (
+    Variable(k, "ratio of the cylindrical radii", given=R1 / R2),
     *PRINT.give(
         {
             a: (R1 - R2) / 2,
@@ -52,7 +53,6 @@ VARIABLES = (
     ),
     *TYPE_A_VARIABLES,
     *ENCODER_VARIABLES,
-    Variable(k, "ratio of the cylindrical radii", given=R1 / R2),
     Variable(nearest, "least focal distance over a, a sum of its own", given=1 - e),
     Variable(at_b, "coordinate of B on the line A-C", LENGTH),
     Variable(at_c, "coordinate of C", LENGTH, Interval.open(0, oo)),

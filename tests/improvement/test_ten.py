@@ -1,7 +1,8 @@
 """Forms that people picked for the five papers are found again from their naive forms.
 
-The ten quantities, two of each paper, and the digits that their definition loses as it is printed
-were named before the search was written, on the points of the search: all 16 where a value is lost.
+The ten quantities, two of each paper, were named before the search was written. The digits that
+their definition loses as it is printed are those on the points of the search, all 16 where a value
+is lost; for three of them they are fewer than on the points on which they were first measured.
 """
 
 from __future__ import annotations
