@@ -122,8 +122,8 @@ def ratio(
     """Compute the transmission ratio d phi3/d phi1 of the output wheel to the carrier.
 
         ratio = 1 + k*(1 - e**2)/(1 + e**2 - 2*e*cos(x))
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Parameters
     ----------
@@ -201,8 +201,8 @@ def position(
     """Compute the position function phi3(phi1) of the output wheel, phi3(0) = 0.
 
         position = phi1*(1 + k) + 2*atan2(e*sin(x), 1 - e*cos(x))
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Parameters
     ----------
@@ -308,8 +308,8 @@ def acceleration(
     """Compute d ratio/d phi1, the angular acceleration of the output at unit carrier speed.
 
         acceleration = -2*e*k**2*(1 - e**2)*sin(x)/(1 + e**2 - 2*e*cos(x))**2
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Parameters
     ----------

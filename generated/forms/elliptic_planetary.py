@@ -72,8 +72,8 @@ def ratio_printed(
     """Compute `ratio` by another form: printed (8).
 
         ratio_printed = 1 + R1*(1 - e**2)/(R2*(1 + e**2 - 2*e*cos(x)))
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Domain as that of `ratio`.
 
@@ -114,8 +114,8 @@ def ratio_half_angle(
     """Compute `ratio` by another form: half-angle sine.
 
         ratio_half_angle = 1 + k*(1 - e)*(1 + e)/(4*e*sin(x/2)**2 + (1 - e)**2)
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Domain as that of `ratio`.
 
@@ -202,8 +202,8 @@ def position_principal(
     """Compute `position` by another form: tan/arctan.
 
         position_principal = phi1 + 2*atan((1 + e)*tan(x/2)/(1 - e))
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Right for |phi1| < pi*R2/R1, beyond that off by multiples of 2*pi.
 
@@ -245,8 +245,8 @@ def position_floor(
     """Compute `position` by another form: tan/arctan + floor.
 
         position_floor = phi1 + 2*pi*floor((pi + x)/(2*pi)) + 2*atan((1 + e)*tan(x/2)/(1 - e))
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Proved for |x - 2 pi m| < pi; the computed floor and tangent disagree at the ends.
 
@@ -290,8 +290,8 @@ def position_atan2(
     """Compute `position` by another form: x + 2 atan2, 1 - e cos x.
 
         position_atan2 = phi1*(1 + k) + 2*atan2(e*sin(x), 1 - e*cos(x))
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Domain as that of `position`.
 
@@ -329,8 +329,8 @@ def position_atan2_stable(
     """Compute `position` by another form: x + 2 atan2, no cancellation.
 
         position_atan2_stable = phi1*(1 + k) + 2*atan2(e*sin(x), nearest + 2*e*sin(x/2)**2)
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
         nearest = 1 - e
 
     Domain as that of `position`.
@@ -376,8 +376,8 @@ def position_tan_half(
     """Compute `position` by another form: tan-half, by hand.
 
         position_tan_half = phi1*(1 + k) + 2*atan(2*e*tan(x/2)/(nearest + (1 + e)*tan(x/2)**2))
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
         nearest = 1 - e
 
     Domain as that of `position`.
@@ -421,8 +421,8 @@ def position_fourier_2(
     """Compute `position` by another form: Fourier series, 2 terms.
 
         position_fourier_2 = 2*e*sin(x) + e**2*sin(2*x) + phi1*(1 + k)
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Approximation, Fourier series, 2 terms: |result - exact| <= 2*e**3/(3 - 3*e), rounding
     apart.
@@ -469,8 +469,8 @@ def position_fourier_4(
 
         position_fourier_4 = 2*e*sin(x) + e**2*sin(2*x) + 2*e**3*sin(3*x)/3 + e**4*sin(4*x)/2 +
             phi1*(1 + k)
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Approximation, Fourier series, 4 terms: |result - exact| <= 2*e**5/(5 - 5*e), rounding
     apart.
@@ -522,8 +522,8 @@ def position_fourier_8(
         position_fourier_8 = 2*e*sin(x) + e**2*sin(2*x) + 2*e**3*sin(3*x)/3 + e**4*sin(4*x)/2 +
             2*e**5*sin(5*x)/5 + e**6*sin(6*x)/3 + 2*e**7*sin(7*x)/7 + e**8*sin(8*x)/4 + phi1*(1
             + k)
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Approximation, Fourier series, 8 terms: |result - exact| <= 2*e**9/(9 - 9*e), rounding
     apart.
@@ -592,8 +592,8 @@ def position_fourier_2_single(
     """Compute `position` by another form: Fourier series, 2 terms, float32.
 
         position_fourier_2_single = 2*e*sin(x) + e**2*sin(2*x) + phi1*(1 + k)
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     The bound includes the roundings of float32, |x| <= 2**26.
 
@@ -648,8 +648,8 @@ def position_fourier_4_single(
 
         position_fourier_4_single = 2*e*sin(x) + e**2*sin(2*x) + 2*e**3*sin(3*x)/3 +
             e**4*sin(4*x)/2 + phi1*(1 + k)
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     The bound includes the roundings of float32, |x| <= 2**26.
 
@@ -711,8 +711,8 @@ def position_fourier_8_single(
         position_fourier_8_single = 2*e*sin(x) + e**2*sin(2*x) + 2*e**3*sin(3*x)/3 +
             e**4*sin(4*x)/2 + 2*e**5*sin(5*x)/5 + e**6*sin(6*x)/3 + 2*e**7*sin(7*x)/7 +
             e**8*sin(8*x)/4 + phi1*(1 + k)
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     The bound includes the roundings of float32, |x| <= 2**26.
 
@@ -792,8 +792,8 @@ def position_fourier_12_single(
             e**4*sin(4*x)/2 + 2*e**5*sin(5*x)/5 + e**6*sin(6*x)/3 + 2*e**7*sin(7*x)/7 +
             e**8*sin(8*x)/4 + 2*e**9*sin(9*x)/9 + e**10*sin(10*x)/5 + 2*e**11*sin(11*x)/11 +
             e**12*sin(12*x)/6 + phi1*(1 + k)
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     The bound includes the roundings of float32, |x| <= 2**26.
 
@@ -881,8 +881,8 @@ def acceleration_direct(
     """Compute `acceleration` by another form: 1 + e**2 - 2 e cos x.
 
         acceleration_direct = -2*e*k**2*(1 - e**2)*sin(x)/(1 + e**2 - 2*e*cos(x))**2
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Domain as that of `acceleration`.
 
@@ -929,8 +929,8 @@ def acceleration_half_angle(
 
         acceleration_half_angle = -2*e*k**2*(1 - e)*(1 + e)*sin(x)/(4*e*sin(x/2)**2 + (1 -
             e)**2)**2
-        x = k*phi1
         k = R1/R2
+        x = k*phi1
 
     Domain as that of `acceleration`.
 
