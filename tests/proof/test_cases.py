@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
 import sympy as sp
 
-from mechproof.proof.cases import narrow
+from mechproof.proof.cases import decide_by_pieces, narrow
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.verdict import Verdict
@@ -42,6 +43,24 @@ PIECES = sp.Piecewise((1 - x, x < 1), ((x - 1) ** 2, True))
 )
 def test_equal_by_cases(printed: sp.Expr, rebuilt: sp.Expr, verdict: Verdict) -> None:
     assert decide(Equality(printed, rebuilt), DOMAIN).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    "bind",
+    [
+        lambda piece: sp.Integral(piece, (x, -1, 1)),
+        lambda piece: sp.Integral(piece, (x, 0, x)),
+        lambda piece: sp.Sum(piece, (x, 1, 3)),
+        lambda piece: sp.Limit(piece, x, 0),
+    ],
+)
+def test_a_condition_on_a_bound_symbol_makes_no_cases(
+    bind: Callable[[sp.Expr], sp.Expr],
+) -> None:
+    """The symbol of the integral is another one than the x beside it."""
+    piece = sp.Piecewise((1, x > 0), (0, True))
+    assert decide_by_pieces((piece, x), DOMAIN, lambda *_: "any") == "case by case, any"
+    assert decide_by_pieces((x + bind(piece), piece), DOMAIN, lambda *_: "any") is None
 
 
 def test_the_part_of_a_condition() -> None:

@@ -10,6 +10,7 @@ from contextlib import suppress
 from dataclasses import replace
 
 import sympy as sp
+from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.relational import Relational
 
 from mechproof.proof.domain import Domain
@@ -71,11 +72,17 @@ def narrow(domain: Domain, relation: Relational) -> Domain | None:
 
 
 def _list_conditions(sides: Sides) -> set[Relational]:
-    """Collect the conditions of pieces that no index is bound in."""
+    """Collect the conditions of pieces in symbols that are bound nowhere."""
     pieces = {piece for side in sides for piece in side.atoms(sp.Piecewise)}
     free = {symbol for side in sides for symbol in side.free_symbols}
+    bound = {
+        symbol
+        for side in sides
+        for node in side.atoms(ExprWithLimits, sp.Limit)
+        for symbol in ([node.args[1]] if isinstance(node, sp.Limit) else node.bound_symbols)
+    }
     conditions = {c for piece in pieces for _, cond in piece.args for c in cond.atoms(Relational)}
-    return {c.canonical for c in conditions if c.free_symbols <= free}
+    return {c.canonical for c in conditions if c.free_symbols <= free - bound}
 
 
 def _assume(side: sp.Expr, condition: Relational, *, holds: bool) -> sp.Expr:
