@@ -70,14 +70,13 @@ LOADED = {
     "record": {"sympy", "mechproof.notebook", "mechproof.record"},
     "latex": {"sympy", "mechproof.latex", "mechproof.record"},
     "programs": {"sympy", "mpmath", "flint", "mechproof.programs", "mechproof.record"},
+    "programs.taylor": {
+        *("sympy", "flint", "mechproof.arithmetic", "mechproof.programs", "mechproof.record"),
+    },
     "arithmetic": {"numpy", "sympy", "flint", "mechproof.arithmetic", "mechproof.record"},
     "proof": {
         *("sympy", "flint", "mechproof.cache", "mechproof.notebook", "mechproof.arithmetic"),
         *("mechproof.proof", "mechproof.record"),
-    },
-    # The exact coefficients of a series are those from which its polynomial is printed.
-    "proof.taylor": {
-        *("sympy", "flint", "mechproof.arithmetic", "mechproof.programs", "mechproof.proof"),
     },
     "codegen": {
         *("sympy", "jinja2", "mechproof.codegen", "mechproof.programs", "mechproof.record"),

@@ -1,6 +1,6 @@
 """Who may import whom, as one sentence: each layer what is below it, and no way leads back.
 
-tools < support < kernels < the runtime of numbers; paper < latex, programs < arithmetic < proof,
+tools < support < kernels < the runtime of numbers; paper < latex, arithmetic < programs < proof,
 roundoff, emission < documents < loading < the runtime that proves < tailoring < laboratory,
 figures < report < pipeline < command line.
 """
@@ -30,11 +30,8 @@ LAYERS: tuple[Mapping[str, Room], ...] = (
     {"kernels": ("kernels",), "choice": ("choice",), "measurement": ("measurement",)},
     {"conformity": ("conformity",)},
     {"paper": ("record",)},
-    {
-        "latex": ("latex",),
-        "programs": ("programs",),
-    },
-    {"arithmetic": ("arithmetic",)},
+    {"latex": ("latex",), "arithmetic": ("arithmetic",)},
+    {"programs": ("programs",)},
     {"proof": ("proof",), "roundoff": ("roundoff",), "emission": ("codegen",)},
     {"documents": ("document",)},
     {"loading": ("chosen", "derivation")},

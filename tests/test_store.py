@@ -101,7 +101,7 @@ def reached(*starts: str) -> set[str]:
     `processes` is reached by the loader alone, whose time it limits.
     """
     graph = {module: kinds.run for module, kinds in read_graph().items()}
-    tools = {"derivation", "files", "json_rows", "measured", "notebook", "processes"}
+    tools = {"chosen", "derivation", "files", "json_rows", "measured", "notebook", "processes"}
     found = {module.removeprefix("mechproof.") for module in find_reached(graph, *starts)}
     return found - tools
 

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from sympy import Abs, Integer, Rational, Symbol, exp, log, sin, tan
 
-from mechproof.programs.exact_series import ORDER, expand_at_zero
+from mechproof.arithmetic.exact_series import ORDER, expand_at_zero
 from mechproof.proof.domain import Domain
 from mechproof.proof.ladder import decide
 from mechproof.proof.taylor import RUNG, holds_near_zero

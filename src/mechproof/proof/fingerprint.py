@@ -69,6 +69,9 @@ class Fingerprint:
     def _members(self, collection: Any) -> tuple[str, ...]:
         return tuple(map(self.visit, collection))
 
+    def _unordered(self, collection: frozenset[Any]) -> tuple[str, ...]:
+        return tuple(sorted(map(self.visit, collection)))
+
 
 def _describe_class(kind: type) -> tuple[str, ...]:
     if isinstance(kind, UndefinedFunction):
@@ -107,5 +110,6 @@ _ENCODERS: tuple[tuple[type, Callable[[Fingerprint, Any], tuple[str, ...]]], ...
     (Fraction, _repr),
     (Mapping, Fingerprint._items),
     (tuple, Fingerprint._members),
+    (frozenset, Fingerprint._unordered),
     (list, Fingerprint._members),
 )

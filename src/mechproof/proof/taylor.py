@@ -9,8 +9,8 @@ from __future__ import annotations
 import sympy as sp
 from flint import arb, arb_series, fmpq
 
+from mechproof.arithmetic.exact_series import ORDER, expand_at_zero
 from mechproof.arithmetic.series import LONGEST, NAN, TaylorExpression, list_terms, working
-from mechproof.programs.exact_series import ORDER, expand_at_zero
 from mechproof.proof.domain import Domain
 
 RUNG = "Taylor series with its remainder in balls"

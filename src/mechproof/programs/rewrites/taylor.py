@@ -11,8 +11,8 @@ from functools import partial
 
 import sympy as sp
 
+from mechproof.arithmetic.exact_series import ORDER, expand_at_zero
 from mechproof.programs.evaluation import Enclosure, Evaluation, Step
-from mechproof.programs.exact_series import ORDER, expand_at_zero
 
 # The polynomial is off by no more than this part of its first term, and has no more terms.
 PART, MOST_TERMS = sp.Rational(1, 2**56), 20
