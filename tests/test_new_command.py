@@ -45,8 +45,8 @@ def test_a_derivation_of_its_own_is_proved_and_its_kernel_written(folder: Path) 
     ("file", "told"),
     [
         ("crank.tex", "is there already"),
-        ("crank.txt", "a paper is FILE.tex"),
-        ("two words.py", "a derivation FILE.py"),
+        ("crank.txt", "must end in .tex"),
+        ("two words.py", "letters, digits and underscores"),
         ("kernels.py", "none of compiled, forms, kernels"),
     ],
 )

@@ -78,3 +78,36 @@ def test_a_value_may_be_printed_before_what_it_is_a_value_of() -> None:
     block, _, equations = LETTERS.partition("%% end\n")
     rows = check("paper.tex", f"{block}%% end\n$$z(0)=0$$ $$z(0)=2a$$ {equations}").rows
     assert [row.outcome for row in rows] == ["PROVED", "REFUTED", "DEFINITION", "DEFINITION"]
+
+
+SIZES = r"""%% mechproof
+%% r ; l ; x : lengths [mm] {r>0}
+%% \alpha : angle [rad]
+%% sizes r=80 mm, l=202 mm
+%% end
+"""
+# The number behind what is printed, and what becomes of it.
+NUMBERS = {
+    r"x=r+l=28.2\,\mathrm{cm}": "PROVED",
+    r"x=r+l=28.2\,\mathrm{m}": "REFUTED",
+    # No letter says in which unit it would be.
+    r"\frac{r+l}2=\frac{l+r}2=14.1\,\mathrm{cm}": "not read",
+    r"\frac{r+l}2=\frac{l+r}2=141.0\,\mathrm{N}": "not read",
+    r"r+l=282.5\,\mathrm{mm}": "not read",
+    r"\alpha=\arctan\frac rl=21.61": "PROVED",
+    r"\alpha=\arctan\frac rl=0.3771": "PROVED",
+    r"\alpha=\arctan\frac rl=201.6": "PROVED",
+    # Half a turn of 3.14 degrees.
+    r"\alpha=\arctan\frac rl=24.75": "REFUTED",
+    r"\alpha=\arctan\frac rl=18.46": "REFUTED",
+    r"\alpha=\arctan\frac rl=201.6^\circ": "PROVED",
+    # Degrees that are said to be radians.
+    r"\alpha=\arctan\frac rl=21.61\,\mathrm{rad}": "REFUTED",
+    r"\alpha=\arctan\frac rl=0.3771\,\mathrm{rad}": "PROVED",
+}
+
+
+@pytest.mark.parametrize("latex", NUMBERS)
+def test_numbers_are_compared_in_the_unit_that_is_printed(latex: str) -> None:
+    *_, row = check("paper.tex", f"{SIZES}$${latex}$$").rows
+    assert row.outcome == NUMBERS[latex]

@@ -29,7 +29,7 @@ def new(
     FILE.tex is a source with its block of letters, FILE.py a derivation with a row and a kernel;
     where a source of its name lies beside it, it takes letters and prints from there.
 
-    Exit status 0: written; 2: the file is there already, or cannot be called so.
+    Exit status 0: written; 2: the file is there already, or its name is not allowed.
     """
     if file.exists():
         refuse(f"{file}: is there already; --draft of `mechproof check` writes a block for a paper")
@@ -39,8 +39,8 @@ def new(
         return
     if file.suffix != ".py" or not is_name(file.stem) or file.stem in RESERVED:
         refuse(
-            f"{file}: a paper is FILE.tex, a derivation FILE.py, whose name is one of Python and "
-            f"none of {', '.join(RESERVED)}"
+            f"{file}: must end in .tex for a paper, in .py for a derivation, whose name has "
+            f"letters, digits and underscores only and is none of {', '.join(RESERVED)}"
         )
     write_whole(file, _write_derivation(file))
     say(f"{file}: written; mechproof verify {file}")

@@ -35,7 +35,7 @@ from mechproof.document.tasks import Task
 from mechproof.latex import Reader, ReadingError
 from mechproof.latex.expansion import read_row
 from mechproof.latex.reader import Print
-from mechproof.latex.tree import Measure, walk
+from mechproof.latex.tree import Letter, Measure, walk
 from mechproof.processes import limit_time
 from mechproof.proof.verdict import Left, Place, State
 from mechproof.record import (
@@ -248,6 +248,8 @@ def _refuse_units(read: Print) -> None:
     for chain in read.chains:
         limits = {n for n, sign in enumerate(chain.relations) if sign not in (*EQUAL, r"\approx")}
         beside = {0 if chain.relations else -1, *limits, *(n + 1 for n in limits)}
+        if not isinstance(chain.members[0], Letter):
+            beside |= {*range(len(chain.members))}
         for part in (chain.condition, *(m for n, m in enumerate(chain.members) if n in beside)):
             for node in walk(part):
                 if isinstance(node, Measure):

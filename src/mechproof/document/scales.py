@@ -81,11 +81,14 @@ class Scales:
     A letter without any counts as it stands.
     """
 
-    def __init__(self, symbols: Symbols, heads: Iterable[Head] = ()) -> None:
+    def __init__(
+        self, symbols: Symbols, heads: Iterable[Head] = (), shown: Iterable[sp.Basic] = ()
+    ) -> None:
+        """Take the heads of a table, and letters beside whose numbers a unit is printed."""
         self.symbols = symbols
-        shown = {h.symbol: h.unit for h in heads if h.unit and h.unit.dimension != NUMBER}
-        self.known = {s: unit.scale for s, unit in shown.items()} | {**symbols.scales}
-        self.shown = {h.symbol for h in heads if h.unit}
+        units = {h.symbol: h.unit for h in heads if h.unit and h.unit.dimension != NUMBER}
+        self.known = {s: unit.scale for s, unit in units.items()} | {**symbols.scales}
+        self.shown = {*shown, *(h.symbol for h in heads if h.unit)}
 
     def convert(self, symbol: sp.Basic | None, unit: Unit | None) -> sp.Expr:
         """Return what a unit is in that of a letter; a letter without any has it."""
@@ -110,37 +113,43 @@ class Scales:
         every choice of the branches.
         """
         readings = []
-        for turned in self._read_degrees(formula, own):
-            readings.append(turned)
+        for turned, unit in self._read_degrees(formula, own):
+            readings.append((turned / unit, unit))
             letters = {*turned.free_symbols, own} - {None, *self.symbols.branches}
             if letters <= self.known.keys():
                 scales = {s: s * scale for s, scale in self.known.items()}
-                readings.append(turned.xreplace(scales) / self.known.get(own, sp.S.One))
+                scale = unit * self.known.get(own, sp.S.One)
+                readings.append((turned.xreplace(scales) / scale, scale))
         choices = self.symbols.list_branches(formula.free_symbols)
         turns = self._list_turns(formula, own)
         return [
-            tuple(reading.xreplace(c) + turn for c in choices for turn in turns)
-            for reading in readings
+            tuple(reading.xreplace(c) + turn / unit for c in choices for turn in turns)
+            for reading, unit in readings
         ]
 
     def _list_turns(self, formula: sp.Expr, own: sp.Basic | None) -> list[sp.Expr]:
-        """Return by what an angle may differ: a turn, half of one where an arc tangent gives it."""
+        """Return by how many radians an angle may differ: turns, half ones by an arc tangent."""
         dimension = None if own is None else self.symbols.find_dimension(own)
         if dimension is None or not dimension.is_angle or not formula.has(*_ARCS):
             return [sp.S.Zero]
         step = sp.pi if formula.has(sp.atan) else 2 * sp.pi
-        return [sp.S.Zero, *(sign * n * step / self.known[own] for n in (1, 2) for sign in (1, -1))]
+        return [sp.S.Zero, *(sign * n * step for n in (1, 2) for sign in (1, -1))]
 
-    def _read_degrees(self, formula: sp.Expr, own: sp.Basic | None) -> Iterator[sp.Expr]:
-        """Yield a formula of angles in radians, and in degrees where no unit is shown."""
+    def _read_degrees(
+        self, formula: sp.Expr, own: sp.Basic | None
+    ) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+        """Yield a formula of angles in radians, and in degrees where no unit is shown.
+
+        The second is the unit of the angle that it gives.
+        """
         turning = {s for f in formula.atoms(*_TURNING) for s in f.free_symbols}
         angles = {s: s * _DEGREE for s in formula.free_symbols if self._may_turn(s, s in turning)}
         is_angle = self._may_turn(own, formula.has(*_ARCS))
         for values in ({}, angles) if angles else ({},):
             turned = formula.xreplace(values)
-            yield turned
+            yield turned, sp.S.One
             if is_angle:
-                yield turned / _DEGREE
+                yield turned, _DEGREE
 
     def _may_turn(self, symbol: sp.Basic | None, is_bare_angle: bool) -> bool:
         """Return whether a letter may be an angle in degrees."""

@@ -61,13 +61,15 @@ def round_at_sizes(sign: Sign, own: sp.Basic | None, known: Known) -> PrintedNum
     """Return what a number says of a letter at the sizes, or why that is not judged."""
     if not sign.number or _FEW_DIGITS.match(sign.number):
         return "a special value: nothing says at which sizes, or to how many digits"
+    if sign.unit and own is None:
+        return "a unit, and no letter in whose unit the number could be compared"
     usual = dict(known.symbols.usual)
     value = known.settle(sign.value)
     # A letter that has a size, too, may be meant by either.
     formulas = dict.fromkeys((value, known.settle(sign.value, stop=usual)))
     if missing := sorted(map(str, value.free_symbols - usual.keys())):
         return f"a value for sizes that are not declared: {', '.join(missing)}"
-    scales = Scales(known.symbols)
+    scales = Scales(known.symbols, shown=[own] if sign.unit and own else [])
     factor = scales.convert(own, read_unit(sign.unit)) if sign.unit else sp.S.One
     readings = [r for formula in formulas for r in scales.list_readings(formula, own)]
     values = [one.xreplace(usual) / factor for reading in readings for one in reading]

@@ -163,7 +163,8 @@ def find_subjects(
     for name in names:
         if not any(goes_by(subject.name, name) for subject in subjects):
             known = ", ".join(subject.name for subject in subjects)
-            raise ValueError(f"quantity {name!r} is not one of {known}")
+            reason = f"is not one of {known}" if known else "is not there: no quantity is stated"
+            raise ValueError(f"quantity {name!r} {reason}")
     return tuple(s for s in subjects if not names or any(goes_by(s.name, name) for name in names))
 
 
